@@ -1,0 +1,53 @@
+// A picture in memory: the end of every rendering, the start of every file.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace poinsot {
+
+struct Rgba8 {
+    std::uint8_t r = 0, g = 0, b = 0, a = 255;
+    bool operator==(const Rgba8&) const = default;
+};
+
+// width × height pixels of sRGB-encoded R, G, B and linear, non-premultiplied alpha; row 0 is the
+// top; 4 bytes a pixel.
+class Image {
+ public:
+    Image() = default;
+    Image(int width, int height)
+        : width_(width),
+          height_(height),
+          bytes_(4u * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    bool empty() const { return bytes_.empty(); }
+
+    std::span<std::uint8_t> bytes() { return bytes_; }
+    std::span<const std::uint8_t> bytes() const { return bytes_; }
+
+    Rgba8 at(int x, int y) const {
+        const std::uint8_t* p = bytes_.data() + offset(x, y);
+        return {p[0], p[1], p[2], p[3]};
+    }
+    void set(int x, int y, Rgba8 c) {
+        std::uint8_t* p = bytes_.data() + offset(x, y);
+        p[0] = c.r, p[1] = c.g, p[2] = c.b, p[3] = c.a;
+    }
+
+    bool operator==(const Image&) const = default;
+
+ private:
+    std::size_t offset(int x, int y) const {
+        return 4u * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                     static_cast<std::size_t>(x));
+    }
+    int width_ = 0;
+    int height_ = 0;
+    std::vector<std::uint8_t> bytes_;
+};
+
+}  // namespace poinsot

@@ -1,0 +1,35 @@
+// The motion of a rigid body as an immutable value that can be asked for any instant.
+#pragma once
+
+#include <Eigen/Core>
+#include <variant>
+
+#include "mechanics/free_rotation.h"
+#include "mechanics/motion_problem.h"
+#include "mechanics/regime.h"
+#include "mechanics/rotation_state.h"
+
+namespace poinsot {
+
+// Chooses the regime once and answers for any time. Exact motions cost the same at every instant;
+// stepped ones cover the problem's time span and throw InputError outside it. (HeavyTop and
+// IntegratedRotation join the variant.)
+class Motion {
+ public:
+    // Throws InputError for what cannot be computed: an unknown method (with the nearest), exact
+    // with a torque that has no closed form (with the list of methods that can), a step that is not
+    // positive, overflow of L or ω t.
+    explicit Motion(const MotionProblem& problem);
+
+    RotationState at(double time_s) const;
+    MotionSample sample(double time_s, Quantities wanted) const;
+
+    Regime regime() const;
+    const MotionProblem& problem() const { return problem_; }
+
+ private:
+    MotionProblem problem_;
+    std::variant<FreeRotation> solution_;
+};
+
+}  // namespace poinsot

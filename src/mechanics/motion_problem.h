@@ -1,0 +1,52 @@
+// Everything that determines a motion: body, start, torque and the method that computes it.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "mechanics/inertia.h"
+#include "mechanics/rotation_state.h"
+
+namespace poinsot {
+
+// Torque in the equations of motion, about the centre of mass or the fixed point.
+struct NoTorque {};
+struct GravityTorque {  // potential Mgl·(n·z): centre of mass at distance l along arm_body from the
+                        // fixed point
+    double mgl_N_m = 0.0;
+    Eigen::Vector3d arm_body{0.0, 0.0, 1.0};  // unit
+};
+struct ConstantBodyTorque {
+    Eigen::Vector3d torque_body_N_m = Eigen::Vector3d::Zero();
+};
+struct ConstantSpaceTorque {
+    Eigen::Vector3d torque_space_N_m = Eigen::Vector3d::Zero();
+};
+struct DissipationTorque {  // internal friction: L is kept, T decays (major-axis rule); rate in 1/s
+    double rate_1_s = 0.0;
+};
+using Torque = std::variant<NoTorque, GravityTorque, ConstantBodyTorque, ConstantSpaceTorque,
+                            DissipationTorque>;
+
+// How the motion is to be computed.
+struct MethodChoice {
+    std::string name = "exact";
+    std::optional<double> step_s;
+    std::optional<double> tolerance;
+    std::optional<int> order;
+};
+
+// Everything that determines a motion.
+struct MotionProblem {
+    InertiaTensor inertia = InertiaTensor::from_principal_moments({1.0, 1.0, 1.0});
+    RotationState start;  // at time_s = 0
+    Torque torque;
+    MethodChoice method;
+    double first_time_s =
+        0.0;  // span that stepped methods must cover; exact ones answer everywhere
+    double last_time_s = 0.0;
+};
+
+}  // namespace poinsot

@@ -1,0 +1,38 @@
+// Attitude and angular velocity at an instant, and what may be asked of a motion.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace poinsot {
+
+// Attitude and angular velocity at one instant.
+struct RotationState {
+    double time_s = 0.0;
+    Eigen::Quaterniond space_from_body =
+        Eigen::Quaterniond::Identity();  // unit; v_space = space_from_body * v_body
+    Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();  // rad/s, body axes
+};
+
+// z-x-z Euler angles R = Rz(φ) Rx(θ) Rz(ψ), φ and ψ unwrapped (continuous in time).
+struct EulerAngles {
+    double theta_rad = 0.0;
+    double phi_rad = 0.0;
+    double psi_rad = 0.0;
+};
+
+// What is asked of one evaluation; what is not asked is not computed.
+struct Quantities {
+    bool attitude = true;
+    bool herpolhode = false;
+    bool euler_angles = false;
+};
+
+struct MotionSample {
+    RotationState state;  // the attitude is the identity when it was not asked for
+    Eigen::Vector3d herpolhode_space =
+        Eigen::Vector3d::Zero();  // component of ω perpendicular to L, rad/s, space axes
+    EulerAngles euler;
+};
+
+}  // namespace poinsot

@@ -1,0 +1,63 @@
+// Images → files. A sink takes video frames in order and makes one whole output, or nothing under
+// the final name.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "image/image.h"
+
+namespace poinsot {
+
+struct FrameRate {
+    std::int64_t numerator = 30;
+    std::int64_t denominator = 1;
+    double per_second() const {
+        return static_cast<double>(numerator) / static_cast<double>(denominator);
+    }
+};
+
+// What every output needs to know before its first frame.
+struct OutputPlan {
+    std::filesystem::path path;  // final name; "####" in a PNG name is the frame number
+    int width_px = 0, height_px = 0;
+    FrameRate rate;
+    std::int64_t first_frame = 0;     // number of the first frame written, for sequences
+    std::int64_t n_frames = 0;        // how many will come
+    std::string quality = "lecture";  // draft, lecture, print, reference
+    int encoder_threads = 0;          // 0: chosen by the sink
+    std::string metadata;             // text carried in the file
+};
+
+// write() in frame order, then finish(); a sink destroyed unfinished leaves nothing under the final
+// name.
+class FrameSink {
+ public:
+    virtual ~FrameSink() = default;
+    virtual void write(const Image& frame) = 0;  // throws EnvironmentError
+    virtual void finish() = 0;  // flushes, syncs and renames; throws EnvironmentError
+};
+
+// A row of the table of formats.
+struct OutputFormat {
+    std::string_view name;     // "mp4"
+    std::string_view suffix;   // ".mp4"; empty for those chosen by name only
+    std::string_view summary;  // for `poinsot list formats`
+    bool film;                 // several frames in one file
+    bool alpha;                // keeps transparency
+    // Throws InputError for what the format cannot hold (odd sizes, rate 0), EnvironmentError for
+    // what the machine refuses.
+    std::unique_ptr<FrameSink> (*open)(const OutputPlan& plan);
+};
+
+std::span<const OutputFormat> output_formats();
+
+// The format that a file name asks for: by suffix, a "####" PNG name being a sequence. Throws
+// InputError listing the known.
+const OutputFormat& format_for(const std::filesystem::path& path);
+
+}  // namespace poinsot

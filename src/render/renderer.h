@@ -1,0 +1,63 @@
+// Drawing → Image on an off-screen OpenGL context. The only folder that knows OpenGL and GLM.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drawing/drawing.h"
+#include "image/image.h"
+
+namespace poinsot {
+
+// Whether the bytes must be the same on every processor (slower), or may use all that this one has.
+enum class Portability { native, portable };
+
+enum class Backend { automatic, osmesa, egl };
+
+// What the context says of itself.
+struct ContextInfo {
+    std::string backend;     // "OSMesa" or "EGL"
+    std::string renderer;    // GL_RENDERER
+    std::string version;     // GL_VERSION
+    int largest_picture_px;  // largest framebuffer side
+};
+
+// Owns an off-screen OpenGL 3.3 core context, current on this thread while it lives. Move-only.
+class OffscreenContext {
+ public:
+    // Throws EnvironmentError saying what was tried and which Debian package is missing.
+    // Portability::portable must be asked for by the first context of the process.
+    explicit OffscreenContext(Backend backend = Backend::automatic,
+                              Portability portability = Portability::native);
+    ~OffscreenContext();
+    OffscreenContext(OffscreenContext&&) noexcept;
+    OffscreenContext& operator=(OffscreenContext&&) noexcept;
+
+    const ContextInfo& info() const;
+
+ private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// Draws drawings on the current context; keeps shaders, uploaded geometry and what stands still
+// between calls. Move-only.
+class Renderer {
+ public:
+    explicit Renderer(const OffscreenContext& context);
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+
+    // Throws InputError if the picture is larger than the context can draw.
+    Image render(const Drawing& drawing);
+    void render_into(const Drawing& drawing, Image& image);  // reuses the image's memory
+
+ private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace poinsot
