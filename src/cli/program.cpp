@@ -1,0 +1,197 @@
+#include "cli/program.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+
+#include "cli/command.h"
+#include "error/error.h"
+#include "error/nearest.h"
+
+namespace poinsot {
+
+namespace {
+
+// One option of the command line: where it is bound is said here and nowhere else.
+struct OptionRow {
+    std::string_view name;  // as commands name it
+    void (*add)(CLI::App& app, Options& options);
+};
+
+void add_override(CLI::App& app, Options& options, const char* flag, const char* key,
+                  const char* help) {
+    app.add_option_function<std::string>(
+           flag,
+           [&options, key](const std::string& value) {
+               // A bare word becomes a TOML string; numbers stay as they are.
+               options.overrides.push_back(fmt::format("{}={}", key, value));
+           },
+           help)
+        ->type_name("");
+}
+
+std::pair<std::int64_t, std::int64_t> parse_frames(const std::string& text) {
+    std::int64_t first = 0;
+    std::int64_t last = 0;
+    int used = 0;
+    const int n = std::sscanf(text.c_str(), "%ld-%ld%n", &first, &last, &used);
+    if (n == 1 && text.find('-') == std::string::npos) last = first;
+    const bool whole = n == 2 ? used == static_cast<int>(text.size()) : n == 1;
+    if (!whole || first < 0 || last < first) {
+        throw InputError(fmt::format(
+            "--frames {}: not a range of frames; write A-B with 0 <= A <= B, as in 0-99", text));
+    }
+    return {first, last};
+}
+
+std::vector<double> parse_times(const std::string& text) {
+    std::vector<double> times;
+    std::size_t from = 0;
+    while (from <= text.size()) {
+        const std::size_t comma = std::min(text.find(',', from), text.size());
+        const std::string item = text.substr(from, comma - from);
+        char* end = nullptr;
+        const double time = std::strtod(item.c_str(), &end);
+        if (item.empty() || *end != '\0' || !std::isfinite(time)) {
+            throw InputError(fmt::format(
+                "--times: \"{}\" is not a time in seconds; write T,T,… as in 0,0.5,1", item));
+        }
+        times.push_back(time);
+        from = comma + 1;
+    }
+    return times;
+}
+
+const std::array<OptionRow, 13> option_table{{
+    {"output",
+     [](CLI::App& app, Options& o) { app.add_option("-o,--output", o.output, "where to write"); }},
+    {"set",
+     [](CLI::App& app, Options& o) {
+         app.add_option_function<std::vector<std::string>>(
+                "--set",
+                [&o](const std::vector<std::string>& values) {
+                    o.overrides.insert(o.overrides.end(), values.begin(), values.end());
+                },
+                "key=value: change any scene key; repeatable")
+             ->type_name("KEY=VALUE")
+             ->allow_extra_args(false)
+             ->take_all();
+     }},
+    {"size",
+     [](CLI::App& app, Options& o) {
+         add_override(app, o, "--size", "film.size", "WxH: size of the picture in pixels");
+     }},
+    {"fps",
+     [](CLI::App& app, Options& o) {
+         add_override(app, o, "--fps", "film.fps", "N or N/D: video frames a second");
+     }},
+    {"quality",
+     [](CLI::App& app, Options& o) {
+         add_override(app, o, "--quality", "film.quality", "draft, lecture, print or reference");
+     }},
+    {"frames",
+     [](CLI::App& app, Options& o) {
+         app.add_option_function<std::string>(
+             "--frames", [&o](const std::string& text) { o.frames = parse_frames(text); },
+             "A-B: only these frames, from 0, both included");
+     }},
+    {"time",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--time", o.time_s, "instant of the motion in seconds");
+     }},
+    {"times",
+     [](CLI::App& app, Options& o) {
+         app.add_option_function<std::string>(
+                "--times", [&o](const std::string& text) { o.times_s = parse_times(text); },
+                "T,T,…: instants of the motion in seconds")
+             ->required();
+     }},
+    {"json", [](CLI::App& app, Options& o) { app.add_flag("--json", o.json, "answer in JSON"); }},
+    {"quiet", [](CLI::App& app,
+                 Options& o) { app.add_flag("--quiet,-q", o.quiet, "no progress, no notes"); }},
+    {"plan", [](CLI::App& app,
+                Options& o) { app.add_flag("--plan", o.plan, "what will be modelled, and why"); }},
+    {"backend", [](CLI::App& app,
+                   Options& o) { app.add_option("--backend", o.backend, "auto, osmesa or egl"); }},
+    {"portable",
+     [](CLI::App& app, Options& o) {
+         app.add_flag("--portable", o.portable, "the same bytes on every processor");
+     }},
+}};
+
+void add_option(std::string_view name, CLI::App& app, Options& options) {
+    for (const OptionRow& row : option_table) {
+        if (row.name == name) return row.add(app, options);
+    }
+    throw std::logic_error(fmt::format("no option \"{}\" in the table", name));
+}
+
+// CLI11 splits "--set a=b" rightly but has its own words for what is wrong; these are ours.
+[[noreturn]] void refuse(const std::string& what) {
+    throw InputError(fmt::format("poinsot: {}; see poinsot --help", what));
+}
+
+// Data that could not be printed must not look like success.
+void flush_stdout() {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        throw EnvironmentError(fmt::format("stdout: {}; nothing more was printed",
+                                           std::strerror(errno != 0 ? errno : EIO)));
+    }
+}
+
+}  // namespace
+
+std::span<const Command> commands() {
+    static const std::array<Command, 6> table{render_command, still_command, check_command,
+                                              sample_command, list_command,  doctor_command};
+    return table;
+}
+
+int run_program(int argc, const char* const* argv) {
+    CLI::App app("Poinsot's construction of a turning rigid body: exact motion, drawn off-screen.",
+                 "poinsot");
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "poinsot " POINSOT_VERSION);
+
+    // A mistyped command gets the nearest name, which CLI11 does not give.
+    if (argc > 1 && argv[1][0] != '-') {
+        std::vector<std::string_view> names;
+        for (const Command& command : commands()) names.push_back(command.name);
+        if (std::find(names.begin(), names.end(), argv[1]) == names.end()) {
+            refuse(fmt::format("unknown command \"{}\"{}", printable(argv[1]),
+                               did_you_mean(argv[1], names)));
+        }
+    }
+
+    Options options;
+    const Command* chosen = nullptr;
+    for (const Command& command : commands()) {
+        CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
+        auto* arguments = sub->add_option(std::string(command.arguments), options.arguments);
+        arguments->expected(command.least_arguments, command.most_arguments);
+        if (command.least_arguments > 0) arguments->required();
+        for (const std::string_view name : command.options) add_option(name, *sub, options);
+        sub->callback([&chosen, &command] { chosen = &command; });
+    }
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        app.exit(success);
+        flush_stdout();
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        refuse(error.what());
+    }
+    const int code = chosen->run(options);
+    flush_stdout();
+    return code;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,58 @@
+#include "cli/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace poinsot {
+
+Progress::Progress(std::string what, std::int64_t total, bool quiet)
+    : what_(std::move(what)),
+      total_(total),
+      quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      last_shown_(started_) {}
+
+Progress::~Progress() {
+    if (bar_open_) std::fputc('\n', stderr);
+}
+
+void Progress::at(std::int64_t done) {
+    using namespace std::chrono_literals;
+    if (quiet_ || total_ <= 0) return;
+
+    // A terminal is refreshed ten times a second, a log every five seconds.
+    const auto now = Clock::now();
+    if (now - last_shown_ < (terminal_ ? Clock::duration(100ms) : Clock::duration(5s))) return;
+    last_shown_ = now;
+
+    const double elapsed_s = std::chrono::duration<double>(now - started_).count();
+    const double rate = static_cast<double>(done) / std::max(elapsed_s, 1e-9);
+    const double left_s = static_cast<double>(total_ - done) / std::max(rate, 1e-9);
+    if (!terminal_) {
+        fmt::print(stderr, "{}: frame {} of {}, {:.1f} frames/s, {:.0f} s left\n", what_, done,
+                   total_, rate, left_s);
+        return;
+    }
+    constexpr int width = 30;
+    const int filled = static_cast<int>(width * done / total_);
+    fmt::print(stderr, "\r{} [{}{}] {}/{}  {:.1f} frames/s  {:.0f} s left \x1b[K", what_,
+               std::string(static_cast<std::size_t>(filled), '#'),
+               std::string(static_cast<std::size_t>(width - filled), '.'), done, total_, rate,
+               left_s);
+    std::fflush(stderr);
+    bar_open_ = true;
+}
+
+void Progress::finish(const std::string& made) {
+    if (quiet_) return;
+    if (bar_open_) std::fputs("\r\x1b[K", stderr);
+    bar_open_ = false;
+    const double elapsed_s = std::chrono::duration<double>(Clock::now() - started_).count();
+    fmt::print(stderr, "{}: {} frame{} in {:.2f} s\n", made, total_, total_ == 1 ? "" : "s",
+               elapsed_s);
+}
+
+}  // namespace poinsot

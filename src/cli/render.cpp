@@ -1,0 +1,78 @@
+// poinsot render SCENE -o OUT: a film or a sequence.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/picture.h"
+#include "cli/progress.h"
+#include "cli/session.h"
+#include "error/error.h"
+
+namespace poinsot {
+
+namespace {
+
+// output/<scene>.mp4, whose folder is made when it is missing; a folder that the user names is
+// theirs to make.
+std::filesystem::path output_path(const Options& options, const Scene& scene) {
+    if (!options.output.empty()) return options.output;
+    std::error_code ignored;
+    std::filesystem::create_directory("output", ignored);
+    return std::filesystem::path("output") / (scene.name + ".mp4");
+}
+
+int run(const Options& options) {
+    const Session session = open_session(options);
+    print_notes(session.scene, options.quiet);
+    const FilmPlan film = film_plan(session.scene, session.motion);
+
+    // The frames wanted, checked against the film before anything is opened.
+    std::int64_t first = 0;
+    std::int64_t last = film.n_frames - 1;
+    if (options.frames) {
+        first = options.frames->first;
+        last = options.frames->second;
+        if (last >= film.n_frames) {
+            throw InputError(
+                fmt::format("--frames {}-{}: the film has frames 0-{}; ask for a part of those",
+                            first, last, film.n_frames - 1));
+        }
+    }
+
+    OutputPlan plan;
+    plan.path = output_path(options, session.scene);
+    plan.width_px = session.scene.film.width_px;
+    plan.height_px = session.scene.film.height_px;
+    plan.rate = film.rate;
+    plan.first_frame = first;
+    plan.n_frames = last - first + 1;
+    plan.quality = session.scene.film.quality;
+
+    watch_for_interrupts();
+    const auto sink = open_film_sink(plan);
+    PictureMaker pictures(session, options,
+                          {.first_time_s = film.time_of(0), .last_time_s = film.time_of(last)});
+    Progress progress(session.scene.name, plan.n_frames, options.quiet);
+    for (std::int64_t frame = first; frame <= last; ++frame) {
+        stop_if_interrupted();
+        sink->write(pictures.at(film.time_of(frame)));
+        progress.at(frame - first + 1);
+    }
+    sink->finish();
+    progress.finish(plan.path.string());
+    return 0;
+}
+
+constexpr std::array<std::string_view, 9> options_taken{
+    "output", "set", "size", "fps", "quality", "frames", "quiet", "backend", "portable"};
+
+}  // namespace
+
+const Command render_command{
+    "render", "SCENE", 1, 1, "make a film or a PNG sequence of a scene", options_taken, run};
+
+}  // namespace poinsot

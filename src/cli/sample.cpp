@@ -1,0 +1,48 @@
+// poinsot sample SCENE --times T,T,…: the motion as data.
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+
+#include "cli/command.h"
+#include "cli/session.h"
+
+namespace poinsot {
+
+namespace {
+
+int run(const Options& options) {
+    const Session session = open_session(options);
+    print_notes(session.scene, options.quiet);
+    const bool top = session.motion.regime() == Regime::heavy_top;
+
+    // Shortest decimals that give each double back.
+    fmt::print(
+        "time_s,omega_body_1,omega_body_2,omega_body_3,q_w,q_x,q_y,q_z,"
+        "herpolhode_x,herpolhode_y,herpolhode_z{}\n",
+        top ? ",theta_rad,phi_rad,psi_rad" : "");
+    for (const double time_s : options.times_s) {
+        const MotionSample sample = session.motion.sample(
+            time_s, {.attitude = true, .herpolhode = true, .euler_angles = top});
+        const Eigen::Vector3d& w = sample.state.omega_body;
+        const Eigen::Quaterniond& q = sample.state.space_from_body;
+        const Eigen::Vector3d& h = sample.herpolhode_space;
+        fmt::print("{},{},{},{},{},{},{},{},{},{},{}", time_s, w[0], w[1], w[2], q.w(), q.x(),
+                   q.y(), q.z(), h[0], h[1], h[2]);
+        if (top) {
+            fmt::print(",{},{},{}", sample.euler.theta_rad, sample.euler.phi_rad,
+                       sample.euler.psi_rad);
+        }
+        fmt::print("\n");
+    }
+    return 0;
+}
+
+constexpr std::array<std::string_view, 3> options_taken{"set", "times", "quiet"};
+
+}  // namespace
+
+const Command sample_command{"sample",      "SCENE", 1, 1, "print the motion at given times as CSV",
+                             options_taken, run};
+
+}  // namespace poinsot

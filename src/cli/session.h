@@ -1,0 +1,42 @@
+// From a scene's name to what every command needs: the scene, its motion, and the instants of its
+// film.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/options.h"
+#include "mechanics/motion.h"
+#include "output/frame_sink.h"
+#include "scene/scene.h"
+
+namespace poinsot {
+
+// A scene that has been read and whose motion has been made.
+struct Session {
+    Scene scene;
+    Motion motion;
+};
+
+// Reads the scene named by the first argument with the command line's overrides. Throws InputError.
+Session open_session(const Options& options);
+
+// The instants of a film. Frame k shows start + k·speed/fps, from the ratio, never accumulated.
+struct FilmPlan {
+    FrameRate rate;
+    double start_s = 0.0;
+    double speed = 1.0;
+    std::int64_t n_frames = 0;  // of the whole film
+
+    double time_of(std::int64_t frame) const;
+    double last_time_s() const { return n_frames > 0 ? time_of(n_frames - 1) : start_s; }
+};
+
+FilmPlan film_plan(const Scene& scene, const Motion& motion);
+
+// Notes that the scene's reader left for the user, on stderr, unless quiet.
+void print_notes(const Scene& scene, bool quiet);
+
+}  // namespace poinsot

@@ -1,0 +1,53 @@
+// poinsot still SCENE -o OUT.png: one picture.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "cli/command.h"
+#include "cli/picture.h"
+#include "cli/session.h"
+#include "error/error.h"
+#include "image/png.h"
+
+namespace poinsot {
+
+namespace {
+
+int run(const Options& options) {
+    const Session session = open_session(options);
+    print_notes(session.scene, options.quiet);
+    if (!std::isfinite(options.time_s)) {
+        throw InputError("--time is not a finite number; give an instant in seconds");
+    }
+
+    std::filesystem::path path = options.output;
+    if (path.empty()) {
+        std::error_code ignored;
+        std::filesystem::create_directory("output", ignored);
+        path = std::filesystem::path("output") / (session.scene.name + ".png");
+    }
+    if (path.extension() != ".png") {
+        throw InputError(fmt::format("{}: a still is a PNG; end its name in .png", path.string()));
+    }
+
+    // A still shows the herpolhode of the whole film, so that the figure has both curves.
+    const FilmPlan film = film_plan(session.scene, session.motion);
+    PictureMaker pictures(session, options,
+                          {.first_time_s = std::min(film.start_s, options.time_s),
+                           .last_time_s = std::max(film.last_time_s(), options.time_s)});
+    write_png(path, pictures.at(options.time_s), {});
+    if (!options.quiet) fmt::print(stderr, "{}\n", path.string());
+    return 0;
+}
+
+constexpr std::array<std::string_view, 7> options_taken{"output", "set",     "size",    "time",
+                                                        "quiet",  "backend", "portable"};
+
+}  // namespace
+
+const Command still_command{"still",       "SCENE", 1, 1, "make one picture of a scene",
+                            options_taken, run};
+
+}  // namespace poinsot

@@ -1,0 +1,73 @@
+#include "construction/adaptive_curve.h"
+
+#include <algorithm>
+
+namespace poinsot {
+
+double distance_from_segment(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
+                             const Eigen::Vector3d& to) {
+    const Eigen::Vector3d along = to - from;
+    const double length2 = along.squaredNorm();
+    if (length2 == 0.0) return (point - from).norm();
+    const double s = std::clamp((point - from).dot(along) / length2, 0.0, 1.0);
+    return (point - (from + s * along)).norm();
+}
+
+namespace {
+
+class AdaptiveSampler {
+ public:
+    AdaptiveSampler(const std::function<Eigen::Vector3d(double)>& point, double tolerance,
+                    std::size_t max_points)
+        : point_(point), tolerance_(tolerance), max_points_(max_points) {}
+
+    CurveSample at(double parameter) const { return {parameter, point_(parameter)}; }
+
+    // Appends the samples after `from` up to and with `to`; the middle is known from the caller's
+    // test.
+    void subdivide(const CurveSample& from, const CurveSample& to, int depth) {
+        const double half = 0.5 * (to.parameter - from.parameter);
+        const CurveSample middle = at(from.parameter + half);
+        const CurveSample first_quarter = at(from.parameter + 0.5 * half);
+        const CurveSample last_quarter = at(from.parameter + 1.5 * half);
+        const double off =
+            std::max({distance_from_segment(middle.point, from.point, to.point),
+                      distance_from_segment(first_quarter.point, from.point, to.point),
+                      distance_from_segment(last_quarter.point, from.point, to.point)});
+        if (off <= tolerance_ || depth == 0 || samples.size() >= max_points_) {
+            samples.push_back(to);
+            return;
+        }
+        subdivide(from, middle, depth - 1);
+        subdivide(middle, to, depth - 1);
+    }
+
+    std::vector<CurveSample> samples;
+
+ private:
+    const std::function<Eigen::Vector3d(double)>& point_;
+    double tolerance_;
+    std::size_t max_points_;
+};
+
+}  // namespace
+
+std::vector<CurveSample> sample_adaptively(const std::function<Eigen::Vector3d(double)>& point,
+                                           double first, double last, int n_pieces,
+                                           double tolerance, std::size_t max_points) {
+    AdaptiveSampler sampler(point, tolerance, max_points);
+    CurveSample from = sampler.at(first);
+    sampler.samples.push_back(from);
+    if (!(last > first)) return sampler.samples;
+
+    constexpr int deepest = 24;
+    for (int k = 1; k <= n_pieces; ++k) {
+        const double parameter = k == n_pieces ? last : first + (last - first) * k / n_pieces;
+        const CurveSample to = sampler.at(parameter);
+        sampler.subdivide(from, to, deepest);
+        from = to;
+    }
+    return sampler.samples;
+}
+
+}  // namespace poinsot

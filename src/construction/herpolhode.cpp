@@ -1,0 +1,48 @@
+#include "construction/herpolhode.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "construction/adaptive_curve.h"
+
+namespace poinsot {
+
+double Herpolhode::index_at(double time_s) const {
+    if (times_s.size() < 2) return 0.0;
+    const auto after = std::upper_bound(times_s.begin(), times_s.end(), time_s);
+    if (after == times_s.begin()) return 0.0;
+    if (after == times_s.end()) return static_cast<double>(times_s.size() - 1);
+    const auto i = after - times_s.begin() - 1;
+    const double from = times_s[static_cast<std::size_t>(i)];
+    return static_cast<double>(i) + (time_s - from) / (*after - from);
+}
+
+Eigen::Vector3d herpolhode_point(const PoinsotConstruction& construction, const Motion& motion,
+                                 double time_s) {
+    const MotionSample sample =
+        motion.sample(time_s, {.attitude = false, .herpolhode = true, .euler_angles = false});
+    return construction.contact_in_plane(sample.herpolhode_space) -
+           construction.plane_distance() * construction.vertical_space();
+}
+
+Herpolhode sample_herpolhode(const PoinsotConstruction& construction, const Motion& motion,
+                             double first_time_s, double last_time_s, double shortest_feature_s,
+                             double tolerance, std::size_t max_points) {
+    const double span = last_time_s - first_time_s;
+    const double pieces = std::clamp(std::ceil(2.0 * span / shortest_feature_s), 1.0,
+                                     static_cast<double>(max_points) / 4.0);
+    const auto samples = sample_adaptively(
+        [&](double t) { return herpolhode_point(construction, motion, t); }, first_time_s,
+        last_time_s, static_cast<int>(pieces), tolerance, max_points);
+
+    Herpolhode curve;
+    curve.times_s.reserve(samples.size());
+    curve.points.reserve(samples.size());
+    for (const CurveSample& sample : samples) {
+        curve.times_s.push_back(sample.parameter);
+        curve.points.push_back(sample.point);
+    }
+    return curve;
+}
+
+}  // namespace poinsot

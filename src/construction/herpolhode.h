@@ -1,0 +1,35 @@
+// The herpolhode: the path of the contact point on the invariable plane, as a function of time.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "construction/poinsot_construction.h"
+#include "mechanics/motion.h"
+
+namespace poinsot {
+
+// A stretch of the herpolhode sampled to a tolerance, in space axes and the ellipsoid's lengths;
+// `times_s` ascends and names the instant of each point, so that any part of it can be shown up to
+// any instant.
+struct Herpolhode {
+    std::vector<double> times_s;
+    std::vector<Eigen::Vector3d> points;
+
+    // Fractional index of an instant: how many points have been passed, 0 … n−1.
+    double index_at(double time_s) const;
+};
+
+// The contact point on the plane at one instant, space axes.
+Eigen::Vector3d herpolhode_point(const PoinsotConstruction& construction, const Motion& motion,
+                                 double time_s);
+
+// Samples [first_time_s, last_time_s] so that the polyline is within `tolerance` (the ellipsoid's
+// lengths) of the curve. `shortest_feature_s` is a time over which the curve certainly does not
+// turn by more than half a turn.
+Herpolhode sample_herpolhode(const PoinsotConstruction& construction, const Motion& motion,
+                             double first_time_s, double last_time_s, double shortest_feature_s,
+                             double tolerance, std::size_t max_points = 200'000);
+
+}  // namespace poinsot

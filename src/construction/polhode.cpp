@@ -1,0 +1,138 @@
+#include "construction/polhode.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "construction/adaptive_curve.h"
+
+namespace poinsot {
+
+using std::numbers::pi;
+
+Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body)
+    : body_from_principal_(inertia.body_from_principal()), moments_(inertia.moments_kg_m2()) {
+    // Scaled to order one; only ratios matter from here on.
+    const double I_largest = moments_.maxCoeff();
+    const Eigen::Vector3d I = moments_ / I_largest;
+    const Eigen::Vector3d omega =
+        body_from_principal_.transpose() * (omega_body / omega_body.cwiseAbs().maxCoeff());
+
+    std::array<int, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(), [&I](int i, int j) { return I[i] < I[j]; });
+    const auto [low, middle, high] = order;
+
+    // Δ_i = L² − 2T·I_i as sums of terms of one sign for the outer axes; Δ of the middle one
+    // decides the family.
+    const auto term = [&](int i, int j) { return I[j] * omega[j] * omega[j] * (I[j] - I[i]); };
+    const double delta_middle = term(middle, high) + term(middle, low);
+    a_ = delta_middle >= 0.0 ? high : low;
+    b_ = middle;
+    c_ = delta_middle >= 0.0 ? low : high;
+    const double delta_a = term(a_, b_) + term(a_, c_);
+    const double delta_c = term(c_, a_) + term(c_, b_);
+    const double twice_T = I.dot(omega.cwiseProduct(omega));
+
+    const auto steady = [&](int i, int j) {
+        return I[i] == I[j] || omega[i] == 0.0 || omega[j] == 0.0;
+    };
+    if (steady(0, 1) && steady(1, 2) && steady(0, 2)) {
+        // Steady spin: the curve is the one point −ρ.
+        kind_ = Kind::point;
+        const Eigen::Vector3d at = -omega / std::sqrt(twice_T * I_largest);
+        alpha_ = at[a_], beta_ = at[b_], gamma_ = at[c_];
+        return;
+    }
+
+    // Amplitudes of ρ_i = L_i/(I_i √(2T)): L_a² = I_aΔ_c/(I_a−I_c), L_b² = I_bΔ_a/(I_b−I_a), L_c² =
+    // I_cΔ_a/(I_c−I_a).
+    const auto amplitude = [&](int i, double delta, double difference) {
+        return std::sqrt(std::abs(delta / (I[i] * difference)) / (twice_T * I_largest));
+    };
+    alpha_ = amplitude(a_, delta_c, I[a_] - I[c_]) * (omega[a_] < 0.0 ? 1.0 : -1.0);
+    gamma_ = amplitude(c_, delta_a, I[c_] - I[a_]) * (omega[c_] < 0.0 ? 1.0 : -1.0);
+    beta_ = amplitude(b_, delta_a, I[b_] - I[a_]);
+    k2_ = delta_a * (I[b_] - I[c_]) / (delta_c * (I[b_] - I[a_]));
+    k2_complement_ = delta_middle * (I[a_] - I[c_]) / (delta_c * (I[a_] - I[b_]));
+    kind_ = k2_ == 0.0 ? Kind::circle : k2_complement_ == 0.0 ? Kind::separatrix : Kind::closed;
+}
+
+Eigen::Vector3d Polhode::at(double chi_rad) const {
+    Eigen::Vector3d rho;
+    if (kind_ == Kind::point) {
+        rho[a_] = alpha_, rho[b_] = beta_, rho[c_] = gamma_;
+        return body_from_principal_ * rho;
+    }
+    const double s = std::sin(chi_rad);
+    const double c = std::cos(chi_rad);
+    // dn² = cos² + k'² sin², never 1 − k² sin².
+    rho[a_] = alpha_ * std::sqrt(c * c + k2_complement_ * s * s);
+    if (kind_ == Kind::circle && k2_ == 0.0) rho[a_] = alpha_;
+    rho[b_] = beta_ * s;
+    rho[c_] = gamma_ * c;
+    return body_from_principal_ * rho;
+}
+
+double Polhode::first_chi_rad() const {
+    return kind_ == Kind::point ? 0.0 : kind_ == Kind::separatrix ? -pi / 2.0 : -pi;
+}
+
+double Polhode::last_chi_rad() const { return kind_ == Kind::point ? 0.0 : -first_chi_rad(); }
+
+std::vector<Eigen::Vector3d> Polhode::sampled(double tolerance) const {
+    const auto samples = sample_adaptively([this](double chi) { return at(chi); }, first_chi_rad(),
+                                           last_chi_rad(), 16, tolerance);
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(samples.size());
+    for (const CurveSample& sample : samples) points.push_back(sample.point);
+    if (closed()) points.pop_back();
+    return points;
+}
+
+Polhode::Annulus Polhode::annulus() const {
+    // |ρ|² − (ρ·n)² has its extremes at χ = 0 and χ = ±π/2; as |ρ × Jρ|/|Jρ| it does not cancel
+    // near the axes.
+    const auto radius = [this](double chi) {
+        const Eigen::Vector3d rho = body_from_principal_.transpose() * at(chi);
+        const Eigen::Vector3d normal = moments_.cwiseProduct(rho).stableNormalized();
+        return rho.cross(normal).stableNorm();
+    };
+    if (kind_ == Kind::point) return {0.0, 0.0};
+    const double r0 = radius(0.0);
+    const double r1 = kind_ == Kind::separatrix ? 0.0 : radius(pi / 2.0);
+    return {std::min(r0, r1), std::max(r0, r1)};
+}
+
+std::vector<std::vector<Eigen::Vector3d>> separatrices(const InertiaTensor& inertia,
+                                                       double tolerance) {
+    const Eigen::Vector3d& I = inertia.moments_kg_m2();
+    std::array<int, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(), [&I](int i, int j) { return I[i] < I[j]; });
+    const auto [low, middle, high] = order;
+    if (I[low] == I[middle] || I[middle] == I[high]) return {};
+
+    // I_h(I_h−I_m)ρ_h² = I_l(I_m−I_l)ρ_l²: two planes through the middle axis, each cutting the
+    // ellipsoid in an ellipse.
+    const double weight_high = std::sqrt((I[middle] - I[low]) / (I[high] - I[low]) / I[high]);
+    const double weight_low = std::sqrt((I[high] - I[middle]) / (I[high] - I[low]) / I[low]);
+    std::vector<std::vector<Eigen::Vector3d>> curves;
+    for (const double sign : {1.0, -1.0}) {
+        const auto point = [&](double chi) {
+            Eigen::Vector3d rho;
+            rho[middle] = std::sin(chi) / std::sqrt(I[middle]);
+            rho[high] = weight_high * std::cos(chi);
+            rho[low] = sign * weight_low * std::cos(chi);
+            return Eigen::Vector3d(inertia.body_from_principal() * rho);
+        };
+        std::vector<Eigen::Vector3d> points;
+        for (const CurveSample& s : sample_adaptively(point, -pi, pi, 16, tolerance)) {
+            points.push_back(s.point);
+        }
+        points.pop_back();
+        curves.push_back(std::move(points));
+    }
+    return curves;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,42 @@
+// (Scene, Motion) → Drawing at any instant: everything that can be made once is made here.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+
+#include "drawing/drawing.h"
+#include "mechanics/motion.h"
+#include "scene/scene.h"
+
+namespace poinsot {
+
+struct StageData;
+
+// What is drawn and at what size.
+struct StageOptions {
+    int width_px = 1920;
+    int height_px = 1080;
+    double line_scale = 0.0;  // pixels for a line of "one pixel at 1080 rows"; 0: height_px / 1080
+    double first_time_s = 0.0;  // the stretch of motion whose herpolhode may be shown
+    double last_time_s = 0.0;
+};
+
+// Holds the geometry that all video frames share and makes the drawing of an instant. Immutable
+// once made; drawings refer to it and must not outlive it. Move-only.
+class Stage {
+ public:
+    // Throws InputError for a scene that has no picture (no invariable plane, unknown element).
+    Stage(const Scene& scene, const Motion& motion, const StageOptions& options);
+    ~Stage();
+    Stage(Stage&&) noexcept;
+    Stage& operator=(Stage&&) noexcept;
+
+    Drawing at(double time_s) const;
+
+    const StageData& data() const { return *data_; }
+
+ private:
+    std::unique_ptr<StageData> data_;
+};
+
+}  // namespace poinsot

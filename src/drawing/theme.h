@@ -1,0 +1,43 @@
+// Colours and line styles as data: one symbol and one colour for one quantity in every view.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "drawing/drawing.h"
+
+namespace poinsot {
+
+struct Theme {
+    std::string_view name;
+    std::string_view summary;
+
+    Background background;
+    Light light;
+    Colour text;
+    Colour halo;
+
+    Colour ellipsoid;
+    double ellipsoid_opacity = 0.8;
+    Colour ellipsoid_lines;
+    Colour plane;
+    Colour grid;
+    double plane_opacity = 0.9;
+
+    Colour polhode;
+    Colour herpolhode;
+    Colour momentum;
+    Colour omega;
+    Colour axes[3];
+    Colour contact;
+    Colour body_cone;
+    Colour space_cone;
+    Colour annulus;
+};
+
+std::span<const Theme> themes();
+
+// Throws InputError with the nearest name.
+const Theme& theme_named(std::string_view name);
+
+}  // namespace poinsot

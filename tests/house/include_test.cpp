@@ -1,0 +1,118 @@
+// Who may include whom: the layers of src/ and the folders that alone may know a library.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Folder → the folders whose headers it may include besides its own.
+const std::map<std::string, std::set<std::string>> allowed{
+    {"error", {}},
+    {"mechanics", {"error"}},
+    {"image", {"error"}},
+    {"typeset", {"error"}},
+    {"scene", {"error", "mechanics"}},
+    {"construction", {"error", "mechanics"}},
+    {"drawing", {"error", "mechanics", "scene", "construction", "typeset"}},
+    {"render", {"error", "drawing", "image"}},
+    {"output", {"error", "image"}},
+    {"cli",
+     {"error", "mechanics", "scene", "construction", "typeset", "drawing", "render", "image",
+      "output"}},
+};
+
+// Beginning of a library's header → the one folder that may know it.
+const std::map<std::string, std::string> library_owner{
+    {"glad/", "render"},       {"glm/", "render"},        {"GL/", "render"},
+    {"EGL/", "render"},        {"libav", "output"},       {"libsw", "output"},
+    {"toml", "scene"},         {"CLI/", "cli"},           {"png.h", "image"},
+    {"libdeflate.h", "image"}, {"ft2build.h", "typeset"}, {"hb", "typeset"},
+    {"boost/", "mechanics"},
+};
+
+struct Include {
+    std::string from_file;
+    std::string from_folder;
+    std::string header;
+    bool quoted;
+};
+
+std::vector<Include> includes_of_sources() {
+    static const std::regex directive(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
+    std::vector<Include> found;
+    const fs::path src = fs::path(POINSOT_SOURCE_DIR) / "src";
+    for (const auto& entry : fs::recursive_directory_iterator(src)) {
+        const std::string extension = entry.path().extension().string();
+        if (extension != ".h" && extension != ".cpp") continue;
+        const fs::path relative = fs::relative(entry.path(), src);
+        if (relative.begin() == std::prev(relative.end())) continue;  // main.cpp
+        std::ifstream file(entry.path());
+        for (std::string line; std::getline(file, line);) {
+            std::smatch match;
+            if (std::regex_search(line, match, directive)) {
+                found.push_back({relative.string(), relative.begin()->string(), match[2].str(),
+                                 match[1] == "\""});
+            }
+        }
+    }
+    return found;
+}
+
+TEST(House, EveryIncludeFollowsTheLayers) {
+    const auto found = includes_of_sources();
+    ASSERT_GT(found.size(), 100u);
+    for (const Include& include : found) {
+        if (!include.quoted) continue;
+        const auto slash = include.header.find('/');
+        ASSERT_NE(slash, std::string::npos)
+            << include.from_file << " includes \"" << include.header << "\" without its folder";
+        const std::string folder = include.header.substr(0, slash);
+        ASSERT_TRUE(allowed.contains(include.from_folder)) << include.from_folder;
+        EXPECT_TRUE(folder == include.from_folder ||
+                    allowed.at(include.from_folder).contains(folder))
+            << include.from_file << " must not include \"" << include.header << "\"";
+    }
+}
+
+TEST(House, LibrariesStayInTheirFolder) {
+    for (const Include& include : includes_of_sources()) {
+        for (const auto& [beginning, owner] : library_owner) {
+            if (include.header.rfind(beginning, 0) != 0 || include.quoted) continue;
+            EXPECT_EQ(include.from_folder, owner)
+                << include.from_file << " must not include <" << include.header << ">";
+        }
+    }
+}
+
+TEST(House, MainSeesOnlyTheCommandLine) {
+    std::ifstream file(fs::path(POINSOT_SOURCE_DIR) / "src" / "main.cpp");
+    ASSERT_TRUE(file);
+    static const std::regex directive("^#include \"([^\"]+)\"");
+    for (std::string line; std::getline(file, line);) {
+        std::smatch match;
+        if (std::regex_search(line, match, directive)) {
+            EXPECT_TRUE(match[1].str().rfind("cli/", 0) == 0 ||
+                        match[1].str().rfind("error/", 0) == 0)
+                << line;
+        }
+    }
+}
+
+TEST(House, EveryFolderHasItsTestsAndTarget) {
+    for (const auto& [folder, others] : allowed) {
+        if (folder == "error") continue;
+        EXPECT_TRUE(fs::exists(fs::path(POINSOT_SOURCE_DIR) / "src" / folder / "CMakeLists.txt"));
+        EXPECT_TRUE(fs::exists(fs::path(POINSOT_SOURCE_DIR) / "tests" / folder / "CMakeLists.txt"));
+    }
+}
+
+}  // namespace
