@@ -14,10 +14,8 @@ struct Element {
     std::string_view summary;
     // Whether it is shown when the scene does not say.
     bool (*by_default)(const StageData& stage);
-    // Makes the geometry that all instants share; null if there is none.
-    void (*prepare)(StageData& stage);
-    // Adds its shapes to the view.
-    void (*draw)(const StageData& stage, const Instant& instant, View& view);
+    // Makes what all instants share, kept by the stage, and the function that draws an instant.
+    Drawer (*make)(StageData& stage);
 };
 
 std::span<const Element> elements();

@@ -1,6 +1,7 @@
 #include "drawing/stage.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -27,6 +28,12 @@ Camera camera_of(const CameraSpec& spec, double plane_distance) {
     return camera;
 }
 
+// Identifiers only name uploads; which number a geometry gets never reaches a pixel.
+std::uint64_t next_geometry_id() {
+    static std::atomic<std::uint64_t> counter{0};
+    return ++counter;
+}
+
 }  // namespace
 
 StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOptions& options_)
@@ -51,15 +58,24 @@ StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOpti
         2.0 * scene.camera.distance * std::tan(0.5 * camera.vertical_field_rad) / options.height_px;
 
     // The elements that the scene names, or those that this kind of motion shows by itself.
-    for (const Element& element : poinsot::elements()) {
+    for (const std::string& name : scene.show) element_named(name);
+    for (const Element& element : elements()) {
         const bool named =
             std::find(scene.show.begin(), scene.show.end(), element.name) != scene.show.end();
-        if (scene.show.empty() ? element.by_default(*this) : named) elements.push_back(&element);
+        if (scene.show.empty() ? element.by_default(*this) : named) {
+            drawers.push_back(element.make(*this));
+        }
     }
-    for (const std::string& name : scene.show) element_named(name);
-    for (const Element* element : elements) {
-        if (element->prepare != nullptr) element->prepare(*this);
-    }
+}
+
+const CurveGeometry* StageData::keep(CurveGeometry geometry) {
+    geometry.id = next_geometry_id();
+    return &curves.emplace_back(std::move(geometry));
+}
+
+const MeshGeometry* StageData::keep(MeshGeometry geometry) {
+    geometry.id = next_geometry_id();
+    return &meshes.emplace_back(std::move(geometry));
 }
 
 Stage::Stage(const Scene& scene, const Motion& motion, const StageOptions& options)
@@ -82,7 +98,7 @@ Drawing Stage::at(double time_s) const {
     view.camera = data_->camera;
     view.light = data_->theme->light;
     view.background = data_->theme->background;
-    for (const Element* element : data_->elements) element->draw(*data_, instant, view);
+    for (const Drawer& draw : data_->drawers) draw(instant, view);
 
     Drawing drawing;
     drawing.width_px = data_->options.width_px;

@@ -7,8 +7,9 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <deque>
+#include <functional>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "construction/herpolhode.h"
@@ -20,7 +21,17 @@
 
 namespace poinsot {
 
-struct Element;
+// One instant as the elements see it.
+struct Instant {
+    double time_s = 0.0;
+    RotationState state;
+    Eigen::Quaterniond picture_from_body = Eigen::Quaterniond::Identity();
+    Eigen::Vector3d contact = Eigen::Vector3d::Zero();  // picture axes
+};
+
+// Adds an element's shapes of one instant to its view; owns nothing, refers to the stage's
+// geometry.
+using Drawer = std::function<void(const Instant&, View&)>;
 
 struct StageData {
     Scene scene;
@@ -41,22 +52,15 @@ struct StageData {
     Camera camera;
     double units_per_px = 0.001;  // at the centre of the picture
 
-    std::vector<const Element*> elements;  // those shown, in the table's order
+    // Geometry made once for all instants; addresses stay valid for the stage's life.
+    std::deque<CurveGeometry> curves;
+    std::deque<MeshGeometry> meshes;
+    std::vector<Drawer> drawers;  // one for each element shown, in the table's order
 
-    CurveGeometry polhode_curve;     // picture units, body axes
-    CurveGeometry herpolhode_curve;  // picture axes
-    Herpolhode herpolhode;           // its instants
-    CurveGeometry annulus_inner, annulus_outer;
+    const CurveGeometry* keep(CurveGeometry geometry);
+    const MeshGeometry* keep(MeshGeometry geometry);
 
     StageData(const Scene& scene, const Motion& motion, const StageOptions& options);
-};
-
-// One instant as the elements see it.
-struct Instant {
-    double time_s = 0.0;
-    RotationState state;
-    Eigen::Quaterniond picture_from_body = Eigen::Quaterniond::Identity();
-    Eigen::Vector3d contact = Eigen::Vector3d::Zero();  // picture axes
 };
 
 }  // namespace poinsot

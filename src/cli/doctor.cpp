@@ -1,0 +1,76 @@
+// poinsot doctor: what this machine gives.
+#include <fmt/format.h>
+
+#include <array>
+
+#include "cli/command.h"
+#include "cli/json_text.h"
+#include "error/error.h"
+#include "output/codecs.h"
+#include "render/renderer.h"
+#include "typeset/typesetter.h"
+
+namespace poinsot {
+
+namespace {
+
+struct Finding {
+    std::string what;
+    bool works;
+    std::string detail;
+};
+
+Finding try_backend(const char* name, Backend backend) {
+    try {
+        const OffscreenContext context(backend);
+        const ContextInfo& info = context.info();
+        return {name, true,
+                fmt::format("{}; {}; pictures to {} px", info.renderer, info.version,
+                            info.largest_picture_px)};
+    } catch (const Error& error) {
+        return {name, false, error.what()};
+    }
+}
+
+int run(const Options& options) {
+    std::vector<Finding> findings;
+    findings.push_back(try_backend("context OSMesa", Backend::osmesa));
+    findings.push_back(try_backend("context EGL", Backend::egl));
+    const bool draws = findings[0].works || findings[1].works;
+
+    bool encodes = true;
+    for (const CodecStatus& codec : codec_statuses()) {
+        findings.push_back({"codec " + codec.name, codec.available, codec.detail});
+        encodes = encodes && codec.available;
+    }
+    bool sets_type = true;
+    for (const FontStatus& font : font_statuses()) {
+        findings.push_back({"font " + font.name, font.available, font.detail});
+        sets_type = sets_type && font.available;
+    }
+
+    if (options.json) {
+        fmt::print("[\n");
+        for (std::size_t i = 0; i < findings.size(); ++i) {
+            fmt::print("  {{\"what\": {}, \"works\": {}, \"detail\": {}}}{}\n",
+                       json_string(findings[i].what), findings[i].works,
+                       json_string(findings[i].detail), i + 1 < findings.size() ? "," : "");
+        }
+        fmt::print("]\n");
+    } else {
+        for (const Finding& finding : findings) {
+            fmt::print("{:16} {:8} {}\n", finding.what, finding.works ? "works" : "MISSING",
+                       finding.detail);
+        }
+    }
+    return draws && encodes && sets_type ? 0 : 1;
+}
+
+constexpr std::array<std::string_view, 1> options_taken{"json"};
+
+}  // namespace
+
+const Command doctor_command{
+    "doctor", "", 0, 0, "say what this machine gives: contexts, codecs, fonts", options_taken, run};
+
+}  // namespace poinsot

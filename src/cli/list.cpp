@@ -1,0 +1,59 @@
+// poinsot list WHAT: the tables that the program is made of.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "cli/catalogue.h"
+#include "cli/command.h"
+#include "cli/json_text.h"
+#include "error/error.h"
+#include "error/nearest.h"
+
+namespace poinsot {
+
+namespace {
+
+int run(const Options& options) {
+    std::vector<std::string_view> names;
+    for (const Catalogue& catalogue : catalogues()) names.push_back(catalogue.name);
+    if (options.arguments.empty()) {
+        for (const std::string_view name : names) fmt::print("{}\n", name);
+        return 0;
+    }
+
+    const std::string& what = options.arguments[0];
+    for (const Catalogue& catalogue : catalogues()) {
+        if (catalogue.name != what) continue;
+        const std::vector<CatalogueEntry> entries = catalogue.entries();
+        std::size_t width = 0;
+        for (const CatalogueEntry& entry : entries) width = std::max(width, entry.name.size());
+        if (options.json) fmt::print("[\n");
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            if (options.json) {
+                fmt::print("  {{\"name\": {}, \"summary\": {}}}{}\n", json_string(entries[i].name),
+                           json_string(entries[i].summary), i + 1 < entries.size() ? "," : "");
+            } else {
+                fmt::print("{:{}}  {}\n", entries[i].name, width, entries[i].summary);
+            }
+        }
+        if (options.json) fmt::print("]\n");
+        return 0;
+    }
+    throw InputError(fmt::format("poinsot list: nothing called \"{}\"{}; choose from: {}",
+                                 printable(what), did_you_mean(what, names),
+                                 fmt::join(names, ", ")));
+}
+
+constexpr std::array<std::string_view, 1> options_taken{"json"};
+
+}  // namespace
+
+const Command list_command{
+    "list",        "WHAT", 0, 1, "list scenes, elements, methods, formats, themes, qualities, keys",
+    options_taken, run};
+
+}  // namespace poinsot
