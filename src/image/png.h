@@ -1,0 +1,49 @@
+// PNG files: the still's own format, and that of golden pictures. 8 bits a channel, sRGB.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+
+namespace poinsot {
+
+struct PngOptions {
+    std::map<std::string, std::string> texts;  // keyword (1–79 of Latin-1) → UTF-8 text
+    double pixels_per_metre = 0;               // 0: not said
+    int deflate_level = 2;                     // of libdeflate, 1–12
+};
+
+// What a PNG file says besides its pixels.
+struct PngInfo {
+    std::map<std::string, std::string> texts;
+    double pixels_per_metre = 0;  // 0: not said, or not square
+};
+
+// The largest picture that is read: refused before any memory is taken.
+inline constexpr int kLargestPngSide_px = 16384;
+
+// RGB when every pixel is opaque, else RGBA (not premultiplied). The same bytes on every machine at
+// one libdeflate version.
+// Throws: InputError for an empty picture or a keyword that PNG cannot hold.
+std::vector<std::uint8_t> encode_png(const Image& image, const PngOptions& options = {});
+
+// Made aside, synced and renamed. Throws EnvironmentError naming the path and the reason, and then
+// leaves nothing.
+void write_png(const std::filesystem::path& path, const Image& image,
+               const PngOptions& options = {});
+
+// Any PNG as 8-bit RGBA: palettes and greys expanded, 16 bits rounded to 8, samples otherwise as
+// stored. `name` stands in messages.
+// Throws: InputError for what is not a whole PNG, or is larger than 16384 px a side.
+Image decode_png(std::span<const std::uint8_t> file, const std::string& name,
+                 PngInfo* info = nullptr);
+
+// Throws: InputError as decode_png, and for a missing file; EnvironmentError if it cannot be read.
+Image read_png(const std::filesystem::path& path, PngInfo* info = nullptr);
+
+}  // namespace poinsot

@@ -1,0 +1,57 @@
+// The table of formats. A new one is one file and one row.
+#include "output/formats.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "error/error.h"
+#include "output/frame_name.h"
+
+namespace poinsot {
+
+namespace {
+
+// The two PNG rows share a suffix: a file name with '#' in it asks for the first.
+constexpr std::array<OutputFormat, 5> kFormats = {{
+    {"mp4", ".mp4", "film, H.264; plays everywhere, no transparency", true, false, open_mp4},
+    {"png-sequence", ".png", "numbered pictures; #### in the name is the frame", false, true,
+     open_png_sequence},
+    {"png", ".png", "one picture", false, true, open_png_still},
+    {"md5", ".md5", "the hash of every frame, a line each", false, true, open_md5},
+    {"null", "", "nothing: frames are drawn and dropped", false, true, open_null},
+}};
+
+std::string known_suffixes() {
+    std::string list;
+    for (const OutputFormat& format : kFormats)
+        if (!format.suffix.empty() && format.name != "png")
+            list += fmt::format("{}{}", list.empty() ? "" : ", ", format.suffix);
+    return list;
+}
+
+}  // namespace
+
+std::span<const OutputFormat> output_formats() { return kFormats; }
+
+const OutputFormat& format_for(const std::filesystem::path& path) {
+    // A name without a suffix may be that of a format, as "null" is.
+    const std::string suffix = path.extension().string();
+    const bool numbered = has_frame_number(path);
+    for (const OutputFormat& format : kFormats) {
+        if (format.suffix.empty() ? path == format.name : suffix == format.suffix) {
+            if (format.name == "png-sequence" && !numbered) continue;
+            if (numbered && suffix != ".png")
+                throw InputError(fmt::format(
+                    "{}: #### numbers the pictures of a PNG sequence; a {} has no use for it",
+                    path.string(), suffix));
+            return format;
+        }
+    }
+    throw InputError(fmt::format(
+        "{}: no output is known by {}; the known are {}", path.string(),
+        suffix.empty() ? "a name without suffix" : fmt::format("the suffix \"{}\"", suffix),
+        known_suffixes()));
+}
+
+}  // namespace poinsot

@@ -1,0 +1,16 @@
+// File names of numbered frames: "turn_####.png" → "turn_0007.png".
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+namespace poinsot {
+
+// Whether the file name (not its folders) holds a run of '#'.
+bool has_frame_number(const std::filesystem::path& pattern);
+
+// The first run of '#' in the file name replaced by the number with at least that many digits.
+// Precondition: has_frame_number(pattern), number ≥ 0.
+std::filesystem::path frame_name(const std::filesystem::path& pattern, std::int64_t number);
+
+}  // namespace poinsot

@@ -1,0 +1,144 @@
+#include "output/libav.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include "error/error.h"
+#include "image/atomic_file.h"
+
+namespace poinsot::libav {
+
+namespace {
+constexpr int kBufferSize = 1 << 16;
+}
+
+Frame make_frame() {
+    Frame frame(av_frame_alloc());
+    if (!frame) throw EnvironmentError("no memory for a video frame");
+    return frame;
+}
+
+Packet make_packet() {
+    Packet packet(av_packet_alloc());
+    if (!packet) throw EnvironmentError("no memory for a video packet");
+    return packet;
+}
+
+std::string error_text(int averror) {
+    std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
+    av_strerror(averror, text.data(), text.size());
+    return text.data();
+}
+
+int checked(int result, const std::filesystem::path& path, std::string_view what) {
+    if (result >= 0) return result;
+    throw EnvironmentError(
+        fmt::format("cannot write {}: {}: {}", path.string(), what, error_text(result)));
+}
+
+DescriptorIo::DescriptorIo(int descriptor, Direction direction) : descriptor_(descriptor) {
+    auto* buffer = static_cast<unsigned char*>(av_malloc(kBufferSize));
+    const bool writes = direction == Direction::write;
+    if (buffer)
+        context_ = avio_alloc_context(buffer, kBufferSize, writes ? 1 : 0, this,
+                                      writes ? nullptr : &DescriptorIo::read,
+                                      writes ? &DescriptorIo::write : nullptr, &DescriptorIo::seek);
+    if (!context_) {
+        av_free(buffer);
+        throw EnvironmentError("no memory for a file buffer");
+    }
+}
+
+DescriptorIo::~DescriptorIo() {
+    av_freep(&context_->buffer);
+    avio_context_free(&context_);
+}
+
+int DescriptorIo::read(void* self, std::uint8_t* buffer, int size) {
+    auto& io = *static_cast<DescriptorIo*>(self);
+    for (;;) {
+        const ssize_t n_read = ::read(io.descriptor_, buffer, static_cast<std::size_t>(size));
+        if (n_read > 0) return static_cast<int>(n_read);
+        if (n_read == 0) return AVERROR_EOF;
+        if (errno == EINTR) continue;
+        if (io.error_number_ == 0) io.error_number_ = errno;
+        return AVERROR(errno);
+    }
+}
+
+int DescriptorIo::write(void* self, std::uint8_t* buffer, int size) {
+    auto& io = *static_cast<DescriptorIo*>(self);
+    int done = 0;
+    while (done < size) {
+        const ssize_t n_written =
+            ::write(io.descriptor_, buffer + done, static_cast<std::size_t>(size - done));
+        if (n_written >= 0) {
+            done += static_cast<int>(n_written);
+        } else if (errno != EINTR) {
+            if (io.error_number_ == 0) io.error_number_ = errno;
+            return AVERROR(errno);
+        }
+    }
+    return size;
+}
+
+std::int64_t DescriptorIo::seek(void* self, std::int64_t offset, int whence) {
+    auto& io = *static_cast<DescriptorIo*>(self);
+    if (whence == AVSEEK_SIZE) {
+        const off_t here = ::lseek(io.descriptor_, 0, SEEK_CUR);
+        const off_t size = ::lseek(io.descriptor_, 0, SEEK_END);
+        ::lseek(io.descriptor_, here, SEEK_SET);
+        return size;
+    }
+    const off_t position = ::lseek(io.descriptor_, offset, whence & ~AVSEEK_FORCE);
+    return position >= 0 ? position : AVERROR(errno);
+}
+
+Muxer::Muxer(const char* container, int descriptor, std::filesystem::path path,
+             const std::filesystem::path& readable)
+    : path_(std::move(path)),
+      io_(std::make_unique<DescriptorIo>(descriptor, DescriptorIo::Direction::write)) {
+    AVFormatContext* context = nullptr;
+    const std::string name = "file:" + readable.string();
+    checked(avformat_alloc_output_context2(&context, nullptr, container, name.c_str()), path_,
+            container);
+    context_.reset(context);
+    context_->pb = io_->context();
+    context_->flags |= AVFMT_FLAG_CUSTOM_IO | AVFMT_FLAG_BITEXACT;
+    stream_ = avformat_new_stream(context_.get(), nullptr);
+    if (!stream_) throw EnvironmentError("no memory for a video stream");
+}
+
+void Muxer::check(int result, std::string_view what) const {
+    if (io_->error_number() != 0) throw_write_error(path_, io_->error_number());
+    checked(result, path_, what);
+    checked(io_->context()->error, path_, what);
+}
+
+void Muxer::write_header(Options& options) {
+    check(avformat_write_header(context_.get(), options.get()), "header");
+    if (av_dict_count(*options.get()) != 0)
+        throw EnvironmentError(
+            fmt::format("cannot write {}: this FFmpeg does not know \"{}\"", path_.string(),
+                        av_dict_get(*options.get(), "", nullptr, AV_DICT_IGNORE_SUFFIX)->key));
+}
+
+void Muxer::write(AVPacket* packet, AVRational time_base) {
+    av_packet_rescale_ts(packet, time_base, stream_->time_base);
+    packet->stream_index = stream_->index;
+    check(av_interleaved_write_frame(context_.get(), packet), "frame");
+}
+
+void Muxer::flush_fragment() { check(av_write_frame(context_.get(), nullptr), "fragment"); }
+
+void Muxer::write_trailer() {
+    check(av_write_trailer(context_.get()), "trailer");
+    avio_flush(io_->context());
+    check(0, "flush");
+}
+
+}  // namespace poinsot::libav

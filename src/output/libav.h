@@ -1,0 +1,104 @@
+// FFmpeg's C types as owning C++ values, and its errors as ours. Included only inside output/.
+#pragma once
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/dict.h>
+#include <libavutil/frame.h>
+}
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace poinsot::libav {
+
+struct Deleter {
+    void operator()(AVFrame* frame) const { av_frame_free(&frame); }
+    void operator()(AVPacket* packet) const { av_packet_free(&packet); }
+    void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
+    void operator()(AVFormatContext* context) const { avformat_free_context(context); }
+};
+using Frame = std::unique_ptr<AVFrame, Deleter>;
+using Packet = std::unique_ptr<AVPacket, Deleter>;
+using CodecContext = std::unique_ptr<AVCodecContext, Deleter>;
+using MuxContext = std::unique_ptr<AVFormatContext, Deleter>;
+
+// Throw EnvironmentError if memory has run out.
+Frame make_frame();
+Packet make_packet();
+
+std::string error_text(int averror);
+
+// Throws EnvironmentError `cannot write PATH: WHAT: REASON` if the result is negative.
+int checked(int result, const std::filesystem::path& path, std::string_view what);
+
+// A dictionary of options. What is left after opening was not understood.
+class Options {
+ public:
+    Options() = default;
+    ~Options() { av_dict_free(&dictionary_); }
+    Options(const Options&) = delete;
+    Options& operator=(const Options&) = delete;
+
+    void set(const char* key, const std::string& value) {
+        av_dict_set(&dictionary_, key, value.c_str(), 0);
+    }
+    AVDictionary** get() { return &dictionary_; }
+
+ private:
+    AVDictionary* dictionary_ = nullptr;
+};
+
+// A file descriptor as FFmpeg's byte stream. Errors of the system are remembered, because FFmpeg
+// reports them late or not at all. Does not own the descriptor; stays where it is built.
+class DescriptorIo {
+ public:
+    enum class Direction { read, write };
+    DescriptorIo(int descriptor, Direction direction);
+    ~DescriptorIo();
+    DescriptorIo(const DescriptorIo&) = delete;
+    DescriptorIo& operator=(const DescriptorIo&) = delete;
+
+    AVIOContext* context() const { return context_; }
+    int error_number() const { return error_number_; }  // errno of the first failure, or 0
+
+ private:
+    static int read(void* self, std::uint8_t* buffer, int size);
+    static int write(void* self, std::uint8_t* buffer, int size);
+    static std::int64_t seek(void* self, std::int64_t offset, int whence);
+
+    int descriptor_;
+    int error_number_ = 0;
+    AVIOContext* context_ = nullptr;
+};
+
+// One video stream on its way into a container on an open descriptor.
+class Muxer {
+ public:
+    // path is the output's final name, for messages; readable is a name by which the muxer may read
+    // again what it has written (for faststart).
+    Muxer(const char* container, int descriptor, std::filesystem::path path,
+          const std::filesystem::path& readable);
+
+    AVFormatContext* context() const { return context_.get(); }
+    AVStream* stream() const { return stream_; }
+
+    void write_header(Options& options);
+    // Takes over the packet's contents. Its times are in time_base.
+    void write(AVPacket* packet, AVRational time_base);
+    void flush_fragment();  // ends the fragment under way, for containers that have them
+    void write_trailer();
+
+ private:
+    void check(int result, std::string_view what) const;
+
+    std::filesystem::path path_;
+    std::unique_ptr<DescriptorIo> io_;
+    MuxContext context_;
+    AVStream* stream_ = nullptr;
+};
+
+}  // namespace poinsot::libav

@@ -1,0 +1,54 @@
+// One run of a libavcodec video encoder: frames in, packets out in decoding order.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "output/frame_sink.h"
+#include "output/libav.h"
+
+namespace poinsot {
+
+struct EncoderSettings {
+    const char* codec = "libx264";
+    AVPixelFormat pixel_format = AV_PIX_FMT_YUV420P;
+    int width_px = 0, height_px = 0;
+    FrameRate rate;
+    int n_threads = 1;
+    std::vector<std::pair<const char*, std::string>> options;  // the codec's own
+    bool header_in_container = false;  // parameter sets go to the container, not the stream
+};
+
+class VideoEncoder {
+ public:
+    // path names the output in messages. Throws EnvironmentError.
+    VideoEncoder(const EncoderSettings& settings, std::filesystem::path path);
+
+    const AVCodecContext& context() const { return *context_; }
+
+    // Throw EnvironmentError. The frame may be changed again after the call.
+    void send(const AVFrame& frame);
+    void send_end();
+    // Whether there was a packet to receive.
+    bool receive(AVPacket& packet);
+
+ private:
+    std::filesystem::path path_;
+    libav::CodecContext context_;
+};
+
+// A video frame with room for its pixels and the colour tags of BT.709, limited range, left chroma.
+libav::Frame make_yuv_frame(AVPixelFormat format, int width_px, int height_px);
+
+// Throw InputError for a plan that no film can hold: an empty picture, a rate that is not positive.
+void check_film(const OutputPlan& plan);
+
+// The rate as FFmpeg's rational.
+AVRational as_rational(const FrameRate& rate);
+
+// FFmpeg prints to stderr by itself; what it has to say arrives in our errors instead.
+void silence_libav();
+
+}  // namespace poinsot
