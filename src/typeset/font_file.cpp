@@ -1,0 +1,258 @@
+#include "typeset/font_file.h"
+
+#include <fmt/format.h>
+#include <ft2build.h>
+#include <hb.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "error/error.h"
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+namespace poinsot {
+namespace {
+
+template <auto Destroy>
+struct Deleter {
+    template <typename T>
+    void operator()(T* handle) const {
+        Destroy(handle);
+    }
+};
+using Blob = std::unique_ptr<hb_blob_t, Deleter<hb_blob_destroy>>;
+using Face = std::unique_ptr<hb_face_t, Deleter<hb_face_destroy>>;
+using Font = std::unique_ptr<hb_font_t, Deleter<hb_font_destroy>>;
+using Buffer = std::unique_ptr<hb_buffer_t, Deleter<hb_buffer_destroy>>;
+using FreeType = std::unique_ptr<FT_LibraryRec_, Deleter<FT_Done_FreeType>>;
+using FreeTypeFace = std::unique_ptr<FT_FaceRec_, Deleter<FT_Done_Face>>;
+
+OutlinePoint point(const FT_Vector* v) {
+    return {static_cast<double>(v->x), static_cast<double>(v->y)};
+}
+
+OutlinePoint towards(OutlinePoint from, OutlinePoint to, double part) {
+    return {from.x + (to.x - from.x) * part, from.y + (to.y - from.y) * part};
+}
+
+using Steps = std::vector<OutlineStep>;
+int move_to(const FT_Vector* to, void* steps) {
+    static_cast<Steps*>(steps)->push_back({OutlineStep::Kind::move, {}, {}, point(to)});
+    return 0;
+}
+int line_to(const FT_Vector* to, void* steps) {
+    static_cast<Steps*>(steps)->push_back({OutlineStep::Kind::line, {}, {}, point(to)});
+    return 0;
+}
+// A parabola is the cubic whose control points lie two thirds of the way to its own.
+int conic_to(const FT_Vector* control, const FT_Vector* to, void* steps) {
+    auto& list = *static_cast<Steps*>(steps);
+    const OutlinePoint from = list.back().to;
+    list.push_back({OutlineStep::Kind::cubic, towards(from, point(control), 2.0 / 3.0),
+                    towards(point(to), point(control), 2.0 / 3.0), point(to)});
+    return 0;
+}
+int cubic_to(const FT_Vector* c1, const FT_Vector* c2, const FT_Vector* to, void* steps) {
+    static_cast<Steps*>(steps)->push_back(
+        {OutlineStep::Kind::cubic, point(c1), point(c2), point(to)});
+    return 0;
+}
+
+}  // namespace
+
+struct FontFile::Handles {
+    Blob blob;
+    Face face;
+    Font font;
+    Buffer buffer;
+    FreeType library;
+    FreeTypeFace outlines;
+};
+
+FontFile::FontFile(const std::filesystem::path& file) : handles_(std::make_unique<Handles>()) {
+    const auto unreadable = [&file] {
+        return EnvironmentError(
+            fmt::format("{}: not a font that can be read; reinstall the package "
+                        "fonts-lmodern",
+                        file.string()));
+    };
+    handles_->blob.reset(hb_blob_create_from_file_or_fail(file.c_str()));
+    if (!handles_->blob || hb_face_count(handles_->blob.get()) == 0) throw unreadable();
+    handles_->face.reset(hb_face_create(handles_->blob.get(), 0));
+    handles_->font.reset(hb_font_create(handles_->face.get()));
+    handles_->buffer.reset(hb_buffer_create());
+    const unsigned units = hb_face_get_upem(handles_->face.get());
+    hb_font_set_scale(handles_->font.get(), static_cast<int>(units), static_cast<int>(units));
+    units_per_em_ = units;
+
+    // FreeType reads the same bytes; the blob outlives its face.
+    FT_Library library = nullptr;
+    if (FT_Init_FreeType(&library) != 0) throw EnvironmentError("FreeType does not start");
+    handles_->library.reset(library);
+    unsigned length = 0;
+    const char* bytes = hb_blob_get_data(handles_->blob.get(), &length);
+    FT_Face face = nullptr;
+    if (FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(bytes),
+                           static_cast<FT_Long>(length), 0, &face) != 0) {
+        throw unreadable();
+    }
+    handles_->outlines.reset(face);
+}
+
+FontFile::~FontFile() = default;
+FontFile::FontFile(FontFile&&) noexcept = default;
+FontFile& FontFile::operator=(FontFile&&) noexcept = default;
+
+bool FontFile::has_math() const { return hb_ot_math_has_data(handles_->face.get()) != 0; }
+
+std::optional<GlyphId> FontFile::glyph(char32_t character) { return script_glyph(character, 0); }
+
+std::optional<GlyphId> FontFile::script_glyph(char32_t character, int level) {
+    auto& known = glyphs_.at(static_cast<std::size_t>(level));
+    if (const auto found = known.find(character); found != known.end()) return found->second;
+    std::optional<GlyphId> made;
+    hb_codepoint_t nominal = 0;
+    if (hb_font_get_nominal_glyph(handles_->font.get(), character, &nominal)) made = nominal;
+    if (made && level > 0) {
+        hb_buffer_t* buffer = handles_->buffer.get();
+        hb_buffer_clear_contents(buffer);
+        const std::uint32_t code = character;
+        hb_buffer_add_utf32(buffer, &code, 1, 0, 1);
+        hb_buffer_set_direction(buffer, HB_DIRECTION_LTR);
+        hb_buffer_set_script(buffer, HB_SCRIPT_MATH);
+        const hb_feature_t smaller{HB_TAG('s', 's', 't', 'y'), static_cast<std::uint32_t>(level),
+                                   HB_FEATURE_GLOBAL_START, HB_FEATURE_GLOBAL_END};
+        hb_shape(handles_->font.get(), buffer, &smaller, 1);
+        unsigned n = 0;
+        const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer, &n);
+        if (n == 1 && infos[0].codepoint != 0) made = infos[0].codepoint;
+    }
+    return known.emplace(character, made).first->second;
+}
+
+const GlyphMetrics& FontFile::metrics(GlyphId glyph) {
+    if (const auto found = metrics_.find(glyph); found != metrics_.end()) return found->second;
+    hb_font_t* font = handles_->font.get();
+    hb_glyph_extents_t box{};
+    hb_font_get_glyph_extents(font, glyph, &box);
+    GlyphMetrics made;
+    made.advance = hb_font_get_glyph_h_advance(font, glyph);
+    made.height = box.y_bearing;
+    made.depth = -(box.y_bearing + box.height);
+    made.left = box.x_bearing;
+    made.right = box.x_bearing + box.width;
+    made.italic_correction = hb_ot_math_get_glyph_italics_correction(font, glyph);
+    made.accent_attachment = hb_ot_math_get_glyph_top_accent_attachment(font, glyph);
+    return metrics_.emplace(glyph, made).first->second;
+}
+
+const GlyphOutline& FontFile::outline(GlyphId glyph) {
+    if (const auto found = outlines_.find(glyph); found != outlines_.end()) return found->second;
+    FT_Face face = handles_->outlines.get();
+    Steps steps;
+    if (FT_Load_Glyph(face, glyph, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING) != 0 ||
+        face->glyph->format != FT_GLYPH_FORMAT_OUTLINE) {
+        throw EnvironmentError(
+            fmt::format("{}: glyph {} has no outline; reinstall the package "
+                        "fonts-lmodern",
+                        face->family_name ? face->family_name : "font", glyph));
+    }
+    const FT_Outline_Funcs funcs{move_to, line_to, conic_to, cubic_to, 0, 0};
+    FT_Outline_Decompose(&face->glyph->outline, &funcs, &steps);
+    return outlines_.emplace(glyph, make_outline(std::move(steps))).first->second;
+}
+
+ShapedRun FontFile::shape(std::span<const char32_t> characters) {
+    hb_buffer_t* buffer = handles_->buffer.get();
+    hb_buffer_clear_contents(buffer);
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        hb_buffer_add(buffer, characters[i], static_cast<unsigned>(i));
+    }
+    hb_buffer_set_content_type(buffer, HB_BUFFER_CONTENT_TYPE_UNICODE);
+    hb_buffer_set_direction(buffer, HB_DIRECTION_LTR);
+    hb_buffer_set_script(buffer, HB_SCRIPT_LATIN);
+    hb_shape(handles_->font.get(), buffer, nullptr, 0);
+    unsigned n = 0;
+    const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer, &n);
+    const hb_glyph_position_t* positions = hb_buffer_get_glyph_positions(buffer, &n);
+    ShapedRun run;
+    run.glyphs.reserve(n);
+    for (unsigned i = 0; i < n; ++i) {
+        run.glyphs.push_back({infos[i].codepoint, run.advance + positions[i].x_offset,
+                              static_cast<double>(positions[i].y_offset)});
+        run.advance += positions[i].x_advance;
+    }
+    return run;
+}
+
+double FontFile::constant(hb_ot_math_constant_t which) const {
+    return hb_ot_math_get_constant(handles_->font.get(), which);
+}
+
+TallGlyph FontFile::tall_glyph(GlyphId glyph, double min_extent) {
+    std::array<hb_ot_math_glyph_variant_t, 32> variants{};
+    auto n = static_cast<unsigned>(variants.size());
+    hb_ot_math_get_glyph_variants(handles_->font.get(), glyph, HB_DIRECTION_TTB, 0, &n,
+                                  variants.data());
+    const auto whole = [this](GlyphId variant) {
+        const GlyphMetrics& ink = metrics(variant);
+        return TallGlyph{{{variant, 0.0, ink.depth}}, ink.height + ink.depth};
+    };
+    TallGlyph tallest = whole(glyph);
+    for (unsigned i = 0; i < n && tallest.extent < min_extent; ++i) {
+        tallest = whole(variants.at(i).glyph);
+    }
+    if (tallest.extent >= min_extent) return tallest;
+    TallGlyph built = assembled(glyph, min_extent);
+    return built.extent > tallest.extent ? built : tallest;
+}
+
+// Repeats the extenders as often as needed, every joint overlapping by the least that the font
+// allows or more, so that the whole is exactly min_extent where it can be.
+TallGlyph FontFile::assembled(GlyphId glyph, double min_extent) {
+    hb_font_t* font = handles_->font.get();
+    std::array<hb_ot_math_glyph_part_t, 16> parts{};
+    auto n = static_cast<unsigned>(parts.size());
+    hb_position_t italic = 0;
+    hb_ot_math_get_glyph_assembly(font, glyph, HB_DIRECTION_TTB, 0, &n, parts.data(), &italic);
+    if (n == 0) return {};
+    const double least = hb_ot_math_get_min_connector_overlap(font, HB_DIRECTION_TTB);
+    constexpr int kMostRepeats = 1000;
+    for (int repeats = 0; repeats <= kMostRepeats; ++repeats) {
+        std::vector<const hb_ot_math_glyph_part_t*> row;
+        for (unsigned i = 0; i < n; ++i) {
+            const bool extender = (parts[i].flags & HB_OT_MATH_GLYPH_PART_FLAG_EXTENDER) != 0;
+            for (int k = 0; k < (extender ? repeats : 1); ++k) row.push_back(&parts[i]);
+        }
+        if (row.empty()) continue;
+        double longest = 0.0, most_overlap = 0.0;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            longest += row[i]->full_advance;
+            if (i == 0) continue;
+            longest -= least;
+            most_overlap +=
+                std::min<double>(row[i - 1]->end_connector_length, row[i]->start_connector_length) -
+                least;
+        }
+        if (longest < min_extent && repeats < kMostRepeats) continue;
+        const double excess = std::clamp(longest - min_extent, 0.0, std::max(0.0, most_overlap));
+        TallGlyph built;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            if (i > 0) {
+                const double room = std::min<double>(row[i - 1]->end_connector_length,
+                                                     row[i]->start_connector_length) -
+                                    least;
+                built.extent -= least + (most_overlap > 0.0 ? excess * room / most_overlap : 0.0);
+            }
+            const double depth = metrics(row[i]->glyph).depth;
+            built.pieces.push_back({row[i]->glyph, 0.0, built.extent + depth});
+            built.extent += row[i]->full_advance;
+        }
+        return built;
+    }
+    return {};
+}
+
+}  // namespace poinsot

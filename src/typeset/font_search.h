@@ -1,0 +1,25 @@
+// Where the fonts of labels and captions are looked for.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace poinsot {
+
+// The folders in which Debian's fonts-lmodern and TeX Live put Latin Modern, first choice first.
+std::vector<std::filesystem::path> default_font_folders();
+
+struct FontSearch {
+    std::vector<std::filesystem::path> folders = default_font_folders();
+};
+
+// File names of the fonts used: mathematics, then the regular, bold and italic faces of text.
+const std::array<std::string_view, 4>& font_names();
+
+// The font's path in the first folder that holds it.
+// throws: EnvironmentError naming the package to install where none does.
+std::filesystem::path find_font(std::string_view name, const FontSearch& search = {});
+
+}  // namespace poinsot

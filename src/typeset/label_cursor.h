@@ -1,0 +1,60 @@
+// Reads a label character by character and knows the column of each: what both parsers stand on.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "typeset/label_error.h"
+#include "typeset/label_tree.h"
+
+namespace poinsot {
+
+constexpr int kLabelLengthLimit = 4096;  // characters
+constexpr int kLabelNestingLimit = 32;   // groups, arguments and scripts within one another
+
+// The character in a message: itself where that is harmless, and its code point where it says more.
+std::string describe(char32_t character);
+
+class LabelCursor {
+ public:
+    // throws: LabelError where the label is not UTF-8, holds control characters other than line
+    // feed and tab, or is longer than kLabelLengthLimit.
+    explicit LabelCursor(std::string_view utf8);
+
+    bool at_end() const { return position_ == characters_.size(); }
+    // The next character, or 0 at the end.
+    char32_t peek(std::size_t ahead = 0) const {
+        return position_ + ahead < characters_.size() ? characters_[position_ + ahead] : 0;
+    }
+    // The character before the next one, or 0 at the start.
+    char32_t previous() const { return position_ > 0 ? characters_[position_ - 1] : 0; }
+    int column() const { return static_cast<int>(position_) + 1; }
+    LabelCharacter take();
+    void skip_spaces();
+    // The name after a backslash: letters, or one other character. Passes over it.
+    // throws: LabelError at the end of the label.
+    std::string take_command_name();
+
+    // throws: LabelError "expected …, found …" at the next character.
+    [[noreturn]] void fail_expected(const std::string& what) const;
+
+    // Counts how deep the parser stands; throws LabelError past kLabelNestingLimit.
+    class Nesting {
+     public:
+        explicit Nesting(LabelCursor& cursor);
+        ~Nesting() { --cursor_.depth_; }
+        Nesting(const Nesting&) = delete;
+        Nesting& operator=(const Nesting&) = delete;
+
+     private:
+        LabelCursor& cursor_;
+    };
+
+ private:
+    std::vector<char32_t> characters_;
+    std::size_t position_ = 0;
+    int depth_ = 0;
+};
+
+}  // namespace poinsot

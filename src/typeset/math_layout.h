@@ -1,0 +1,23 @@
+// Sets formulas: from the tree of atoms to placed glyphs.
+#pragma once
+
+#include "typeset/font_set.h"
+#include "typeset/label_tree.h"
+#include "typeset/type_box.h"
+
+namespace poinsot {
+
+// The style of a formula: how large it is and how much room it may take (The TeXbook, p. 140).
+struct MathStyle {
+    enum class Level { display, text, script, script_script };
+    Level level = Level::text;
+    bool cramped = false;  // superscripts stay low
+};
+
+// Sets a list of atoms at size_px (px per em in text style), the baseline of the whole at y = 0.
+// Follows appendix G of The TeXbook with the parameters of the font's own OpenType MATH table
+// (OpenType specification 1.9, "MATH"; constants are named there and beside their use here).
+// throws: LabelError for a character that the fonts lack.
+TypeBox set_formula(const MathList& atoms, MathStyle style, double size_px, FontSet& fonts);
+
+}  // namespace poinsot

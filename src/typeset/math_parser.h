@@ -1,0 +1,52 @@
+// The grammar of formulas, for labels and for the formulas within captions.
+#pragma once
+
+#include <string>
+
+#include "typeset/label_cursor.h"
+#include "typeset/label_tree.h"
+#include "typeset/symbols.h"
+
+namespace poinsot {
+
+class MathParser {
+ public:
+    // What ends the list being read; it stays unread.
+    enum class End { label, brace, bracket, dollar, right };
+
+    explicit MathParser(LabelCursor& cursor) : cursor_(cursor) {}
+
+    // opened_at: the column of what must be closed, named in the error where it is not.
+    // throws: LabelError.
+    MathList list(End end, int opened_at);
+
+ private:
+    bool at(End end) const;
+    MathAtom atom();
+    MathAtom nucleus();
+    MathAtom command();
+    MathAtom run_command(const LabelCommand& command, int column);
+    MathAtom function_name(const LabelCommand& command, int column) const;
+    MathAtom text(const LabelCommand& command, int column);
+    MathAtom radical(int column);
+    MathAtom fence(int column);
+    char32_t delimiter();
+    MathAtom symbol(LabelCharacter character, AtomClass atom_class) const;
+    MathList braced();
+    MathList argument(const std::string& what);
+    void scripts(MathAtom& atom);
+    void script_digits(MathAtom& atom);
+    void primes(MathAtom& atom);
+
+    LabelCursor& cursor_;
+    MathAlphabet alphabet_ = MathAlphabet::normal;
+};
+
+// The message for a backslash and a name that nothing here knows.
+std::string unknown_command(const std::string& name);
+
+// The digit of a raw script character such as ₁ or ², or 0.
+char32_t subscript_digit(char32_t character);
+char32_t superscript_digit(char32_t character);
+
+}  // namespace poinsot

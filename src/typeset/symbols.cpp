@@ -1,0 +1,392 @@
+#include "typeset/symbols.h"
+
+#include <algorithm>
+#include <array>
+
+namespace poinsot {
+namespace {
+
+using Kind = CommandKind;
+
+LabelCommand symbol(std::string_view name, char32_t code, AtomClass atom_class = AtomClass::ord) {
+    return {.name = name, .kind = Kind::symbol, .symbol = code, .atom_class = atom_class};
+}
+LabelCommand rel(std::string_view name, char32_t code) {
+    return symbol(name, code, AtomClass::rel);
+}
+LabelCommand bin(std::string_view name, char32_t code) {
+    return symbol(name, code, AtomClass::bin);
+}
+LabelCommand function(std::string_view name) {
+    return {.name = name, .kind = Kind::function_name, .atom_class = AtomClass::op};
+}
+LabelCommand accent(std::string_view name, char32_t code) {
+    return {.name = name, .kind = Kind::accent, .symbol = code};
+}
+LabelCommand space(std::string_view name, double mu) {
+    return {.name = name, .kind = Kind::space, .space_mu = mu};
+}
+LabelCommand alphabet(std::string_view name, MathAlphabet which) {
+    return {.name = name, .kind = Kind::alphabet, .alphabet = which};
+}
+LabelCommand text(std::string_view name, TextFace face) {
+    return {.name = name, .kind = Kind::text, .face = face};
+}
+LabelCommand fraction(std::string_view name, MathAtom::FractionStyle style) {
+    return {.name = name,
+            .kind = Kind::fraction,
+            .atom_class = AtomClass::inner,
+            .fraction_style = style};
+}
+
+std::vector<LabelCommand> make_commands() {
+    std::vector<LabelCommand> commands{
+        // Greek; \phi and \epsilon are the closed and lunate forms, as in TeX.
+        symbol("alpha", U'α'),
+        symbol("beta", U'β'),
+        symbol("gamma", U'γ'),
+        symbol("delta", U'δ'),
+        symbol("epsilon", U'ϵ'),
+        symbol("varepsilon", U'ε'),
+        symbol("zeta", U'ζ'),
+        symbol("eta", U'η'),
+        symbol("theta", U'θ'),
+        symbol("vartheta", U'ϑ'),
+        symbol("iota", U'ι'),
+        symbol("kappa", U'κ'),
+        symbol("lambda", U'λ'),
+        symbol("mu", U'μ'),
+        symbol("nu", U'ν'),
+        symbol("xi", U'ξ'),
+        symbol("pi", U'π'),
+        symbol("varpi", U'ϖ'),
+        symbol("rho", U'ρ'),
+        symbol("varrho", U'ϱ'),
+        symbol("sigma", U'σ'),
+        symbol("varsigma", U'ς'),
+        symbol("tau", U'τ'),
+        symbol("upsilon", U'υ'),
+        symbol("phi", U'ϕ'),
+        symbol("varphi", U'φ'),
+        symbol("chi", U'χ'),
+        symbol("psi", U'ψ'),
+        symbol("omega", U'ω'),
+        symbol("Gamma", U'Γ'),
+        symbol("Delta", U'Δ'),
+        symbol("Theta", U'Θ'),
+        symbol("Lambda", U'Λ'),
+        symbol("Xi", U'Ξ'),
+        symbol("Pi", U'Π'),
+        symbol("Sigma", U'Σ'),
+        symbol("Upsilon", U'Υ'),
+        symbol("Phi", U'Φ'),
+        symbol("Psi", U'Ψ'),
+        symbol("Omega", U'Ω'),
+        // Relations.
+        rel("le", U'≤'),
+        rel("leq", U'≤'),
+        rel("ge", U'≥'),
+        rel("geq", U'≥'),
+        rel("ne", U'≠'),
+        rel("neq", U'≠'),
+        rel("approx", U'≈'),
+        rel("equiv", U'≡'),
+        rel("sim", U'∼'),
+        rel("simeq", U'≃'),
+        rel("propto", U'∝'),
+        rel("ll", U'≪'),
+        rel("gg", U'≫'),
+        rel("to", U'→'),
+        rel("rightarrow", U'→'),
+        rel("leftarrow", U'←'),
+        rel("leftrightarrow", U'↔'),
+        rel("Rightarrow", U'⇒'),
+        rel("Leftrightarrow", U'⇔'),
+        rel("mapsto", U'↦'),
+        rel("parallel", U'∥'),
+        rel("perp", U'⟂'),
+        rel("in", U'∈'),
+        rel("mid", U'∣'),
+        rel("colon", U':'),
+        // Binary operations.
+        bin("pm", U'±'),
+        bin("mp", U'∓'),
+        bin("times", U'×'),
+        bin("cdot", U'⋅'),
+        bin("ast", U'∗'),
+        bin("circ", U'∘'),
+        bin("bullet", U'∙'),
+        bin("div", U'÷'),
+        bin("otimes", U'⊗'),
+        bin("oplus", U'⊕'),
+        bin("wedge", U'∧'),
+        // Others.
+        symbol("infty", U'∞'),
+        symbol("partial", U'∂'),
+        symbol("nabla", U'∇'),
+        symbol("hbar", U'ℏ'),
+        symbol("ell", U'ℓ'),
+        symbol("prime", U'′'),
+        symbol("degree", U'°'),
+        symbol("angle", U'∠'),
+        symbol("forall", U'∀'),
+        symbol("exists", U'∃'),
+        symbol("vert", U'|'),
+        symbol("|", U'‖'),
+        symbol("Vert", U'‖'),
+        symbol("backslash", U'\\'),
+        symbol("{", U'{', AtomClass::open),
+        symbol("}", U'}', AtomClass::close),
+        symbol("lbrace", U'{', AtomClass::open),
+        symbol("rbrace", U'}', AtomClass::close),
+        symbol("langle", U'⟨', AtomClass::open),
+        symbol("rangle", U'⟩', AtomClass::close),
+        symbol("%", U'%'),
+        symbol("$", U'$'),
+        symbol("#", U'#'),
+        symbol("&", U'&'),
+        symbol("_", U'_'),
+        symbol("dots", U'…', AtomClass::inner),
+        symbol("ldots", U'…', AtomClass::inner),
+        symbol("cdots", U'⋯', AtomClass::inner),
+        // Large operators and functions.
+        {.name = "sum", .kind = Kind::big, .symbol = U'∑', .atom_class = AtomClass::op},
+        {.name = "prod", .kind = Kind::big, .symbol = U'∏', .atom_class = AtomClass::op},
+        {.name = "int", .kind = Kind::integral, .symbol = U'∫', .atom_class = AtomClass::op},
+        {.name = "oint", .kind = Kind::integral, .symbol = U'∮', .atom_class = AtomClass::op},
+        function("sin"),
+        function("cos"),
+        function("tan"),
+        function("arcsin"),
+        function("arccos"),
+        function("arctan"),
+        function("sinh"),
+        function("cosh"),
+        function("tanh"),
+        function("ln"),
+        function("log"),
+        function("exp"),
+        function("max"),
+        function("min"),
+        function("det"),
+        function("sn"),
+        function("cn"),
+        function("dn"),
+        function("am"),
+        function("tr"),
+        function("diag"),
+        // Alphabets and text.
+        alphabet("mathbf", MathAlphabet::bold),
+        alphabet("boldsymbol", MathAlphabet::bold_symbol),
+        alphabet("bm", MathAlphabet::bold_symbol),
+        alphabet("mathrm", MathAlphabet::upright),
+        alphabet("mathit", MathAlphabet::italic),
+        alphabet("mathcal", MathAlphabet::calligraphic),
+        alphabet("mathbb", MathAlphabet::double_struck),
+        text("text", TextFace::regular),
+        text("textrm", TextFace::regular),
+        text("textbf", TextFace::bold),
+        text("textit", TextFace::italic),
+        text("emph", TextFace::italic),
+        // Structures.
+        accent("dot", U'\u0307'),
+        accent("ddot", U'\u0308'),
+        accent("dddot", U'\u20DB'),
+        accent("hat", U'\u0302'),
+        accent("check", U'\u030C'),
+        accent("tilde", U'\u0303'),
+        accent("bar", U'\u0304'),
+        accent("vec", U'\u20D7'),
+        accent("acute", U'\u0301'),
+        accent("grave", U'\u0300'),
+        accent("breve", U'\u0306'),
+        {.name = "overline", .kind = Kind::overline},
+        {.name = "sqrt", .kind = Kind::radical},
+        fraction("frac", MathAtom::FractionStyle::automatic),
+        fraction("dfrac", MathAtom::FractionStyle::display),
+        fraction("tfrac", MathAtom::FractionStyle::text),
+        {.name = "left", .kind = Kind::left, .atom_class = AtomClass::inner},
+        {.name = "right", .kind = Kind::right},
+        // Spaces, in eighteenths of a quad (The TeXbook, p. 167); \  is an interword space.
+        space(",", 3),
+        space(":", 4),
+        space(">", 4),
+        space(";", 5),
+        space("!", -3),
+        space(" ", 6),
+        space("quad", 18),
+        space("qquad", 36)};
+    std::ranges::sort(commands, {}, &LabelCommand::name);
+    return commands;
+}
+
+// Letters whose place in an alphabet was taken in older blocks (Unicode Standard §22.2).
+char32_t fill_hole(char32_t code) {
+    switch (code) {
+        case 0x1D455:
+            return U'ℎ';
+        case 0x1D49D:
+            return U'ℬ';
+        case 0x1D4A0:
+            return U'ℰ';
+        case 0x1D4A1:
+            return U'ℱ';
+        case 0x1D4A3:
+            return U'ℋ';
+        case 0x1D4A4:
+            return U'ℐ';
+        case 0x1D4A7:
+            return U'ℒ';
+        case 0x1D4A8:
+            return U'ℳ';
+        case 0x1D4AD:
+            return U'ℛ';
+        case 0x1D4BA:
+            return U'ℯ';
+        case 0x1D4BC:
+            return U'ℊ';
+        case 0x1D4C4:
+            return U'ℴ';
+        case 0x1D53A:
+            return U'ℂ';
+        case 0x1D53F:
+            return U'ℍ';
+        case 0x1D545:
+            return U'ℕ';
+        case 0x1D547:
+            return U'ℙ';
+        case 0x1D548:
+            return U'ℚ';
+        case 0x1D549:
+            return U'ℝ';
+        case 0x1D551:
+            return U'ℤ';
+        default:
+            return code;
+    }
+}
+
+// First letters of an alphabet: Latin capital, Latin small, Greek capital, Greek small, digit 0.
+// 0: the alphabet has none.
+struct AlphabetOrigin {
+    char32_t capital = 0, small = 0, greek_capital = 0, greek_small = 0, digit = 0;
+};
+
+AlphabetOrigin origin_of(MathAlphabet alphabet) {
+    switch (alphabet) {
+        case MathAlphabet::normal:
+            return {0x1D434, 0x1D44E, 0, 0x1D6FC, 0};
+        case MathAlphabet::upright:
+            return {};
+        case MathAlphabet::italic:
+            return {0x1D434, 0x1D44E, 0x1D6E2, 0x1D6FC, 0};
+        case MathAlphabet::bold:
+            return {0x1D400, 0x1D41A, 0x1D6A8, 0x1D6C2, 0x1D7CE};
+        case MathAlphabet::bold_symbol:
+            return {0x1D468, 0x1D482, 0x1D6A8, 0x1D736, 0x1D7CE};
+        case MathAlphabet::calligraphic:
+            return {0x1D49C, 0x1D4B6, 0, 0x1D6FC, 0};
+        case MathAlphabet::double_struck:
+            return {0x1D538, 0x1D552, 0, 0x1D6FC, 0x1D7D8};
+    }
+    return {};
+}
+
+// The variant letters that follow ω in each Greek alphabet, in their order there.
+constexpr std::array<char32_t, 7> kAfterOmega{U'∂', U'ϵ', U'ϑ', U'ϰ', U'ϕ', U'ϱ', U'ϖ'};
+
+}  // namespace
+
+const std::vector<LabelCommand>& label_commands() {
+    static const std::vector<LabelCommand> commands = make_commands();
+    return commands;
+}
+
+const LabelCommand* find_label_command(std::string_view name) {
+    const auto& commands = label_commands();
+    const auto found = std::ranges::lower_bound(commands, name, {}, &LabelCommand::name);
+    return found != commands.end() && found->name == name ? &*found : nullptr;
+}
+
+LabelCharacter drawn_symbol(LabelCharacter character) {
+    switch (character.code) {
+        case U'-':
+            character.code = U'\u2212';
+            break;  // minus sign
+        case U'*':
+            character.code = U'\u2217';
+            break;  // asterisk operator
+        case U'\u00B7':
+            character.code = U'\u22C5';
+            break;  // middle dot: dot operator
+        case U'\u00B5':
+            character.code = U'μ';
+            break;  // micro sign
+        case U'\u2126':
+            character.code = U'Ω';
+            break;  // ohm sign
+        default:
+            break;
+    }
+    return character;
+}
+
+AtomClass symbol_class(char32_t drawn) {
+    switch (drawn) {
+        case U'(':
+        case U'[':
+        case U'{':
+        case U'⟨':
+            return AtomClass::open;
+        case U')':
+        case U']':
+        case U'}':
+        case U'⟩':
+        case U'!':
+        case U'?':
+            return AtomClass::close;
+        case U',':
+        case U';':
+            return AtomClass::punct;
+        case U'…':
+        case U'⋯':
+            return AtomClass::inner;
+        case U'=':
+        case U'<':
+        case U'>':
+        case U':':
+            return AtomClass::rel;
+        case U'+':
+        case U'−':
+            return AtomClass::bin;
+        default:
+            break;
+    }
+    for (const LabelCommand& command : label_commands()) {
+        if (command.kind == CommandKind::symbol && command.symbol == drawn) {
+            return command.atom_class;
+        }
+    }
+    return AtomClass::ord;
+}
+
+char32_t in_alphabet(char32_t c, MathAlphabet alphabet) {
+    const AlphabetOrigin origin = origin_of(alphabet);
+    if (c >= U'A' && c <= U'Z') return origin.capital ? fill_hole(origin.capital + c - U'A') : c;
+    if (c >= U'a' && c <= U'z') return origin.small ? fill_hole(origin.small + c - U'a') : c;
+    if (c >= U'0' && c <= U'9') return origin.digit ? origin.digit + c - U'0' : c;
+    if (c >= U'Α' && c <= U'Ω') {
+        return origin.greek_capital ? origin.greek_capital + c - U'Α' : c;
+    }
+    if (!origin.greek_small) return c;
+    if (c >= U'α' && c <= U'ω') return origin.greek_small + c - U'α';
+    const auto* variant = std::ranges::find(kAfterOmega, c);
+    if (variant == kAfterOmega.end()) {
+        return c == U'∇' && origin.greek_capital && alphabet != MathAlphabet::italic
+                   ? origin.greek_capital + 25
+                   : c;
+    }
+    return origin.greek_small + 25 + static_cast<char32_t>(variant - kAfterOmega.begin());
+}
+
+}  // namespace poinsot

@@ -1,0 +1,37 @@
+// What has been set: glyphs and rules at their places, and the box that they stand in.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "typeset/font_file.h"
+
+namespace poinsot {
+
+struct PlacedGlyph {
+    FontFile* font = nullptr;
+    GlyphId glyph = 0;
+    double x = 0.0, y = 0.0;  // px from the box's origin on the baseline, y up
+    double px_per_unit = 0.0;
+};
+
+// A filled rectangle. The glyphs from first_glyph up to last_glyph join it (a root's sign and its
+// bar) and move with it when it is moved to whole pixels.
+struct PlacedRule {
+    double x = 0.0, y = 0.0;  // px, lower left corner, y up
+    double width = 0.0, thickness = 0.0;
+    std::size_t first_glyph = 0, last_glyph = 0;
+};
+
+// px; height and depth are above and below the baseline.
+struct TypeBox {
+    double width = 0.0, height = 0.0, depth = 0.0;
+    std::vector<PlacedGlyph> glyphs;
+    std::vector<PlacedRule> rules;
+
+    // Takes over what another box holds, its origin at (x, y), and grows to hold it in height and
+    // depth; the width stays.
+    void place(const TypeBox& other, double x, double y);
+};
+
+}  // namespace poinsot
