@@ -1,0 +1,385 @@
+// Evaluation of Lagrange's top: two theta series and a phase each.
+#include "mechanics/heavy_top.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+#include "error/error.h"
+
+namespace poinsot {
+
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double pi = std::numbers::pi;
+
+constexpr TwoWords half_pi{1.57079632679489656, 6.12323399573676604e-17};
+constexpr TwoWords two_pi{6.28318530717958648, 2.44929359829470641e-16};
+
+TwoWords sum_of(double a, double b) {
+    const double hi = a + b;
+    const double part = hi - a;
+    return {hi, (a - (hi - part)) + (b - part)};
+}
+
+TwoWords product_of(double a, double b) {
+    const double hi = a * b;
+    return {hi, std::fma(a, b, -hi)};
+}
+
+TwoWords operator+(const TwoWords& a, const TwoWords& b) {
+    const TwoWords sum = sum_of(a.hi, b.hi);
+    return sum_of(sum.hi, sum.lo + (a.lo + b.lo));
+}
+
+TwoWords operator*(const TwoWords& a, double b) {
+    const TwoWords product = product_of(a.hi, b);
+    return sum_of(product.hi, std::fma(a.lo, b, product.lo));
+}
+
+// i to the power n.
+Complex quarter_turns(std::int64_t n) {
+    switch (((n % 4) + 4) % 4) {
+        case 0:
+            return {1.0, 0.0};
+        case 1:
+            return {0.0, 1.0};
+        case 2:
+            return {-1.0, 0.0};
+        default:
+            return {0.0, -1.0};
+    }
+}
+
+// e^{iφ}, the turns taken off in two words.
+Complex unit_phase(const TwoWords& phase) {
+    const double turns = std::round(phase.hi / two_pi.hi);
+    const TwoWords rest = phase + two_pi * -turns;
+    return {std::cos(rest.hi) - rest.lo * std::sin(rest.hi),
+            std::sin(rest.hi) + rest.lo * std::cos(rest.hi)};
+}
+
+// Fourier or hyperbolic functions of the odd and the even multiples of the argument.
+struct Multiples {
+    double odd_cos[TopFactor::max_terms];
+    double odd_sin[TopFactor::max_terms];
+    double even_cos[TopFactor::max_terms];
+    double even_sin[TopFactor::max_terms];
+};
+
+// Multiples by Chebyshev's recurrence, which keeps the sines' relative accuracy at their zero.
+// curvature is −1 for cos and sin, +1 for cosh and sinh.
+Multiples multiples_of(double cosine, double sine, double curvature) {
+    const double double_cos = 1.0 + 2.0 * curvature * sine * sine;
+    Multiples m{};
+    m.even_cos[0] = 1.0;
+    m.odd_cos[0] = cosine;
+    m.odd_sin[0] = sine;
+    m.even_cos[1] = double_cos;
+    m.even_sin[1] = 2.0 * sine * cosine;
+    m.odd_cos[1] = 2.0 * double_cos * cosine - cosine;
+    m.odd_sin[1] = 2.0 * double_cos * sine + sine;
+    for (int n = 2; n < TopFactor::max_terms; ++n) {
+        m.even_cos[n] = 2.0 * double_cos * m.even_cos[n - 1] - m.even_cos[n - 2];
+        m.even_sin[n] = 2.0 * double_cos * m.even_sin[n - 1] - m.even_sin[n - 2];
+        m.odd_cos[n] = 2.0 * double_cos * m.odd_cos[n - 1] - m.odd_cos[n - 2];
+        m.odd_sin[n] = 2.0 * double_cos * m.odd_sin[n - 1] - m.odd_sin[n - 2];
+    }
+    return m;
+}
+
+struct SeriesValue {
+    Complex value;
+    Complex slope;  // derivative by the argument
+};
+
+SeriesValue sum_series(const std::array<double, TopFactor::max_terms>& re,
+                       const std::array<double, TopFactor::max_terms>& im, const double* cosine,
+                       const double* sine, int first, double curvature, int n_terms) {
+    SeriesValue sum{};
+    for (int n = n_terms - 1; n >= 0; --n) {
+        const auto i = static_cast<std::size_t>(n);
+        const double multiple = 2.0 * n + first;
+        sum.value += Complex(re[i] * cosine[n], im[i] * sine[n]);
+        sum.slope += multiple * Complex(curvature * re[i] * sine[n], im[i] * cosine[n]);
+    }
+    return sum;
+}
+
+}  // namespace
+
+// The phase of the nutation, reduced to the nearest turning point.
+struct HeavyTop::Phase {
+    double r = 0.0;  // u from the turning point
+    std::int64_t quarter = 0;
+    double quarters = 0.0;  // the same number, also where it exceeds an integer
+};
+
+// α and β up to a common positive factor and without the phases e^{i rate t}, and their rates.
+struct HeavyTop::Factors {
+    Complex value[2];
+    Complex rate[2];  // of the value and of the regular part of the phase, 1/s
+};
+
+HeavyTop::Phase HeavyTop::phase_at(double time_s) const {
+    Phase phase;
+    if (series_.steady) return phase;
+    TwoWords u = series_.lambda_1_s * time_s + series_.u_start;
+    if (!std::isfinite(u.hi)) {
+        throw InputError(fmt::format(
+            "the top's phase at t = {} s exceeds what a double holds; ask for an earlier time",
+            time_s));
+    }
+    if (std::isfinite(series_.quarter_u.hi)) {
+        // Two passes: the first may leave some quarters where their number exceeds 2^53.
+        for (int pass = 0; pass < 2; ++pass) {
+            const double quarters = std::round(u.hi / series_.quarter_u.hi);
+            u = u + series_.quarter_u * -quarters;
+            phase.quarters += quarters;
+            phase.quarter += static_cast<std::int64_t>(std::fmod(quarters, 4.0));
+        }
+    }
+    phase.quarters += series_.quarter_start;
+    phase.quarter += series_.quarter_start;
+    phase.r = u.hi + u.lo;
+    return phase;
+}
+
+HeavyTop::Factors HeavyTop::factors_at(const Phase& phase) const {
+    Factors result;
+    const double lambda = series_.lambda_1_s.hi;
+    if (series_.steady) {
+        for (int which = 0; which < 2; ++which) {
+            const TopFactor& factor = series_.factor[which];
+            result.value[which] = factor.lower_amplitude;
+            result.rate[which] = Complex(0.0, factor.regular_rate_1_s) * factor.lower_amplitude;
+        }
+        return result;
+    }
+
+    const bool upper = phase.quarter % 2 != 0;
+    const double argument = phase.r * series_.argument_per_u;
+    const double curvature = series_.hyperbolic ? 1.0 : -1.0;
+    Multiples m;
+    if (!series_.hyperbolic) {
+        m = multiples_of(std::cos(argument), std::sin(argument), curvature);
+    } else if (series_.scaled && !upper && std::abs(argument) > 1.0) {
+        // Everything times e^{−|argument|}, which the normalisation takes out again.
+        const double decay = std::exp(-2.0 * std::abs(argument));
+        m = Multiples{};
+        m.odd_cos[0] = 0.5 * (1.0 + decay);
+        m.odd_sin[0] = std::copysign(0.5 * (1.0 - decay), argument);
+        m.even_cos[0] = std::exp(-std::abs(argument));
+    } else {
+        constexpr double largest = 700.0;  // where a factor this large stands beside a vanishing k'
+        const double bounded = std::clamp(argument, -largest, largest);
+        m = multiples_of(std::cosh(bounded), std::sinh(bounded), curvature);
+    }
+
+    for (int which = 0; which < 2; ++which) {
+        const TopFactor& factor = series_.factor[which];
+        const bool theta1 = (which == 0) != upper;
+        const bool even = series_.hyperbolic && !theta1;
+        const SeriesValue sum =
+            sum_series(theta1 ? factor.theta1_re : factor.theta2_re,
+                       theta1 ? factor.theta1_im : factor.theta2_im, even ? m.even_cos : m.odd_cos,
+                       even ? m.even_sin : m.odd_sin, even ? 0 : 1, curvature, series_.n_terms);
+        const double phase_rate = factor.regular_rate_1_s + lambda * factor.cell_rate;
+        const Complex rate =
+            lambda * series_.argument_per_u * sum.slope + Complex(0.0, phase_rate) * sum.value;
+        const double first = upper ? factor.upper_amplitude[1] : 1.0;
+        const double second = upper ? factor.upper_amplitude[0] : factor.lower_amplitude;
+        result.value[which] = second * (first * sum.value);
+        result.rate[which] = second * (first * rate);
+    }
+    return result;
+}
+
+// The continuous phase of a factor, from the series' own zero.
+double HeavyTop::unwrapped(int which, double time_s, const Phase& phase,
+                           const Factors& factors) const {
+    const TopFactor& factor = series_.factor[which];
+    if (factor.zero) return 0.0;
+    TwoWords angle = factor.rate_1_s * time_s;
+    if (series_.steady) return angle.hi + angle.lo;
+    angle = angle + TwoWords{factor.cell_rate * phase.r, 0.0};
+    const Complex& value = factors.value[which];
+    if (factor.through_zero) {
+        // θ1 passes through zero along a straight line: no winding, a jump of π there and back.
+        Complex turned = quarter_turns(factor.winding * phase.quarter);
+        if (which == 0) turned *= Complex(0.0, -factor.winding);
+        const Complex along = value == 0.0 ? factors.rate[which] : value;
+        return (turned * along).real() < 0.0 ? angle.hi + (angle.lo + pi) : angle.hi + angle.lo;
+    }
+    angle = angle + half_pi * (factor.winding * phase.quarters);
+    angle = angle + TwoWords{std::arg(value), 0.0};
+    return angle.hi + angle.lo;
+}
+
+// Turns the series so that they meet the start: by their phase there, or by that of their rate
+// where the start is exactly vertical.
+void HeavyTop::fit_start(std::complex<double> omega_transverse) {
+    const Phase phase = phase_at(0.0);
+    const Factors factors = factors_at(phase);
+    const int alpha = series_.reversed ? 1 : 0;
+    // 2 dα/dt = −β conj(ω1 + iω2) at α = 0, and 2 dβ/dt = α (ω1 + iω2) at β = 0.
+    const Complex start_rate[2] = {-start_[1] * std::conj(omega_transverse),
+                                   start_[0] * omega_transverse};
+    for (int which = 0; which < 2; ++which) {
+        const int series_index = which == 0 ? alpha : 1 - alpha;
+        const TopFactor& factor = series_.factor[series_index];
+        start_angle_[series_index] = unwrapped(series_index, 0.0, phase, factors);
+        const bool vertical = start_[which] == 0.0;
+        const Complex wanted = vertical ? start_rate[which] : start_[which];
+        const Complex value = vertical ? factors.rate[series_index] : factors.value[series_index];
+        const Complex turned = quarter_turns(factor.winding * phase.quarter) * value *
+                               std::polar(1.0, factor.cell_rate * phase.r);
+        if (wanted == 0.0 || turned == 0.0) continue;
+        // Scaled first: either may be as small as 1e-300.
+        const Complex ratio = (wanted / std::abs(wanted)) * std::conj(turned / std::abs(turned));
+        start_phase_[series_index] = ratio / std::abs(ratio);
+    }
+}
+
+RotationState HeavyTop::state_from(double time_s, const Phase& phase,
+                                   const Factors& factors) const {
+    Complex value[2];
+    Complex rate[2];
+    for (int which = 0; which < 2; ++which) {
+        const TopFactor& factor = series_.factor[which];
+        TwoWords angle = factor.rate_1_s * time_s;
+        if (!series_.steady) angle = angle + TwoWords{factor.cell_rate * phase.r, 0.0};
+        const Complex turn = unit_phase(angle) * start_phase_[which] *
+                             quarter_turns(series_.steady ? 0 : factor.winding * phase.quarter);
+        value[which] = turn * factors.value[which];
+        rate[which] = turn * factors.rate[which];
+    }
+    if (series_.reversed) {
+        // q = q' i⁻¹: α = β' and β = −α' for the body turned back about e1.
+        std::swap(value[0], value[1]);
+        std::swap(rate[0], rate[1]);
+    }
+
+    // ω1 + iω2 = 2 (ᾱ dβ/dt − β dᾱ/dt); the norm's own rate drops out.
+    const double norm = std::hypot(std::abs(value[0]), std::abs(value[1]));
+    const Complex alpha = value[0] / norm;
+    const Complex beta = value[1] / norm;
+    const Complex omega =
+        2.0 * (std::conj(alpha) * (rate[1] / norm) - beta * (std::conj(rate[0]) / norm));
+
+    RotationState state;
+    state.time_s = time_s;
+    state.space_from_body =
+        Eigen::Quaterniond(alpha.real(), beta.real(), beta.imag(), alpha.imag()) *
+        body_from_top_.conjugate();
+    state.omega_body = body_from_top_ * Eigen::Vector3d(omega.real(), omega.imag(), omega3_);
+    return state;
+}
+
+EulerAngles HeavyTop::angles_from(double time_s, const Phase& phase, const Factors& factors) const {
+    const int alpha = series_.reversed ? 1 : 0;
+    double half_angle[2];
+    for (int which = 0; which < 2; ++which) {
+        const int index = which == 0 ? alpha : 1 - alpha;
+        half_angle[which] = unwrapped(index, time_s, phase, factors) - start_angle_[index];
+    }
+    EulerAngles angles;
+    angles.theta_rad =
+        2.0 * std::atan2(std::abs(factors.value[1 - alpha]), std::abs(factors.value[alpha]));
+    const double mean = 0.5 * (angle_start_[0] + angle_start_[1]);
+    const double half_difference = 0.5 * (angle_start_[0] - angle_start_[1]);
+    angles.phi_rad = half_angle[0] + half_angle[1] + mean;
+    angles.psi_rad = half_angle[0] - half_angle[1] + half_difference;
+    return angles;
+}
+
+RotationState HeavyTop::at(double time_s) const {
+    const Phase phase = phase_at(time_s);
+    return state_from(time_s, phase, factors_at(phase));
+}
+
+EulerAngles HeavyTop::euler_angles(double time_s) const {
+    const Phase phase = phase_at(time_s);
+    return angles_from(time_s, phase, factors_at(phase));
+}
+
+MotionSample HeavyTop::sample(double time_s, Quantities wanted) const {
+    const Phase phase = phase_at(time_s);
+    const Factors factors = factors_at(phase);
+    MotionSample sample;
+    sample.state = state_from(time_s, phase, factors);
+    if (wanted.herpolhode) {
+        // L itself moves in space, and ω's part across it is taken at this instant.
+        const Eigen::Vector3d omega = body_from_top_.conjugate() * sample.state.omega_body;
+        const Eigen::Vector3d momentum(moment_transverse_ * omega[0], moment_transverse_ * omega[1],
+                                       moment_axial_ * omega[2]);
+        // ω − L (ω·L)/L² = (L × ω) × L / L², and L × ω ∝ C − A: no cancellation for small wobbles.
+        const double squared = momentum.squaredNorm();
+        if (squared > 0.0) {
+            const Eigen::Vector3d across = momentum.cross(omega).cross(momentum) / squared;
+            sample.herpolhode_space =
+                sample.state.space_from_body * (body_from_top_ * across).eval();
+        }
+    }
+    if (!wanted.attitude) sample.state.space_from_body = Eigen::Quaterniond::Identity();
+    if (wanted.euler_angles) sample.euler = angles_from(time_s, phase, factors);
+    return sample;
+}
+
+double HeavyTop::effective_potential_J(double theta_rad) const {
+    const double half = std::sin(0.5 * theta_rad);
+    const double sine = std::sin(theta_rad);
+    const double p_psi = invariants_.p_psi_kg_m2_s;
+    const double across = p_phi_minus_p_psi_ + p_psi * 2.0 * half * half;
+    // At a vertical with p_φ = ±p_ψ the quotient tends to zero.
+    const double centrifugal =
+        across == 0.0 ? 0.0 : across * across / (2.0 * moment_transverse_ * sine * sine);
+    return centrifugal + p_psi * p_psi / (2.0 * moment_axial_) + mgl_ * std::cos(theta_rad);
+}
+
+RotationState start_of(const HeavyTopProblem& problem) {
+    RotationState state;
+    const double half = 0.5 * problem.theta_rad;
+    state.space_from_body = Eigen::Quaterniond(std::cos(half), std::sin(half), 0.0, 0.0);
+    state.omega_body =
+        Eigen::Vector3d(problem.theta_dot_rad_s,
+                        problem.phi_dot_rad_s * std::sin(problem.theta_rad), problem.omega3_rad_s);
+    return state;
+}
+
+std::string_view name_of(TopRegime regime) {
+    switch (regime) {
+        case TopRegime::sleeping:
+            return "sleeping";
+        case TopRegime::sleeping_unstable:
+            return "sleeping, unstable";
+        case TopRegime::hanging:
+            return "hanging";
+        case TopRegime::steady_slow:
+            return "steady precession, slow";
+        case TopRegime::steady_fast:
+            return "steady precession, fast";
+        case TopRegime::wavy:
+            return "wavy nutation";
+        case TopRegime::cusp:
+            return "cuspidal nutation";
+        case TopRegime::looping:
+            return "looping nutation";
+        case TopRegime::through_vertical:
+            return "through the vertical";
+        case TopRegime::planar_pendulum:
+            return "planar pendulum";
+        case TopRegime::separatrix:
+            return "separatrix";
+        case TopRegime::no_gravity:
+            return "without gravity";
+    }
+    return "";
+}
+
+}  // namespace poinsot

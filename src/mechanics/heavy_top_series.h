@@ -1,0 +1,51 @@
+// The constants that an evaluation of Lagrange's top needs; computed once by heavy_top_setup.cpp
+// and used by heavy_top.cpp alone.
+#pragma once
+
+#include <array>
+
+namespace poinsot {
+
+// A number in two words, value = hi + lo.
+struct TwoWords {
+    double hi = 0.0;
+    double lo = 0.0;
+};
+
+// One Cayley–Klein parameter, α = q_w + i q_z or β = q_x + i q_y, up to a common positive factor:
+// amplitude · e^{iδ} · e^{i(rate t + cell_rate r)} · i^{winding·quarter} · (series of r).
+//
+// The quarter periods of the nutation are numbered so that the even ones are centred on the lower
+// end (cos θ least) and the odd ones on the upper end. α is a θ1 function at the lower end and θ2
+// at the upper one, β the other way round; both are regular and neither has a pole.
+struct TopFactor {
+    static constexpr int max_terms = 5;
+    std::array<double, max_terms> theta1_re{}, theta1_im{};
+    std::array<double, max_terms> theta2_re{}, theta2_im{};
+    double lower_amplitude = 0.0;
+    double upper_amplitude[2] = {0.0, 1.0};  // a product of two, lest it underflow too early
+    TwoWords rate_1_s;                       // of the phase
+    double regular_rate_1_s = 0.0;           // the same without ±(ω3 − a)/2
+    double cell_rate = 0.0;                  // phase per unit of u, radians
+    int winding = 1;                         // +1 or −1
+    bool through_zero = false;               // real but for the phase: passes through zero
+    bool zero = false;                       // identically zero
+};
+
+// The solution x = 1 − cos θ = x1 − (x1−x2) sn²(u), u = λt + u0, of the top with Mgl ≥ 0.
+struct TopSeries {
+    bool reversed = false;    // Mgl < 0: e3 is reversed, and (α, β) stand for (−β, α)
+    bool steady = false;      // θ is constant; the factors have amplitudes and rates only
+    bool hyperbolic = false;  // series in the complementary nome (k' < 1/√2)
+    bool scaled = false;      // the complementary nome is negligible, and e^{u} may overflow
+    int n_terms = 1;
+    TwoWords lambda_1_s;
+    TwoWords u_start;    // from the turning point number quarter_start
+    TwoWords quarter_u;  // K; infinite on the separatrix
+    int quarter_start = 0;
+    double argument_per_u = 1.0;  // π/2K or π/2K'
+    double nome = 0.0;            // complementary, of the hyperbolic series
+    TopFactor factor[2];
+};
+
+}  // namespace poinsot
