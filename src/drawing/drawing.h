@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -205,6 +206,7 @@ struct View {
     std::vector<Arrow> arrows;
     std::vector<Dot> dots;
     std::vector<Label> labels;
+    std::deque<GlyphMask> live_masks;  // of labels that belong to this drawing alone
 };
 
 // A whole video frame or still.

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "drawing/labels.h"
+#include "drawing/live_text.h"
+#include "drawing/projection.h"
 #include "error/error.h"
 
 namespace poinsot {
@@ -15,6 +18,16 @@ namespace {
 // Index of the one ellipsoid and the one plane in the space view; see the order of the table.
 constexpr int the_ellipsoid = 0;
 constexpr int the_plane = 0;
+
+// The numbers that a caption may name.
+std::array<LiveValue, 5> live_values(const StageData& stage, const Instant& instant) {
+    const Eigen::Vector3d& omega = instant.state.omega_body;
+    return {{{"time_s", instant.time_s},
+             {"omega_1_rad_s", omega[0]},
+             {"omega_2_rad_s", omega[1]},
+             {"omega_3_rad_s", omega[2]},
+             {"kinetic_energy_J", stage.construction.kinetic_energy_J()}}};
+}
 
 bool always(const StageData&) { return true; }
 bool never(const StageData&) { return false; }
@@ -56,7 +69,7 @@ Drawer make_plane(StageData& stage) {
     plane.colour = stage.theme->plane;
     plane.grid_colour = stage.theme->grid;
     plane.opacity = stage.theme->plane_opacity;
-    return [plane](const Instant&, View& view) { view.planes.push_back(plane); };
+    return [plane](const Instant&, Sheet& sheet) { sheet.view.planes.push_back(plane); };
 }
 
 Drawer make_ellipsoid(StageData& stage) {
@@ -66,9 +79,9 @@ Drawer make_ellipsoid(StageData& stage) {
     ellipsoid.line_colour = stage.theme->ellipsoid_lines;
     ellipsoid.section_px = 1.7 * stage.px;
     ellipsoid.ruling_px = 0.9 * stage.px;
-    return [&stage, ellipsoid](const Instant& instant, View& view) {
-        view.ellipsoids.push_back(ellipsoid);
-        view.ellipsoids.back().half_axes =
+    return [&stage, ellipsoid](const Instant& instant, Sheet& sheet) {
+        sheet.view.ellipsoids.push_back(ellipsoid);
+        sheet.view.ellipsoids.back().half_axes =
             principal_axes(stage, instant) * stage.half_axes.asDiagonal();
     };
 }
@@ -86,9 +99,9 @@ Drawer make_polhode(StageData& stage) {
     curve.colour = stage.theme->polhode;
     curve.on_surface = the_ellipsoid;
     curve.hidden_opacity = 0.45;
-    return [curve](const Instant& instant, View& view) {
-        view.curves.push_back(curve);
-        view.curves.back().placement.linear() = instant.picture_from_body.toRotationMatrix();
+    return [curve](const Instant& instant, Sheet& sheet) {
+        sheet.view.curves.push_back(curve);
+        sheet.view.curves.back().placement.linear() = instant.picture_from_body.toRotationMatrix();
     };
 }
 
@@ -115,9 +128,9 @@ Drawer make_herpolhode(StageData& stage) {
     curve.colour = stage.theme->herpolhode;
     curve.on_plane = the_plane;
     curve.hidden_opacity = 0.45;
-    return [curve, herpolhode = std::move(herpolhode)](const Instant& instant, View& view) {
-        view.curves.push_back(curve);
-        view.curves.back().last = herpolhode.index_at(instant.time_s);
+    return [curve, herpolhode = std::move(herpolhode)](const Instant& instant, Sheet& sheet) {
+        sheet.view.curves.push_back(curve);
+        sheet.view.curves.back().last = herpolhode.index_at(instant.time_s);
     };
 }
 
@@ -145,31 +158,60 @@ Drawer make_annulus(StageData& stage) {
         curve.on_plane = the_plane;
         circles.push_back(curve);
     }
-    return [circles](const Instant&, View& view) {
-        view.curves.insert(view.curves.end(), circles.begin(), circles.end());
+    return [circles](const Instant&, Sheet& sheet) {
+        sheet.view.curves.insert(sheet.view.curves.end(), circles.begin(), circles.end());
     };
 }
 
+// The label of an arrow: at its tip, on the side that it points to.
+void wish_at_tip(const StageData& stage, const Arrow& arrow, const SetType& type, Sheet& sheet) {
+    const Projected tip = project(sheet.view, arrow.tip);
+    const Projected tail = project(sheet.view, arrow.tail);
+    LabelWish wish;
+    wish.type = type;
+    wish.anchor_px = tip.px;
+    wish.away = (tip.px - tail.px) / (100.0 * stage.px);
+    wish.gap_px = 9.0 * stage.px;
+    wish.colour = arrow.colour;
+    sheet.wishes.push_back(wish);
+}
+
+constexpr double label_size = 34.0;  // px per em at 1080 rows
+
 Drawer make_momentum(StageData& stage) {
     const Arrow arrow = arrow_to(stage, {0.0, 0.0, momentum_length}, stage.theme->momentum, 1.15);
-    return [arrow](const Instant&, View& view) { view.arrows.push_back(arrow); };
+    const SetType type = stage.type_case.set("\\mathbf{L}", {.size_px = label_size * stage.px});
+    return [&stage, arrow, type](const Instant&, Sheet& sheet) {
+        sheet.view.arrows.push_back(arrow);
+        wish_at_tip(stage, arrow, type, sheet);
+    };
 }
 
 Drawer make_omega(StageData& stage) {
-    return [&stage](const Instant& instant, View& view) {
+    const SetType type =
+        stage.type_case.set("\\boldsymbol{\\omega}", {.size_px = label_size * stage.px});
+    return [&stage, type](const Instant& instant, Sheet& sheet) {
         const Eigen::Vector3d direction = -instant.contact;
         const double length = omega_length * std::max(1.0, 1.0 / direction.norm());
-        view.arrows.push_back(arrow_to(stage, direction * length, stage.theme->omega, 1.15));
+        const Arrow arrow = arrow_to(stage, direction * length, stage.theme->omega, 1.15);
+        sheet.view.arrows.push_back(arrow);
+        wish_at_tip(stage, arrow, type, sheet);
     };
 }
 
 Drawer make_axes(StageData& stage) {
-    return [&stage](const Instant& instant, View& view) {
+    std::array<SetType, 3> types;
+    for (std::size_t i = 0; i < 3; ++i) {
+        types[i] = stage.type_case.set(fmt::format("\\mathbf{{e}}_{}", i + 1),
+                                       {.size_px = 0.85 * label_size * stage.px});
+    }
+    return [&stage, types](const Instant& instant, Sheet& sheet) {
         const Eigen::Matrix3d axes = principal_axes(stage, instant);
         for (int i = 0; i < 3; ++i) {
             const double length = stage.half_axes[i] + 0.28;
-            view.arrows.push_back(
-                arrow_to(stage, axes.col(i) * length, stage.theme->axes[i], 0.85));
+            const Arrow arrow = arrow_to(stage, axes.col(i) * length, stage.theme->axes[i], 0.85);
+            sheet.view.arrows.push_back(arrow);
+            wish_at_tip(stage, arrow, types[static_cast<std::size_t>(i)], sheet);
         }
     };
 }
@@ -181,9 +223,9 @@ Drawer make_contact(StageData& stage) {
     dot.colour = stage.theme->contact;
     dot.rim_colour = stage.theme->halo;
     dot.hidden_opacity = 0.8;
-    return [dot](const Instant& instant, View& view) {
-        view.dots.push_back(dot);
-        view.dots.back().at = instant.contact;
+    return [dot](const Instant& instant, Sheet& sheet) {
+        sheet.view.dots.push_back(dot);
+        sheet.view.dots.back().at = instant.contact;
     };
 }
 
@@ -193,7 +235,7 @@ Drawer make_cones(StageData& stage) {
     }
     // Both cones stand on the centre and touch along the instantaneous axis −ω, on the contact
     // point's side.
-    return [&stage, cones = *stage.cones](const Instant& instant, View& view) {
+    return [&stage, cones = *stage.cones](const Instant& instant, Sheet& sheet) {
         const double reach = 0.98 * instant.contact.norm();
         const Eigen::Matrix3d axes = principal_axes(stage, instant);
         const Eigen::Vector3d symmetry = axes.col(cones.symmetry_axis);
@@ -204,7 +246,7 @@ Drawer make_cones(StageData& stage) {
         body.colour = stage.theme->body_cone;
         body.reference = axes.col((cones.symmetry_axis + 1) % 3);
         body.rim_px = 2.0 * stage.px;
-        view.cones.push_back(body);
+        sheet.view.cones.push_back(body);
 
         Cone space;
         space.axis = -Eigen::Vector3d::UnitZ();
@@ -213,11 +255,72 @@ Drawer make_cones(StageData& stage) {
         space.colour = stage.theme->space_cone;
         space.reference = Eigen::Vector3d::UnitX();
         space.rim_px = 2.0 * stage.px;
-        view.cones.push_back(space);
+        sheet.view.cones.push_back(space);
     };
 }
 
-const std::array<Element, 10> table{{
+// Running text at a corner of the picture; its pen starts at whole pixels.
+void add_text(const StageData& stage, const SetType& type, double pen_x, double baseline_y,
+              Sheet& sheet) {
+    if (type.mask->width == 0) return;
+    Label label;
+    label.mask = type.mask;
+    label.top_left_px = {std::round(pen_x) + type.left_px,
+                         std::round(baseline_y) - type.baseline_px};
+    label.colour = stage.theme->text;
+    label.halo_colour = stage.theme->halo;
+    label.halo_px = 2.0 * stage.px;
+    sheet.view.labels.push_back(label);
+}
+
+double margin(const StageData& stage) { return 40.0 * stage.px; }
+
+TypeStyle text_style(const StageData& stage, double size) {
+    return {.size_px = size * stage.px,
+            .mode = TypeMode::text,
+            .max_width_px = std::max(64.0, stage.options.width_px - 2.0 * margin(stage))};
+}
+
+Drawer make_title(StageData& stage) {
+    const SetType type = stage.type_case.set(stage.scene.title, text_style(stage, 40.0));
+    return [&stage, type](const Instant&, Sheet& sheet) {
+        add_text(stage, type, margin(stage), margin(stage) + type.baseline_px, sheet);
+    };
+}
+
+Drawer make_caption(StageData& stage) {
+    const TypeStyle style = text_style(stage, 26.0);
+    const auto place = [&stage](const SetType& type, Sheet& sheet) {
+        const double top = stage.options.height_px - margin(stage) - type.mask->height;
+        add_text(stage, type, margin(stage), top + type.baseline_px, sheet);
+    };
+    if (!is_live(stage.scene.caption)) {
+        const SetType type = stage.type_case.set(expand_live_text(stage.scene.caption, {}), style);
+        return [place, type](const Instant&, Sheet& sheet) { place(type, sheet); };
+    }
+    return [&stage, style, place](const Instant& instant, Sheet& sheet) {
+        const auto values = live_values(stage, instant);
+        place(stage.type_case.set_live(expand_live_text(stage.scene.caption, values), style,
+                                       sheet.view),
+              sheet);
+    };
+}
+
+Drawer make_clock(StageData& stage) {
+    return [&stage](const Instant& instant, Sheet& sheet) {
+        const auto values = live_values(stage, instant);
+        const SetType type = stage.type_case.set_live(
+            expand_live_text("$t$ = {time_s:.2f} s", values), text_style(stage, 26.0), sheet.view);
+        // Right-aligned on the widest text of its kind, so that changing digits do not move it.
+        const double pen = stage.options.width_px - margin(stage) - 160.0 * stage.px;
+        add_text(stage, type, pen, margin(stage) + 26.0 * stage.px, sheet);
+    };
+}
+
+bool has_title(const StageData& stage) { return !stage.scene.title.empty(); }
+bool has_caption(const StageData& stage) { return !stage.scene.caption.empty(); }
+
+const std::array<Element, 13> table{{
     {"plane", "the invariable plane with its grid", always, make_plane},
     {"ellipsoid", "the inertia ellipsoid with body-fixed lines", always, make_ellipsoid},
     {"annulus", "the ring that the herpolhode fills", never, make_annulus},
@@ -228,6 +331,9 @@ const std::array<Element, 10> table{{
     {"omega", "the angular velocity ω", always, make_omega},
     {"axes", "the principal axes e1, e2, e3", always, make_axes},
     {"contact", "the contact point", always, make_contact},
+    {"title", "the scene's title", has_title, make_title},
+    {"caption", "the scene's caption", has_caption, make_caption},
+    {"clock", "the time of the instant shown", always, make_clock},
 }};
 
 }  // namespace

@@ -92,13 +92,15 @@ Drawing Stage::at(double time_s) const {
     instant.contact = data_->picture_from_space * data_->construction.contact_space(instant.state) *
                       data_->picture_per_rho;
 
-    View view;
+    Sheet sheet;
+    View& view = sheet.view;
     view.width_px = data_->options.width_px;
     view.height_px = data_->options.height_px;
     view.camera = data_->camera;
     view.light = data_->theme->light;
     view.background = data_->theme->background;
-    for (const Drawer& draw : data_->drawers) draw(instant, view);
+    for (const Drawer& draw : data_->drawers) draw(instant, sheet);
+    place_labels(sheet.wishes, data_->theme->halo, 3.0 * data_->px, view);
 
     Drawing drawing;
     drawing.width_px = data_->options.width_px;

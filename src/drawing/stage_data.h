@@ -16,6 +16,7 @@
 #include "construction/poinsot_construction.h"
 #include "construction/polhode.h"
 #include "drawing/drawing.h"
+#include "drawing/labels.h"
 #include "drawing/stage.h"
 #include "drawing/theme.h"
 
@@ -29,9 +30,15 @@ struct Instant {
     Eigen::Vector3d contact = Eigen::Vector3d::Zero();  // picture axes
 };
 
+// A view in the making: its shapes, and the labels that still look for their place.
+struct Sheet {
+    View view;
+    std::vector<LabelWish> wishes;
+};
+
 // Adds an element's shapes of one instant to its view; owns nothing, refers to the stage's
 // geometry.
-using Drawer = std::function<void(const Instant&, View&)>;
+using Drawer = std::function<void(const Instant&, Sheet&)>;
 
 struct StageData {
     Scene scene;
@@ -53,6 +60,7 @@ struct StageData {
     double units_per_px = 0.001;  // at the centre of the picture
 
     // Geometry made once for all instants; addresses stay valid for the stage's life.
+    TypeCase type_case;
     std::deque<CurveGeometry> curves;
     std::deque<MeshGeometry> meshes;
     std::vector<Drawer> drawers;  // one for each element shown, in the table's order

@@ -1,0 +1,95 @@
+#include "drawing/labels.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace poinsot {
+
+namespace {
+
+GlyphMask mask_of(TypesetMask&& set) {
+    static std::atomic<std::uint64_t> counter{0};
+    GlyphMask mask;
+    mask.id = ++counter;
+    mask.width = set.width;
+    mask.height = set.height;
+    mask.coverage = std::move(set.coverage);
+    return mask;
+}
+
+}  // namespace
+
+SetType TypeCase::set(std::string_view text, const TypeStyle& style) {
+    const auto key = std::make_tuple(std::string(text), style.size_px, static_cast<int>(style.mode),
+                                     style.max_width_px);
+    if (const auto found = known_.find(key); found != known_.end()) return found->second;
+    TypesetMask set = typesetter_.set(text, style);
+    SetType type{nullptr, set.left_px, set.baseline_px};
+    type.mask = &masks_.emplace_back(mask_of(std::move(set)));
+    known_.emplace(key, type);
+    return type;
+}
+
+SetType TypeCase::set_live(std::string_view text, const TypeStyle& style, View& view) const {
+    TypesetMask set = typesetter_.set(text, style);
+    SetType type{nullptr, set.left_px, set.baseline_px};
+    type.mask = &view.live_masks.emplace_back(mask_of(std::move(set)));
+    return type;
+}
+
+void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,
+                  View& view) {
+    struct Box {
+        Eigen::Vector2d centre;
+        Eigen::Vector2d half;
+    };
+    std::vector<Box> boxes;
+    for (const LabelWish& wish : wishes) {
+        const Eigen::Vector2d half{0.5 * wish.type.mask->width, 0.5 * wish.type.mask->height};
+        // The box touches the anchor's neighbourhood as an ellipse would: smooth in the direction.
+        // A vanishing direction (an arrow pointing at the eye) fades into "to the right".
+        const Eigen::Vector2d leaning = wish.away + Eigen::Vector2d(0.05, 0.0);
+        const Eigen::Vector2d away = leaning / std::max(leaning.norm(), 1e-9);
+        const double reach = std::hypot(half.x() * away.x(), half.y() * away.y());
+        boxes.push_back({wish.anchor_px + away * (wish.gap_px + reach), half});
+    }
+
+    // Overlapping pairs push each other apart along the line of their centres, as ellipses of their
+    // boxes.
+    constexpr int n_rounds = 12;
+    for (int round = 0; round < n_rounds; ++round) {
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+                const Eigen::Vector2d sum = 0.8 * (boxes[i].half + boxes[j].half);
+                const Eigen::Vector2d between = boxes[j].centre - boxes[i].centre;
+                const double nearness = between.cwiseQuotient(sum).norm();
+                if (nearness >= 1.0) continue;
+                const Eigen::Vector2d push = 0.5 * (1.0 - nearness) *
+                                             between.cwiseQuotient(sum).cwiseProduct(sum) /
+                                             std::max(nearness, 1e-3);
+                boxes[i].centre -= 0.5 * push;
+                boxes[j].centre += 0.5 * push;
+            }
+        }
+    }
+
+    const double margin = halo_px + 2.0;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        Eigen::Vector2d corner = boxes[i].centre - boxes[i].half;
+        const auto keep = [&](double value, double from, double size, double box) {
+            return std::max(from + margin, std::min(value, from + size - box - margin));
+        };
+        corner.x() = keep(corner.x(), view.x_px, view.width_px, 2.0 * boxes[i].half.x());
+        corner.y() = keep(corner.y(), view.y_px, view.height_px, 2.0 * boxes[i].half.y());
+        Label label;
+        label.mask = wishes[i].type.mask;
+        label.top_left_px = corner;
+        label.colour = wishes[i].colour;
+        label.halo_colour = halo;
+        label.halo_px = halo_px;
+        view.labels.push_back(label);
+    }
+}
+
+}  // namespace poinsot

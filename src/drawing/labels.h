@@ -1,0 +1,55 @@
+// Type beside what it names: labels that keep off each other and never jump between video frames.
+//
+// The place of a label is a continuous function of the picture alone, not of earlier frames, so
+// that any frame drawn by itself is the frame of the film.
+#pragma once
+
+#include <Eigen/Core>
+#include <deque>
+#include <map>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "drawing/drawing.h"
+#include "typeset/typesetter.h"
+
+namespace poinsot {
+
+// A string that has been set: its mask and where its ink lies from the pen.
+struct SetType {
+    const GlyphMask* mask = nullptr;
+    int left_px = 0;
+    double baseline_px = 0.0;
+};
+
+// Sets type once a string and size, and keeps the masks for the stage's life.
+class TypeCase {
+ public:
+    SetType set(std::string_view text, const TypeStyle& style);
+
+    // For type that changes with every frame: the mask goes with the view.
+    SetType set_live(std::string_view text, const TypeStyle& style, View& view) const;
+
+ private:
+    Typesetter typesetter_;
+    std::deque<GlyphMask> masks_;
+    std::map<std::tuple<std::string, double, int, double>, SetType> known_;
+};
+
+// A label that wants to stand beside a point, on the side that `away` names.
+struct LabelWish {
+    SetType type;
+    Eigen::Vector2d anchor_px = Eigen::Vector2d::Zero();
+    Eigen::Vector2d away{1.0, 0.0};  // picture axes, y down; need not be unit; zero: to the right
+    double gap_px = 6.0;
+    Colour colour;
+};
+
+// Adds the wishes as labels of the view: each at its place, then pushed apart where they would
+// cover each other, then kept inside the view.
+void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,
+                  View& view);
+
+}  // namespace poinsot

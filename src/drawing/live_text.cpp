@@ -1,0 +1,86 @@
+#include "drawing/live_text.h"
+
+#include <fmt/format.h>
+
+#include <regex>
+
+#include "error/error.h"
+#include "error/nearest.h"
+
+namespace poinsot {
+
+namespace {
+
+// Precision is bounded so that a caption cannot ask for a page of digits.
+std::string formatted(double value, std::string_view format, std::size_t column) {
+    static const std::regex accepted("[+]?0?[0-9]{0,2}([.][0-9]{1,2})?[efg]?");
+    if (!std::regex_match(format.begin(), format.end(), accepted)) {
+        throw InputError(
+            fmt::format("caption column {}: bad number format \"{}\"; write digits as in .2f",
+                        column + 1, printable(format)));
+    }
+    // A minus sign and not a hyphen, as printed formulas have it.
+    std::string digits = fmt::format(fmt::runtime(fmt::format("{{:{}}}", format)), value);
+    if (!digits.empty() && digits.front() == '-') digits.replace(0, 1, "\u2212");
+    return digits;
+}
+
+}  // namespace
+
+std::string expand_live_text(std::string_view text, std::span<const LiveValue> values) {
+    std::string out;
+    bool formula = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '$') formula = !formula;
+        if (formula || (c != '{' && c != '}')) {
+            out += c;
+            continue;
+        }
+        if (i + 1 < text.size() && text[i + 1] == c) {
+            out += c;
+            ++i;
+            continue;
+        }
+        const std::size_t close = text.find('}', i);
+        if (c == '}' || close == std::string_view::npos) {
+            throw InputError(fmt::format(
+                "caption column {}: a brace without its partner; double it to print a brace",
+                i + 1));
+        }
+        const std::string_view inside = text.substr(i + 1, close - i - 1);
+        const std::string_view name = inside.substr(0, inside.find(':'));
+        const std::string_view format =
+            name.size() < inside.size() ? inside.substr(name.size() + 1) : "g";
+        const LiveValue* found = nullptr;
+        std::vector<std::string_view> names;
+        for (const LiveValue& value : values) {
+            names.push_back(value.name);
+            if (value.name == name) found = &value;
+        }
+        if (found == nullptr) {
+            throw InputError(fmt::format("caption column {}: no number called \"{}\"{}; known: {}",
+                                         i + 2, printable(name), did_you_mean(name, names),
+                                         fmt::join(names, ", ")));
+        }
+        out += formatted(found->value, format, i);
+        i = close;
+    }
+    return out;
+}
+
+bool is_live(std::string_view text) {
+    bool formula = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '$') formula = !formula;
+        if (formula || text[i] != '{') continue;
+        if (i + 1 < text.size() && text[i + 1] == '{') {
+            ++i;
+            continue;
+        }
+        return true;
+    }
+    return false;
+}
+
+}  // namespace poinsot
