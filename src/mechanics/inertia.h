@@ -24,10 +24,18 @@ class InertiaTensor {
     static InertiaTensor from_principal_moments(const Eigen::Vector3d& moments_kg_m2,
                                                 Physicality physicality = Physicality::required);
 
+    // Principal moments in kg m² and the principal axes as columns in body axes. Throws InputError
+    // as above, and if the axes are not a proper rotation to 1e-12.
+    static InertiaTensor from_principal_axes(const Eigen::Vector3d& moments_kg_m2,
+                                             const Eigen::Matrix3d& body_from_principal,
+                                             Physicality physicality = Physicality::required);
+
     // A full symmetric tensor in kg m², in body axes. Asymmetry of at most 8 ulp is averaged away
-    // and noted; more is refused. An exactly diagonal tensor keeps its moments bit for bit. Throws
-    // InputError with the eigenvalues printed if it is not positive definite or breaks the triangle
-    // inequality.
+    // and noted; more is refused. An exactly diagonal tensor keeps its moments bit for bit.
+    // Otherwise its elements are taken as exact, moments within 4 epsilon of the largest as equal
+    // (with the axes nearest the body's), and a lamina to 16 ulp, as far as rounding the elements
+    // moves one. Throws InputError with the eigenvalues printed if it is not positive definite or
+    // breaks the triangle inequality.
     static InertiaTensor from_matrix(const Eigen::Matrix3d& tensor_kg_m2_body,
                                      Physicality physicality = Physicality::required);
 
