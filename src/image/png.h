@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ namespace poinsot {
 struct PngOptions {
     std::map<std::string, std::string> texts;  // keyword (1–79 of Latin-1) → UTF-8 text
     double pixels_per_metre = 0;               // 0: not said
-    int deflate_level = 2;                     // of libdeflate, 1–12
+    int deflate_level = 6;                     // of libdeflate, 1–12
 };
 
 // What a PNG file says besides its pixels.
@@ -27,9 +28,26 @@ struct PngInfo {
 // The largest picture that is read: refused before any memory is taken.
 inline constexpr int kLargestPngSide_px = 16384;
 
-// RGB when every pixel is opaque, else RGBA (not premultiplied). The same bytes on every machine at
-// one libdeflate version.
-// Throws: InputError for an empty picture or a keyword that PNG cannot hold.
+// Makes PNG files in memory, keeping its buffers between pictures: for sequences. Move-only.
+class PngEncoder {
+ public:
+    // Throws: InputError for a keyword, a density or a level that PNG cannot hold.
+    explicit PngEncoder(const PngOptions& options = {});
+    ~PngEncoder();
+    PngEncoder(PngEncoder&&) noexcept;
+    PngEncoder& operator=(PngEncoder&&) noexcept;
+
+    // The file's bytes, valid until the next call: RGB when every pixel is opaque, else RGBA (not
+    // premultiplied). The same bytes on every machine at one libdeflate version.
+    // Throws: InputError for an empty picture, or one larger than what is read again.
+    std::span<const std::uint8_t> encode(const Image& image);
+
+ private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// One picture by a PngEncoder of its own.
 std::vector<std::uint8_t> encode_png(const Image& image, const PngOptions& options = {});
 
 // Made aside, synced and renamed. Throws EnvironmentError naming the path and the reason, and then

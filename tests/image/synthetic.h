@@ -20,8 +20,9 @@ inline Image synthetic_frame(int width, int height, int k) {
             // Grid lines of the lower half, converging upwards.
             if (py > 150) {
                 const double depth = 40000 / (py - 100), side = px * depth / 400;
-                const double line = std::min(std::abs(side / 40 - std::round(side / 40)) * 16000 / depth,
-                                             std::abs(depth / 40 - std::round(depth / 40)) * 40);
+                const double line =
+                    std::min(std::abs(side / 40 - std::round(side / 40)) * 16000 / depth,
+                             std::abs(depth / 40 - std::round(depth / 40)) * 40);
                 const double shade = std::clamp(1.5 - line, 0.0, 1.0) * 0.35;
                 r -= shade, g -= shade, b -= shade;
             }

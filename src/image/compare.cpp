@@ -1,0 +1,148 @@
+#include "image/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstdlib>
+
+#include "image/alpha.h"
+#include "image/plane.h"
+
+namespace poinsot {
+
+namespace {
+
+bool same_size(const Image& a, const Image& b) {
+    return a.width() == b.width() && a.height() == b.height();
+}
+
+void count_differences(const Image& expected, const Image& actual, int level, Comparison& result) {
+    const auto a = expected.bytes(), b = actual.bytes();
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < a.size(); i += 4) {
+        int largest = 0;
+        for (std::size_t c = 0; c < 4; ++c) {
+            const int difference = std::abs(int{a[i + c]} - int{b[i + c]});
+            sum += difference;
+            largest = std::max(largest, difference);
+        }
+        result.n_differing += largest > 0;
+        result.n_over_level += largest > level;
+        result.largest_difference = std::max(result.largest_difference, largest);
+    }
+    result.n_pixels = static_cast<std::int64_t>(a.size() / 4);
+    if (!a.empty())
+        result.mean_difference = static_cast<double>(sum) / static_cast<double>(a.size());
+}
+
+void judge(const CompareLimits& limits, Comparison& result) {
+    const auto share = [&](std::int64_t n) {
+        return static_cast<double>(n) / static_cast<double>(result.n_pixels);
+    };
+    if (result.n_differing == 0) return;
+    const bool too_many = share(result.n_differing) > limits.differing_share;
+    const bool too_strong = share(result.n_over_level) > limits.over_level_share;
+    result.verdict = too_many || too_strong ? Verdict::pixels_differ : Verdict::within_limits;
+    result.reason = fmt::format(
+        "{} of {} pixels differ ({:.3g} %, {:.3g} % allowed), {} by more than {} ({:.3g} %, {:.3g} "
+        "% allowed); the largest difference is {} levels",
+        result.n_differing, result.n_pixels, 100 * share(result.n_differing),
+        100 * limits.differing_share, result.n_over_level, limits.level,
+        100 * share(result.n_over_level), 100 * limits.over_level_share, result.largest_difference);
+}
+
+// Luma of the sRGB values, 0 to 255 (Rec. ITU-R BT.709).
+Plane luma_of(const Image& image) {
+    Image flat;
+    flatten_on_white(image, flat);
+    Plane luma(image.width(), image.height());
+    const auto bytes = flat.bytes();
+    for (std::size_t i = 0; i < luma.values.size(); ++i)
+        luma.values[i] =
+            0.2126f * bytes[4 * i] + 0.7152f * bytes[4 * i + 1] + 0.0722f * bytes[4 * i + 2];
+    return luma;
+}
+
+Plane product(const Plane& a, const Plane& b) {
+    Plane result(a.width, a.height);
+    for (std::size_t i = 0; i < a.values.size(); ++i) result.values[i] = a.values[i] * b.values[i];
+    return result;
+}
+
+}  // namespace
+
+Comparison compare(const Image& expected, const Image& actual, const CompareLimits& limits) {
+    Comparison result;
+    result.expected_width = expected.width(), result.expected_height = expected.height();
+    result.actual_width = actual.width(), result.actual_height = actual.height();
+    if (!same_size(expected, actual)) {
+        result.verdict = Verdict::size_differs;
+        result.reason = fmt::format("{}×{} pixels were expected, there are {}×{}", expected.width(),
+                                    expected.height(), actual.width(), actual.height());
+        return result;
+    }
+    count_differences(expected, actual, limits.level, result);
+    judge(limits, result);
+    if (limits.measures_likeness && result.n_differing > 0) {
+        result.ssim = structural_similarity(expected, actual);
+        result.flip = flip_error(expected, actual);
+    }
+    return result;
+}
+
+double structural_similarity(const Image& expected, const Image& actual) {
+    assert(same_size(expected, actual) && !expected.empty());
+    // About a middle grey, so that variances of light pictures do not cancel in single precision.
+    constexpr float middle = 128;
+    constexpr double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
+    Plane a = luma_of(expected), b = luma_of(actual);
+    for (float& value : a.values) value -= middle;
+    for (float& value : b.values) value -= middle;
+    const std::vector<float> window = gaussian_kernel(1.5, 5);
+    const auto local_mean = [&](const Plane& plane) { return convolved(plane, window, window); };
+    const Plane mean_a = local_mean(a), mean_b = local_mean(b);
+    const Plane aa = local_mean(product(a, a)), bb = local_mean(product(b, b));
+    const Plane ab = local_mean(product(a, b));
+    double sum = 0;
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        const double ma = mean_a.values[i], mb = mean_b.values[i];
+        const double variance_a = aa.values[i] - ma * ma, variance_b = bb.values[i] - mb * mb;
+        const double covariance = ab.values[i] - ma * mb;
+        const double level_a = ma + middle, level_b = mb + middle;
+        sum += (2 * level_a * level_b + c1) * (2 * covariance + c2) /
+               ((level_a * level_a + level_b * level_b + c1) * (variance_a + variance_b + c2));
+    }
+    return sum / static_cast<double>(a.values.size());
+}
+
+Image difference_picture(const Image& expected, const Image& actual) {
+    const int width = std::max(expected.width(), actual.width());
+    const int height = std::max(expected.height(), actual.height());
+    Image sheet(3 * width, height);
+    const auto within = [](const Image& image, int x, int y) {
+        return x < image.width() && y < image.height();
+    };
+    const auto magnified = [](int a, int b, int alpha) {
+        return static_cast<std::uint8_t>(std::min(255, 16 * (std::abs(a - b) + alpha)));
+    };
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const bool in_expected = within(expected, x, y), in_actual = within(actual, x, y);
+            const Rgba8 e = in_expected ? expected.at(x, y) : Rgba8{0, 0, 0, 0};
+            const Rgba8 a = in_actual ? actual.at(x, y) : Rgba8{0, 0, 0, 0};
+            const int alpha = std::abs(int{e.a} - int{a.a});
+            sheet.set(x, y, e);
+            sheet.set(2 * width + x, y, a);
+            sheet.set(width + x, y,
+                      in_expected && in_actual
+                          ? Rgba8{magnified(e.r, a.r, alpha), magnified(e.g, a.g, alpha),
+                                  magnified(e.b, a.b, alpha), 255}
+                          : Rgba8{255, 255, 255, 255});
+        }
+    }
+    return sheet;
+}
+
+}  // namespace poinsot

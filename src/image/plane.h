@@ -1,0 +1,28 @@
+// One channel of a picture as real numbers, and the convolutions that measures of likeness need.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "image/image.h"
+
+namespace poinsot {
+
+struct Plane {
+    Plane(int width_px, int height_px)
+        : width(width_px),
+          height(height_px),
+          values(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px)) {}
+    int width, height;
+    std::vector<float> values;  // row by row
+};
+
+// Convolution with odd kernels along x, then along y. Beyond the border the border's value stands.
+Plane convolved(const Plane& plane, std::span<const float> kernel_x,
+                std::span<const float> kernel_y);
+
+// A Gaussian sampled at the integers within ±radius, its sum 1.
+std::vector<float> gaussian_kernel(double sigma, int radius);
+
+}  // namespace poinsot

@@ -1,0 +1,186 @@
+// The reader, on libpng. libpng leaves by longjmp, so every stage that may do so is a function
+// without objects of its own; what it works on lives in the caller.
+#include <fmt/format.h>
+#include <png.h>
+
+#include <array>
+#include <cerrno>
+#include <csetjmp>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "error/error.h"
+#include "image/png.h"
+
+namespace poinsot {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A text chunk or a colour profile beyond this is refused.
+constexpr png_alloc_size_t kLargestChunk_bytes = 4u << 20;
+// Deflate turns at most 258 bytes into 2 bits.
+constexpr std::size_t kLargestDeflateRatio = 1032;
+constexpr std::uintmax_t kLargestFile_bytes = std::uintmax_t{5} << 28;
+
+struct Source {
+    std::span<const std::uint8_t> file;
+    std::size_t position = 0;
+    std::array<char, 160> message{};
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+
+    Source() = default;
+    Source(const Source&) = delete;
+    Source& operator=(const Source&) = delete;
+    ~Source() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+void on_error(png_structp png, png_const_charp message) {
+    auto& source = *static_cast<Source*>(png_get_error_ptr(png));
+    std::strncpy(source.message.data(), message, source.message.size() - 1);
+    png_longjmp(png, 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+void on_read(png_structp png, png_bytep to, std::size_t size) {
+    auto& source = *static_cast<Source*>(png_get_io_ptr(png));
+    if (size > source.file.size() - source.position) png_error(png, "the file is cut short");
+    std::memcpy(to, source.file.data() + source.position, size);
+    source.position += size;
+}
+
+bool read_header(Source& source) {
+    if (setjmp(png_jmpbuf(source.png))) return false;
+    png_set_read_fn(source.png, &source, on_read);
+    png_set_user_limits(source.png, kLargestPngSide_px, kLargestPngSide_px);
+    png_set_chunk_malloc_max(source.png, kLargestChunk_bytes);
+    png_set_crc_action(source.png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+    png_read_info(source.png, source.info);
+    return true;
+}
+
+bool choose_rgba(Source& source) {
+    if (setjmp(png_jmpbuf(source.png))) return false;
+    png_set_expand(source.png);
+    png_set_scale_16(source.png);
+    png_set_gray_to_rgb(source.png);
+    png_set_add_alpha(source.png, 0xff, PNG_FILLER_AFTER);
+    png_set_interlace_handling(source.png);
+    png_read_update_info(source.png, source.info);
+    return true;
+}
+
+bool read_pixels(Source& source, png_bytepp rows) {
+    if (setjmp(png_jmpbuf(source.png))) return false;
+    png_read_image(source.png, rows);
+    png_read_end(source.png, source.info);
+    return true;
+}
+
+std::string utf8_of_latin1(std::string_view latin1) {
+    std::string utf8;
+    for (const char c : latin1) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code < 0x80) {
+            utf8 += c;
+        } else {
+            utf8 += static_cast<char>(0xc0 | (code >> 6));
+            utf8 += static_cast<char>(0x80 | (code & 0x3f));
+        }
+    }
+    return utf8;
+}
+
+PngInfo info_of(const Source& source) {
+    PngInfo info;
+    png_textp texts = nullptr;
+    int n_texts = 0;
+    png_get_text(source.png, source.info, &texts, &n_texts);
+    for (int i = 0; i < n_texts; ++i) {
+        const bool international = texts[i].compression > 0;
+        const std::string_view text(texts[i].text,
+                                    international ? texts[i].itxt_length : texts[i].text_length);
+        info.texts[texts[i].key] = international ? std::string(text) : utf8_of_latin1(text);
+    }
+    info.pixels_per_metre = png_get_pixels_per_meter(source.png, source.info);
+    return info;
+}
+
+std::uint32_t u32_at(std::span<const std::uint8_t> bytes, std::size_t offset) {
+    return std::uint32_t{bytes[offset]} << 24 | std::uint32_t{bytes[offset + 1]} << 16 |
+           std::uint32_t{bytes[offset + 2]} << 8 | std::uint32_t{bytes[offset + 3]};
+}
+
+// The signature and the size, before libpng is asked for anything.
+void check_start(std::span<const std::uint8_t> file, const std::string& name) {
+    constexpr std::size_t header_end = 33;
+    if (file.size() < 8 || png_sig_cmp(file.data(), 0, 8) != 0)
+        throw InputError(fmt::format("{} is not a PNG picture", name));
+    if (file.size() < header_end) throw InputError(fmt::format("{} is cut short", name));
+    const std::uint32_t width = u32_at(file, 16), height = u32_at(file, 20);
+    if (width > kLargestPngSide_px || height > kLargestPngSide_px)
+        throw InputError(fmt::format("{} is {}×{} pixels; at most {} a side are read", name, width,
+                                     height, kLargestPngSide_px));
+}
+
+}  // namespace
+
+Image decode_png(std::span<const std::uint8_t> file, const std::string& name, PngInfo* info) {
+    check_start(file, name);
+    Source source;
+    source.file = file;
+    source.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
+    if (source.png) source.info = png_create_info_struct(source.png);
+    if (!source.info) throw EnvironmentError("no memory to read a PNG picture");
+    const auto refuse = [&] {
+        throw InputError(
+            fmt::format("{} is a broken PNG picture: {}", name, source.message.data()));
+    };
+    if (!read_header(source)) refuse();
+
+    // A short file cannot hold a large picture; nothing is allocated on its word alone.
+    const std::size_t height = png_get_image_height(source.png, source.info);
+    if (png_get_rowbytes(source.png, source.info) * height / kLargestDeflateRatio > file.size())
+        throw InputError(fmt::format("{} is cut short", name));
+    if (!choose_rgba(source)) refuse();
+    Image image(static_cast<int>(png_get_image_width(source.png, source.info)),
+                static_cast<int>(height));
+    std::vector<png_bytep> rows(height);
+    for (std::size_t y = 0; y < height; ++y)
+        rows[y] = image.bytes().data() + 4 * y * static_cast<std::size_t>(image.width());
+    if (!read_pixels(source, rows.data())) refuse();
+    if (info) *info = info_of(source);
+    return image;
+}
+
+Image read_png(const fs::path& path, PngInfo* info) {
+    const auto fail = [&](int error_number) {
+        throw EnvironmentError(fmt::format("cannot read {}: {}", path.string(),
+                                           std::generic_category().message(error_number)));
+    };
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found)
+        throw InputError(fmt::format("{} does not exist", path.string()));
+    if (fs::is_directory(status))
+        throw InputError(fmt::format("{} is a folder, not a PNG picture", path.string()));
+    if (error) fail(error.value());
+    errno = 0;
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) fail(errno);
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (error) fail(error.value());
+    if (size > kLargestFile_bytes)
+        throw InputError(fmt::format("{} is larger than any picture that is read", path.string()));
+    std::vector<std::uint8_t> file(size);
+    stream.read(reinterpret_cast<char*>(file.data()), static_cast<std::streamsize>(size));
+    if (stream.bad()) fail(errno);
+    file.resize(static_cast<std::size_t>(stream.gcount()));
+    return decode_png(file, path.string(), info);
+}
+
+}  // namespace poinsot

@@ -1,0 +1,206 @@
+// Comparison of pictures, against closed forms and a direct evaluation of the published sums.
+#include "image/compare.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "image/synthetic.h"
+
+namespace poinsot {
+namespace {
+
+Image filled(int width, int height, Rgba8 colour) {
+    Image image(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) image.set(x, y, colour);
+    return image;
+}
+
+// The first n pixels changed by some levels of one channel.
+Image changed(Image image, int n, int levels) {
+    for (int i = 0; i < n; ++i) {
+        const int x = i % image.width(), y = i / image.width();
+        Rgba8 colour = image.at(x, y);
+        colour.g = static_cast<std::uint8_t>(colour.g + levels);
+        image.set(x, y, colour);
+    }
+    return image;
+}
+
+TEST(Compare, EqualPicturesAreTheSame) {
+    const Image image = synthetic_frame(64, 48, 3);
+    const Comparison result = compare(image, image, CompareLimits::exact());
+    EXPECT_EQ(result.verdict, Verdict::same);
+    EXPECT_EQ(result.reason, "");
+    EXPECT_EQ(result.n_differing, 0);
+    EXPECT_EQ(result.ssim, 1);
+    EXPECT_EQ(result.flip, 0);
+}
+
+TEST(Compare, CountsWhatWasChanged) {
+    const Image before = filled(100, 100, {10, 20, 30, 255});
+    const Comparison result = compare(before, changed(changed(before, 7, 1), 3, 8));
+    EXPECT_EQ(result.n_pixels, 10000);
+    EXPECT_EQ(result.n_differing, 7);
+    EXPECT_EQ(result.n_over_level, 3);
+    EXPECT_EQ(result.largest_difference, 9);
+    EXPECT_DOUBLE_EQ(result.mean_difference, (3 * 9 + 4 * 1) / 40000.0);
+}
+
+// 10,000 pixels: 0.1 % of them are 10, 0.01 % is 1.
+TEST(Compare, JudgesByTheTwoCaps) {
+    const Image before = filled(100, 100, {10, 20, 30, 255});
+    EXPECT_EQ(compare(before, changed(before, 10, 2)).verdict, Verdict::within_limits);
+    EXPECT_EQ(compare(before, changed(before, 11, 2)).verdict, Verdict::pixels_differ);
+    EXPECT_EQ(compare(before, changed(before, 1, 200)).verdict, Verdict::within_limits);
+    EXPECT_EQ(compare(before, changed(before, 2, 3)).verdict, Verdict::pixels_differ);
+    EXPECT_EQ(compare(before, changed(before, 1, 1), CompareLimits::exact()).verdict,
+              Verdict::pixels_differ);
+}
+
+TEST(Compare, AlphaCountsAsAnyChannel) {
+    const Comparison result = compare(filled(4, 4, {1, 2, 3, 255}), filled(4, 4, {1, 2, 3, 250}));
+    EXPECT_EQ(result.n_differing, 16);
+    EXPECT_EQ(result.largest_difference, 5);
+}
+
+TEST(Compare, SizesAreAReasonOfTheirOwn) {
+    const Comparison result = compare(filled(4, 3, {}), filled(3, 4, {}));
+    EXPECT_EQ(result.verdict, Verdict::size_differs);
+    EXPECT_EQ(result.reason, "4×3 pixels were expected, there are 3×4");
+    EXPECT_FALSE(result.passes());
+}
+
+// Flat pictures have no variance: SSIM is (2ab + C1)/(a² + b² + C1).
+TEST(Ssim, OfFlatGreysIsTheClosedForm) {
+    constexpr double c1 = 6.5025;
+    for (const auto& [a, b] : {std::pair{0, 255}, {100, 110}, {128, 128}, {7, 8}}) {
+        const auto level_a = static_cast<std::uint8_t>(a), level_b = static_cast<std::uint8_t>(b);
+        const double expected = (2.0 * a * b + c1) / (1.0 * a * a + 1.0 * b * b + c1);
+        EXPECT_NEAR(structural_similarity(filled(20, 15, {level_a, level_a, level_a, 255}),
+                                          filled(20, 15, {level_b, level_b, level_b, 255})),
+                    expected, 3e-6);  // measured 1.04e-6, of variances in single precision
+    }
+}
+
+// The sums of Wang 2004, eqs. 13–16, written out at every pixel in double precision.
+double direct_ssim(const Image& a, const Image& b) {
+    const auto luma = [](const Image& image, int x, int y) {
+        const Rgba8 c =
+            image.at(std::clamp(x, 0, image.width() - 1), std::clamp(y, 0, image.height() - 1));
+        return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+    };
+    double total = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            double w = 0, ma = 0, mb = 0, va = 0, vb = 0, cov = 0;
+            const auto each = [&](auto&& use) {
+                for (int j = -5; j <= 5; ++j)
+                    for (int i = -5; i <= 5; ++i)
+                        use(std::exp(-(i * i + j * j) / 4.5), luma(a, x + i, y + j),
+                            luma(b, x + i, y + j));
+            };
+            each([&](double g, double p, double q) { w += g, ma += g * p, mb += g * q; });
+            ma /= w, mb /= w;
+            each([&](double g, double p, double q) {
+                va += g / w * (p - ma) * (p - ma), vb += g / w * (q - mb) * (q - mb);
+                cov += g / w * (p - ma) * (q - mb);
+            });
+            total += (2 * ma * mb + 6.5025) * (2 * cov + 58.5225) /
+                     ((ma * ma + mb * mb + 6.5025) * (va + vb + 58.5225));
+        }
+    }
+    return total / (a.width() * a.height());
+}
+
+TEST(Ssim, AgreesWithTheSumsWrittenOut) {
+    const Image a = synthetic_frame(64, 48, 0), b = synthetic_frame(64, 48, 12);
+    const double expected = direct_ssim(a, b);
+    EXPECT_LT(expected, 0.95);
+    EXPECT_NEAR(structural_similarity(a, b), expected, 1e-6);  // measured 1e-8
+}
+
+TEST(Flip, IsZeroForEqualPictures) {
+    const Image image = synthetic_frame(64, 48, 3);
+    EXPECT_EQ(flip_error(image, image), 0);
+}
+
+// The scale's end is defined by the two colours that lie farthest apart: green and blue.
+TEST(Flip, IsOneBetweenGreenAndBlue) {
+    EXPECT_NEAR(flip_error(filled(8, 8, {0, 255, 0, 255}), filled(8, 8, {0, 0, 255, 255})), 1,
+                1e-5);  // measured 2e-7
+}
+
+// Flat greys have no features and no chroma; with L* = 116 cbrt(Y) − 16 the distance is |ΔL*|, and
+// FLIP its 0.7th power, scaled so that 0.4 of the largest power is 0.95.
+TEST(Flip, OfFlatGreysIsTheClosedForm) {
+    const auto lightness = [](int level) {
+        const double v = level / 255.0;
+        return 116 * std::cbrt(std::pow((v + 0.055) / 1.055, 2.4)) - 16;
+    };
+    // |ΔL*| + |Δ(a, b)| of sRGB green (87.735, −86.183, 83.180) and blue (32.297, 79.188,
+    // −107.860), chroma scaled by 0.01 L*. Source of the two: CIE L*a*b* at D65 (Lindbloom).
+    const double da = 0.87735 * -86.183 - 0.32297 * 79.188;
+    const double db = 0.87735 * 83.180 + 0.32297 * 107.860;
+    const double largest = std::pow(87.735 - 32.297 + std::hypot(da, db), 0.7);
+    for (const auto& [a, b] : {std::pair{100, 101}, {128, 140}, {40, 60}}) {
+        const auto p = static_cast<std::uint8_t>(a), q = static_cast<std::uint8_t>(b);
+        const double expected =
+            0.95 / (0.4 * largest) * std::pow(std::abs(lightness(a) - lightness(b)), 0.7);
+        EXPECT_NEAR(flip_error(filled(8, 8, {p, p, p, 255}), filled(8, 8, {q, q, q, 255})),
+                    expected, 2e-4);
+    }
+}
+
+TEST(Flip, IsSymmetricAndGrowsWithAVanishedLine) {
+    const auto with_line = [](std::uint8_t level) {
+        Image image = filled(41, 41, {128, 128, 128, 255});
+        for (int y = 0; y < 41; ++y) image.set(20, y, {level, level, level, 255});
+        return image;
+    };
+    const Image none = with_line(128);
+    double previous = 0;
+    for (const std::uint8_t level : {130, 135, 150, 180, 255}) {
+        const double error = flip_error(none, with_line(level));
+        EXPECT_GT(error, previous);
+        EXPECT_EQ(flip_error(with_line(level), none), error);
+        previous = error;
+    }
+}
+
+// At 67 pixels a degree the eye does not resolve blue and yellow squares of one pixel.
+TEST(Flip, DoesNotSeeWhatTheEyeCannotResolve) {
+    Image squares(40, 40);
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 40; ++x)
+            squares.set(x, y, (x + y) % 2 ? Rgba8{128, 128, 118, 255} : Rgba8{128, 128, 138, 255});
+    const Image grey = filled(40, 40, {128, 128, 128, 255});
+    const Image blue = filled(40, 40, {128, 128, 138, 255});
+    EXPECT_LT(flip_error(grey, squares), 0.25 * flip_error(grey, blue));
+}
+
+TEST(DifferencePicture, ShowsExpectedDifferenceActual) {
+    Image expected = filled(2, 1, {100, 100, 100, 255}), actual = expected;
+    actual.set(1, 0, {103, 100, 50, 255});
+    const Image sheet = difference_picture(expected, actual);
+    ASSERT_EQ(sheet.width(), 6);
+    EXPECT_EQ(sheet.at(1, 0), expected.at(1, 0));
+    EXPECT_EQ(sheet.at(2, 0), (Rgba8{0, 0, 0, 255}));
+    EXPECT_EQ(sheet.at(3, 0), (Rgba8{48, 0, 255, 255}));
+    EXPECT_EQ(sheet.at(5, 0), actual.at(1, 0));
+}
+
+TEST(DifferencePicture, MarksWhereOnlyOneReaches) {
+    const Image sheet =
+        difference_picture(filled(1, 2, {9, 9, 9, 255}), filled(2, 1, {9, 9, 9, 255}));
+    ASSERT_EQ(sheet.width(), 6);
+    ASSERT_EQ(sheet.height(), 2);
+    EXPECT_EQ(sheet.at(2, 0), (Rgba8{0, 0, 0, 255}));
+    EXPECT_EQ(sheet.at(3, 0), (Rgba8{255, 255, 255, 255}));
+    EXPECT_EQ(sheet.at(2, 1), (Rgba8{255, 255, 255, 255}));
+    EXPECT_EQ(sheet.at(1, 0), (Rgba8{0, 0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace poinsot

@@ -1,0 +1,116 @@
+// Faults of the machine, made on purpose: a child process in which something is limited.
+#pragma once
+
+#include <fcntl.h>
+#include <grp.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "error/error.h"
+
+namespace poinsot {
+
+// A fresh folder, removed with all that is in it.
+class TemporaryFolder {
+ public:
+    TemporaryFolder() {
+        std::string name =
+            (std::filesystem::temp_directory_path() / "poinsot_test_XXXXXX").string();
+        if (!mkdtemp(name.data())) throw EnvironmentError("no temporary folder");
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    const std::filesystem::path& path() const { return path_; }
+
+    // Names of everything in it, hidden files too, sorted.
+    std::vector<std::string> contents() const { return contents_of(path_); }
+    static std::vector<std::string> contents_of(const std::filesystem::path& folder) {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
+            names.push_back(entry.path().filename().string());
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+
+ private:
+    std::filesystem::path path_;
+};
+
+// What a child process says in the end: "" if the action came through, the message of the
+// EnvironmentError it threw, or "other: …" for anything else that happened.
+inline std::string outcome_in_child(const std::function<void()>& action) {
+    std::array<int, 2> pipe_ends{};
+    if (pipe(pipe_ends.data()) != 0) return "other: no pipe";
+    const pid_t child = fork();
+    if (child == 0) {
+        close(pipe_ends[0]);
+        std::string outcome;
+        try {
+            action();
+        } catch (const EnvironmentError& error) {
+            outcome = error.what();
+        } catch (const std::exception& error) {
+            outcome = std::string("other: ") + error.what();
+        }
+        const ssize_t n = write(pipe_ends[1], outcome.data(), outcome.size());
+        _exit(n == static_cast<ssize_t>(outcome.size()) ? 0 : 1);
+    }
+    close(pipe_ends[1]);
+    std::string outcome;
+    std::array<char, 4096> buffer{};
+    for (ssize_t n = 0; (n = read(pipe_ends[0], buffer.data(), buffer.size())) > 0;)
+        outcome.append(buffer.data(), static_cast<std::size_t>(n));
+    close(pipe_ends[0]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) outcome = "other: the child process died";
+    return outcome;
+}
+
+// In a child only: files may grow to this size, as with `ulimit -f`.
+inline void limit_file_size(rlim_t n_bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{n_bytes, n_bytes};
+    setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+// In a child only: gives up root's right to write everywhere.
+inline void drop_privileges() {
+    constexpr uid_t nobody = 65534;
+    if (geteuid() != 0) return;
+    if (setgroups(0, nullptr) != 0 || setgid(nobody) != 0 || setuid(nobody) != 0)
+        throw std::runtime_error("privileges could not be dropped");
+}
+
+// In a child only: the folder becomes a file system of its own with this room. False if this
+// machine does not let us.
+inline bool mount_small(const std::filesystem::path& folder, const std::string& size) {
+    if (unshare(CLONE_NEWNS) != 0) return false;
+    mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr);
+    return mount("tmpfs", folder.c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;
+}
+
+inline constexpr const char* kNoMount = "other: this machine does not let us mount";
+
+}  // namespace poinsot

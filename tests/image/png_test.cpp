@@ -1,0 +1,251 @@
+// PNG files: what is written is what libpng reads, and what is broken is refused.
+#include "image/png.h"
+
+#include <gtest/gtest.h>
+#include <libdeflate.h>
+#include <png.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <array>
+#include <functional>
+
+#include "error/error.h"
+#include "image/atomic_file.h"
+#include "image/faults.h"
+#include "image/synthetic.h"
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+using Bytes = std::vector<std::uint8_t>;
+
+std::string refusal(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+Image random_image(bool opaque) {
+    const int width = *rc::gen::inRange(1, 40), height = *rc::gen::inRange(1, 40);
+    Image image(width, height);
+    const auto bytes =
+        *rc::gen::container<Bytes>(image.bytes().size(), rc::gen::arbitrary<std::uint8_t>());
+    std::copy(bytes.begin(), bytes.end(), image.bytes().begin());
+    if (opaque)
+        for (std::size_t i = 3; i < image.bytes().size(); i += 4) image.bytes()[i] = 255;
+    return image;
+}
+
+RC_GTEST_PROP(Png, GivesEveryPixelBack, ()) {
+    const Image image = random_image(*rc::gen::arbitrary<bool>());
+    PngOptions options;
+    options.deflate_level = *rc::gen::inRange(1, 13);
+    RC_ASSERT(decode_png(encode_png(image, options), "x") == image);
+}
+
+RC_GTEST_PROP(Png, AnEncoderUsedAgainWritesTheSameBytes, ()) {
+    const Image first = random_image(false), second = random_image(true);
+    PngEncoder encoder;
+    encoder.encode(first);
+    const auto again = encoder.encode(second);
+    RC_ASSERT(Bytes(again.begin(), again.end()) == encode_png(second));
+}
+
+RC_GTEST_PROP(Png, GivesTextsAndDensityBack, (const std::string& raw)) {
+    std::string text;
+    for (const char c : raw)
+        if (c != '\0') text += c;
+    PngOptions options;
+    options.texts = {{"poinsot", text}, {"Title", "ω = √(2T)/L"}};
+    options.pixels_per_metre = *rc::gen::inRange(1, 100000);
+    PngInfo info;
+    decode_png(encode_png(Image(2, 2), options), "x", &info);
+    RC_ASSERT(info.texts == options.texts);
+    RC_ASSERT(info.pixels_per_metre == options.pixels_per_metre);
+}
+
+// The 25th byte of a PNG is its colour type (PNG specification §11.2.2).
+TEST(Png, OpaquePicturesHaveNoAlphaChannel) {
+    Image image(3, 2);
+    for (std::size_t i = 3; i < image.bytes().size(); i += 4) image.bytes()[i] = 255;
+    EXPECT_EQ(encode_png(image)[25], PNG_COLOR_TYPE_RGB);
+    image.bytes()[7] = 254;
+    EXPECT_EQ(encode_png(image)[25], PNG_COLOR_TYPE_RGBA);
+}
+
+// libpng's own reader of whole pictures is the second opinion.
+TEST(Png, LibpngReadsTheSamePixels) {
+    const Image image = synthetic_frame(160, 90, 7);
+    const Bytes file = encode_png(image);
+    png_image reader{};
+    reader.version = PNG_IMAGE_VERSION;
+    ASSERT_TRUE(png_image_begin_read_from_memory(&reader, file.data(), file.size()));
+    reader.format = PNG_FORMAT_RGBA;
+    Image read(160, 90);
+    ASSERT_TRUE(png_image_finish_read(&reader, nullptr, read.bytes().data(), 0, nullptr));
+    EXPECT_TRUE(read == image);
+}
+
+Bytes written_by_libpng(png_uint_32 format, int width, int height, const Bytes& samples,
+                        const Bytes& palette = {}) {
+    png_image writer{};
+    writer.version = PNG_IMAGE_VERSION;
+    writer.width = static_cast<png_uint_32>(width);
+    writer.height = static_cast<png_uint_32>(height);
+    writer.format = format;
+    writer.colormap_entries = static_cast<png_uint_32>(palette.size() / 3);
+    png_alloc_size_t size = 1 << 16;
+    Bytes file(size);
+    if (!png_image_write_to_memory(&writer, file.data(), &size, 0, samples.data(), 0,
+                                   palette.empty() ? nullptr : palette.data()))
+        throw std::runtime_error(writer.message);
+    file.resize(size);
+    return file;
+}
+
+TEST(PngReading, GreyAndPaletteBecomeRgba) {
+    const Image grey = decode_png(written_by_libpng(PNG_FORMAT_GRAY, 2, 1, {10, 200}), "x");
+    EXPECT_EQ(grey.at(0, 0), (Rgba8{10, 10, 10, 255}));
+    EXPECT_EQ(grey.at(1, 0), (Rgba8{200, 200, 200, 255}));
+    const Image palette = decode_png(
+        written_by_libpng(PNG_FORMAT_RGB_COLORMAP, 3, 1, {0, 1, 0}, {1, 2, 3, 250, 251, 252}), "x");
+    EXPECT_EQ(palette.at(0, 0), (Rgba8{1, 2, 3, 255}));
+    EXPECT_EQ(palette.at(1, 0), (Rgba8{250, 251, 252, 255}));
+}
+
+// A written grey+alpha row of 16-bit samples: 257·v is exactly v in 8 bits.
+TEST(PngReading, SixteenBitsAreRoundedToEight) {
+    Bytes file;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_set_write_fn(
+        png, &file,
+        [](png_structp p, png_bytep data, std::size_t size) {
+            auto& out = *static_cast<Bytes*>(png_get_io_ptr(p));
+            out.insert(out.end(), data, data + size);
+        },
+        nullptr);
+    png_set_IHDR(png, info, 3, 1, 16, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_INTERLACE_ADAM7, 0, 0);
+    std::array<png_text, 2> texts{};
+    std::string key = "Comment", latin1 = "caf\xe9", key2 = "Long", deflated(3000, 'z');
+    texts[0] = {
+        PNG_TEXT_COMPRESSION_NONE, key.data(), latin1.data(), latin1.size(), 0, nullptr, nullptr};
+    texts[1] = {PNG_TEXT_COMPRESSION_zTXt,
+                key2.data(),
+                deflated.data(),
+                deflated.size(),
+                0,
+                nullptr,
+                nullptr};
+    png_set_text(png, info, texts.data(), 2);
+    png_write_info(png, info);
+    // 0x1234 is 4660 = 18.13 · 257; 0x80ff is 33023 = 128.49 · 257.
+    Bytes row = {7, 7, 0xff, 0xff, 0x12, 0x34, 0x80, 0x80, 0x80, 0xff, 0, 0};
+    std::array<png_bytep, 1> rows = {row.data()};
+    png_write_image(png, rows.data());
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+
+    PngInfo read;
+    const Image image = decode_png(file, "x", &read);
+    EXPECT_EQ(image.at(0, 0), (Rgba8{7, 7, 7, 255}));
+    EXPECT_EQ(image.at(1, 0), (Rgba8{18, 18, 18, 128}));
+    EXPECT_EQ(image.at(2, 0), (Rgba8{128, 128, 128, 0}));
+    EXPECT_EQ(read.texts["Comment"], "caf\xc3\xa9");
+    EXPECT_EQ(read.texts["Long"], deflated);
+}
+
+TEST(PngReading, EveryTruncationIsRefused) {
+    const Bytes file = encode_png(synthetic_frame(16, 9, 0));
+    for (std::size_t size = 0; size < file.size(); ++size)
+        EXPECT_THROW(decode_png(std::span(file).first(size), "x"), InputError) << size;
+}
+
+TEST(PngReading, EveryFlippedBitIsNoticed) {
+    PngOptions options;
+    options.texts["poinsot"] = "text";
+    const Bytes file = encode_png(synthetic_frame(8, 4, 0), options);
+    for (std::size_t bit = 0; bit < 8 * file.size(); ++bit) {
+        Bytes broken = file;
+        broken[bit / 8] ^= static_cast<std::uint8_t>(1u << (bit % 8));
+        EXPECT_THROW(decode_png(broken, "x"), InputError) << "bit " << bit;
+    }
+}
+
+RC_GTEST_PROP(PngReading, NeverDoesMoreThanThrowOnGarbage, (const Bytes& tail)) {
+    Bytes file = encode_png(Image(2, 2));
+    file.resize(*rc::gen::inRange<std::size_t>(8, file.size()));
+    file.insert(file.end(), tail.begin(), tail.end());
+    RC_ASSERT_THROWS_AS(decode_png(file, "x"), InputError);
+}
+
+TEST(PngReading, HugeSizesAreRefusedBeforeMemoryIsTaken) {
+    Bytes file = encode_png(Image(2, 2));
+    const auto with_size = [&](std::uint8_t high, std::uint8_t low) {
+        Bytes changed = file;
+        changed[18] = changed[22] = high;
+        changed[19] = changed[23] = low;
+        // The checksum of IHDR, so that the size alone is wrong.
+        const std::uint32_t sum = libdeflate_crc32(0, changed.data() + 12, 17);
+        for (int i = 0; i < 4; ++i)
+            changed[29 + static_cast<std::size_t>(i)] =
+                static_cast<std::uint8_t>(sum >> (24 - 8 * i));
+        return changed;
+    };
+    EXPECT_EQ(refusal([&] { decode_png(with_size(0x40, 1), "a.png"); }),
+              "a.png is 16385×16385 pixels; at most 16384 a side are read");
+    EXPECT_EQ(refusal([&] { decode_png(with_size(0x40, 0), "a.png"); }), "a.png is cut short");
+}
+
+TEST(PngReading, SaysWhatIsWrongWithAFile) {
+    const TemporaryFolder folder;
+    const fs::path path = folder / "a.png";
+    EXPECT_EQ(refusal([&] { read_png(path); }), path.string() + " does not exist");
+    EXPECT_EQ(refusal([&] { read_png(folder.path()); }),
+              folder.path().string() + " is a folder, not a PNG picture");
+    AtomicFile(path).commit();
+    EXPECT_EQ(refusal([&] { read_png(path); }), path.string() + " is not a PNG picture");
+}
+
+TEST(PngWriting, RefusesWhatAPngCannotHold) {
+    PngOptions options;
+    EXPECT_THROW(encode_png(Image(), options), InputError);
+    EXPECT_THROW(encode_png(Image(kLargestPngSide_px + 1, 1), options), InputError);
+    for (const std::string& keyword : {std::string(), std::string(80, 'k'), std::string("a\0b", 3),
+                                       std::string(" a"), std::string("a\nb")}) {
+        options.texts = {{keyword, "text"}};
+        EXPECT_THROW(encode_png(Image(1, 1), options), InputError) << keyword;
+    }
+    options.texts = {};
+    options.pixels_per_metre = -1;
+    EXPECT_THROW(encode_png(Image(1, 1), options), InputError);
+    options.pixels_per_metre = 0;
+    options.deflate_level = 13;
+    EXPECT_THROW(encode_png(Image(1, 1), options), InputError);
+}
+
+TEST(PngWriting, WritesAFileAndReadsItBack) {
+    const TemporaryFolder folder;
+    const Image image = synthetic_frame(64, 48, 3);
+    write_png(folder / "a.png", image);
+    EXPECT_TRUE(read_png(folder / "a.png") == image);
+    EXPECT_EQ(folder.contents(), std::vector<std::string>{"a.png"});
+}
+
+// A small picture reaches a full device only when it is flushed; the error must not be lost.
+TEST(PngWriting, FullDeviceIsReported) {
+    try {
+        write_png("/dev/full", Image(2, 2));
+        FAIL() << "nothing was thrown";
+    } catch (const EnvironmentError& error) {
+        EXPECT_STREQ(error.what(), "cannot write /dev/full: No space left on device");
+    }
+}
+
+}  // namespace
+}  // namespace poinsot
