@@ -1,0 +1,12 @@
+// Bands of a vertical gradient; colours are exact at the edges of the bands.
+#include "view.glsl"
+uniform vec4 box;  // left, top, right, bottom, px
+uniform vec3 bands[33];
+out vec3 colour;
+
+void main() {
+    int band = gl_VertexID >> 1;
+    float side = float(gl_VertexID & 1);
+    colour = bands[band];
+    gl_Position = clip_from_pixel(mix(box.xy, box.zw, vec2(side, float(band) / 32.0)));
+}

@@ -1,0 +1,2 @@
+out vec4 fragment;
+void main() { fragment = vec4(0.0); }

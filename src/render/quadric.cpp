@@ -1,0 +1,105 @@
+#include "render/quadric.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace poinsot {
+namespace {
+
+// Half axes with a least length, so that a flattened ellipsoid still has an inside.
+Eigen::Matrix3d thickened(const Eigen::Matrix3d& half_axes) {
+    Eigen::Matrix3d axes = half_axes;
+    const double longest = axes.colwise().norm().maxCoeff();
+    const double least = longest > 0.0 ? 1e-6 * longest : 1e-12;
+    for (int k = 0; k < 3; ++k) {
+        if (axes.col(k).norm() >= least) continue;
+        // The direction of a vanished axis follows from the others.
+        Eigen::Vector3d direction = axes.col((k + 1) % 3).cross(axes.col((k + 2) % 3));
+        if (direction.norm() <= least * least) direction = axes.col((k + 1) % 3).unitOrthogonal();
+        axes.col(k) = least * direction.normalized();
+    }
+    return axes;
+}
+
+// The corners of a regular polygon about the ellipse middle + cos·a + sin·b.
+PixelPolygon polygon_about(const Eigen::Vector2d& middle, const Eigen::Vector2d& a,
+                           const Eigen::Vector2d& b) {
+    constexpr int n = 12;
+    const double outside = 1.0 / std::cos(std::numbers::pi / n);
+    PixelPolygon polygon;
+    for (int k = 0; k < n; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / n;
+        polygon.add(middle + outside * (std::cos(angle) * a + std::sin(angle) * b));
+    }
+    return polygon;
+}
+
+}  // namespace
+
+Quadric::Quadric(const Ellipsoid& ellipsoid, const Projection& projection)
+    : axes(thickened(ellipsoid.half_axes)),
+      to_u(axes.inverse()),
+      centre(ellipsoid.centre),
+      depth(projection.depth(centre)) {
+    const Projection& view = projection;
+    const bool before_eye = !view.perspective || depth > view.near_depth;
+    anchor_px = before_eye ? view.pixel(centre) : view.centre_px;
+    gx = to_u * view.right / view.focal_px;
+    gy = to_u * view.down / view.focal_px;
+    depth_change = axes.transpose() * view.forward;
+    const Eigen::Vector3d origin = to_u * (view.ray_origin(anchor_px) - centre);
+    d0 = to_u * view.ray(anchor_px);
+    m0 = origin.cross(d0);
+    if (view.perspective) {
+        dx = gx;
+        dy = gy;
+        mx = origin.cross(gx);
+        my = origin.cross(gy);
+        eye_u = origin;
+    } else {
+        dx = dy = Eigen::Vector3d::Zero();
+        mx = gx.cross(d0);
+        my = gy.cross(d0);
+        eye_u = -d0.normalized();
+    }
+    const double scale = 1.0 / d0.norm();
+    for (Eigen::Vector3d* v : {&d0, &dx, &dy, &m0, &mx, &my}) *v *= scale;
+
+    // The outline: the conic |d|² - |m|² = c + 2 g·p + p·H p = 0.
+    Eigen::Matrix2d h;
+    h << dx.dot(dx) - mx.dot(mx), dx.dot(dy) - mx.dot(my), dx.dot(dy) - mx.dot(my),
+        dy.dot(dy) - my.dot(my);
+    const Eigen::Vector2d g(d0.dot(dx) - m0.dot(mx), d0.dot(dy) - m0.dot(my));
+    const double c = d0.squaredNorm() - m0.squaredNorm();
+    const double reach = depth_change.norm();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(h);
+    const Eigen::Vector2d values = solver.eigenvalues();
+    if (view.perspective && depth + reach <= view.near_depth) {
+        seen = false;
+        return;
+    }
+    if (values.maxCoeff() >= 0.0 || (view.perspective && depth - reach <= view.near_depth)) {
+        outline = polygon_of(view.box);
+        return;
+    }
+    const Eigen::Vector2d middle = -h.inverse() * g;
+    const double height = c + g.dot(middle);
+    if (!(height > 0.0)) {
+        seen = false;
+        return;
+    }
+    const Eigen::Vector2d half_px = (height / -values.array()).sqrt();
+    narrow = solver.eigenvectors().col(0);
+    narrow_bend = 2.0 * values[0];
+    narrow_px = half_px[0];
+    wide_px = half_px[1];
+    constexpr double margin_px = 1.5;
+    outline = polygon_about(anchor_px + middle, (half_px[0] + margin_px) * narrow,
+                            (half_px[1] + margin_px) * solver.eigenvectors().col(1));
+    seen = !outline.box.within(view.box).empty();
+}
+
+}  // namespace poinsot

@@ -1,0 +1,36 @@
+// An ellipsoid as lines of sight meet it.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "drawing/drawing.h"
+#include "render/projection.h"
+
+namespace poinsot {
+
+// In axes u where the ellipsoid is the unit sphere about the origin, the line of sight of a pixel
+// has direction d and moment m = o × d (Plücker coordinates), both affine in the pixel. It meets
+// the sphere where |d|² - |m|² ≥ 0, at u = (d × m ∓ d √(|d|² - |m|²)) / |d|². Unlike a quadratic
+// in the distance from the eye, this loses no digits for flat, thin or far ellipsoids.
+struct Quadric {
+    Eigen::Matrix3d axes;    // columns: half axes, none shorter than 1e-6 of the longest
+    Eigen::Matrix3d to_u;    // inverse of `axes`
+    Eigen::Vector3d centre;  // view axes
+    Eigen::Vector2d anchor_px;
+    Eigen::Vector3d d0, dx, dy, m0, mx, my;  // scaled alike
+    Eigen::Vector3d gx, gy;                  // to_u·right/focal and to_u·down/focal
+    Eigen::Vector3d depth_change;            // of depth with u
+    double depth = 0.0;                      // of the centre
+    Eigen::Vector3d eye_u;                   // eye, or the direction towards it if orthographic
+    Eigen::Vector2d narrow =
+        Eigen::Vector2d::UnitX();  // direction in which the outline is narrowest
+    double narrow_bend = -1.0;     // second derivative of |d|² - |m|² along it
+    double narrow_px = 1e9;        // least half width of the outline
+    double wide_px = 1e9;          // greatest half width
+    bool seen = true;
+    PixelPolygon outline;  // holds its picture; the whole view where it surrounds the eye
+
+    Quadric(const Ellipsoid& ellipsoid, const Projection& projection);
+};
+
+}  // namespace poinsot

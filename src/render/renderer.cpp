@@ -1,0 +1,219 @@
+// Draws a picture in layers: what stands still (kept between pictures), then what moves, view by
+// view, then composes and encodes the tiles that changed.
+#include "render/renderer.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "error/error.h"
+#include "render/arrow_pass.h"
+#include "render/canvas.h"
+#include "render/curve_pass.h"
+#include "render/ellipsoid_pass.h"
+#include "render/plane_pass.h"
+#include "render/view_scene.h"
+
+namespace poinsot {
+namespace {
+
+// What the still layer shows; as long as it stays equal, the layer is kept.
+struct StillView {
+    PixelBox box;
+    Camera camera;
+    Background background;
+    std::vector<Plane> planes;
+};
+
+bool same(const PixelBox& a, const PixelBox& b) {
+    return a.left == b.left && a.top == b.top && a.right == b.right && a.bottom == b.bottom;
+}
+
+bool same(const StillView& a, const StillView& b) {
+    return same(a.box, b.box) && a.camera == b.camera && a.background == b.background &&
+           a.planes == b.planes;
+}
+
+bool is_transparent(const Drawing& drawing) { return drawing.background.alpha < 1.0; }
+
+}  // namespace
+
+struct Renderer::Impl {
+    explicit Impl(int largest) : largest_picture_px(largest), empty_(GlVertexArray::make()) {}
+
+    void render(const Drawing& drawing, Image& image);
+
+    int largest_picture_px;
+
+ private:
+    void check_size(const Drawing& drawing) const;
+    void prepare(const Drawing& drawing);
+    void draw_still(const Drawing& drawing);
+    void mark_moving(const ViewScene& scene);
+    void draw_moving(const ViewScene& scene);
+    void draw_planes(const ViewScene& scene, bool before_solids);
+    void limit_to(const PixelBox& box) const;
+
+    Canvas canvas_;
+    ViewBlocks blocks_;
+    BackgroundPass background_;
+    PlanePass plane_;
+    ShadowPass shadow_;
+    EllipsoidPass ellipsoid_;
+    CurvePass curve_;
+    ArrowPass arrow_;
+    GlVertexArray empty_;  // for shapes whose corners come from uniforms
+
+    std::vector<ViewScene> scenes_;
+    std::vector<bool> overlaps_;  // whether a view covers part of an earlier one
+    TileMask marks_;
+    Background still_background_;
+    std::vector<StillView> still_views_;
+    bool still_is_drawn_ = false;
+};
+
+void Renderer::Impl::check_size(const Drawing& drawing) const {
+    const int side = std::max(drawing.width_px, drawing.height_px);
+    if (drawing.width_px < 1 || drawing.height_px < 1 || side > largest_picture_px)
+        throw InputError(fmt::format(
+            "cannot draw a picture of {}x{} pixels; each side must be 1 to {} pixels here",
+            drawing.width_px, drawing.height_px, largest_picture_px));
+}
+
+void Renderer::Impl::prepare(const Drawing& drawing) {
+    const std::size_t n = drawing.views.size();
+    scenes_.resize(n);
+    overlaps_.assign(n, false);
+    for (std::size_t k = 0; k < n; ++k) {
+        scenes_[k].prepare(drawing.views[k]);
+        for (std::size_t j = 0; j < k; ++j)
+            if (!scenes_[k].projection.box.within(scenes_[j].projection.box).empty())
+                overlaps_[k] = true;
+    }
+}
+
+// Restricts drawing to whole pixels of the picture.
+void Renderer::Impl::limit_to(const PixelBox& box) const {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(static_cast<GLint>(box.left), static_cast<GLint>(box.top),
+              std::max(0, static_cast<GLsizei>(box.right - box.left)),
+              std::max(0, static_cast<GLsizei>(box.bottom - box.top)));
+}
+
+void Renderer::Impl::draw_planes(const ViewScene& scene, bool before_solids) {
+    for (std::size_t k = 0; k < scene.maps.size(); ++k)
+        if (scene.before_solids[k] == before_solids) plane_.draw(scene, k);
+}
+
+void Renderer::Impl::draw_still(const Drawing& drawing) {
+    std::vector<StillView> views;
+    views.reserve(scenes_.size());
+    for (std::size_t k = 0; k < scenes_.size(); ++k) {
+        const View& view = *scenes_[k].view;
+        StillView still{scenes_[k].projection.box, view.camera, view.background, {}};
+        for (std::size_t j = 0; j < view.planes.size(); ++j)
+            if (!scenes_[k].before_solids[j]) still.planes.push_back(view.planes[j]);
+        views.push_back(std::move(still));
+    }
+    const bool kept =
+        still_is_drawn_ && drawing.background == still_background_ &&
+        std::equal(views.begin(), views.end(), still_views_.begin(), still_views_.end(),
+                   [](const auto& a, const auto& b) { return same(a, b); });
+    if (kept) return;
+    still_background_ = drawing.background;
+    still_views_ = std::move(views);
+    still_is_drawn_ = true;
+
+    canvas_.begin_still();
+    glEnable(GL_BLEND);
+    blocks_.bind(0);
+    glBindVertexArray(empty_.id());
+    background_.draw(drawing.background, {0.0, 0.0, static_cast<double>(drawing.width_px),
+                                          static_cast<double>(drawing.height_px)});
+    for (std::size_t k = 0; k < scenes_.size(); ++k) {
+        if (overlaps_[k]) continue;
+        blocks_.bind(k);
+        limit_to(scenes_[k].projection.box);
+        background_.draw(scenes_[k].view->background, scenes_[k].projection.box);
+        draw_planes(scenes_[k], false);
+    }
+}
+
+void Renderer::Impl::mark_moving(const ViewScene& scene) {
+    const PixelBox& box = scene.projection.box;
+    for (std::size_t k = 0; k < scene.maps.size(); ++k) {
+        marks_.mark(shadow_box(scene, k));
+        if (scene.before_solids[k]) marks_.mark(disc_box(scene, k));
+    }
+    for (const Quadric& q : scene.quadrics)
+        if (q.seen) marks_.mark(q.outline.box.within(box));
+    for (const Curve& curve : scene.view->curves) curve_.mark(scene, curve, marks_);
+    arrow_.mark(scene, marks_);
+}
+
+void Renderer::Impl::draw_moving(const ViewScene& scene) {
+    glBindVertexArray(empty_.id());
+    for (std::size_t k = 0; k < scene.maps.size(); ++k)
+        if (!scene.before_solids[k]) shadow_.draw(scene, k);
+    ellipsoid_.draw(scene);
+    for (std::size_t k = 0; k < scene.maps.size(); ++k)
+        if (scene.before_solids[k]) plane_.draw(scene, k);
+    arrow_.order(scene);
+    arrow_.draw(scene, ArrowPass::Layer::hidden);
+    for (const Curve& curve : scene.view->curves) curve_.draw(scene, curve);
+    glBindVertexArray(empty_.id());
+    arrow_.draw(scene, ArrowPass::Layer::visible);
+}
+
+void Renderer::Impl::render(const Drawing& drawing, Image& image) {
+    check_size(drawing);
+    if (canvas_.resize(drawing.width_px, drawing.height_px)) {
+        still_is_drawn_ = false;
+        marks_.resize(drawing.width_px, drawing.height_px);
+    }
+    prepare(drawing);
+    glDisable(GL_DEPTH_TEST);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    blocks_.upload(drawing, scenes_);
+    curve_.begin_picture();
+    draw_still(drawing);
+
+    marks_.clear();
+    for (std::size_t k = 0; k < scenes_.size(); ++k) {
+        if (overlaps_[k]) marks_.mark(scenes_[k].projection.box);
+        mark_moving(scenes_[k]);
+    }
+    canvas_.begin_moving(marks_);
+    glEnable(GL_BLEND);
+    for (std::size_t k = 0; k < scenes_.size(); ++k) {
+        blocks_.bind(k);
+        limit_to(scenes_[k].projection.box);
+        if (overlaps_[k]) {
+            glBindVertexArray(empty_.id());
+            background_.draw(scenes_[k].view->background, scenes_[k].projection.box);
+            draw_planes(scenes_[k], false);
+        }
+        draw_moving(scenes_[k]);
+    }
+    canvas_.compose(marks_, is_transparent(drawing));
+    canvas_.read(image);
+}
+
+Renderer::Renderer(const OffscreenContext& context)
+    : impl_(std::make_unique<Impl>(context.info().largest_picture_px)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+Image Renderer::render(const Drawing& drawing) {
+    Image image;
+    impl_->render(drawing, image);
+    return image;
+}
+
+void Renderer::render_into(const Drawing& drawing, Image& image) { impl_->render(drawing, image); }
+
+}  // namespace poinsot

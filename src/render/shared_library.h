@@ -1,0 +1,36 @@
+// A library opened at run time, and its functions by name.
+#pragma once
+
+#include <dlfcn.h>
+
+#include <string>
+
+#include "error/error.h"
+
+namespace poinsot {
+
+// The library stays loaded for the life of the process: Mesa leaves threads and thread-local data
+// behind that outlive a context.
+class SharedLibrary {
+ public:
+    // Throws EnvironmentError naming the Debian package that has the library.
+    SharedLibrary(const char* file, const char* debian_package)
+        : handle_(dlopen(file, RTLD_NOW | RTLD_LOCAL)), file_(file) {
+        if (handle_ == nullptr)
+            throw EnvironmentError(std::string("cannot open ") + file +
+                                   "; install the Debian package " + debian_package);
+    }
+
+    template <class Function>
+    Function* function(const char* name) const {
+        void* found = dlsym(handle_, name);
+        if (found == nullptr) throw EnvironmentError(file_ + " has no function " + name);
+        return reinterpret_cast<Function*>(found);
+    }
+
+ private:
+    void* handle_;
+    std::string file_;
+};
+
+}  // namespace poinsot
