@@ -17,23 +17,27 @@ TypeBox set_script(const CaptionPiece& piece, double size_px, FontSet& fonts) {
     const double shift = piece.script == CaptionPiece::Script::sub
                              ? -math.constant(HB_OT_MATH_CONSTANT_SUBSCRIPT_SHIFT_DOWN)
                              : math.constant(HB_OT_MATH_CONSTANT_SUPERSCRIPT_SHIFT_UP);
-    const TypeBox digits = fonts.set_text(piece.text, part * size_px);
+    const TypeBox digits = fonts.set_text(piece.text, TextFamily::caption, part * size_px);
     TypeBox box;
     box.width = digits.width;
     box.place(digits, 0.0, shift * px);
     return box;
 }
 
-TypeBox set_piece(const CaptionPiece& piece, double size_px, FontSet& fonts) {
+// A formula in parts between which a line may end; text is one part.
+std::vector<FormulaPart> set_piece(const CaptionPiece& piece, double size_px, FontSet& fonts) {
     if (piece.kind == CaptionPiece::Kind::formula) {
-        return set_formula(piece.formula, {MathStyle::Level::text, false}, size_px, fonts);
+        return set_formula_parts(piece.formula, {MathStyle::Level::text, false}, size_px, fonts);
     }
-    if (piece.script != CaptionPiece::Script::none) return set_script(piece, size_px, fonts);
-    return fonts.set_text(piece.text, size_px);
+    std::vector<FormulaPart> one(1);
+    one[0].box = piece.script != CaptionPiece::Script::none
+                     ? set_script(piece, size_px, fonts)
+                     : fonts.set_text(piece.text, TextFamily::caption, size_px);
+    return one;
 }
 
 double space_width(TextFace face, double size_px, FontSet& fonts) {
-    FontFile& font = fonts.text(face);
+    FontFile& font = fonts.text(TextFamily::caption, face);
     const std::optional<GlyphId> space = font.glyph(U' ');
     const double units = space ? font.metrics(*space).advance : font.units_per_em() / 3.0;
     return units * size_px / font.units_per_em();
@@ -52,10 +56,7 @@ class LineBreaker {
                 end_word();
                 end_line();
             } else {
-                const TypeBox set = set_piece(piece, style_.size_px, fonts_);
-                word_.place(set, word_.width, 0.0);
-                word_.width += set.width;
-                has_word_ = true;
+                join(set_piece(piece, style_.size_px, fonts_));
             }
         }
         end_word();
@@ -65,19 +66,46 @@ class LineBreaker {
     }
 
  private:
-    void end_word() {
-        if (!has_word_) return;
-        const bool wraps = style_.max_width_px > 0.0;
-        if (has_line_ && wraps && line_.width + space_ + word_.width > style_.max_width_px) {
-            end_line();
+    // Pieces without a space between them belong to one word.
+    void join(std::vector<FormulaPart> parts) {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (i > 0 || word_.empty()) {
+                word_.push_back(std::move(parts[i]));
+                continue;
+            }
+            FormulaPart& last = word_.back();
+            last.box.place(parts[i].box, last.box.width, 0.0);
+            last.box.width += parts[i].box.width;
+            last.space_after = parts[i].space_after;
         }
-        if (has_line_) line_.width += space_;
-        line_.place(word_, line_.width, 0.0);
-        line_.width += word_.width;
-        has_line_ = true;
-        word_ = {};
-        has_word_ = false;
+    }
+
+    // A word moves to the next line as a whole; only one that no line could hold is cut between its
+    // parts.
+    void end_word() {
+        if (word_.empty()) return;
+        const double limit = style_.max_width_px;
+        double whole = 0.0;
+        for (std::size_t i = 0; i < word_.size(); ++i) {
+            whole += word_[i].box.width + (i + 1 < word_.size() ? word_[i].space_after : 0.0);
+        }
+        const bool cut = limit > 0.0 && whole > limit;
+        if (!cut) wrap_before(whole);
+        for (const FormulaPart& part : word_) {
+            if (cut) wrap_before(part.box.width);
+            if (has_line_) line_.width += space_;
+            line_.place(part.box, line_.width, 0.0);
+            line_.width += part.box.width;
+            has_line_ = true;
+            space_ = part.space_after;
+        }
+        word_.clear();
         space_ = 0.0;
+    }
+
+    void wrap_before(double width) {
+        const double limit = style_.max_width_px;
+        if (has_line_ && limit > 0.0 && line_.width + space_ + width > limit) end_line();
     }
 
     void end_line() {
@@ -88,8 +116,9 @@ class LineBreaker {
     const TypeStyle& style_;
     FontSet& fonts_;
     std::vector<TypeBox> lines_;
-    TypeBox line_, word_;
-    bool has_line_ = false, has_word_ = false;
+    TypeBox line_;
+    std::vector<FormulaPart> word_;
+    bool has_line_ = false;
     double space_ = 0.0;
 };
 

@@ -17,10 +17,11 @@ std::vector<std::filesystem::path> default_font_folders() {
             "/usr/local/share/fonts"};
 }
 
-const std::array<std::string_view, 4>& font_names() {
-    static constexpr std::array<std::string_view, 4> kNames{
-        "latinmodern-math.otf", "lmsans10-regular.otf", "lmsans10-bold.otf",
-        "lmsans10-oblique.otf"};
+const std::array<std::string_view, 7>& font_names() {
+    static constexpr std::array<std::string_view, 7> kNames{
+        "latinmodern-math.otf", "lmsans10-regular.otf",  "lmsans10-bold.otf",
+        "lmsans10-oblique.otf", "lmroman10-regular.otf", "lmroman10-bold.otf",
+        "lmroman10-italic.otf"};
     return kNames;
 }
 

@@ -15,8 +15,9 @@ struct FontSearch {
     std::vector<std::filesystem::path> folders = default_font_folders();
 };
 
-// File names of the fonts used: mathematics, then the regular, bold and italic faces of text.
-const std::array<std::string_view, 4>& font_names();
+// File names of the fonts used: mathematics; the regular, bold and italic faces of captions; the
+// same of text within formulas.
+const std::array<std::string_view, 7>& font_names();
 
 // The font's path in the first folder that holds it.
 // throws: EnvironmentError naming the package to install where none does.

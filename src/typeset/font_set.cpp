@@ -1,5 +1,6 @@
 #include "typeset/font_set.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "typeset/font_search.h"
@@ -15,9 +16,11 @@ FontFile& FontSet::open(std::size_t index) {
 
 FontFile& FontSet::math() { return open(0); }
 
-FontFile& FontSet::text(TextFace face) { return open(1 + static_cast<std::size_t>(face)); }
+FontFile& FontSet::text(TextFamily family, TextFace face) {
+    return open((family == TextFamily::caption ? 1u : 4u) + static_cast<std::size_t>(face));
+}
 
-TypeBox FontSet::set_text(const TextRun& run, double size_px) {
+TypeBox FontSet::set_text(const TextRun& run, TextFamily family, double size_px) {
     TypeBox box;
     std::vector<char32_t> part;
     FontFile* part_font = nullptr;
@@ -35,7 +38,7 @@ TypeBox FontSet::set_text(const TextRun& run, double size_px) {
         box.width += shaped.advance * scale;
         part.clear();
     };
-    FontFile& face = text(run.face);
+    FontFile& face = text(family, run.face);
     for (const LabelCharacter& character : run.characters) {
         FontFile* font = face.glyph(character.code) ? &face : &math();
         if (font != &face && !font->glyph(character.code)) {

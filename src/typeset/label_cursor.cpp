@@ -13,7 +13,8 @@ bool is_command_letter(char32_t c) { return (c >= U'a' && c <= U'z') || (c >= U'
 bool is_harmless(char32_t c) {
     const bool control = c < 0x20 || (c >= 0x7F && c < 0xA1) || c == 0xAD;
     const bool format = (c >= 0x200B && c <= 0x200F) || (c >= 0x2028 && c <= 0x202E) ||
-                        (c >= 0x2060 && c <= 0x206F) || c >= 0xE000;
+                        (c >= 0x2060 && c <= 0x206F) || (c >= 0xE000 && c < 0xF900) ||
+                        (c >= 0xFE00 && c < 0x10000) || c >= 0xE0000;
     return !control && !format;
 }
 

@@ -87,22 +87,34 @@ class FormulaSetter {
         : size_px_(size_px), fonts_(fonts), font_(fonts.math()) {}
 
     TypeBox list(const MathList& atoms, MathStyle style) {
-        TypeBox box;
+        return std::move(parts(atoms, style, false).front().box);
+    }
+
+    // The list in one part, or cut after each of its relations.
+    std::vector<FormulaPart> parts(const MathList& atoms, MathStyle style, bool cut) {
+        std::vector<FormulaPart> made(1);
         const std::vector<AtomClass> classes = spacing_classes(atoms);
         const AtomClass* before = nullptr;
         for (std::size_t i = 0; i < atoms.size(); ++i) {
             const MathAtom& atom = atoms[i];
             if (atom.kind == MathAtom::Kind::space) {
-                box.width += atom.space_mu * mu(style);
+                made.back().box.width += atom.space_mu * mu(style);
                 continue;
             }
-            if (before) box.width += spacing_mu(*before, classes[i], style) * mu(style);
+            const double space = before ? spacing_mu(*before, classes[i], style) * mu(style) : 0.0;
+            if (cut && before && *before == AtomClass::rel && classes[i] != AtomClass::rel) {
+                made.back().space_after = space;
+                made.emplace_back();
+            } else {
+                made.back().box.width += space;
+            }
             before = &classes[i];
             const TypeBox set = with_scripts(atom, style);
+            TypeBox& box = made.back().box;
             box.place(set, box.width, 0.0);
             box.width += set.width;
         }
-        return box;
+        return made;
     }
 
  private:
@@ -175,7 +187,7 @@ class FormulaSetter {
             case MathAtom::Kind::group:
                 return boxed(list(atom.body, style));
             case MathAtom::Kind::text:
-                return boxed(fonts_.set_text(atom.text, size(style)));
+                return boxed(fonts_.set_text(atom.text, TextFamily::formula, size(style)));
             case MathAtom::Kind::big:
             case MathAtom::Kind::integral:
                 return large_operator(atom, style);
@@ -458,6 +470,11 @@ class FormulaSetter {
 
 TypeBox set_formula(const MathList& atoms, MathStyle style, double size_px, FontSet& fonts) {
     return FormulaSetter(size_px, fonts).list(atoms, style);
+}
+
+std::vector<FormulaPart> set_formula_parts(const MathList& atoms, MathStyle style, double size_px,
+                                           FontSet& fonts) {
+    return FormulaSetter(size_px, fonts).parts(atoms, style, true);
 }
 
 }  // namespace poinsot

@@ -1,6 +1,8 @@
 // Sets formulas: from the tree of atoms to placed glyphs.
 #pragma once
 
+#include <vector>
+
 #include "typeset/font_set.h"
 #include "typeset/label_tree.h"
 #include "typeset/type_box.h"
@@ -19,5 +21,13 @@ struct MathStyle {
 // (OpenType specification 1.9, "MATH"; constants are named there and beside their use here).
 // throws: LabelError for a character that the fonts lack.
 TypeBox set_formula(const MathList& atoms, MathStyle style, double size_px, FontSet& fonts);
+
+// A formula cut after its relations, where a line of text may end.
+struct FormulaPart {
+    TypeBox box;
+    double space_after = 0.0;  // px, if the next part stands on the same line
+};
+std::vector<FormulaPart> set_formula_parts(const MathList& atoms, MathStyle style, double size_px,
+                                           FontSet& fonts);
 
 }  // namespace poinsot

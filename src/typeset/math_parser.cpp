@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -31,6 +32,13 @@ MathAtom group(MathList body, int column) {
     MathAtom atom = make_atom(MathAtom::Kind::group, AtomClass::ord, column);
     atom.body = std::move(body);
     return atom;
+}
+
+bool is_accent_mark(char32_t c) {
+    const bool combining = (c >= 0x300 && c < 0x370) || (c >= 0x20D0 && c < 0x2100);
+    return combining && std::ranges::any_of(label_commands(), [c](const LabelCommand& command) {
+               return command.kind == CommandKind::accent && command.symbol == c;
+           });
 }
 
 }  // namespace
@@ -106,6 +114,7 @@ MathList MathParser::list(End end, int opened_at) {
 
 MathAtom MathParser::atom() {
     MathAtom made = nucleus();
+    combining_marks(made);
     scripts(made);
     return made;
 }
@@ -210,12 +219,11 @@ MathAtom MathParser::run_command(const LabelCommand& command, int column) {
     return atom;
 }
 
-MathAtom MathParser::function_name(const LabelCommand& command, int column) const {
-    MathAtom atom = make_atom(MathAtom::Kind::group, AtomClass::op, column);
+// The name of a function is a word of upright text.
+MathAtom MathParser::function_name(const LabelCommand& command, int column) {
+    MathAtom atom = make_atom(MathAtom::Kind::text, AtomClass::op, column);
     for (const char letter : command.name) {
-        MathAtom& made =
-            atom.body.emplace_back(make_atom(MathAtom::Kind::symbol, AtomClass::ord, column));
-        made.symbol = static_cast<unsigned char>(letter);
+        atom.text.characters.push_back({static_cast<unsigned char>(letter), column});
     }
     return atom;
 }
@@ -311,6 +319,20 @@ MathList MathParser::argument(const std::string& what) {
     MathList one;
     one.push_back(nucleus());
     return one;
+}
+
+// Raw combining marks, as in a pasted ω̇, are accents over what they follow.
+void MathParser::combining_marks(MathAtom& atom) {
+    for (int n_marks = 0; is_accent_mark(cursor_.peek()); ++n_marks) {
+        if (n_marks == kLabelNestingLimit) {
+            throw LabelError(cursor_.column(), "too many accents on one symbol; remove some");
+        }
+        const LabelCharacter mark = cursor_.take();
+        MathAtom accent = make_atom(MathAtom::Kind::accent, AtomClass::ord, mark.column);
+        accent.symbol = mark.code;
+        accent.body.push_back(std::move(atom));
+        atom = std::move(accent);
+    }
 }
 
 void MathParser::scripts(MathAtom& atom) {

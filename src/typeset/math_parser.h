@@ -26,7 +26,7 @@ class MathParser {
     MathAtom nucleus();
     MathAtom command();
     MathAtom run_command(const LabelCommand& command, int column);
-    MathAtom function_name(const LabelCommand& command, int column) const;
+    static MathAtom function_name(const LabelCommand& command, int column);
     MathAtom text(const LabelCommand& command, int column);
     MathAtom radical(int column);
     MathAtom fence(int column);
@@ -34,6 +34,7 @@ class MathParser {
     MathAtom symbol(LabelCharacter character, AtomClass atom_class) const;
     MathList braced();
     MathList argument(const std::string& what);
+    void combining_marks(MathAtom& atom);
     void scripts(MathAtom& atom);
     void script_digits(MathAtom& atom);
     void primes(MathAtom& atom);

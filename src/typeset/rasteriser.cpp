@@ -7,9 +7,9 @@
 namespace poinsot {
 namespace {
 
-// A chord may leave its cubic by this much. The area lost along an edge is two thirds of it, well
-// under half of the 1/255 that a mask can show.
-constexpr double kFlatness_px = 0.001;
+// A chord may leave its cubic by this much. The area lost along an edge is two thirds of it, a
+// third of the 1/255 that a mask can show.
+constexpr double kFlatness_px = 0.002;
 constexpr int kMaxChords = 4096;
 
 OutlinePoint second_difference(OutlinePoint a, OutlinePoint b, OutlinePoint c) {
@@ -105,24 +105,33 @@ void Rasteriser::line(OutlinePoint from, OutlinePoint to) {
     // Running down counts positive.
     const double direction = from.y < to.y ? 1.0 : -1.0;
     if (direction < 0.0) std::swap(from, to);
-    const double slope = (to.x - from.x) / (to.y - from.y);
-    const double left = std::min(from.x, to.x), right = std::max(from.x, to.x);
     const double top = std::max(from.y, static_cast<double>(first_row_));
     const double bottom = std::min(to.y, static_cast<double>(first_row_ + n_rows_));
     if (top >= bottom) return;
+    const auto cells = [this](int row) {
+        return difference_.data() + stride_ * static_cast<std::size_t>(row - first_row_);
+    };
+    // Most chords of a letter's curves lie within one row.
+    int row = static_cast<int>(top);
+    const auto edge = static_cast<double>(width_);
+    if (top == from.y && bottom == to.y && bottom <= row + 1.0) {
+        row_part(cells(row), std::clamp(from.x, 0.0, edge), std::clamp(to.x, 0.0, edge),
+                 direction * (bottom - top));
+        return;
+    }
 
+    const double slope = (to.x - from.x) / (to.y - from.y);
+    const double left = std::clamp(std::min(from.x, to.x), 0.0, edge);
+    const double right = std::clamp(std::max(from.x, to.x), 0.0, edge);
     const auto x_at = [&](double y) {
-        const double x = std::clamp(from.x + (y - from.y) * slope, left, right);
-        return std::clamp(x, 0.0, static_cast<double>(width_));
+        return std::clamp(from.x + (y - from.y) * slope, left, right);
     };
     double y = top;
     double x = x_at(top);
-    for (int row = static_cast<int>(std::floor(top)); y < bottom; ++row) {
+    for (; y < bottom; ++row) {
         const double y_next = std::min(bottom, row + 1.0);
-        const double x_next =
-            y_next == to.y ? std::clamp(to.x, 0.0, static_cast<double>(width_)) : x_at(y_next);
-        double* cells = difference_.data() + stride_ * static_cast<std::size_t>(row - first_row_);
-        row_part(cells, x, x_next, direction * (y_next - y));
+        const double x_next = x_at(y_next);
+        row_part(cells(row), x, x_next, direction * (y_next - y));
         y = y_next;
         x = x_next;
     }
