@@ -1,0 +1,23 @@
+// Any bytes as a label and as a caption: set, or refused with an InputError, and nothing else.
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "typeset/typesetter.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const poinsot::Typesetter typesetter;
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    poinsot::TypeStyle style;
+    style.size_px = 12.0;
+    for (const poinsot::TypeMode mode : {poinsot::TypeMode::math, poinsot::TypeMode::text}) {
+        style.mode = mode;
+        style.max_width_px = mode == poinsot::TypeMode::text ? 200.0 : 0.0;
+        try {
+            typesetter.set(text, style);
+        } catch (const poinsot::InputError&) {
+            // Refused with a sentence: what a bad label deserves.
+        }
+    }
+    return 0;
+}
