@@ -8,7 +8,7 @@
 #include "error/error.h"
 #include "output/codecs.h"
 #include "render/renderer.h"
-#include "typeset/typesetter.h"
+#include "typeset/font_search.h"
 
 namespace poinsot {
 
@@ -32,6 +32,14 @@ Finding try_backend(const char* name, Backend backend) {
     }
 }
 
+Finding try_font(std::string_view name) {
+    try {
+        return {fmt::format("font {}", name), true, find_font(name).string()};
+    } catch (const Error& error) {
+        return {fmt::format("font {}", name), false, error.what()};
+    }
+}
+
 int run(const Options& options) {
     std::vector<Finding> findings;
     findings.push_back(try_backend("context OSMesa", Backend::osmesa));
@@ -44,9 +52,9 @@ int run(const Options& options) {
         encodes = encodes && codec.available;
     }
     bool sets_type = true;
-    for (const FontStatus& font : font_statuses()) {
-        findings.push_back({"font " + font.name, font.available, font.detail});
-        sets_type = sets_type && font.available;
+    for (const std::string_view font : font_names()) {
+        findings.push_back(try_font(font));
+        sets_type = sets_type && findings.back().works;
     }
 
     if (options.json) {
@@ -59,7 +67,7 @@ int run(const Options& options) {
         fmt::print("]\n");
     } else {
         for (const Finding& finding : findings) {
-            fmt::print("{:16} {:8} {}\n", finding.what, finding.works ? "works" : "MISSING",
+            fmt::print("{:34} {:8} {}\n", finding.what, finding.works ? "works" : "MISSING",
                        finding.detail);
         }
     }

@@ -1,0 +1,175 @@
+// poinsot check SCENE: validates without drawing and says what the motion is and what will be
+// modelled.
+#include <fmt/format.h>
+
+#include <array>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/json_text.h"
+#include "cli/session.h"
+#include "construction/poinsot_construction.h"
+#include "construction/polhode.h"
+#include "drawing/stage.h"
+#include "error/nearest.h"
+#include "mechanics/free_rotation.h"
+
+namespace poinsot {
+
+namespace {
+
+// One line of the answer: a key for JSON, words for people.
+struct Fact {
+    std::string key;
+    std::string json;
+    std::string label;
+    std::string text;
+};
+
+void add_number(std::vector<Fact>& facts, std::string key, std::string label, double value,
+                std::string_view unit) {
+    facts.push_back({std::move(key), json_number(value), std::move(label),
+                     fmt::format("{:.9g} {}", value, unit)});
+}
+
+std::string axis_name(int axis) { return fmt::format("e{}", axis + 1); }
+
+std::string regime_in_words(Regime regime, const FreeRotationConstants& constants) {
+    switch (regime) {
+        case Regime::at_rest:
+            return "at rest: ω is zero";
+        case Regime::permanent:
+            return "permanent rotation: ω stays where it is";
+        case Regime::symmetric:
+            return "symmetric body: ω runs round a circle, by trigonometric functions";
+        case Regime::elliptic_about_lowest:
+            return fmt::format("polhode about {}, the axis of the smallest moment (elliptic)",
+                               axis_name(constants.encircled_axis));
+        case Regime::elliptic_about_highest:
+            return fmt::format("polhode about {}, the axis of the largest moment (elliptic)",
+                               axis_name(constants.encircled_axis));
+        case Regime::separatrix:
+            return "separatrix: ω tends to the middle axis and never returns (hyperbolic)";
+        default:
+            return std::string(name_of(regime));
+    }
+}
+
+// The facts of a torque-free motion and its construction.
+void add_free_motion(const Session& session, std::vector<Fact>& facts) {
+    const MotionProblem& problem = session.motion.problem();
+    const FreeRotationConstants constants =
+        FreeRotation(problem.inertia, problem.start).constants();
+    facts.push_back({"regime", json_string(name_of(session.motion.regime())), "regime",
+                     regime_in_words(session.motion.regime(), constants)});
+    add_number(facts, "kinetic_energy_J", "T", constants.kinetic_energy_J, "J");
+    add_number(facts, "momentum_kg_m2_s", "L", constants.momentum_kg_m2_s, "kg m²/s");
+    if (session.motion.regime() == Regime::at_rest) return;
+
+    const PoinsotConstruction construction(problem.inertia, problem.start);
+    add_number(facts, "plane_distance", "plane at √(2T)/L", construction.plane_distance(),
+               "1/√(kg m²)");
+    const Eigen::Vector3d half_axes = construction.half_axes();
+    facts.push_back({"half_axes",
+                     fmt::format("[{}, {}, {}]", json_number(half_axes[0]),
+                                 json_number(half_axes[1]), json_number(half_axes[2])),
+                     "half-axes 1/√I",
+                     fmt::format("{:.6g}, {:.6g}, {:.6g} 1/√(kg m²)", half_axes[0], half_axes[1],
+                                 half_axes[2])});
+    if (constants.polhode_period_s) {
+        add_number(facts, "polhode_period_s", "period of the polhode", *constants.polhode_period_s,
+                   "s");
+    } else if (session.motion.regime() == Regime::separatrix) {
+        facts.push_back({"polhode_period_s", "null", "period of the polhode", "infinite"});
+    }
+    if (constants.advance_per_period_rad) {
+        const double turns = *constants.advance_per_period_rad / (2.0 * std::numbers::pi);
+        facts.push_back({"herpolhode_advance_rad", json_number(*constants.advance_per_period_rad),
+                         "herpolhode advances",
+                         fmt::format("{:.9g} rad ({:.6g} turns) a period",
+                                     *constants.advance_per_period_rad, turns)});
+    }
+    const Polhode::Annulus annulus = Polhode(problem.inertia, problem.start.omega_body).annulus();
+    facts.push_back(
+        {"herpolhode_radii",
+         fmt::format("[{}, {}]", json_number(annulus.inner), json_number(annulus.outer)),
+         "herpolhode's radii",
+         fmt::format("{:.9g} … {:.9g} 1/√(kg m²)", annulus.inner, annulus.outer)});
+    if (const auto cones = rolling_cones(problem.inertia, problem.start.omega_body)) {
+        add_number(facts, "body_precession_rad_s", "ω precesses in the body at Ω = (I₃−I₁)ω₃/I₁",
+                   cones->body_precession_rad_s, "rad/s");
+        add_number(facts, "space_precession_rad_s", "the axis precesses about L at L/I₁",
+                   cones->space_precession_rad_s, "rad/s");
+        facts.push_back({"cones_half_angles_rad",
+                         fmt::format("[{}, {}]", json_number(cones->body_half_angle_rad),
+                                     json_number(cones->space_half_angle_rad)),
+                         "half-angles of the cones",
+                         fmt::format("body {:.4f}°, space {:.4f}°",
+                                     cones->body_half_angle_rad * 180.0 / std::numbers::pi,
+                                     cones->space_half_angle_rad * 180.0 / std::numbers::pi)});
+    }
+}
+
+int run(const Options& options) {
+    const Session session = open_session(options);
+    print_notes(session.scene, options.quiet);
+    const MotionProblem& problem = session.motion.problem();
+
+    std::vector<Fact> facts;
+    facts.push_back({"scene", json_string(session.scene.file.string()), "scene",
+                     printable(session.scene.file.string())});
+    facts.push_back(
+        {"title", json_string(session.scene.title), "title", printable(session.scene.title)});
+    const Eigen::Vector3d& I = problem.inertia.moments_kg_m2();
+    facts.push_back(
+        {"moments_kg_m2",
+         fmt::format("[{}, {}, {}]", json_number(I[0]), json_number(I[1]), json_number(I[2])),
+         "moments I₁, I₂, I₃",
+         fmt::format("{:.9g}, {:.9g}, {:.9g} kg m²{}", I[0], I[1], I[2],
+                     problem.inertia.planar() ? " (planar: one is the sum of the others)" : "")});
+    facts.push_back({"method", json_string(problem.method.name), "method", problem.method.name});
+    if (std::holds_alternative<NoTorque>(problem.torque)) {
+        add_free_motion(session, facts);
+    } else {
+        facts.push_back({"regime", json_string(name_of(session.motion.regime())), "regime",
+                         std::string(name_of(session.motion.regime()))});
+    }
+
+    const FilmPlan film = film_plan(session.scene, session.motion);
+    facts.push_back(
+        {"n_frames", fmt::format("{}", film.n_frames), "film",
+         fmt::format("{} frames of {}×{} at {:.6g}/s, motion from {:.6g} s to {:.6g} s",
+                     film.n_frames, session.scene.film.width_px, session.scene.film.height_px,
+                     film.rate.per_second(), film.start_s, film.last_time_s())});
+
+    // Whether it can be drawn is part of the check: making the stage opens no context.
+    const Stage stage(session.scene, session.motion,
+                      {.width_px = session.scene.film.width_px,
+                       .height_px = session.scene.film.height_px,
+                       .first_time_s = film.start_s,
+                       .last_time_s = film.last_time_s()});
+
+    if (options.json) {
+        fmt::print("{{\n");
+        for (std::size_t i = 0; i < facts.size(); ++i) {
+            fmt::print("  {}: {}{}\n", json_string(facts[i].key), facts[i].json,
+                       i + 1 < facts.size() ? "," : "");
+        }
+        fmt::print("}}\n");
+        return 0;
+    }
+    for (const Fact& fact : facts) fmt::print("{}: {}\n", fact.label, fact.text);
+    return 0;
+}
+
+constexpr std::array<std::string_view, 7> options_taken{"set",  "size",  "fps", "quality",
+                                                        "json", "quiet", "plan"};
+
+}  // namespace
+
+const Command check_command{
+    "check", "SCENE", 1, 1, "validate a scene and say what its motion is", options_taken, run};
+
+}  // namespace poinsot
