@@ -1,11 +1,11 @@
-// The table of things that can be shown: a name beside the function that makes it once and the one
-// that draws an instant.
+// The table of things that the space panel can show: a name beside the function that makes its
+// drawer.
 #pragma once
 
 #include <span>
 #include <string_view>
 
-#include "drawing/stage_data.h"
+#include "drawing/panel.h"
 
 namespace poinsot {
 
@@ -13,9 +13,9 @@ struct Element {
     std::string_view name;
     std::string_view summary;
     // Whether it is shown when the scene does not say.
-    bool (*by_default)(const StageData& stage);
+    bool (*by_default)(const ConstructionPicture& picture);
     // Makes what all instants share, kept by the stage, and the function that draws an instant.
-    Drawer (*make)(StageData& stage);
+    Drawer (*make)(Panel& panel);
 };
 
 std::span<const Element> elements();

@@ -1,8 +1,4 @@
-// What the elements draw from: the constants of the motion in the picture's axes, and geometry made
-// once.
-//
-// Picture axes: the fixed centre is the origin, z is along L, and the ellipsoid's largest half-axis
-// is 1.
+// What panels and elements draw from: the scene, its motion, the theme, and geometry made once.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,17 +13,16 @@
 #include "construction/polhode.h"
 #include "drawing/drawing.h"
 #include "drawing/labels.h"
+#include "drawing/live_text.h"
 #include "drawing/stage.h"
 #include "drawing/theme.h"
 
 namespace poinsot {
 
-// One instant as the elements see it.
+// One instant as the panels see it.
 struct Instant {
     double time_s = 0.0;
     RotationState state;
-    Eigen::Quaterniond picture_from_body = Eigen::Quaterniond::Identity();
-    Eigen::Vector3d contact = Eigen::Vector3d::Zero();  // picture axes
 };
 
 // A view in the making: its shapes, and the labels that still look for their place.
@@ -36,9 +31,30 @@ struct Sheet {
     std::vector<LabelWish> wishes;
 };
 
-// Adds an element's shapes of one instant to its view; owns nothing, refers to the stage's
-// geometry.
+// Adds the shapes of one instant to a sheet; owns nothing, refers to the stage's geometry.
 using Drawer = std::function<void(const Instant&, Sheet&)>;
+
+// Poinsot's construction in picture axes: the fixed centre is the origin, z is along L, and the
+// ellipsoid's largest half-axis is 1.
+struct ConstructionPicture {
+    PoinsotConstruction construction;
+    Polhode polhode;
+    std::optional<RollingCones> cones;
+    double picture_per_rho = 1.0;
+    Eigen::Quaterniond picture_from_space = Eigen::Quaterniond::Identity();
+    Eigen::Vector3d half_axes = Eigen::Vector3d::Ones();
+    double plane_distance = 1.0;
+    double herpolhode_radius = 0.0;  // outer radius of the annulus
+
+    ConstructionPicture(const InertiaTensor& inertia, const RotationState& start);
+
+    // Columns are e1, e2, e3 in picture axes.
+    Eigen::Matrix3d principal_axes(const Instant& instant) const;
+    Eigen::Quaterniond picture_from_body(const Instant& instant) const;
+    Eigen::Vector3d contact(const Instant& instant) const;
+};
+
+struct Panel;
 
 struct StageData {
     Scene scene;
@@ -47,28 +63,23 @@ struct StageData {
     const Theme* theme = nullptr;
     double px = 1.0;  // pixels of the picture for one pixel at 1080 rows
 
-    PoinsotConstruction construction;
-    Polhode polhode;
-    std::optional<RollingCones> cones;
+    std::optional<ConstructionPicture> rolling;  // torque-free motions that turn
 
-    double picture_per_rho = 1.0;  // scale: largest half-axis → 1
-    Eigen::Quaterniond picture_from_space = Eigen::Quaterniond::Identity();
-    Eigen::Vector3d half_axes = Eigen::Vector3d::Ones();  // picture units
-    double plane_distance = 1.0;                          // picture units
-    double herpolhode_radius = 0.0;  // outer radius of the annulus, picture units
-    Camera camera;
-    double units_per_px = 0.001;  // at the centre of the picture
-
-    // Geometry made once for all instants; addresses stay valid for the stage's life.
+    // Made once for all instants; addresses stay valid for the stage's life.
     TypeCase type_case;
     std::deque<CurveGeometry> curves;
     std::deque<MeshGeometry> meshes;
-    std::vector<Drawer> drawers;  // one for each element shown, in the table's order
+    std::deque<Panel> panels;
+    std::vector<Drawer> overlays;  // title, caption, clock: over the whole picture
+
+    StageData(const Scene& scene, const Motion& motion, const StageOptions& options);
+    ~StageData();
 
     const CurveGeometry* keep(CurveGeometry geometry);
     const MeshGeometry* keep(MeshGeometry geometry);
 
-    StageData(const Scene& scene, const Motion& motion, const StageOptions& options);
+    // The numbers that captions may name, at an instant.
+    std::vector<LiveValue> live_values(const Instant& instant) const;
 };
 
 }  // namespace poinsot

@@ -1,0 +1,49 @@
+#include "drawing/panel.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "error/error.h"
+#include "error/nearest.h"
+
+namespace poinsot {
+
+namespace {
+
+bool rolls(const StageData& stage) { return stage.rolling.has_value(); }
+
+constexpr std::string_view free_turning = "a torque-free body that turns";
+
+const std::array<PanelKind, 1> table{{
+    {"space", "the ellipsoid rolling on the invariable plane", rolls, free_turning,
+     make_space_panel},
+}};
+
+}  // namespace
+
+void aim(Panel& panel, const Camera& camera) {
+    panel.camera = camera;
+    const double distance = (camera.eye - camera.target).norm();
+    panel.units_per_px =
+        camera.orthographic
+            ? camera.height_units / panel.box.height_px
+            : 2.0 * distance * std::tan(0.5 * camera.vertical_field_rad) / panel.box.height_px;
+}
+
+std::span<const PanelKind> panel_kinds() { return table; }
+
+const PanelKind& panel_kind_named(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const PanelKind& kind : table) {
+        if (kind.name == name) return kind;
+        names.push_back(kind.name);
+    }
+    throw InputError(fmt::format("unknown panel \"{}\"{}; choose from: {}", printable(name),
+                                 did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
+}  // namespace poinsot

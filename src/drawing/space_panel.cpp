@@ -1,0 +1,54 @@
+// The space panel: the inertia ellipsoid rolling on the invariable plane, seen from outside.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "drawing/elements.h"
+#include "drawing/overlay.h"
+#include "drawing/panel.h"
+
+namespace poinsot {
+
+namespace {
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+// The scene's camera about the vertical L, aimed so that the construction fills the panel.
+Camera camera_of(const CameraSpec& spec, double plane_distance) {
+    const double azimuth = radians(spec.azimuth_deg);
+    const double elevation = radians(spec.elevation_deg);
+    Camera camera;
+    camera.target = spec.target.value_or(Eigen::Vector3d(0.0, 0.0, 0.5 * (1.25 - plane_distance)));
+    camera.eye =
+        camera.target + spec.distance * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
+                                                        std::cos(elevation) * std::sin(azimuth),
+                                                        std::sin(elevation));
+    camera.vertical_field_rad = radians(spec.field_deg);
+    return camera;
+}
+
+}  // namespace
+
+void make_space_panel(Panel& panel) {
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    aim(panel, camera_of(panel.stage->scene.camera, picture.plane_distance));
+
+    // The elements that the scene names, or those that this kind of motion shows by itself.
+    const std::vector<std::string>& show = panel.stage->scene.show;
+    for (const std::string& name : show) {
+        if (!is_overlay(name)) element_named(name);
+    }
+    std::vector<Drawer> drawers;
+    for (const Element& element : elements()) {
+        const bool named = std::find(show.begin(), show.end(), element.name) != show.end();
+        if (show.empty() ? element.by_default(picture) : named) {
+            drawers.push_back(element.make(panel));
+        }
+    }
+    panel.draw = [drawers](const Instant& instant, Sheet& sheet) {
+        for (const Drawer& draw : drawers) draw(instant, sheet);
+    };
+}
+
+}  // namespace poinsot
