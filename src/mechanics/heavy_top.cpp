@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 
 #include "error/error.h"
 
@@ -16,31 +15,9 @@ namespace poinsot {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
 
-constexpr TwoWords half_pi{1.57079632679489656, 6.12323399573676604e-17};
-constexpr TwoWords two_pi{6.28318530717958648, 2.44929359829470641e-16};
-
-TwoWords sum_of(double a, double b) {
-    const double hi = a + b;
-    const double part = hi - a;
-    return {hi, (a - (hi - part)) + (b - part)};
-}
-
-TwoWords product_of(double a, double b) {
-    const double hi = a * b;
-    return {hi, std::fma(a, b, -hi)};
-}
-
-TwoWords operator+(const TwoWords& a, const TwoWords& b) {
-    const TwoWords sum = sum_of(a.hi, b.hi);
-    return sum_of(sum.hi, sum.lo + (a.lo + b.lo));
-}
-
-TwoWords operator*(const TwoWords& a, double b) {
-    const TwoWords product = product_of(a.hi, b);
-    return sum_of(product.hi, std::fma(a.lo, b, product.lo));
-}
+constexpr DoubleDouble half_pi{1.57079632679489656, 6.12323399573676604e-17};
+constexpr DoubleDouble two_pi{6.28318530717958648, 2.44929359829470641e-16};
 
 // i to the power n.
 Complex quarter_turns(std::int64_t n) {
@@ -57,9 +34,9 @@ Complex quarter_turns(std::int64_t n) {
 }
 
 // e^{iφ}, the turns taken off in two words.
-Complex unit_phase(const TwoWords& phase) {
+Complex unit_phase(DoubleDouble phase) {
     const double turns = std::round(phase.hi / two_pi.hi);
-    const TwoWords rest = phase + two_pi * -turns;
+    const DoubleDouble rest = phase + two_pi * -turns;
     return {std::cos(rest.hi) - rest.lo * std::sin(rest.hi),
             std::sin(rest.hi) + rest.lo * std::cos(rest.hi)};
 }
@@ -118,6 +95,7 @@ struct HeavyTop::Phase {
     double r = 0.0;  // u from the turning point
     std::int64_t quarter = 0;
     double quarters = 0.0;  // the same number, also where it exceeds an integer
+    double elapsed_s = 0.0;
 };
 
 // α and β up to a common positive factor and without the phases e^{i rate t}, and their rates.
@@ -126,14 +104,15 @@ struct HeavyTop::Factors {
     Complex rate[2];  // of the value and of the regular part of the phase, 1/s
 };
 
-HeavyTop::Phase HeavyTop::phase_at(double time_s) const {
+HeavyTop::Phase HeavyTop::phase_at(double elapsed_s) const {
     Phase phase;
+    phase.elapsed_s = elapsed_s;
     if (series_.steady) return phase;
-    TwoWords u = series_.lambda_1_s * time_s + series_.u_start;
+    DoubleDouble u = series_.lambda_1_s * elapsed_s + series_.u_start;
     if (!std::isfinite(u.hi)) {
         throw InputError(fmt::format(
-            "the top's phase at t = {} s exceeds what a double holds; ask for an earlier time",
-            time_s));
+            "the top's phase after {} s exceeds what a double holds; ask for an earlier time",
+            elapsed_s));
     }
     if (std::isfinite(series_.quarter_u.hi)) {
         // Two passes: the first may leave some quarters where their number exceeds 2^53.
@@ -146,7 +125,7 @@ HeavyTop::Phase HeavyTop::phase_at(double time_s) const {
     }
     phase.quarters += series_.quarter_start;
     phase.quarter += series_.quarter_start;
-    phase.r = u.hi + u.lo;
+    phase.r = u.rounded();
     return phase;
 }
 
@@ -200,25 +179,23 @@ HeavyTop::Factors HeavyTop::factors_at(const Phase& phase) const {
     return result;
 }
 
-// The continuous phase of a factor, from the series' own zero.
-double HeavyTop::unwrapped(int which, double time_s, const Phase& phase,
-                           const Factors& factors) const {
+// The continuous phase of a factor, from the series' own zero; in two words, for φ and ψ are sums
+// and differences of large phases.
+DoubleDouble HeavyTop::unwrapped(int which, const Phase& phase, const Factors& factors) const {
     const TopFactor& factor = series_.factor[which];
     if (factor.zero) return 0.0;
-    TwoWords angle = factor.rate_1_s * time_s;
-    if (series_.steady) return angle.hi + angle.lo;
-    angle = angle + TwoWords{factor.cell_rate * phase.r, 0.0};
+    const DoubleDouble secular = factor.rate_1_s * phase.elapsed_s;
+    if (series_.steady) return secular;
+    const DoubleDouble angle = secular + factor.cell_rate * phase.r;
     const Complex& value = factors.value[which];
     if (factor.through_zero) {
         // θ1 passes through zero along a straight line: no winding, a jump of π there and back.
         Complex turned = quarter_turns(factor.winding * phase.quarter);
         if (which == 0) turned *= Complex(0.0, -factor.winding);
         const Complex along = value == 0.0 ? factors.rate[which] : value;
-        return (turned * along).real() < 0.0 ? angle.hi + (angle.lo + pi) : angle.hi + angle.lo;
+        return (turned * along).real() < 0.0 ? angle + half_pi * 2.0 : angle;
     }
-    angle = angle + half_pi * (factor.winding * phase.quarters);
-    angle = angle + TwoWords{std::arg(value), 0.0};
-    return angle.hi + angle.lo;
+    return angle + half_pi * (factor.winding * phase.quarters) + std::arg(value);
 }
 
 // Turns the series so that they meet the start: by their phase there, or by that of their rate
@@ -233,7 +210,7 @@ void HeavyTop::fit_start(std::complex<double> omega_transverse) {
     for (int which = 0; which < 2; ++which) {
         const int series_index = which == 0 ? alpha : 1 - alpha;
         const TopFactor& factor = series_.factor[series_index];
-        start_angle_[series_index] = unwrapped(series_index, 0.0, phase, factors);
+        start_angle_[series_index] = unwrapped(series_index, phase, factors);
         const bool vertical = start_[which] == 0.0;
         const Complex wanted = vertical ? start_rate[which] : start_[which];
         const Complex value = vertical ? factors.rate[series_index] : factors.value[series_index];
@@ -252,8 +229,8 @@ RotationState HeavyTop::state_from(double time_s, const Phase& phase,
     Complex rate[2];
     for (int which = 0; which < 2; ++which) {
         const TopFactor& factor = series_.factor[which];
-        TwoWords angle = factor.rate_1_s * time_s;
-        if (!series_.steady) angle = angle + TwoWords{factor.cell_rate * phase.r, 0.0};
+        DoubleDouble angle = factor.rate_1_s * phase.elapsed_s;
+        if (!series_.steady) angle = angle + factor.cell_rate * phase.r;
         const Complex turn = unit_phase(angle) * start_phase_[which] *
                              quarter_turns(series_.steady ? 0 : factor.winding * phase.quarter);
         value[which] = turn * factors.value[which];
@@ -281,35 +258,35 @@ RotationState HeavyTop::state_from(double time_s, const Phase& phase,
     return state;
 }
 
-EulerAngles HeavyTop::angles_from(double time_s, const Phase& phase, const Factors& factors) const {
+EulerAngles HeavyTop::angles_from(const Phase& phase, const Factors& factors) const {
     const int alpha = series_.reversed ? 1 : 0;
-    double half_angle[2];
+    DoubleDouble half_angle[2];
     for (int which = 0; which < 2; ++which) {
         const int index = which == 0 ? alpha : 1 - alpha;
-        half_angle[which] = unwrapped(index, time_s, phase, factors) - start_angle_[index];
+        half_angle[which] = unwrapped(index, phase, factors) - start_angle_[index];
     }
     EulerAngles angles;
     angles.theta_rad =
         2.0 * std::atan2(std::abs(factors.value[1 - alpha]), std::abs(factors.value[alpha]));
     const double mean = 0.5 * (angle_start_[0] + angle_start_[1]);
     const double half_difference = 0.5 * (angle_start_[0] - angle_start_[1]);
-    angles.phi_rad = half_angle[0] + half_angle[1] + mean;
-    angles.psi_rad = half_angle[0] - half_angle[1] + half_difference;
+    angles.phi_rad = (half_angle[0] + half_angle[1] + mean).rounded();
+    angles.psi_rad = (half_angle[0] - half_angle[1] + half_difference).rounded();
     return angles;
 }
 
 RotationState HeavyTop::at(double time_s) const {
-    const Phase phase = phase_at(time_s);
+    const Phase phase = phase_at(time_s - start_time_s_);
     return state_from(time_s, phase, factors_at(phase));
 }
 
 EulerAngles HeavyTop::euler_angles(double time_s) const {
-    const Phase phase = phase_at(time_s);
-    return angles_from(time_s, phase, factors_at(phase));
+    const Phase phase = phase_at(time_s - start_time_s_);
+    return angles_from(phase, factors_at(phase));
 }
 
 MotionSample HeavyTop::sample(double time_s, Quantities wanted) const {
-    const Phase phase = phase_at(time_s);
+    const Phase phase = phase_at(time_s - start_time_s_);
     const Factors factors = factors_at(phase);
     MotionSample sample;
     sample.state = state_from(time_s, phase, factors);
@@ -327,7 +304,7 @@ MotionSample HeavyTop::sample(double time_s, Quantities wanted) const {
         }
     }
     if (!wanted.attitude) sample.state.space_from_body = Eigen::Quaterniond::Identity();
-    if (wanted.euler_angles) sample.euler = angles_from(time_s, phase, factors);
+    if (wanted.euler_angles) sample.euler = angles_from(phase, factors);
     return sample;
 }
 

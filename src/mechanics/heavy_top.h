@@ -78,7 +78,8 @@ class HeavyTop {
     // Throws InputError if a number is not finite or a moment not positive.
     explicit HeavyTop(const HeavyTopProblem& problem);
 
-    // Throws InputError unless two principal moments are equal and the arm lies along the third
+    // From a state at start.time_s. Throws InputError if a number of it is not finite or the
+    // attitude is zero, and unless two principal moments are equal and the arm lies along the third
     // axis (any arm for three equal moments). The Euler angles are those of that axis.
     HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity,
              const RotationState& start);
@@ -108,13 +109,14 @@ class HeavyTop {
     struct Phase;
     struct Factors;
 
-    Phase phase_at(double time_s) const;
+    Phase phase_at(double elapsed_s) const;
     Factors factors_at(const Phase& phase) const;
     void fit_start(std::complex<double> omega_transverse);
-    double unwrapped(int which, double time_s, const Phase& phase, const Factors& factors) const;
+    DoubleDouble unwrapped(int which, const Phase& phase, const Factors& factors) const;
     RotationState state_from(double time_s, const Phase& phase, const Factors& factors) const;
-    EulerAngles angles_from(double time_s, const Phase& phase, const Factors& factors) const;
+    EulerAngles angles_from(const Phase& phase, const Factors& factors) const;
 
+    double start_time_s_ = 0.0;
     double moment_transverse_ = 1.0;
     double moment_axial_ = 1.0;
     double mgl_ = 0.0;
@@ -123,7 +125,7 @@ class HeavyTop {
     TopSeries series_;
     std::complex<double> start_[2];                 // α and β at t = 0
     std::complex<double> start_phase_[2] = {1, 1};  // what the series must be turned by
-    double start_angle_[2] = {0.0, 0.0};            // the series' own continuous phase at t = 0
+    DoubleDouble start_angle_[2];                   // the series' own continuous phase at t = 0
     double angle_start_[2] = {0.0, 0.0};            // φ+ψ and φ−ψ at t = 0
     TopRegime regime_ = TopRegime::wavy;
     TopInvariants invariants_;

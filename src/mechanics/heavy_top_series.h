@@ -4,13 +4,9 @@
 
 #include <array>
 
-namespace poinsot {
+#include "mechanics/double_double.h"
 
-// A number in two words, value = hi + lo.
-struct TwoWords {
-    double hi = 0.0;
-    double lo = 0.0;
-};
+namespace poinsot {
 
 // One Cayley–Klein parameter, α = q_w + i q_z or β = q_x + i q_y, up to a common positive factor:
 // amplitude · e^{iδ} · e^{i(rate t + cell_rate r)} · i^{winding·quarter} · (series of r).
@@ -24,7 +20,7 @@ struct TopFactor {
     std::array<double, max_terms> theta2_re{}, theta2_im{};
     double lower_amplitude = 0.0;
     double upper_amplitude[2] = {0.0, 1.0};  // a product of two, lest it underflow too early
-    TwoWords rate_1_s;                       // of the phase
+    DoubleDouble rate_1_s;                   // of the phase
     double regular_rate_1_s = 0.0;           // the same without ±(ω3 − a)/2
     double cell_rate = 0.0;                  // phase per unit of u, radians
     int winding = 1;                         // +1 or −1
@@ -39,9 +35,9 @@ struct TopSeries {
     bool hyperbolic = false;  // series in the complementary nome (k' < 1/√2)
     bool scaled = false;      // the complementary nome is negligible, and e^{u} may overflow
     int n_terms = 1;
-    TwoWords lambda_1_s;
-    TwoWords u_start;    // from the turning point number quarter_start
-    TwoWords quarter_u;  // K; infinite on the separatrix
+    DoubleDouble lambda_1_s;
+    DoubleDouble u_start;    // from the turning point number quarter_start
+    DoubleDouble quarter_u;  // K; infinite on the separatrix
     int quarter_start = 0;
     double argument_per_u = 1.0;  // π/2K or π/2K'
     double nome = 0.0;            // complementary, of the hyperbolic series

@@ -28,7 +28,7 @@ const Real epsilon = std::numeric_limits<Real>::epsilon();
 Real square(const Real& x) { return x * x; }
 double to_double(const Real& x) { return x.convert_to<double>(); }
 
-TwoWords two_words(const Real& x) {
+DoubleDouble double_double(const Real& x) {
     const double hi = to_double(x);
     return {hi, std::isfinite(hi) ? to_double(x - Real(hi)) : 0.0};
 }
@@ -287,7 +287,7 @@ struct TopSetup {
     void set_rate(TopFactor& factor, int which, const Real& regular) {
         const Real rate = regular + (which == 0 ? half_spin : Real(-half_spin));
         factor.regular_rate_1_s = to_double(regular);
-        factor.rate_1_s = two_words(rate);
+        factor.rate_1_s = double_double(rate);
         angle_rate[which] = 2 * rate;
         if (factor.zero) angle_rate[which] = 0;
     }
@@ -319,11 +319,11 @@ struct TopSetup {
         series.nome = to_double(m.nome);
         series.scaled = m.hyperbolic && series.nome < 1e-36;
         series.n_terms = series.scaled ? 1 : TopFactor::max_terms;
-        series.lambda_1_s = two_words(lambda);
-        series.quarter_u =
-            m.K == 0 ? TwoWords{std::numeric_limits<double>::infinity(), 0.0} : two_words(m.K);
+        series.lambda_1_s = double_double(lambda);
+        series.quarter_u = m.K == 0 ? DoubleDouble{std::numeric_limits<double>::infinity(), 0.0}
+                                    : double_double(m.K);
         series.quarter_start = quarter_start;
-        series.u_start = two_words(u_start);
+        series.u_start = double_double(u_start);
         series.argument_per_u = to_double(m.argument_per_u());
 
         // The zeros of 2 − x and of x lie at u = i v1 and K + i v2.
@@ -537,6 +537,13 @@ HeavyTop::HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity,
                          ? symmetry.principal_from_top
                          : body_from_principal * symmetry.principal_from_top;
 
+    if (!start.omega_body.allFinite() || !start.space_from_body.coeffs().allFinite() ||
+        start.space_from_body.coeffs().isZero(0.0)) {
+        throw InputError(
+            "the start of a heavy top must be finite, with an attitude other than zero");
+    }
+    require_finite(gravity.mgl_N_m, "mgl_N_m");
+    start_time_s_ = start.time_s;
     const Eigen::Quaterniond q = start.space_from_body * body_from_top_;
     const Eigen::Vector3d omega = body_from_top_.conjugate() * start.omega_body;
     const Real norm =

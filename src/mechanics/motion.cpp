@@ -9,11 +9,13 @@ namespace poinsot {
 
 namespace {
 
-std::variant<FreeRotation> solve(const MotionProblem& problem) {
+std::variant<FreeRotation, HeavyTop> solve(const MotionProblem& problem) {
     if (problem.method.name != "exact") {
         throw InputError(fmt::format("unknown method \"{}\"; the method is exact",
                                      printable(problem.method.name)));
     }
+    const auto* gravity = std::get_if<GravityTorque>(&problem.torque);
+    if (gravity != nullptr) return HeavyTop(problem.inertia, *gravity, problem.start);
     if (!std::holds_alternative<NoTorque>(problem.torque)) {
         throw InputError(
             "method \"exact\" has no solution for this torque; name a method that steps");
@@ -35,7 +37,8 @@ MotionSample Motion::sample(double time_s, Quantities wanted) const {
 }
 
 Regime Motion::regime() const {
-    return std::visit([](const auto& solution) { return solution.regime(); }, solution_);
+    if (heavy_top() != nullptr) return Regime::heavy_top;
+    return free_rotation()->regime();
 }
 
 }  // namespace poinsot

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "mechanics/free_rotation.h"
+#include "mechanics/heavy_top.h"
 #include "mechanics/motion_problem.h"
 #include "mechanics/regime.h"
 #include "mechanics/rotation_state.h"
@@ -12,8 +13,7 @@
 namespace poinsot {
 
 // Chooses the regime once and answers for any time. Exact motions cost the same at every instant;
-// stepped ones cover the problem's time span and throw InputError outside it. (HeavyTop and
-// IntegratedRotation join the variant.)
+// stepped ones cover the problem's time span and throw InputError outside it.
 class Motion {
  public:
     // Throws InputError for what cannot be computed: an unknown method (with the nearest), exact
@@ -25,11 +25,16 @@ class Motion {
     MotionSample sample(double time_s, Quantities wanted) const;
 
     Regime regime() const;
+
+    // The solution in its own type, for what only it can tell; null if it is another one.
+    const FreeRotation* free_rotation() const { return std::get_if<FreeRotation>(&solution_); }
+    const HeavyTop* heavy_top() const { return std::get_if<HeavyTop>(&solution_); }
+
     const MotionProblem& problem() const { return problem_; }
 
  private:
     MotionProblem problem_;
-    std::variant<FreeRotation> solution_;
+    std::variant<FreeRotation, HeavyTop> solution_;
 };
 
 }  // namespace poinsot
