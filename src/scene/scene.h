@@ -16,12 +16,13 @@
 
 namespace poinsot {
 
-// Where a value stands. line 0: it came from --set or is a default.
+// Where a value stands. line 0: it came from --set (then `file` is "--set key=value") or is a
+// default.
 struct SourceLocation {
     std::string file;
-    int line = 0;
-    int column = 0;
-    // "file:line:column: ", "--set: " or "file: ".
+    int line = 0;    // from 1
+    int column = 0;  // from 1, in characters
+    // "file:line:column: ", "--set key=value: " or "file: ", safe to print on a terminal.
     std::string prefix() const;
 };
 
@@ -35,6 +36,8 @@ struct BodySpec {
     double mass_kg = 1.0;           // solid, or the sum of the masses
     std::vector<PointMass> masses;  // masses, moved so that the centre of mass is the origin
     Eigen::Vector3d centre_of_mass_m_body = Eigen::Vector3d::Zero();  // as given, before that
+    std::vector<PointMass> masses_as_given;                           // before that
+    Eigen::Matrix3d tensor_kg_m2 = Eigen::Matrix3d::Identity();       // tensor, symmetric
     bool allow_unphysical = false;
 };
 
@@ -47,6 +50,9 @@ struct StartSpec {
     Eigen::Quaterniond space_from_body = Eigen::Quaterniond::Identity();
     std::optional<TopStart> top;
 };
+
+// Length of a film whose scene does not say its duration, in seconds of film.
+constexpr double default_film_s = 10.0;
 
 // [film]: which instants become video frames. Frame k shows start_s + k·speed/fps.
 struct FilmSpec {
@@ -70,6 +76,19 @@ struct CameraSpec {
     std::string motion = "fixed";  // fixed, co-precessing
 };
 
+// [[panels]]: one view of the motion, in cells of the grid.
+struct PanelSpec {
+    std::string kind = "space";
+    int column = 0, row = 0;    // of its upper left cell
+    int columns = 1, rows = 1;  // cells that it spans
+};
+
+// [grid]: relative widths of the columns and heights of the rows.
+struct GridSpec {
+    std::vector<double> columns{1.0};
+    std::vector<double> rows{1.0};
+};
+
 struct Scene {
     std::string name = "scene";  // the file's stem
     std::filesystem::path file;
@@ -82,14 +101,24 @@ struct Scene {
     FilmSpec film;
     CameraSpec camera;
     std::vector<std::string> show;  // elements by name; empty: the defaults for this kind of motion
+    GridSpec grid;
+    std::vector<PanelSpec> panels;  // empty: the space panel alone
     std::string theme = "light";
     double accuracy_px = 0.1;
+
+    std::vector<std::string> notes;  // what the reader changed and the user should know
 
     std::map<std::string, SourceLocation>
         locations;  // of every key that was given, by dotted path: "start.omega_rad_s"
 
-    // "file:line:column: " of a key, or of the nearest table above it that was given.
+    // Location of a key, or of the nearest table above it that was given, or the file's beginning.
+    SourceLocation location_of(const std::string& key) const;
+    // The prefix of that: "file:line:column: ".
     std::string where(const std::string& key) const;
 };
+
+// The mechanics' problem: inertia, start, torque, method, and the span of the film, which holds
+// t = 0.
+MotionProblem problem_of(const Scene& scene);
 
 }  // namespace poinsot

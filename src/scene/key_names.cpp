@@ -1,0 +1,111 @@
+// Finding keys by name, and the nearest one for a name that is not a key.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "error/nearest.h"
+#include "scene/scene_error.h"
+#include "scene/scene_keys.h"
+
+namespace poinsot {
+
+namespace {
+
+// Rows whose table is this one.
+std::vector<std::string_view> leaves_of(std::string_view table) {
+    std::vector<std::string_view> leaves;
+    for (const SceneKey& key : scene_keys()) {
+        if (key.table() == table) leaves.push_back(key.leaf());
+    }
+    return leaves;
+}
+
+// Tables and arrays of tables that lie directly in this one.
+std::vector<std::string_view> tables_of(std::string_view table) {
+    std::vector<std::string_view> tables;
+    for (const SceneKey& key : scene_keys()) {
+        std::string_view path = key.table();
+        if (path.ends_with("[]")) path.remove_suffix(2);
+        const std::size_t dot = path.rfind('.');
+        const std::string_view parent = dot == std::string_view::npos ? "" : path.substr(0, dot);
+        if (path.empty() || parent != table) continue;
+        const std::string_view leaf = path.substr(parent.empty() ? 0 : parent.size() + 1);
+        if (std::find(tables.begin(), tables.end(), leaf) == tables.end()) tables.push_back(leaf);
+    }
+    return tables;
+}
+
+// A name that lacks its unit, or says more than it should: "omega" for "omega_rad_s".
+std::string_view with_other_ending(std::string_view given,
+                                   const std::vector<std::string_view>& known) {
+    if (given.size() < 3) return "";
+    for (const std::string_view name : known) {
+        const bool stem = name.starts_with(given) && name[given.size()] == '_';
+        const std::size_t unit = name.find('_');
+        const bool other_unit = unit != std::string_view::npos && unit >= 3 &&
+                                given.starts_with(name.substr(0, unit + 1));
+        if (stem || other_unit) return name;
+    }
+    return "";
+}
+
+std::string nearest(std::string_view given, const std::vector<std::string_view>& known) {
+    const std::string by_letters = did_you_mean(given, known);
+    if (!by_letters.empty()) return by_letters;
+    const std::string_view by_ending = with_other_ending(given, known);
+    return by_ending.empty() ? "" : fmt::format("; did you mean \"{}\"?", by_ending);
+}
+
+}  // namespace
+
+const SceneKey* find_scene_key(std::string_view path) {
+    const auto keys = scene_keys();
+    const auto found = std::find_if(keys.begin(), keys.end(),
+                                    [path](const SceneKey& key) { return key.path == path; });
+    return found == keys.end() ? nullptr : &*found;
+}
+
+bool is_scene_table(std::string_view path) {
+    const std::string beginning = fmt::format("{}.", path);
+    const auto keys = scene_keys();
+    return std::any_of(keys.begin(), keys.end(), [&beginning](const SceneKey& key) {
+        return key.path.starts_with(beginning);
+    });
+}
+
+bool is_scene_array(std::string_view path) { return is_scene_table(fmt::format("{}[]", path)); }
+
+std::string scene_key_remedy(std::string_view unknown_path, bool in_file) {
+    const std::size_t dot = unknown_path.rfind('.');
+    const std::string_view table = dot == std::string_view::npos ? "" : unknown_path.substr(0, dot);
+    const std::string_view leaf = unknown_path.substr(dot == std::string_view::npos ? 0 : dot + 1);
+
+    // On the command line whole paths are typed, and so they are suggested.
+    if (!in_file) {
+        std::vector<std::string_view> paths;
+        for (const SceneKey& key : scene_keys()) paths.push_back(key.path);
+        const std::string near = nearest(unknown_path, paths);
+        if (!near.empty()) return near;
+    }
+
+    // The nearest name in the same table, then a key of that very name in another one.
+    std::vector<std::string_view> here = leaves_of(table);
+    const std::vector<std::string_view> tables = tables_of(table);
+    here.insert(here.end(), tables.begin(), tables.end());
+    if (in_file) {
+        const std::string near = nearest(leaf, here);
+        if (!near.empty()) return near;
+    }
+    for (const SceneKey& key : scene_keys()) {
+        if (key.leaf() != leaf) continue;
+        if (!in_file) return fmt::format("; did you mean \"{}\"?", key.path);
+        return key.table().empty() ? fmt::format("; \"{}\" stands above the first [table]", leaf)
+                                   : fmt::format("; \"{}\" belongs in [{}]", leaf, key.table());
+    }
+    if (here.empty()) return "; see `poinsot list keys`";
+    return table.empty() ? fmt::format("; choose from: {}", fmt::join(here, ", "))
+                         : fmt::format("; [{}] has: {}", table, fmt::join(here, ", "));
+}
+
+}  // namespace poinsot

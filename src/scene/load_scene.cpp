@@ -1,0 +1,238 @@
+#include "scene/load_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+#include "error/nearest.h"
+#include "scene/given_value.h"
+#include "scene/scene_draft.h"
+#include "scene/scene_error.h"
+#include "scene/scene_keys.h"
+#include "scene/toml_document.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse_file(const fs::path& file, std::string_view what_and_remedy) {
+    throw SceneError({file.string(), 0, 0}, what_and_remedy);
+}
+
+// "; did you mean "scenes/generic.toml"?", from the folder that the file should be in.
+std::string near_file(const fs::path& file) {
+    std::vector<std::string> names;
+    std::error_code failed;
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    constexpr std::size_t most_names = 1000;
+    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
+         entry.increment(failed)) {
+        if (entry->path().extension() != ".toml" || names.size() >= most_names) continue;
+        names.push_back((file.parent_path() / entry->path().filename()).string());
+    }
+    std::sort(names.begin(), names.end());
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    const std::string near = echo(did_you_mean(file.string(), views));
+    return near.empty() ? "; name a scene file, see `poinsot list scenes`" : near;
+}
+
+std::string text_of_file(const fs::path& file) {
+    std::error_code failed;
+    const fs::file_status status = fs::status(file, failed);
+    if (!fs::exists(status)) refuse_file(file, "no such file" + near_file(file));
+    if (fs::is_directory(status)) {
+        refuse_file(file, "this is a folder; name a scene file in it, ending in .toml");
+    }
+
+    // One byte more than is accepted tells a file that is too large from one that just fits.
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+        refuse_file(
+            file, fmt::format("cannot be read ({}); check its permissions", std::strerror(errno)));
+    }
+    std::string text((std::size_t{1} << 20) + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    if (stream.bad()) refuse_file(file, "cannot be read to its end; check the disk");
+    return text;
+}
+
+// "key=value" in its two parts.
+struct Override {
+    std::string key;
+    TomlValue value;
+};
+
+Override parse_override(const std::string& text) {
+    const SourceLocation where{fmt::format("--set {}", text), 0, 0};
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) {
+        throw SceneError(where, "no \"=\"; write --set key=value");
+    }
+    std::string key = text.substr(0, equals);
+    key.erase(key.find_last_not_of(" \t") + 1);
+    key.erase(0, key.find_first_not_of(" \t"));
+    const SceneKey* row = find_scene_key(key);
+    if (row == nullptr && !is_scene_array(key)) {
+        const bool table = is_scene_table(key);
+        throw SceneError(where, table ? fmt::format("[{}] is a table; set one of its keys, see "
+                                                    "`poinsot list keys`",
+                                                    key)
+                                      : fmt::format("unknown key \"{}\"{}", echo(key),
+                                                    scene_key_remedy(key, false)));
+    }
+
+    const std::string_view written = std::string_view(text).substr(equals + 1);
+    TomlValue value = parse_override_value(written, where);
+    if (row != nullptr && row->type == "a string" && value.type != TomlValue::Type::text) {
+        // What is a string in a scene needs no quotes on the command line: title=2024.
+        value = {};
+        value.type = TomlValue::Type::text;
+        value.text = written;
+    }
+    return {std::move(key), std::move(value)};
+}
+
+// Every part of an override's value came from the command line.
+void locate(TomlValue& value, const SourceLocation& where) {
+    value.where = where;
+    for (TomlValue& item : value.items) locate(item, where);
+    for (TomlEntry& entry : value.entries) {
+        entry.where = where;
+        locate(entry.value, where);
+    }
+}
+
+void apply_override(TomlValue& root, const std::string& text) {
+    Override given = parse_override(text);
+    const SourceLocation where{fmt::format("--set {}", text), 0, 0};
+    locate(given.value, where);
+
+    // Down to the table, making what is not there yet.
+    TomlValue* table = &root;
+    std::string_view path = given.key;
+    while (true) {
+        const std::size_t dot = path.find('.');
+        const std::string_view part = path.substr(0, dot);
+        const auto found =
+            std::find_if(table->entries.begin(), table->entries.end(),
+                         [part](const TomlEntry& entry) { return entry.key == part; });
+        TomlEntry* entry = found != table->entries.end() ? &*found : nullptr;
+        if (entry == nullptr) {
+            table->entries.push_back({std::string(part), where, {}});
+            entry = &table->entries.back();
+            entry->value.where = where;
+        }
+        if (dot == std::string_view::npos) {
+            entry->where = where;
+            entry->value = std::move(given.value);
+            return;
+        }
+        // Where the file has something else than a table, reading it will say so.
+        if (entry->value.type != TomlValue::Type::table) return;
+        table = &entry->value;
+        path.remove_prefix(dot + 1);
+    }
+}
+
+// Walks the document and hands every value to its row.
+class Reader {
+ public:
+    explicit Reader(SceneDraft& draft) : draft_(draft) {}
+
+    // `path` names rows ("body.masses[]"), `name` is what the user says ("body.masses[2]").
+    void read_table(const TomlValue& table, const std::string& path, const std::string& name,
+                    std::size_t item) {
+        for (const TomlEntry& entry : table.entries) {
+            const std::string entry_path = joined(path, entry.key);
+            const std::string entry_name = joined(name, entry.key);
+            if (const SceneKey* key = find_scene_key(entry_path)) {
+                draft_.scene.locations[entry_name] = entry.where;
+                key->read(GivenValue(*key, entry_name, item, entry.value), draft_);
+            } else if (is_scene_array(entry_path)) {
+                draft_.scene.locations[entry_name] = entry.where;
+                read_array(entry, entry_path, entry_name);
+            } else if (is_scene_table(entry_path)) {
+                draft_.scene.locations[entry_name] = entry.where;
+                if (entry.value.type != TomlValue::Type::table) {
+                    refuse_kind(entry, entry_name, fmt::format("a table, as in [{}]", entry_path));
+                }
+                read_table(entry.value, entry_path, entry_name, item);
+            } else {
+                refuse_unknown(entry, path, entry_path);
+            }
+        }
+    }
+
+ private:
+    static std::string joined(const std::string& table, const std::string& key) {
+        // A dot within a quoted key must not look like a path.
+        const bool plain = key.find('.') == std::string::npos;
+        return table + (table.empty() ? "" : ".") + (plain ? key : "\"" + key + "\"");
+    }
+
+    void read_array(const TomlEntry& entry, const std::string& path, const std::string& name) {
+        const std::string kind = fmt::format("an array of tables, as in [[{}]]", path);
+        if (entry.value.type != TomlValue::Type::array) refuse_kind(entry, name, kind);
+        for (std::size_t i = 0; i < entry.value.items.size(); ++i) {
+            const TomlValue& item = entry.value.items[i];
+            const std::string item_name = fmt::format("{}[{}]", name, i);
+            if (item.type != TomlValue::Type::table) {
+                throw SceneError(item.where, fmt::format("{} is {}; {} must be {}", item_name,
+                                                         name_of(item.type), name, kind));
+            }
+            draft_.scene.locations[item_name] = item.where;
+            if (path == "body.masses") draft_.masses.emplace_back();
+            read_table(item, path + "[]", item_name, i);
+        }
+    }
+
+    [[noreturn]] static void refuse_kind(const TomlEntry& entry, const std::string& name,
+                                         const std::string& kind) {
+        throw SceneError(entry.where, fmt::format("{} is {}; it must be {}", name,
+                                                  name_of(entry.value.type), kind));
+    }
+
+    [[noreturn]] static void refuse_unknown(const TomlEntry& entry, const std::string& table,
+                                            const std::string& path) {
+        const bool is_table = entry.value.type == TomlValue::Type::table;
+        throw SceneError(
+            entry.where,
+            fmt::format("unknown {} \"{}\"{}{}", is_table ? "table" : "key", echo(entry.key),
+                        table.empty() ? "" : " in [" + table + "]", scene_key_remedy(path, true)));
+    }
+
+    SceneDraft& draft_;
+};
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& file_name,
+                  std::span<const std::string> overrides) {
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+        throw SceneError({file_name, 1, 1},
+                         "the file is empty; a scene needs at least [body] and [start]");
+    }
+    TomlValue root = parse_toml(text, file_name);
+    for (const std::string& text_of_override : overrides) apply_override(root, text_of_override);
+
+    SceneDraft draft;
+    draft.scene.file = file_name;
+    draft.scene.name = fs::path(file_name).stem().string();
+    draft.scene.title = draft.scene.name;
+    Reader(draft).read_table(root, "", "", 0);
+    return complete_scene(std::move(draft));
+}
+
+Scene load_scene(const fs::path& file, std::span<const std::string> overrides) {
+    return parse_scene(text_of_file(file), file.string(), overrides);
+}
+
+}  // namespace poinsot

@@ -1,0 +1,45 @@
+#include "scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/scene_error.h"
+
+namespace poinsot {
+
+std::string SourceLocation::prefix() const {
+    if (line == 0) return fmt::format("{}: ", echo(file));
+    return fmt::format("{}:{}:{}: ", echo(file), line, column);
+}
+
+SourceLocation Scene::location_of(const std::string& key) const {
+    // The key itself, then each table above it.
+    std::string path = key;
+    while (true) {
+        const auto found = locations.find(path);
+        if (found != locations.end()) return found->second;
+        const std::size_t dot = path.rfind('.');
+        if (dot == std::string::npos) break;
+        path.resize(dot);
+    }
+    return {file.string(), 1, 1};
+}
+
+std::string Scene::where(const std::string& key) const { return location_of(key).prefix(); }
+
+MotionProblem problem_of(const Scene& scene) {
+    MotionProblem problem;
+    problem.inertia = scene.body.inertia;
+    problem.start = {0.0, scene.start.space_from_body, scene.start.omega_rad_s};
+    problem.torque = scene.torque;
+    problem.method = scene.method;
+
+    const FilmSpec& film = scene.film;
+    const double duration_s = film.duration_s.value_or(default_film_s * film.speed);
+    problem.first_time_s = std::min(0.0, film.start_s);
+    problem.last_time_s = std::max(0.0, film.start_s + duration_s);
+    return problem;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,44 @@
+// What was read so far, before the ways of giving a thing are weighed against each other.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace poinsot {
+
+// Filled by the rows of the key table; values that several keys decide together wait here.
+struct SceneDraft {
+    Scene scene;
+
+    // [body]
+    std::optional<Eigen::Vector3d> moments_kg_m2;
+    std::optional<Eigen::Matrix3d> tensor_kg_m2;
+    std::optional<std::vector<double>> size_m;
+    std::optional<double> mass_kg;
+    std::vector<PointMass> masses;
+
+    // [start]
+    std::optional<Eigen::Vector4d> attitude;  // w, x, y, z
+    std::optional<Eigen::Matrix3d> attitude_matrix;
+    TopStart top;
+
+    // [torque]
+    std::string torque_kind = "none";
+    GravityTorque gravity;
+    ConstantBodyTorque constant_body;
+    ConstantSpaceTorque constant_space;
+    DissipationTorque dissipation;
+
+    bool has(const std::string& key) const { return scene.locations.contains(key); }
+};
+
+// Weighs the draft's values against each other and makes the scene. Throws SceneError for what is
+// missing or contradictory, and for bodies that cannot be.
+Scene complete_scene(SceneDraft draft);
+
+}  // namespace poinsot

@@ -1,0 +1,28 @@
+// What is thrown for a scene that cannot be used: an InputError that knows where it stands.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "error/error.h"
+#include "scene/scene.h"
+
+namespace poinsot {
+
+// "file:line:column: what is wrong; what to do".
+class SceneError : public InputError {
+ public:
+    SceneError(SourceLocation where, std::string_view what_and_remedy)
+        : InputError(where.prefix() + std::string(what_and_remedy)), where_(std::move(where)) {}
+
+    const SourceLocation& where() const { return where_; }
+
+ private:
+    SourceLocation where_;
+};
+
+// Text from a scene or command line, made safe to echo in a message: control characters (C0, C1)
+// and bytes that are not UTF-8 are written as escapes, and long text is cut short.
+std::string echo(std::string_view text);
+
+}  // namespace poinsot

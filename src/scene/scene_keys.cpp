@@ -1,0 +1,313 @@
+#include "scene/scene_keys.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <limits>
+
+#include "scene/frame_rate.h"
+#include "scene/given_value.h"
+#include "scene/scene_draft.h"
+#include "scene/scene_error.h"
+#include "scene/toml_text.h"
+
+namespace poinsot {
+
+namespace {
+
+using std::size_t;
+using Given = BodySpec::Given;
+
+constexpr std::array<std::string_view, 5> torque_kinds{"none", "gravity", "constant_body",
+                                                       "constant_space", "dissipation"};
+constexpr std::array<std::string_view, 2> camera_motions{"fixed", "co-precessing"};
+constexpr int most_pixels = 16384;  // largest framebuffer
+
+// fps as a number, or as a ratio in a string.
+void read_fps(const GivenValue& given, SceneDraft& draft) {
+    const bool as_text = given.value().type == TomlValue::Type::text;
+    const auto rate = as_text ? rate_of_text(given.text()) : rate_of_decimal(given.number());
+    if (!rate) {
+        given.refuse(
+            as_text ? fmt::format("\"{}\"", echo(given.text())) : fmt::format("{}", given.number()),
+            "give video frames a second from 0.001 to 1000, as 30, 29.97 or "
+            "\"30000/1001\"");
+    }
+    draft.scene.film.fps_numerator = rate->first;
+    draft.scene.film.fps_denominator = rate->second;
+}
+
+// size as [width, height], or as "1920x1080".
+void read_size(const GivenValue& given, SceneDraft& draft) {
+    const TomlValue& value = given.value();
+    std::array<std::int64_t, 2> size{};
+    std::string written;
+    if (value.type == TomlValue::Type::text) {
+        written = echo(given.text());
+        int used = 0;
+        const std::string text = given.text();
+        const bool digits = text.find_first_not_of("0123456789x") == std::string::npos;
+        const int n = std::sscanf(text.c_str(), "%9ldx%9ld%n", &size[0], &size[1], &used);
+        if (!digits || n != 2 || used != static_cast<int>(text.size())) {
+            given.refuse(fmt::format("\"{}\"", written),
+                         "give width and height in pixels, as in \"1920x1080\"");
+        }
+    } else {
+        if (value.type != TomlValue::Type::array || value.items.size() != 2) given.refuse_type();
+        for (size_t i = 0; i < 2; ++i) {
+            if (value.items[i].type != TomlValue::Type::integer) given.refuse_type();
+            size[i] = value.items[i].integer;
+        }
+        written = fmt::format("{}x{}", size[0], size[1]);
+    }
+    for (const std::int64_t n_pixels : size) {
+        if (n_pixels < 1 || n_pixels > most_pixels) {
+            given.refuse(written,
+                         fmt::format("give a width and a height from 1 to {} pixels", most_pixels));
+        }
+    }
+    draft.scene.film.width_px = static_cast<int>(size[0]);
+    draft.scene.film.height_px = static_cast<int>(size[1]);
+}
+
+// Texts of values that only some scenes say.
+std::string top_text(const Scene& scene, double TopStart::*angle) {
+    return scene.start.top ? toml_text((*scene.start.top).*angle) : "";
+}
+
+template <typename Kind, typename Value>
+std::string torque_text(const Scene& scene, Value Kind::*value) {
+    const auto* torque = std::get_if<Kind>(&scene.torque);
+    return torque != nullptr ? toml_text(torque->*value) : "";
+}
+
+template <typename Value>
+std::string optional_text(const std::optional<Value>& value) {
+    return value ? toml_text(*value) : "";
+}
+
+std::string attitude_text(const Scene& scene) {
+    const Eigen::Quaterniond& q = scene.start.space_from_body;
+    if (scene.start.top || q.coeffs() == Eigen::Quaterniond::Identity().coeffs()) return "";
+    return toml_text(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()));
+}
+
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double smallest = std::numeric_limits<double>::denorm_min();
+constexpr double pi = 3.141592653589793;
+
+const SceneKey table[] = {
+    {"title", "a string", "", R"("Tennis racket")",
+     "heading of the picture; default: the file's name",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.title = g.text(); },
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.title)); }},
+    {"caption", "a string", "", R"("I = (3, 2, 1) kg m²")", "text below the picture; default: none",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.caption = g.text(); },
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.caption)); }},
+    {"accuracy_px", "a number", "pixels", "0.1",
+     "largest distance of anything drawn from the truth; default 0.1",
+     [](const GivenValue& g, SceneDraft& d) {
+         d.scene.accuracy_px = g.number_between(1e-6, 100.0);
+     },
+     [](const Scene& s, size_t) { return toml_text(s.accuracy_px); }},
+    {"theme", "a string", "", R"("light")", "colours and line styles, see `poinsot list themes`",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.theme = g.text(); },
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.theme)); }},
+    {"show", "a list of strings", "", R"(["plane", "ellipsoid", "polhode"])",
+     "elements drawn, see `poinsot list elements`; default: those that suit the motion",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.show = g.texts(); },
+     [](const Scene& s, size_t) {
+         return s.show.empty() ? "" : toml_text(std::span<const std::string>(s.show));
+     }},
+
+    // The body, in exactly one of four ways.
+    {"body.moments_kg_m2", "three numbers", "kg m²", "[3.0, 2.0, 1.0]",
+     "principal moments, in any order: the axes keep the order given",
+     [](const GivenValue& g, SceneDraft& d) { d.moments_kg_m2 = g.positive_vector(); },
+     [](const Scene& s, size_t) {
+         return s.body.given == Given::moments ? toml_text(s.body.inertia.moments_kg_m2()) : "";
+     }},
+    {"body.tensor_kg_m2", "three rows of three numbers", "kg m²",
+     "[[3.0, 0.1, 0.0], [0.1, 2.0, 0.0], [0.0, 0.0, 2.5]]",
+     "the full symmetric inertia tensor about the centre of mass, in any body axes",
+     [](const GivenValue& g, SceneDraft& d) { d.tensor_kg_m2 = g.matrix(); },
+     [](const Scene& s, size_t) {
+         return s.body.given == Given::tensor ? toml_text(s.body.tensor_kg_m2) : "";
+     }},
+    {"body.shape", "a string", "", R"("box")", "a uniform solid: box, ellipsoid, cylinder, …",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.body.shape = g.text(); },
+     [](const Scene& s, size_t) {
+         return s.body.given == Given::solid ? toml_text(std::string_view(s.body.shape)) : "";
+     }},
+    {"body.size_m", "a list of numbers", "m", "[0.3, 0.2, 0.1]",
+     "the solid's sizes: a box's edges, an ellipsoid's half-axes, a cylinder's radius and height, "
+     "…",
+     [](const GivenValue& g, SceneDraft& d) { d.size_m = g.positive_numbers(); },
+     [](const Scene& s, size_t) {
+         return s.body.given == Given::solid ? toml_text(std::span<const double>(s.body.size_m))
+                                             : "";
+     }},
+    {"body.mass_kg", "a number", "kg", "2.0", "the solid's mass",
+     [](const GivenValue& g, SceneDraft& d) { d.mass_kg = g.positive(); },
+     [](const Scene& s, size_t) {
+         return s.body.given == Given::solid ? toml_text(s.body.mass_kg) : "";
+     }},
+    {"body.allow_unphysical", "true or false", "", "true",
+     "keep the mathematics where no real body has these moments; default false",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.body.allow_unphysical = g.boolean(); },
+     [](const Scene& s, size_t) { return s.body.allow_unphysical ? toml_text(true) : ""; }},
+    {"body.masses[].mass_kg", "a number", "kg", "1.0", "mass of one point",
+     [](const GivenValue& g, SceneDraft& d) { d.masses.at(g.item()).mass_kg = g.positive(); },
+     [](const Scene& s, size_t i) { return toml_text(s.body.masses_as_given.at(i).mass_kg); }},
+    {"body.masses[].at_m", "three numbers", "m", "[0.5, 0.0, -0.25]",
+     "its place in body axes, from any origin: the centre of mass is found",
+     [](const GivenValue& g, SceneDraft& d) { d.masses.at(g.item()).at_m = g.vector(); },
+     [](const Scene& s, size_t i) { return toml_text(s.body.masses_as_given.at(i).at_m); }},
+
+    // The state at t = 0, by ω or by the Euler angles of a top.
+    {"start.omega_rad_s", "three numbers", "rad/s", "[0.01, 2.0, 0.01]",
+     "angular velocity at t = 0, in body axes",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.start.omega_rad_s = g.vector(); },
+     [](const Scene& s, size_t) { return s.start.top ? "" : toml_text(s.start.omega_rad_s); }},
+    {"start.attitude", "four numbers w, x, y, z", "", "[0.5, 0.5, 0.5, 0.5]",
+     "space_from_body at t = 0 as a quaternion; default: body and space axes coincide",
+     [](const GivenValue& g, SceneDraft& d) { d.attitude = g.four_numbers(); },
+     [](const Scene& s, size_t) { return attitude_text(s); }},
+    {"start.attitude_matrix", "three rows of three numbers", "",
+     "[[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]",
+     "space_from_body at t = 0 as a rotation matrix",
+     [](const GivenValue& g, SceneDraft& d) { d.attitude_matrix = g.matrix(); },
+     [](const Scene&, size_t) { return std::string(); }},  // written as start.attitude
+    {"start.theta_rad", "a number", "rad", "0.7",
+     "a top's tilt at t = 0: angle of e3 from the vertical, 0 to π (φ = ψ = 0)",
+     [](const GivenValue& g, SceneDraft& d) { d.top.theta_rad = g.number_between(0.0, pi); },
+     [](const Scene& s, size_t) { return top_text(s, &TopStart::theta_rad); }},
+    {"start.theta_dot_rad_s", "a number", "rad/s", "0.0", "its rate; default 0",
+     [](const GivenValue& g, SceneDraft& d) { d.top.theta_dot_rad_s = g.number(); },
+     [](const Scene& s, size_t) { return top_text(s, &TopStart::theta_dot_rad_s); }},
+    {"start.phi_dot_rad_s", "a number", "rad/s", "0.35",
+     "the top's rate of precession at t = 0; default 0",
+     [](const GivenValue& g, SceneDraft& d) { d.top.phi_dot_rad_s = g.number(); },
+     [](const Scene& s, size_t) { return top_text(s, &TopStart::phi_dot_rad_s); }},
+    {"start.omega3_rad_s", "a number", "rad/s", "8.0",
+     "the top's spin: component of ω along e3; default 0",
+     [](const GivenValue& g, SceneDraft& d) { d.top.omega3_rad_s = g.number(); },
+     [](const Scene& s, size_t) { return top_text(s, &TopStart::omega3_rad_s); }},
+
+    // The torque, one kind with its own keys.
+    {"torque.kind", "a string", "", R"("gravity")",
+     "none, gravity, constant_body, constant_space or dissipation; default none",
+     [](const GivenValue& g, SceneDraft& d) { d.torque_kind = g.one_of(torque_kinds); },
+     [](const Scene& s, size_t) {
+         return s.torque.index() == 0 ? "" : toml_text(torque_kinds.at(s.torque.index()));
+     }},
+    {"torque.mgl_N_m", "a number", "N m", "1.0",
+     "gravity: weight times distance of the centre of mass from the fixed point",
+     [](const GivenValue& g, SceneDraft& d) { d.gravity.mgl_N_m = g.number(); },
+     [](const Scene& s, size_t) { return torque_text(s, &GravityTorque::mgl_N_m); }},
+    {"torque.arm_body", "three numbers", "", "[0.0, 0.0, 1.0]",
+     "gravity: direction from the fixed point to the centre of mass, body axes; default e3",
+     [](const GivenValue& g, SceneDraft& d) { d.gravity.arm_body = g.vector(); },
+     [](const Scene& s, size_t) { return torque_text(s, &GravityTorque::arm_body); }},
+    {"torque.torque_body_N_m", "three numbers", "N m", "[0.0, 0.0, 0.1]",
+     "constant_body: the torque in body axes",
+     [](const GivenValue& g, SceneDraft& d) { d.constant_body.torque_body_N_m = g.vector(); },
+     [](const Scene& s, size_t) { return torque_text(s, &ConstantBodyTorque::torque_body_N_m); }},
+    {"torque.torque_space_N_m", "three numbers", "N m", "[0.0, 0.0, 0.1]",
+     "constant_space: the torque in space axes",
+     [](const GivenValue& g, SceneDraft& d) { d.constant_space.torque_space_N_m = g.vector(); },
+     [](const Scene& s, size_t) { return torque_text(s, &ConstantSpaceTorque::torque_space_N_m); }},
+    {"torque.rate_1_s", "a number", "1/s", "0.05",
+     "dissipation: rate of internal friction, at which T decays while L is kept",
+     [](const GivenValue& g, SceneDraft& d) { d.dissipation.rate_1_s = g.positive(); },
+     [](const Scene& s, size_t) { return torque_text(s, &DissipationTorque::rate_1_s); }},
+
+    // How the motion is computed.
+    {"motion.method", "a string", "", R"("exact")",
+     "how the motion is computed, see `poinsot list methods`; default exact",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.method.name = g.text(); },
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.method.name)); }},
+    {"motion.step_s", "a number", "s", "0.01",
+     "step of a stepping method; default: chosen from accuracy_px",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.method.step_s = g.positive(); },
+     [](const Scene& s, size_t) { return optional_text(s.method.step_s); }},
+    {"motion.tolerance", "a number", "", "1e-9",
+     "relative error of an adaptive method; default: chosen from accuracy_px",
+     [](const GivenValue& g, SceneDraft& d) {
+         d.scene.method.tolerance = g.number_between(smallest, 1.0);
+     },
+     [](const Scene& s, size_t) { return optional_text(s.method.tolerance); }},
+    {"motion.order", "an integer", "", "4", "order of a method that comes in several",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.method.order = g.integer_between(1, 20); },
+     [](const Scene& s, size_t) { return optional_text(s.method.order); }},
+
+    // Which instants become video frames.
+    {"film.start_s", "a number", "s", "0.0",
+     "instant of the motion that the film begins with; default 0",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.film.start_s = g.number(); },
+     [](const Scene& s, size_t) { return toml_text(s.film.start_s); }},
+    {"film.duration_s", "a number", "s", "12.0",
+     "stretch of the motion that is shown; default: ten seconds of film",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.film.duration_s = g.positive(); },
+     [](const Scene& s, size_t) { return optional_text(s.film.duration_s); }},
+    {"film.fps", "a number or a ratio in a string", "1/s", R"("30000/1001")",
+     "video frames a second; 29.97 means 30000/1001; default 30", read_fps,
+     [](const Scene& s, size_t) {
+         const std::string rate = text_of_rate({s.film.fps_numerator, s.film.fps_denominator});
+         return s.film.fps_denominator == 1 ? rate : toml_text(std::string_view(rate));
+     }},
+    {"film.size", "two integers or a string", "pixels", "[1920, 1080]",
+     "width and height of the picture, also \"1920x1080\"; default 1920x1080", read_size,
+     [](const Scene& s, size_t) {
+         return fmt::format("[{}, {}]", s.film.width_px, s.film.height_px);
+     }},
+    {"film.speed", "a number", "", "1.0", "seconds of motion a second of film; default 1",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.film.speed = g.positive(); },
+     [](const Scene& s, size_t) { return toml_text(s.film.speed); }},
+    {"film.quality", "a string", "", R"("lecture")",
+     "draft, lecture, print or reference, see `poinsot list qualities`; default lecture",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.film.quality = g.text(); },
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.film.quality)); }},
+
+    // Where it is seen from; the picture's vertical is L.
+    {"camera.azimuth_deg", "a number", "degrees", "-58.0",
+     "direction of the camera about the vertical",
+     [](const GivenValue& g, SceneDraft& d) {
+         d.scene.camera.azimuth_deg = g.number_between(-3600.0, 3600.0);
+     },
+     [](const Scene& s, size_t) { return toml_text(s.camera.azimuth_deg); }},
+    {"camera.elevation_deg", "a number", "degrees", "20.0", "its height above the plane, -89 to 89",
+     [](const GivenValue& g, SceneDraft& d) {
+         d.scene.camera.elevation_deg = g.number_between(-89.0, 89.0);
+     },
+     [](const Scene& s, size_t) { return toml_text(s.camera.elevation_deg); }},
+    {"camera.distance", "a number", "largest half-axes", "5.2", "its distance from the target",
+     [](const GivenValue& g, SceneDraft& d) {
+         d.scene.camera.distance = g.number_between(0.01, 10000.0);
+     },
+     [](const Scene& s, size_t) { return toml_text(s.camera.distance); }},
+    {"camera.field_deg", "a number", "degrees", "28.0", "its vertical field of view, 0.1 to 150",
+     [](const GivenValue& g, SceneDraft& d) {
+         d.scene.camera.field_deg = g.number_between(0.1, 150.0);
+     },
+     [](const Scene& s, size_t) { return toml_text(s.camera.field_deg); }},
+    {"camera.target", "three numbers", "largest half-axes", "[0.0, 0.0, -0.2]",
+     "the point it looks at, in picture axes; default: the construction's middle",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.camera.target = g.vector(); },
+     [](const Scene& s, size_t) { return optional_text(s.camera.target); }},
+    {"camera.motion", "a string", "", R"("fixed")",
+     "fixed, or co-precessing: turning with the herpolhode's mean advance; default fixed",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.camera.motion = g.one_of(camera_motions); },
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.camera.motion)); }},
+};
+
+}  // namespace
+
+std::string SceneKey::expectation() const {
+    return fmt::format("{}{}{}, as in {} = {}", type, unit.empty() ? "" : " in ", unit, leaf(),
+                       example);
+}
+
+std::span<const SceneKey> scene_keys() { return table; }
+
+}  // namespace poinsot

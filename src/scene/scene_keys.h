@@ -1,0 +1,55 @@
+// The table of scene keys: everything that a scene file may say, one row each. It drives reading,
+// writing, suggestions, `poinsot list keys` and the test that every row is covered.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace poinsot {
+
+class GivenValue;
+struct Scene;
+struct SceneDraft;
+
+// One key. In a path, "[]" stands for the index in an array of tables: "body.masses[].mass_kg".
+struct SceneKey {
+    std::string_view path;     // "start.omega_rad_s"
+    std::string_view type;     // "three numbers"
+    std::string_view unit;     // "rad/s", or empty
+    std::string_view example;  // a value as TOML text
+    std::string_view summary;  // what it means, and the default where there is one
+
+    // Stores the value; throws SceneError for a wrong type or a number out of its domain.
+    void (*read)(const GivenValue& given, SceneDraft& draft);
+
+    // The value as TOML text, or empty if the scene does not say it. `item`: index for "[]".
+    std::string (*write)(const Scene& scene, std::size_t item);
+
+    // "omega_rad_s"
+    std::string_view leaf() const { return path.substr(path.rfind('.') + 1); }
+    // "start", or empty at the top of the file
+    std::string_view table() const {
+        const std::size_t dot = path.rfind('.');
+        return dot == std::string_view::npos ? "" : path.substr(0, dot);
+    }
+    // "three numbers in rad/s, as in omega_rad_s = [0.01, 2.0, 0.01]"
+    std::string expectation() const;
+};
+
+std::span<const SceneKey> scene_keys();
+
+// The row of a path, or null.
+const SceneKey* find_scene_key(std::string_view path);
+
+// What stands for an unknown path, ready to append to a message: `; did you mean "x"?`, or the keys
+// of its table. `in_file`: keys are named as they are written below their [table], otherwise by
+// their whole path.
+std::string scene_key_remedy(std::string_view unknown_path, bool in_file);
+
+// True if rows lie below this path ("body"), or below its items ("body.masses").
+bool is_scene_table(std::string_view path);
+bool is_scene_array(std::string_view path);
+
+}  // namespace poinsot

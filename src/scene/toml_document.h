@@ -1,0 +1,49 @@
+// A TOML file as plain values that know where they stand. The only door to toml++.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace poinsot {
+
+struct TomlEntry;
+
+// One value of a TOML document.
+struct TomlValue {
+    enum class Type { boolean, integer, number, text, date, array, table };
+    Type type = Type::table;
+    SourceLocation where;
+    bool boolean = false;
+    std::int64_t integer = 0;
+    double number = 0.0;             // of an integer, too
+    std::string text;                // UTF-8
+    std::vector<TomlValue> items;    // array
+    std::vector<TomlEntry> entries;  // table, in the file's order
+};
+
+struct TomlEntry {
+    std::string key;
+    SourceLocation where;  // of the key
+    TomlValue value;
+};
+
+// "a string", "an integer", "a table", ….
+std::string_view name_of(TomlValue::Type type);
+
+// The document's root table. Throws SceneError for what is not TOML, and beforehand for text that a
+// scene has no use for and parsers choke on: control characters, bytes that are not UTF-8, more
+// than 1 MiB, brackets nested deeper than 16, keys of more than 16 parts.
+TomlValue parse_toml(std::string_view text, const std::string& file_name);
+
+// The value of a --set: TOML if it reads as one value, otherwise the text itself as a string.
+TomlValue parse_override_value(std::string_view text, const SourceLocation& where);
+
+// The checks of parse_toml that come before parsing. `start` is where the text begins; line 0: it
+// is not from a file. Throws SceneError.
+void refuse_hostile_text(std::string_view text, const SourceLocation& start);
+
+}  // namespace poinsot
