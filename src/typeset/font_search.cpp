@@ -27,7 +27,7 @@ const std::array<std::string_view, 7>& font_names() {
 
 std::filesystem::path find_font(std::string_view name, const FontSearch& search) {
     for (const std::filesystem::path& folder : search.folders) {
-        const std::filesystem::path file = folder / name;
+        std::filesystem::path file = folder / name;
         std::error_code ignored;
         if (std::filesystem::is_regular_file(file, ignored)) return file;
     }

@@ -5,16 +5,10 @@
 
 #include "typeset/font_set.h"
 #include "typeset/label_tree.h"
+#include "typeset/math_style.h"
 #include "typeset/type_box.h"
 
 namespace poinsot {
-
-// The style of a formula: how large it is and how much room it may take (The TeXbook, p. 140).
-struct MathStyle {
-    enum class Level { display, text, script, script_script };
-    Level level = Level::text;
-    bool cramped = false;  // superscripts stay low
-};
 
 // Sets a list of atoms at size_px (px per em in text style), the baseline of the whole at y = 0.
 // Follows appendix G of The TeXbook with the parameters of the font's own OpenType MATH table

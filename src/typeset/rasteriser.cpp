@@ -167,7 +167,7 @@ void Rasteriser::sum_rows(Store store) const {
         double winding = 0.0;
         for (int column = 0; column < width_; ++column) {
             winding += cells[column];
-            store(row, column, std::min(1.0, std::abs(winding)));
+            store(std::min(1.0, std::abs(winding)));
         }
     }
 }
@@ -176,14 +176,14 @@ std::vector<double> Rasteriser::coverage() const {
     std::vector<double> covered(static_cast<std::size_t>(width_) *
                                 static_cast<std::size_t>(n_rows_));
     auto at = covered.begin();
-    sum_rows([&at](int, int, double part) { *at++ = part; });
+    sum_rows([&at](double part) { *at++ = part; });
     return covered;
 }
 
 void Rasteriser::write(std::uint8_t* rows) const {
-    sum_rows([&rows](int, int, double part) {
-        *rows++ = static_cast<std::uint8_t>(255.0 * part + 0.5);
-    });
+    // Coverage is never negative, so that adding a half and cutting rounds to nearest.
+    constexpr double kHalf = 0.5;
+    sum_rows([&rows](double part) { *rows++ = static_cast<std::uint8_t>(255.0 * part + kHalf); });
 }
 
 }  // namespace poinsot

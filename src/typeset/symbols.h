@@ -1,16 +1,13 @@
-// The names that labels may use, and the alphabets of mathematics: tables from command to Unicode.
+// The names that labels may use: a table from command to Unicode.
 #pragma once
 
 #include <string_view>
 #include <vector>
 
 #include "typeset/label_tree.h"
+#include "typeset/math_alphabet.h"
 
 namespace poinsot {
-
-// How letters look: `normal` is mathematical italic for Latin and small Greek letters, upright for
-// capital Greek letters and digits, as TeX has it.
-enum class MathAlphabet { normal, upright, italic, bold, bold_symbol, calligraphic, double_struck };
 
 // What follows a command's name.
 enum class CommandKind {
@@ -50,9 +47,5 @@ const LabelCommand* find_label_command(std::string_view name);
 // it (- is drawn as a minus sign).
 LabelCharacter drawn_symbol(LabelCharacter character);
 AtomClass symbol_class(char32_t drawn);
-
-// The character of the Unicode mathematical alphabet (Unicode Standard §22.2, "Mathematical
-// Alphanumeric Symbols"); characters without letter forms stay as they are.
-char32_t in_alphabet(char32_t character, MathAlphabet alphabet);
 
 }  // namespace poinsot
