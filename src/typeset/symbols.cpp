@@ -133,6 +133,10 @@ std::vector<LabelCommand> make_commands() {
         symbol("vert", U'|'),
         symbol("|", U'‖'),
         symbol("Vert", U'‖'),
+        symbol("lvert", U'|', AtomClass::open),
+        symbol("rvert", U'|', AtomClass::close),
+        symbol("lVert", U'‖', AtomClass::open),
+        symbol("rVert", U'‖', AtomClass::close),
         symbol("backslash", U'\\'),
         symbol("{", U'{', AtomClass::open),
         symbol("}", U'}', AtomClass::close),
@@ -280,6 +284,9 @@ AtomClass symbol_class(char32_t drawn) {
         case U'>':
         case U':':
             return AtomClass::rel;
+        case U'|':
+        case U'‖':
+            return AtomClass::ord;
         case U'+':
         case U'−':
             return AtomClass::bin;

@@ -155,6 +155,9 @@ TEST(MathLabels, RawUnicodeMeansWhatItsCommandMeans) {
     EXPECT_EQ(parse_math("ω").at(0).symbol, parse_math("\\omega").at(0).symbol);
     EXPECT_EQ(parse_math("≤").at(0).atom_class, AtomClass::rel);
     EXPECT_EQ(parse_math("-").at(0).symbol, 0x2212u);
+    // A bare bar may open or close; only \\lvert and \\rvert say which.
+    EXPECT_EQ(parse_math("|").at(0).atom_class, AtomClass::ord);
+    EXPECT_EQ(parse_math("\\lvert").at(0).atom_class, AtomClass::open);
 
     const MathList with_digits = parse_math("ω₁²");
     ASSERT_EQ(with_digits.size(), 1u);
