@@ -347,6 +347,44 @@ void check_film(const Scene& scene) {
     }
 }
 
+// [grid] and [[panels]]
+
+// A grid that was not given has as many equal cells as the panels reach.
+void complete_grid(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    const auto extend = [&](const std::string& key, std::vector<double>& sizes, int PanelSpec::*at,
+                            int PanelSpec::*span) {
+        for (std::size_t i = 0; i < scene.panels.size(); ++i) {
+            const int end = scene.panels[i].*at + scene.panels[i].*span;
+            if (end <= static_cast<int>(sizes.size())) continue;
+            if (draft.has(key)) {
+                refuse(scene, fmt::format("panels[{}]", i),
+                       fmt::format("panels[{}] reaches to cell {} of {}, which has {}; move it or "
+                                   "extend the grid",
+                                   i, end, key, sizes.size()));
+            }
+            sizes.resize(static_cast<std::size_t>(end), 1.0);
+        }
+    };
+    extend("grid.columns", scene.grid.columns, &PanelSpec::column, &PanelSpec::columns);
+    extend("grid.rows", scene.grid.rows, &PanelSpec::row, &PanelSpec::rows);
+
+    for (std::size_t j = 1; j < scene.panels.size(); ++j) {
+        for (std::size_t i = 0; i < j; ++i) {
+            const PanelSpec& a = scene.panels[i];
+            const PanelSpec& b = scene.panels[j];
+            const bool apart = a.column + a.columns <= b.column ||
+                               b.column + b.columns <= a.column || a.row + a.rows <= b.row ||
+                               b.row + b.rows <= a.row;
+            if (apart) continue;
+            refuse(scene, fmt::format("panels[{}]", j),
+                   fmt::format("panels[{}] covers a cell of panels[{}]; give each panel cells of "
+                               "its own by column and row",
+                               j, i));
+        }
+    }
+}
+
 }  // namespace
 
 Scene complete_scene(SceneDraft draft) {
@@ -354,6 +392,7 @@ Scene complete_scene(SceneDraft draft) {
     complete_start(draft);
     complete_torque(draft);
     check_film(draft.scene);
+    complete_grid(draft);
     return std::move(draft.scene);
 }
 

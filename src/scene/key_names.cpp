@@ -74,7 +74,12 @@ bool is_scene_table(std::string_view path) {
     });
 }
 
-bool is_scene_array(std::string_view path) { return is_scene_table(fmt::format("{}[]", path)); }
+const SceneArray* find_scene_array(std::string_view path) {
+    const auto arrays = scene_arrays();
+    const auto found = std::find_if(arrays.begin(), arrays.end(),
+                                    [path](const SceneArray& array) { return array.path == path; });
+    return found == arrays.end() ? nullptr : &*found;
+}
 
 std::string scene_key_remedy(std::string_view unknown_path, bool in_file) {
     const std::size_t dot = unknown_path.rfind('.');

@@ -80,7 +80,7 @@ Override parse_override(const std::string& text) {
     key.erase(key.find_last_not_of(" \t") + 1);
     key.erase(0, key.find_first_not_of(" \t"));
     const SceneKey* row = find_scene_key(key);
-    if (row == nullptr && !is_scene_array(key)) {
+    if (row == nullptr && find_scene_array(key) == nullptr) {
         const bool table = is_scene_table(key);
         throw SceneError(where, table ? fmt::format("[{}] is a table; set one of its keys, see "
                                                     "`poinsot list keys`",
@@ -156,9 +156,9 @@ class Reader {
             if (const SceneKey* key = find_scene_key(entry_path)) {
                 draft_.scene.locations[entry_name] = entry.where;
                 key->read(GivenValue(*key, entry_name, item, entry.value), draft_);
-            } else if (is_scene_array(entry_path)) {
+            } else if (const SceneArray* array = find_scene_array(entry_path)) {
                 draft_.scene.locations[entry_name] = entry.where;
-                read_array(entry, entry_path, entry_name);
+                read_array(*array, entry, entry_name);
             } else if (is_scene_table(entry_path)) {
                 draft_.scene.locations[entry_name] = entry.where;
                 if (entry.value.type != TomlValue::Type::table) {
@@ -178,8 +178,8 @@ class Reader {
         return table + (table.empty() ? "" : ".") + (plain ? key : "\"" + key + "\"");
     }
 
-    void read_array(const TomlEntry& entry, const std::string& path, const std::string& name) {
-        const std::string kind = fmt::format("an array of tables, as in [[{}]]", path);
+    void read_array(const SceneArray& array, const TomlEntry& entry, const std::string& name) {
+        const std::string kind = fmt::format("an array of tables, as in [[{}]]", array.path);
         if (entry.value.type != TomlValue::Type::array) refuse_kind(entry, name, kind);
         for (std::size_t i = 0; i < entry.value.items.size(); ++i) {
             const TomlValue& item = entry.value.items[i];
@@ -189,8 +189,8 @@ class Reader {
                                                          name_of(item.type), name, kind));
             }
             draft_.scene.locations[item_name] = item.where;
-            if (path == "body.masses") draft_.masses.emplace_back();
-            read_table(item, path + "[]", item_name, i);
+            array.grow(draft_);
+            read_table(item, fmt::format("{}[]", array.path), item_name, i);
         }
     }
 

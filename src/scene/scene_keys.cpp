@@ -70,6 +70,19 @@ void read_size(const GivenValue& given, SceneDraft& draft) {
     draft.scene.film.height_px = static_cast<int>(size[1]);
 }
 
+constexpr int most_cells = 64;  // columns or rows of a grid
+
+int cell(const GivenValue& given, int least) { return given.integer_between(least, most_cells); }
+
+std::vector<double> grid_sizes(const GivenValue& given) {
+    std::vector<double> sizes = given.positive_numbers();
+    if (sizes.empty() || sizes.size() > most_cells) {
+        given.refuse(fmt::format("a list of {} numbers", sizes.size()),
+                     fmt::format("give 1 to {} relative sizes", most_cells));
+    }
+    return sizes;
+}
+
 // Texts of values that only some scenes say.
 std::string top_text(const Scene& scene, double TopStart::*angle) {
     return scene.start.top ? toml_text((*scene.start.top).*angle) : "";
@@ -92,7 +105,6 @@ std::string attitude_text(const Scene& scene) {
     return toml_text(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()));
 }
 
-constexpr double largest = std::numeric_limits<double>::max();
 constexpr double smallest = std::numeric_limits<double>::denorm_min();
 constexpr double pi = 3.141592653589793;
 
@@ -299,6 +311,39 @@ const SceneKey table[] = {
      "fixed, or co-precessing: turning with the herpolhode's mean advance; default fixed",
      [](const GivenValue& g, SceneDraft& d) { d.scene.camera.motion = g.one_of(camera_motions); },
      [](const Scene& s, size_t) { return toml_text(std::string_view(s.camera.motion)); }},
+
+    // Several views of one motion, in the cells of a grid.
+    {"grid.columns", "a list of numbers", "", "[2.0, 1.0]",
+     "relative widths of the columns that panels stand in; default: equal ones",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.grid.columns = grid_sizes(g); },
+     [](const Scene& s, size_t) { return toml_text(std::span<const double>(s.grid.columns)); }},
+    {"grid.rows", "a list of numbers", "", "[1.0, 1.0]",
+     "relative heights of the rows that panels stand in; default: equal ones",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.grid.rows = grid_sizes(g); },
+     [](const Scene& s, size_t) { return toml_text(std::span<const double>(s.grid.rows)); }},
+    {"panels[].kind", "a string", "", R"("space")",
+     "what the panel shows, see `poinsot list panels`",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).kind = g.text(); },
+     [](const Scene& s, size_t i) { return toml_text(std::string_view(s.panels.at(i).kind)); }},
+    {"panels[].column", "an integer", "", "0", "column of its upper left cell, from 0; default 0",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).column = cell(g, 0); },
+     [](const Scene& s, size_t i) { return toml_text(s.panels.at(i).column); }},
+    {"panels[].row", "an integer", "", "0", "row of its upper left cell, from 0; default 0",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).row = cell(g, 0); },
+     [](const Scene& s, size_t i) { return toml_text(s.panels.at(i).row); }},
+    {"panels[].columns", "an integer", "", "1", "number of columns that it spans; default 1",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).columns = cell(g, 1); },
+     [](const Scene& s, size_t i) { return toml_text(s.panels.at(i).columns); }},
+    {"panels[].rows", "an integer", "", "1", "number of rows that it spans; default 1",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).rows = cell(g, 1); },
+     [](const Scene& s, size_t i) { return toml_text(s.panels.at(i).rows); }},
+};
+
+const SceneArray arrays[] = {
+    {"body.masses", [](SceneDraft& d) { d.masses.emplace_back(); },
+     [](const Scene& s) { return s.body.masses_as_given.size(); }},
+    {"panels", [](SceneDraft& d) { d.scene.panels.emplace_back(); },
+     [](const Scene& s) { return s.panels.size(); }},
 };
 
 }  // namespace
@@ -309,5 +354,6 @@ std::string SceneKey::expectation() const {
 }
 
 std::span<const SceneKey> scene_keys() { return table; }
+std::span<const SceneArray> scene_arrays() { return arrays; }
 
 }  // namespace poinsot

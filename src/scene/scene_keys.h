@@ -40,6 +40,15 @@ struct SceneKey {
 
 std::span<const SceneKey> scene_keys();
 
+// An array of tables whose items' keys are rows with "[]" in their path.
+struct SceneArray {
+    std::string_view path;                       // "body.masses"
+    void (*grow)(SceneDraft& draft);             // adds an item with its defaults
+    std::size_t (*n_items)(const Scene& scene);  // to be written
+};
+
+std::span<const SceneArray> scene_arrays();
+
 // The row of a path, or null.
 const SceneKey* find_scene_key(std::string_view path);
 
@@ -48,8 +57,10 @@ const SceneKey* find_scene_key(std::string_view path);
 // their whole path.
 std::string scene_key_remedy(std::string_view unknown_path, bool in_file);
 
-// True if rows lie below this path ("body"), or below its items ("body.masses").
+// The array of tables of a path, or null.
+const SceneArray* find_scene_array(std::string_view path);
+
+// True if rows lie below this path: "body".
 bool is_scene_table(std::string_view path);
-bool is_scene_array(std::string_view path);
 
 }  // namespace poinsot

@@ -20,11 +20,12 @@ std::string to_toml(const Scene& scene) {
         }
         text += fmt::format("{} = {}\n", key.leaf(), value);
     }
-    if (scene.body.given != BodySpec::Given::masses) return text;
-    for (std::size_t i = 0; i < scene.body.masses_as_given.size(); ++i) {
-        text += "\n[[body.masses]]\n";
-        for (const SceneKey& key : scene_keys()) {
-            if (key.table() == "body.masses[]") {
+    for (const SceneArray& array : scene_arrays()) {
+        const std::string items = fmt::format("{}[]", array.path);
+        for (std::size_t i = 0; i < array.n_items(scene); ++i) {
+            text += fmt::format("\n[[{}]]\n", array.path);
+            for (const SceneKey& key : scene_keys()) {
+                if (key.table() != items) continue;
                 text += fmt::format("{} = {}\n", key.leaf(), key.write(scene, i));
             }
         }
