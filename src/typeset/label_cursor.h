@@ -27,8 +27,10 @@ class LabelCursor {
     char32_t peek(std::size_t ahead = 0) const {
         return position_ + ahead < characters_.size() ? characters_[position_ + ahead] : 0;
     }
-    // The character before the next one, or 0 at the start.
-    char32_t previous() const { return position_ > 0 ? characters_[position_ - 1] : 0; }
+    // The character that many before the next one, or 0 before the start.
+    char32_t previous(std::size_t back = 1) const {
+        return position_ >= back ? characters_[position_ - back] : 0;
+    }
     int column() const { return static_cast<int>(position_) + 1; }
     LabelCharacter take();
     void skip_spaces();

@@ -9,6 +9,10 @@
 namespace poinsot {
 namespace {
 
+bool is_relation(char32_t c) {
+    return c == U'=' || c == U'<' || c == U'>' || c == U'≈' || c == U'≤' || c == U'≥';
+}
+
 bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
 
 class CaptionParser {
@@ -152,7 +156,24 @@ class CaptionParser {
         return true;
     }
 
+    // A relation keeps to both its sides: t = 1.25 is not broken over two lines. Called with the
+    // space just read.
+    bool beside_relation() const {
+        const bool after_word =
+            !caption_.empty() && (caption_.back().kind == CaptionPiece::Kind::text ||
+                                  caption_.back().kind == CaptionPiece::Kind::formula);
+        if (!after_word) return false;
+        const char32_t before = cursor_.previous(2), after = cursor_.peek();
+        const bool follows = is_relation(before) && caption_.back().text.characters.size() > 1 &&
+                             cursor_.previous(3) == U' ' && after != U' ';
+        return follows || (is_relation(after) && cursor_.peek(1) == U' ' && before != U' ');
+    }
+
     void space() {
+        if (beside_relation()) {
+            append({U'\u00A0', cursor_.column() - 1});
+            return;
+        }
         if (caption_.empty() || caption_.back().kind == CaptionPiece::Kind::space ||
             caption_.back().kind == CaptionPiece::Kind::line_break) {
             return;

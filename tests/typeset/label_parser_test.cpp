@@ -155,7 +155,7 @@ TEST(MathLabels, RawUnicodeMeansWhatItsCommandMeans) {
     EXPECT_EQ(parse_math("ω").at(0).symbol, parse_math("\\omega").at(0).symbol);
     EXPECT_EQ(parse_math("≤").at(0).atom_class, AtomClass::rel);
     EXPECT_EQ(parse_math("-").at(0).symbol, 0x2212u);
-    // A bare bar may open or close; only \\lvert and \\rvert say which.
+    // A bare bar may open or close; only \lvert and \rvert say which.
     EXPECT_EQ(parse_math("|").at(0).atom_class, AtomClass::ord);
     EXPECT_EQ(parse_math("\\lvert").at(0).atom_class, AtomClass::open);
 
@@ -209,13 +209,22 @@ std::u32string caption_text(const char* text) {
 }
 
 TEST(Captions, HyphensBecomeMinusSignsAndDashesWhereTheyAre) {
-    EXPECT_EQ(caption_text("t = -1.25 s"), U"t = \u22121.25 s");
+    EXPECT_EQ(caption_text("from -1.25 s"), U"from \u22121.25 s");
+    EXPECT_EQ(caption_text("t = -1.25"), U"t\u00A0=\u00A0\u22121.25");
     EXPECT_EQ(caption_text("(-.5)"), U"(\u2212.5)");
     EXPECT_EQ(caption_text("T-handle, 3-1"), U"T-handle, 3-1");
     EXPECT_EQ(caption_text("1--3 --- so"), U"1–3 — so");
     EXPECT_EQ(caption_text("``L''"), U"“L”");
     EXPECT_EQ(caption_text("5\\% \\$ \\{ \\_"), U"5% $ { _");
     EXPECT_EQ(caption_text("50% a_b ^"), U"50% a_b ^");
+}
+
+TEST(Captions, RelationsStayWithBothTheirSides) {
+    EXPECT_EQ(caption_text("at t = 1.25 s"), U"at t\u00A0=\u00A01.25 s");
+    EXPECT_EQ(caption_text("I > J"), U"I\u00A0>\u00A0J");
+    EXPECT_EQ(caption_text("$x$ = 3"), U"\u00A0=\u00A03");
+    EXPECT_EQ(caption_text("a=b c"), U"a=b c");
+    EXPECT_EQ(caption_text("= a"), U"= a");
 }
 
 TEST(Commands, AreSortedUniqueAndFound) {
