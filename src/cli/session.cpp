@@ -29,7 +29,6 @@ FilmPlan film_plan(const Scene& scene, const Motion&) {
     plan.start_s = scene.film.start_s;
     plan.speed = scene.film.speed;
 
-    constexpr double default_film_s = 10.0;
     const double film_s = scene.film.duration_s.value_or(default_film_s * plan.speed) / plan.speed;
     plan.n_frames = std::max<std::int64_t>(1, std::llround(film_s * plan.rate.per_second()));
     return plan;

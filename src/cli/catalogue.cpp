@@ -1,0 +1,68 @@
+#include "cli/catalogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "drawing/elements.h"
+#include "drawing/panel.h"
+#include "drawing/theme.h"
+#include "error/error.h"
+#include "mechanics/solids.h"
+#include "output/frame_sink.h"
+#include "scene/load_scene.h"
+
+namespace poinsot {
+
+namespace {
+
+// The name and summary of every row of a table.
+template <typename Rows>
+std::vector<CatalogueEntry> rows_of(const Rows& rows) {
+    std::vector<CatalogueEntry> entries;
+    for (const auto& row : rows)
+        entries.push_back({std::string(row.name), std::string(row.summary)});
+    return entries;
+}
+
+// The scenes that came with the program, by path, with their titles.
+std::vector<CatalogueEntry> scene_entries() {
+    std::vector<CatalogueEntry> entries;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SCENES_DIR, error)) {
+        if (entry.path().extension() != ".toml") continue;
+        entries.push_back({entry.path().stem().string(), load_scene(entry.path(), {}).title});
+    }
+    if (error) {
+        throw EnvironmentError(fmt::format("{}: {}; the scenes are not where the build left them",
+                                           POINSOT_SCENES_DIR, error.message()));
+    }
+    std::sort(entries.begin(), entries.end(),
+              [](const auto& a, const auto& b) { return a.name < b.name; });
+    return entries;
+}
+
+std::vector<CatalogueEntry> solid_entries() {
+    std::vector<CatalogueEntry> entries;
+    for (const Solid& solid : solids()) {
+        entries.push_back({std::string(solid.name), std::string(solid.size_meaning)});
+    }
+    return entries;
+}
+
+const std::array<Catalogue, 6> table{{
+    {"scenes", scene_entries},
+    {"elements", [] { return rows_of(elements()); }},
+    {"panels", [] { return rows_of(panel_kinds()); }},
+    {"themes", [] { return rows_of(themes()); }},
+    {"formats", [] { return rows_of(output_formats()); }},
+    {"solids", solid_entries},
+}};
+
+}  // namespace
+
+std::span<const Catalogue> catalogues() { return table; }
+
+}  // namespace poinsot
