@@ -1,257 +1,407 @@
 #include "mechanics/free_rotation.h"
 
 #include <algorithm>
-#include <boost/math/special_functions/ellint_rf.hpp>
-#include <boost/math/special_functions/ellint_rj.hpp>
 #include <cmath>
-#include <complex>
+#include <limits>
 #include <numbers>
 
 #include "error/error.h"
+#include "mechanics/elliptic_integrals.h"
 
 namespace poinsot {
 
 namespace {
 
-using Real = long double;
-using Quaternion = std::array<Real, 4>;
-constexpr Real pi = std::numbers::pi_v<Real>;
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
 
-Quaternion multiply(const Quaternion& p, const Quaternion& q) {
-    return {p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3],
-            p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2],
-            p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1],
-            p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]};
+using VectorDD = std::array<DoubleDouble, 3>;
+
+// A quaternion in double-double.
+struct QuaternionDD {
+    DoubleDouble w;
+    VectorDD v;
+};
+
+VectorDD cross(const VectorDD& a, const VectorDD& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-Real complete_first_kind(Real k_complement) {
-    Real a = 1;
-    Real g = k_complement;
-    for (int i = 0; i < 60 && std::abs(a - g) > 1e-19L * a; ++i) {
-        const Real mean = (a + g) / 2;
-        g = std::sqrt(a * g);
-        a = mean;
+QuaternionDD operator*(const QuaternionDD& p, const QuaternionDD& q) {
+    const VectorDD c = cross(p.v, q.v);
+    QuaternionDD r;
+    r.w = p.w * q.w - (p.v[0] * q.v[0] + p.v[1] * q.v[1] + p.v[2] * q.v[2]);
+    for (std::size_t i = 0; i < 3; ++i) r.v[i] = p.w * q.v[i] + q.w * p.v[i] + c[i];
+    return r;
+}
+
+VectorDD rotated(const QuaternionDD& q, const VectorDD& x) {
+    const VectorDD once = cross(q.v, x);
+    const VectorDD twice = cross(q.v, once);
+    VectorDD result;
+    for (std::size_t i = 0; i < 3; ++i) result[i] = x[i] + (q.w * once[i] + twice[i]) * 2.0;
+    return result;
+}
+
+QuaternionDD conjugate(const QuaternionDD& q) { return {q.w, {-q.v[0], -q.v[1], -q.v[2]}}; }
+
+// Of unit length, with w ≥ 0. Precondition: finite and not zero.
+QuaternionDD unit(const Quaterniond& q) {
+    int exponent = 0;
+    std::frexp(q.coeffs().cwiseAbs().maxCoeff(), &exponent);
+    const Eigen::Vector4d c =
+        q.coeffs().unaryExpr([=](double x) { return std::ldexp(x, -exponent); });
+    DoubleDouble square;
+    for (const double x : c) square = square + two_product(x, x);
+    DoubleDouble length = sqrt(square);
+    if (c[3] < 0.0) length = -length;
+    return {
+        DoubleDouble(c[3]) / length,
+        {DoubleDouble(c[0]) / length, DoubleDouble(c[1]) / length, DoubleDouble(c[2]) / length}};
+}
+
+VectorDD times(const Matrix3d& m, const VectorDD& x) {
+    VectorDD result;
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            const auto j = static_cast<std::size_t>(k);
+            result[static_cast<std::size_t>(i)] =
+                result[static_cast<std::size_t>(i)] + x[j] * m(i, k);
+        }
     }
-    return pi / (2 * a);
+    return result;
+}
+
+// The turn that takes the momentum's direction to a, at the start: (1 + n_a, 0, n_c, −n_b) scaled
+// to unit length.
+QuaternionDD start_turn(const JacobiSolution& j) {
+    VectorDD n;
+    for (std::size_t i = 0; i < 3; ++i) n[i] = (j.start[i] / j.momentum).double_double();
+    const DoubleDouble p = n[0] + 1.0;
+    const DoubleDouble length = sqrt(p * p + n[1] * n[1] + n[2] * n[2]);
+    return {p / length, {0.0, n[2] / length, -n[1] / length}};
+}
+
+void check_start(const Vector3d& omega, const Quaterniond& attitude, double time_s) {
+    if (!omega.allFinite()) {
+        throw InputError("omega_rad_s: the components of the angular velocity are finite numbers");
+    }
+    if (!attitude.coeffs().allFinite() || attitude.coeffs().isZero(0.0)) {
+        throw InputError("the start's attitude is a quaternion that is finite and not zero");
+    }
+    if (!std::isfinite(time_s)) throw InputError("the start's time is a finite number");
+}
+
+// ω along the principal axes.
+Vector3d principal(const InertiaTensor& inertia, const Vector3d& omega_body) {
+    if (inertia.body_axes_are_principal()) return omega_body;
+    VectorDD w;
+    for (int i = 0; i < 3; ++i) w[static_cast<std::size_t>(i)] = omega_body[i];
+    const VectorDD result = times(inertia.body_from_principal().transpose(), w);
+    return {result[0].rounded(), result[1].rounded(), result[2].rounded()};
+}
+
+// √(x² + y²).
+WideDouble length(const WideDouble& x, const WideDouble& y) { return sqrt(square(x) + square(y)); }
+
+EulerAngles euler_angles(const Quaterniond& q) {
+    // R = Rz(φ)Rx(θ)Rz(ψ): w, z = cos(θ/2)·cos, sin((φ+ψ)/2); x, y = sin(θ/2)·cos, sin((φ−ψ)/2).
+    const double half_sum = std::atan2(q.z(), q.w());
+    const double half_difference = std::atan2(q.y(), q.x());
+    EulerAngles angles;
+    angles.theta_rad = 2.0 * std::atan2(std::hypot(q.x(), q.y()), std::hypot(q.w(), q.z()));
+    angles.phi_rad = std::remainder(half_sum + half_difference, 2.0 * std::numbers::pi);
+    angles.psi_rad = std::remainder(half_sum - half_difference, 2.0 * std::numbers::pi);
+    return angles;
 }
 
 }  // namespace
 
-struct FreeRotation::Frame {
-    std::array<Real, 3> m;
-    Quaternion rotation;
-};
+FreeRotation::FreeRotation(const InertiaTensor& inertia, const RotationState& start, Tier tier)
+    : tier_(tier),
+      body_axes_are_principal_(inertia.body_axes_are_principal()),
+      omega_start_body_(start.omega_body) {
+    check_start(start.omega_body, start.space_from_body, start.time_s);
+    const Vector3d omega = principal(inertia, start.omega_body);
+    const JacobiSolution solution = solve_free_rotation(inertia.moments_kg_m2(), omega);
+    regime_ = solution.regime;
+    axis_ = solution.axis;
+    set_constants(solution, inertia, start);
+    set_output(solution, inertia, start);
+    if (regime_ == Regime::at_rest) return;
 
-FreeRotation::FreeRotation(const InertiaTensor& inertia, const RotationState& start)
-    : inertia_(inertia), start_(start) {
-    const Eigen::Matrix3d& axes = inertia.body_from_principal();
-    const Eigen::Vector3d w = axes.transpose() * start.omega_body;
-    if (!w.allFinite()) throw InputError("omega_rad_s: the angular velocity is to be finite");
-    start_.space_from_body.normalize();
-    const Eigen::Vector3d& I = inertia.moments_kg_m2();
-    const Eigen::Vector3d L_body = I.cwiseProduct(w);
-    if (!L_body.allFinite()) throw InputError("angular momentum overflows; choose other units");
-    L_ = std::sqrt(static_cast<Real>(L_body.squaredNorm()));
-    constants_.kinetic_energy_J = 0.5 * w.dot(L_body);
-    constants_.momentum_kg_m2_s = L_body.norm();
-    constants_.momentum_space = start_.space_from_body * (axes * L_body);
-    if (w.isZero(0.0)) return;
+    set_rates(solution, start.time_s);
+    if (regime_ == Regime::permanent) {
+        series_ = Series::permanent;
+    } else if (suits_trigonometric(solution)) {
+        series_ = Series::trigonometric;
+        trigonometric_ = trigonometric_series(solution);
+    } else {
+        series_ = regime_ == Regime::separatrix ? Series::separatrix : Series::hyperbolic;
+        hyperbolic_ = hyperbolic_series(solution);
+    }
+}
 
-    std::array<int, 3> order{0, 1, 2};
-    std::sort(order.begin(), order.end(), [&](int i, int j) { return I[i] < I[j]; });
-    const auto [l, m, h] = order;
-    const auto steady = [&](int i, int j) { return I[i] == I[j] || w[i] == 0 || w[j] == 0; };
-    const auto delta = [&](int i) {
-        Real sum = 0;
-        for (int j = 0; j < 3; ++j) {
-            sum += static_cast<Real>(I[j]) * w[j] * w[j] * (static_cast<Real>(I[j]) - I[i]);
-        }
-        return sum;
+void FreeRotation::set_constants(const JacobiSolution& j, const InertiaTensor& inertia,
+                                 const RotationState& start) {
+    FreeRotationConstants& k = constants_;
+    k.kinetic_energy_J = ldexp(j.twice_energy, -1).rounded();
+    k.momentum_kg_m2_s = j.momentum.rounded();
+    if (!std::isfinite(k.momentum_kg_m2_s)) {
+        throw InputError("omega_rad_s: the angular momentum I omega overflows; choose other units");
+    }
+    const Vector3d omega = principal(inertia, start.omega_body);
+    const Vector3d momentum =
+        inertia.body_from_principal() * inertia.moments_kg_m2().cwiseProduct(omega);
+    k.momentum_space = start.space_from_body.normalized() * momentum;
+    k.encircled_axis = j.axis[0];
+    if (regime_ == Regime::at_rest || regime_ == Regime::permanent) return;
+
+    k.modulus = j.modulus.rounded();
+    k.complementary_modulus = j.complementary_modulus.rounded();
+    const WideDouble L2 = square(j.momentum);
+    WideTriple h;
+    for (std::size_t i = 0; i < 3; ++i) h[i] = j.amplitude[i] / j.moments[i] * j.delta[i] / L2;
+    const double at_c = length(h[0], h[2]).rounded();
+    const double at_b = length(h[0] * j.complementary_modulus, h[1]).rounded();
+    k.least_herpolhode_radius_rad_s = std::min(at_b, at_c);
+    k.greatest_herpolhode_radius_rad_s = std::max(at_b, at_c);
+
+    // In a polhode period ω turns once about a, backwards for s = +1, in the axes that follow a.
+    WideDouble advance = j.mean_turn_rate;
+    if (regime_ != Regime::separatrix) {
+        const WideDouble period = ldexp(j.quarter_period, 2) / j.rate;
+        const WideDouble turn = ldexp(WideDouble(pi_dd), 1) / period;
+        advance = j.s > 0 ? advance - turn : advance + turn;
+        k.polhode_period_s = period.rounded();
+        k.advance_per_period_rad = (advance * period).rounded();
+    }
+    k.mean_advance_rate_rad_s = advance.rounded();
+}
+
+void FreeRotation::set_rates(const JacobiSolution& j, double start_time_s) {
+    const int exponent =
+        std::clamp(WideDouble(omega_start_body_.cwiseAbs().maxCoeff()).exponent(), -1022, 1023);
+    time_scale_ = std::ldexp(1.0, exponent);
+    // Permanent: |ω|/2 in quarter turns is |ω|/π a second; otherwise Ω/2.
+    WideDouble turn = j.mean_turn_rate;
+    if (regime_ == Regime::permanent) {
+        WideDouble square_sum;
+        for (const double w : omega_start_body_) square_sum = square_sum + square(WideDouble(w));
+        turn = sqrt(square_sum);
+    }
+    turn = turn / WideDouble(pi_dd);
+    turn_rate_ = TwoWordRate(turn.over_power_of_two(exponent));
+
+    // v = πu/2K in quarter turns is u/K; on the separatrix u/ln 2 is wanted.
+    WideDouble phase;
+    WideDouble phase_start;
+    if (regime_ == Regime::separatrix) {
+        phase = j.rate / WideDouble(ln2_dd);
+        phase_start = j.start_phase / WideDouble(ln2_dd);
+    } else if (regime_ != Regime::permanent) {
+        phase = j.rate / j.quarter_period;
+        phase_start = ldexp(j.start_phase, 1);
+    }
+    phase_rate_ = TwoWordRate(phase.over_power_of_two(exponent));
+    phase_start_ = phase_start.double_double();
+    if (start_time_s == 0.0) return;
+
+    // The start's own time is taken off the phases, whole revolutions apart.
+    const WideDouble t = start_time_s;
+    const auto reduced = [](const WideDouble& x) {
+        const DoubleDouble value = x.double_double();
+        return DoubleDouble(std::fmod(value.hi, 4.0)) + std::fmod(value.lo, 4.0);
     };
-    const Real D = static_cast<Real>(I[h]) * w[h] * w[h] * (static_cast<Real>(I[h]) - I[m]) -
-                   static_cast<Real>(I[l]) * w[l] * w[l] * (static_cast<Real>(I[m]) - I[l]);
-    const int a = D >= 0 ? h : l;
-    const int c = D >= 0 ? l : h;
-    axis_ = {a, m, c};
-    constants_.encircled_axis = a;
-    if (steady(0, 1) && steady(1, 2) && steady(0, 2)) {
-        regime_ = Regime::permanent;
+    turn_start_ = -reduced(turn * t);
+    phase_start_ = regime_ == Regime::separatrix ? (phase_start - phase * t).double_double()
+                                                 : phase_start_ - reduced(phase * t);
+}
+
+void FreeRotation::set_output(const JacobiSolution& j, const InertiaTensor& inertia,
+                              const RotationState& start) {
+    const QuaternionDD attitude = unit(start.space_from_body);
+    QuaternionDD axes_at_start{1.0, {0.0, 0.0, 0.0}};
+    if (regime_ == Regime::at_rest || regime_ == Regime::permanent) {
+        body_from_axes_.setIdentity();
+    } else {
+        Matrix3d principal_from_axes = Matrix3d::Zero();
+        for (int i = 0; i < 3; ++i) {
+            const auto n = static_cast<std::size_t>(i);
+            principal_from_axes(j.axis[n], i) = j.sign[n];
+            omega_per_direction_[i] = (j.momentum / j.moments[n]).rounded();
+            herpolhode_per_direction_[i] = (j.delta[n] / (j.moments[n] * j.momentum)).rounded();
+        }
+        body_from_axes_ = inertia.body_from_principal() * principal_from_axes;
+        const auto [re, im] = start_rotor(j);
+        axes_at_start = conjugate(QuaternionDD{re, {im, 0.0, 0.0}} * start_turn(j));
+    }
+
+    // The attitude is linear in the turn: start ∘ (a, b, c → body) ∘ (axes at the start) ∘ turn.
+    for (int k = 0; k < 4; ++k) {
+        QuaternionDD turn{0.0, {0.0, 0.0, 0.0}};
+        (k == 3 ? turn.w : turn.v[static_cast<std::size_t>(k)]) = 1.0;
+        const QuaternionDD inner = axes_at_start * turn;
+        const QuaternionDD outer =
+            attitude * QuaternionDD{inner.w, times(body_from_axes_, inner.v)};
+        for (int i = 0; i < 3; ++i) {
+            attitude_from_turn_(i, k) = outer.v[static_cast<std::size_t>(i)].rounded();
+        }
+        attitude_from_turn_(3, k) = outer.w.rounded();
+    }
+    // The two directions of the invariable plane that b and c have when a is along L.
+    for (int k = 0; k < 2; ++k) {
+        VectorDD direction{0.0, 0.0, 0.0};
+        direction[static_cast<std::size_t>(k + 1)] = 1.0;
+        const VectorDD in_space =
+            rotated(attitude, times(body_from_axes_, rotated(axes_at_start, direction)));
+        for (int i = 0; i < 3; ++i)
+            plane_space_(i, k) = in_space[static_cast<std::size_t>(i)].rounded();
+    }
+}
+
+// The scaled time, refused where ω t overflows.
+double FreeRotation::scaled_time(double time_s) const {
+    const double time = time_s * time_scale_;
+    if (!std::isfinite(time)) {
+        throw InputError(
+            "time_s: omega t overflows or the time is not finite; choose a time nearer the start");
+    }
+    return time;
+}
+
+template <bool two_words>
+SeriesPoint FreeRotation::series_point(double time) const {
+    // Beyond 2^44 units the phases could pass 2^50 quarter turns.
+    const bool distant =
+        std::abs(time) * (std::abs(turn_rate_.value.hi) + phase_rate_.value.hi) > 0x1p49;
+    const DoubleDouble halves = split(time);
+    const auto reduce = [&](const TwoWordRate& rate, DoubleDouble start) {
+        if (distant) [[unlikely]] {
+            return distant_quarter_turns(time, rate, start);
+        }
+        if constexpr (two_words) return quarter_turns(time, halves, rate, start);
+        return quarter_turns_one_word(time, rate, start);
+    };
+
+    SeriesPoint point{};
+    DoubleDouble turn_start = turn_start_;
+    if (series_ == Series::trigonometric) {
+        point = trigonometric_.at(reduce(phase_rate_, phase_start_));
+    } else if (series_ == Series::hyperbolic) {
+        const QuarterTurns phase = reduce(phase_rate_, phase_start_);
+        const HyperbolicSeries::Place place = HyperbolicSeries::place(phase);
+        point = hyperbolic_.at(phase, place);
+        turn_start = turn_start + hyperbolic_.phase_per_period * place.periods;
+    } else {
+        const DoubleDouble x = phase_rate_.value * time + phase_start_;
+        point = hyperbolic_.at_separatrix(abs(x), x.hi < 0.0 ? -1.0 : 1.0);
+    }
+    const QuarterTurns turn = reduce(turn_rate_, turn_start);
+    const SinCos mean = turned(sin_cos_of_rest(turn.rest), turn.whole);
+    const double re = point.re;
+    point.re = mean.cos * re - mean.sin * point.im;
+    point.im = mean.sin * re + mean.cos * point.im;
+    return point;
+}
+
+void FreeRotation::permanent_attitude(double time, MotionSample& out) const {
+    const DoubleDouble halves = split(time);
+    const bool distant = std::abs(time) * turn_rate_.value.hi > 0x1p49;
+    const QuarterTurns turn = distant ? distant_quarter_turns(time, turn_rate_, turn_start_)
+                                      : quarter_turns(time, halves, turn_rate_, turn_start_);
+    const SinCos half = turned(sin_cos_of_rest(turn.rest), turn.whole);
+    const Vector3d along = omega_start_body_.stableNormalized();
+    const Eigen::Vector4d rotation(half.sin * along[0], half.sin * along[1], half.sin * along[2],
+                                   half.cos);
+    out.state.space_from_body.coeffs() = attitude_from_turn_ * rotation;
+}
+
+void FreeRotation::evaluate(double time_s, Quantities wanted, MotionSample& out) const {
+    out.state.time_s = time_s;
+    const double time = scaled_time(time_s);
+    if (series_ == Series::none || series_ == Series::permanent) {
+        out.state.omega_body = omega_start_body_;
+        if (!wanted.attitude && !wanted.euler_angles) return;
+        if (series_ == Series::permanent) {
+            permanent_attitude(time, out);
+        } else {
+            out.state.space_from_body.coeffs() = attitude_from_turn_.col(3);
+        }
         return;
     }
-    s_ = a == l ? 1 : -1;
-    const Real Ia = I[a];
-    const Real Ib = I[m];
-    const Real Ic = I[c];
-    moments_ = {Ia, Ib, Ic};
-    delta_ = {delta(a), D, delta(c)};
-    amplitude_ = {std::sqrt(Ia * delta_[2] / (Ia - Ic)), std::sqrt(Ib * delta_[0] / (Ib - Ia)),
-                  s_ * std::sqrt(Ic * delta_[0] / (Ic - Ia))};
-    const Real k2 = delta_[0] * (Ib - Ic) / (delta_[2] * (Ib - Ia));
-    const Real kp = std::sqrt(D * (Ia - Ic) / (delta_[2] * (Ia - Ib)));
-    lambda_ = std::sqrt(std::abs(delta_[2] * (Ia - Ib) / (Ia * Ib * Ic)));
-    sign_[0] = w[a] >= 0 ? 1 : -1;
-    sign_[2] = s_ * w[c] >= 0 ? 1 : -1;
-    sign_[1] = ((m - a + 3) % 3 == 1 ? 1 : -1) * sign_[0] * sign_[2];
-    const Real sn = sign_[1] * L_body[m] / amplitude_[1];
-    const Real cn = sign_[2] * L_body[c] / amplitude_[2];
-    const Real dn = sign_[0] * L_body[a] / amplitude_[0];
-    u0_ = sn * boost::math::ellint_rf(cn * cn, dn * dn, Real(1));
-    Kp_ = complete_first_kind(std::sqrt(k2));
-    const Real tangent = std::sqrt(Ic * std::abs(Ib - Ia) / (Ia * std::abs(Ic - Ib)));
-    const Real phi = std::atan(tangent);
-    F_ = Ib == Ic
-             ? 0
-             : std::sin(phi) * boost::math::ellint_rf(std::cos(phi) * std::cos(phi),
-                                                      1 - std::pow(kp * std::sin(phi), 2), Real(1));
-    if (D == 0) {
-        K_ = 0;
-        regime_ = Regime::separatrix;
-        mean_rate_ = 2 * constants_.kinetic_energy_J / L_;
-        constants_.complementary_modulus = 0.0;
-    } else {
-        K_ = complete_first_kind(kp);
-        regime_ = Ib == Ic ? Regime::symmetric
-                  : a == l ? Regime::elliptic_about_lowest
-                           : Regime::elliptic_about_highest;
-        const Real p = Ib * (Ic - Ia) / (Ic * (Ib - Ia));
-        // ∫du/(cn²+p sn²) and ∫sn²du/(cn²+p sn²) over a quarter period, by Carlson's R_F and R_J.
-        const Real J = boost::math::ellint_rj(Real(0), kp * kp, Real(1), p) / 3;
-        const Real Pi = K_ - (p - 1) * J;
-        mean_rate_ =
-            L_ / Ic * Pi / K_ + L_ * (Ic - Ib) / (Ic * (Ib - Ia)) * J / K_ +
-            s_ * amplitude_[0] / Ia * std::sqrt((Ib - Ia) / Ib * ((Ic - Ia) / Ic)) * pi / (2 * K_);
-        constants_.polhode_period_s = static_cast<double>(4 * K_ / lambda_);
-        constants_.complementary_modulus = static_cast<double>(kp);
-        const Real rate = mean_rate_ - s_ * pi * lambda_ / (2 * K_);
-        constants_.mean_advance_rate_rad_s = static_cast<double>(rate);
-        constants_.advance_per_period_rad = static_cast<double>(rate * 4 * K_ / lambda_);
-    }
-    constants_.modulus = static_cast<double>(std::sqrt(k2));
-    const Frame first = frame(0);
-    frame_from_start_ = {first.rotation[0], -first.rotation[1], -first.rotation[2],
-                         -first.rotation[3]};
-}
 
-FreeRotation::Frame FreeRotation::frame(Real t) const {
-    const Real u = lambda_ * t + u0_;
-    const Real cycles = K_ > 0 ? u / (2 * K_) : 0;
-    const Real n = std::nearbyint(cycles);
-    const Real r = K_ > 0 ? cycles - n : 0;
-    const bool odd = std::fmod(std::abs(n), Real(2)) == 1;
-    if (constants_.complementary_modulus > 0.6) return trigonometric_frame(t, r, odd);
-    const Real G = K_ > 0 ? pi * K_ / Kp_ : 0;
-    const Real x = K_ > 0 ? r * G : u;
-    const Real E = std::exp(-std::abs(x));
-    const Real Q = K_ > 0 ? std::exp(-G / 2) : 0;
-    const Real F = Q / E;
-    const Real X = E * E;
-    const Real Y = F * F;
-    const Real q = Q * Q;
-    const Real side = x < 0 ? -1 : 1;
-    Real N1 = 0, N2 = 0, N3 = 1, N4 = 0, t2 = 0, t3 = 1, t4 = 1;
-    std::complex<Real> S = 0;
-    const Real chi = pi / 2 - pi * F_ / (4 * Kp_);
-    for (int i = 0; i < 40; ++i) {
-        const Real alternate = i % 2 == 0 ? 1 : -1;
-        const Real qq = std::pow(q, static_cast<Real>(i * i));
-        const Real yi = std::pow(Y, static_cast<Real>(i));
-        N1 += alternate * qq * yi * (1 - std::pow(X, Real(2 * i + 1)));
-        N2 += qq * yi * (1 + std::pow(X, Real(2 * i + 1)));
-        N4 += alternate * qq * std::pow(X, Real(i)) * (1 - std::pow(Y, Real(2 * i + 1)));
-        t2 += 2 * qq * std::pow(q, Real(i));
-        const Real factor =
-            alternate * std::pow(F, static_cast<Real>(i)) * std::pow(Q, static_cast<Real>(i * i));
-        const Real e = std::pow(E, Real(2 * i + 1));
-        S += factor * std::complex<Real>(std::sin((2 * i + 1) * chi) * (1 + e),
-                                         -side * std::cos((2 * i + 1) * chi) * (1 - e));
-        if (i > 0) {
-            N3 += std::pow(q, Real(i * i - i)) * (yi + std::pow(q * X, Real(i)));
-            t3 += 2 * qq;
-            t4 += 2 * alternate * qq;
-        }
-    }
-    const Real parity = odd ? -1 : 1;
-    const std::array<Real, 3> m{amplitude_[0] * t2 / t3 * E * N3 / N2,
-                                amplitude_[1] * parity * side * t3 / t4 * N1 / N2,
-                                amplitude_[2] * parity * t2 / t4 * E * N4 / N2};
-    const Real half =
-        mean_rate_ * t / 2 - s_ * (pi * F_ / (2 * Kp_) * r + std::atan2(S.imag(), S.real()));
-    const Real p0 = std::sqrt((1 + m[0] / L_) / 2);
-    return {m, multiply({std::cos(half), std::sin(half), 0, 0},
-                        {p0, 0, m[2] / L_ / (2 * p0), -m[1] / L_ / (2 * p0)})};
-}
+    const SeriesPoint p =
+        tier_ == Tier::exact ? series_point<true>(time) : series_point<false>(time);
+    const Vector3d n(p.n_a, p.n_b, p.n_c);
+    const Vector3d omega = n.cwiseProduct(omega_per_direction_);
+    out.state.omega_body = body_from_axes_ * omega;
 
-FreeRotation::Frame FreeRotation::trigonometric_frame(Real t, Real cycles, bool odd) const {
-    const Real v = pi * cycles;
-    const Real q = F_ > 0 || constants_.modulus > 0 ? std::exp(-pi * Kp_ / K_) : 0;
-    Real t1 = 0, t2 = 0, t3 = 1, t4 = 1, c2 = 0, c3 = 1, c4 = 1;
-    for (int i = 0; i < 12; ++i) {
-        const Real alternate = i % 2 == 0 ? 1 : -1;
-        const Real odd_power = std::pow(q, static_cast<Real>(i * (i + 1)));
-        t1 += alternate * odd_power * std::sin((2 * i + 1) * v);
-        t2 += odd_power * std::cos((2 * i + 1) * v);
-        c2 += odd_power;
-        if (i == 0) continue;
-        const Real power = std::pow(q, static_cast<Real>(i * i));
-        t3 += 2 * power * std::cos(2 * i * v);
-        t4 += 2 * alternate * power * std::cos(2 * i * v);
-        c3 += 2 * power;
-        c4 += 2 * alternate * power;
+    // P = (1 + n_a, 0, n_c, −n_b) takes the momentum's direction to a; the rotor turns about a.
+    const double p0 = 1.0 + p.n_a;
+    const double rotor2 = p.re * p.re + p.im * p.im;
+    const double scale = 1.0 / std::sqrt(rotor2 * (p0 * p0 + p.n_b * p.n_b + p.n_c * p.n_c));
+    if (wanted.attitude || wanted.euler_angles) {
+        const double re = p.re * scale;
+        const double im = p.im * scale;
+        const Eigen::Vector4d turn(im * p0, re * p.n_c + im * p.n_b, im * p.n_c - re * p.n_b,
+                                   re * p0);
+        out.state.space_from_body.coeffs() = attitude_from_turn_ * turn;
     }
-    const Real parity = odd ? -1 : 1;
-    const std::array<Real, 3> m{amplitude_[0] * c4 / c3 * t3 / t4,
-                                amplitude_[1] * parity * c3 / c2 * t1 / t4,
-                                amplitude_[2] * parity * c4 / c2 * t2 / t4};
-    const Real q4 = q * q * q * q;
-    const Real rho = q > 0 ? std::exp(-pi * (2 * Kp_ - F_) / K_) : 0;
-    const Real rho2 = q > 0 ? q4 / rho : 0;
-    const std::complex<Real> z(std::cos(2 * v), std::sin(2 * v));
-    const std::complex<Real> theta = Real(1) - rho * z - rho2 * std::conj(z) +
-                                     q4 * (rho * rho * z * z + std::conj(rho2 * rho2 * z * z)) -
-                                     q4 * q4 * q4 * rho * rho * rho * z * z * z;
-    const Real half = mean_rate_ * t / 2 - s_ * std::atan2(theta.imag(), theta.real());
-    const Real p0 = std::sqrt((1 + m[0] / L_) / 2);
-    return {m, multiply({std::cos(half), std::sin(half), 0, 0},
-                        {p0, 0, m[2] / L_ / (2 * p0), -m[1] / L_ / (2 * p0)})};
+    if (wanted.herpolhode) {
+        // h = ω_i(L² − 2T·I_i)/L² has no component along L: in the turned axes none along a.
+        const Vector3d h = n.cwiseProduct(herpolhode_per_direction_);
+        const double per_p0 = 2.0 * rotor2 * scale * scale;
+        const double h_a = h[0] * per_p0;
+        const double h_b = h[1] - h_a * p.n_b;
+        const double h_c = h[2] - h_a * p.n_c;
+        const double per_rotor2 = 2.0 * p0 * scale * scale;
+        const double cosine = (p.re * p.re - p.im * p.im) * per_rotor2;
+        const double sine = 2.0 * p.re * p.im * per_rotor2;
+        out.herpolhode_space = plane_space_.col(0) * (cosine * h_b - sine * h_c) +
+                               plane_space_.col(1) * (sine * h_b + cosine * h_c);
+    }
 }
 
 RotationState FreeRotation::at(double time_s) const {
-    return sample(time_s, {.attitude = true}).state;
+    MotionSample out;
+    evaluate(time_s, {.attitude = true, .herpolhode = false, .euler_angles = false}, out);
+    return out.state;
 }
 
 MotionSample FreeRotation::sample(double time_s, Quantities wanted) const {
     MotionSample out;
-    out.state = start_;
-    out.state.time_s = time_s;
-    const double t = time_s - start_.time_s;
-    if (!std::isfinite(t)) throw InputError("time_s: the instant is to be finite");
-    const Eigen::Matrix3d& axes = inertia_.body_from_principal();
-    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-    Eigen::Vector3d herpolhode = Eigen::Vector3d::Zero();
-    if (regime_ == Regime::permanent) {
-        const double rate = start_.omega_body.norm();
-        const Eigen::Vector3d along = start_.omega_body / rate;
-        rotation.w() = std::cos(0.5 * rate * t);
-        rotation.vec() = std::sin(0.5 * rate * t) * along;
-    } else if (regime_ != Regime::at_rest) {
-        const Frame now = frame(t);
-        const Quaternion q = multiply(frame_from_start_, now.rotation);
-        Eigen::Vector3d omega;
-        Eigen::Vector3d turn;
-        for (int i = 0; i < 3; ++i) {
-            omega[axis_[i]] = static_cast<double>(sign_[i] * now.m[i] / moments_[i]);
-            turn[axis_[i]] = static_cast<double>(sign_[i] * q[i + 1]);
-            herpolhode[axis_[i]] =
-                static_cast<double>(sign_[i] * now.m[i] / moments_[i] * delta_[i] / (L_ * L_));
-        }
-        rotation.w() = static_cast<double>(q[0]);
-        rotation.vec() = axes * turn;
-        out.state.omega_body = axes * omega;
+    evaluate(time_s, wanted, out);
+    if (wanted.euler_angles) {
+        out.euler = euler_angles(out.state.space_from_body);
+        if (!wanted.attitude) out.state.space_from_body = Quaterniond::Identity();
     }
-    out.state.space_from_body = start_.space_from_body * rotation;
-    if (wanted.herpolhode) out.herpolhode_space = out.state.space_from_body * (axes * herpolhode);
-    if (!wanted.attitude) out.state.space_from_body = Eigen::Quaterniond::Identity();
     return out;
+}
+
+double attitude_conditioning_rad(const InertiaTensor& inertia, const RotationState& start,
+                                 double time_s) {
+    const Quaterniond here = FreeRotation(inertia, start).at(time_s).space_from_body;
+    const auto moved = [&](const InertiaTensor& body, const RotationState& state) {
+        const Quaterniond there = FreeRotation(body, state).at(time_s).space_from_body;
+        return 2.0 * std::min((there.coeffs() - here.coeffs()).norm(),
+                              (there.coeffs() + here.coeffs()).norm());
+    };
+    constexpr double up = std::numeric_limits<double>::infinity();
+    double worst = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        Vector3d moments = inertia.moments_kg_m2();
+        moments[i] = std::nextafter(moments[i], up);
+        worst =
+            std::max(worst, moved(InertiaTensor::from_principal_axes(
+                                      moments, inertia.body_from_principal(), Physicality::waived),
+                                  start));
+        RotationState other = start;
+        other.omega_body[i] = std::nextafter(other.omega_body[i], up);
+        worst = std::max(worst, moved(inertia, other));
+    }
+    return worst;
 }
 
 }  // namespace poinsot
