@@ -168,6 +168,13 @@ void AtomicFile::release() {
     close_and_forget();
 }
 
+void AtomicFile::replace(AtomicFile& other) {
+    if (fsync(descriptor_) != 0 || ::rename(aside_.c_str(), other.aside_.c_str()) != 0)
+        throw_write_error(path_, errno);
+    aside_ = std::exchange(other.aside_, {});
+    other.close_and_forget();
+}
+
 void AtomicFile::close_and_forget() noexcept {
     // Removed before the lock goes, so that nobody else's file aside can be the one removed.
     if (descriptor_ >= 0 && !aside_.empty()) ::unlink(aside_.c_str());

@@ -31,13 +31,18 @@ struct OutputPlan {
     std::string quality = "lecture";  // draft, lecture, print, reference
     int encoder_threads = 0;          // 0: chosen by the sink
     std::string metadata;             // text carried in the file
+    // Go on from what an interrupted run with the same plan has left aside, and leave it aside when
+    // interrupted again. Formats that cannot start from the first frame.
+    bool resume = false;
 };
 
 // write() in frame order, then finish(); a sink destroyed unfinished leaves nothing under the final
-// name.
+// name. From one thread at a time.
 class FrameSink {
  public:
     virtual ~FrameSink() = default;
+    // How many frames an interrupted run has left: write() starts with the one after them.
+    virtual std::int64_t n_frames_kept() const { return 0; }
     virtual void write(const Image& frame) = 0;  // throws EnvironmentError
     virtual void finish() = 0;  // flushes, syncs and renames; throws EnvironmentError
 };

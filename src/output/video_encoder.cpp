@@ -91,6 +91,17 @@ void check_film(const OutputPlan& plan) {
                                      plan.rate.numerator, plan.rate.denominator));
 }
 
+void check_frame(const Image& frame, const OutputPlan& plan) {
+    if (frame.width() != plan.width_px || frame.height() != plan.height_px)
+        throw InputError(fmt::format("a frame of {}×{} pixels was given to {}, which is {}×{}",
+                                     frame.width(), frame.height(), plan.path.string(),
+                                     plan.width_px, plan.height_px));
+}
+
+void check_any_frame(std::int64_t n_written, const OutputPlan& plan) {
+    if (n_written == 0) throw InputError(fmt::format("{} was given no frame", plan.path.string()));
+}
+
 AVRational as_rational(const FrameRate& rate) {
     return {static_cast<int>(rate.numerator), static_cast<int>(rate.denominator)};
 }

@@ -45,6 +45,12 @@ libav::Frame make_yuv_frame(AVPixelFormat format, int width_px, int height_px);
 // Throw InputError for a plan that no film can hold: an empty picture, a rate that is not positive.
 void check_film(const OutputPlan& plan);
 
+// Throws InputError if the frame has another size than the plan says.
+void check_frame(const Image& frame, const OutputPlan& plan);
+
+// Throws InputError if nothing was written: a film has at least one frame.
+void check_any_frame(std::int64_t n_written, const OutputPlan& plan);
+
 // The rate as FFmpeg's rational.
 AVRational as_rational(const FrameRate& rate);
 

@@ -1,0 +1,244 @@
+#include "output/film_part.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "error/error.h"
+#include "output/video_encoder.h"
+
+extern "C" {
+#include <libavutil/parseutils.h>
+}
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+using libav::checked;
+
+// Names of what the container carries: the plan's text, and, aside only, the encoder's settings and
+// the frame rate, which fragments do not say.
+constexpr const char* kMetadataKey = "poinsot";
+constexpr const char* kSettingsKey = "poinsot_settings";
+constexpr const char* kRateKey = "poinsot_rate";
+// Length of a fragment, in film: what a kill can take beyond the encoder's own delay.
+constexpr int kFragment_us = 250000;
+
+std::string text_of(const AVDictionary* dictionary, const char* key) {
+    const AVDictionaryEntry* entry = av_dict_get(dictionary, key, nullptr, 0);
+    return entry ? entry->value : "";
+}
+
+std::int64_t size_of(int descriptor) {
+    struct stat status {};
+    return fstat(descriptor, &status) == 0 ? status.st_size : 0;
+}
+
+// The packets of a film part, in decoding order, as far as they are whole.
+class PartReader {
+ public:
+    explicit PartReader(const AtomicFile& file)
+        : io_(file.descriptor(), libav::DescriptorIo::Direction::read),
+          size_(size_of(file.descriptor())) {
+        if (::lseek(file.descriptor(), 0, SEEK_SET) != 0) throw_write_error(file.path(), errno);
+        context_ = avformat_alloc_context();
+        if (!context_) throw EnvironmentError("no memory for a film");
+        context_->pb = io_.context();
+        // On failure FFmpeg frees the context itself.
+        if (avformat_open_input(&context_, nullptr, av_find_input_format("mp4"), nullptr) < 0 ||
+            context_->nb_streams != 1 ||
+            av_parse_ratio(&rate_, text(kRateKey).c_str(), std::numeric_limits<int>::max(), 0,
+                           nullptr) < 0 ||
+            rate_.num <= 0 || rate_.den <= 0)
+            avformat_close_input(&context_);
+    }
+    ~PartReader() { avformat_close_input(&context_); }
+    PartReader(const PartReader&) = delete;
+    PartReader& operator=(const PartReader&) = delete;
+
+    bool valid() const { return context_ != nullptr; }
+    const AVStream& stream() const { return *context_->streams[0]; }
+    AVRational rate() const { return rate_; }
+    std::string text(const char* key) const { return text_of(context_->metadata, key); }
+
+    // False after the last whole packet. Times count from the first packet, the first picture
+    // shown.
+    bool read(AVPacket* packet) {
+        av_packet_unref(packet);
+        if (av_read_frame(context_, packet) < 0) return false;
+        if ((packet->flags & AV_PKT_FLAG_CORRUPT) || packet->pos + packet->size > size_)
+            return false;
+        if (start_ == AV_NOPTS_VALUE) start_ = packet->pts;
+        packet->pts -= start_;
+        packet->dts -= start_;
+        return true;
+    }
+
+    std::int64_t frame_of(const AVPacket& packet) const {
+        return av_rescale_q(packet.pts, stream().time_base, av_inv_q(rate_));
+    }
+
+ private:
+    libav::DescriptorIo io_;
+    std::int64_t size_;
+    AVFormatContext* context_ = nullptr;
+    AVRational rate_{0, 1};
+    std::int64_t start_ = AV_NOPTS_VALUE;
+};
+
+// How many first packets show exactly the frames 0 … n−1, n being the return value and, with a step
+// above 1, a multiple of it that a key frame follows or the film ends with.
+std::int64_t n_frames_without_gap(const AtomicFile& file, std::int64_t step) {
+    PartReader reader(file);
+    const libav::Packet packet = libav::make_packet();
+    std::int64_t n_read = 0, last_shown = -1, n_whole = 0;
+    while (reader.valid() && reader.read(packet.get())) {
+        last_shown = std::max(last_shown, reader.frame_of(*packet));
+        ++n_read;
+        if (last_shown + 1 == n_read && n_read % step == 0) n_whole = n_read;
+    }
+    return n_whole;
+}
+
+void copy_packets(const AtomicFile& from, libav::Muxer& to, std::int64_t n_packets,
+                  const fs::path& path) {
+    PartReader reader(from);
+    const libav::Packet packet = libav::make_packet();
+    for (std::int64_t i = 0; i < n_packets; ++i) {
+        if (!reader.valid() || !reader.read(packet.get()))
+            throw EnvironmentError(
+                fmt::format("cannot write {}: what lies aside cannot be read back", path.string()));
+        // Not every packet of a part says how long it lasts.
+        packet->duration =
+            av_rescale_q(1, av_inv_q(reader.stream().avg_frame_rate), reader.stream().time_base);
+        to.write(packet.get(), reader.stream().time_base);
+    }
+}
+
+// Copies the first frames of a part into a file with its index in front.
+void copy_to_whole(const AtomicFile& part, const AtomicFile& whole, std::int64_t n_frames) {
+    const fs::path& path = whole.path();
+    PartReader reader(part);
+    if (!reader.valid())
+        throw EnvironmentError(
+            fmt::format("cannot write {}: what lies aside cannot be read back", path.string()));
+    libav::Muxer muxer("mp4", whole.descriptor(), path, whole.aside());
+    AVStream* stream = muxer.stream();
+    checked(avcodec_parameters_copy(stream->codecpar, reader.stream().codecpar), path,
+            "stream parameters");
+    stream->codecpar->codec_tag = 0;
+    stream->time_base = reader.stream().time_base;
+    stream->avg_frame_rate = reader.rate();
+    av_dict_set(&muxer.context()->metadata, kMetadataKey, reader.text(kMetadataKey).c_str(), 0);
+    libav::Options options;
+    options.set("movflags", "faststart+use_metadata_tags");
+    options.set("video_track_timescale", fmt::format("{}", stream->time_base.den));
+    muxer.write_header(options);
+    copy_packets(part, muxer, n_frames, path);
+    muxer.write_trailer();
+}
+
+}  // namespace
+
+fs::path film_part_path(const fs::path& path) { return aside_path_of(path, ".part.mp4"); }
+
+FilmPart::FilmPart(const OutputPlan& plan, const AVCodecContext& encoder,
+                   const std::string& settings, std::int64_t n_chunk_frames)
+    : plan_(plan),
+      time_base_(encoder.time_base),
+      file_(plan.path, film_part_path(plan.path), plan.resume) {
+    if (plan_.resume) keep_chunks(encoder, settings, n_chunk_frames);
+    if (n_frames_kept_ == 0) {
+        if (::lseek(file_.descriptor(), 0, SEEK_SET) != 0 || ftruncate(file_.descriptor(), 0) != 0)
+            throw_write_error(plan_.path, errno);
+        muxer_ = open_muxer(file_, encoder, settings);
+    }
+}
+
+FilmPart::~FilmPart() {
+    // FFmpeg's buffers go before the file does.
+    muxer_.reset();
+    if (plan_.resume && file_.descriptor() >= 0) file_.release();
+}
+
+std::unique_ptr<libav::Muxer> FilmPart::open_muxer(const AtomicFile& file,
+                                                   const AVCodecContext& encoder,
+                                                   const std::string& settings) const {
+    auto muxer = std::make_unique<libav::Muxer>("mp4", file.descriptor(), plan_.path, file.aside());
+    checked(avcodec_parameters_from_context(muxer->stream()->codecpar, &encoder), plan_.path,
+            "stream parameters");
+    muxer->stream()->time_base = encoder.time_base;
+    muxer->stream()->avg_frame_rate = as_rational(plan_.rate);
+    muxer->context()->flags |= AVFMT_FLAG_FLUSH_PACKETS;
+    av_dict_set(&muxer->context()->metadata, kMetadataKey, plan_.metadata.c_str(), 0);
+    av_dict_set(&muxer->context()->metadata, kSettingsKey, settings.c_str(), 0);
+    av_dict_set(&muxer->context()->metadata, kRateKey,
+                fmt::format("{}/{}", plan_.rate.numerator, plan_.rate.denominator).c_str(), 0);
+    libav::Options options;
+    options.set("movflags", "frag_keyframe+empty_moov+default_base_moof+use_metadata_tags");
+    options.set("frag_duration", fmt::format("{}", kFragment_us));
+    muxer->write_header(options);
+    return muxer;
+}
+
+// The chunks kept are copied into a new part, so that a run killed meanwhile finds the old one.
+void FilmPart::keep_chunks(const AVCodecContext& encoder, const std::string& settings,
+                           std::int64_t n_chunk_frames) {
+    {
+        const PartReader reader(file_);
+        if (!reader.valid()) return;
+        const AVCodecParameters& parameters = *reader.stream().codecpar;
+        const bool same =
+            reader.text(kMetadataKey) == plan_.metadata && reader.text(kSettingsKey) == settings &&
+            std::equal(parameters.extradata, parameters.extradata + parameters.extradata_size,
+                       encoder.extradata, encoder.extradata + encoder.extradata_size);
+        if (!same) return;
+    }
+    const std::int64_t n_kept = n_frames_without_gap(file_, n_chunk_frames);
+    if (n_kept == 0) return;
+    AtomicFile renewed(plan_.path, aside_path_of(plan_.path, ".renewed.mp4"));
+    std::unique_ptr<libav::Muxer> muxer = open_muxer(renewed, encoder, settings);
+    copy_packets(file_, *muxer, n_kept, plan_.path);
+    muxer->flush_fragment();
+    renewed.replace(file_);
+    file_ = std::move(renewed);
+    muxer_ = std::move(muxer);
+    n_frames_kept_ = n_kept;
+}
+
+void FilmPart::write(AVPacket* packet) {
+    packet->duration = 1;
+    muxer_->write(packet, time_base_);
+}
+
+void FilmPart::finish(std::int64_t n_frames) {
+    muxer_->write_trailer();
+    AtomicFile whole(plan_.path);
+    copy_to_whole(file_, whole, n_frames);
+    whole.commit();
+    muxer_.reset();
+    plan_.resume = false;
+}
+
+std::int64_t recover_film(const fs::path& path) {
+    const fs::path part_path = film_part_path(path);
+    std::error_code ignored;
+    if (!fs::exists(part_path, ignored))
+        throw InputError(fmt::format("there is no unfinished film of {}", path.string()));
+    silence_libav();
+    AtomicFile part(path, part_path, true);
+    const std::int64_t n_frames = n_frames_without_gap(part, 1);
+    if (n_frames == 0)
+        throw InputError(fmt::format("no frame of {} had been finished", path.string()));
+    AtomicFile whole(path);
+    copy_to_whole(part, whole, n_frames);
+    whole.commit();
+    return n_frames;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,207 @@
+#include "output/video_reader.h"
+
+#include <fmt/format.h>
+
+#include "error/error.h"
+#include "image/png.h"
+#include "output/libav.h"
+#include "output/video_encoder.h"
+
+extern "C" {
+#include <libavutil/pixdesc.h>
+#include <libswscale/swscale.h>
+}
+
+namespace poinsot {
+
+namespace {
+
+struct CloseInput {
+    void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
+};
+struct FreeScaler {
+    void operator()(SwsContext* context) const { sws_freeContext(context); }
+};
+
+std::string text_of(const char* text) { return text ? text : ""; }
+
+}  // namespace
+
+struct VideoReader::Impl {
+    explicit Impl(const std::filesystem::path& file);
+
+    void check(int result, const char* what) const;
+    void open_decoder();
+    void describe();
+    std::int64_t count_packets();
+    bool decode();
+    std::int64_t number_of_frame() const;
+    void convert(Image& image);
+    void seek(std::int64_t k);
+
+    std::filesystem::path path;
+    std::unique_ptr<AVFormatContext, CloseInput> demuxer;
+    AVStream* stream = nullptr;
+    libav::CodecContext decoder;
+    libav::Frame decoded = libav::make_frame();
+    libav::Packet packet = libav::make_packet();
+    std::unique_ptr<SwsContext, FreeScaler> scaler;
+    VideoInfo info;
+};
+
+VideoReader::Impl::Impl(const std::filesystem::path& file) : path(file) {
+    silence_libav();
+    AVFormatContext* context = nullptr;
+    const std::string name = "file:" + path.string();
+    check(avformat_open_input(&context, name.c_str(), nullptr, nullptr), "opening");
+    demuxer.reset(context);
+    check(avformat_find_stream_info(context, nullptr), "its streams");
+    const int index = av_find_best_stream(context, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+    check(index, "its pictures");
+    stream = context->streams[index];
+    open_decoder();
+    describe();
+}
+
+void VideoReader::Impl::check(int result, const char* what) const {
+    if (result >= 0) return;
+    throw InputError(fmt::format("{} cannot be read as a film: {}: {}", path.string(), what,
+                                 libav::error_text(result)));
+}
+
+void VideoReader::Impl::open_decoder() {
+    const AVCodec* codec = avcodec_find_decoder(stream->codecpar->codec_id);
+    // FFmpeg's own VP9 decoder leaves alpha out.
+    if (av_dict_get(stream->metadata, "alpha_mode", nullptr, 0))
+        if (const AVCodec* with_alpha = avcodec_find_decoder_by_name("libvpx-vp9"))
+            codec = with_alpha;
+    if (!codec)
+        throw InputError(fmt::format("{} cannot be read as a film: no decoder for {}",
+                                     path.string(), avcodec_get_name(stream->codecpar->codec_id)));
+    decoder.reset(avcodec_alloc_context3(codec));
+    if (!decoder) throw EnvironmentError("no memory for a video decoder");
+    check(avcodec_parameters_to_context(decoder.get(), stream->codecpar), "its parameters");
+    if (decoder->width > kLargestPngSide_px || decoder->height > kLargestPngSide_px)
+        throw InputError(fmt::format("{} is {}×{} pixels; at most {} a side are read",
+                                     path.string(), decoder->width, decoder->height,
+                                     kLargestPngSide_px));
+    check(avcodec_open2(decoder.get(), codec, nullptr), "its decoder");
+}
+
+void VideoReader::Impl::describe() {
+    const AVCodecParameters& parameters = *stream->codecpar;
+    info.width_px = parameters.width;
+    info.height_px = parameters.height;
+    const AVRational rate = av_guess_frame_rate(demuxer.get(), stream, nullptr);
+    info.rate = {rate.num, rate.den};
+    info.n_frames = stream->nb_frames > 0 ? stream->nb_frames : count_packets();
+    info.duration_s = static_cast<double>(demuxer->duration) / AV_TIME_BASE;
+    info.container = demuxer->iformat->name;
+    info.codec = avcodec_get_name(parameters.codec_id);
+    info.pixel_format = text_of(av_get_pix_fmt_name(decoder->pix_fmt));
+    info.range = text_of(av_color_range_name(parameters.color_range));
+    info.matrix = text_of(av_color_space_name(parameters.color_space));
+    info.primaries = text_of(av_color_primaries_name(parameters.color_primaries));
+    info.transfer = text_of(av_color_transfer_name(parameters.color_trc));
+    info.chroma_location = text_of(av_chroma_location_name(parameters.chroma_location));
+    const AVDictionaryEntry* entry = nullptr;
+    while ((entry = av_dict_get(demuxer->metadata, "", entry, AV_DICT_IGNORE_SUFFIX)))
+        info.texts[entry->key] = entry->value;
+}
+
+std::int64_t VideoReader::Impl::count_packets() {
+    std::int64_t n_packets = 0;
+    while (av_read_frame(demuxer.get(), packet.get()) >= 0) {
+        if (packet->stream_index == stream->index) ++n_packets;
+        av_packet_unref(packet.get());
+    }
+    seek(0);
+    return n_packets;
+}
+
+bool VideoReader::Impl::decode() {
+    for (;;) {
+        const int result = avcodec_receive_frame(decoder.get(), decoded.get());
+        if (result == AVERROR_EOF) return false;
+        if (result != AVERROR(EAGAIN)) {
+            check(result, "decoding");
+            return true;
+        }
+        const int read = av_read_frame(demuxer.get(), packet.get());
+        if (read == AVERROR_EOF) {
+            check(avcodec_send_packet(decoder.get(), nullptr), "decoding");
+            continue;
+        }
+        check(read, "reading");
+        if (packet->stream_index == stream->index)
+            check(avcodec_send_packet(decoder.get(), packet.get()), "decoding");
+        av_packet_unref(packet.get());
+    }
+}
+
+std::int64_t VideoReader::Impl::number_of_frame() const {
+    const std::int64_t start = stream->start_time == AV_NOPTS_VALUE ? 0 : stream->start_time;
+    return av_rescale_q(decoded->best_effort_timestamp - start, stream->time_base,
+                        av_inv_q(as_rational(info.rate)));
+}
+
+void VideoReader::Impl::convert(Image& image) {
+    if (decoded->width != info.width_px || decoded->height != info.height_px)
+        throw InputError(fmt::format("{} changes its size on the way", path.string()));
+    if (image.width() != decoded->width || image.height() != decoded->height)
+        image = Image(decoded->width, decoded->height);
+    if (!scaler) {
+        constexpr int exact = SWS_BILINEAR | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INT |
+                              SWS_FULL_CHR_H_INP;
+        scaler.reset(sws_getContext(
+            decoded->width, decoded->height, static_cast<AVPixelFormat>(decoded->format),
+            decoded->width, decoded->height, AV_PIX_FMT_RGBA, exact, nullptr, nullptr, nullptr));
+        if (!scaler) throw EnvironmentError("no memory for a colour conversion");
+        const int matrix =
+            decoded->colorspace == AVCOL_SPC_UNSPECIFIED ? SWS_CS_ITU709 : decoded->colorspace;
+        const int full = decoded->color_range == AVCOL_RANGE_JPEG ? 1 : 0;
+        sws_setColorspaceDetails(scaler.get(), sws_getCoefficients(matrix), full,
+                                 sws_getCoefficients(SWS_CS_ITU709), 1, 0, 1 << 16, 1 << 16);
+    }
+    std::uint8_t* const plane = image.bytes().data();
+    const int stride = 4 * image.width();
+    sws_scale(scaler.get(), decoded->data, decoded->linesize, 0, decoded->height, &plane, &stride);
+}
+
+void VideoReader::Impl::seek(std::int64_t k) {
+    const std::int64_t start = stream->start_time == AV_NOPTS_VALUE ? 0 : stream->start_time;
+    const std::int64_t time =
+        start + av_rescale_q(k, av_inv_q(as_rational(info.rate)), stream->time_base);
+    check(av_seek_frame(demuxer.get(), stream->index, time, AVSEEK_FLAG_BACKWARD), "seeking");
+    avcodec_flush_buffers(decoder.get());
+}
+
+VideoReader::VideoReader(const std::filesystem::path& path) : impl_(std::make_unique<Impl>(path)) {}
+VideoReader::~VideoReader() = default;
+VideoReader::VideoReader(VideoReader&&) noexcept = default;
+VideoReader& VideoReader::operator=(VideoReader&&) noexcept = default;
+
+const VideoInfo& VideoReader::info() const { return impl_->info; }
+
+bool VideoReader::read(Image& frame) {
+    if (!impl_->decode()) return false;
+    impl_->convert(frame);
+    return true;
+}
+
+Image VideoReader::frame(std::int64_t k) {
+    const auto missing = [&] {
+        return InputError(fmt::format("{} has no frame {}; it has {}", impl_->path.string(), k,
+                                      impl_->info.n_frames));
+    };
+    if (k < 0 || k >= impl_->info.n_frames) throw missing();
+    impl_->seek(k);
+    do {
+        if (!impl_->decode()) throw missing();
+    } while (impl_->number_of_frame() < k);
+    Image image;
+    impl_->convert(image);
+    return image;
+}
+
+}  // namespace poinsot
