@@ -17,16 +17,17 @@ namespace fs = std::filesystem;
 // Folder → the folders whose headers it may include besides its own.
 const std::map<std::string, std::set<std::string>> allowed{
     {"error", {}},
+    {"mesh", {"error"}},
     {"mechanics", {"error"}},
     {"image", {"error"}},
     {"typeset", {"error"}},
-    {"scene", {"error", "mechanics"}},
+    {"scene", {"error", "mesh", "mechanics"}},
     {"construction", {"error", "mechanics"}},
-    {"drawing", {"error", "mechanics", "scene", "construction", "typeset"}},
+    {"drawing", {"error", "mesh", "mechanics", "scene", "construction", "typeset"}},
     {"render", {"error", "drawing", "image"}},
     {"output", {"error", "image"}},
     {"cli",
-     {"error", "mechanics", "scene", "construction", "typeset", "drawing", "render", "image",
+     {"error", "mesh", "mechanics", "scene", "construction", "typeset", "drawing", "render", "image",
       "output"}},
 };
 
