@@ -119,9 +119,11 @@ void complete_solid(SceneDraft& draft) {
     if (solid == table.end()) {
         std::vector<std::string_view> names;
         for (const Solid& row : table) names.push_back(row.name);
+        const std::string near = did_you_mean(body.shape, names);
         refuse(scene, "body.shape",
-               fmt::format("unknown shape \"{}\"{}; choose from: {}", echo(body.shape),
-                           did_you_mean(body.shape, names), fmt::join(names, ", ")));
+               fmt::format(
+                   "unknown shape \"{}\"{}", echo(body.shape),
+                   near.empty() ? fmt::format("; choose from: {}", fmt::join(names, ", ")) : near));
     }
     if (!draft.size_m) {
         refuse(scene, "body.shape",

@@ -84,9 +84,11 @@ std::string GivenValue::text(const TomlValue& value, const std::string& name) co
 std::string GivenValue::one_of(std::span<const std::string_view> names) const {
     const std::string given = text();
     if (std::find(names.begin(), names.end(), given) != names.end()) return given;
-    throw SceneError(value_.where,
-                     fmt::format("{} is \"{}\"{}; choose from: {}", name_, echo(given),
-                                 did_you_mean(given, names), fmt::join(names, ", ")));
+    const std::string near = did_you_mean(given, names);
+    throw SceneError(value_.where, fmt::format("{} is \"{}\"{}", name_, echo(given),
+                                               near.empty() ? fmt::format("; choose from: {}",
+                                                                          fmt::join(names, ", "))
+                                                            : near));
 }
 
 const std::vector<TomlValue>& GivenValue::items(const TomlValue& value, const std::string& name,

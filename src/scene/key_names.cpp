@@ -41,7 +41,7 @@ std::string_view with_other_ending(std::string_view given,
                                    const std::vector<std::string_view>& known) {
     if (given.size() < 3) return "";
     for (const std::string_view name : known) {
-        const bool stem = name.starts_with(given) && name[given.size()] == '_';
+        const bool stem = name.starts_with(given);
         const std::size_t unit = name.find('_');
         const bool other_unit = unit != std::string_view::npos && unit >= 3 &&
                                 given.starts_with(name.substr(0, unit + 1));
@@ -72,6 +72,11 @@ bool is_scene_table(std::string_view path) {
     return std::any_of(keys.begin(), keys.end(), [&beginning](const SceneKey& key) {
         return key.path.starts_with(beginning);
     });
+}
+
+std::string written_table(std::string_view path) {
+    if (!path.ends_with("[]")) return fmt::format("[{}]", path);
+    return fmt::format("[[{}]]", path.substr(0, path.size() - 2));
 }
 
 const SceneArray* find_scene_array(std::string_view path) {
@@ -105,12 +110,13 @@ std::string scene_key_remedy(std::string_view unknown_path, bool in_file) {
     for (const SceneKey& key : scene_keys()) {
         if (key.leaf() != leaf) continue;
         if (!in_file) return fmt::format("; did you mean \"{}\"?", key.path);
-        return key.table().empty() ? fmt::format("; \"{}\" stands above the first [table]", leaf)
-                                   : fmt::format("; \"{}\" belongs in [{}]", leaf, key.table());
+        return key.table().empty()
+                   ? fmt::format("; \"{}\" stands above the first [table]", leaf)
+                   : fmt::format("; \"{}\" belongs in {}", leaf, written_table(key.table()));
     }
     if (here.empty()) return "; see `poinsot list keys`";
     return table.empty() ? fmt::format("; choose from: {}", fmt::join(here, ", "))
-                         : fmt::format("; [{}] has: {}", table, fmt::join(here, ", "));
+                         : fmt::format("; {} has: {}", written_table(table), fmt::join(here, ", "));
 }
 
 }  // namespace poinsot

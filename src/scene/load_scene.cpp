@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <system_error>
@@ -64,40 +65,23 @@ std::string text_of_file(const fs::path& file) {
     return text;
 }
 
-// "key=value" in its two parts.
+// A --set is split at its first "=".
 struct Override {
-    std::string key;
+    std::string key;  // as typed: "body.masses[0].mass_kg"
+    SourceLocation where;
     TomlValue value;
 };
 
-Override parse_override(const std::string& text) {
-    const SourceLocation where{fmt::format("--set {}", text), 0, 0};
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) {
-        throw SceneError(where, "no \"=\"; write --set key=value");
+// "body.masses[0].mass_kg" → "body.masses[].mass_kg", the path of a row.
+std::string without_indices(std::string_view key) {
+    std::string path;
+    bool inside = false;
+    for (const char c : key) {
+        inside = inside && c >= '0' && c <= '9';
+        if (!inside) path += c;
+        if (c == '[') inside = true;
     }
-    std::string key = text.substr(0, equals);
-    key.erase(key.find_last_not_of(" \t") + 1);
-    key.erase(0, key.find_first_not_of(" \t"));
-    const SceneKey* row = find_scene_key(key);
-    if (row == nullptr && find_scene_array(key) == nullptr) {
-        const bool table = is_scene_table(key);
-        throw SceneError(where, table ? fmt::format("[{}] is a table; set one of its keys, see "
-                                                    "`poinsot list keys`",
-                                                    key)
-                                      : fmt::format("unknown key \"{}\"{}", echo(key),
-                                                    scene_key_remedy(key, false)));
-    }
-
-    const std::string_view written = std::string_view(text).substr(equals + 1);
-    TomlValue value = parse_override_value(written, where);
-    if (row != nullptr && row->type == "a string" && value.type != TomlValue::Type::text) {
-        // What is a string in a scene needs no quotes on the command line: title=2024.
-        value = {};
-        value.type = TomlValue::Type::text;
-        value.text = written;
-    }
-    return {std::move(key), std::move(value)};
+    return path;
 }
 
 // Every part of an override's value came from the command line.
@@ -110,35 +94,79 @@ void locate(TomlValue& value, const SourceLocation& where) {
     }
 }
 
+Override parse_override(const std::string& text) {
+    const SourceLocation where{fmt::format("--set {}", text), 0, 0};
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) {
+        throw SceneError(where, "no \"=\"; write --set key=value");
+    }
+    std::string key = text.substr(0, equals);
+    key.erase(key.find_last_not_of(" \t") + 1);
+    key.erase(0, key.find_first_not_of(" \t"));
+    const std::string path = without_indices(key);
+    const SceneKey* row = find_scene_key(path);
+    if (row == nullptr && find_scene_array(path) == nullptr) {
+        throw SceneError(where, is_scene_table(path)
+                                    ? fmt::format("{} is a table; set one of its keys, see "
+                                                  "`poinsot list keys`",
+                                                  written_table(path))
+                                    : fmt::format("unknown key \"{}\"{}", echo(key),
+                                                  scene_key_remedy(path, false)));
+    }
+
+    const std::string_view written = std::string_view(text).substr(equals + 1);
+    TomlValue value = parse_override_value(written, where);
+    const bool may_be_text = row != nullptr && row->type.find("string") != std::string_view::npos;
+    if (may_be_text && value.type != TomlValue::Type::array) {
+        // What is a string in a scene needs no quotes on the command line: title=2024.
+        value.text = value.type == TomlValue::Type::text ? value.text : std::string(written);
+        value.type = TomlValue::Type::text;
+    }
+    locate(value, where);
+    return {std::move(key), where, std::move(value)};
+}
+
+// The entry of a table, made if it is not there.
+TomlEntry& entry_of(TomlValue& table, std::string_view key, const SourceLocation& where) {
+    for (TomlEntry& entry : table.entries) {
+        if (entry.key == key) return entry;
+    }
+    table.entries.push_back({std::string(key), where, {}});
+    table.entries.back().value.where = where;
+    return table.entries.back();
+}
+
 void apply_override(TomlValue& root, const std::string& text) {
     Override given = parse_override(text);
-    const SourceLocation where{fmt::format("--set {}", text), 0, 0};
-    locate(given.value, where);
-
-    // Down to the table, making what is not there yet.
     TomlValue* table = &root;
-    std::string_view path = given.key;
+    std::string_view rest = given.key;
     while (true) {
-        const std::size_t dot = path.find('.');
-        const std::string_view part = path.substr(0, dot);
-        const auto found =
-            std::find_if(table->entries.begin(), table->entries.end(),
-                         [part](const TomlEntry& entry) { return entry.key == part; });
-        TomlEntry* entry = found != table->entries.end() ? &*found : nullptr;
-        if (entry == nullptr) {
-            table->entries.push_back({std::string(part), where, {}});
-            entry = &table->entries.back();
-            entry->value.where = where;
-        }
+        // Where the file has something else than a table here, reading it will say so.
+        if (table->type != TomlValue::Type::table) return;
+        const std::size_t dot = rest.find('.');
+        const std::string_view part = rest.substr(0, dot);
+        const std::size_t bracket = part.find('[');
+        TomlEntry& entry = entry_of(*table, part.substr(0, bracket), given.where);
         if (dot == std::string_view::npos) {
-            entry->where = where;
-            entry->value = std::move(given.value);
+            entry.where = given.where;
+            entry.value = std::move(given.value);
             return;
         }
-        // Where the file has something else than a table, reading it will say so.
-        if (entry->value.type != TomlValue::Type::table) return;
-        table = &entry->value;
-        path.remove_prefix(dot + 1);
+        table = &entry.value;
+        rest.remove_prefix(dot + 1);
+        if (bracket == std::string_view::npos) continue;
+
+        // One item of an array of tables, which the file must have.
+        std::size_t index = 0;
+        const char* const digits = part.data() + bracket + 1;
+        const auto [end, failed] = std::from_chars(digits, part.data() + part.size(), index);
+        if (failed != std::errc{} || index >= entry.value.items.size()) {
+            throw SceneError(given.where,
+                             fmt::format("there is no {}: the scene gives {} of them, counted from "
+                                         "0; name one of those",
+                                         part, entry.value.items.size()));
+        }
+        table = &entry.value.items[index];
     }
 }
 
@@ -206,7 +234,8 @@ class Reader {
         throw SceneError(
             entry.where,
             fmt::format("unknown {} \"{}\"{}{}", is_table ? "table" : "key", echo(entry.key),
-                        table.empty() ? "" : " in [" + table + "]", scene_key_remedy(path, true)));
+                        table.empty() ? "" : " in " + written_table(table),
+                        scene_key_remedy(path, true)));
     }
 
     SceneDraft& draft_;

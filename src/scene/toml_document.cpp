@@ -5,7 +5,9 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <charconv>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "scene/scene_error.h"
@@ -85,9 +87,11 @@ TomlValue parse_toml(std::string_view text, const std::string& file_name) {
     try {
         return plain(toml::parse(text), file_name);
     } catch (const toml::parse_error& error) {
-        throw SceneError(
-            location(error.source(), file_name),
-            fmt::format("not valid TOML: {}; correct this line", echo(error.description())));
+        // "Error while parsing array: missing comma": the rest of the sentence is kept.
+        std::string_view what = error.description();
+        if (what.starts_with("Error while ")) what.remove_prefix(12);
+        throw SceneError(location(error.source(), file_name),
+                         fmt::format("not valid TOML: {}; correct this line", echo(what)));
     }
 }
 
@@ -98,10 +102,13 @@ TomlValue parse_override_value(std::string_view text, const SourceLocation& wher
         TomlValue root = plain(toml::parse(assignment), where.file);
         if (root.entries.size() == 1) return std::move(root.entries[0].value);
     } catch (const toml::parse_error&) {
-        // A bare word, such as draft or 1920x1080: it is taken as it stands.
+        // A bare word, such as draft or 1920x1080, or a number that TOML writes differently: .5
     }
     TomlValue value;
-    value.type = TomlValue::Type::text;
+    const auto [end, failed] =
+        std::from_chars(text.data(), text.data() + text.size(), value.number);
+    const bool number = failed == std::errc{} && end == text.data() + text.size();
+    value.type = number ? TomlValue::Type::number : TomlValue::Type::text;
     value.text = text;
     return value;
 }

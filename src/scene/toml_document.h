@@ -39,7 +39,8 @@ std::string_view name_of(TomlValue::Type type);
 // than 1 MiB, brackets nested deeper than 16, keys of more than 16 parts.
 TomlValue parse_toml(std::string_view text, const std::string& file_name);
 
-// The value of a --set: TOML if it reads as one value, otherwise the text itself as a string.
+// The value of a --set: TOML if it reads as one value, a number in another notation (".5"), or else
+// the text itself as a string.
 TomlValue parse_override_value(std::string_view text, const SourceLocation& where);
 
 // The checks of parse_toml that come before parsing. `start` is where the text begins; line 0: it
