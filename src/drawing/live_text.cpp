@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <regex>
 
 #include "error/error.h"
@@ -25,6 +26,24 @@ std::string formatted(double value, std::string_view format, std::size_t column)
     return digits;
 }
 
+// Whether the brace at `at` opens the argument of a command as \\textbf is one, and so belongs to
+// the type.
+bool belongs_to_command(std::string_view text, std::size_t at) {
+    std::size_t from = at;
+    while (from > 0 && std::isalpha(static_cast<unsigned char>(text[from - 1])) != 0) --from;
+    return from < at && from > 0 && text[from - 1] == '\\';
+}
+
+// One past the brace that closes the one at `at`.
+std::size_t end_of_group(std::string_view text, std::size_t at) {
+    int depth = 0;
+    for (std::size_t i = at; i < text.size(); ++i) {
+        if (text[i] == '{') ++depth;
+        if (text[i] == '}' && --depth == 0) return i + 1;
+    }
+    return text.size();
+}
+
 }  // namespace
 
 std::string expand_live_text(std::string_view text, std::span<const LiveValue> values) {
@@ -35,6 +54,12 @@ std::string expand_live_text(std::string_view text, std::span<const LiveValue> v
         if (c == '$') formula = !formula;
         if (formula || (c != '{' && c != '}')) {
             out += c;
+            continue;
+        }
+        if (c == '{' && belongs_to_command(text, i)) {
+            const std::size_t end = end_of_group(text, i);
+            out += text.substr(i, end - i);
+            i = end - 1;
             continue;
         }
         if (i + 1 < text.size() && text[i + 1] == c) {
@@ -74,6 +99,10 @@ bool is_live(std::string_view text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] == '$') formula = !formula;
         if (formula || text[i] != '{') continue;
+        if (belongs_to_command(text, i)) {
+            i = end_of_group(text, i) - 1;
+            continue;
+        }
         if (i + 1 < text.size() && text[i + 1] == '{') {
             ++i;
             continue;

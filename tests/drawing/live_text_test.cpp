@@ -35,6 +35,12 @@ TEST(LiveText, LeavesFormulasAlone) {
     EXPECT_TRUE(is_live("{time_s}"));
 }
 
+TEST(LiveText, LeavesArgumentsOfCommandsAlone) {
+    EXPECT_EQ(expand_live_text("\\textbf{never {x}} {time_s:.0f}", values),
+              "\\textbf{never {x}} 1");
+    EXPECT_FALSE(is_live("\\emph{stable}"));
+}
+
 TEST(LiveText, DoubledBracesStandForThemselves) {
     EXPECT_EQ(expand_live_text("{{x}}", values), "{x}");
     EXPECT_FALSE(is_live("{{x}}"));
