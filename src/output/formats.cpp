@@ -13,8 +13,10 @@ namespace poinsot {
 namespace {
 
 // The two PNG rows share a suffix: a file name with '#' in it asks for the first.
-constexpr std::array<OutputFormat, 5> kFormats = {{
+constexpr std::array<OutputFormat, 7> kFormats = {{
     {"mp4", ".mp4", "film, H.264; plays everywhere, no transparency", true, false, open_mp4},
+    {"webm", ".webm", "film, VP9; small, keeps transparency", true, true, open_webm},
+    {"gif", ".gif", "film of 255 colours, for pages that take no other", true, true, open_gif},
     {"png-sequence", ".png", "numbered pictures; #### in the name is the frame", false, true,
      open_png_sequence},
     {"png", ".png", "one picture", false, true, open_png_still},

@@ -28,13 +28,6 @@ constexpr std::array<Quality, 4> kQualities = {{
     {"reference", "slow", "14"},
 }};
 
-const Quality& quality_named(const std::string& name) {
-    for (const Quality& quality : kQualities)
-        if (quality.name == name) return quality;
-    throw InputError(fmt::format(
-        "there is no quality \"{}\"; there are draft, lecture, print and reference", name));
-}
-
 // x264 decides otherwise with another number of threads, so the number must not come from the
 // machine.
 constexpr int kThreads = 3;
@@ -44,7 +37,7 @@ constexpr int kThreads = 3;
 constexpr std::int64_t kChunkFrames = 120;
 
 EncoderSettings settings_for(const OutputPlan& plan) {
-    const Quality& quality = quality_named(plan.quality);
+    const Quality& quality = quality_named(kQualities, plan.quality);
     EncoderSettings settings;
     settings.codec = "libx264";
     settings.width_px = plan.width_px;
