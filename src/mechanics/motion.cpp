@@ -1,24 +1,19 @@
 #include "mechanics/motion.h"
 
-#include <fmt/format.h>
-
-#include "error/error.h"
-#include "error/nearest.h"
+#include "mechanics/methods.h"
 
 namespace poinsot {
 
 namespace {
 
-std::variant<FreeRotation, HeavyTop> solve(const MotionProblem& problem) {
-    if (problem.method.name != "exact") {
-        throw InputError(fmt::format("unknown method \"{}\"; the method is exact",
-                                     printable(problem.method.name)));
-    }
+using Solution = std::variant<FreeRotation, HeavyTop, IntegratedRotation>;
+
+Solution solve(const MotionProblem& problem) {
+    const Method& method = check_method(problem.method, problem.inertia, problem.torque);
+    if (method.make != nullptr) return IntegratedRotation(problem);
     const auto* gravity = std::get_if<GravityTorque>(&problem.torque);
-    if (gravity != nullptr) return HeavyTop(problem.inertia, *gravity, problem.start);
-    if (!std::holds_alternative<NoTorque>(problem.torque)) {
-        throw InputError(
-            "method \"exact\" has no solution for this torque; name a method that steps");
+    if (gravity != nullptr && HeavyTop::accepts(problem.inertia, *gravity)) {
+        return HeavyTop(problem.inertia, *gravity, problem.start);
     }
     return FreeRotation(problem.inertia, problem.start);
 }
@@ -38,6 +33,7 @@ MotionSample Motion::sample(double time_s, Quantities wanted) const {
 
 Regime Motion::regime() const {
     if (heavy_top() != nullptr) return Regime::heavy_top;
+    if (integrated() != nullptr) return Regime::integrated;
     return free_rotation()->regime();
 }
 

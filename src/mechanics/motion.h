@@ -6,6 +6,7 @@
 
 #include "mechanics/free_rotation.h"
 #include "mechanics/heavy_top.h"
+#include "mechanics/integrated_rotation.h"
 #include "mechanics/motion_problem.h"
 #include "mechanics/regime.h"
 #include "mechanics/rotation_state.h"
@@ -29,12 +30,15 @@ class Motion {
     // The solution in its own type, for what only it can tell; null if it is another one.
     const FreeRotation* free_rotation() const { return std::get_if<FreeRotation>(&solution_); }
     const HeavyTop* heavy_top() const { return std::get_if<HeavyTop>(&solution_); }
+    const IntegratedRotation* integrated() const {
+        return std::get_if<IntegratedRotation>(&solution_);
+    }
 
     const MotionProblem& problem() const { return problem_; }
 
  private:
     MotionProblem problem_;
-    std::variant<FreeRotation, HeavyTop> solution_;
+    std::variant<FreeRotation, HeavyTop, IntegratedRotation> solution_;
 };
 
 }  // namespace poinsot

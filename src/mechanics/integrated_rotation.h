@@ -1,0 +1,61 @@
+// A motion computed step by step by a method of the table, as an immutable value over a time span.
+#pragma once
+
+#include <vector>
+
+#include "mechanics/methods.h"
+#include "mechanics/motion_problem.h"
+#include "mechanics/rotation_state.h"
+
+namespace poinsot {
+
+// Immutable. The steps start at the problem's start and go to both ends of its time span; every
+// so-many-th state is kept, and an instant between is reached from the one before it by whole steps
+// and one shorter step (or the method's dense output), so that the same instant always gives the
+// same state and memory stays bounded.
+class IntegratedRotation {
+ public:
+    // Throws InputError for what check_method refuses, a start that is not finite, a step longer
+    // than the time span, a step that the method finds no solution for, and a span of more than
+    // max_steps steps.
+    explicit IntegratedRotation(const MotionProblem& problem);
+
+    // Throws InputError outside the time span.
+    RotationState at(double time_s) const;
+    // Euler angles are those of the attitude, z-x-z, φ and ψ in (−π, π], not unwrapped.
+    MotionSample sample(double time_s, Quantities wanted) const;
+
+    const Method& method() const { return *method_; }
+    // The fixed step, or the first one to try, in seconds; positive.
+    double step_s() const { return step_s_; }
+    double first_time_s() const { return first_time_s_; }
+    double last_time_s() const { return last_time_s_; }
+    // What covering the time span has cost.
+    const StepCounters& counters() const { return counters_; }
+    // What one evaluation costs: as at(), adding to the counters.
+    RotationState at(double time_s, StepCounters& counters) const;
+    std::size_t n_kept_states() const { return forward_.kept.size() + backward_.kept.size(); }
+
+    static constexpr double max_steps = 1e9;
+    static constexpr std::size_t max_kept_states = 1U << 15U;  // in each direction
+
+ private:
+    struct Branch {
+        Propagator propagator;
+        std::vector<StepNode> kept;  // in order of |time|, the start first
+    };
+
+    void cover(Branch& branch, const MethodStart& start, double end_s);
+
+    const Method* method_ = nullptr;
+    InertiaTensor inertia_;
+    double start_time_s_ = 0.0;
+    double first_time_s_ = 0.0;
+    double last_time_s_ = 0.0;
+    double step_s_ = 0.0;
+    Branch forward_;
+    Branch backward_;
+    StepCounters counters_;
+};
+
+}  // namespace poinsot

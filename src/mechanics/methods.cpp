@@ -1,0 +1,204 @@
+#include "mechanics/methods.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "error/error.h"
+#include "error/nearest.h"
+#include "mechanics/heavy_top.h"
+#include "mechanics/integrators.h"
+
+namespace poinsot {
+
+namespace {
+
+// The bit of an alternative of a variant.
+template <typename Wanted, typename... Alternatives>
+constexpr unsigned bit_in(const std::variant<Alternatives...>* /*type*/) {
+    unsigned index = 0;
+    bool found = false;
+    ((found = found || std::is_same_v<Wanted, Alternatives>, index += found ? 0U : 1U), ...);
+    return 1U << index;
+}
+template <typename Wanted>
+constexpr unsigned bit = bit_in<Wanted>(static_cast<const Torque*>(nullptr));
+
+constexpr unsigned torque_free = bit<NoTorque>;
+constexpr unsigned potential = torque_free | bit<GravityTorque>;
+constexpr unsigned any_torque =
+    potential | bit<ConstantBodyTorque> | bit<ConstantSpaceTorque> | bit<DissipationTorque>;
+
+constexpr std::array order_1{1};
+constexpr std::array order_2{2};
+constexpr std::array order_4{4};
+constexpr std::array order_5{5};
+constexpr std::array even_orders{2, 4, 6, 8, 10};
+
+constexpr std::array table{
+    Method{.name = "exact",
+           .summary = "closed form, any instant at the same cost, accurate to rounding",
+           .source = "Jacobi 1849; Klein & Sommerfeld, Theorie des Kreisels",
+           .conserves = "everything, to rounding",
+           .torques = potential},
+    Method{.name = "euler",
+           .summary = "Euler's explicit method, order 1: shows what a bad integrator does",
+           .source = "Hairer, Nørsett & Wanner, Solving ODEs I, §I.7",
+           .conserves = "nothing: T and L grow",
+           .orders = order_1,
+           .takes_step = true,
+           .torques = any_torque,
+           .make = euler},
+    Method{.name = "rk4",
+           .summary = "the classical Runge–Kutta method, order 4",
+           .source = "Hairer, Nørsett & Wanner, Solving ODEs I, §II.1",
+           .conserves = "nothing exactly: T and L drift steadily",
+           .orders = order_4,
+           .takes_step = true,
+           .torques = any_torque,
+           .make = rk4},
+    Method{.name = "dopri5",
+           .summary = "Dormand & Prince 5(4) with step control and dense output",
+           .source = "Dormand & Prince, J. Comput. Appl. Math. 6 (1980) 19; Boost.odeint",
+           .conserves = "nothing exactly: T and L drift within the tolerance a step",
+           .orders = order_5,
+           .takes_tolerance = true,
+           .torques = any_torque,
+           .make = dopri5},
+    Method{.name = "midpoint",
+           .summary = "implicit midpoint rule with a Cayley update, order 2",
+           .source = "Austin, Krishnaprasad & Wang, J. Comput. Phys. 107 (1993) 105",
+           .conserves = "T and L in space, to rounding",
+           .orders = order_2,
+           .takes_step = true,
+           .torques = torque_free,
+           .make = midpoint},
+    Method{
+        .name = "splitting",
+        .summary = "symplectic Strang splitting into rotations about the principal axes, order 2",
+        .source = "McLachlan, Phys. Rev. Lett. 71 (1993) 3043; Reich, Physica D 76 (1994) 375",
+        .conserves = "L in space to rounding without torque; the energy stays bounded",
+        .orders = order_2,
+        .takes_step = true,
+        .torques = potential,
+        .make = splitting},
+    Method{.name = "dmv",
+           .summary = "preprocessed discrete Moser–Veselov algorithm, orders 2 to 10",
+           .source = "Hairer & Vilmart, J. Phys. A 39 (2006) 13225",
+           .conserves = "T and L in space, to rounding",
+           .orders = even_orders,
+           .takes_step = true,
+           .torques = torque_free,
+           .make = dmv},
+    Method{.name = "rkmk4",
+           .summary = "Runge–Kutta–Munthe-Kaas on the rotation group, order 4",
+           .source = "Munthe-Kaas, BIT 38 (1998) 92; Iserles et al., Acta Numerica 9 (2000) 215",
+           .conserves = "L in space to rounding without torque; T drifts",
+           .orders = order_4,
+           .takes_step = true,
+           .torques = any_torque,
+           .make = rkmk4},
+};
+
+std::string joined(const std::vector<std::string_view>& names) {
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+bool is_exact(const Method& method) { return method.make == nullptr; }
+
+// What the method takes instead of something that it does not.
+std::string options_of(const Method& method) {
+    if (method.takes_step) return "it takes step_s";
+    if (method.takes_tolerance) return "it takes tolerance";
+    return "it needs neither step nor tolerance";
+}
+
+void check_step(double step_s) {
+    if (!(step_s > 0.0) || !std::isfinite(step_s)) {
+        throw InputError(fmt::format("step_s is {} s; give a positive number of seconds", step_s));
+    }
+}
+
+void check_tolerance(double tolerance) {
+    if (!(tolerance >= least_tolerance)) {
+        throw InputError(fmt::format(
+            "tolerance {} is below what doubles can give; the least that can be reached is {}",
+            tolerance, least_tolerance));
+    }
+    if (!(tolerance < 1.0)) {
+        throw InputError(
+            fmt::format("tolerance {} is no accuracy; give a number below 1", tolerance));
+    }
+}
+
+void check_order(const Method& method, int order) {
+    if (std::find(method.orders.begin(), method.orders.end(), order) != method.orders.end()) return;
+    if (method.orders.empty()) {
+        throw InputError(fmt::format("method \"{}\" has no order to choose", method.name));
+    }
+    throw InputError(fmt::format("method \"{}\" has no order {}; its orders are {}", method.name,
+                                 order, fmt::join(method.orders, ", ")));
+}
+
+}  // namespace
+
+std::span<const Method> methods() { return table; }
+
+const Method& find_method(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const Method& method : table) {
+        if (method.name == name) return method;
+        names.push_back(method.name);
+    }
+    throw InputError(fmt::format("unknown method \"{}\"{}; the methods are {}", printable(name),
+                                 did_you_mean(name, names), joined(names)));
+}
+
+bool can_solve(const Method& method, const InertiaTensor& inertia, const Torque& torque) {
+    if ((method.torques >> torque.index() & 1U) == 0U) return false;
+    const auto* gravity = std::get_if<GravityTorque>(&torque);
+    return !is_exact(method) || gravity == nullptr || gravity->mgl_N_m == 0.0 ||
+           HeavyTop::accepts(inertia, *gravity);
+}
+
+std::string methods_that_solve(const InertiaTensor& inertia, const Torque& torque) {
+    std::vector<std::string_view> names;
+    for (const Method& method : table) {
+        if (can_solve(method, inertia, torque)) names.push_back(method.name);
+    }
+    return joined(names);
+}
+
+const Method& check_method(const MethodChoice& choice, const InertiaTensor& inertia,
+                           const Torque& torque) {
+    const Method& method = find_method(choice.name);
+    if (!can_solve(method, inertia, torque)) {
+        const bool asymmetric_top =
+            is_exact(method) && std::holds_alternative<GravityTorque>(torque);
+        throw InputError(fmt::format(
+            "method \"{}\" has no solution for {}; choose one of {}", method.name,
+            asymmetric_top ? std::string("gravity on a body that is not symmetric about the arm "
+                                         "(not integrable)")
+                           : fmt::format("the torque \"{}\"", name_of(torque)),
+            methods_that_solve(inertia, torque)));
+    }
+    if (choice.order) check_order(method, *choice.order);
+    if (choice.step_s && !method.takes_step) {
+        throw InputError(
+            fmt::format("method \"{}\" takes no step_s: {}", method.name, options_of(method)));
+    }
+    if (choice.tolerance && !method.takes_tolerance) {
+        throw InputError(
+            fmt::format("method \"{}\" takes no tolerance: {}", method.name, options_of(method)));
+    }
+    if (choice.step_s) check_step(*choice.step_s);
+    if (choice.tolerance) check_tolerance(*choice.tolerance);
+    return method;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,69 @@
+// Torques and the equations of motion that the stepping methods solve.
+//
+// With a torque the motion of a general body is not integrable: but for Lagrange's top there is no
+// closed form, and a method must step.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <string_view>
+
+#include "mechanics/inertia.h"
+#include "mechanics/motion_problem.h"
+
+namespace poinsot {
+
+// "none", "gravity", "constant in the body", "constant in space", "internal dissipation".
+std::string_view name_of(const Torque& torque);
+
+// What a stepping method advances: momentum L in kg m²/s in principal axes, and the attitude.
+struct StepState {
+    Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
+    Eigen::Quaterniond space_from_principal = Eigen::Quaterniond::Identity();
+};
+
+// dL/dt in principal axes, and the angular velocity at which the principal axes turn.
+struct RotationRates {
+    Eigen::Vector3d momentum_rate;
+    Eigen::Vector3d turning;
+};
+
+// Euler's equations dL/dt = L × Ω + N in principal axes, dq/dt = ½ q Ω, for one body and torque.
+//
+// Gravity: N = Mgl (z × n), z the upward vertical and n the arm, both in principal axes.
+// Dissipation inside the body: no torque acts and L is kept in space, but the axes turn at
+// Ω = ω + κ (L × ω)/L² with ω = I⁻¹L and κ = rate · tr(I)/3, so that dL/dt = L × ω + κ L × (L ×
+// ω)/L² keeps |L| and dT/dt = −κ |L × ω|²/L²: the spin tends to the axis of the highest moment.
+// This is the double bracket of Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys. 175
+// (1996) 1.
+class RotationDynamics {
+ public:
+    // Throws InputError if a number of the torque is not finite, the arm is zero, or the rate of
+    // dissipation is negative.
+    RotationDynamics(const InertiaTensor& inertia, const Torque& torque);
+
+    const Eigen::Vector3d& moments_kg_m2() const { return moments_; }
+    const Torque& torque() const { return torque_; }  // in principal axes
+
+    // ω = I⁻¹L in principal axes, rad/s.
+    Eigen::Vector3d omega(const Eigen::Vector3d& momentum) const {
+        return momentum.cwiseQuotient(moments_);
+    }
+    // N in N m, principal axes.
+    Eigen::Vector3d torque_on(const StepState& state) const;
+    RotationRates rates(const StepState& state) const;
+    // Kinetic energy, and for gravity Mgl (n·z), in joules.
+    double energy_J(const StepState& state) const;
+
+    // Largest |ω| of the torque-free motion from this momentum, rad/s.
+    double greatest_free_omega(const Eigen::Vector3d& momentum) const;
+    // An upper bound of |N| in N m.
+    double greatest_torque_N_m() const;
+
+ private:
+    Eigen::Vector3d moments_;
+    Torque torque_;
+    double dissipation_kg_m2_s_ = 0.0;  // κ
+};
+
+}  // namespace poinsot
