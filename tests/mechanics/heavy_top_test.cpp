@@ -1,0 +1,699 @@
+// Lagrange's top against 40-digit references, an independent Taylor integration of Euler's
+// equations in long double, closed forms and its own invariants.
+#include "mechanics/heavy_top.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "error/error.h"
+#include "mechanics/reference_cases.h"
+
+namespace poinsot {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+using reference::Json;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// How far a top's state is from (q, ω) in long double: the largest component of the quaternion's
+// difference (q and −q alike) and of ω's, the latter relative to its norm if that exceeds one.
+struct Difference {
+    double attitude = 0.0;
+    double omega = 0.0;
+};
+
+using Wide = long double;
+using Quad = boost::multiprecision::cpp_bin_float_quad;
+
+Difference difference(const RotationState& state, const std::array<Wide, 4>& q,
+                      const std::array<Wide, 3>& omega) {
+    const Eigen::Quaterniond& r = state.space_from_body;
+    const double components[4] = {r.w(), r.x(), r.y(), r.z()};
+    Wide same = 0;
+    Wide opposite = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        same = std::max(same, std::abs(q[i] - components[i]));
+        opposite = std::max(opposite, std::abs(q[i] + components[i]));
+    }
+    Wide worst = 0;
+    Wide norm = 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+        worst = std::max(worst, std::abs(omega[i] - state.omega_body[static_cast<int>(i)]));
+        norm = std::max(norm, std::abs(omega[i]));
+    }
+    return {static_cast<double>(std::min(same, opposite)), static_cast<double>(worst / norm)};
+}
+
+// Taylor's method for Euler's equations of the top: an independent answer, regular through the
+// vertical, with an error of about the arithmetic's. Long double serves where the motion does not
+// amplify its 1e-19; 113 bits where it does.
+template <typename Real>
+class TaylorTop {
+ public:
+    explicit TaylorTop(const HeavyTopProblem& p)
+        : omega3_(p.omega3_rad_s),
+          spin_coupling_((Real(p.moment_transverse_kg_m2) - p.moment_axial_kg_m2) * omega3_ /
+                         p.moment_transverse_kg_m2),
+          gravity_(Real(p.mgl_N_m) / p.moment_transverse_kg_m2) {
+        using std::cos;
+        using std::sin;
+        const Real half = Real(p.theta_rad) / 2;
+        const Real c = cos(half);
+        const Real s = sin(half);
+        state_ = {Real(p.theta_dot_rad_s),
+                  Real(p.phi_dot_rad_s * 2 * s * c),
+                  Real(0),
+                  Real(2 * s * c),
+                  Real((c - s) * (c + s)),
+                  c,
+                  s,
+                  Real(0),
+                  Real(0)};
+    }
+
+    void advance(double duration) {
+        const double p = static_cast<double>(state_[0]);
+        const double q = static_cast<double>(state_[1]);
+        const double rate = std::hypot(p, q) + std::abs(static_cast<double>(omega3_)) +
+                            std::abs(static_cast<double>(spin_coupling_)) +
+                            2 * std::sqrt(std::abs(static_cast<double>(gravity_))) + 1e-3;
+        const auto n_steps = static_cast<int>(std::ceil(std::abs(duration) * rate / 0.5));
+        for (int step = 0; step < n_steps; ++step) advance_once(Real(duration) / n_steps);
+    }
+
+    std::array<Wide, 4> quaternion() const {
+        return {static_cast<Wide>(state_[5]), static_cast<Wide>(state_[6]),
+                static_cast<Wide>(state_[7]), static_cast<Wide>(state_[8])};
+    }
+    std::array<Wide, 3> omega() const {
+        return {static_cast<Wide>(state_[0]), static_cast<Wide>(state_[1]),
+                static_cast<Wide>(omega3_)};
+    }
+
+ private:
+    static constexpr int order = std::numeric_limits<Real>::digits > 100 ? 42 : 28;
+    using Series = std::array<Real, order + 1>;
+
+    static Real product(const Series& a, const Series& b, int n) {
+        Real sum = 0;
+        for (int k = 0; k <= n; ++k) sum += a[k] * b[n - k];
+        return sum;
+    }
+
+    void advance_once(const Real& h) {
+        std::array<Series, 9> s{};
+        for (std::size_t i = 0; i < 9; ++i) s[i][0] = state_[i];
+        auto& [p, q, v1, v2, v3, w, x, y, z] = s;
+        const Real& r = omega3_;
+        for (int n = 0; n < order; ++n) {
+            const Real next = n + 1;
+            p[n + 1] = (spin_coupling_ * q[n] + gravity_ * v2[n]) / next;
+            q[n + 1] = (-spin_coupling_ * p[n] - gravity_ * v1[n]) / next;
+            v1[n + 1] = (r * v2[n] - product(v3, q, n)) / next;
+            v2[n + 1] = (product(v3, p, n) - r * v1[n]) / next;
+            v3[n + 1] = (product(v1, q, n) - product(v2, p, n)) / next;
+            w[n + 1] = -(product(x, p, n) + product(y, q, n) + r * z[n]) / (2 * next);
+            x[n + 1] = (product(w, p, n) - product(z, q, n) + r * y[n]) / (2 * next);
+            y[n + 1] = (product(w, q, n) + product(z, p, n) - r * x[n]) / (2 * next);
+            z[n + 1] = (r * w[n] + product(x, q, n) - product(y, p, n)) / (2 * next);
+        }
+        for (std::size_t i = 0; i < 9; ++i) {
+            Real sum = 0;
+            for (int n = order; n >= 0; --n) sum = sum * h + s[i][n];
+            state_[i] = sum;
+        }
+    }
+
+    Real omega3_, spin_coupling_, gravity_;
+    std::array<Real, 9> state_{};  // ω1, ω2, vertical in body axes, quaternion (w, x, y, z)
+};
+
+// The largest differences of many tops from the Taylor integration at four times each.
+template <typename Real, typename MakeProblem>
+Difference worst_of(int n_tops, unsigned seed, double duration_s, MakeProblem make) {
+    std::mt19937_64 random(seed);
+    Difference worst;
+    for (int i = 0; i < n_tops; ++i) {
+        const HeavyTopProblem problem = make(random);
+        const HeavyTop top(problem);
+        TaylorTop<Real> oracle(problem);
+        const double piece = std::ldexp(std::round(duration_s * (i % 4 == 3 ? -16 : 16)), -6);
+        for (int k = 1; k <= 4; ++k) {
+            oracle.advance(piece);
+            const Difference d = difference(top.at(k * piece), oracle.quaternion(), oracle.omega());
+            worst.attitude = std::max(worst.attitude, d.attitude);
+            worst.omega = std::max(worst.omega, d.omega);
+        }
+    }
+    return worst;
+}
+
+double uniform(std::mt19937_64& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+HeavyTopProblem generic_top(std::mt19937_64& random) {
+    HeavyTopProblem p;
+    p.moment_transverse_kg_m2 = uniform(random, 0.3, 3.0);
+    p.moment_axial_kg_m2 = p.moment_transverse_kg_m2 * uniform(random, 0.05, 2.0);
+    p.mgl_N_m = uniform(random, -4.0, 4.0);
+    p.theta_rad = uniform(random, 0.01, 3.13);
+    p.theta_dot_rad_s = uniform(random, -2.0, 2.0);
+    p.phi_dot_rad_s = uniform(random, -2.0, 2.0);
+    p.omega3_rad_s = uniform(random, -8.0, 8.0);
+    return p;
+}
+
+HeavyTopProblem lecture_top() {
+    return {.moment_transverse_kg_m2 = 1.0,
+            .moment_axial_kg_m2 = 0.5,
+            .mgl_N_m = 1.0,
+            .theta_rad = 0.7,
+            .omega3_rad_s = 8.0};
+}
+
+// p_φ, p_ψ and E of a state, each relative to the size of its terms.
+double invariant_residual(const HeavyTop& top, const HeavyTopProblem& p,
+                          const RotationState& state) {
+    const Eigen::Vector3d up = state.space_from_body.conjugate() * Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d moments(p.moment_transverse_kg_m2, p.moment_transverse_kg_m2,
+                                  p.moment_axial_kg_m2);
+    const Eigen::Vector3d momentum = moments.cwiseProduct(state.omega_body);
+    const double kinetic = 0.5 * momentum.dot(state.omega_body);
+    const double energy_scale = kinetic + std::abs(p.mgl_N_m);
+    const double norm =
+        momentum.norm() + std::sqrt(p.moment_transverse_kg_m2) * std::sqrt(std::abs(p.mgl_N_m));
+    return std::max(
+        {std::abs(momentum.dot(up) - top.invariants().p_phi_kg_m2_s) / norm,
+         std::abs(momentum[2] - top.invariants().p_psi_kg_m2_s) / norm,
+         std::abs(kinetic + p.mgl_N_m * up[2] - top.invariants().energy_J) / energy_scale,
+         std::abs(state.space_from_body.norm() - 1.0)});
+}
+
+// ---------------------------------------------------------------------------------------------
+
+class HeavyTopReference : public testing::Test {
+ protected:
+    static Wide number(const Json& json) { return std::strtold(json.text.c_str(), nullptr); }
+    template <std::size_t n>
+    static std::array<Wide, n> numbers(const Json& json) {
+        std::array<Wide, n> result{};
+        for (std::size_t i = 0; i < n; ++i) result.at(i) = number(json.items.at(i));
+        return result;
+    }
+
+    template <typename Check>
+    static void for_each_sample(Check check) {
+        const Json file = reference::read_reference("heavy_top.json");
+        int n_samples = 0;
+        for (const Json& c : file["cases"].items) {
+            const HeavyTopProblem problem{.moment_transverse_kg_m2 = c["A"].number(),
+                                          .moment_axial_kg_m2 = c["C"].number(),
+                                          .mgl_N_m = c["Mgl"].number(),
+                                          .theta_rad = c["theta0"].number(),
+                                          .theta_dot_rad_s = c["thetadot0"].number(),
+                                          .phi_dot_rad_s = c["phidot0"].number(),
+                                          .omega3_rad_s = c["omega3"].number()};
+            for (const Json& sample : c["samples"].items) {
+                SCOPED_TRACE(c["name"].text + ", t = " + sample["t"].text);
+                check(problem, sample);
+                ++n_samples;
+            }
+        }
+        EXPECT_EQ(n_samples, 55);
+    }
+};
+
+TEST_F(HeavyTopReference, AgreesInAttitudeAndAngularVelocity) {
+    for_each_sample([](const HeavyTopProblem& problem, const Json& sample) {
+        const HeavyTop top(problem);
+        const RotationState state = top.at(sample["t"].number());
+        const Difference d =
+            difference(state, numbers<4>(sample["q"]), numbers<3>(sample["omega"]));
+        EXPECT_LE(d.attitude, 1e-15);  // measured 1.4e-16
+        EXPECT_LE(d.omega, 1e-15);     // measured 9.6e-16 absolute, 1.2e-16 relative
+    });
+}
+
+TEST_F(HeavyTopReference, AgreesInEulerAngles) {
+    for_each_sample([](const HeavyTopProblem& problem, const Json& sample) {
+        const HeavyTop top(problem);
+        const EulerAngles angles = top.euler_angles(sample["t"].number());
+        // Half an ulp of the angle is the most that a double can give: ψ reaches 609 rad.
+        const auto within = [](double angle, Wide reference) {
+            return static_cast<double>(std::abs(angle - reference) /
+                                       std::max(Wide(1), std::abs(reference)));
+        };
+        EXPECT_LE(within(angles.theta_rad, number(sample["theta"])), 1e-15);  // measured 3e-16
+        EXPECT_LE(within(angles.phi_rad, number(sample["phi"])), 1e-15);      // measured 3e-16
+        EXPECT_LE(within(angles.psi_rad, number(sample["psi"])), 1e-15);      // measured 4e-16
+    });
+}
+
+TEST_F(HeavyTopReference, AgreesWhenStartedFromRoundedStates) {
+    // A scene gives a RotationState, whose quaternion and ω are already rounded.
+    for_each_sample([](const HeavyTopProblem& p, const Json& sample) {
+        const InertiaTensor inertia = InertiaTensor::from_principal_moments(
+            {p.moment_transverse_kg_m2, p.moment_transverse_kg_m2, p.moment_axial_kg_m2});
+        const HeavyTop top(inertia, GravityTorque{.mgl_N_m = p.mgl_N_m}, start_of(p));
+        const MotionSample s = top.sample(sample["t"].number(), {.euler_angles = true});
+        const Difference d =
+            difference(s.state, numbers<4>(sample["q"]), numbers<3>(sample["omega"]));
+        EXPECT_LE(d.attitude, 1e-13);
+        EXPECT_LE(d.omega, 1e-13);
+        EXPECT_LE(std::abs(s.euler.theta_rad - number(sample["theta"])), 1e-13);
+        EXPECT_LE(std::abs(s.euler.phi_rad - number(sample["phi"])), 1e-13);
+        EXPECT_LE(std::abs(s.euler.psi_rad - number(sample["psi"])), 1e-13);
+    });
+}
+
+TEST(HeavyTop, AgreesWithTaylorForGenericTops) {
+    const Difference worst = worst_of<Wide>(400, 1, 20.0, generic_top);
+    EXPECT_LE(worst.attitude, 2e-15);  // measured 3.7e-16
+    EXPECT_LE(worst.omega, 3e-15);     // measured 8e-16
+}
+
+TEST(HeavyTop, AgreesWithTaylorNearTheVertical) {
+    const Difference worst = worst_of<Quad>(16, 2, 12.0, [](std::mt19937_64& random) {
+        HeavyTopProblem p = generic_top(random);
+        p.theta_rad = std::pow(10.0, uniform(random, -12.0, -1.0));
+        p.theta_dot_rad_s *= p.theta_rad;
+        p.omega3_rad_s = uniform(random, -4.0, 4.0);
+        return p;
+    });
+    EXPECT_LE(worst.attitude, 2e-15);  // measured 3.4e-16
+    EXPECT_LE(worst.omega, 3e-15);     // measured 6e-16
+}
+
+TEST(HeavyTop, AgreesWithTaylorNearTheBottom) {
+    const Difference worst = worst_of<Wide>(200, 3, 20.0, [](std::mt19937_64& random) {
+        HeavyTopProblem p = generic_top(random);
+        p.theta_rad = pi - std::pow(10.0, uniform(random, -12.0, -1.0));
+        p.mgl_N_m = std::abs(p.mgl_N_m);
+        return p;
+    });
+    EXPECT_LE(worst.attitude, 2e-15);  // measured 3.3e-16
+    EXPECT_LE(worst.omega, 3e-15);     // measured 5.7e-16
+}
+
+TEST(HeavyTop, AgreesWithTaylorFromExactlyVertical) {
+    const Difference worst = worst_of<Quad>(16, 4, 15.0, [](std::mt19937_64& random) {
+        HeavyTopProblem p = generic_top(random);
+        p.theta_rad = 0.0;
+        return p;
+    });
+    EXPECT_LE(worst.attitude, 2e-15);  // measured 2.4e-16
+    EXPECT_LE(worst.omega, 3e-15);     // measured 2.6e-16
+}
+
+TEST(HeavyTop, AgreesWithTaylorForPlanarAndSphericalPendulums) {
+    const Difference worst = worst_of<Quad>(16, 5, 15.0, [](std::mt19937_64& random) {
+        HeavyTopProblem p = generic_top(random);
+        p.omega3_rad_s = 0.0;
+        if (random() % 2 == 0) p.phi_dot_rad_s = 0.0;
+        return p;
+    });
+    EXPECT_LE(worst.attitude, 2e-15);  // measured 3.1e-16
+    EXPECT_LE(worst.omega, 3e-15);     // measured 6.4e-16
+}
+
+TEST(HeavyTop, AgreesWithTaylorForWeakGravityAndExtremeShapes) {
+    const Difference worst = worst_of<Wide>(200, 6, 15.0, [](std::mt19937_64& random) {
+        HeavyTopProblem p = generic_top(random);
+        p.mgl_N_m = std::copysign(std::pow(10.0, uniform(random, -20.0, 0.0)), p.mgl_N_m);
+        p.moment_axial_kg_m2 =
+            p.moment_transverse_kg_m2 * std::pow(10.0, uniform(random, -9.0, 0.3));
+        return p;
+    });
+    EXPECT_LE(worst.attitude, 2e-15);  // measured 2.8e-16
+    EXPECT_LE(worst.omega, 3e-15);     // measured 7.3e-16
+}
+
+TEST(HeavyTop, AgreesWithTaylorNearSteadyPrecession) {
+    const Difference worst = worst_of<Wide>(200, 7, 15.0, [](std::mt19937_64& random) {
+        HeavyTopProblem p = generic_top(random);
+        p.mgl_N_m = std::abs(p.mgl_N_m);
+        p.theta_rad = uniform(random, 0.1, 1.4);
+        const double cosine = std::cos(p.theta_rad);
+        const double spin = std::sqrt(4.0 * p.moment_transverse_kg_m2 * p.mgl_N_m * cosine);
+        p.omega3_rad_s = uniform(random, 1.05, 3.0) * spin / p.moment_axial_kg_m2;
+        const double a = p.moment_axial_kg_m2 * p.omega3_rad_s / p.moment_transverse_kg_m2;
+        const double root = std::sqrt(a * a - 4.0 * cosine * p.mgl_N_m / p.moment_transverse_kg_m2);
+        p.phi_dot_rad_s = (random() % 2 == 0 ? a - root : a + root) / (2.0 * cosine) +
+                          std::pow(10.0, uniform(random, -20.0, -3.0));
+        p.theta_dot_rad_s = random() % 2 == 0 ? 0.0 : std::pow(10.0, uniform(random, -300.0, -3.0));
+        return p;
+    });
+    EXPECT_LE(worst.attitude, 2e-15);  // measured 2.4e-16
+    EXPECT_LE(worst.omega, 3e-15);     // measured 6.6e-16
+}
+
+TEST(HeavyTop, AgreesWithTaylorNearTheSeparatrix) {
+    // A pendulum-like top whose energy is that of the upright position but for 1e-1 … 1e-15.
+    const Difference worst = worst_of<Quad>(16, 8, 12.0, [](std::mt19937_64& random) {
+        HeavyTopProblem p = generic_top(random);
+        p.mgl_N_m = uniform(random, 0.5, 2.0);
+        p.theta_rad = uniform(random, 0.5, 3.0);
+        // p_φ = p_ψ and E = E_upright: φ̇ = a/(1 + cos θ), θ̇² = βx − φ̇² sin²θ.
+        const double a = uniform(random, 0.0, 0.5);
+        p.omega3_rad_s = a * p.moment_transverse_kg_m2 / p.moment_axial_kg_m2;
+        p.phi_dot_rad_s = a / (1.0 + std::cos(p.theta_rad));
+        const double x = 1.0 - std::cos(p.theta_rad);
+        const double rate2 = 2.0 * p.mgl_N_m / p.moment_transverse_kg_m2 * x -
+                             a * a * x / (1.0 + std::cos(p.theta_rad));
+        p.theta_dot_rad_s =
+            -std::sqrt(std::max(rate2, 0.0)) + std::pow(10.0, uniform(random, -15.0, -1.0));
+        return p;
+    });
+    EXPECT_LE(worst.attitude, 2e-15);  // measured 2.5e-16
+    EXPECT_LE(worst.omega, 3e-15);     // measured 5.8e-16
+}
+
+TEST(HeavyTop, KeepsItsInvariantsFromTheFirstInstantToTheFarthest) {
+    std::mt19937_64 random(9);
+    double worst = 0.0;
+    for (int i = 0; i < 300; ++i) {
+        const HeavyTopProblem p = generic_top(random);
+        const HeavyTop top(p);
+        for (const double t : {0.0, 1.0, -3.0, 1e6, -1e9, 1e12, 1e15}) {
+            worst = std::max(worst, invariant_residual(top, p, top.at(t)));
+        }
+    }
+    EXPECT_LE(worst, 4e-15);  // measured 8.6e-16
+}
+
+TEST(HeavyTop, IsFiniteAndConservesAtWildScales) {
+    std::mt19937_64 random(10);
+    double worst = 0.0;
+    for (int i = 0; i < 1500; ++i) {
+        const auto wild = [&] {
+            return std::pow(10.0, uniform(random, -60.0, 60.0)) * (random() % 2 == 0 ? 1.0 : -1.0);
+        };
+        HeavyTopProblem p;
+        p.moment_transverse_kg_m2 = std::abs(wild());
+        p.moment_axial_kg_m2 = p.moment_transverse_kg_m2 * std::pow(10.0, uniform(random, -12, 0));
+        p.mgl_N_m = wild();
+        p.theta_rad = std::min(pi, std::pow(10.0, uniform(random, -150.0, 1.0)));
+        p.theta_dot_rad_s = random() % 3 == 0 ? 0.0 : wild();
+        p.phi_dot_rad_s = random() % 3 == 0 ? 0.0 : wild();
+        p.omega3_rad_s = random() % 3 == 0 ? 0.0 : wild();
+        const HeavyTop top(p);
+        const double period = top.nutation().period_s;
+        EXPECT_FALSE(std::isnan(period));
+        for (const double k : {0.0, 0.3, -1.7, 1e3}) {
+            const double t = k * (std::isfinite(period) ? period : 1.0);
+            const RotationState state = top.at(t);
+            ASSERT_TRUE(state.space_from_body.coeffs().allFinite()) << i;
+            ASSERT_TRUE(state.omega_body.allFinite()) << i;
+            ASSERT_FALSE(std::isnan(top.euler_angles(t).phi_rad)) << i;
+            worst = std::max(worst, invariant_residual(top, p, state));
+        }
+    }
+    EXPECT_LE(worst, 5e-15);  // measured 1.1e-15
+}
+
+// The nutation's period and the precession over it, by the trapezoidal rule in 50 digits: the
+// integrands are periodic and analytic, so that it converges geometrically.
+struct Quadrature {
+    using Real = boost::multiprecision::cpp_bin_float_50;
+    Real period;
+    Real precession;
+
+    explicit Quadrature(const HeavyTopProblem& p) {
+        const Real A = p.moment_transverse_kg_m2;
+        const Real beta = 2 * Real(p.mgl_N_m) / A;
+        const Real a = Real(p.moment_axial_kg_m2) * p.omega3_rad_s / A;
+        const Real x0 = 1 - cos(Real(p.theta_rad));
+        const Real across = Real(p.phi_dot_rad_s) * x0 * (2 - x0);
+        const Real d = across - a * x0;
+        const Real gamma = square(Real(p.theta_dot_rad_s)) +
+                           square(Real(p.phi_dot_rad_s)) * x0 * (2 - x0) - beta * x0;
+        const auto cubic = [&](const Real& x) {
+            return Real(x * (2 - x) * (gamma + beta * x) - square(Real(d + a * x)));
+        };
+        const Real low = bisect(cubic, 0, x0);
+        const Real high = bisect(cubic, 2, x0);
+        // cubic = (high − x)(x − low)(β x + G).
+        const Real G =
+            gamma * 2 == 0 ? Real(0) : Real(beta * (high + low) - (2 * beta - gamma - a * a));
+        constexpr int n_points = 4000;
+        const Real pi_50 = boost::math::constants::pi<Real>();
+        for (int i = 0; i < n_points; ++i) {
+            const Real angle = pi_50 * (2 * i + 1) / n_points;
+            const Real x = (high + low) / 2 + (high - low) / 2 * cos(angle);
+            const Real weight = 2 * pi_50 / (n_points * sqrt(Real(beta * x + G)));
+            period += weight;
+            precession += weight * (d + a * x) / (x * (2 - x));
+        }
+    }
+
+ private:
+    static Real square(const Real& x) { return x * x; }
+    template <typename Function>
+    static Real bisect(const Function& f, Real negative, Real positive) {
+        for (int i = 0; i < 180; ++i) {
+            const Real middle = (negative + positive) / 2;
+            (f(middle) < 0 ? negative : positive) = middle;
+        }
+        return positive;
+    }
+};
+
+TEST(HeavyTop, IsAsAccurateAfterABillionPeriodsAsInTheFirst) {
+    std::mt19937_64 random(11);
+    double worst_theta = 0.0;
+    double worst_phi = 0.0;
+    for (int i = 0; i < 20; ++i) {
+        HeavyTopProblem p = generic_top(random);
+        p.mgl_N_m = std::abs(p.mgl_N_m);
+        p.theta_rad = uniform(random, 0.3, 2.8);
+        const HeavyTop top(p);
+        const Quadrature exact(p);
+        EXPECT_NEAR(top.nutation().period_s / static_cast<double>(exact.period), 1.0, 3e-16);
+        // t is a double; the instant of the first period that it repeats follows in 50 digits.
+        const double t = 1e9 * top.nutation().period_s;
+        const Quadrature::Real n = floor(Quadrature::Real(t) / exact.period);
+        const auto early = static_cast<double>(t - n * exact.period);
+        const EulerAngles first = top.euler_angles(early);
+        const EulerAngles far = top.euler_angles(t);
+        const auto phi = static_cast<double>(first.phi_rad + n * exact.precession);
+        worst_theta = std::max(worst_theta, std::abs(far.theta_rad - first.theta_rad));
+        worst_phi = std::max(worst_phi, std::abs(far.phi_rad / phi - 1.0));
+    }
+    EXPECT_LE(worst_theta, 4e-15);  // measured 3.3e-16
+    EXPECT_LE(worst_phi, 4e-16);    // measured 0
+}
+
+TEST(HeavyTop, GrowsFromTheVerticalAsTheLinearSolutionDoes) {
+    // Unstable: with φ̇0 = a/2 the axis leaves as θ0 cosh κt in axes turning at a/2.
+    for (const double theta : {1e-300, 1e-160, 1e-100, 1e-30}) {
+        const HeavyTop top({.moment_axial_kg_m2 = 0.5,
+                            .mgl_N_m = 1.0,
+                            .theta_rad = theta,
+                            .phi_dot_rad_s = 0.5,
+                            .omega3_rad_s = 2.0});
+        const double kappa = std::sqrt(1.0 - 0.25);
+        for (const double t : {0.0, 1.0, -7.0, 20.0}) {
+            const EulerAngles angles = top.euler_angles(t);
+            // κt is rounded and then exponentiated: some 20 ulp at t = 20.
+            EXPECT_NEAR(angles.theta_rad / (theta * std::cosh(kappa * t)), 1.0, 1e-14) << theta;
+            EXPECT_NEAR(angles.phi_rad, 0.5 * t, 1e-14) << theta;
+        }
+        EXPECT_EQ(top.regime(), TopRegime::wavy);
+    }
+}
+
+TEST(HeavyTop, FollowsThePendulumsSeparatrix) {
+    // From straight below at twice the small-swing frequency: θ = 4 atan e^{−|t|}.
+    const InertiaTensor inertia = InertiaTensor::from_principal_moments({1.0, 1.0, 0.5});
+    RotationState start;
+    start.space_from_body = Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
+    start.omega_body = {2.0, 0.0, 0.0};
+    const HeavyTop top(inertia, GravityTorque{.mgl_N_m = 1.0}, start);
+    EXPECT_EQ(top.regime(), TopRegime::separatrix);
+    EXPECT_EQ(top.nutation().period_s, infinity);
+    for (const double t : {0.0, 1e-9, 0.3, -2.0, 30.0, 300.0, -700.0}) {
+        const double theta = 4.0 * std::atan(std::exp(-std::abs(t)));
+        EXPECT_NEAR(top.euler_angles(t).theta_rad / theta, 1.0, 1e-15 + 3e-16 * std::abs(t)) << t;
+    }
+    EXPECT_EQ(top.euler_angles(1e6).theta_rad, 0.0);
+}
+
+TEST(HeavyTop, PassesThroughTheVerticalWithAContinuousQuaternion) {
+    const HeavyTop top({.moment_axial_kg_m2 = 0.5,
+                        .mgl_N_m = 1.0,
+                        .theta_rad = 0.0,
+                        .theta_dot_rad_s = 0.6,
+                        .omega3_rad_s = 3.0});
+    EXPECT_EQ(top.regime(), TopRegime::through_vertical);
+    const double step = 1e-3;
+    for (int k = -20000; k < 20000; ++k) {
+        const RotationState now = top.at(k * step);
+        const RotationState next = top.at((k + 1) * step);
+        const double turned =
+            (now.space_from_body.coeffs() - next.space_from_body.coeffs()).norm() * 2.0;
+        ASSERT_LE(turned, 1.01 * step * now.omega_body.norm()) << k;
+    }
+}
+
+TEST(HeavyTop, WithoutGravityIsTheFreeSymmetricBody) {
+    // R(t) = exp(t L/A) R(0) exp(t (1 − C/A) ω3 e3).
+    std::mt19937_64 random(12);
+    for (int i = 0; i < 50; ++i) {
+        HeavyTopProblem p = generic_top(random);
+        p.mgl_N_m = 0.0;
+        const HeavyTop top(p);
+        const RotationState start = start_of(p);
+        const double A = p.moment_transverse_kg_m2;
+        const double C = p.moment_axial_kg_m2;
+        const Eigen::Vector3d rate =
+            start.space_from_body *
+            Eigen::Vector3d(start.omega_body[0], start.omega_body[1], C / A * p.omega3_rad_s);
+        for (const double t : {0.4, -1.3, 10.0}) {
+            const Eigen::Quaterniond expected =
+                Eigen::AngleAxisd(t * rate.norm(), rate.normalized()) * start.space_from_body *
+                Eigen::AngleAxisd(t * (1.0 - C / A) * p.omega3_rad_s, Eigen::Vector3d::UnitZ());
+            // The expected phase t·rate is itself rounded to 1e-14 at t = 10.
+            EXPECT_LE(top.at(t).space_from_body.angularDistance(expected), 5e-14);
+        }
+        EXPECT_EQ(top.regime(), TopRegime::no_gravity);
+    }
+}
+
+TEST(HeavyTop, PrecessesSteadilyAtTheRootsOfItsQuadratic) {
+    // cos θ φ̇² − a φ̇ + Mgl/A = 0, on both sides of the horizontal.
+    for (const double theta : {0.4, 1.2, 1.9, 2.8}) {
+        for (const double sign : {-1.0, 1.0}) {
+            HeavyTopProblem p = lecture_top();
+            p.theta_rad = theta;
+            const double a = 4.0;
+            const double cosine = std::cos(theta);
+            const double root = std::sqrt(a * a - 4.0 * cosine);
+            const double small = 2.0 / (a + root);
+            const double large = (a + root) / (2.0 * cosine);
+            p.phi_dot_rad_s = sign < 0 ? small : large;
+            const HeavyTop top(p);
+            EXPECT_EQ(top.regime(), sign < 0 ? TopRegime::steady_slow : TopRegime::steady_fast);
+            EXPECT_NEAR(top.nutation().precession_rate_rad_s / p.phi_dot_rad_s, 1.0, 1e-15);
+            EXPECT_NEAR(top.euler_angles(100.0).theta_rad, theta, 1e-14);
+        }
+    }
+}
+
+TEST(HeavyTop, TurnsWhereTheEffectivePotentialIsTheEnergy) {
+    std::mt19937_64 random(13);
+    for (int i = 0; i < 100; ++i) {
+        const HeavyTopProblem p = generic_top(random);
+        const HeavyTop top(p);
+        const TopNutation& n = top.nutation();
+        const double energy = top.invariants().energy_J;
+        const double scale = std::abs(energy) + std::abs(p.mgl_N_m);
+        const auto at_end = [&](double theta) {
+            // V is steep near a vertical: an ulp of θ moves it by V'(θ) ε.
+            const double slope = (top.effective_potential_J(theta * (1 + 1e-9)) -
+                                  top.effective_potential_J(theta * (1 - 1e-9))) /
+                                 2e-9;
+            EXPECT_NEAR(top.effective_potential_J(theta), energy,
+                        1e-14 * scale + 1e-15 * std::abs(slope));
+        };
+        at_end(n.theta_min_rad);
+        at_end(n.theta_max_rad);
+        for (const double t : {0.3, 1.7, 40.0}) {
+            const double theta = top.euler_angles(t).theta_rad;
+            EXPECT_LE(top.effective_potential_J(theta), energy + 1e-12 * scale);
+            EXPECT_GE(theta, n.theta_min_rad * (1 - 1e-15));
+            EXPECT_LE(theta, n.theta_max_rad * (1 + 1e-15));
+        }
+    }
+}
+
+TEST(HeavyTop, NamesItsRegimes) {
+    const auto regime = [](auto change) {
+        HeavyTopProblem p = lecture_top();
+        change(p);
+        return HeavyTop(p).regime();
+    };
+    using P = HeavyTopProblem;
+    EXPECT_EQ(regime([](P&) {}), TopRegime::cusp);
+    EXPECT_EQ(regime([](P& p) { p.phi_dot_rad_s = 0.35; }), TopRegime::wavy);
+    EXPECT_EQ(regime([](P& p) { p.phi_dot_rad_s = -0.2; }), TopRegime::looping);
+    EXPECT_EQ(regime([](P& p) { p.theta_rad = 0.0; }), TopRegime::sleeping);
+    EXPECT_EQ(regime([](P& p) { p.theta_rad = 0.0, p.omega3_rad_s = 4.0; }), TopRegime::sleeping);
+    EXPECT_EQ(regime([](P& p) { p.theta_rad = 0.0, p.omega3_rad_s = 3.9; }),
+              TopRegime::sleeping_unstable);
+    EXPECT_EQ(regime([](P& p) { p.theta_rad = 0.0, p.mgl_N_m = -1.0; }), TopRegime::hanging);
+    EXPECT_EQ(regime([](P& p) { p.omega3_rad_s = 0.0; }), TopRegime::planar_pendulum);
+    EXPECT_EQ(regime([](P& p) { p.mgl_N_m = 0.0; }), TopRegime::no_gravity);
+    std::set<std::string_view> names;
+    for (int i = 0; i <= static_cast<int>(TopRegime::no_gravity); ++i) {
+        names.insert(name_of(static_cast<TopRegime>(i)));
+    }
+    EXPECT_EQ(names.size(), 12U);
+}
+
+TEST(HeavyTop, TakesAnySymmetryAxisOfTheBody) {
+    // The lecture's top with its axis along e1, e2 or −e3, and turned within a sphere.
+    const HeavyTopProblem p = lecture_top();
+    const RotationState start = start_of(p);
+    const HeavyTop plain(p);
+    const Eigen::Quaterniond to_first(0.5, 0.5, 0.5, 0.5);  // e3 → e1
+    const auto compare = [&](const Eigen::Vector3d& moments, const GravityTorque& gravity,
+                             const Eigen::Quaterniond& body_from_top, const HeavyTop& expected,
+                             const RotationState& from) {
+        RotationState turned = from;
+        turned.space_from_body = from.space_from_body * body_from_top.conjugate();
+        turned.omega_body = body_from_top * from.omega_body;
+        const HeavyTop top(InertiaTensor::from_principal_moments(moments), gravity, turned);
+        for (const double t : {0.0, 0.7, 5.0}) {
+            const RotationState state = top.at(t);
+            const RotationState wanted = expected.at(t);
+            EXPECT_LE((state.omega_body - body_from_top * wanted.omega_body).norm(), 1e-13);
+            EXPECT_LE(state.space_from_body.angularDistance(wanted.space_from_body *
+                                                            body_from_top.conjugate()),
+                      1e-13);
+        }
+    };
+    compare({0.5, 1, 1}, {.mgl_N_m = 1, .arm_body = {1, 0, 0}}, to_first, plain, start);
+    compare({1, 0.5, 1}, {.mgl_N_m = 1, .arm_body = {0, 1, 0}}, to_first.conjugate(), plain, start);
+    compare({1, 1, 0.5}, {.mgl_N_m = -1, .arm_body = {0, 0, -1}}, Eigen::Quaterniond::Identity(),
+            plain, start);
+    const HeavyTopProblem sphere{.mgl_N_m = 1.0, .theta_rad = 0.7, .omega3_rad_s = 5.0};
+    const Eigen::Vector3d arm = Eigen::Vector3d(1, -2, 0.5).normalized();
+    compare({1, 1, 1}, {.mgl_N_m = 1, .arm_body = arm},
+            Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), arm), HeavyTop(sphere),
+            start_of(sphere));
+}
+
+TEST(HeavyTop, RefusesWhatHasNoExactSolutionOrNoNumber) {
+    const InertiaTensor asymmetric = InertiaTensor::from_principal_moments({1.0, 2.0, 2.5});
+    const InertiaTensor symmetric = InertiaTensor::from_principal_moments({1.0, 1.0, 0.5});
+    const GravityTorque upright{.mgl_N_m = 1.0};
+    const GravityTorque oblique{.mgl_N_m = 1.0, .arm_body = {0.6, 0.0, 0.8}};
+    EXPECT_FALSE(HeavyTop::accepts(asymmetric, upright));
+    EXPECT_FALSE(HeavyTop::accepts(symmetric, oblique));
+    EXPECT_TRUE(HeavyTop::accepts(symmetric, upright));
+    EXPECT_THROW(HeavyTop(asymmetric, upright, {}), InputError);
+    EXPECT_THROW(HeavyTop(symmetric, oblique, {}), InputError);
+    HeavyTopProblem p = lecture_top();
+    p.moment_axial_kg_m2 = 0.0;
+    EXPECT_THROW(HeavyTop{p}, InputError);
+    p = lecture_top();
+    p.theta_rad = std::nan("");
+    EXPECT_THROW(HeavyTop{p}, InputError);
+    p.theta_rad = infinity;
+    EXPECT_THROW(HeavyTop{p}, InputError);
+    EXPECT_THROW(HeavyTop(lecture_top()).at(1e308 * 10), InputError);
+}
+
+}  // namespace
+}  // namespace poinsot
