@@ -28,14 +28,22 @@ Eigen::Vector3d herpolhode_point(const PoinsotConstruction& construction, const 
 Herpolhode sample_herpolhode(const PoinsotConstruction& construction, const Motion& motion,
                              double first_time_s, double last_time_s, double shortest_feature_s,
                              double tolerance, std::size_t max_points) {
+    // Pieces of one length from the first instant on, a power of two so that their ends do not
+    // depend on how many follow; too many of them for max_points share the stretch instead.
     const double span = last_time_s - first_time_s;
-    const double pieces = std::clamp(std::ceil(2.0 * span / shortest_feature_s), 1.0,
-                                     static_cast<double>(max_points) / 4.0);
-    const auto samples = sample_adaptively(
-        [&](double t) { return herpolhode_point(construction, motion, t); }, first_time_s,
-        last_time_s, static_cast<int>(pieces), tolerance, max_points);
+    const double piece_s = std::exp2(std::floor(std::log2(0.5 * shortest_feature_s)));
+    const double wanted = std::ceil(span / piece_s);
+    const double n_pieces = std::clamp(wanted, 0.0, static_cast<double>(max_points) / 4.0);
+    const double end_s = wanted <= n_pieces ? first_time_s + piece_s * n_pieces : last_time_s;
 
     Herpolhode curve;
+    const auto samples = sample_adaptively(
+        [&](double t) {
+            ++curve.n_evaluations;
+            return herpolhode_point(construction, motion, t);
+        },
+        first_time_s, end_s, static_cast<int>(n_pieces), tolerance, max_points);
+
     curve.times_s.reserve(samples.size());
     curve.points.reserve(samples.size());
     for (const CurveSample& sample : samples) {

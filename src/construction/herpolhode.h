@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
+#include <cstdint>
 #include <vector>
 
 #include "construction/poinsot_construction.h"
@@ -16,6 +16,7 @@ namespace poinsot {
 struct Herpolhode {
     std::vector<double> times_s;
     std::vector<Eigen::Vector3d> points;
+    std::int64_t n_evaluations = 0;  // of the motion that it took
 
     // Fractional index of an instant: how many points have been passed, 0 … n−1.
     double index_at(double time_s) const;
@@ -27,7 +28,8 @@ Eigen::Vector3d herpolhode_point(const PoinsotConstruction& construction, const 
 
 // Samples [first_time_s, last_time_s] so that the polyline is within `tolerance` (the ellipsoid's
 // lengths) of the curve. `shortest_feature_s` is a time over which the curve certainly does not
-// turn by more than half a turn.
+// turn by more than half a turn. It goes on beyond the last instant to the end of a piece of at
+// most half that time, so that a shorter stretch is a part of a longer one, bit for bit.
 Herpolhode sample_herpolhode(const PoinsotConstruction& construction, const Motion& motion,
                              double first_time_s, double last_time_s, double shortest_feature_s,
                              double tolerance, std::size_t max_points = 200'000);

@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
-#include "drawing/labels.h"
-#include "drawing/live_text.h"
-#include "drawing/projection.h"
+#include "drawing/marks.h"
 #include "error/error.h"
+#include "error/nearest.h"
 
 namespace poinsot {
 
@@ -29,23 +29,6 @@ bool has_curves(const ConstructionPicture& picture) {
 // Length of the arrows along L and ω beyond the ellipsoid's reach.
 constexpr double momentum_length = 1.42;
 constexpr double omega_length = 1.30;
-
-Arrow arrow_to(const Panel& panel, const Eigen::Vector3d& tip, const Colour& colour,
-               double weight) {
-    Arrow arrow;
-    arrow.tip = tip;
-    arrow.colour = colour;
-    arrow.shaft_px = 4.0 * weight * panel.px;
-    arrow.head_px = 16.0 * weight * panel.px;
-    arrow.head_length_px = 26.0 * weight * panel.px;
-    // A short arrow keeps its proportions: the head is at most two fifths of it.
-    const double length_px = tip.norm() / panel.units_per_px;
-    const double scale = std::min(1.0, 0.4 * length_px / arrow.head_length_px);
-    arrow.shaft_px *= scale;
-    arrow.head_px *= scale;
-    arrow.head_length_px *= scale;
-    return arrow;
-}
 
 const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
 
@@ -97,15 +80,9 @@ Drawer make_polhode(Panel& panel) {
 }
 
 Drawer make_herpolhode(Panel& panel) {
-    // ω turns about L at most at L/I_min; half a turn at that rate is surely one piece of the
-    // curve.
-    const double fastest = picture_of(panel).construction.momentum_kg_m2_s() /
-                           picture_of(panel).construction.inertia().moments_kg_m2().minCoeff();
-    const double feature_s = fastest > 0.0 ? std::numbers::pi / fastest : 1.0;
     const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
-    Herpolhode herpolhode = sample_herpolhode(
-        picture_of(panel).construction, *panel.stage->motion, panel.stage->options.first_time_s,
-        panel.stage->options.last_time_s, feature_s, tolerance / picture_of(panel).picture_per_rho);
+    Herpolhode herpolhode =
+        herpolhode_shown(*panel.stage, tolerance / picture_of(panel).picture_per_rho);
 
     CurveGeometry geometry;
     geometry.points.reserve(herpolhode.points.size());
@@ -156,26 +133,10 @@ Drawer make_annulus(Panel& panel) {
     };
 }
 
-// The label of an arrow: at its tip, on the side that it points to.
-void wish_at_tip(const Panel& panel, const Arrow& arrow, const SetType& type, Sheet& sheet) {
-    const Projected tip = project(sheet.view, arrow.tip);
-    const Projected tail = project(sheet.view, arrow.tail);
-    LabelWish wish;
-    wish.type = type;
-    wish.anchor_px = tip.px;
-    wish.away = (tip.px - tail.px) / (100.0 * panel.px);
-    wish.gap_px = 9.0 * panel.px;
-    wish.colour = arrow.colour;
-    sheet.wishes.push_back(wish);
-}
-
-constexpr double label_size = 34.0;  // px per em at 1080 rows
-
 Drawer make_momentum(Panel& panel) {
     const Arrow arrow =
         arrow_to(panel, {0.0, 0.0, momentum_length}, panel.stage->theme->momentum, 1.15);
-    const SetType type =
-        panel.stage->type_case.set("\\mathbf{L}", {.size_px = label_size * panel.px});
+    const SetType type = set_label(panel, "\\mathbf{L}");
     return [&panel, arrow, type](const Instant&, Sheet& sheet) {
         sheet.view.arrows.push_back(arrow);
         wish_at_tip(panel, arrow, type, sheet);
@@ -183,8 +144,7 @@ Drawer make_momentum(Panel& panel) {
 }
 
 Drawer make_omega(Panel& panel) {
-    const SetType type =
-        panel.stage->type_case.set("\\boldsymbol{\\omega}", {.size_px = label_size * panel.px});
+    const SetType type = set_label(panel, "\\boldsymbol{\\omega}");
     return [&panel, type](const Instant& instant, Sheet& sheet) {
         const Eigen::Vector3d direction = -picture_of(panel).contact(instant);
         const double length = omega_length * std::max(1.0, 1.0 / direction.norm());
@@ -197,8 +157,7 @@ Drawer make_omega(Panel& panel) {
 Drawer make_axes(Panel& panel) {
     std::array<SetType, 3> types;
     for (std::size_t i = 0; i < 3; ++i) {
-        types[i] = panel.stage->type_case.set(fmt::format("\\mathbf{{e}}_{}", i + 1),
-                                              {.size_px = 0.85 * label_size * panel.px});
+        types[i] = set_label(panel, fmt::format("\\mathbf{{e}}_{}", i + 1), 0.85);
     }
     return [&panel, types](const Instant& instant, Sheet& sheet) {
         const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
@@ -213,12 +172,7 @@ Drawer make_axes(Panel& panel) {
 }
 
 Drawer make_contact(Panel& panel) {
-    Dot dot;
-    dot.radius_px = 6.5 * panel.px;
-    dot.rim_px = 1.6 * panel.px;
-    dot.colour = panel.stage->theme->contact;
-    dot.rim_colour = panel.stage->theme->halo;
-    dot.hidden_opacity = 0.8;
+    const Dot dot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->contact);
     return [&panel, dot](const Instant& instant, Sheet& sheet) {
         sheet.view.dots.push_back(dot);
         sheet.view.dots.back().at = picture_of(panel).contact(instant);
@@ -257,17 +211,21 @@ Drawer make_cones(Panel& panel) {
     };
 }
 
+constexpr Quantities attitude{.attitude = true, .herpolhode = false, .euler_angles = false};
+
 const std::array<Element, 10> table{{
-    {"plane", "the invariable plane with its grid", always, make_plane},
-    {"ellipsoid", "the inertia ellipsoid with body-fixed lines", always, make_ellipsoid},
-    {"annulus", "the ring that the herpolhode fills", never, make_annulus},
-    {"polhode", "path of the contact point on the ellipsoid", has_curves, make_polhode},
-    {"herpolhode", "path of the contact point on the plane", has_curves, make_herpolhode},
-    {"cones", "body cone rolling on space cone (symmetric bodies)", has_cones, make_cones},
-    {"momentum", "the angular momentum L", always, make_momentum},
-    {"omega", "the angular velocity ω", always, make_omega},
-    {"axes", "the principal axes e1, e2, e3", always, make_axes},
-    {"contact", "the contact point", always, make_contact},
+    {"plane", "the invariable plane with its grid", always, omega_alone, make_plane},
+    {"ellipsoid", "the inertia ellipsoid with body-fixed lines", always, attitude, make_ellipsoid},
+    {"annulus", "the ring that the herpolhode fills", never, omega_alone, make_annulus},
+    {"polhode", "path of the contact point on the ellipsoid", has_curves, attitude, make_polhode},
+    {"herpolhode", "path of the contact point on the plane", has_curves, omega_alone,
+     make_herpolhode},
+    {"cones", "body cone rolling on space cone (symmetric bodies)", has_cones, attitude,
+     make_cones},
+    {"momentum", "the angular momentum L", always, omega_alone, make_momentum},
+    {"omega", "the angular velocity ω", always, attitude, make_omega},
+    {"axes", "the principal axes e1, e2, e3", always, attitude, make_axes},
+    {"contact", "the contact point", always, attitude, make_contact},
 }};
 
 }  // namespace
@@ -275,12 +233,14 @@ const std::array<Element, 10> table{{
 std::span<const Element> elements() { return table; }
 
 const Element& element_named(std::string_view name) {
-    std::string known;
+    std::vector<std::string_view> names;
     for (const Element& element : elements()) {
         if (element.name == name) return element;
-        known += fmt::format("{}{}", known.empty() ? "" : ", ", element.name);
+        names.push_back(element.name);
     }
-    throw InputError(fmt::format("unknown element \"{}\" in show; choose from: {}", name, known));
+    throw InputError(fmt::format("unknown element \"{}\" in show{}; choose from: {}",
+                                 printable(name), did_you_mean(name, names),
+                                 fmt::join(names, ", ")));
 }
 
 }  // namespace poinsot

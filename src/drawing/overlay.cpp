@@ -82,6 +82,24 @@ std::vector<Drawer> make_overlays(StageData& stage) {
     return overlays;
 }
 
+OverlayBands overlay_bands(StageData& stage) {
+    OverlayBands bands;
+    const bool title = !stage.scene.title.empty() && wants(stage, "title");
+    if (title || wants(stage, "clock")) {
+        bands.top_px =
+            static_cast<int>(std::ceil(margin(stage) + (title ? 56.0 : 40.0) * stage.px));
+    }
+    if (!stage.scene.caption.empty() && wants(stage, "caption")) {
+        // Live numbers change the text's width, and its lines hardly ever.
+        const auto values = stage.live_values({});
+        const SetType type = stage.type_case.set(expand_live_text(stage.scene.caption, values),
+                                                 text_style(stage, 26.0));
+        bands.bottom_px =
+            static_cast<int>(std::ceil(margin(stage) + type.mask->height + 18.0 * stage.px));
+    }
+    return bands;
+}
+
 bool is_overlay(std::string_view name) {
     return name == "title" || name == "caption" || name == "clock";
 }

@@ -12,6 +12,13 @@ namespace poinsot {
 // has text for.
 std::vector<Drawer> make_overlays(StageData& stage);
 
+// Rows at the top and at the bottom of the picture that the overlays take.
+struct OverlayBands {
+    int top_px = 0;
+    int bottom_px = 0;
+};
+OverlayBands overlay_bands(StageData& stage);
+
 // Whether a name in `show` is one of these.
 bool is_overlay(std::string_view name);
 

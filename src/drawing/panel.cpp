@@ -19,8 +19,8 @@ bool rolls(const StageData& stage) { return stage.rolling.has_value(); }
 constexpr std::string_view free_turning = "a torque-free body that turns";
 
 const std::array<PanelKind, 1> table{{
-    {"space", "the ellipsoid rolling on the invariable plane", rolls, free_turning,
-     make_space_panel},
+    {"space", "the ellipsoid rolling on the invariable plane", "Invariable plane", false, rolls,
+     free_turning, make_space_panel},
 }};
 
 }  // namespace
@@ -33,6 +33,8 @@ void aim(Panel& panel, const Camera& camera) {
             ? camera.height_units / panel.box.height_px
             : 2.0 * distance * std::tan(0.5 * camera.vertical_field_rad) / panel.box.height_px;
 }
+
+std::string_view default_panel(const StageData&) { return "space"; }
 
 std::span<const PanelKind> panel_kinds() { return table; }
 

@@ -18,10 +18,12 @@ struct Panel {
     StageData* stage = nullptr;
     PanelSpec spec;
     PanelBox box;
-    double px = 1.0;  // pixels for one pixel of a panel with 1080 rows: lines and type follow the
-                      // panel's size
+    double px = 1.0;       // pixels for one pixel of a panel with 1080 rows: lines follow its size
+    double type_px = 1.0;  // the same for type, which shrinks less: it must stay readable
+    double header_px = 0.0;  // rows at the top that the panel's name takes, 0 without one
     Camera camera;
-    double units_per_px = 0.001;  // at the camera's target
+    double units_per_px = 0.001;    // at the camera's target
+    Quantities asks = omega_alone;  // what its drawer reads of an instant besides ω
     Drawer draw;
 };
 
@@ -32,10 +34,12 @@ void aim(Panel& panel, const Camera& camera);
 struct PanelKind {
     std::string_view name;
     std::string_view summary;
+    std::string_view title;  // stands over it when it is not alone
+    bool fills;              // its content reaches the panel's edges: no type may lie over it
     // Whether this motion can be shown so; `without` finishes the sentence "this panel needs …".
     bool (*possible)(const StageData& stage);
     std::string_view needs;
-    // Sets the panel's camera and its drawer.
+    // Sets the panel's camera, its drawer and what that asks for.
     void (*make)(Panel& panel);
 };
 
@@ -43,6 +47,9 @@ std::span<const PanelKind> panel_kinds();
 
 // Throws InputError with the nearest name and the list.
 const PanelKind& panel_kind_named(std::string_view name);
+
+// The kind of panel that suits a motion when the scene names none.
+std::string_view default_panel(const StageData& stage);
 
 // The rows, one file each.
 void make_space_panel(Panel& panel);

@@ -1,10 +1,10 @@
 // The space panel: the inertia ellipsoid rolling on the invariable plane, seen from outside.
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "drawing/elements.h"
+#include "drawing/framing.h"
 #include "drawing/overlay.h"
 #include "drawing/panel.h"
 
@@ -12,19 +12,12 @@ namespace poinsot {
 
 namespace {
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
-
 // The scene's camera about the vertical L, aimed so that the construction fills the panel.
 Camera camera_of(const CameraSpec& spec, double plane_distance) {
-    const double azimuth = radians(spec.azimuth_deg);
-    const double elevation = radians(spec.elevation_deg);
     Camera camera;
     camera.target = spec.target.value_or(Eigen::Vector3d(0.0, 0.0, 0.5 * (1.25 - plane_distance)));
-    camera.eye =
-        camera.target + spec.distance * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
-                                                        std::cos(elevation) * std::sin(azimuth),
-                                                        std::sin(elevation));
-    camera.vertical_field_rad = radians(spec.field_deg);
+    camera.eye = camera.target + spec.distance * direction_of(spec.azimuth_deg, spec.elevation_deg);
+    camera.vertical_field_rad = spec.field_deg * std::numbers::pi / 180.0;
     return camera;
 }
 
@@ -43,6 +36,7 @@ void make_space_panel(Panel& panel) {
     for (const Element& element : elements()) {
         const bool named = std::find(show.begin(), show.end(), element.name) != show.end();
         if (show.empty() ? element.by_default(picture) : named) {
+            panel.asks = united(panel.asks, element.asks);
             drawers.push_back(element.make(panel));
         }
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <numbers>
 
 #include "drawing/overlay.h"
 #include "drawing/panel.h"
@@ -18,21 +20,24 @@ std::uint64_t next_geometry_id() {
     return ++counter;
 }
 
-// The panels of a scene that names none: the construction alone.
-std::vector<PanelSpec> panels_of(const Scene& scene) {
-    return scene.panels.empty() ? std::vector<PanelSpec>{PanelSpec{}} : scene.panels;
+// The panels of a scene that names none: the one that suits its motion.
+std::vector<PanelSpec> panels_of(const StageData& stage) {
+    if (!stage.scene.panels.empty()) return stage.scene.panels;
+    PanelSpec alone;
+    alone.kind = default_panel(stage);
+    return {alone};
 }
 
 // Boundaries of the columns or rows in pixels, by their relative sizes; whole, and the last one is
-// the picture's edge.
-std::vector<int> boundaries(const std::vector<double>& sizes, int total_px) {
+// the end of the room that they share.
+std::vector<int> boundaries(const std::vector<double>& sizes, int from_px, int total_px) {
     double sum = 0.0;
     for (const double size : sizes) sum += size;
-    std::vector<int> edges{0};
+    std::vector<int> edges{from_px};
     double at = 0.0;
     for (const double size : sizes) {
         at += size;
-        edges.push_back(static_cast<int>(at / sum * total_px + 0.5));
+        edges.push_back(from_px + static_cast<int>(at / sum * total_px + 0.5));
     }
     return edges;
 }
@@ -48,6 +53,46 @@ PanelBox box_of(const PanelSpec& spec, const std::vector<int>& columns,
     box.width_px = at(columns, spec.column + spec.columns) - box.x_px;
     box.height_px = at(rows, spec.row + spec.rows) - box.y_px;
     return box;
+}
+
+// Lines of a panel shrink with it, but less than it does; its type shrinks less still, and not
+// below what can be read.
+double line_scale(const PanelBox& box, const StageOptions& options) {
+    const double share =
+        std::min(1.0 * box.height_px / options.height_px, 1.5 * box.width_px / options.width_px);
+    return std::sqrt(std::min(1.0, share));
+}
+constexpr double least_type_share = 0.72;
+constexpr double least_type_px = 0.36;  // a label of 12 px
+
+// The name of a panel in its upper left corner.
+Drawer header_of(Panel& panel, std::string_view text) {
+    const double size = 24.0 * panel.type_px;
+    const SetType type =
+        panel.stage->type_case.set(text, {.size_px = size, .mode = TypeMode::text});
+    panel.header_px = 1.7 * size;
+    return [&panel, type, size](const Instant&, Sheet& sheet) {
+        Label label;
+        label.mask = type.mask;
+        label.top_left_px = {std::round(panel.box.x_px + 0.7 * size) + type.left_px,
+                             std::round(panel.box.y_px + 0.4 * size + size) - type.baseline_px};
+        label.colour = panel.stage->theme->text;
+        label.halo_colour = panel.stage->theme->halo;
+        label.halo_px = 2.0 * panel.px;
+        label.opacity = 0.75;
+        if (type.mask->width > 0) sheet.view.labels.push_back(label);
+    };
+}
+
+CurveGeometry circle_of_radius_1() {
+    CurveGeometry circle;
+    circle.closed = true;
+    constexpr int n_points = 512;  // 0.02 px from a circle with a radius of 1000 px
+    for (int k = 0; k < n_points; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / n_points;
+        circle.points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    }
+    return circle;
 }
 
 }  // namespace
@@ -77,17 +122,51 @@ Eigen::Vector3d ConstructionPicture::contact(const Instant& instant) const {
     return picture_from_space * construction.contact_space(instant.state) * picture_per_rho;
 }
 
+Herpolhode herpolhode_shown(const StageData& stage, double tolerance) {
+    const PoinsotConstruction& construction = stage.rolling->construction;
+    // ω turns about L at most at L/I_min; half a turn at that rate is surely one piece of the
+    // curve.
+    const double fastest =
+        construction.momentum_kg_m2_s() / construction.inertia().moments_kg_m2().minCoeff();
+    const double feature_s = fastest > 0.0 ? std::numbers::pi / fastest : 1.0;
+    Herpolhode herpolhode =
+        sample_herpolhode(construction, stage.motion.motion(), stage.options.first_time_s,
+                          stage.options.last_time_s, feature_s, tolerance);
+    stage.motion.count({.attitude = false, .herpolhode = true, .euler_angles = false},
+                       herpolhode.n_evaluations);
+    return herpolhode;
+}
+
 StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOptions& options_)
-    : scene(scene_), motion(&motion_), options(options_), theme(&theme_named(scene_.theme)) {
+    : scene(scene_), motion(motion_), options(options_), theme(&theme_named(scene_.theme)) {
     px = options.line_scale > 0.0 ? options.line_scale : options.height_px / 1080.0;
-    const MotionProblem& problem = motion->problem();
+    const FilmSpec& film = scene.film;
+    film_first_s = std::min(film.start_s, options.first_time_s);
+    film_last_s = std::max(film.start_s + film.duration_s.value_or(default_film_s * film.speed),
+                           options.last_time_s);
+    unit_circle = keep(circle_of_radius_1());
+    unit_segment = keep({.points = {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}});
+    const MotionProblem& problem = motion_.problem();
     if (std::holds_alternative<NoTorque>(problem.torque) && !problem.start.omega_body.isZero(0.0)) {
         rolling.emplace(problem.inertia, problem.start);
     }
+    make_panels();
+    overlays = make_overlays(*this);
+}
 
-    const std::vector<int> columns = boundaries(scene.grid.columns, options.width_px);
-    const std::vector<int> rows = boundaries(scene.grid.rows, options.height_px);
-    for (const PanelSpec& spec : panels_of(scene)) {
+void StageData::make_panels() {
+    const std::vector<PanelSpec> specs = panels_of(*this);
+
+    // Several panels, and those that fill their box, leave the title and the caption their room.
+    PanelBox room{0, 0, options.width_px, options.height_px};
+    if (specs.size() > 1 || panel_kind_named(specs.front().kind).fills) {
+        const OverlayBands bands = overlay_bands(*this);
+        room.y_px = bands.top_px;
+        room.height_px = std::max(1, options.height_px - bands.top_px - bands.bottom_px);
+    }
+    const std::vector<int> columns = boundaries(scene.grid.columns, room.x_px, room.width_px);
+    const std::vector<int> rows = boundaries(scene.grid.rows, room.y_px, room.height_px);
+    for (const PanelSpec& spec : specs) {
         const PanelKind& kind = panel_kind_named(spec.kind);
         if (!kind.possible(*this)) {
             throw InputError("panel \"" + spec.kind + "\" needs " + std::string(kind.needs) +
@@ -97,11 +176,22 @@ StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOpti
         panel.stage = this;
         panel.spec = spec;
         panel.box = box_of(spec, columns, rows);
-        // Lines and type of a panel shrink with it, but less than it does: they must stay readable.
-        panel.px = px * std::sqrt(std::min(1.0, panel.box.height_px / (1.0 * options.height_px)));
+        const double share = line_scale(panel.box, options);
+        panel.px = px * share;
+        panel.type_px = std::max(px * std::max(share, least_type_share), least_type_px);
+        Drawer header;
+        if (specs.size() > 1)
+            header = header_of(panel, spec.title.value_or(std::string(kind.title)));
         kind.make(panel);
+        asks = united(asks, panel.asks);
+        if (header) {
+            panel.draw = [header, draw = std::move(panel.draw)](const Instant& instant,
+                                                                Sheet& sheet) {
+                draw(instant, sheet);
+                header(instant, sheet);
+            };
+        }
     }
-    overlays = make_overlays(*this);
 }
 
 StageData::~StageData() = default;
@@ -114,6 +204,11 @@ const CurveGeometry* StageData::keep(CurveGeometry geometry) {
 const MeshGeometry* StageData::keep(MeshGeometry geometry) {
     geometry.id = next_geometry_id();
     return &meshes.emplace_back(std::move(geometry));
+}
+
+Instant StageData::instant_at(double time_s) const {
+    const MotionSample sample = motion.sample(time_s, asks);
+    return {time_s, sample.state, sample.herpolhode_space, sample.euler};
 }
 
 std::vector<LiveValue> StageData::live_values(const Instant& instant) const {
@@ -130,11 +225,10 @@ Stage::~Stage() = default;
 Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&&) noexcept = default;
 
-Drawing Stage::at(double time_s) const {
-    Instant instant;
-    instant.time_s = time_s;
-    instant.state = data_->motion->at(time_s);
+const EvaluationCounts& Stage::counts() const { return data_->motion.counts(); }
 
+Drawing Stage::at(double time_s) const {
+    const Instant instant = data_->instant_at(time_s);
     Drawing drawing;
     drawing.width_px = data_->options.width_px;
     drawing.height_px = data_->options.height_px;
@@ -148,7 +242,9 @@ Drawing Stage::at(double time_s) const {
         view.height_px = panel.box.height_px;
         view.camera = panel.camera;
         view.light = data_->theme->light;
+        // Several panels stand on the one background of the picture.
         view.background = data_->theme->background;
+        if (data_->panels.size() > 1) view.background.alpha = 0.0;
         panel.draw(instant, sheet);
         place_labels(sheet.wishes, data_->theme->halo, 3.0 * panel.px, view);
         drawing.views.push_back(std::move(view));

@@ -10,6 +10,7 @@
 
 namespace poinsot {
 
+struct EvaluationCounts;
 struct StageData;
 
 // What is drawn and at what size.
@@ -17,8 +18,8 @@ struct StageOptions {
     int width_px = 1920;
     int height_px = 1080;
     double line_scale = 0.0;  // pixels for a line of "one pixel at 1080 rows"; 0: height_px / 1080
-    double first_time_s = 0.0;  // the stretch of motion whose herpolhode may be shown
-    double last_time_s = 0.0;
+    double first_time_s = 0.0;  // the instants that are drawn lie between these; histories begin
+    double last_time_s = 0.0;   // with the first and are made up to the last
 };
 
 // Holds the geometry that all video frames share and makes the drawing of an instant. Immutable
@@ -32,6 +33,9 @@ class Stage {
     Stage& operator=(Stage&&) noexcept;
 
     Drawing at(double time_s) const;
+
+    // What has been asked of the motion since the stage was made, its making included.
+    const EvaluationCounts& counts() const;
 
     const StageData& data() const { return *data_; }
 

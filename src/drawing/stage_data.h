@@ -12,6 +12,7 @@
 #include "construction/poinsot_construction.h"
 #include "construction/polhode.h"
 #include "drawing/drawing.h"
+#include "drawing/evaluations.h"
 #include "drawing/labels.h"
 #include "drawing/live_text.h"
 #include "drawing/stage.h"
@@ -22,7 +23,9 @@ namespace poinsot {
 // One instant as the panels see it.
 struct Instant {
     double time_s = 0.0;
-    RotationState state;
+    RotationState state;  // the attitude is the identity unless a panel asks for it
+    Eigen::Vector3d herpolhode_space = Eigen::Vector3d::Zero();  // if asked for, as in MotionSample
+    EulerAngles euler;                                           // if asked for
 };
 
 // A view in the making: its shapes, and the labels that still look for their place.
@@ -55,13 +58,21 @@ struct ConstructionPicture {
 };
 
 struct Panel;
+struct StageData;
+
+// The herpolhode over the stage's span, in the ellipsoid's lengths, to a tolerance in them.
+// Precondition: the stage has a construction.
+Herpolhode herpolhode_shown(const StageData& stage, double tolerance);
 
 struct StageData {
     Scene scene;
-    const Motion* motion = nullptr;
+    CountedMotion motion;
     StageOptions options;
     const Theme* theme = nullptr;
     double px = 1.0;  // pixels of the picture for one pixel at 1080 rows
+    double film_first_s =
+        0.0;  // the stretch that time axes span: the film's, and all that is drawn
+    double film_last_s = 1.0;
 
     std::optional<ConstructionPicture> rolling;  // torque-free motions that turn
 
@@ -70,16 +81,27 @@ struct StageData {
     std::deque<CurveGeometry> curves;
     std::deque<MeshGeometry> meshes;
     std::deque<Panel> panels;
-    std::vector<Drawer> overlays;  // title, caption, clock: over the whole picture
+    const CurveGeometry* unit_circle = nullptr;   // about z, from x towards y
+    const CurveGeometry* unit_segment = nullptr;  // from the origin to x
+    std::vector<Drawer> overlays;                 // title, caption, clock: over the whole picture
+    Quantities asks = omega_alone;                // what all panels together read of an instant
 
     StageData(const Scene& scene, const Motion& motion, const StageOptions& options);
     ~StageData();
+    StageData(const StageData&) = delete;
+    StageData& operator=(const StageData&) = delete;
 
     const CurveGeometry* keep(CurveGeometry geometry);
     const MeshGeometry* keep(MeshGeometry geometry);
 
+    // What the panels ask for at an instant, and nothing else.
+    Instant instant_at(double time_s) const;
+
     // The numbers that captions may name, at an instant.
     std::vector<LiveValue> live_values(const Instant& instant) const;
+
+ private:
+    void make_panels();
 };
 
 }  // namespace poinsot

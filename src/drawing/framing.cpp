@@ -1,0 +1,76 @@
+#include "drawing/framing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "drawing/projection.h"
+
+namespace poinsot {
+
+Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
+              double vertical_field_rad, std::span<const Eigen::Vector3d> points,
+              double margin_px) {
+    Camera camera;
+    camera.eye = towards_eye.normalized();
+    camera.target = Eigen::Vector3d::Zero();
+    camera.up = up;
+    camera.vertical_field_rad = vertical_field_rad;
+    const Eigen::Matrix3d axes = camera_axes(camera);
+
+    // Slopes of the sight lines at the margins.
+    const double margin = std::min(margin_px, std::min(box.width_px, box.height_px) / 3.0);
+    const double per_px = 2.0 * std::tan(0.5 * vertical_field_rad) / box.height_px;
+    const Eigen::Vector2d slope(per_px * (0.5 * box.width_px - margin),
+                                per_px * (0.5 * box.height_px - margin));
+
+    // In the camera's axes a point (x, z) is within the sight lines of an eye (X, Z) if
+    // X − sZ ≤ x − sz and X + sZ ≥ x + sz; the nearest eye that has room for all lies where the
+    // extreme lines of the worse direction meet.
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    Eigen::Vector2d least = Eigen::Vector2d::Constant(infinite);
+    Eigen::Vector2d most = -least;
+    double middle_depth = 0.0;
+    for (const Eigen::Vector3d& point : points) {
+        const Eigen::Vector3d seen = axes.transpose() * point;
+        least = least.cwiseMin(seen.head<2>() - slope * seen.z());
+        most = most.cwiseMax(seen.head<2>() + slope * seen.z());
+        middle_depth += seen.z() / static_cast<double>(points.size());
+    }
+    if (points.empty()) least = most = Eigen::Vector2d::Zero();
+    const Eigen::Vector2d needed = 0.5 * (most - least).cwiseQuotient(slope);
+    double eye_depth = needed.maxCoeff();
+    if (!(eye_depth - middle_depth > 1e-9)) eye_depth = middle_depth + 1.0;
+
+    const Eigen::Vector2d centre = 0.5 * (least + most);
+    camera.eye = axes * Eigen::Vector3d(centre.x(), centre.y(), eye_depth);
+    camera.target = axes * Eigen::Vector3d(centre.x(), centre.y(), middle_depth);
+    return camera;
+}
+
+std::vector<Eigen::Vector3d> points_of_ellipsoid(const Eigen::Matrix3d& half_axes) {
+    std::vector<Eigen::Vector3d> points;
+    constexpr int n_around = 24;
+    constexpr int n_up = 12;
+    for (int i = 0; i <= n_up; ++i) {
+        const double latitude = std::numbers::pi * (static_cast<double>(i) / n_up - 0.5);
+        for (int k = 0; k < n_around; ++k) {
+            const double longitude = 2.0 * std::numbers::pi * k / n_around;
+            points.emplace_back(half_axes *
+                                Eigen::Vector3d(std::cos(latitude) * std::cos(longitude),
+                                                std::cos(latitude) * std::sin(longitude),
+                                                std::sin(latitude)));
+        }
+    }
+    return points;
+}
+
+Eigen::Vector3d direction_of(double azimuth_deg, double elevation_deg) {
+    const double azimuth = azimuth_deg * std::numbers::pi / 180.0;
+    const double elevation = elevation_deg * std::numbers::pi / 180.0;
+    return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+            std::sin(elevation)};
+}
+
+}  // namespace poinsot

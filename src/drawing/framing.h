@@ -1,0 +1,27 @@
+// Cameras that show all of a thing, as large as its panel allows.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "drawing/panel.h"
+
+namespace poinsot {
+
+// A perspective camera that looks from the direction `towards_eye`, so near that the points just
+// fit into the box less a margin on every side, and so that they stand in its middle. Exact: no
+// nearer camera with this direction holds them all. `up`: not parallel to the direction; a third of
+// the smaller side at most is taken as margin. Points that coincide are seen from a distance of 1.
+Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
+              double vertical_field_rad, std::span<const Eigen::Vector3d> points, double margin_px);
+
+// Points whose frame holds an ellipsoid about the origin: the corners of a polyhedron about it
+// would be too many, so these are points of the surface, dense enough for a frame with a margin.
+std::vector<Eigen::Vector3d> points_of_ellipsoid(const Eigen::Matrix3d& half_axes);
+
+// The direction in which a camera of the scene stands: azimuth about z from x, elevation above the
+// xy plane, degrees.
+Eigen::Vector3d direction_of(double azimuth_deg, double elevation_deg);
+
+}  // namespace poinsot

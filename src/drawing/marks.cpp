@@ -1,0 +1,101 @@
+#include "drawing/marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "drawing/projection.h"
+
+namespace poinsot {
+
+Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen::Vector3d& tip,
+                    const Colour& colour, double weight) {
+    Arrow arrow;
+    arrow.tail = tail;
+    arrow.tip = tip;
+    arrow.colour = colour;
+    arrow.shaft_px = 4.0 * weight * panel.px;
+    arrow.head_px = 16.0 * weight * panel.px;
+    arrow.head_length_px = 26.0 * weight * panel.px;
+    const double length_px = (tip - tail).norm() / panel.units_per_px;
+    const double scale = std::min(1.0, 0.4 * length_px / arrow.head_length_px);
+    arrow.shaft_px *= scale;
+    arrow.head_px *= scale;
+    arrow.head_length_px *= scale;
+    return arrow;
+}
+
+SetType set_label(const Panel& panel, std::string_view text, double scale) {
+    return panel.stage->type_case.set(text, {.size_px = scale * label_size * panel.type_px});
+}
+
+void wish_at_tip(const Panel& panel, const Arrow& arrow, const SetType& type, Sheet& sheet) {
+    wish_beside(panel, arrow.tip, arrow.tail, type, arrow.colour, sheet);
+}
+
+void wish_beside(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& away_from,
+                 const SetType& type, const Colour& colour, Sheet& sheet) {
+    const Eigen::Vector2d anchor = project(sheet.view, at).px;
+    LabelWish wish;
+    wish.type = type;
+    wish.anchor_px = anchor;
+    wish.away = (anchor - project(sheet.view, away_from).px) / (100.0 * panel.px);
+    wish.gap_px = 9.0 * panel.px;
+    wish.colour = colour;
+    sheet.wishes.push_back(wish);
+}
+
+Dot dot_at(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour, double radius_px) {
+    Dot dot;
+    dot.at = at;
+    dot.radius_px = radius_px * panel.px;
+    dot.rim_px = 1.6 * panel.px;
+    dot.colour = colour;
+    dot.rim_colour = panel.stage->theme->halo;
+    dot.hidden_opacity = 0.8;
+    return dot;
+}
+
+Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Colour& colour,
+               double width_px) {
+    Curve curve;
+    curve.geometry = geometry;
+    curve.width_px = width_px * panel.px;
+    curve.colour = colour;
+    return curve;
+}
+
+Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,
+                const Eigen::Vector3d& towards, double radius, double angle_rad,
+                const Colour& colour, double width_px) {
+    const CurveGeometry* circle = panel.stage->unit_circle;
+    Curve arc = curve_of(panel, circle, colour, width_px);
+    const Eigen::Vector3d across = angle_rad < 0.0 ? Eigen::Vector3d(-towards) : towards;
+    Eigen::Matrix3d axes;
+    axes << from, across, from.cross(across);
+    arc.placement.linear() = radius * axes;
+    arc.placement.translation() = centre;
+    const double turns = std::abs(angle_rad) / (2.0 * std::numbers::pi);
+    if (turns < 1.0) arc.last = turns * static_cast<double>(circle->points.size());
+    if (!(radius > 0.0)) arc.opacity = 0.0;
+    return arc;
+}
+
+Curve line_between(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                   const Colour& colour, double width_px) {
+    Curve line = curve_of(panel, panel.stage->unit_segment, colour, width_px);
+    const double length = (b - a).norm();
+    if (!(length > 0.0)) {
+        line.opacity = 0.0;
+        return line;
+    }
+    const Eigen::Vector3d along = (b - a) / length;
+    const Eigen::Vector3d across = along.unitOrthogonal();
+    Eigen::Matrix3d axes;
+    axes << along, across, along.cross(across);
+    line.placement.linear() = length * axes;
+    line.placement.translation() = a;
+    return line;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,55 @@
+// Marks that several panels draw alike: arrows with their labels, dots, and arcs and lines placed
+// from shared unit curves.
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+
+#include "drawing/panel.h"
+
+namespace poinsot {
+
+// Type beside arrows, px per em at 1080 rows.
+constexpr double label_size = 34.0;
+
+// An arrow whose proportions stay at any length: the head of a short one is at most two fifths of
+// it. `weight` 1 is the usual thickness.
+Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen::Vector3d& tip,
+                    const Colour& colour, double weight);
+
+// From the origin.
+inline Arrow arrow_to(const Panel& panel, const Eigen::Vector3d& tip, const Colour& colour,
+                      double weight) {
+    return arrow_between(panel, Eigen::Vector3d::Zero(), tip, colour, weight);
+}
+
+// A label in the panel's type, `scale` times the usual size.
+SetType set_label(const Panel& panel, std::string_view text, double scale = 1.0);
+
+// The label of an arrow: at its tip, on the side that it points to.
+void wish_at_tip(const Panel& panel, const Arrow& arrow, const SetType& type, Sheet& sheet);
+
+// A label beside a point of the view's axes, on the side away from another one.
+void wish_beside(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& away_from,
+                 const SetType& type, const Colour& colour, Sheet& sheet);
+
+// A dot with the theme's rim.
+Dot dot_at(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour,
+           double radius_px = 6.5);
+
+// A line of the panel's usual kind: `width_px` at 1080 rows.
+Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Colour& colour,
+               double width_px);
+
+// An arc of a circle about `centre` from the direction `from` towards the direction `towards` (unit
+// vectors at right angles), over an angle from 0 to 2π; a whole circle from 2π on. Negative angles
+// run the other way. One geometry serves all arcs of a stage.
+Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,
+                const Eigen::Vector3d& towards, double radius, double angle_rad,
+                const Colour& colour, double width_px);
+
+// A straight line between two points; nothing is shown if they coincide.
+Curve line_between(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                   const Colour& colour, double width_px);
+
+}  // namespace poinsot
