@@ -39,13 +39,8 @@ PictureMaker::PictureMaker(const Session& session, const Options& options, const
       context_(make_context(options)),
       renderer_(context_) {}
 
-const Image& PictureMaker::at(double time_s) {
-    renderer_.render_into(stage_.at(time_s), image_);
-    return image_;
-}
-
-std::unique_ptr<FrameSink> open_film_sink(const OutputPlan& plan) {
-    return format_for(plan.path).open(plan);
+void PictureMaker::draw(double time_s, Image& image) {
+    renderer_.render_into(stage_.at(time_s), image);
 }
 
 }  // namespace poinsot

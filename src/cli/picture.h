@@ -1,13 +1,10 @@
 // Pictures of a session: stage, context and renderer together, for the commands that draw.
 #pragma once
 
-#include <memory>
-
 #include "cli/options.h"
 #include "cli/session.h"
 #include "drawing/stage.h"
 #include "image/image.h"
-#include "output/frame_sink.h"
 #include "render/renderer.h"
 
 namespace poinsot {
@@ -24,17 +21,13 @@ class PictureMaker {
  public:
     PictureMaker(const Session& session, const Options& options, const PictureSpan& span);
 
-    // The picture of an instant; it stays valid until the next call.
-    const Image& at(double time_s);
+    // The picture of an instant, drawn into an image whose memory is reused.
+    void draw(double time_s, Image& image);
 
  private:
     Stage stage_;
     OffscreenContext context_;
     Renderer renderer_;
-    Image image_;
 };
-
-// The sink for a film, with encoding in a thread of its own. Throws InputError, EnvironmentError.
-std::unique_ptr<FrameSink> open_film_sink(const OutputPlan& plan);
 
 }  // namespace poinsot

@@ -11,6 +11,7 @@
 #include "cli/progress.h"
 #include "cli/session.h"
 #include "error/error.h"
+#include "output/pipeline.h"
 
 namespace poinsot {
 
@@ -53,16 +54,18 @@ int run(const Options& options) {
     plan.quality = session.scene.film.quality;
 
     watch_for_interrupts();
-    const auto sink = open_film_sink(plan);
+    AsyncSink sink(format_for(plan.path).open(plan));
     PictureMaker pictures(session, options,
                           {.first_time_s = film.time_of(0), .last_time_s = film.time_of(last)});
     Progress progress(session.scene.name, plan.n_frames, options.quiet);
-    for (std::int64_t frame = first; frame <= last; ++frame) {
+    for (std::int64_t frame = first + sink.n_frames_kept(); frame <= last; ++frame) {
         stop_if_interrupted();
-        sink->write(pictures.at(film.time_of(frame)));
+        Image image = sink.spare();
+        pictures.draw(film.time_of(frame), image);
+        sink.write_moved(std::move(image));
         progress.at(frame - first + 1);
     }
-    sink->finish();
+    sink.finish();
     progress.finish(plan.path.string());
     return 0;
 }

@@ -37,7 +37,9 @@ int run(const Options& options) {
     PictureMaker pictures(session, options,
                           {.first_time_s = std::min(film.start_s, options.time_s),
                            .last_time_s = std::max(film.last_time_s(), options.time_s)});
-    write_png(path, pictures.at(options.time_s), {});
+    Image image;
+    pictures.draw(options.time_s, image);
+    write_png(path, image, {});
     if (!options.quiet) fmt::print(stderr, "{}\n", path.string());
     return 0;
 }

@@ -1,0 +1,122 @@
+// Bad input: one clear line on stderr, the right exit code, nothing written.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "cli/program_run.h"
+
+namespace poinsot::testing {
+namespace {
+
+const std::string good = R"(
+[body]
+moments_kg_m2 = [1.0, 2.0, 2.5]
+[start]
+omega_rad_s = [0.3, 1.0, 0.2]
+)";
+
+struct Case {
+    std::string name;
+    std::string scene;      // text of scene.toml; empty text is an empty file
+    std::string arguments;  // of the command line, in the scratch folder
+    int code;
+    std::string says;  // part of the one line
+};
+
+class BadInput : public ::testing::TestWithParam<Case> {};
+
+TEST_P(BadInput, IsOneClearLineAndNothingWritten) {
+    const Case& c = GetParam();
+    const ScratchFolder folder;
+    folder.write("scene.toml", c.scene);
+    const std::string before = folder.listing();
+    const ProgramRun run = run_program_in(folder, c.arguments);
+    EXPECT_EQ(run.code, c.code) << run.err;
+    EXPECT_NE(run.err.find(c.says), std::string::npos) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(folder.listing(), before);
+}
+
+Case moments(const std::string& name, const std::string& value, const std::string& says) {
+    return {name, "[body]\nmoments_kg_m2 = " + value + "\n[start]\nomega_rad_s = [0.3, 1.0, 0.2]\n",
+            "still scene.toml -o a.png", 2, says};
+}
+
+Case body(const std::string& name, const std::string& lines, const std::string& says) {
+    return {name, "[start]\nomega_rad_s = [0.3, 1.0, 0.2]\n[body]\n" + lines,
+            "still scene.toml -o a.png", 2, says};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, BadInput,
+    ::testing::Values(
+        Case{"missing_file", good, "still nowhere.toml -o a.png", 2, "nowhere.toml"},
+        Case{"empty_file", "", "still scene.toml -o a.png", 2, "scene.toml"},
+        Case{"directory", good, "still . -o a.png", 2, "directory"},
+        Case{"binary",
+             std::string("\x7f"
+                         "ELF\x02\x01\0\0\0",
+                         9),
+             "still scene.toml -o a.png", 2, "scene.toml:1:1"},
+        moments("zero_moment", "[0.0, 1.0, 1.0]", "scene.toml:2:"),
+        moments("negative_moment", "[-1.0, 1.0, 1.0]", "scene.toml:2:"),
+        moments("nan_moment", "[nan, 1.0, 1.0]", "scene.toml:2:"),
+        moments("infinite_moment", "[inf, 1.0, 1.0]", "scene.toml:2:"),
+        moments("broken_triangle", "[1.0, 2.0, 3.5]", "scene.toml:2:"),
+        body("asymmetric_tensor",
+             "tensor_kg_m2 = [[2.0, 0.1, 0.0], [0.2, 2.0, 0.0], [0.0, 0.0, 2.0]]\n",
+             "scene.toml:4:"),
+        body("one_mass", "[[body.masses]]\nmass_kg = 1.0\nat_m = [1.0, 0.0, 0.0]\n", "scene.toml:"),
+        body("collinear_masses",
+             "[[body.masses]]\nmass_kg = 1.0\nat_m = [1.0, 0.0, 0.0]\n"
+             "[[body.masses]]\nmass_kg = 2.0\nat_m = [-1.0, 0.0, 0.0]\n",
+             "scene.toml:"),
+        Case{"zero_omega",
+             "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.5]\n[start]\nomega_rad_s = [0.0, 0.0, 0.0]\n",
+             "still scene.toml -o a.png", 2, "invariable plane"},
+        Case{"unknown_key", good + "colour = 1\n", "still scene.toml -o a.png", 2,
+             "scene.toml:6:1: unknown key"}),
+    [](const auto& tested) { return tested.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    CommandLines, BadInput,
+    ::testing::Values(
+        Case{"unwritable_output", good, "still scene.toml -o /proc/nowhere/a.png", 3,
+             "/proc/nowhere"},
+        Case{"missing_folder", good, "render scene.toml -o missing/a.mp4", 3, "missing"},
+        Case{"unknown_extension", good, "render scene.toml -o a.xyz", 2, ".mp4"},
+        Case{"fps_zero", good, "render scene.toml -o a.mp4 --fps 0", 2, "fps"},
+        Case{"size_zero", good, "still scene.toml -o a.png --size 0x0", 2, "size"},
+        Case{"size_huge", good, "still scene.toml -o a.png --size 100000x100000", 2, "size"},
+        Case{"odd_film", good, "render scene.toml -o a.mp4 --size 321x240", 2, "321"},
+        Case{"set_unknown_key", good, "still scene.toml -o a.png --set body.colour=1", 2, "colour"},
+        Case{"set_without_value", good, "still scene.toml -o a.png --set body", 2, "body"},
+        Case{"unknown_command", good, "rendr scene.toml", 2, "did you mean \"render\"?"},
+        Case{"no_command", good, "", 2, "--help"},
+        Case{"unknown_option", good, "still scene.toml --colour", 2, "--colour"},
+        Case{"missing_scene", good, "still", 2, "SCENE"},
+        Case{"frames_backwards", good, "render scene.toml -o a.mp4 --frames 9-3", 2,
+             "--frames 9-3"},
+        Case{"frames_beyond", good, "render scene.toml -o a.mp4 --frames 0-100000", 2, "--frames"},
+        Case{"time_nan", good, "still scene.toml -o a.png --time nan", 2, "--time"},
+        Case{"times_garbled", good, "sample scene.toml --times 0,x", 2, "--times"},
+        Case{"unknown_list", good, "list theme", 2, "did you mean \"themes\"?"},
+        Case{"unknown_backend", good, "still scene.toml -o a.png --backend x", 2, "--backend"},
+        Case{"unknown_theme", good, "still scene.toml -o a.png --set theme=x", 2, "theme"},
+        Case{"unknown_element", good, "still scene.toml -o a.png --set 'show=[\"plan\"]'", 2,
+             "plan"},
+        Case{"still_not_png", good, "still scene.toml -o a.jpg", 2, ".png"}),
+    [](const auto& tested) { return tested.param.name; });
+
+TEST(FullDisk, StdoutIsReported) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", good);
+    const ProgramRun run =
+        run_program_in(folder, "sample scene.toml --times 0 >/dev/full 2>err.txt; exit $?; true");
+    EXPECT_EQ(run.code, 3);
+}
+
+}  // namespace
+}  // namespace poinsot::testing

@@ -1,0 +1,222 @@
+// What each command promises, on small pictures.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/program_run.h"
+#include "image/png.h"
+#include "output/video_reader.h"
+
+namespace poinsot::testing {
+namespace {
+
+const std::string racket = R"(
+title = "Racket"
+[body]
+moments_kg_m2 = [3.0, 2.0, 1.0]
+[start]
+omega_rad_s = [0.01, 2.0, 0.01]
+[film]
+size = [320, 180]
+duration_s = 1.0
+)";
+
+std::vector<double> numbers_of(const std::string& line) {
+    std::vector<double> numbers;
+    std::stringstream stream(line);
+    for (std::string item; std::getline(stream, item, ',');) numbers.push_back(std::stod(item));
+    return numbers;
+}
+
+TEST(Sample, PrintsTheFixedColumnsAndGivesEachDoubleBack) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    const ProgramRun run = run_program_in(folder, "sample scene.toml --times 0,0.1");
+    ASSERT_EQ(run.code, 0) << run.err;
+    std::stringstream lines(run.out);
+    std::string header;
+    std::string first;
+    std::string second;
+    std::getline(lines, header);
+    std::getline(lines, first);
+    std::getline(lines, second);
+    EXPECT_EQ(header,
+              "time_s,omega_body_1,omega_body_2,omega_body_3,q_w,q_x,q_y,q_z,"
+              "herpolhode_x,herpolhode_y,herpolhode_z");
+    const auto at_0 = numbers_of(first);
+    ASSERT_EQ(at_0.size(), 11u);
+    EXPECT_EQ(at_0[1], 0.01);
+    EXPECT_EQ(at_0[2], 2.0);
+    EXPECT_EQ(at_0[4], 1.0);
+    EXPECT_EQ(numbers_of(second)[0], 0.1);
+}
+
+TEST(Check, NamesRegimeAndConstants) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    const ProgramRun run = run_program_in(folder, "check scene.toml --json");
+    ASSERT_EQ(run.code, 0) << run.err;
+    // T = ½ Σ I ω² and the plane's distance √(2T)/L from the input by hand.
+    const double twice_T = 3e-4 + 8.0 + 1e-4;
+    const double L = std::sqrt(9e-4 + 16.0 + 1e-4);
+    const auto number = [&run](const std::string& key) {
+        const std::size_t at = run.out.find("\"" + key + "\": ");
+        EXPECT_NE(at, std::string::npos) << run.out;
+        return std::stod(run.out.substr(at + key.size() + 4));
+    };
+    EXPECT_NEAR(number("kinetic_energy_J"), 0.5 * twice_T, 1e-14);
+    EXPECT_NEAR(number("momentum_kg_m2_s"), L, 1e-14);
+    EXPECT_NEAR(number("plane_distance"), std::sqrt(twice_T) / L, 1e-15);
+    EXPECT_EQ(number("n_frames"), 30.0);
+}
+
+TEST(Still, MakesAPictureOfTheSizeAsked) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    const ProgramRun run =
+        run_program_in(folder, "still scene.toml --time 0.5 --size 200x120 -o a.png");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.out, "");
+    const Image image = read_png(folder.path() / "a.png");
+    EXPECT_EQ(image.width(), 200);
+    EXPECT_EQ(image.height(), 120);
+}
+
+TEST(Still, TwoRunsGiveTheSameBytes) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    ASSERT_EQ(run_program_in(folder, "still scene.toml -o a.png").code, 0);
+    ASSERT_EQ(run_program_in(folder, "still scene.toml -o b.png").code, 0);
+    EXPECT_EQ(text_of(folder.path() / "a.png"), text_of(folder.path() / "b.png"));
+}
+
+TEST(Render, FrameAloneIsTheFrameOfTheSequence) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    ASSERT_EQ(run_program_in(folder, "render scene.toml -o all-####.png --frames 0-12 -q").code, 0);
+    ASSERT_EQ(run_program_in(folder, "render scene.toml -o one-####.png --frames 12-12 -q").code,
+              0);
+    const Image together = read_png(folder.path() / "all-0012.png");
+    const Image alone = read_png(folder.path() / "one-0012.png");
+    EXPECT_TRUE(together == alone);
+}
+
+TEST(Render, FilmHasItsFramesSizeRateAndColours) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    const ProgramRun run =
+        run_program_in(folder, "render scene.toml -o a.mp4 --fps 30000/1001 --quality print");
+    ASSERT_EQ(run.code, 0) << run.err;
+    VideoReader reader(folder.path() / "a.mp4");
+    EXPECT_EQ(reader.info().width_px, 320);
+    EXPECT_EQ(reader.info().height_px, 180);
+    EXPECT_EQ(reader.info().rate.numerator, 30000);
+    EXPECT_EQ(reader.info().rate.denominator, 1001);
+    EXPECT_EQ(reader.info().codec, "h264");
+    EXPECT_EQ(reader.info().pixel_format, "yuv420p");
+    EXPECT_EQ(reader.info().matrix, "bt709");
+    EXPECT_EQ(reader.info().range, "tv");
+
+    // The first frame is the still of the same instant, within what 4:2:0 and quantisation lose on
+    // average.
+    ASSERT_EQ(run_program_in(folder, "still scene.toml --time 0 -o first.png").code, 0);
+    const Image still = read_png(folder.path() / "first.png");
+    std::int64_t n_frames = 0;
+    double difference = 0.0;
+    for (Image frame; reader.read(frame);) {
+        if (n_frames == 0) {
+            for (std::size_t i = 0; i < still.bytes().size(); ++i) {
+                difference += std::abs(static_cast<int>(still.bytes()[i]) -
+                                       static_cast<int>(frame.bytes()[i]));
+            }
+            difference /= static_cast<double>(still.bytes().size());
+        }
+        ++n_frames;
+    }
+    EXPECT_EQ(n_frames, 30);
+    EXPECT_LT(difference, 2.0);
+}
+
+TEST(Render, InterruptedLeavesNothingUnderTheFinalName) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    const ProgramRun run = run_program_in(
+        folder,
+        "render scene.toml -o a.mp4 --set film.duration_s=2000 & sleep 1; kill -INT $!; wait $!");
+    EXPECT_EQ(run.code, 3);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.mp4"));
+}
+
+TEST(List, EveryListHasRows) {
+    const ScratchFolder folder;
+    const ProgramRun lists = run_program_in(folder, "list");
+    ASSERT_EQ(lists.code, 0);
+    std::stringstream names(lists.out);
+    int n_lists = 0;
+    for (std::string name; std::getline(names, name); ++n_lists) {
+        const ProgramRun rows = run_program_in(folder, "list " + name);
+        EXPECT_EQ(rows.code, 0) << rows.err;
+        EXPECT_NE(rows.out, "") << name;
+    }
+    EXPECT_GE(n_lists, 5);
+}
+
+TEST(Doctor, FindsAContextHere) {
+    const ScratchFolder folder;
+    const ProgramRun run = run_program_in(folder, "doctor");
+    EXPECT_EQ(run.code, 0) << run.out << run.err;
+    EXPECT_NE(run.out.find("context OSMesa"), std::string::npos);
+}
+
+TEST(Program, SaysItsVersionAndHelpsOnStdout) {
+    const ScratchFolder folder;
+    const ProgramRun version = run_program_in(folder, "--version");
+    EXPECT_EQ(version.code, 0);
+    EXPECT_EQ(version.out.rfind("poinsot ", 0), 0u);
+    const ProgramRun help = run_program_in(folder, "render --help");
+    EXPECT_EQ(help.code, 0);
+    EXPECT_NE(help.out.find("--frames"), std::string::npos);
+}
+
+// Every scene that comes with the program draws, and its picture is not one colour.
+class EveryScene : public ::testing::TestWithParam<std::string> {};
+
+std::vector<std::string> scene_files() {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SOURCE_DIR "/scenes")) {
+        if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
+    }
+    return files;
+}
+
+TEST_P(EveryScene, ChecksAndDraws) {
+    const ScratchFolder folder;
+    const ProgramRun check = run_program_in(folder, "check '" + GetParam() + "'");
+    EXPECT_EQ(check.code, 0) << check.err;
+    EXPECT_NE(check.out.find("title: "), std::string::npos);
+    const ProgramRun still =
+        run_program_in(folder, "still '" + GetParam() + "' --size 320x180 --time 1 -o a.png");
+    ASSERT_EQ(still.code, 0) << still.err;
+    const Image image = read_png(folder.path() / "a.png");
+    std::size_t n_unlike_corner = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const Rgba8 a = image.at(x, y);
+            const Rgba8 b = image.at(0, 0);
+            n_unlike_corner += std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b) > 60;
+        }
+    }
+    EXPECT_GT(n_unlike_corner, 320u * 180u / 20u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, ::testing::ValuesIn(scene_files()),
+                         [](const auto& tested) {
+                             return std::filesystem::path(tested.param).stem().string();
+                         });
+
+}  // namespace
+}  // namespace poinsot::testing

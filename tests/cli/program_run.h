@@ -1,0 +1,78 @@
+// Runs the program as a user does and keeps what it said.
+#pragma once
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace poinsot::testing {
+
+struct ProgramRun {
+    int code = -1;
+    std::string out;
+    std::string err;
+};
+
+// A folder of its own for each test, removed at the end.
+class ScratchFolder {
+ public:
+    ScratchFolder() {
+        std::string name =
+            (std::filesystem::temp_directory_path() / "poinsot-test-XXXXXX").string();
+        path_ = mkdtemp(name.data());
+    }
+    ~ScratchFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+    std::string write(const std::string& name, const std::string& text) const {
+        const std::filesystem::path file = path_ / name;
+        std::ofstream(file, std::ios::binary) << text;
+        return file.string();
+    }
+
+    // Names of everything in the folder.
+    std::string listing() const {
+        std::string names;
+        for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+            names += entry.path().filename().string() + "\n";
+        }
+        return names;
+    }
+
+ private:
+    std::filesystem::path path_;
+};
+
+inline std::string text_of(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::stringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+// `arguments` as a shell reads them; run inside `folder`.
+inline ProgramRun run_program_in(const ScratchFolder& folder, const std::string& arguments) {
+    const ScratchFolder logs;
+    const std::string command = "cd '" + folder.path().string() + "' && '" POINSOT_PROGRAM "' " +
+                                arguments + " >'" + (logs.path() / "out").string() + "' 2>'" +
+                                (logs.path() / "err").string() + "'";
+    const int status = std::system(command.c_str());
+    ProgramRun run;
+    run.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+    run.out = text_of(logs.path() / "out");
+    run.err = text_of(logs.path() / "err");
+    return run;
+}
+
+}  // namespace poinsot::testing
