@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/scene_error.h"
+
 namespace poinsot {
 
 namespace {
@@ -30,7 +32,9 @@ TypeStyle text_style(const StageData& stage, double size) {
 }
 
 Drawer make_title(StageData& stage) {
-    const SetType type = stage.type_case.set(stage.scene.title, text_style(stage, 40.0));
+    const SetType type = at_scene_key(stage.scene, "title", [&] {
+        return stage.type_case.set(stage.scene.title, text_style(stage, 40.0));
+    });
     return [&stage, type](const Instant&, Sheet& sheet) {
         add_text(stage, type, margin(stage), margin(stage) + type.baseline_px, sheet);
     };
@@ -42,8 +46,13 @@ Drawer make_caption(StageData& stage) {
         const double top = stage.options.height_px - margin(stage) - type.mask->height;
         add_text(stage, type, margin(stage), top + type.baseline_px, sheet);
     };
+    // Set once here in any case, so that a caption that does not parse is refused before the first
+    // frame.
+    const SetType type = at_scene_key(stage.scene, "caption", [&] {
+        return stage.type_case.set(expand_live_text(stage.scene.caption, stage.live_values({})),
+                                   style);
+    });
     if (!is_live(stage.scene.caption)) {
-        const SetType type = stage.type_case.set(expand_live_text(stage.scene.caption, {}), style);
         return [place, type](const Instant&, Sheet& sheet) { place(type, sheet); };
     }
     return [&stage, style, place](const Instant& instant, Sheet& sheet) {

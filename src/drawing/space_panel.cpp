@@ -7,6 +7,7 @@
 #include "drawing/framing.h"
 #include "drawing/overlay.h"
 #include "drawing/panel.h"
+#include "scene/scene_error.h"
 
 namespace poinsot {
 
@@ -30,7 +31,8 @@ void make_space_panel(Panel& panel) {
     // The elements that the scene names, or those that this kind of motion shows by itself.
     const std::vector<std::string>& show = panel.stage->scene.show;
     for (const std::string& name : show) {
-        if (!is_overlay(name)) element_named(name);
+        if (is_overlay(name)) continue;
+        at_scene_key(panel.stage->scene, "show", [&] { element_named(name); });
     }
     std::vector<Drawer> drawers;
     for (const Element& element : elements()) {

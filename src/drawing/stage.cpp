@@ -8,7 +8,7 @@
 #include "drawing/overlay.h"
 #include "drawing/panel.h"
 #include "drawing/stage_data.h"
-#include "error/error.h"
+#include "scene/scene_error.h"
 
 namespace poinsot {
 
@@ -138,7 +138,10 @@ Herpolhode herpolhode_shown(const StageData& stage, double tolerance) {
 }
 
 StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOptions& options_)
-    : scene(scene_), motion(motion_), options(options_), theme(&theme_named(scene_.theme)) {
+    : scene(scene_),
+      motion(motion_),
+      options(options_),
+      theme(at_scene_key(scene_, "theme", [&] { return &theme_named(scene_.theme); })) {
     px = options.line_scale > 0.0 ? options.line_scale : options.height_px / 1080.0;
     const FilmSpec& film = scene.film;
     film_first_s = std::min(film.start_s, options.first_time_s);
@@ -167,10 +170,15 @@ void StageData::make_panels() {
     const std::vector<int> columns = boundaries(scene.grid.columns, room.x_px, room.width_px);
     const std::vector<int> rows = boundaries(scene.grid.rows, room.y_px, room.height_px);
     for (const PanelSpec& spec : specs) {
-        const PanelKind& kind = panel_kind_named(spec.kind);
+        const PanelKind& kind = at_scene_key(
+            scene, "panels", [&]() -> const PanelKind& { return panel_kind_named(spec.kind); });
         if (!kind.possible(*this)) {
-            throw InputError("panel \"" + spec.kind + "\" needs " + std::string(kind.needs) +
-                             "; choose another panel or another motion");
+            const bool rests = problem.start.omega_body.isZero(0.0);
+            throw SceneError(scene.location_of(rests ? "start.omega_rad_s" : "panels"),
+                             rests ? "omega_rad_s is zero, and a body at rest has no invariable "
+                                     "plane; give it a spin"
+                                   : "panel \"" + spec.kind + "\" needs " +
+                                         std::string(kind.needs) + "; choose another panel");
         }
         Panel& panel = panels.emplace_back();
         panel.stage = this;

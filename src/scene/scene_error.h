@@ -21,6 +21,18 @@ class SceneError : public InputError {
     SourceLocation where_;
 };
 
+// Calls what may throw an InputError without a place: what it refuses is wrong at this key.
+template <typename Call>
+auto at_scene_key(const Scene& scene, const std::string& key, Call call) {
+    try {
+        return call();
+    } catch (const SceneError&) {
+        throw;
+    } catch (const InputError& error) {
+        throw SceneError(scene.location_of(key), error.what());
+    }
+}
+
 // Text from a scene or command line, made safe to echo in a message: control characters (C0, C1)
 // and bytes that are not UTF-8 are written as escapes, and long text is cut short.
 std::string echo(std::string_view text);

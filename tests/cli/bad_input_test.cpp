@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Case{"missing_file", good, "still nowhere.toml -o a.png", 2, "nowhere.toml"},
         Case{"empty_file", "", "still scene.toml -o a.png", 2, "scene.toml"},
-        Case{"directory", good, "still . -o a.png", 2, "directory"},
+        Case{"directory", good, "still . -o a.png", 2, "folder"},
         Case{"binary",
              std::string("\x7f"
                          "ELF\x02\x01\0\0\0",
