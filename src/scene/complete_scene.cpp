@@ -13,6 +13,7 @@
 #include "error/error.h"
 #include "error/nearest.h"
 #include "mechanics/heavy_top.h"
+#include "mechanics/methods.h"
 #include "scene/scene_draft.h"
 #include "scene/scene_error.h"
 
@@ -26,7 +27,7 @@ namespace {
 
 // Calls the mechanics; what it refuses is wrong at this key.
 template <typename Call>
-auto at_key(const Scene& scene, const std::string& key, Call call) {
+decltype(auto) at_key(const Scene& scene, const std::string& key, Call call) {
     try {
         return call();
     } catch (const SceneError&) {
@@ -332,6 +333,35 @@ void complete_torque(SceneDraft& draft) {
     }
 }
 
+// [motion]
+
+void check_motion(const SceneDraft& draft) {
+    const Scene& scene = draft.scene;
+    const MethodChoice& choice = scene.method;
+    const InertiaTensor& inertia = scene.body.inertia;
+    const Method& method =
+        at_key(scene, "motion.method", [&]() -> const Method& { return find_method(choice.name); });
+    if (!can_solve(method, inertia, scene.torque)) {
+        const bool gravity = std::holds_alternative<GravityTorque>(scene.torque);
+        const bool exact = method.make == nullptr;
+        const std::string torque =
+            gravity && exact ? "gravity on a body that is not symmetric about the arm of its weight"
+                             : fmt::format("a torque of kind \"{}\"", draft.torque_kind);
+        refuse(scene, draft.has("motion.method") ? "motion.method" : "torque.kind",
+               fmt::format("{} has no {}; set motion.method to one of {}", torque,
+                           exact ? "exact solution" : fmt::format("solution by {}", method.name),
+                           methods_that_solve(inertia, scene.torque)));
+    }
+
+    // Each option by itself, so that what is wrong gets its own place.
+    const MethodChoice order{choice.name, {}, {}, choice.order};
+    const MethodChoice step{choice.name, choice.step_s, {}, {}};
+    const MethodChoice tolerance{choice.name, {}, choice.tolerance, {}};
+    at_key(scene, "motion.order", [&] { check_method(order, inertia, scene.torque); });
+    at_key(scene, "motion.step_s", [&] { check_method(step, inertia, scene.torque); });
+    at_key(scene, "motion.tolerance", [&] { check_method(tolerance, inertia, scene.torque); });
+}
+
 // [film]
 
 // A scene cannot ask for more frames than a disk holds.
@@ -393,6 +423,7 @@ Scene complete_scene(SceneDraft draft) {
     complete_body(draft);
     complete_start(draft);
     complete_torque(draft);
+    check_motion(draft);
     check_film(draft.scene);
     complete_grid(draft);
     return std::move(draft.scene);

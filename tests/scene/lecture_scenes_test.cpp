@@ -1,0 +1,96 @@
+// The scenes of the lecture are what their titles and captions say.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "mechanics/motion.h"
+#include "scene/load_scene.h"
+
+namespace poinsot {
+
+namespace {
+
+Scene lecture(const std::string& name) {
+    return load_scene(std::filesystem::path(POINSOT_SOURCE_DIR) / "scenes" / (name + ".toml"));
+}
+
+Regime regime_of(const std::string& name) { return Motion(problem_of(lecture(name))).regime(); }
+
+TEST(LectureScenes, EachHasTitleCaptionAndAFilmOfTenToTwentySeconds) {
+    for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SOURCE_DIR "/scenes")) {
+        if (entry.path().extension() != ".toml") continue;
+        const Scene scene = load_scene(entry.path());
+        EXPECT_TRUE(scene.locations.contains("title")) << entry.path();
+        EXPECT_FALSE(scene.caption.empty()) << entry.path();
+        const double film_s = scene.film.duration_s.value_or(0.0) / scene.film.speed;
+        EXPECT_GE(film_s, 10.0) << entry.path();
+        EXPECT_LE(film_s, 20.0) << entry.path();
+        EXPECT_TRUE(scene.notes.empty()) << entry.path();
+    }
+}
+
+TEST(LectureScenes, EachMovesAsItsNameSays) {
+    EXPECT_EQ(regime_of("sphere"), Regime::permanent);
+    EXPECT_EQ(regime_of("stable_largest"), Regime::elliptic_about_highest);
+    EXPECT_EQ(regime_of("stable_smallest"), Regime::elliptic_about_lowest);
+    EXPECT_EQ(regime_of("separatrix"), Regime::separatrix);
+    EXPECT_EQ(regime_of("symmetric_oblate"), Regime::symmetric);
+    EXPECT_EQ(regime_of("symmetric_prolate"), Regime::symmetric);
+    EXPECT_EQ(regime_of("generic"), Regime::elliptic_about_highest);
+}
+
+TEST(LectureScenes, SeparatrixIsExactlyOnIt) {
+    // All of these are exact in binary, so equality is exact, too.
+    const Scene scene = lecture("separatrix");
+    const Eigen::Vector3d I = scene.body.inertia.moments_kg_m2();
+    const Eigen::Vector3d L = I.cwiseProduct(scene.start.omega_rad_s);
+    EXPECT_EQ(L.squaredNorm(), L.dot(scene.start.omega_rad_s) * I[1]);
+}
+
+TEST(LectureScenes, TennisRacketTurnsOverMoreThanOnceInItsFilm) {
+    const Scene scene = lecture("tennis_racket");
+    const Motion motion(problem_of(scene));
+    int n_flips = 0;
+    double sign = 1.0;
+    for (int i = 0; i <= 1000; ++i) {
+        const double w2 = motion.at(*scene.film.duration_s * i / 1000.0).omega_body[1];
+        if (w2 * sign < -1.0) {
+            ++n_flips;
+            sign = -sign;
+        }
+    }
+    EXPECT_GE(n_flips, 2);
+}
+
+TEST(LectureScenes, CaptionsGiveTheRateOfPrecession) {
+    for (const auto& [name, rate, in_caption] :
+         {std::tuple{"symmetric_oblate", 1.2, "= 1.2$ rad/s"},
+          std::tuple{"symmetric_prolate", -1.2, "= -1.2$ rad/s"}}) {
+        const Scene scene = lecture(name);
+        const Eigen::Vector3d I = scene.body.inertia.moments_kg_m2();
+        EXPECT_EQ(I[0], I[1]);
+        // Ω = (I₃−I₁)ω₃/I₁, to rounding of three operations.
+        EXPECT_NEAR((I[2] - I[0]) * scene.start.omega_rad_s[2] / I[0], rate, 4e-16);
+        EXPECT_NE(scene.caption.find(in_caption), std::string::npos) << scene.caption;
+    }
+}
+
+TEST(LectureScenes, TensorIsOffItsPrincipalAxes) {
+    const Scene scene = lecture("tensor");
+    EXPECT_FALSE(scene.body.inertia.body_axes_are_principal());
+    EXPECT_GT(std::abs(scene.body.tensor_kg_m2(0, 1)), 0.1);
+}
+
+TEST(LectureScenes, PointMassesAreMovedToTheirCentre) {
+    const Scene scene = lecture("point_masses");
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    for (const PointMass& mass : scene.body.masses) moment += mass.mass_kg * mass.at_m;
+    EXPECT_LT(moment.norm(), 1e-15);  // measured 2e-16
+    EXPECT_GT(scene.body.centre_of_mass_m_body.norm(), 0.05);
+}
+
+}  // namespace
+
+}  // namespace poinsot

@@ -1,0 +1,345 @@
+// Every row of the key table is read into the scene, refused when wrong, and written back.
+#include "scene/scene_keys.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+
+#include "scene/write_scene.h"
+#include "scene_text.h"
+
+namespace poinsot {
+
+namespace {
+
+const std::string gravity = "[torque]\nkind = \"gravity\"\nmgl_N_m = 2.5\n";
+const std::string a_top = "[body]\nmoments_kg_m2 = [1.0, 1.0, 0.5]\n[start]\ntheta_rad = 0.5\n";
+const std::string three_masses =
+    "[[body.masses]]\nmass_kg = 2.5\nat_m = [1.0, 0.5, 0.25]\n"
+    "[[body.masses]]\nmass_kg = 1.0\nat_m = [0.0, 1.0, 0.0]\n"
+    "[[body.masses]]\nmass_kg = 1.0\nat_m = [0.0, 0.0, 1.0]\n";
+
+// A scene that gives the key, and what must then stand in it.
+struct Claim {
+    std::string text;
+    std::function<bool(const Scene&)> holds;
+};
+
+std::string with(const std::string& table, const std::string& line) {
+    return a_scene + (table.empty() ? "" : "[" + table + "]\n") + line + "\n";
+}
+
+const Torque& torque(const Scene& s) { return s.torque; }
+
+const std::map<std::string, Claim> claims{
+    {"title", {"title = \"x ω\"\n" + a_scene, [](const Scene& s) { return s.title == "x ω"; }}},
+    {"caption",
+     {"caption = 'y $\\omega$'\n" + a_scene,
+      [](const Scene& s) { return s.caption == "y $\\omega$"; }}},
+    {"accuracy_px",
+     {"accuracy_px = 0.25\n" + a_scene, [](const Scene& s) { return s.accuracy_px == 0.25; }}},
+    {"theme", {"theme = \"dark\"\n" + a_scene, [](const Scene& s) { return s.theme == "dark"; }}},
+    {"show",
+     {"show = [\"plane\", \"omega\"]\n" + a_scene,
+      [](const Scene& s) {
+          return s.show == std::vector<std::string>{"plane", "omega"};
+      }}},
+    {"body.moments_kg_m2",
+     {a_scene,
+      [](const Scene& s) {
+          return s.body.given == BodySpec::Given::moments &&
+                 s.body.inertia.moments_kg_m2() == Eigen::Vector3d(3.0, 2.0, 1.0);
+      }}},
+    {"body.tensor_kg_m2",
+     {"[body]\ntensor_kg_m2 = [[2, 0.5, 0], [0.5, 2, 0], [0, 0, 3]]\n" + a_start,
+      [](const Scene& s) {
+          // Eigenvalues of [[2, ½], [½, 2]] are 2 ± ½; measured 4e-16
+          const Eigen::Vector3d moments = s.body.inertia.moments_kg_m2();
+          return s.body.given == BodySpec::Given::tensor &&
+                 std::abs(moments.prod() - 11.25) < 1e-14 && s.body.tensor_kg_m2(0, 1) == 0.5;
+      }}},
+    {"body.shape",
+     {"[body]\nshape = \"box\"\nsize_m = [2, 2, 2]\nmass_kg = 6\n" + a_start,
+      [](const Scene& s) {
+          return s.body.given == BodySpec::Given::solid && s.body.shape == "box";
+      }}},
+    {"body.size_m",
+     {"[body]\nshape = \"box\"\nsize_m = [2, 2, 2]\nmass_kg = 6\n" + a_start,
+      [](const Scene& s) {
+          return s.body.size_m == std::vector<double>{2.0, 2.0, 2.0};
+      }}},
+    {"body.mass_kg",
+     {"[body]\nshape = \"box\"\nsize_m = [2, 2, 2]\nmass_kg = 6\n" + a_start,
+      [](const Scene& s) {
+          // m(a² + b²)/12 = 4
+          return s.body.mass_kg == 6.0 &&
+                 (s.body.inertia.moments_kg_m2() - Eigen::Vector3d::Constant(4.0)).norm() < 1e-14;
+      }}},
+    {"body.allow_unphysical",
+     {"[body]\nmoments_kg_m2 = [1, 1, 5]\nallow_unphysical = true\n" + a_start,
+      [](const Scene& s) { return s.body.allow_unphysical; }}},
+    {"body.masses[].mass_kg",
+     {three_masses + a_start,
+      [](const Scene& s) {
+          return s.body.given == BodySpec::Given::masses &&
+                 s.body.masses_as_given.at(0).mass_kg == 2.5 && s.body.mass_kg == 4.5;
+      }}},
+    {"body.masses[].at_m",
+     {three_masses + a_start,
+      [](const Scene& s) {
+          // Σ m r = (2.5, 2.25, 1.625)
+          const Eigen::Vector3d centre(2.5 / 4.5, 2.25 / 4.5, 1.625 / 4.5);
+          return (s.body.centre_of_mass_m_body - centre).norm() < 1e-15 &&
+                 (s.body.masses.at(0).at_m + centre - Eigen::Vector3d(1.0, 0.5, 0.25)).norm() <
+                     1e-15;
+      }}},
+    {"start.omega_rad_s",
+     {a_scene,
+      [](const Scene& s) { return s.start.omega_rad_s == Eigen::Vector3d(0.5, 2.0, 0.25); }}},
+    {"start.attitude",
+     {a_scene + "attitude = [0.5, 0.5, 0.5, -0.5]\n",
+      [](const Scene& s) {
+          return s.start.space_from_body.coeffs() ==
+                 Eigen::Quaterniond(0.5, 0.5, 0.5, -0.5).coeffs();
+      }}},
+    {"start.attitude_matrix",
+     {a_scene + "attitude_matrix = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]\n",
+      [](const Scene& s) {
+          // e1 goes to e2; measured 2e-16
+          return (s.start.space_from_body * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY())
+                     .norm() < 1e-15;
+      }}},
+    {"start.theta_rad",
+     {a_top, [](const Scene& s) { return s.start.top && s.start.top->theta_rad == 0.5; }}},
+    {"start.theta_dot_rad_s",
+     {a_top + "theta_dot_rad_s = 0.25\n",
+      [](const Scene& s) {
+          return s.start.top->theta_dot_rad_s == 0.25 && s.start.omega_rad_s[0] == 0.25;
+      }}},
+    {"start.phi_dot_rad_s",
+     {a_top + "phi_dot_rad_s = 0.25\n",
+      [](const Scene& s) {
+          return s.start.top->phi_dot_rad_s == 0.25 &&
+                 std::abs(s.start.omega_rad_s[1] - 0.25 * std::sin(0.5)) < 1e-16;
+      }}},
+    {"start.omega3_rad_s",
+     {a_top + "omega3_rad_s = 8\n",
+      [](const Scene& s) {
+          return s.start.top->omega3_rad_s == 8.0 && s.start.omega_rad_s[2] == 8.0;
+      }}},
+    {"torque.kind",
+     {a_top + gravity,
+      [](const Scene& s) { return std::holds_alternative<GravityTorque>(torque(s)); }}},
+    {"torque.mgl_N_m",
+     {a_top + gravity,
+      [](const Scene& s) { return std::get<GravityTorque>(torque(s)).mgl_N_m == 2.5; }}},
+    {"torque.arm_body",
+     {a_top + gravity + "arm_body = [0, 0, -2]\n",
+      [](const Scene& s) {
+          return std::get<GravityTorque>(torque(s)).arm_body == Eigen::Vector3d(0.0, 0.0, -1.0);
+      }}},
+    {"torque.torque_body_N_m",
+     {with("torque",
+           "kind = \"constant_body\"\ntorque_body_N_m = [1, 2, 3]\n[motion]\nmethod = "
+           "\"rk4\""),
+      [](const Scene& s) {
+          return std::get<ConstantBodyTorque>(torque(s)).torque_body_N_m ==
+                 Eigen::Vector3d(1.0, 2.0, 3.0);
+      }}},
+    {"torque.torque_space_N_m",
+     {with("torque",
+           "kind = \"constant_space\"\ntorque_space_N_m = [1, 2, 3]\n[motion]\nmethod = "
+           "\"rk4\""),
+      [](const Scene& s) {
+          return std::get<ConstantSpaceTorque>(torque(s)).torque_space_N_m ==
+                 Eigen::Vector3d(1.0, 2.0, 3.0);
+      }}},
+    {"torque.rate_1_s",
+     {with("torque", "kind = \"dissipation\"\nrate_1_s = 0.5\n[motion]\nmethod = \"rk4\""),
+      [](const Scene& s) { return std::get<DissipationTorque>(torque(s)).rate_1_s == 0.5; }}},
+    {"motion.method",
+     {with("motion", "method = \"rk4\""), [](const Scene& s) { return s.method.name == "rk4"; }}},
+    {"motion.step_s",
+     {with("motion", "method = \"rk4\"\nstep_s = 0.5"),
+      [](const Scene& s) { return s.method.step_s == 0.5; }}},
+    {"motion.tolerance",
+     {with("motion", "method = \"dopri5\"\ntolerance = 1e-9"),
+      [](const Scene& s) { return s.method.tolerance == 1e-9; }}},
+    {"motion.order",
+     {with("motion", "method = \"dmv\"\norder = 4"),
+      [](const Scene& s) { return s.method.order == 4; }}},
+    {"film.start_s",
+     {with("film", "start_s = -2.5"), [](const Scene& s) { return s.film.start_s == -2.5; }}},
+    {"film.duration_s",
+     {with("film", "duration_s = 7"), [](const Scene& s) { return s.film.duration_s == 7.0; }}},
+    {"film.fps",
+     {with("film", "fps = 29.97"),
+      [](const Scene& s) {
+          return s.film.fps_numerator == 30000 && s.film.fps_denominator == 1001;
+      }}},
+    {"film.size",
+     {with("film", "size = \"640x480\""),
+      [](const Scene& s) { return s.film.width_px == 640 && s.film.height_px == 480; }}},
+    {"film.speed",
+     {with("film", "speed = 0.5"), [](const Scene& s) { return s.film.speed == 0.5; }}},
+    {"film.quality",
+     {with("film", "quality = \"draft\""),
+      [](const Scene& s) { return s.film.quality == "draft"; }}},
+    {"camera.azimuth_deg",
+     {with("camera", "azimuth_deg = 10"),
+      [](const Scene& s) { return s.camera.azimuth_deg == 10.0; }}},
+    {"camera.elevation_deg",
+     {with("camera", "elevation_deg = 30"),
+      [](const Scene& s) { return s.camera.elevation_deg == 30.0; }}},
+    {"camera.distance",
+     {with("camera", "distance = 7"), [](const Scene& s) { return s.camera.distance == 7.0; }}},
+    {"camera.field_deg",
+     {with("camera", "field_deg = 40"), [](const Scene& s) { return s.camera.field_deg == 40.0; }}},
+    {"camera.target",
+     {with("camera", "target = [0, 0, 0.5]"),
+      [](const Scene& s) { return s.camera.target == Eigen::Vector3d(0.0, 0.0, 0.5); }}},
+    {"camera.motion",
+     {with("camera", "motion = \"co-precessing\""),
+      [](const Scene& s) { return s.camera.motion == "co-precessing"; }}},
+    {"grid.columns",
+     {with("grid", "columns = [2, 1]"),
+      [](const Scene& s) {
+          return s.grid.columns == std::vector<double>{2.0, 1.0};
+      }}},
+    {"grid.rows",
+     {with("grid", "rows = [2, 1]"),
+      [](const Scene& s) {
+          return s.grid.rows == std::vector<double>{2.0, 1.0};
+      }}},
+    {"panels[].kind",
+     {a_scene + "[[panels]]\nkind = \"plan\"\n",
+      [](const Scene& s) { return s.panels.at(0).kind == "plan"; }}},
+    {"panels[].column",
+     {a_scene + "[[panels]]\ncolumn = 2\n",
+      [](const Scene& s) { return s.panels.at(0).column == 2 && s.grid.columns.size() == 3; }}},
+    {"panels[].row",
+     {a_scene + "[[panels]]\n[[panels]]\nrow = 1\n",
+      [](const Scene& s) { return s.panels.at(1).row == 1 && s.grid.rows.size() == 2; }}},
+    {"panels[].columns",
+     {a_scene + "[[panels]]\ncolumns = 2\n",
+      [](const Scene& s) { return s.panels.at(0).columns == 2; }}},
+    {"panels[].rows",
+     {a_scene + "[[panels]]\nrows = 2\n", [](const Scene& s) { return s.panels.at(0).rows == 2; }}},
+};
+
+TEST(SceneKeys, EveryRowHasAClaimAndEveryClaimARow) {
+    std::set<std::string> rows;
+    for (const SceneKey& key : scene_keys()) rows.emplace(key.path);
+    std::set<std::string> claimed;
+    for (const auto& [path, claim] : claims) claimed.insert(path);
+    EXPECT_EQ(rows, claimed);
+    EXPECT_EQ(rows.size(), scene_keys().size()) << "two rows of one path";
+}
+
+TEST(SceneKeys, EveryRowIsReadIntoTheScene) {
+    for (const auto& [path, claim] : claims) {
+        EXPECT_TRUE(claim.holds(scene_of(claim.text))) << path;
+    }
+}
+
+TEST(SceneKeys, EveryRowIsWrittenBack) {
+    for (const auto& [path, claim] : claims) {
+        const std::string text = to_toml(scene_of(claim.text));
+        EXPECT_TRUE(claim.holds(scene_of(text))) << path << "\n" << text;
+    }
+}
+
+// The line of the example, in the table that it belongs to.
+std::string example_of(const SceneKey& key, const std::string& value) {
+    const std::string header = key.table().empty() ? "" : written_table(key.table()) + "\n";
+    return fmt::format("{}{} = {}\n", header, key.leaf(), value);
+}
+
+TEST(SceneKeys, EveryExampleIsOfTheRightTypeAndInItsDomain) {
+    for (const SceneKey& key : scene_keys()) {
+        // The example alone makes no scene, but nothing is wrong where it stands (line 2, or 1).
+        try {
+            scene_of(example_of(key, std::string(key.example)));
+        } catch (const SceneError& error) {
+            const std::string what = error.what();
+            EXPECT_EQ(what.find("it must be"), std::string::npos) << what;
+            EXPECT_EQ(what.find("; give a number"), std::string::npos) << what;
+        }
+    }
+}
+
+TEST(SceneKeys, EveryRowRefusesAWrongTypeWithItsExample) {
+    for (const SceneKey& key : scene_keys()) {
+        const std::string message = refusal(example_of(key, "{a = 1}"));
+        EXPECT_NE(message.find("is a table; it must be " + key.expectation()), std::string::npos)
+            << message;
+        EXPECT_NE(message.find(fmt::format("as in {} = {}", key.leaf(), key.example)),
+                  std::string::npos)
+            << message;
+    }
+}
+
+TEST(SceneKeys, NoNumberMayBeNanOrInfinite) {
+    // Each number of the example in turn is replaced.
+    for (const SceneKey& key : scene_keys()) {
+        const std::string example(key.example);
+        if (key.type.find("integer") != std::string_view::npos || example.front() == '"') continue;
+        for (std::size_t i = 0; i < example.size();) {
+            const std::size_t from = example.find_first_of("-0123456789", i);
+            if (from == std::string::npos) break;
+            const std::size_t to =
+                std::min(example.find_first_not_of("-+.e0123456789", from), example.size());
+            for (const std::string bad : {"nan", "-inf"}) {
+                std::string value = example;
+                value.replace(from, to - from, bad);
+                const std::string message = refusal(example_of(key, value));
+                EXPECT_NE(message.find("give a finite number"), std::string::npos)
+                    << value << ": " << message;
+            }
+            i = to;
+        }
+    }
+}
+
+TEST(SceneKeys, EveryMistypedKeyFindsItsRow) {
+    // A letter lost at the end of the name.
+    for (const SceneKey& key : scene_keys()) {
+        std::string name(key.leaf());
+        name.pop_back();
+        if (find_scene_key(
+                fmt::format("{}{}{}", key.table(), key.table().empty() ? "" : ".", name))) {
+            continue;
+        }
+        const std::string header = key.table().empty() ? "" : written_table(key.table()) + "\n";
+        const std::string message = refusal(fmt::format("{}{} = 1\n", header, name));
+        EXPECT_NE(message.find(fmt::format("did you mean \"{}\"?", key.leaf())), std::string::npos)
+            << message;
+    }
+}
+
+TEST(SceneKeys, EveryRowIsExplained) {
+    for (const SceneKey& key : scene_keys()) {
+        EXPECT_FALSE(key.summary.empty()) << key.path;
+        EXPECT_FALSE(key.type.empty()) << key.path;
+        EXPECT_FALSE(key.example.empty()) << key.path;
+    }
+}
+
+TEST(SceneKeys, EveryRowMayBeSetOnTheCommandLine) {
+    for (const auto& [path, claim] : claims) {
+        const SceneKey* key = find_scene_key(path);
+        if (path.find("[]") != std::string::npos) continue;
+        // Its own example, on a scene that already gives the key.
+        const Scene scene = scene_of(claim.text, {fmt::format("{}={}", path, key->example)});
+        EXPECT_EQ(scene.locations.at(path).line, 0) << path;
+        EXPECT_EQ(scene.where(path), fmt::format("--set {}={}: ", path, key->example));
+    }
+}
+
+}  // namespace
+
+}  // namespace poinsot

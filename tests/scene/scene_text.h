@@ -1,0 +1,35 @@
+// Scenes as text for the tests of this folder.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "scene/load_scene.h"
+#include "scene/scene_error.h"
+
+namespace poinsot {
+
+// A scene that lacks nothing; lines 1 to 5 of the file "scenes/a.toml".
+inline const std::string a_body = "[body]\nmoments_kg_m2 = [3.0, 2.0, 1.0]\n";
+inline const std::string a_start = "\n[start]\nomega_rad_s = [0.5, 2.0, 0.25]\n";
+inline const std::string a_scene = a_body + a_start;
+
+inline Scene scene_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    return parse_scene(text, "scenes/a.toml", overrides);
+}
+
+// What is said about a scene that is refused.
+inline std::string refusal(const std::string& text,
+                           const std::vector<std::string>& overrides = {}) {
+    try {
+        scene_of(text, overrides);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    ADD_FAILURE() << "accepted:\n" << text;
+    return "";
+}
+
+}  // namespace poinsot
