@@ -49,6 +49,23 @@ Quaterniond rotation_by(const Vector3d& v) {
     return {std::cos(half), scale * v[0], scale * v[1], scale * v[2]};
 }
 
+// L in space where no torque acts: a method that keeps L takes it from here, not from the step
+// before, so that rounding cannot add up.
+struct KeptMomentum {
+    explicit KeptMomentum(const MethodStart& start)
+        : space(start.state.space_from_principal * start.state.momentum),
+          kept(std::holds_alternative<NoTorque>(start.dynamics.torque()) ||
+               std::holds_alternative<DissipationTorque>(start.dynamics.torque())) {}
+
+    // L in principal axes of this attitude, if it is kept; else the one given.
+    Vector3d in_axes_of(const Quaterniond& attitude, const Vector3d& otherwise) const {
+        return kept ? attitude.conjugate() * space : otherwise;
+    }
+
+    Vector3d space;
+    bool kept;
+};
+
 // Newton's method converges quadratically: a correction this small leaves an error below rounding.
 constexpr double last_correction = 1e-9;
 constexpr int max_iterations = 25;
@@ -92,8 +109,8 @@ Propagator rk4(const MethodStart& start) {
 
 // With q = q0 exp(u), du/dt = dexp⁻¹(Ω) = Ω + ½ u×Ω + u×(u×Ω)/12 + …, to the order of the method.
 Propagator rkmk4(const MethodStart& start) {
-    return fixed_step(start, [dynamics = start.dynamics](const StepState& state, double h,
-                                                         StepCounters& counters) {
+    return fixed_step(start, [dynamics = start.dynamics, kept = KeptMomentum(start)](
+                                 const StepState& state, double h, StepCounters& counters) {
         const Quaterniond& q0 = state.space_from_principal;
         const Vector3d momentum_space = q0 * state.momentum;
         struct Stage {
@@ -124,7 +141,8 @@ Propagator rkmk4(const MethodStart& start) {
                                   2.0 * k3.momentum_rate_space + k4.momentum_rate_space);
         StepState end;
         end.space_from_principal = (q0 * rotation_by(u)).normalized();
-        end.momentum = end.space_from_principal.conjugate() * momentum_end;
+        end.momentum = kept.in_axes_of(end.space_from_principal,
+                                       end.space_from_principal.conjugate() * momentum_end);
         return end;
     });
 }
@@ -133,8 +151,8 @@ Propagator rkmk4(const MethodStart& start) {
 // says that L1 is L0 turned back by the Cayley transform of h ω̄, by which the attitude turns
 // forward (Austin, Krishnaprasad & Wang, J. Comput. Phys. 107 (1993) 105).
 Propagator midpoint(const MethodStart& start) {
-    return fixed_step(start, [dynamics = start.dynamics](const StepState& state, double h,
-                                                         StepCounters& counters) {
+    return fixed_step(start, [dynamics = start.dynamics, kept = KeptMomentum(start)](
+                                 const StepState& state, double h, StepCounters& counters) {
         const Vector3d inverse = dynamics.moments_kg_m2().cwiseInverse();
         const Vector3d& L0 = state.momentum;
         Vector3d middle = L0;
@@ -160,8 +178,8 @@ Propagator midpoint(const MethodStart& start) {
         const Vector3d half = 0.5 * h * omega;
         const Quaterniond turn = Quaterniond(1.0, half[0], half[1], half[2]).normalized();
         StepState end;
-        end.momentum = turn.conjugate() * L0;
         end.space_from_principal = (state.space_from_principal * turn).normalized();
+        end.momentum = kept.in_axes_of(end.space_from_principal, turn.conjugate() * L0);
         return end;
     });
 }
@@ -169,8 +187,8 @@ Propagator midpoint(const MethodStart& start) {
 // H = Σ L_i²/2I_i: each term alone is a rotation about its axis at the constant rate L_i/I_i
 // (McLachlan, Phys. Rev. Lett. 71 (1993) 3043; Reich, Physica D 76 (1994) 375).
 Propagator splitting(const MethodStart& start) {
-    return fixed_step(start, [dynamics = start.dynamics](const StepState& state, double h,
-                                                         StepCounters& counters) {
+    return fixed_step(start, [dynamics = start.dynamics, kept = KeptMomentum(start)](
+                                 const StepState& state, double h, StepCounters& counters) {
         ++counters.n_right_hand_sides;
         const Vector3d& moments = dynamics.moments_kg_m2();
         StepState end = state;
@@ -189,6 +207,7 @@ Propagator splitting(const MethodStart& start) {
         turn_about(1, 0.5 * h);
         turn_about(0, 0.5 * h);
         end.space_from_principal.normalize();
+        end.momentum = kept.in_axes_of(end.space_from_principal, end.momentum);
         if (kicked) end.momentum += 0.5 * h * dynamics.torque_on(end);
         return end;
     });
@@ -202,8 +221,9 @@ Propagator dmv(const MethodStart& start) {
     const MoserVeselovSeries series =
         moser_veselov_series(start.dynamics.moments_kg_m2(), start.state.momentum);
     const int n_terms = start.order / 2 - 1;
-    return fixed_step(start, [moments = start.dynamics.moments_kg_m2(), series, n_terms](
-                                 const StepState& state, double h, StepCounters& counters) {
+    return fixed_step(start, [moments = start.dynamics.moments_kg_m2(), kept = KeptMomentum(start),
+                              series,
+                              n_terms](const StepState& state, double h, StepCounters& counters) {
         double s = 0.0;
         double d = 0.0;
         for (int k = n_terms - 1; k >= 0; --k) {
@@ -239,8 +259,8 @@ Propagator dmv(const MethodStart& start) {
         e0 = std::sqrt(1.0 - e.squaredNorm());
         const Quaterniond turn(e0, e[0], e[1], e[2]);
         StepState end;
-        end.momentum = turn.conjugate() * state.momentum;
         end.space_from_principal = (state.space_from_principal * turn).normalized();
+        end.momentum = kept.in_axes_of(end.space_from_principal, turn.conjugate() * state.momentum);
         return end;
     });
 }
