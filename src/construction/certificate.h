@@ -1,0 +1,42 @@
+// How well a computed motion is Poinsot's, over all the instants of a film.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "construction/poinsot_construction.h"
+#include "mechanics/motion.h"
+
+namespace poinsot {
+
+// One claim of the certificate: the worst residual over all instants, and where it was.
+struct CertifiedClaim {
+    std::string_view name;   // "contact_plane_gap"
+    std::string_view means;  // one sentence
+    double worst = 0.0;
+    double at_time_s = 0.0;
+    double bound = 0.0;
+    bool holds() const { return worst <= bound; }
+};
+
+struct Certificate {
+    std::int64_t n_instants = 0;
+    std::vector<CertifiedClaim> claims;
+    bool holds() const;
+};
+
+// Worst residual that an exact evaluation may leave, relative: a few units in the last place of
+// each quantity. Measured 4e-15 over the reference cases.
+inline constexpr double exact_residual_bound = 2e-14;
+
+// The speeds are found by differences in time, whose own error this covers, relative to the
+// greatest speed.
+inline constexpr double speed_difference_bound = 1e-9;
+
+// Evaluates the motion at every instant. `bound` is what the method promises, relative:
+// exact_residual_bound, or what the scene's accuracy allows a stepped method.
+Certificate certify(const Motion& motion, std::span<const double> times_s, double bound);
+
+}  // namespace poinsot
