@@ -173,7 +173,7 @@ void StageData::make_panels() {
         const PanelKind& kind = at_scene_key(
             scene, "panels", [&]() -> const PanelKind& { return panel_kind_named(spec.kind); });
         if (!kind.possible(*this)) {
-            const bool rests = problem.start.omega_body.isZero(0.0);
+            const bool rests = motion.motion().problem().start.omega_body.isZero(0.0);
             throw SceneError(scene.location_of(rests ? "start.omega_rad_s" : "panels"),
                              rests ? "omega_rad_s is zero, and a body at rest has no invariable "
                                      "plane; give it a spin"
