@@ -86,7 +86,7 @@ AtomicFile::AtomicFile(const fs::path& path, const fs::path& aside, bool keep_co
     open_aside(keep_contents);
 }
 
-AtomicFile::~AtomicFile() { close_and_forget(); }
+AtomicFile::~AtomicFile() { discard(); }
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
@@ -95,7 +95,7 @@ AtomicFile::AtomicFile(AtomicFile&& other) noexcept
 
 AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
     if (this == &other) return *this;
-    close_and_forget();
+    discard();
     path_ = std::move(other.path_);
     aside_ = std::exchange(other.aside_, {});
     descriptor_ = std::exchange(other.descriptor_, -1);
@@ -120,7 +120,7 @@ void AtomicFile::open_aside(bool keep_contents) {
     }
     if (!keep_contents && ftruncate(descriptor_, 0) != 0) {
         const int error_number = errno;
-        close_and_forget();
+        discard();
         throw_write_error(path_, error_number);
     }
 }
@@ -141,13 +141,13 @@ void AtomicFile::commit() {
     // A pipe or a terminal cannot be synced, and has nothing to lose.
     if (fsync(descriptor_) != 0 && (renames || (errno != EINVAL && errno != EROFS))) {
         const int error_number = errno;
-        close_and_forget();
+        discard();
         throw_write_error(path_, error_number);
     }
     if (renames) {
         if (::rename(aside_.c_str(), path_.c_str()) != 0) {
             const int error_number = errno;
-            close_and_forget();
+            discard();
             throw_write_error(path_, error_number);
         }
         aside_.clear();
@@ -165,17 +165,17 @@ void AtomicFile::commit() {
 void AtomicFile::release() {
     fsync(descriptor_);
     aside_.clear();
-    close_and_forget();
+    discard();
 }
 
 void AtomicFile::replace(AtomicFile& other) {
     if (fsync(descriptor_) != 0 || ::rename(aside_.c_str(), other.aside_.c_str()) != 0)
         throw_write_error(path_, errno);
     aside_ = std::exchange(other.aside_, {});
-    other.close_and_forget();
+    other.discard();
 }
 
-void AtomicFile::close_and_forget() noexcept {
+void AtomicFile::discard() noexcept {
     // Removed before the lock goes, so that nobody else's file aside can be the one removed.
     if (descriptor_ >= 0 && !aside_.empty()) ::unlink(aside_.c_str());
     if (descriptor_ >= 0) ::close(descriptor_);

@@ -50,13 +50,15 @@ class AtomicFile {
     // Syncs, closes and leaves the contents aside for a later run to find.
     void release();
 
+    // Removes what is aside and closes, as the destructor does.
+    void discard() noexcept;
+
     // Takes the place of another file aside of the same output, which is closed and forgotten.
     // Throws EnvironmentError.
     void replace(AtomicFile& other);
 
  private:
     void open_aside(bool keep_contents);
-    void close_and_forget() noexcept;
 
     std::filesystem::path path_;
     std::filesystem::path aside_;

@@ -5,7 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <span>
+#include <string_view>
 
 #include "error/error.h"
 #include "output/video_encoder.h"
@@ -34,17 +37,41 @@ std::string text_of(const AVDictionary* dictionary, const char* key) {
     return entry ? entry->value : "";
 }
 
+std::uint64_t big_endian(std::span<const std::uint8_t> bytes) {
+    std::uint64_t value = 0;
+    for (const std::uint8_t byte : bytes) value = value << 8 | byte;
+    return value;
+}
+
 std::int64_t size_of(int descriptor) {
     struct stat status {};
     return fstat(descriptor, &status) == 0 ? status.st_size : 0;
+}
+
+// How far a part reaches with whole fragments: a cut through one would make FFmpeg refuse them all.
+// A fragment is a box that describes ("moof") and one that holds the packets ("mdat").
+std::int64_t n_whole_bytes(int descriptor) {
+    const std::int64_t n_bytes = size_of(descriptor);
+    std::int64_t at = 0, n_whole = 0;
+    std::array<std::uint8_t, 16> head{};
+    while (::pread(descriptor, head.data(), head.size(), at) == static_cast<ssize_t>(head.size())) {
+        // ISO/IEC 14496-12 §4.2: size, type, and, where the size is 1, a 64-bit size.
+        auto size = static_cast<std::int64_t>(big_endian(std::span(head).first<4>()));
+        if (size == 1) size = static_cast<std::int64_t>(big_endian(std::span(head).last<8>()));
+        if (size < 8 || size > n_bytes - at) break;
+        at += size;
+        const std::string_view type(reinterpret_cast<const char*>(head.data()) + 4, 4);
+        if (type == "moov" || type == "mdat") n_whole = at;
+    }
+    return n_whole;
 }
 
 // The packets of a film part, in decoding order, as far as they are whole.
 class PartReader {
  public:
     explicit PartReader(const AtomicFile& file)
-        : io_(file.descriptor(), libav::DescriptorIo::Direction::read),
-          size_(size_of(file.descriptor())) {
+        : io_(file.descriptor(), libav::DescriptorIo::Direction::read,
+              n_whole_bytes(file.descriptor())) {
         if (::lseek(file.descriptor(), 0, SEEK_SET) != 0) throw_write_error(file.path(), errno);
         context_ = avformat_alloc_context();
         if (!context_) throw EnvironmentError("no memory for a film");
@@ -71,8 +98,7 @@ class PartReader {
     bool read(AVPacket* packet) {
         av_packet_unref(packet);
         if (av_read_frame(context_, packet) < 0) return false;
-        if ((packet->flags & AV_PKT_FLAG_CORRUPT) || packet->pos + packet->size > size_)
-            return false;
+        if (packet->flags & AV_PKT_FLAG_CORRUPT) return false;
         if (start_ == AV_NOPTS_VALUE) start_ = packet->pts;
         packet->pts -= start_;
         packet->dts -= start_;
@@ -85,7 +111,6 @@ class PartReader {
 
  private:
     libav::DescriptorIo io_;
-    std::int64_t size_;
     AVFormatContext* context_ = nullptr;
     AVRational rate_{0, 1};
     std::int64_t start_ = AV_NOPTS_VALUE;
@@ -105,7 +130,22 @@ std::int64_t n_frames_without_gap(const AtomicFile& file, std::int64_t step) {
     return n_whole;
 }
 
-void copy_packets(const AtomicFile& from, libav::Muxer& to, std::int64_t n_packets,
+// H.264 in MP4 says each unit's length before it; an encoder's packets, which a muxer opened for
+// them expects, have a start code there. Both take four bytes. Source: ISO/IEC 14496-15 §5.3.3;
+// Rec. ITU-T H.264 Annex B.
+void put_start_codes(AVPacket* packet, const fs::path& path) {
+    checked(av_packet_make_writable(packet), path, "copying");
+    std::span<std::uint8_t> rest(packet->data, static_cast<std::size_t>(packet->size));
+    while (rest.size() >= 4) {
+        const std::uint64_t length = big_endian(rest.first(4));
+        std::copy_n("\0\0\0\1", 4, rest.begin());
+        rest = rest.subspan(std::min<std::size_t>(rest.size(), 4 + length));
+    }
+}
+
+enum class Units { with_lengths, with_start_codes };
+
+void copy_packets(const AtomicFile& from, libav::Muxer& to, std::int64_t n_packets, Units units,
                   const fs::path& path) {
     PartReader reader(from);
     const libav::Packet packet = libav::make_packet();
@@ -116,6 +156,7 @@ void copy_packets(const AtomicFile& from, libav::Muxer& to, std::int64_t n_packe
         // Not every packet of a part says how long it lasts.
         packet->duration =
             av_rescale_q(1, av_inv_q(reader.stream().avg_frame_rate), reader.stream().time_base);
+        if (units == Units::with_start_codes) put_start_codes(packet.get(), path);
         to.write(packet.get(), reader.stream().time_base);
     }
 }
@@ -139,7 +180,7 @@ void copy_to_whole(const AtomicFile& part, const AtomicFile& whole, std::int64_t
     options.set("movflags", "faststart+use_metadata_tags");
     options.set("video_track_timescale", fmt::format("{}", stream->time_base.den));
     muxer.write_header(options);
-    copy_packets(part, muxer, n_frames, path);
+    copy_packets(part, muxer, n_frames, Units::with_lengths, path);
     muxer.write_trailer();
 }
 
@@ -192,18 +233,15 @@ void FilmPart::keep_chunks(const AVCodecContext& encoder, const std::string& set
     {
         const PartReader reader(file_);
         if (!reader.valid()) return;
-        const AVCodecParameters& parameters = *reader.stream().codecpar;
         const bool same =
-            reader.text(kMetadataKey) == plan_.metadata && reader.text(kSettingsKey) == settings &&
-            std::equal(parameters.extradata, parameters.extradata + parameters.extradata_size,
-                       encoder.extradata, encoder.extradata + encoder.extradata_size);
+            reader.text(kMetadataKey) == plan_.metadata && reader.text(kSettingsKey) == settings;
         if (!same) return;
     }
     const std::int64_t n_kept = n_frames_without_gap(file_, n_chunk_frames);
     if (n_kept == 0) return;
     AtomicFile renewed(plan_.path, aside_path_of(plan_.path, ".renewed.mp4"));
     std::unique_ptr<libav::Muxer> muxer = open_muxer(renewed, encoder, settings);
-    copy_packets(file_, *muxer, n_kept, plan_.path);
+    copy_packets(file_, *muxer, n_kept, Units::with_start_codes, plan_.path);
     muxer->flush_fragment();
     renewed.replace(file_);
     file_ = std::move(renewed);
@@ -216,13 +254,17 @@ void FilmPart::write(AVPacket* packet) {
     muxer_->write(packet, time_base_);
 }
 
+std::uint64_t FilmPart::n_bytes() const {
+    return static_cast<std::uint64_t>(size_of(file_.descriptor()));
+}
+
 void FilmPart::finish(std::int64_t n_frames) {
     muxer_->write_trailer();
     AtomicFile whole(plan_.path);
     copy_to_whole(file_, whole, n_frames);
     whole.commit();
     muxer_.reset();
-    plan_.resume = false;
+    file_.discard();
 }
 
 std::int64_t recover_film(const fs::path& path) {
@@ -238,6 +280,7 @@ std::int64_t recover_film(const fs::path& path) {
     AtomicFile whole(path);
     copy_to_whole(part, whole, n_frames);
     whole.commit();
+    part.discard();
     return n_frames;
 }
 

@@ -17,8 +17,8 @@ namespace poinsot {
 class FilmPart {
  public:
     // The encoder gives the stream's parameters. settings says everything that its packets depend
-    // on. With plan.resume, frames of an earlier part are kept if metadata, settings and parameter
-    // sets are the same: as many whole chunks of n_chunk_frames as there are.
+    // on. With plan.resume, frames of an earlier part are kept if metadata and settings are the
+    // same: as many whole chunks of n_chunk_frames as there are.
     // Throws EnvironmentError.
     FilmPart(const OutputPlan& plan, const AVCodecContext& encoder, const std::string& settings,
              std::int64_t n_chunk_frames);
@@ -28,6 +28,8 @@ class FilmPart {
 
     // Takes over the packet's contents. Its times count frames. Throws EnvironmentError.
     void write(AVPacket* packet);
+
+    std::uint64_t n_bytes() const;  // on disk so far
 
     // Makes the whole film, under its final name, of n_frames. Throws EnvironmentError.
     void finish(std::int64_t n_frames);

@@ -59,6 +59,7 @@ class GifSink : public FrameSink {
         encode_all();
         if (!plan_.metadata.empty()) append_comment(file_, plan_.metadata);
         file_.commit();
+        waiting_.discard();
     }
 
  private:

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <system_error>
@@ -40,7 +41,8 @@ int checked(int result, const std::filesystem::path& path, std::string_view what
         fmt::format("cannot write {}: {}: {}", path.string(), what, error_text(result)));
 }
 
-DescriptorIo::DescriptorIo(int descriptor, Direction direction) : descriptor_(descriptor) {
+DescriptorIo::DescriptorIo(int descriptor, Direction direction, std::int64_t n_readable)
+    : descriptor_(descriptor), n_readable_(n_readable) {
     auto* buffer = static_cast<unsigned char*>(av_malloc(kBufferSize));
     const bool writes = direction == Direction::write;
     if (buffer)
@@ -60,8 +62,11 @@ DescriptorIo::~DescriptorIo() {
 
 int DescriptorIo::read(void* self, std::uint8_t* buffer, int size) {
     auto& io = *static_cast<DescriptorIo*>(self);
+    const std::int64_t n_left = io.n_readable_ - ::lseek(io.descriptor_, 0, SEEK_CUR);
+    if (n_left <= 0) return AVERROR_EOF;
+    const auto n_wanted = static_cast<std::size_t>(std::min<std::int64_t>(size, n_left));
     for (;;) {
-        const ssize_t n_read = ::read(io.descriptor_, buffer, static_cast<std::size_t>(size));
+        const ssize_t n_read = ::read(io.descriptor_, buffer, n_wanted);
         if (n_read > 0) return static_cast<int>(n_read);
         if (n_read == 0) return AVERROR_EOF;
         if (errno == EINTR) continue;
@@ -88,12 +93,7 @@ int DescriptorIo::write(void* self, std::uint8_t* buffer, int size) {
 
 std::int64_t DescriptorIo::seek(void* self, std::int64_t offset, int whence) {
     auto& io = *static_cast<DescriptorIo*>(self);
-    if (whence == AVSEEK_SIZE) {
-        const off_t here = ::lseek(io.descriptor_, 0, SEEK_CUR);
-        const off_t size = ::lseek(io.descriptor_, 0, SEEK_END);
-        ::lseek(io.descriptor_, here, SEEK_SET);
-        return size;
-    }
+    if (whence == AVSEEK_SIZE) return io.n_readable_ > 0 ? io.n_readable_ : AVERROR(ENOSYS);
     const off_t position = ::lseek(io.descriptor_, offset, whence & ~AVSEEK_FORCE);
     return position >= 0 ? position : AVERROR(errno);
 }

@@ -57,7 +57,8 @@ class Options {
 class DescriptorIo {
  public:
     enum class Direction { read, write };
-    DescriptorIo(int descriptor, Direction direction);
+    // Reading ends at n_readable bytes, as if the file did.
+    DescriptorIo(int descriptor, Direction direction, std::int64_t n_readable = 0);
     ~DescriptorIo();
     DescriptorIo(const DescriptorIo&) = delete;
     DescriptorIo& operator=(const DescriptorIo&) = delete;
@@ -71,6 +72,7 @@ class DescriptorIo {
     static std::int64_t seek(void* self, std::int64_t offset, int whence);
 
     int descriptor_;
+    std::int64_t n_readable_;
     int error_number_ = 0;
     AVIOContext* context_ = nullptr;
 };

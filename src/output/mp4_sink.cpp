@@ -8,6 +8,7 @@
 #include "image/alpha.h"
 #include "output/film_part.h"
 #include "output/formats.h"
+#include "output/room.h"
 #include "output/video_encoder.h"
 #include "output/yuv.h"
 
@@ -60,12 +61,17 @@ void check_mp4(const OutputPlan& plan) {
             plan.height_px + plan.height_px % 2));
 }
 
-// Everything that the packets depend on, besides the frames.
-std::string description_of(const EncoderSettings& settings, const OutputPlan& plan) {
+// Everything that the packets depend on, besides the frames; the parameter sets stand for the
+// encoder's version.
+std::string description_of(const EncoderSettings& settings, const OutputPlan& plan,
+                           const AVCodecContext& encoder) {
     std::string text = fmt::format("{} {}×{} {}/{} from {} threads={}", settings.codec,
                                    settings.width_px, settings.height_px, settings.rate.numerator,
                                    settings.rate.denominator, plan.first_frame, settings.n_threads);
     for (const auto& [key, value] : settings.options) text += fmt::format(" {}={}", key, value);
+    text += " header=";
+    for (int i = 0; i < encoder.extradata_size; ++i)
+        text += fmt::format("{:02x}", encoder.extradata[i]);
     return text;
 }
 
@@ -78,7 +84,8 @@ class Mp4Sink : public FrameSink {
           frame_(make_yuv_frame(AV_PIX_FMT_YUV420P, plan.width_px, plan.height_px)),
           packet_(libav::make_packet()),
           encoder_(settings_, plan.path),
-          part_(plan, encoder_.context(), description_of(settings_, plan), kChunkFrames),
+          part_(plan, encoder_.context(), description_of(settings_, plan, encoder_.context()),
+                kChunkFrames),
           n_written_(part_.n_frames_kept()) {}
 
     std::int64_t n_frames_kept() const override { return part_.n_frames_kept(); }
@@ -111,6 +118,7 @@ class Mp4Sink : public FrameSink {
         take_packets();
         encoder_ = VideoEncoder(settings_, plan_.path);
         n_in_chunk_ = 0;
+        check_room(plan_.path, part_.n_bytes(), n_written_, plan_.n_frames);
     }
 
     void take_packets() {

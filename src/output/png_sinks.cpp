@@ -1,13 +1,16 @@
 // PNG stills and numbered PNG sequences.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <memory>
+#include <vector>
 
 #include "error/error.h"
 #include "image/atomic_file.h"
 #include "image/png.h"
 #include "output/formats.h"
 #include "output/frame_name.h"
+#include "output/pipeline.h"
+#include "output/room.h"
 
 namespace poinsot {
 
@@ -19,23 +22,71 @@ PngOptions options_for(const OutputPlan& plan) {
     return options;
 }
 
-// Each frame is whole under its own name as soon as write() returns.
+// As many frames at a time as there are threads. Each is whole under its own name as soon as it is
+// there at all, so an interrupted sequence leaves good frames, from which another run may go on.
 class PngSequenceSink : public FrameSink {
  public:
     explicit PngSequenceSink(const OutputPlan& plan)
-        : plan_(plan), options_(options_for(plan)), lock_(plan.path) {}
+        : plan_(plan),
+          lock_(plan.path),
+          encoders_(
+              static_cast<std::size_t>(plan.encoder_threads > 0 ? plan.encoder_threads : kThreads)),
+          n_kept_(plan.resume ? count_kept() : 0) {
+        for (PngEncoder& encoder : encoders_) encoder = PngEncoder(options_for(plan));
+        workers_ = std::make_unique<FrameWorkers>(
+            encoders_.size(), kWaiting,
+            [this](std::size_t worker, std::int64_t number, const Image& frame) {
+                write_one(encoders_[worker], number, frame);
+            });
+    }
+
+    std::int64_t n_frames_kept() const override { return n_kept_; }
 
     void write(const Image& frame) override {
-        write_png(frame_name(plan_.path, plan_.first_frame + n_written_), frame, options_);
-        ++n_written_;
+        Image copy = workers_->spare();
+        copy = frame;
+        workers_->put(std::move(copy));
     }
-    void finish() override {}
+
+    void finish() override {
+        workers_->drain();
+        lock_.discard();
+    }
 
  private:
+    static constexpr int kThreads = 2;
+    static constexpr std::size_t kWaiting = 4;
+
+    void write_one(PngEncoder& encoder, std::int64_t number, const Image& frame) const {
+        const auto contents = encoder.encode(frame);
+        AtomicFile file(frame_name(plan_.path, plan_.first_frame + n_kept_ + number));
+        file.write(contents);
+        file.commit();
+        if (number == 0) check_room(plan_.path, contents.size(), 1, plan_.n_frames - n_kept_);
+    }
+
+    // Frames of an earlier run count from the first on, if they are whole and of the same plan.
+    std::int64_t count_kept() const {
+        if (plan_.metadata.empty()) return 0;
+        for (std::int64_t k = 0; k < plan_.n_frames; ++k) {
+            try {
+                PngInfo info;
+                const Image image = read_png(frame_name(plan_.path, plan_.first_frame + k), &info);
+                if (info.texts["poinsot"] != plan_.metadata || image.width() != plan_.width_px ||
+                    image.height() != plan_.height_px)
+                    return k;
+            } catch (const Error&) {
+                return k;
+            }
+        }
+        return plan_.n_frames;
+    }
+
     OutputPlan plan_;
-    PngOptions options_;
     AtomicFile lock_;  // never committed: its file aside says that this sequence is being written
-    std::int64_t n_written_ = 0;
+    std::vector<PngEncoder> encoders_;
+    std::int64_t n_kept_;
+    std::unique_ptr<FrameWorkers> workers_;
 };
 
 class PngStillSink : public FrameSink {

@@ -1,0 +1,129 @@
+#include "output/pipeline.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace poinsot {
+
+struct FrameWorkers::Impl {
+    struct Job {
+        std::int64_t number;
+        Image frame;
+    };
+
+    void run(std::size_t worker);
+    void rethrow() const {
+        if (error) std::rethrow_exception(error);
+    }
+
+    Work work;
+    std::size_t n_waiting_at_most = 0;
+
+    std::mutex mutex;  // guards all below
+    std::condition_variable frame_came, frame_left;
+    std::deque<Job> waiting;
+    std::vector<Image> spares;
+    std::int64_t n_put = 0, n_done = 0;
+    bool stopping = false;
+    std::exception_ptr error;
+
+    std::vector<std::jthread> threads;
+};
+
+void FrameWorkers::Impl::run(std::size_t worker) {
+    std::unique_lock lock(mutex);
+    for (;;) {
+        frame_came.wait(lock, [&] { return stopping || !waiting.empty(); });
+        if (stopping) return;
+        Job job = std::move(waiting.front());
+        waiting.pop_front();
+        frame_left.notify_all();
+        // After a failure the rest is dropped, so that nobody waits for ever.
+        const bool dropped = static_cast<bool>(error);
+        lock.unlock();
+        std::exception_ptr failure;
+        try {
+            if (!dropped) work(worker, job.number, job.frame);
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        lock.lock();
+        if (failure && !error) error = failure;
+        ++n_done;
+        if (spares.size() < n_waiting_at_most) spares.push_back(std::move(job.frame));
+        frame_left.notify_all();
+    }
+}
+
+FrameWorkers::FrameWorkers(std::size_t n_workers, std::size_t n_waiting, Work work)
+    : impl_(std::make_unique<Impl>()) {
+    impl_->work = std::move(work);
+    impl_->n_waiting_at_most = std::max<std::size_t>(n_waiting, 1);
+    for (std::size_t i = 0; i < std::max<std::size_t>(n_workers, 1); ++i)
+        impl_->threads.emplace_back([impl = impl_.get(), i] { impl->run(i); });
+}
+
+FrameWorkers::~FrameWorkers() {
+    {
+        const std::lock_guard lock(impl_->mutex);
+        impl_->stopping = true;
+    }
+    impl_->frame_came.notify_all();
+    // The threads are joined with Impl, whose first member to go they are.
+}
+
+Image FrameWorkers::spare() {
+    const std::lock_guard lock(impl_->mutex);
+    if (impl_->spares.empty()) return {};
+    Image image = std::move(impl_->spares.back());
+    impl_->spares.pop_back();
+    return image;
+}
+
+void FrameWorkers::put(Image&& frame) {
+    std::unique_lock lock(impl_->mutex);
+    impl_->frame_left.wait(
+        lock, [&] { return impl_->error || impl_->waiting.size() < impl_->n_waiting_at_most; });
+    impl_->rethrow();
+    impl_->waiting.push_back({impl_->n_put++, std::move(frame)});
+    impl_->frame_came.notify_one();
+}
+
+void FrameWorkers::drain() {
+    std::unique_lock lock(impl_->mutex);
+    impl_->frame_left.wait(lock, [&] { return impl_->error || impl_->n_done == impl_->n_put; });
+    impl_->rethrow();
+}
+
+AsyncSink::AsyncSink(std::unique_ptr<FrameSink> sink, std::size_t n_waiting)
+    : sink_(std::move(sink)),
+      workers_(std::make_unique<FrameWorkers>(
+          1, n_waiting,
+          [this](std::size_t, std::int64_t, const Image& frame) { sink_->write(frame); })) {}
+
+AsyncSink::~AsyncSink() { workers_.reset(); }
+
+std::int64_t AsyncSink::n_frames_kept() const { return sink_->n_frames_kept(); }
+
+void AsyncSink::write(const Image& frame) {
+    Image copy = workers_->spare();
+    copy = frame;
+    workers_->put(std::move(copy));
+}
+
+void AsyncSink::finish() {
+    workers_->drain();
+    sink_->finish();
+}
+
+Image AsyncSink::spare() { return workers_->spare(); }
+
+void AsyncSink::write_moved(Image&& frame) { workers_->put(std::move(frame)); }
+
+}  // namespace poinsot

@@ -1,0 +1,82 @@
+// What the tests of all film formats share: making a small film, and reading a file's bytes.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "error/error.h"
+#include "image/faults.h"
+#include "image/png.h"
+#include "image/synthetic.h"
+#include "output/frame_sink.h"
+#include "output/video_reader.h"
+
+namespace poinsot {
+
+inline OutputPlan small_plan(const std::filesystem::path& path, std::int64_t n_frames = 5) {
+    OutputPlan plan;
+    plan.path = path;
+    plan.width_px = 64;
+    plan.height_px = 48;
+    plan.n_frames = n_frames;
+    plan.quality = "draft";
+    plan.metadata = "scene = \"ω\"";
+    return plan;
+}
+
+inline Image frame_of(const OutputPlan& plan, std::int64_t k) {
+    return synthetic_frame(plan.width_px, plan.height_px, static_cast<int>(k));
+}
+
+inline void write_film(const OutputPlan& plan) {
+    const auto sink = format_for(plan.path).open(plan);
+    for (std::int64_t k = sink->n_frames_kept(); k < plan.n_frames; ++k)
+        sink->write(frame_of(plan, k));
+    sink->finish();
+}
+
+inline std::string bytes_of(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline std::string input_error_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+inline std::string environment_error_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const EnvironmentError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+inline std::vector<Image> frames_of(const std::filesystem::path& path) {
+    VideoReader reader(path);
+    std::vector<Image> frames;
+    for (Image frame; reader.read(frame);) frames.push_back(frame);
+    return frames;
+}
+
+// Mean difference in levels over R, G and B; where both are transparent, colour does not count.
+inline double mean_difference(const Image& a, const Image& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.bytes().size(); ++i)
+        if (i % 4 != 3 && (a.bytes()[i | 3] > 0 || b.bytes()[i | 3] > 0))
+            sum += std::abs(int{a.bytes()[i]} - int{b.bytes()[i]});
+    return sum / (0.75 * static_cast<double>(a.bytes().size()));
+}
+
+}  // namespace poinsot

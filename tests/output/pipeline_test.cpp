@@ -1,0 +1,149 @@
+// Frames through threads: the same bytes, errors reported, nothing lost or left waiting.
+#include "output/pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <set>
+#include <thread>
+
+#include "output/films.h"
+
+namespace poinsot {
+namespace {
+
+// Remembers the red of the first pixel of every frame; fails at a frame if asked to.
+struct Record {
+    std::vector<int> frames;
+    bool finished = false;
+    int fails_at = -1;
+    std::chrono::milliseconds pause{0};
+};
+class RecordingSink : public FrameSink {
+ public:
+    explicit RecordingSink(Record& record) : record_(record) {}
+    void write(const Image& frame) override {
+        std::this_thread::sleep_for(record_.pause);
+        const int number = frame.at(0, 0).r;
+        if (number == record_.fails_at) throw EnvironmentError("the disk is full");
+        record_.frames.push_back(number);
+    }
+    void finish() override { record_.finished = true; }
+
+ private:
+    Record& record_;
+};
+
+Image numbered(int number) {
+    Image image(4, 2);
+    image.set(0, 0, {static_cast<std::uint8_t>(number), 0, 0, 255});
+    return image;
+}
+
+TEST(AsyncSink, WritesTheSameBytesAsWithoutIt) {
+    for (const char* name : {"a.mp4", "a.webm", "a.md5"}) {
+        const TemporaryFolder folder;
+        const OutputPlan plan = small_plan(folder / name, 30);
+        write_film(plan);
+        const std::string alone = bytes_of(plan.path);
+        AsyncSink sink(format_for(plan.path).open(plan));
+        for (std::int64_t k = 0; k < plan.n_frames; ++k) {
+            if (k % 2) {
+                sink.write(frame_of(plan, k));
+            } else {
+                Image frame = sink.spare();
+                frame = frame_of(plan, k);
+                sink.write_moved(std::move(frame));
+            }
+        }
+        sink.finish();
+        EXPECT_TRUE(bytes_of(plan.path) == alone) << name;
+    }
+}
+
+TEST(AsyncSink, KeepsTheOrderHoweverSlowTheSinkIs) {
+    Record record;
+    record.pause = std::chrono::milliseconds(1);
+    AsyncSink sink(std::make_unique<RecordingSink>(record), 2);
+    for (int k = 0; k < 50; ++k) sink.write(numbered(k));
+    sink.finish();
+    ASSERT_EQ(record.frames.size(), 50u);
+    for (int k = 0; k < 50; ++k) EXPECT_EQ(record.frames[static_cast<std::size_t>(k)], k);
+    EXPECT_TRUE(record.finished);
+}
+
+TEST(AsyncSink, GivesMemoryBack) {
+    Record record;
+    AsyncSink sink(std::make_unique<RecordingSink>(record), 2);
+    EXPECT_TRUE(sink.spare().empty());
+    sink.write(numbered(1));
+    while (sink.spare().empty()) std::this_thread::yield();
+    sink.finish();
+}
+
+TEST(AsyncSink, ErrorsOfTheSinkArriveAndStopIt) {
+    Record record;
+    record.fails_at = 5;
+    AsyncSink sink(std::make_unique<RecordingSink>(record), 2);
+    EXPECT_EQ(environment_error_of([&] {
+                  for (int k = 0; k < 100; ++k) sink.write(numbered(k));
+              }),
+              "the disk is full");
+    EXPECT_EQ(environment_error_of([&] { sink.finish(); }), "the disk is full");
+    EXPECT_FALSE(record.finished);
+    EXPECT_EQ(record.frames.size(), 5u);
+}
+
+TEST(AsyncSink, AnErrorOfTheLastFrameArrivesAtFinish) {
+    Record record;
+    record.fails_at = 0;
+    AsyncSink sink(std::make_unique<RecordingSink>(record), 2);
+    EXPECT_EQ(environment_error_of([&] {
+                  sink.write(numbered(0));
+                  sink.finish();
+              }),
+              "the disk is full");
+    EXPECT_FALSE(record.finished);
+}
+
+TEST(AsyncSink, DestroyedUnfinishedLeavesNothing) {
+    const TemporaryFolder folder;
+    const OutputPlan plan = small_plan(folder / "a.mp4", 30);
+    {
+        AsyncSink sink(format_for(plan.path).open(plan));
+        for (std::int64_t k = 0; k < 20; ++k) sink.write(frame_of(plan, k));
+    }
+    EXPECT_TRUE(folder.contents().empty());
+}
+
+TEST(FrameWorkers, ShareTheFramesAndMissNone) {
+    std::vector<std::atomic<int>> seen(200);
+    FrameWorkers workers(3, 4, [&](std::size_t worker, std::int64_t number, const Image& frame) {
+        EXPECT_LT(worker, 3u);
+        EXPECT_EQ(frame.at(0, 0).r, number);
+        ++seen[static_cast<std::size_t>(number)];
+    });
+    for (int k = 0; k < 200; ++k) workers.put(numbered(k));
+    workers.drain();
+    for (const auto& n : seen) EXPECT_EQ(n, 1);
+}
+
+TEST(FrameWorkers, HoldNoMoreThanTheyMay) {
+    std::atomic<int> n_put = 0, n_done = 0, most = 0;
+    FrameWorkers workers(2, 3, [&](std::size_t, std::int64_t, const Image&) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        ++n_done;
+    });
+    for (int k = 0; k < 60; ++k) {
+        workers.put(numbered(k));
+        ++n_put;
+        most = std::max(most.load(), n_put - n_done);
+    }
+    workers.drain();
+    // Three wait and two are in work; a count may lag behind by those two.
+    EXPECT_LE(most, 7);
+}
+
+}  // namespace
+}  // namespace poinsot
