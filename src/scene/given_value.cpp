@@ -82,7 +82,7 @@ std::string GivenValue::text(const TomlValue& value, const std::string& name) co
 }
 
 std::string GivenValue::one_of(std::span<const std::string_view> names) const {
-    const std::string given = text();
+    std::string given = text();
     if (std::find(names.begin(), names.end(), given) != names.end()) return given;
     const std::string near = did_you_mean(given, names);
     throw SceneError(value_.where, fmt::format("{} is \"{}\"{}", name_, echo(given),

@@ -51,7 +51,7 @@ std::string_view with_other_ending(std::string_view given,
 }
 
 std::string nearest(std::string_view given, const std::vector<std::string_view>& known) {
-    const std::string by_letters = did_you_mean(given, known);
+    std::string by_letters = did_you_mean(given, known);
     if (!by_letters.empty()) return by_letters;
     const std::string_view by_ending = with_other_ending(given, known);
     return by_ending.empty() ? "" : fmt::format("; did you mean \"{}\"?", by_ending);
@@ -95,7 +95,7 @@ std::string scene_key_remedy(std::string_view unknown_path, bool in_file) {
     if (!in_file) {
         std::vector<std::string_view> paths;
         for (const SceneKey& key : scene_keys()) paths.push_back(key.path);
-        const std::string near = nearest(unknown_path, paths);
+        std::string near = nearest(unknown_path, paths);
         if (!near.empty()) return near;
     }
 
@@ -104,7 +104,7 @@ std::string scene_key_remedy(std::string_view unknown_path, bool in_file) {
     const std::vector<std::string_view> tables = tables_of(table);
     here.insert(here.end(), tables.begin(), tables.end());
     if (in_file) {
-        const std::string near = nearest(leaf, here);
+        std::string near = nearest(leaf, here);
         if (!near.empty()) return near;
     }
     for (const SceneKey& key : scene_keys()) {

@@ -79,9 +79,9 @@ struct CameraSpec {
 // [[panels]]: one view of the motion, in cells of the grid.
 struct PanelSpec {
     std::string kind = "space";
-    int column = 0, row = 0;    // of its upper left cell
-    int columns = 1, rows = 1;  // cells that it spans
-    std::string quantity;       // of a plot, by name; empty: the one that suits the motion
+    int column = 0, row = 0;           // of its upper left cell
+    int columns = 1, rows = 1;         // cells that it spans
+    std::string quantity;              // of a plot, by name; empty: the one that suits the motion
     std::optional<std::string> title;  // over the panel, "" for none; absent: the kind's own
 };
 

@@ -23,7 +23,7 @@ class SceneError : public InputError {
 
 // Calls what may throw an InputError without a place: what it refuses is wrong at this key.
 template <typename Call>
-auto at_scene_key(const Scene& scene, const std::string& key, Call call) {
+decltype(auto) at_scene_key(const Scene& scene, const std::string& key, Call call) {
     try {
         return call();
     } catch (const SceneError&) {

@@ -1,0 +1,127 @@
+// [body]: the inertia from whichever way it was given.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "error/nearest.h"
+#include "scene/draft_checks.h"
+
+namespace poinsot {
+
+namespace {
+
+const std::array<std::vector<std::string>, 4> ways_of_body{{
+    {"body.moments_kg_m2"},
+    {"body.tensor_kg_m2"},
+    {"body.shape", "body.size_m", "body.mass_kg"},
+    {"body.masses"},
+}};
+
+void complete_solid(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    BodySpec& body = scene.body;
+    body.given = BodySpec::Given::solid;
+    if (!draft.has("body.shape")) {
+        const std::string given = draft.size_m ? "body.size_m" : "body.mass_kg";
+        refuse(scene, given,
+               fmt::format("{} is given but body.shape is not; name the solid, as in shape = "
+                           "\"box\"",
+                           given));
+    }
+
+    const auto table = solids();
+    const auto solid = std::find_if(table.begin(), table.end(),
+                                    [&body](const Solid& row) { return row.name == body.shape; });
+    if (solid == table.end()) {
+        std::vector<std::string_view> names;
+        for (const Solid& row : table) names.push_back(row.name);
+        const std::string near = did_you_mean(body.shape, names);
+        refuse(scene, "body.shape",
+               fmt::format(
+                   "unknown shape \"{}\"{}", echo(body.shape),
+                   near.empty() ? fmt::format("; choose from: {}", fmt::join(names, ", ")) : near));
+    }
+    if (!draft.size_m) {
+        refuse(scene, "body.shape",
+               fmt::format("body.size_m is missing; give the {}'s {} in m", body.shape,
+                           solid->size_meaning));
+    }
+    if (!draft.mass_kg) {
+        refuse(scene, "body.shape", "body.mass_kg is missing; give the solid's mass in kg");
+    }
+    if (draft.size_m->size() != static_cast<std::size_t>(solid->n_sizes)) {
+        refuse(scene, "body.size_m",
+               fmt::format("body.size_m has {} {}; a {} has {}: {}", draft.size_m->size(),
+                           draft.size_m->size() == 1 ? "entry" : "entries", body.shape,
+                           solid->n_sizes, solid->size_meaning));
+    }
+    body.size_m = *draft.size_m;
+    body.mass_kg = *draft.mass_kg;
+    body.inertia = at_scene_key(scene, "body.size_m", [&body] {
+        return inertia_of_solid(body.shape, body.size_m, body.mass_kg);
+    });
+}
+
+void complete_masses(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    BodySpec& body = scene.body;
+    body.given = BodySpec::Given::masses;
+    for (std::size_t i = 0; i < draft.masses.size(); ++i) {
+        for (const std::string_view leaf : {"mass_kg", "at_m"}) {
+            const std::string item = fmt::format("body.masses[{}]", i);
+            const std::string key = fmt::format("{}.{}", item, leaf);
+            if (!draft.has(key)) {
+                refuse(scene, item,
+                       fmt::format("{} is missing; each mass has mass_kg and at_m", key));
+            }
+        }
+    }
+    body.masses_as_given = draft.masses;
+    const MassDistribution found = at_scene_key(
+        scene, "body.masses", [&body] { return inertia_of_masses(body.masses_as_given); });
+    body.inertia = found.inertia;
+    body.mass_kg = found.mass_kg;
+    body.centre_of_mass_m_body = found.centre_of_mass_m_body;
+    body.masses = body.masses_as_given;
+    for (PointMass& mass : body.masses) mass.at_m -= body.centre_of_mass_m_body;
+}
+
+}  // namespace
+
+void complete_body(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    BodySpec& body = scene.body;
+    refuse_mixed(scene, ways_of_body, "give the body in one way only");
+    const Physicality physicality =
+        body.allow_unphysical ? Physicality::waived : Physicality::required;
+    if (draft.moments_kg_m2) {
+        body.given = BodySpec::Given::moments;
+        body.inertia = at_scene_key(scene, "body.moments_kg_m2", [&] {
+            return InertiaTensor::from_principal_moments(*draft.moments_kg_m2, physicality);
+        });
+    } else if (draft.tensor_kg_m2) {
+        body.given = BodySpec::Given::tensor;
+        body.inertia = at_scene_key(scene, "body.tensor_kg_m2", [&] {
+            return InertiaTensor::from_matrix(*draft.tensor_kg_m2, physicality);
+        });
+        // The average of two doubles that are equal is that double, bit for bit.
+        const Eigen::Matrix3d& tensor = *draft.tensor_kg_m2;
+        body.tensor_kg_m2 = 0.5 * tensor + 0.5 * tensor.transpose();
+    } else if (draft.has("body.masses")) {
+        complete_masses(draft);
+    } else if (draft.has("body.shape") || draft.size_m || draft.mass_kg) {
+        complete_solid(draft);
+    } else {
+        refuse(scene, "body",
+               "the body is missing; under [body] give moments_kg_m2, tensor_kg_m2, shape with "
+               "size_m and mass_kg, or [[body.masses]]");
+    }
+    if (!body.inertia.note().empty()) {
+        scene.notes.push_back(fmt::format("body.tensor_kg_m2: {}", body.inertia.note()));
+    }
+}
+
+}  // namespace poinsot

@@ -1,0 +1,48 @@
+// Weighing the values of a draft against each other: what the completing functions share.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene_draft.h"
+#include "scene/scene_error.h"
+
+namespace poinsot {
+
+// Throws SceneError at a key.
+[[noreturn]] void refuse(const Scene& scene, const std::string& key, std::string_view what);
+
+// Refuses every pair of keys of two different ways of giving one thing, at the one that stands
+// later.
+void refuse_mixed(const Scene& scene, std::span<const std::vector<std::string>> ways,
+                  std::string_view remedy);
+
+// A vector of length 1 to rounding is kept bit for bit, so that a scene written out reads back the
+// same; any other is scaled, and the user is told. Throws for the zero vector.
+template <typename Vector>
+Vector unit(Scene& scene, const std::string& key, const Vector& given) {
+    const double length = given.stableNorm();
+    if (!(length > 0.0)) {
+        refuse(scene, key, fmt::format("{} is zero; give one that has a direction", key));
+    }
+    // A quotient of doubles has a squared length within 5 ulp of 1.
+    constexpr double rounding = 1.2e-15;
+    if (std::abs(given.squaredNorm() - 1.0) <= rounding) return given;
+    Vector scaled = given / given.cwiseAbs().maxCoeff();
+    scaled /= scaled.norm();
+    if (std::abs(length - 1.0) > 1e-12) {
+        scene.notes.push_back(fmt::format("{} has length {:.6g} and was scaled to 1", key, length));
+    }
+    return scaled;
+}
+
+// The parts of complete_scene.
+void complete_body(SceneDraft& draft);
+void complete_start(SceneDraft& draft);
+
+}  // namespace poinsot
