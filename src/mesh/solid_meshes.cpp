@@ -10,6 +10,7 @@
 
 #include "error/error.h"
 #include "error/nearest.h"
+#include "mesh/circle.h"
 #include "mesh/mass_properties.h"
 
 namespace poinsot {
@@ -18,32 +19,6 @@ namespace {
 
 using std::numbers::pi;
 using Index = std::uint32_t;
-
-// Cosine and sine of i/n of a turn, made from the first octant: mirror images are exact.
-Eigen::Vector2d on_unit_circle(int i, int n) {
-    const int quarter = n / 4;
-    const int in_quarter = i % quarter;
-    const double angle = 2.0 * pi * std::min(in_quarter, quarter - in_quarter) / n;
-    double c = std::cos(angle);
-    double s = std::sin(angle);
-    if (2 * in_quarter > quarter) std::swap(c, s);
-    switch (i / quarter) {
-        case 0:
-            return {c, s};
-        case 1:
-            return {-s, c};
-        case 2:
-            return {-c, -s};
-        default:
-            return {s, -c};
-    }
-}
-
-// A regular polygon of n sides with this factor on its radius has the circle's area.
-double equal_area_factor(int n) {
-    const double step = 2.0 * pi / n;
-    return std::sqrt(step / std::sin(step));
-}
 
 // The circles of a profile's points, one after the other, and the quadrilaterals between them.
 class Revolution {
@@ -126,16 +101,6 @@ TriangleMesh unit_octasphere(int n) {
     return welded(joined(octants));
 }
 
-std::vector<ProfilePoint> circle_profile(double centre_radius_m, double radius_m, int n) {
-    std::vector<ProfilePoint> profile;
-    const double factor = equal_area_factor(n);
-    for (int i = 0; i < n; ++i) {
-        const Eigen::Vector2d at = factor * radius_m * on_unit_circle(i, n);
-        profile.push_back({centre_radius_m + at.x(), at.y()});
-    }
-    return profile;
-}
-
 using Sizes = std::span<const double>;
 
 struct SolidRow {
@@ -213,7 +178,7 @@ TriangleMesh cone_mesh(double base_radius_m, double height_m, int facets) {
 
 TriangleMesh torus_mesh(double centre_line_radius_m, double tube_radius_m, int facets,
                         int tube_facets) {
-    return revolved_ring(circle_profile(centre_line_radius_m, tube_radius_m, tube_facets), facets);
+    return revolved_ring(tube_profile(centre_line_radius_m, tube_radius_m, tube_facets), facets);
 }
 
 TriangleMesh solid_mesh(std::string_view shape, std::span<const double> size_m) {

@@ -1,0 +1,86 @@
+// Celestial bodies. The sources of their numbers stand in the table of named_objects.cpp.
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "mesh/object_makers.h"
+#include "mesh/object_shapes.h"
+#include "mesh/solid_meshes.h"
+
+namespace poinsot::object_makers {
+
+namespace {
+
+// Half-axes of a spheroid of given equatorial radius and flattening.
+Eigen::Vector3d spheroid(double equatorial_m, double flattening) {
+    return {equatorial_m, equatorial_m, equatorial_m * (1.0 - flattening)};
+}
+
+double volume_of(const Eigen::Vector3d& half_axes_m) {
+    return 4.0 / 3.0 * std::numbers::pi * half_axes_m.prod();
+}
+
+}  // namespace
+
+// Axis along z. The densities of mantle and core are the two that give the whole its mass and its
+// polar moment C = 0.3307 M a²; the dynamical flattening (C − A)/C then comes out at 1/304.7, and
+// the rigid Earth's Euler period at 303.7 sidereal days, against 1/305.5 observed.
+std::vector<ObjectPart> earth() {
+    constexpr double mass_kg = 5.9722e24;
+    constexpr double equatorial_m = 6378137.0;
+    constexpr double polar_moment = 0.3307;
+    constexpr double core_flattening = 1.0 / 393.0;
+    const Eigen::Vector3d surface_m = spheroid(equatorial_m, 1.0 / 298.257223563);
+    // 3480 km is the radius of the sphere of equal volume.
+    const Eigen::Vector3d core_m =
+        spheroid(3480e3 / std::cbrt(1.0 - core_flattening), core_flattening);
+
+    // C = 2/5 (mantle density × V a² + excess density of the core × Vc ac²).
+    const double volume = volume_of(surface_m);
+    const double share = volume_of(core_m) / volume;
+    const double squared_radii = core_m.x() * core_m.x() / (equatorial_m * equatorial_m);
+    const double excess =
+        mass_kg / volume * (1.0 - 2.5 * polar_moment) / (share * (1.0 - squared_radii));
+    const double mantle = mass_kg / volume - share * excess;
+
+    const auto shell = [&](bool positive) {
+        return joined(std::array<TriangleMesh, 2>{octants(surface_m, positive, 32),
+                                                  inside_out(octants(core_m, positive, 12))});
+    };
+    return {{"mantle octants", shell(true), {0.22, 0.42, 0.66}, mantle},
+            {"other mantle octants", shell(false), {0.30, 0.52, 0.74}, mantle},
+            {"core", ellipsoid_mesh(core_m, 12), {0.90, 0.55, 0.20}, mantle + excess}};
+}
+
+// Long axis along z. Two ellipsoids of one ratio of widths meet in a plane, where each is cut.
+// Their sizes are chosen so that the whole is 4.60 km long, 2.30 and 1.96 km wide, and its moments
+// stand as 3.24 : 3.08 : 1, for 3.22 : 3.09 : 1 of the radar model.
+std::vector<ObjectPart> toutatis() {
+    constexpr double density_kg_m3 = 2500.0;
+    constexpr double width_ratio = 0.85;
+    const Eigen::Vector3d body_m(width_ratio * 1150.0, 1150.0, 1450.0);
+    const Eigen::Vector3d head_m(width_ratio * 650.0, 650.0, 950.0);
+    constexpr double head_z_m = 2200.0;
+
+    // Both half-widths are equal in the plane: y²(1 − z²/c²) of the body is that of the head.
+    double low = head_z_m - head_m.z();
+    double high = body_m.z();
+    const auto half_width_squared = [](const Eigen::Vector3d& half_axes, double z) {
+        const double along = z / half_axes.z();
+        return half_axes.y() * half_axes.y() * (1.0 - along * along);
+    };
+    for (int i = 0; i < 60; ++i) {
+        const double z = 0.5 * (low + high);
+        const bool body_is_wider =
+            half_width_squared(body_m, z) > half_width_squared(head_m, z - head_z_m);
+        (body_is_wider ? low : high) = z;
+    }
+    return centred({{"body", cut_ellipsoid(body_m, low, true), {0.56, 0.52, 0.47}, density_kg_m3},
+                    {"head",
+                     placed(cut_ellipsoid(head_m, low - head_z_m, false),
+                            Eigen::Affine3d(Eigen::Translation3d(0.0, 0.0, head_z_m))),
+                     {0.64, 0.58, 0.50},
+                     density_kg_m3}});
+}
+
+}  // namespace poinsot::object_makers

@@ -1,0 +1,217 @@
+// Things at hand. The sources of their numbers stand in the table of named_objects.cpp.
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "mesh/object_makers.h"
+#include "mesh/object_shapes.h"
+#include "mesh/solid_meshes.h"
+
+namespace poinsot::object_makers {
+
+namespace {
+
+using std::numbers::pi;
+
+TriangleMesh box_between(const Eigen::Vector3d& low_m, const Eigen::Vector3d& high_m) {
+    return placed(box_mesh(high_m - low_m),
+                  Eigen::Affine3d(Eigen::Translation3d(0.5 * (low_m + high_m))));
+}
+
+std::vector<ProfilePoint> rectangle(double inner_m, double outer_m, double height_m) {
+    const double h = 0.5 * height_m;
+    return {{inner_m, -h}, {outer_m, -h}, {outer_m, h}, {inner_m, h}};
+}
+
+bool even(int sector) { return sector % 2 == 0; }
+bool odd(int sector) { return sector % 2 != 0; }
+
+}  // namespace
+
+// Crossbar along z, stem along −y: the middle moment is the one about the stem.
+std::vector<ObjectPart> t_handle() {
+    constexpr double bar_radius_m = 0.008;
+    constexpr double bar_length_m = 0.100;
+    constexpr double stem_radius_m = 0.006;
+    constexpr double stem_length_m = 0.060;
+    constexpr double aluminium_kg_m3 = 2700.0;
+    return centred(
+        {{"bar", cylinder_mesh(bar_radius_m, bar_length_m), {0.80, 0.30, 0.18}, aluminium_kg_m3},
+         {"stem",
+          rod_on_bar(bar_radius_m, stem_radius_m, stem_length_m),
+          {0.72, 0.74, 0.78},
+          aluminium_kg_m3}});
+}
+
+// Handle and long axis along z, strings in the y-z plane. The masses of the parts are those that
+// give the racket 340 g, its balance 325 mm from the butt, a swingweight (about an axis 100 mm from
+// the butt) of 0.0326 kg m² and a twistweight of 0.0016 kg m².
+std::vector<ObjectPart> racket() {
+    constexpr double length_m = 0.6858;
+    constexpr double handle_length_m = 0.200;
+    constexpr EllipticBar hoop{0.1285, 0.170, 0.0115, 0.0060};
+    constexpr double hoop_z_m = length_m - hoop.half_axis_z_m - hoop.half_width_in_plane_m;
+    constexpr std::array<double, 3> frame{0.13, 0.22, 0.42};
+
+    const Eigen::Affine3d to_hoop(Eigen::Translation3d(0.0, 0.0, hoop_z_m));
+    TriangleMesh ring = placed(elliptic_ring(hoop), to_hoop);
+
+    // The throat runs from the handle to the hoop 50° away from its lowest point.
+    const double at = 50.0 * pi / 180.0;
+    std::vector<TriangleMesh> throat;
+    for (const double side : {1.0, -1.0}) {
+        throat.push_back(straight_bar({0.0, side * 0.010, handle_length_m},
+                                      {0.0, side * hoop.half_axis_y_m * std::sin(at),
+                                       hoop_z_m - hoop.half_axis_z_m * std::cos(at)},
+                                      0.010, 0.0060));
+    }
+
+    // Sixteen strings along the racket, nineteen across, 1.3 mm thick, from side to side of the
+    // hoop's inside.
+    constexpr double string_radius_m = 0.00065;
+    constexpr double inside_y_m = hoop.half_axis_y_m - hoop.half_width_in_plane_m;
+    constexpr double inside_z_m = hoop.half_axis_z_m - hoop.half_width_in_plane_m;
+    std::vector<TriangleMesh> strings;
+    for (int i = 0; i < 16; ++i) {
+        const double y = 0.0125 * (i - 7.5);
+        const double z = inside_z_m * std::sqrt(1.0 - std::pow(y / inside_y_m, 2));
+        strings.push_back(placed(cylinder_mesh(string_radius_m, 2.0 * z, 8),
+                                 Eigen::Affine3d(Eigen::Translation3d(0.0, y, hoop_z_m))));
+    }
+    for (int i = 0; i < 19; ++i) {
+        const double z = 0.0155 * (i - 9);
+        const double y = inside_y_m * std::sqrt(1.0 - std::pow(z / inside_z_m, 2));
+        strings.push_back(straight_bar({0.0, -y, hoop_z_m + z}, {0.0, y, hoop_z_m + z},
+                                       string_radius_m, string_radius_m));
+    }
+
+    std::vector<ObjectPart> parts;
+    const auto add = [&](double mass_kg, ObjectPart part) {
+        parts.push_back(of_mass({std::move(part)}, mass_kg).front());
+    };
+    add(0.1559, {"hoop", std::move(ring), frame});
+    add(0.0314, {"throat", joined(throat), frame});
+    add(0.1357,
+        {"handle", octagonal_prism(0.029, 0.033, 0.008, 0.0, handle_length_m), {0.16, 0.15, 0.15}});
+    add(0.0170, {"strings", joined(strings), {0.93, 0.91, 0.80}});
+    return centred(std::move(parts));
+}
+
+// Thickness along x, width along y, height along z; the spine at the negative end of y.
+std::vector<ObjectPart> book() {
+    constexpr double page_width_m = 0.156;
+    constexpr double page_height_m = 0.234;
+    constexpr double leaves = 200.0;
+    constexpr double leaf_m = 0.11e-3;
+    constexpr double paper_kg_m3 = 0.080 / leaf_m;
+    constexpr double board_m = 0.0025;
+    constexpr double overhang_m = 0.003;
+    constexpr double board_kg_m3 = 650.0;
+    constexpr std::array<double, 3> cover{0.55, 0.12, 0.14};
+    constexpr double x = 0.5 * leaves * leaf_m;
+    constexpr double z = 0.5 * page_height_m;
+    const TriangleMesh front = box_between(
+        {x, 0.0, -z - overhang_m}, {x + board_m, page_width_m + overhang_m, z + overhang_m});
+    const TriangleMesh back = placed(front, Eigen::Affine3d(Eigen::Scaling(-1.0, 1.0, 1.0)));
+    return centred({{"pages",
+                     box_between({-x, 0.0, -z}, {x, page_width_m, z}),
+                     {0.96, 0.94, 0.87},
+                     paper_kg_m3},
+                    {"front cover", front, cover, board_kg_m3},
+                    {"back cover", back, {0.42, 0.09, 0.11}, board_kg_m3},
+                    {"spine",
+                     box_between({-x - board_m, -board_m, -z - overhang_m},
+                                 {x + board_m, 0.0, z + overhang_m}),
+                     {0.36, 0.08, 0.09},
+                     board_kg_m3}});
+}
+
+// Long axis along z. The meridian is a mean of an ellipse and a parabola such that the long
+// circumference, like all else, is the middle of what the rule allows: 11 1/8, 28 1/4 and 21 1/8
+// inches, 14 1/2 ounces. Bladder and leather together are 4 mm thick.
+std::vector<ObjectPart> football() {
+    constexpr double inch_m = 0.0254;
+    constexpr double half_length_m = 0.5 * 11.125 * inch_m;
+    const double radius_m = 21.125 * inch_m / (2.0 * pi);
+    constexpr double mass_kg = 14.5 * 0.028349523125;
+    constexpr double thickness_m = 0.004;
+    constexpr double ellipse_share = 0.88;
+    constexpr int n_steps = 48;
+    const auto meridian = [&](double shrunk_m, double angle) -> ProfilePoint {
+        const double s = std::sin(angle);
+        return {(radius_m - shrunk_m) * (ellipse_share * s + (1.0 - ellipse_share) * s * s),
+                -(half_length_m - shrunk_m) * std::cos(angle)};
+    };
+    std::vector<ProfilePoint> profile;
+    for (int i = 0; i <= n_steps; ++i) {
+        const double angle = pi * i / n_steps;
+        profile.push_back(meridian(0.0, angle));
+    }
+    profile.front().radius_m = profile.back().radius_m = 0.0;
+    for (int i = 2 * n_steps + 1; i-- > n_steps + 1;) {
+        const double angle = pi * (i - n_steps - 1) / (n_steps - 1);
+        profile.push_back(meridian(thickness_m, angle));
+    }
+    profile[n_steps + 1].radius_m = profile.back().radius_m = 0.0;
+    // Four panels, two and two in one shade.
+    constexpr int facets = 64;
+    return of_mass({{"panels", sectors(profile, 4, even, facets), {0.48, 0.24, 0.12}},
+                    {"other panels", sectors(profile, 4, odd, facets), {0.40, 0.19, 0.10}}},
+                   mass_kg);
+}
+
+// Axis along z, the hollow side up: a flat well and a rim that rises, one sixteenth of it the
+// medallion.
+std::vector<ObjectPart> plate() {
+    constexpr double porcelain_kg_m3 = 2400.0;
+    constexpr std::array<double, 3> white{0.94, 0.94, 0.92};
+    const std::vector<ProfilePoint> well{{0.0, 0.0},      {0.080, 0.0},    {0.095, 0.004},
+                                         {0.095, 0.0095}, {0.082, 0.0055}, {0.0, 0.0055}};
+    const std::vector<ProfilePoint> rim{
+        {0.095, 0.004}, {0.1325, 0.020}, {0.1335, 0.0225}, {0.1320, 0.0245}, {0.095, 0.0095}};
+    const auto medallion = [](int sector) { return sector == 0; };
+    const auto others = [](int sector) { return sector != 0; };
+    return centred(
+        {{"well", welded(revolved_ring(well)), white, porcelain_kg_m3},
+         {"rim", sectors(rim, 16, others), white, porcelain_kg_m3},
+         {"medallion", sectors(rim, 16, medallion), {0.70, 0.10, 0.12}, porcelain_kg_m3}});
+}
+
+// Axis along z; twelve sectors, so that its turning is seen.
+std::vector<ObjectPart> disc() {
+    constexpr double polycarbonate_kg_m3 = 1200.0;
+    const std::vector<ProfilePoint> profile = rectangle(0.0075, 0.060, 0.0012);
+    constexpr int facets = 144;
+    return {
+        {"sectors", sectors(profile, 12, even, facets), {0.78, 0.80, 0.84}, polycarbonate_kg_m3},
+        {"other sectors",
+         sectors(profile, 12, odd, facets),
+         {0.58, 0.62, 0.70},
+         polycarbonate_kg_m3}};
+}
+
+// Axis along z. Core and ring have one density; twelve
+// narrow sectors of the ring stand for its stars.
+std::vector<ObjectPart> coin() {
+    constexpr double diameter_m = 0.02575;
+    constexpr double core_diameter_m = 0.01875;
+    constexpr double thickness_m = 0.0022;
+    constexpr double mass_kg = 0.0085;
+    const std::vector<ProfilePoint> ring =
+        rectangle(0.5 * core_diameter_m, 0.5 * diameter_m, thickness_m);
+    constexpr int facets = 144;
+    return of_mass(
+        {{"core", cylinder_mesh(0.5 * core_diameter_m, thickness_m, facets), {0.80, 0.66, 0.33}},
+         {"ring",
+          sectors(
+              ring, 72, [](int sector) { return sector % 6 != 0; }, facets),
+          {0.74, 0.74, 0.73}},
+         {"stars",
+          sectors(
+              ring, 72, [](int sector) { return sector % 6 == 0; }, facets),
+          {0.45, 0.45, 0.46}}},
+        mass_kg);
+}
+
+}  // namespace poinsot::object_makers
