@@ -1,0 +1,12 @@
+// A picture drawn larger than wanted, averaged down: supersampling for settings that pay for it.
+#pragma once
+
+#include "image/image.h"
+
+namespace poinsot {
+
+// The mean of factor × factor pixels in linear light, alpha-weighted. Precondition: both sides are
+// multiples of the factor, which is at least 1.
+Image downsampled(const Image& image, int factor);
+
+}  // namespace poinsot

@@ -1,0 +1,46 @@
+#include "drawing/chart.h"
+
+#include <gtest/gtest.h>
+
+#include "error/error.h"
+
+namespace poinsot {
+namespace {
+
+TEST(Chart, MarksWhatNoOtherPointBeats) {
+    std::vector<ChartSeries> series{{"a", {{1.0, 8.0}, {2.0, 4.0}, {5.0, 5.0}}},
+                                    {"b", {{2.0, 3.0}, {9.0, 3.0}, {7.0, 1.0}, {0.0, 0.1}}}};
+    mark_pareto_front(series);
+    EXPECT_TRUE(series[0].points[0].marked);
+    EXPECT_FALSE(series[0].points[1].marked);
+    EXPECT_FALSE(series[0].points[2].marked);
+    EXPECT_TRUE(series[1].points[0].marked);
+    EXPECT_FALSE(series[1].points[1].marked);
+    EXPECT_TRUE(series[1].points[2].marked);
+    EXPECT_FALSE(series[1].points[3].marked);  // not positive: not shown, not best
+}
+
+TEST(Chart, StandsDecadesAtEqualDistances) {
+    const Chart chart{"t", "x", "y", {{"s", {{1.0, 1e-6}, {10.0, 1e-4}, {100.0, 1e-2}}}}};
+    const ChartSheet sheet(chart, theme_named("light"), 960, 540);
+    const Drawing drawing = sheet.drawing();
+    const std::vector<Dot>& dots = drawing.views.at(0).dots;
+    ASSERT_EQ(dots.size(), 3u);
+    EXPECT_NEAR((dots[0].at + dots[2].at - 2.0 * dots[1].at).norm(), 0.0, 1e-9);
+    for (const Dot& dot : dots) {
+        EXPECT_GE(dot.at.x(), 0.0);
+        EXPECT_LE(dot.at.x(), 960.0);
+        EXPECT_GE(dot.at.y(), 0.0);
+        EXPECT_LE(dot.at.y(), 540.0);
+    }
+    // Less y stands lower in the picture, where the view's y is less.
+    EXPECT_LT(dots[0].at.y(), dots[2].at.y());
+}
+
+TEST(Chart, RefusesToShowNothing) {
+    const Chart chart{"t", "x", "y", {{"s", {{0.0, 1.0}}}}};
+    EXPECT_THROW(ChartSheet(chart, theme_named("light"), 960, 540), InputError);
+}
+
+}  // namespace
+}  // namespace poinsot
