@@ -26,7 +26,8 @@ std::string to_toml(const Scene& scene) {
             text += fmt::format("\n[[{}]]\n", array.path);
             for (const SceneKey& key : scene_keys()) {
                 if (key.table() != items) continue;
-                text += fmt::format("{} = {}\n", key.leaf(), key.write(scene, i));
+                const std::string value = key.write(scene, i);
+                if (!value.empty()) text += fmt::format("{} = {}\n", key.leaf(), value);
             }
         }
     }

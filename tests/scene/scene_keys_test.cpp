@@ -229,6 +229,12 @@ const std::map<std::string, Claim> claims{
       [](const Scene& s) { return s.panels.at(0).columns == 2; }}},
     {"panels[].rows",
      {a_scene + "[[panels]]\nrows = 2\n", [](const Scene& s) { return s.panels.at(0).rows == 2; }}},
+    {"panels[].quantity",
+     {a_scene + "[[panels]]\nkind = \"plot\"\nquantity = \"omega\"\n",
+      [](const Scene& s) { return s.panels.at(0).quantity == "omega"; }}},
+    {"panels[].title",
+     {a_scene + "[[panels]]\ntitle = \"\"\n[[panels]]\nrow = 1\n",
+      [](const Scene& s) { return s.panels.at(0).title == "" && !s.panels.at(1).title; }}},
 };
 
 TEST(SceneKeys, EveryRowHasAClaimAndEveryClaimARow) {
