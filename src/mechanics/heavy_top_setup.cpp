@@ -85,9 +85,9 @@ Real distance_to_upper_root(const Cubic& c) {
         const Real value = c.p0 + w * (c.p1 + w * (c.p2 - w * c.beta));
         const Real slope = c.p1 + w * (2 * c.p2 - 3 * w * c.beta);
         if (slope >= 0) break;
-        const Real next = w - value / slope;
-        if (!(abs(next - w) > 4 * epsilon * w)) return next;
-        w = next;
+        const Real correction = value / slope;
+        w -= correction;
+        if (!(abs(correction) > 4 * epsilon * w)) break;
     }
     return w;
 }
