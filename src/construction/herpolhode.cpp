@@ -17,12 +17,24 @@ double Herpolhode::index_at(double time_s) const {
     return static_cast<double>(i) + (time_s - from) / (*after - from);
 }
 
-Eigen::Vector3d herpolhode_point(const PoinsotConstruction& construction, const Motion& motion,
-                                 double time_s) {
+namespace {
+
+Eigen::Vector3d foot_of(const PoinsotConstruction& construction) {
+    return -construction.plane_distance() * construction.vertical_space();
+}
+
+Eigen::Vector3d point_from_foot(const PoinsotConstruction& construction, const Motion& motion,
+                                double time_s) {
     const MotionSample sample =
         motion.sample(time_s, {.attitude = false, .herpolhode = true, .euler_angles = false});
-    return construction.contact_in_plane(sample.herpolhode_space) -
-           construction.plane_distance() * construction.vertical_space();
+    return construction.contact_in_plane(sample.herpolhode_space);
+}
+
+}  // namespace
+
+Eigen::Vector3d herpolhode_point(const PoinsotConstruction& construction, const Motion& motion,
+                                 double time_s) {
+    return point_from_foot(construction, motion, time_s) + foot_of(construction);
 }
 
 Herpolhode sample_herpolhode(const PoinsotConstruction& construction, const Motion& motion,
@@ -37,10 +49,11 @@ Herpolhode sample_herpolhode(const PoinsotConstruction& construction, const Moti
     const double end_s = wanted <= n_pieces ? first_time_s + piece_s * n_pieces : last_time_s;
 
     Herpolhode curve;
+    curve.foot = foot_of(construction);
     const auto samples = sample_adaptively(
         [&](double t) {
             ++curve.n_evaluations;
-            return herpolhode_point(construction, motion, t);
+            return point_from_foot(construction, motion, t);
         },
         first_time_s, end_s, static_cast<int>(n_pieces), tolerance, max_points);
 

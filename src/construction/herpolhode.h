@@ -12,8 +12,10 @@ namespace poinsot {
 
 // A stretch of the herpolhode sampled to a tolerance, in space axes and the ellipsoid's lengths;
 // `times_s` ascends and names the instant of each point, so that any part of it can be shown up to
-// any instant.
+// any instant. Points are measured from `foot`, the plane's point below the centre, so that the
+// smallest loops keep their shape.
 struct Herpolhode {
+    Eigen::Vector3d foot = Eigen::Vector3d::Zero();
     std::vector<double> times_s;
     std::vector<Eigen::Vector3d> points;
     std::int64_t n_evaluations = 0;  // of the motion that it took

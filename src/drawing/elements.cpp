@@ -26,10 +26,6 @@ bool has_curves(const ConstructionPicture& picture) {
     return picture.polhode.kind() != Polhode::Kind::point;
 }
 
-// Length of the arrows along L and ω beyond the ellipsoid's reach.
-constexpr double momentum_length = 1.42;
-constexpr double omega_length = 1.30;
-
 const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
 
 Drawer make_plane(Panel& panel) {
@@ -45,12 +41,7 @@ Drawer make_plane(Panel& panel) {
 }
 
 Drawer make_ellipsoid(Panel& panel) {
-    Ellipsoid ellipsoid;
-    ellipsoid.colour = panel.stage->theme->ellipsoid;
-    ellipsoid.opacity = panel.stage->theme->ellipsoid_opacity;
-    ellipsoid.line_colour = panel.stage->theme->ellipsoid_lines;
-    ellipsoid.section_px = 1.7 * panel.px;
-    ellipsoid.ruling_px = 0.9 * panel.px;
+    const Ellipsoid ellipsoid = ellipsoid_of(panel);
     return [&panel, ellipsoid](const Instant& instant, Sheet& sheet) {
         sheet.view.ellipsoids.push_back(ellipsoid);
         sheet.view.ellipsoids.back().half_axes =
@@ -87,8 +78,8 @@ Drawer make_herpolhode(Panel& panel) {
     CurveGeometry geometry;
     geometry.points.reserve(herpolhode.points.size());
     for (const Eigen::Vector3d& point : herpolhode.points) {
-        geometry.points.emplace_back(picture_of(panel).picture_from_space * point *
-                                     picture_of(panel).picture_per_rho);
+        geometry.points.emplace_back(picture_of(panel).picture_from_space *
+                                     (herpolhode.foot + point) * picture_of(panel).picture_per_rho);
     }
     herpolhode.points.clear();
     Curve curve;
@@ -146,9 +137,8 @@ Drawer make_momentum(Panel& panel) {
 Drawer make_omega(Panel& panel) {
     const SetType type = set_label(panel, "\\boldsymbol{\\omega}");
     return [&panel, type](const Instant& instant, Sheet& sheet) {
-        const Eigen::Vector3d direction = -picture_of(panel).contact(instant);
-        const double length = omega_length * std::max(1.0, 1.0 / direction.norm());
-        const Arrow arrow = arrow_to(panel, direction * length, panel.stage->theme->omega, 1.15);
+        const Arrow arrow = arrow_to(panel, omega_tip(-picture_of(panel).contact(instant)),
+                                     panel.stage->theme->omega, 1.15);
         sheet.view.arrows.push_back(arrow);
         wish_at_tip(panel, arrow, type, sheet);
     };
@@ -162,7 +152,7 @@ Drawer make_axes(Panel& panel) {
     return [&panel, types](const Instant& instant, Sheet& sheet) {
         const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
         for (int i = 0; i < 3; ++i) {
-            const double length = picture_of(panel).half_axes[i] + 0.28;
+            const double length = picture_of(panel).half_axes[i] + axis_overhang;
             const Arrow arrow =
                 arrow_to(panel, axes.col(i) * length, panel.stage->theme->axes[i], 0.85);
             sheet.view.arrows.push_back(arrow);

@@ -66,6 +66,10 @@ std::vector<Eigen::Vector3d> points_of_ellipsoid(const Eigen::Matrix3d& half_axe
     return points;
 }
 
+double field_of(const Panel& panel) {
+    return panel.stage->scene.camera.field_deg * std::numbers::pi / 180.0;
+}
+
 Eigen::Vector3d direction_of(double azimuth_deg, double elevation_deg) {
     const double azimuth = azimuth_deg * std::numbers::pi / 180.0;
     const double elevation = elevation_deg * std::numbers::pi / 180.0;

@@ -20,6 +20,9 @@ Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eig
 // would be too many, so these are points of the surface, dense enough for a frame with a margin.
 std::vector<Eigen::Vector3d> points_of_ellipsoid(const Eigen::Matrix3d& half_axes);
 
+// The vertical field of view that the scene asks for, rad.
+double field_of(const Panel& panel);
+
 // The direction in which a camera of the scene stands: azimuth about z from x, elevation above the
 // xy plane, degrees.
 Eigen::Vector3d direction_of(double azimuth_deg, double elevation_deg);

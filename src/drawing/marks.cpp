@@ -8,6 +8,11 @@
 
 namespace poinsot {
 
+Eigen::Vector3d omega_tip(const Eigen::Vector3d& rho) {
+    constexpr double omega_length = 1.30;
+    return rho * (omega_length * std::max(1.0, 1.0 / rho.norm()));
+}
+
 Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen::Vector3d& tip,
                     const Colour& colour, double weight) {
     Arrow arrow;
@@ -23,6 +28,16 @@ Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen
     arrow.head_px *= scale;
     arrow.head_length_px *= scale;
     return arrow;
+}
+
+Ellipsoid ellipsoid_of(const Panel& panel) {
+    Ellipsoid ellipsoid;
+    ellipsoid.colour = panel.stage->theme->ellipsoid;
+    ellipsoid.opacity = panel.stage->theme->ellipsoid_opacity;
+    ellipsoid.line_colour = panel.stage->theme->ellipsoid_lines;
+    ellipsoid.section_px = 1.7 * panel.px;
+    ellipsoid.ruling_px = 0.9 * panel.px;
+    return ellipsoid;
 }
 
 SetType set_label(const Panel& panel, std::string_view text, double scale) {

@@ -12,6 +12,16 @@ namespace poinsot {
 // Type beside arrows, px per em at 1080 rows.
 constexpr double label_size = 34.0;
 
+// Length of the arrow along L in units of the largest half-axis, beyond the ellipsoid's reach.
+constexpr double momentum_length = 1.42;
+
+// How far the arrows along e1, e2, e3 stand out of the ellipsoid, in the same units.
+constexpr double axis_overhang = 0.28;
+
+// Tip of the arrow along ω that pierces the ellipsoid at ρ = ω/√(2T): 1.3 times as far, and at
+// least 1.3.
+Eigen::Vector3d omega_tip(const Eigen::Vector3d& rho);
+
 // An arrow whose proportions stay at any length: the head of a short one is at most two fifths of
 // it. `weight` 1 is the usual thickness.
 Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen::Vector3d& tip,
@@ -22,6 +32,9 @@ inline Arrow arrow_to(const Panel& panel, const Eigen::Vector3d& tip, const Colo
                       double weight) {
     return arrow_between(panel, Eigen::Vector3d::Zero(), tip, colour, weight);
 }
+
+// The inertia ellipsoid in the theme's look, its half-axes still to be set.
+Ellipsoid ellipsoid_of(const Panel& panel);
 
 // A label in the panel's type, `scale` times the usual size.
 SetType set_label(const Panel& panel, std::string_view text, double scale = 1.0);

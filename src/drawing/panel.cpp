@@ -18,9 +18,15 @@ bool rolls(const StageData& stage) { return stage.rolling.has_value(); }
 
 constexpr std::string_view free_turning = "a torque-free body that turns";
 
-const std::array<PanelKind, 1> table{{
+const std::array<PanelKind, 4> table{{
     {"space", "the ellipsoid rolling on the invariable plane", "Invariable plane", false, rolls,
      free_turning, make_space_panel},
+    {"body", "the ellipsoid at rest, all its polhodes and the separatrices", "Body axes", false,
+     rolls, free_turning, make_body_panel},
+    {"plan", "the herpolhode on the plane, seen along L from above", "Herpolhode", false, rolls,
+     free_turning, make_plan_panel},
+    {"momentum", "the sphere |L| and the energy ellipsoid meeting, in body axes",
+     "Momentum in body axes", false, rolls, free_turning, make_momentum_panel},
 }};
 
 }  // namespace

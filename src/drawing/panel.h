@@ -23,6 +23,7 @@ struct Panel {
     double header_px = 0.0;  // rows at the top that the panel's name takes, 0 without one
     Camera camera;
     double units_per_px = 0.001;    // at the camera's target
+    Light light;                    // the theme's, unless the panel turns it
     Quantities asks = omega_alone;  // what its drawer reads of an instant besides ω
     Drawer draw;
 };
@@ -53,5 +54,8 @@ std::string_view default_panel(const StageData& stage);
 
 // The rows, one file each.
 void make_space_panel(Panel& panel);
+void make_body_panel(Panel& panel);
+void make_plan_panel(Panel& panel);
+void make_momentum_panel(Panel& panel);
 
 }  // namespace poinsot

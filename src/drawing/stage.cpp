@@ -183,6 +183,7 @@ void StageData::make_panels() {
         Panel& panel = panels.emplace_back();
         panel.stage = this;
         panel.spec = spec;
+        panel.light = theme->light;
         panel.box = box_of(spec, columns, rows);
         const double share = line_scale(panel.box, options);
         panel.px = px * share;
@@ -249,7 +250,7 @@ Drawing Stage::at(double time_s) const {
         view.width_px = panel.box.width_px;
         view.height_px = panel.box.height_px;
         view.camera = panel.camera;
-        view.light = data_->theme->light;
+        view.light = panel.light;
         // Several panels stand on the one background of the picture.
         view.background = data_->theme->background;
         if (data_->panels.size() > 1) view.background.alpha = 0.0;

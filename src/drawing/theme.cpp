@@ -42,6 +42,14 @@ const std::array<Theme, 1> table{{
         .body_cone = hex(0x2f86c4),
         .space_cone = hex(0xcf4a12),
         .annulus = hex(0x8495aa),
+        .separatrix = hex(0x1c2430),
+        .sphere = hex(0x9fb4cc),
+        .solid = hex(0xa9b7c6),
+        .solid_lines = hex(0x3d4a5a),
+        .angles = {hex(0xcf4a12), hex(0x0b5fa5), hex(0x6a7600)},
+        .energy = hex(0xa8741a),
+        .potential = hex(0x4a5a70),
+        .rule = hex(0x8495aa),
     },
 }};
 

@@ -33,6 +33,15 @@ struct Theme {
     Colour body_cone;
     Colour space_cone;
     Colour annulus;
+
+    Colour separatrix;
+    Colour sphere;       // |m| = L in the space of momenta
+    Colour solid;        // real bodies
+    Colour solid_lines;  // marks on them that show how they turn
+    Colour angles[3];    // θ, φ, ψ
+    Colour energy;       // E and T
+    Colour potential;    // V
+    Colour rule;         // axes and grids of plots
 };
 
 std::span<const Theme> themes();

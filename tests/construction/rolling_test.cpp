@@ -233,7 +233,8 @@ TEST(Herpolhode, SampledWithinToleranceAndFindsItsInstants) {
         const double index = curve.index_at(t);
         const auto i = std::min(static_cast<std::size_t>(index), curve.points.size() - 2);
         const double f = index - static_cast<double>(i);
-        const Eigen::Vector3d drawn = curve.points[i] + f * (curve.points[i + 1] - curve.points[i]);
+        const Eigen::Vector3d drawn =
+            curve.foot + curve.points[i] + f * (curve.points[i + 1] - curve.points[i]);
         const Eigen::Vector3d truth = herpolhode_point(construction, motion, t);
         // Off the chord by at most the tolerance; along it by less than the curve's change of speed
         // in one piece.
@@ -241,6 +242,24 @@ TEST(Herpolhode, SampledWithinToleranceAndFindsItsInstants) {
     }
     EXPECT_EQ(curve.index_at(-1.0), 0.0);
     EXPECT_EQ(curve.index_at(1e9), static_cast<double>(curve.points.size() - 1));
+}
+
+TEST(Herpolhode, ShorterStretchIsAPartOfALongerOne) {
+    const Body body{"generic", {1.0, 2.0, 2.9}, {1.678, 0.0, 0.639}};
+    const Motion motion(problem_of(body));
+    const PoinsotConstruction construction(motion.problem().inertia, motion.problem().start);
+    const Herpolhode whole = sample_herpolhode(construction, motion, 0.1, 20.0, 0.7, 1e-4);
+    for (const double last : {0.1, 0.37, 7.3}) {
+        const Herpolhode part = sample_herpolhode(construction, motion, 0.1, last, 0.7, 1e-4);
+        ASSERT_LT(part.points.size(), whole.points.size());
+        for (std::size_t i = 0; i < part.points.size(); ++i) {
+            EXPECT_EQ(part.times_s[i], whole.times_s[i]);
+            EXPECT_EQ(part.points[i], whole.points[i]);
+        }
+        // It reaches the last instant and hardly goes on beyond it.
+        EXPECT_GE(part.times_s.back(), last);
+        EXPECT_LE(part.times_s.back(), last + 0.35);
+    }
 }
 
 TEST(RollingCones, AnglesAndRatesAreTheTextbooks) {

@@ -1,0 +1,114 @@
+// The momentum panel: in body axes L moves on the sphere |m| = L, which is kept, and on the
+// ellipsoid of energy Σ mᵢ²/2Iᵢ = T, which is kept as well, and so on the curves in which they
+// meet. In units of L the sphere has radius 1 and the ellipsoid the half-axes √(2TIᵢ)/L.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "construction/adaptive_curve.h"
+#include "drawing/body_axes.h"
+#include "drawing/framing.h"
+#include "drawing/marks.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr int the_sphere = 0;
+
+// Beyond this many radii of the sphere an ellipsoid is no longer a figure beside it: its arms are
+// left out of the frame.
+constexpr double longest_framed = 2.2;
+
+// m/L in principal axes at a point −ρ of the polhode: −J(−ρ)·√(2T)/L.
+Eigen::Vector3d momentum_at(const Panel& panel, const Eigen::Vector3d& contact_body) {
+    const Eigen::Vector3d moments = panel.stage->rolling->construction.inertia().moments_kg_m2();
+    return -moments.cwiseProduct(principal_from_body(panel) * contact_body).stableNormalized();
+}
+
+// One of the curves in which sphere and ellipsoid meet; its mirror image in the centre is the
+// other.
+CurveGeometry meeting_curve(const Panel& panel) {
+    const Polhode& polhode = panel.stage->rolling->polhode;
+    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    const auto samples =
+        sample_adaptively([&](double chi) { return momentum_at(panel, polhode.at(chi)); },
+                          polhode.first_chi_rad(), polhode.last_chi_rad(), 16, tolerance);
+    CurveGeometry geometry;
+    geometry.closed = polhode.closed();
+    for (const CurveSample& sample : samples) geometry.points.push_back(sample.point);
+    if (geometry.closed) geometry.points.pop_back();
+    return geometry;
+}
+
+Eigen::Vector3d energy_half_axes(const Panel& panel) {
+    const PoinsotConstruction& construction = panel.stage->rolling->construction;
+    return construction.plane_distance() * construction.inertia().moments_kg_m2().cwiseSqrt();
+}
+
+}  // namespace
+
+void make_momentum_panel(Panel& panel) {
+    const Eigen::Vector3d half_axes = energy_half_axes(panel);
+    std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
+    const Eigen::Vector3d framed_axes = half_axes.cwiseMin(longest_framed);
+    for (const Eigen::Vector3d& point :
+         points_of_ellipsoid(framed_axes.asDiagonal().toDenseMatrix())) {
+        points.push_back(point);
+    }
+    const Eigen::Vector3d axis_lengths = framed_axes.cwiseMax(1.0).array() + axis_overhang;
+    for (int i = 0; i < 3; ++i) points.emplace_back(axis_lengths[i] * Eigen::Vector3d::Unit(i));
+    const double margin = 0.6 * label_size * panel.type_px + 30.0 * panel.px;
+    aim(panel, framed(panel.box, principal_view_direction(panel), Eigen::Vector3d::UnitZ(),
+                      field_of(panel), points, margin));
+    light_from_camera(panel);
+
+    Ellipsoid sphere = ellipsoid_of(panel);
+    sphere.colour = panel.stage->theme->sphere;
+    sphere.section_px = 0.0;
+    sphere.ruling_px = 0.0;
+    sphere.opacity = 0.26;
+    Ellipsoid energy = ellipsoid_of(panel);
+    energy.half_axes = half_axes.asDiagonal();
+    energy.section_px = 0.8 * panel.px;
+    energy.ruling_px = 0.0;
+
+    std::vector<Curve> curves;
+    if (panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
+        Curve curve = curve_of(panel, panel.stage->keep(meeting_curve(panel)),
+                               panel.stage->theme->polhode, 4.6);
+        curve.on_surface = the_sphere;
+        curve.hidden_opacity = 0.45;
+        curves.push_back(curve);
+        curve.placement.linear() = -Eigen::Matrix3d::Identity();
+        curves.push_back(curve);
+    }
+
+    std::array<SetType, 3> axis_types;
+    for (std::size_t i = 0; i < 3; ++i) {
+        axis_types[i] = set_label(panel, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
+    }
+    const SetType momentum_type = set_label(panel, "\\mathbf{L}");
+    panel.draw = [&panel, sphere, energy, curves, axis_lengths, axis_types, momentum_type](
+                     const Instant& instant, Sheet& sheet) {
+        const Theme& theme = *panel.stage->theme;
+        sheet.view.ellipsoids = {sphere, energy};
+        sheet.view.curves = curves;
+        for (int i = 0; i < 3; ++i) {
+            const Arrow arrow =
+                arrow_to(panel, axis_lengths[i] * Eigen::Vector3d::Unit(i), theme.axes[i], 0.85);
+            sheet.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], sheet);
+        }
+        const PoinsotConstruction& construction = panel.stage->rolling->construction;
+        const Eigen::Vector3d momentum =
+            momentum_at(panel, construction.contact_body(instant.state.omega_body));
+        const Arrow arrow = arrow_to(panel, momentum, theme.momentum, 1.15);
+        sheet.view.arrows.push_back(arrow);
+        wish_at_tip(panel, arrow, momentum_type, sheet);
+    };
+}
+
+}  // namespace poinsot
