@@ -133,6 +133,7 @@ std::vector<float> derivative_kernel(double sigma, int radius, int order) {
         weights.push_back(weight);
     }
     std::vector<float> kernel;
+    kernel.reserve(weights.size());
     for (const double weight : weights)
         kernel.push_back(static_cast<float>(weight / (weight > 0 ? positive : negative)));
     return kernel;

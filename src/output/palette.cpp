@@ -79,6 +79,7 @@ std::vector<Colour> split(std::vector<Point>& points, std::size_t n_colours) {
         boxes.push_back(box_of(points, at, box.end));
     }
     std::vector<Colour> colours;
+    colours.reserve(boxes.size());
     for (const Box& box : boxes)
         colours.push_back(mean_of(std::span(points).subspan(box.begin, box.end - box.begin)));
     return colours;

@@ -14,7 +14,7 @@ static_assert(std::endian::native == std::endian::little, "pixels are read as 16
 // one 16-bit high multiplication; sums are in 1/256 of a level. Each product loses up to one unit,
 // 1/2 on average, which the constant added gives back.
 constexpr std::uint32_t scaled(double coefficient) {
-    return static_cast<std::uint32_t>(coefficient * 65536 + 0.5);
+    return (static_cast<std::uint32_t>(coefficient * (2 << 16)) + 1) / 2;
 }
 constexpr double kr = 0.2126, kg = 0.7152, kb = 0.0722;
 constexpr double luma_scale = 219.0 / 255.0, chroma_scale = 224.0 / 255.0;
