@@ -26,5 +26,7 @@ extern const Command check_command;
 extern const Command sample_command;
 extern const Command list_command;
 extern const Command doctor_command;
+extern const Command explain_command;
+extern const Command rerender_command;
 
 }  // namespace poinsot

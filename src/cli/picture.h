@@ -24,6 +24,8 @@ class PictureMaker {
     // The picture of an instant, drawn into an image whose memory is reused.
     void draw(double time_s, Image& image);
 
+    const ContextInfo& context_info() const { return context_.info(); }
+
  private:
     Stage stage_;
     OffscreenContext context_;

@@ -148,8 +148,8 @@ void flush_stdout() {
 }  // namespace
 
 std::span<const Command> commands() {
-    static const std::array<Command, 6> table{render_command, still_command, check_command,
-                                              sample_command, list_command,  doctor_command};
+    static const std::array table{render_command,  still_command,    check_command, sample_command,
+                                  explain_command, rerender_command, list_command,  doctor_command};
     return table;
 }
 

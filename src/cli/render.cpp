@@ -7,8 +7,10 @@
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/jobs.h"
 #include "cli/picture.h"
 #include "cli/progress.h"
+#include "cli/record.h"
 #include "cli/session.h"
 #include "error/error.h"
 #include "output/pipeline.h"
@@ -26,8 +28,9 @@ std::filesystem::path output_path(const Options& options, const Scene& scene) {
     return std::filesystem::path("output") / (scene.name + ".mp4");
 }
 
-int run(const Options& options) {
-    const Session session = open_session(options);
+}  // namespace
+
+int make_film(const Session& session, const Options& options) {
     print_notes(session.scene, options.quiet);
     const FilmPlan film = film_plan(session.scene, session.motion);
 
@@ -54,9 +57,13 @@ int run(const Options& options) {
     plan.quality = session.scene.film.quality;
 
     watch_for_interrupts();
-    AsyncSink sink(format_for(plan.path).open(plan));
+    const OutputFormat& format = format_for(plan.path);
     PictureMaker pictures(session, options,
                           {.first_time_s = film.time_of(0), .last_time_s = film.time_of(last)});
+    Record record = record_of(session, pictures.context_info(), options.portable);
+    record.frames = {first, last};
+    plan.metadata = to_text(record);
+    AsyncSink sink(format.open(plan));
     Progress progress(session.scene.name, plan.n_frames, options.quiet);
     for (std::int64_t frame = first + sink.n_frames_kept(); frame <= last; ++frame) {
         stop_if_interrupted();
@@ -69,6 +76,10 @@ int run(const Options& options) {
     progress.finish(plan.path.string());
     return 0;
 }
+
+namespace {
+
+int run(const Options& options) { return make_film(open_session(options), options); }
 
 constexpr std::array<std::string_view, 9> options_taken{
     "output", "set", "size", "fps", "quality", "frames", "quiet", "backend", "portable"};

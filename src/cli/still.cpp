@@ -6,17 +6,17 @@
 #include <filesystem>
 
 #include "cli/command.h"
+#include "cli/jobs.h"
 #include "cli/picture.h"
+#include "cli/record.h"
 #include "cli/session.h"
 #include "error/error.h"
 #include "image/png.h"
+#include "output/film_metadata.h"
 
 namespace poinsot {
 
-namespace {
-
-int run(const Options& options) {
-    const Session session = open_session(options);
+int make_still(const Session& session, const Options& options) {
     print_notes(session.scene, options.quiet);
     if (!std::isfinite(options.time_s)) {
         throw InputError("--time is not a finite number; give an instant in seconds");
@@ -39,10 +39,18 @@ int run(const Options& options) {
                            .last_time_s = std::max(film.last_time_s(), options.time_s)});
     Image image;
     pictures.draw(options.time_s, image);
-    write_png(path, image, {});
+    Record record = record_of(session, pictures.context_info(), options.portable);
+    record.time_s = options.time_s;
+    PngOptions png;
+    png.texts[kMetadataName] = to_text(record);
+    write_png(path, image, png);
     if (!options.quiet) fmt::print(stderr, "{}\n", path.string());
     return 0;
 }
+
+namespace {
+
+int run(const Options& options) { return make_still(open_session(options), options); }
 
 constexpr std::array<std::string_view, 7> options_taken{"output", "set",     "size",    "time",
                                                         "quiet",  "backend", "portable"};

@@ -1,0 +1,180 @@
+#include "cli/record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <tuple>
+
+#include "error/error.h"
+#include "error/nearest.h"
+#include "image/png.h"
+#include "image/sha256.h"
+#include "output/film_metadata.h"
+#include "output/frame_sink.h"
+#include "scene/write_scene.h"
+
+namespace poinsot {
+
+namespace {
+
+// Mesa's version from "4.5 (Core Profile) Mesa 22.3.6".
+std::string mesa_version(const std::string& gl_version) {
+    const std::size_t at = gl_version.find("Mesa ");
+    if (at == std::string::npos) return gl_version;
+    const std::string rest = gl_version.substr(at + 5);
+    return rest.substr(0, rest.find(' '));
+}
+
+// How the motion is computed, with what was chosen for the method.
+std::string method_in_words(const Motion& motion) {
+    const MethodChoice& choice = motion.problem().method;
+    std::string text = choice.name;
+    if (choice.order) text += fmt::format(", order {}", *choice.order);
+    if (const IntegratedRotation* integrated = motion.integrated()) {
+        if (integrated->method().takes_step)
+            text += fmt::format(", step {} s", integrated->step_s());
+        if (choice.tolerance) text += fmt::format(", tolerance {}", *choice.tolerance);
+    }
+    return text;
+}
+
+std::string bounds_in_words(const Session& session) {
+    const char* motion = session.motion.integrated() != nullptr
+                             ? "motion stepped"
+                             : "motion in closed form, to rounding";
+    return fmt::format("{}; drawn within {} px", motion, session.scene.accuracy_px);
+}
+
+// The lines before the scene, by key.
+using Fields = std::map<std::string, std::string, std::less<>>;
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+    throw InputError(fmt::format("{}: its record {}; it was not written by poinsot, or changed",
+                                 printable(name), what));
+}
+
+const std::string& field(const Fields& fields, std::string_view key, const std::string& name) {
+    const auto found = fields.find(key);
+    if (found == fields.end()) refuse(name, fmt::format("has no \"{}\"", key));
+    return found->second;
+}
+
+// Numbers with something between them: "640x360", "0-299".
+template <typename Number>
+std::pair<Number, Number> number_pair(const std::string& text, char between,
+                                      const std::string& name) {
+    std::pair<Number, Number> numbers{};
+    const char* const end = text.data() + text.size();
+    const auto [middle, first_error] = std::from_chars(text.data(), end, numbers.first);
+    if (first_error == std::errc{} && middle != end && *middle == between) {
+        const auto [last, second_error] = std::from_chars(middle + 1, end, numbers.second);
+        if (second_error == std::errc{} && last == end) return numbers;
+    }
+    refuse(name, fmt::format("says \"{}\"", printable(text)));
+}
+
+double number(const std::string& text, const std::string& name) {
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [last, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || last != end)
+        refuse(name, fmt::format("says \"{}\"", printable(text)));
+    return value;
+}
+
+}  // namespace
+
+Record record_of(const Session& session, const ContextInfo& context, bool portable) {
+    Record record;
+    record.version = POINSOT_VERSION;
+    record.scene_name = session.scene.name;
+    record.scene_toml = to_toml(session.scene);
+    record.scene_hash = sha256_of(record.scene_toml);
+    record.method = method_in_words(session.motion);
+    record.bounds = bounds_in_words(session);
+    record.portable = portable;
+    record.renderer = context.renderer;
+    record.mesa = mesa_version(context.version);
+    record.width_px = session.scene.film.width_px;
+    record.height_px = session.scene.film.height_px;
+    return record;
+}
+
+std::string to_text(const Record& record) {
+    std::string text = fmt::format("poinsot {}\n", record.version);
+    const auto add = [&text](std::string_view key, std::string_view value) {
+        // A name with a line break in it would pass for another field.
+        text += fmt::format("{}: {}\n", key, printable(value));
+    };
+    add("scene", record.scene_name);
+    add("scene-sha256", record.scene_hash);
+    add("method", record.method);
+    add("bounds", record.bounds);
+    add("profile", record.portable ? "portable" : "native");
+    add("renderer", record.renderer);
+    add("mesa", record.mesa);
+    add("size", fmt::format("{}x{}", record.width_px, record.height_px));
+    if (record.time_s) add("time_s", fmt::format("{}", *record.time_s));
+    if (record.frames)
+        add("frames", fmt::format("{}-{}", record.frames->first, record.frames->second));
+    return text + "\n" + record.scene_toml;
+}
+
+Record parse_record(std::string_view text, const std::string& name) {
+    constexpr std::string_view opening = "poinsot ";
+    if (!text.starts_with(opening)) refuse(name, "does not begin with \"poinsot\"");
+    const std::size_t blank = text.find("\n\n");
+    if (blank == std::string_view::npos) refuse(name, "holds no scene");
+
+    std::string_view head = text.substr(opening.size(), blank + 1 - opening.size());
+    Record record;
+    record.version = head.substr(0, head.find('\n'));
+    Fields fields;
+    while (!(head = head.substr(head.find('\n') + 1)).empty()) {
+        const std::string_view line = head.substr(0, head.find('\n'));
+        const std::size_t colon = line.find(": ");
+        if (colon == std::string_view::npos)
+            refuse(name, fmt::format("has the line \"{}\"", printable(line)));
+        fields.emplace(line.substr(0, colon), line.substr(colon + 2));
+    }
+
+    record.scene_toml = text.substr(blank + 2);
+    record.scene_name = field(fields, "scene", name);
+    record.scene_hash = field(fields, "scene-sha256", name);
+    if (record.scene_hash != sha256_of(record.scene_toml))
+        refuse(name, "holds another scene than its hash says");
+    record.method = field(fields, "method", name);
+    record.bounds = field(fields, "bounds", name);
+    record.portable = field(fields, "profile", name) == "portable";
+    record.renderer = field(fields, "renderer", name);
+    record.mesa = field(fields, "mesa", name);
+    std::tie(record.width_px, record.height_px) =
+        number_pair<int>(field(fields, "size", name), 'x', name);
+    if (fields.contains("time_s")) record.time_s = number(field(fields, "time_s", name), name);
+    if (fields.contains("frames"))
+        record.frames = number_pair<std::int64_t>(field(fields, "frames", name), '-', name);
+    if (record.time_s.has_value() == record.frames.has_value())
+        refuse(name, "must say either an instant or frames");
+    return record;
+}
+
+Record read_record(const std::filesystem::path& file) {
+    std::string text;
+    if (file.extension() == ".png") {
+        PngInfo info;
+        read_png(file, &info);
+        text = info.texts[kMetadataName];
+    } else {
+        text = film_metadata(file);
+    }
+    if (text.empty())
+        throw InputError(
+            fmt::format("{}: carries no record of how it was made; only what poinsot "
+                        "has drawn does",
+                        printable(file.string())));
+    return parse_record(text, file.string());
+}
+
+}  // namespace poinsot

@@ -1,0 +1,109 @@
+// poinsot rerender FILE -o OUT: the picture or film that a file describes, drawn again.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+#include <optional>
+
+#include "cli/command.h"
+#include "cli/jobs.h"
+#include "cli/picture.h"
+#include "cli/record.h"
+#include "error/error.h"
+#include "error/nearest.h"
+#include "image/png.h"
+#include "output/film_metadata.h"
+#include "scene/load_scene.h"
+
+namespace poinsot {
+
+namespace {
+
+// The number that ends a sequence's file name: 7 of "turn_0007.png".
+std::optional<std::int64_t> frame_of_name(const std::filesystem::path& file) {
+    const std::string stem = file.stem().string();
+    const auto last_other = std::find_if(stem.rbegin(), stem.rend(),
+                                         [](unsigned char c) { return std::isdigit(c) == 0; });
+    const std::string digits(last_other.base(), stem.end());
+    std::int64_t number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (digits.empty() || error != std::errc{}) return std::nullopt;
+    return number;
+}
+
+// What keeps this machine from drawing as the one that made the file, in words for the user.
+void note_differences(const Record& then, const Record& now) {
+    const auto note = [](std::string_view what, const std::string& was, const std::string& is) {
+        if (was == is) return;
+        fmt::print(stderr, "note: made with {} {}, this is {}: the bytes may differ\n", what,
+                   printable(was), printable(is));
+    };
+    note("poinsot", then.version, now.version);
+    note("the renderer", then.renderer, now.renderer);
+    note("Mesa", then.mesa, now.mesa);
+}
+
+// One frame of a sequence carries the record of the whole, whose histories it shows.
+int redraw_frame(const std::filesystem::path& file, const Record& record, const Session& session,
+                 const Options& options) {
+    const auto frame = frame_of_name(file);
+    const auto [first, last] = *record.frames;
+    if (!frame || *frame < first || *frame > last)
+        throw InputError(fmt::format(
+            "{}: is one of the frames {}-{} of a sequence, and its name does not say which; let "
+            "the name end in the frame's number",
+            printable(file.string()), first, last));
+    const FilmPlan film = film_plan(session.scene, session.motion);
+    PictureMaker pictures(session, options,
+                          {.first_time_s = film.time_of(0), .last_time_s = film.time_of(last)});
+    Image image;
+    pictures.draw(film.time_of(*frame), image);
+    Record again = record_of(session, pictures.context_info(), options.portable);
+    again.frames = record.frames;
+    PngOptions png;
+    png.texts[kMetadataName] = to_text(again);
+    write_png(options.output, image, png);
+    return 0;
+}
+
+int run(const Options& given) {
+    const std::filesystem::path file = given.arguments.at(0);
+    const Record record = read_record(file);
+    Options options = given;
+    const std::filesystem::path output = options.output;
+    if (output.empty())
+        throw InputError("poinsot rerender: say with -o where the new file is to go");
+    const bool is_picture = file.extension() == ".png";
+    if (is_picture != (output.extension() == ".png"))
+        throw InputError(fmt::format("{}: {} is drawn again as one of its kind; choose a name {}",
+                                     printable(output.string()), printable(file.string()),
+                                     is_picture ? "in .png" : "in .mp4, .webm or .gif"));
+
+    // The record's scene is read as a file of its name would be.
+    Scene scene = parse_scene(record.scene_toml, record.scene_name + ".toml");
+    scene.notes.clear();
+    Motion motion(problem_of(scene));
+    const Session session{std::move(scene), std::move(motion)};
+
+    options.portable = record.portable;
+    options.time_s = record.time_s.value_or(0.0);
+    options.frames = record.frames;
+    const int code = record.time_s ? make_still(session, options)
+                     : is_picture  ? redraw_frame(file, record, session, options)
+                                   : make_film(session, options);
+    if (!options.quiet) note_differences(record, read_record(output));
+    return code;
+}
+
+constexpr std::array<std::string_view, 3> options_taken{"output", "quiet", "backend"};
+
+}  // namespace
+
+const Command rerender_command{
+    "rerender",    "FILE", 1, 1, "draw again what a picture or film says it shows",
+    options_taken, run};
+
+}  // namespace poinsot

@@ -1,0 +1,31 @@
+#include "output/film_metadata.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "output/video_reader.h"
+
+namespace poinsot {
+
+namespace {
+
+// Matroska and WebM give names back in capitals.
+bool same_name(const std::string& a, const std::string& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+        return std::tolower(x) == std::tolower(y);
+    });
+}
+
+}  // namespace
+
+std::string film_metadata(const std::filesystem::path& film) {
+    const VideoReader reader(film);
+    // A GIF has one comment and no names.
+    for (const auto& [name, text] : reader.info().texts)
+        if (same_name(name, kMetadataName) ||
+            (reader.info().container == "gif" && same_name(name, "comment")))
+            return text;
+    return "";
+}
+
+}  // namespace poinsot
