@@ -5,11 +5,16 @@
 // TOMS 44 (2017) 15. Every operation relies on IEEE rounding to nearest without contraction.
 #pragma once
 
-#ifdef __FAST_MATH__
+#include <cfloat>
+#include <cmath>
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "poinsot's mechanics needs IEEE arithmetic: do not compile it with -ffast-math"
 #endif
-
-#include <cmath>
+#if FLT_EVAL_METHOD != 0
+#error "poinsot's mechanics needs doubles without excess precision: use SSE2, not the x87"
+#endif
 
 namespace poinsot {
 

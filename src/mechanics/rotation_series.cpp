@@ -224,7 +224,9 @@ HyperbolicSeries hyperbolic_series(const JacobiSolution& j) {
         series.phase_per_period =
             -j.s * ratio(j.third_kind_argument, j.complementary_quarter_period).rounded();
     }
-    series.root_nome = nomes.root.rounded();
+    if (!j.quarter_period.is_zero()) {
+        series.root_nome_up = exp(log_of_root_nome(j) + ln2_dd * 512.0).rounded();
+    }
     // dn, sn, cn of the complementary nome: the factors of DLMF 22.2 after 20.7(viii).
     const auto& [A, B, C] = j.amplitude;
     const DoubleDouble two = zero.two * 2.0;

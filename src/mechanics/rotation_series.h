@@ -52,7 +52,7 @@ struct TrigonometricSeries {
 struct HyperbolicSeries {
     double exponent_high = 0.0;  // −log₂ of E at r = K, in two words, the first of 26 bits
     double exponent_low = 0.0;
-    double root_nome = 0.0;         // Q = √q′
+    double root_nome_up = 0.0;      // 2^512 Q, Q = √q′: a normal number even where Q is not
     double phase_per_period = 0.0;  // quarter turns that Θ's argument gains in 2K, conjugated too
     double a = 0.0, b = 0.0, c = 0.0;
     double q1 = 0.0, q2 = 0.0, q4 = 0.0, q6 = 0.0, q9 = 0.0;  // powers of q′
@@ -87,7 +87,7 @@ struct HyperbolicSeries {
         const PowerOfHalf near = power_of_half(
             halves.hi * exponent_high,
             halves.hi * exponent_low + (halves.lo + h_low) * (exponent_high + exponent_low));
-        const double far = root_nome / near.power;
+        const double far = 0x1p-512 * (root_nome_up / near.power);
         return place.nearer_odd
                    ? sum(far, near.power, 1.0 - far, near.complement, place.side, place.parity)
                    : sum(near.power, far, near.complement, 1.0 - far, place.side, place.parity);

@@ -1,0 +1,47 @@
+// accuracy_table [BODIES]: the worst residuals of the exact free motion in every family of bodies,
+// against an oracle of hundreds of digits. Exit code 1 if one is out of bounds.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <future>
+#include <thread>
+#include <vector>
+
+#include "mechanics/families.h"
+
+int main(int argc, char** argv) {
+    using namespace poinsot::families;
+    const int n_bodies = argc > 1 ? std::atoi(argv[1]) : 10000;
+    if (n_bodies < 1) {
+        fmt::print(stderr, "accuracy_table: the number of bodies a family is at least 1\n");
+        return 2;
+    }
+    const int n_threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    fmt::print("worst residuals over {} bodies a family, three or four instants each\n", n_bodies);
+    fmt::print("{:<40}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>8}\n", "family", "omega", "attitude",
+               "herpolh.", "energy", "momentum", "|q| - 1", "finite");
+    bool good = true;
+    for (const Family& family : all()) {
+        std::vector<std::future<Residuals>> parts;
+        for (int k = 0; k < n_threads; ++k) {
+            const int first = static_cast<int>(static_cast<long long>(n_bodies) * k / n_threads);
+            const int last =
+                static_cast<int>(static_cast<long long>(n_bodies) * (k + 1) / n_threads);
+            parts.push_back(std::async(std::launch::async, [&family, first, last] {
+                return measure(family, first, last);
+            }));
+        }
+        Residuals r;
+        for (auto& part : parts) r = worse(r, part.get());
+        const bool ok = within_bounds(family, r);
+        good = good && ok;
+        fmt::print("{:<40}{:>10.2g}{:>10.2g}{:>10.2g}{:>10.2g}{:>10.2g}{:>10.2g}{:>8}{}\n",
+                   family.name, r.omega, r.attitude_rad, r.herpolhode, r.energy, r.momentum,
+                   r.unit_quaternion, r.n_not_finite == 0 ? "all" : "NOT",
+                   ok ? "" : "  out of bounds");
+        std::fflush(stdout);
+    }
+    fmt::print("bounds: omega 2e-15 of its norm, attitude 2e-15 rad, herpolhode 3e-15 relative\n");
+    return good ? 0 : 1;
+}
