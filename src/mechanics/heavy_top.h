@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <complex>
+#include <optional>
 #include <string_view>
 
 #include "mechanics/heavy_top_series.h"
@@ -80,9 +81,11 @@ class HeavyTop {
 
     // From a state at start.time_s. Throws InputError if a number of it is not finite or the
     // attitude is zero, and unless two principal moments are equal and the arm lies along the third
-    // axis (any arm for three equal moments). The Euler angles are those of that axis.
-    HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity,
-             const RotationState& start);
+    // axis (any arm for three equal moments). The Euler angles are those of that axis. If the start
+    // was rounded from Euler angles, giving them too makes the motion exact for them; they are used
+    // where the third body axis is the symmetry axis.
+    HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity, const RotationState& start,
+             const std::optional<TopStart>& unrounded = std::nullopt);
 
     // True if the second constructor accepts this body and arm.
     static bool accepts(const InertiaTensor& inertia, const GravityTorque& gravity);

@@ -1,146 +1,31 @@
-// The setup of Lagrange's top in 113-bit arithmetic: roots, periods, nomes and phase rates.
-//
-// x = 1 − cos θ, y = 2 − x, β = 2Mgl/A, a = Cω3/A, and with the primed derivative in time
-//   φ' sin²θ = d + a x,   e = d + 2a,   ω⊥² = γ + β x,
-//   x'² = P(x) = x y (γ + β x) − (d + a x)² = (x1 − x)(x − x2)(β x + G),   G = −β x3,
-// all with β ≥ 0, x3 ≤ 0 ≤ x2 ≤ x ≤ x1 ≤ 2. G in place of x3 makes β = 0 an ordinary case.
+// The setup of Lagrange's top in 113-bit arithmetic: from the cubic's roots to periods, nomes and
+// phase rates. The symbols are those of heavy_top_cubic.h.
 #include <fmt/format.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "error/error.h"
 #include "mechanics/heavy_top.h"
+#include "mechanics/heavy_top_cubic.h"
 
 namespace poinsot {
 
-namespace {
+using namespace top_setup;
 
-using Real = boost::multiprecision::cpp_bin_float_quad;
+namespace {
 
 const Real pi = boost::math::constants::pi<Real>();
 const Real epsilon = std::numeric_limits<Real>::epsilon();
 
-Real square(const Real& x) { return x * x; }
 double to_double(const Real& x) { return x.convert_to<double>(); }
 
 DoubleDouble double_double(const Real& x) {
     const double hi = to_double(x);
     return {hi, std::isfinite(hi) ? to_double(x - Real(hi)) : 0.0};
-}
-
-// The start with e3 along the symmetry axis, and β ≥ 0 after a possible reversal.
-struct Start {
-    Real A, C, mgl;
-    Real qw, qx, qy, qz;  // unit
-    Real omega1, omega2, omega3;
-};
-
-// Turns the body axes half a turn about e1, which makes e3 point the other way: q ← q i.
-Start reversed(const Start& s) {
-    return {s.A, s.C, -s.mgl, -s.qx, s.qw, s.qz, -s.qy, s.omega1, -s.omega2, -s.omega3};
-}
-
-// The larger of the two expressions of a difference, by what cancellation has left of each.
-Real less_cancelled(const Real& p, const Real& q, const Real& r, const Real& s) {
-    const Real one = p - q;
-    const Real other = r - s;
-    return abs(one) * (abs(r) + abs(s)) >= abs(other) * (abs(p) + abs(q)) ? one : other;
-}
-
-// Everything about the cubic P.
-struct Cubic {
-    Real x0, y0, x_dot;  // the start, and twice P' there is x''
-    Real beta, a, d, e, gamma;
-    Real p0, p1, p2;  // P(x0 + w) = p0 + p1 w + p2 w² − β w³
-    Real x1, x2, y1, y2;
-    Real above, below;  // x1 − x0, x0 − x2
-    Real delta;         // x1 − x2
-    Real G, X;          // −β x3, β x2
-    bool steady = false;
-    bool unstable = false;  // steady at a maximum of the effective potential
-};
-
-// The root of P above x0, as a distance: Newton's method from a bound beyond it, which a polynomial
-// with real roots only makes monotone.
-Real distance_to_upper_root(const Cubic& c) {
-    if (c.p0 == 0) {
-        if (c.p1 <= 0) return 0;
-        const Real root = sqrt(square(c.p2) + 4 * c.beta * c.p1);
-        return c.p2 <= 0 ? Real(2 * c.p1 / (root - c.p2)) : Real((c.p2 + root) / (2 * c.beta));
-    }
-    Real w = c.y0;
-    if (c.p2 < 0) {
-        const Real root = sqrt(square(c.p1) - 4 * c.p2 * c.p0);
-        const Real bound =
-            c.p1 >= 0 ? Real((c.p1 + root) / (-2 * c.p2)) : Real(2 * c.p0 / (root - c.p1));
-        if (bound < w) w = bound;
-    }
-    constexpr int max_steps = 500;
-    for (int step = 0; step < max_steps; ++step) {
-        const Real value = c.p0 + w * (c.p1 + w * (c.p2 - w * c.beta));
-        const Real slope = c.p1 + w * (2 * c.p2 - 3 * w * c.beta);
-        if (slope >= 0) break;
-        const Real correction = value / slope;
-        w -= correction;
-        if (!(abs(correction) > 4 * epsilon * w)) break;
-    }
-    return w;
-}
-
-Cubic solve_cubic(const Start& s) {
-    Cubic c;
-    c.beta = 2 * s.mgl / s.A;
-    c.a = s.C * s.omega3 / s.A;
-    c.x0 = 2 * (square(s.qx) + square(s.qy));
-    c.y0 = 2 * (square(s.qw) + square(s.qz));
-    const Real vertical1 = 2 * (s.qx * s.qz - s.qw * s.qy);  // the vertical in body axes
-    const Real vertical2 = 2 * (s.qy * s.qz + s.qw * s.qx);
-    const Real along = s.omega1 * vertical1 + s.omega2 * vertical2;  // φ' sin²θ
-    const Real transverse = square(s.omega1) + square(s.omega2);
-    c.x_dot = vertical2 * s.omega1 - vertical1 * s.omega2;
-    c.d = along - c.a * c.x0;
-    c.e = along + c.a * c.y0;
-    c.gamma = transverse - c.beta * c.x0;
-    c.p0 = square(c.x_dot);
-    c.p1 = (c.y0 - c.x0) * transverse + c.x0 * c.y0 * c.beta - 2 * c.a * along;
-    c.p2 = (c.y0 - c.x0) * c.beta - transverse - square(c.a);
-    c.x1 = c.x2 = c.x0;
-    c.y1 = c.y2 = c.y0;
-    if (c.p0 == 0 && c.p1 == 0) {
-        c.steady = true;
-        c.unstable = c.p2 > 0;
-        return c;
-    }
-
-    // P divided by x1 − x0 − w leaves β w² + c1 w + c0, whose root nearer to zero is x2.
-    c.above = distance_to_upper_root(c);
-    const Real c0 = c.above == 0 ? Real(-c.p1) : Real(c.p0 / c.above);
-    const Real c1 = c.above == 0
-                        ? Real(-c.p2)
-                        : less_cancelled(c.beta * c.above, c.p2, c.p1 / c.above, -c0 / c.above);
-    Real discriminant = square(c1) - 4 * c.beta * c0;
-    if (discriminant < 0) discriminant = 0;
-    c.below = c0 == 0 ? Real(0) : Real(2 * c0 / (c1 + sqrt(discriminant)));
-    c.delta = c.above + c.below;
-    c.x1 = c.x0 + c.above;
-    c.y2 = c.y0 + c.below;
-
-    // Viète: β x2 and G have the product β d²/x1 and a known difference; both are sums of
-    // positives.
-    const Real M = square(c.d) / c.x1;
-    const Real h = (2 * (c.gamma - c.a * c.d) - M) / c.x1;
-    const Real larger = (abs(h) + sqrt(square(h) + 4 * c.beta * M)) / 2;
-    const Real smaller = larger == 0 ? Real(0) : Real(c.beta * M / larger);
-    c.G = h >= 0 ? larger : smaller;
-    c.X = h >= 0 ? smaller : larger;
-    c.x2 = h < 0 ? Real(c.X / c.beta) : (c.G == 0 ? Real(0) : Real(M / c.G));
-    c.y1 = square(c.e) / (c.y2 * (2 * c.beta + c.G));
-    return c;
 }
 
 Real agm(Real a, Real b) {
@@ -267,10 +152,10 @@ struct TopSetup {
 
     explicit TopSetup(HeavyTop& filled) : top(filled) {}
 
-    void solve(const Start& given) {
+    void solve(const TopAtStart& given) {
         TopSeries& series = top.series_;
         series.reversed = given.mgl < 0;
-        const Start start = series.reversed ? reversed(given) : given;
+        const TopAtStart start = series.reversed ? reversed(given) : given;
         cubic = solve_cubic(start);
         half_spin = (start.omega3 - cubic.a) / 2;
         if (cubic.steady) {
@@ -371,7 +256,7 @@ struct TopSetup {
         return to_double(2 * atan2(sqrt(x), sqrt(y)));
     }
 
-    void fill_public(const Start& given) {
+    void fill_public(const TopAtStart& given) {
         const bool back = top.series_.reversed;
         top.moment_transverse_ = to_double(given.A);
         top.moment_axial_ = to_double(given.C);
@@ -457,6 +342,22 @@ void require_moment(double value, const char* what) {
     }
 }
 
+TopAtStart start_from_angles(double A, double C, double mgl, const TopStart& given) {
+    const Real half = Real(given.theta_rad) / 2;
+    const Real cosine = cos(half);
+    const Real sine = sin(half);
+    return {A,
+            C,
+            mgl,
+            cosine,
+            sine,
+            0,
+            0,
+            given.theta_dot_rad_s,
+            2 * sine * cosine * given.phi_dot_rad_s,
+            given.omega3_rad_s};
+}
+
 // The axis that the arm lies along, with its sense, if the body is symmetric about it.
 struct Symmetry {
     bool found = false;
@@ -508,24 +409,13 @@ HeavyTop::HeavyTop(const HeavyTopProblem& problem) {
     require_finite(problem.theta_dot_rad_s, "theta_dot_rad_s");
     require_finite(problem.phi_dot_rad_s, "phi_dot_rad_s");
     require_finite(problem.omega3_rad_s, "omega3_rad_s");
-    const Real half = Real(problem.theta_rad) / 2;
-    const Real cosine = cos(half);
-    const Real sine = sin(half);
-    const Start start{problem.moment_transverse_kg_m2,
-                      problem.moment_axial_kg_m2,
-                      problem.mgl_N_m,
-                      cosine,
-                      sine,
-                      0,
-                      0,
-                      problem.theta_dot_rad_s,
-                      2 * sine * cosine * problem.phi_dot_rad_s,
-                      problem.omega3_rad_s};
-    TopSetup(*this).solve(start);
+    TopSetup(*this).solve(start_from_angles(
+        problem.moment_transverse_kg_m2, problem.moment_axial_kg_m2, problem.mgl_N_m,
+        {problem.theta_rad, problem.theta_dot_rad_s, problem.phi_dot_rad_s, problem.omega3_rad_s}));
 }
 
 HeavyTop::HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity,
-                   const RotationState& start) {
+                   const RotationState& start, const std::optional<TopStart>& unrounded) {
     const Symmetry symmetry = symmetry_of(inertia, gravity.arm_body);
     if (!symmetry.found) {
         throw InputError(
@@ -544,22 +434,21 @@ HeavyTop::HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity,
     }
     require_finite(gravity.mgl_N_m, "mgl_N_m");
     start_time_s_ = start.time_s;
+    const double transverse = inertia.moments_kg_m2()[(symmetry.axis + 1) % 3];
+    const double axial = inertia.moments_kg_m2()[symmetry.axis];
+    const double mgl = symmetry.sense * gravity.mgl_N_m;
+    const bool about_e3 = inertia.body_axes_are_principal() && symmetry.axis == 2 &&
+                          symmetry.principal_from_top.w() == 1.0;
+    if (unrounded && about_e3) {
+        TopSetup(*this).solve(start_from_angles(transverse, axial, mgl, *unrounded));
+        return;
+    }
     const Eigen::Quaterniond q = start.space_from_body * body_from_top_;
     const Eigen::Vector3d omega = body_from_top_.conjugate() * start.omega_body;
     const Real norm =
         sqrt(square(Real(q.w())) + square(Real(q.x())) + square(Real(q.y())) + square(Real(q.z())));
-    const Eigen::Vector3d& moments = inertia.moments_kg_m2();
-    const Start exact{moments[(symmetry.axis + 1) % 3],
-                      moments[symmetry.axis],
-                      symmetry.sense * gravity.mgl_N_m,
-                      q.w() / norm,
-                      q.x() / norm,
-                      q.y() / norm,
-                      q.z() / norm,
-                      omega[0],
-                      omega[1],
-                      omega[2]};
-    TopSetup(*this).solve(exact);
+    TopSetup(*this).solve({transverse, axial, mgl, q.w() / norm, q.x() / norm, q.y() / norm,
+                           q.z() / norm, omega[0], omega[1], omega[2]});
 }
 
 bool HeavyTop::accepts(const InertiaTensor& inertia, const GravityTorque& gravity) {

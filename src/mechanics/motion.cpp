@@ -13,7 +13,7 @@ Solution solve(const MotionProblem& problem) {
     if (method.make != nullptr) return IntegratedRotation(problem);
     const auto* gravity = std::get_if<GravityTorque>(&problem.torque);
     if (gravity != nullptr && HeavyTop::accepts(problem.inertia, *gravity)) {
-        return HeavyTop(problem.inertia, *gravity, problem.start);
+        return HeavyTop(problem.inertia, *gravity, problem.start, problem.top_start);
     }
     return FreeRotation(problem.inertia, problem.start);
 }

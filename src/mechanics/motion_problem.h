@@ -38,10 +38,17 @@ struct MethodChoice {
     std::optional<int> order;
 };
 
+// A top's start in z-x-z Euler angles, φ = ψ = 0, e3 being the symmetry axis.
+struct TopStart {
+    double theta_rad = 0.0, theta_dot_rad_s = 0.0, phi_dot_rad_s = 0.0, omega3_rad_s = 0.0;
+};
+
 // Everything that determines a motion.
 struct MotionProblem {
     InertiaTensor inertia = InertiaTensor::from_principal_moments({1.0, 1.0, 1.0});
     RotationState start;  // at time_s = 0
+    std::optional<TopStart>
+        top_start;  // what start was rounded from, if so; the exact heavy top begins from it
     Torque torque;
     MethodChoice method;
     double first_time_s =

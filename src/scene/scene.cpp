@@ -32,6 +32,7 @@ MotionProblem problem_of(const Scene& scene) {
     MotionProblem problem;
     problem.inertia = scene.body.inertia;
     problem.start = {0.0, scene.start.space_from_body, scene.start.omega_rad_s};
+    problem.top_start = scene.start.top;
     problem.torque = scene.torque;
     problem.method = scene.method;
 

@@ -42,9 +42,6 @@ struct BodySpec {
 };
 
 // [start]: ω and attitude at t = 0, or the top's Euler angles and rates.
-struct TopStart {
-    double theta_rad = 0.0, theta_dot_rad_s = 0.0, phi_dot_rad_s = 0.0, omega3_rad_s = 0.0;
-};
 struct StartSpec {
     Eigen::Vector3d omega_rad_s = Eigen::Vector3d::Zero();  // body axes
     Eigen::Quaterniond space_from_body = Eigen::Quaterniond::Identity();

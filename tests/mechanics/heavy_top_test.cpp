@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "error/error.h"
+#include "mechanics/motion.h"
 #include "mechanics/reference_cases.h"
 
 namespace poinsot {
@@ -527,6 +528,30 @@ TEST(HeavyTop, FollowsThePendulumsSeparatrix) {
         EXPECT_NEAR(top.euler_angles(t).theta_rad / theta, 1.0, 1e-15 + 3e-16 * std::abs(t)) << t;
     }
     EXPECT_EQ(top.euler_angles(1e6).theta_rad, 0.0);
+}
+
+TEST(HeavyTop, BeginsFromUnroundedAnglesWhereTheyAreGiven) {
+    // Near the separatrix one ulp of the start moves the next swing by far more than 1e-13.
+    const TopStart given{.theta_rad = 2.0, .theta_dot_rad_s = -2.0 * std::sin(1.0) + 1e-9};
+    const HeavyTopProblem angles{.moment_axial_kg_m2 = 0.5,
+                                 .mgl_N_m = 1.0,
+                                 .theta_rad = given.theta_rad,
+                                 .theta_dot_rad_s = given.theta_dot_rad_s};
+    MotionProblem problem;
+    problem.inertia = InertiaTensor::from_principal_moments({1.0, 1.0, 0.5});
+    problem.torque = GravityTorque{.mgl_N_m = 1.0};
+    problem.start = start_of(angles);
+    problem.top_start = given;
+    const HeavyTop exact(angles);
+    const Motion motion(problem);
+    EXPECT_EQ(motion.at(60.0).omega_body, exact.at(60.0).omega_body);
+    TaylorTop<Quad> oracle(angles);
+    oracle.advance(60.0);
+    const Difference d = difference(motion.at(60.0), oracle.quaternion(), oracle.omega());
+    EXPECT_LE(d.attitude, 2e-15);
+    EXPECT_LE(d.omega, 2e-15);
+    problem.top_start.reset();
+    EXPECT_GT((Motion(problem).at(60.0).omega_body - exact.at(60.0).omega_body).norm(), 1e-12);
 }
 
 TEST(HeavyTop, PassesThroughTheVerticalWithAContinuousQuaternion) {
