@@ -113,9 +113,32 @@ SourceLocation location_of_byte(std::string_view text, std::size_t byte, SourceL
     return where;
 }
 
-void refuse_depth(std::string_view text, const SourceLocation& start) {
+// Outside of strings and comments TOML is ASCII; some other characters run toml++'s classification
+// of them into undefined behaviour.
+void refuse_unquoted(std::string_view text, std::size_t at, const SourceLocation& start) {
+    if (static_cast<unsigned char>(text[at]) < 0x80) return;
+    const Utf8Character character = first_character(text.substr(at));
+    throw SceneError(location_of_byte(text, at, start),
+                     fmt::format("\"{}\" stands outside of quotes; put text in quotes",
+                                 echo(text.substr(at, character.size))));
+}
+
+}  // namespace
+
+void refuse_hostile_bytes(std::string_view text, const SourceLocation& start) {
+    if (text.size() > most_bytes) {
+        throw SceneError({start.file, 0, 0},
+                         "larger than 1 MiB; a scene is a short text file, name that one");
+    }
+    refuse_bytes(text, start);
+}
+
+void refuse_hostile_structure(std::string_view text, const SourceLocation& start) {
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     StructureScanner scanner(text);
-    for (std::size_t at = 0; at < text.size();) {
+    for (std::size_t at = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+         at < text.size();) {
+        refuse_unquoted(text, at, start);
         const std::size_t consumed = scanner.step(at);
         if (scanner.depth() > most_brackets) {
             throw SceneError(location_of_byte(text, at, start),
@@ -131,17 +154,6 @@ void refuse_depth(std::string_view text, const SourceLocation& start) {
         }
         at += consumed;
     }
-}
-
-}  // namespace
-
-void refuse_hostile_text(std::string_view text, const SourceLocation& start) {
-    if (text.size() > most_bytes) {
-        throw SceneError({start.file, 0, 0},
-                         "larger than 1 MiB; a scene is a short text file, name that one");
-    }
-    refuse_bytes(text, start);
-    refuse_depth(text, start);
 }
 
 }  // namespace poinsot

@@ -83,7 +83,8 @@ std::string_view name_of(TomlValue::Type type) {
 }
 
 TomlValue parse_toml(std::string_view text, const std::string& file_name) {
-    refuse_hostile_text(text, {file_name, 1, 1});
+    refuse_hostile_bytes(text, {file_name, 1, 1});
+    refuse_hostile_structure(text, {file_name, 1, 1});
     try {
         return plain(toml::parse(text), file_name);
     } catch (const toml::parse_error& error) {
@@ -97,10 +98,13 @@ TomlValue parse_toml(std::string_view text, const std::string& file_name) {
 
 TomlValue parse_override_value(std::string_view text, const SourceLocation& where) {
     const std::string assignment = fmt::format("value = {}", text);
-    refuse_hostile_text(assignment, {where.file, 0, 0});
+    refuse_hostile_bytes(assignment, {where.file, 0, 0});
     try {
+        refuse_hostile_structure(assignment, {where.file, 0, 0});
         TomlValue root = plain(toml::parse(assignment), where.file);
         if (root.entries.size() == 1) return std::move(root.entries[0].value);
+    } catch (const SceneError&) {
+        // Text, such as title=ωt.
     } catch (const toml::parse_error&) {
         // A bare word, such as draft or 1920x1080, or a number that TOML writes differently: .5
     }

@@ -43,8 +43,9 @@ TomlValue parse_toml(std::string_view text, const std::string& file_name);
 // the text itself as a string.
 TomlValue parse_override_value(std::string_view text, const SourceLocation& where);
 
-// The checks of parse_toml that come before parsing. `start` is where the text begins; line 0: it
-// is not from a file. Throws SceneError.
-void refuse_hostile_text(std::string_view text, const SourceLocation& start);
+// The checks of parse_toml that come before parsing: first of the bytes, then of how deeply things
+// are nested. `start` is where the text begins; line 0: it is not from a file. Throw SceneError.
+void refuse_hostile_bytes(std::string_view text, const SourceLocation& start);
+void refuse_hostile_structure(std::string_view text, const SourceLocation& start);
 
 }  // namespace poinsot

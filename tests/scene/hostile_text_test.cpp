@@ -93,6 +93,18 @@ TEST(HostileText, BracketsAndDotsInStringsAndCommentsAreText) {
               0u);
 }
 
+TEST(HostileText, LettersOutsideOfQuotesAreRefusedBeforeParsing) {
+    // toml++ 3.3 runs into undefined behaviour over some of them.
+    EXPECT_EQ(refusal("[moments1.\u00b2 "),
+              "scenes/a.toml:1:11: \"\u00b2\" stands outside of quotes; put text in quotes");
+    EXPECT_EQ(refusal("[film]\n\u00a0fps = 30\n"),
+              "scenes/a.toml:2:1: \"\u00a0\" stands outside of quotes; put text in quotes");
+    EXPECT_EQ(refusal("ω = 3\n"),
+              "scenes/a.toml:1:1: \"ω\" stands outside of quotes; put text in quotes");
+    EXPECT_EQ(scene_of("\xef\xbb\xbf" + a_scene).body.inertia.moments_kg_m2()[0], 3.0);
+    EXPECT_EQ(scene_of(a_scene, {"title=ω of t"}).title, "ω of t");
+}
+
 TEST(HostileText, LongListsOfNumbersAreNotDeepKeys) {
     const Scene scene = scene_of(a_start, {"body.masses=[{mass_kg=1.5,at_m=[0.5,0.5,0.5]},"
                                            "{mass_kg=1.5,at_m=[0.5,1.5,0.5]},"
