@@ -1,21 +1,22 @@
 // A straight arrow: a round shaft and a conical head, ray-cast for light and depth, its edges from
 // the outline in the picture (the hull of two ellipses).
-#include "view.glsl"
+#include "constants.glsl"
 #include "coverage.glsl"
+#include "view.glsl"
 #include "quadric.glsl"
+#define SOLIDS 17
 #include "occlusion.glsl"
-uniform vec4 outline[2];  // shaft, head: px of both ends
-uniform vec4 shape[2];    // shaft, head: radius px at both ends; how open the ends' ellipses are; 0
-uniform vec3 axis;        // unit
-uniform vec4 body[2];     // shaft, head: where it begins along the axis, length, both radii (units)
-uniform vec4 base;        // point of the line of sight of `anchor` at `base.w`, from the tail
-uniform vec2 anchor;
-uniform vec4 colour;      // linear; w: opacity
-uniform vec3 style;       // hidden opacity; layer drawn: 0 hidden, 1 visible; occluded?
+//   0…4: the view   5: towards the key light; its strength   6: the sky likewise
+//   7, 8: shaft and head in the picture: px of both ends
+//   9, 10: their radii px at both ends; how open the ends' ellipses are
+//   11: axis, unit; hidden opacity
+//   12, 13: shaft and head along the axis: where they begin, length, both radii (units)
+//   14: the point of the anchor's line of sight at the depth w, from the tail
+//   15: anchor px; layer drawn (0 hidden, 1 visible)   16: colour, linear; opacity
 out vec4 fragment;
 
 // Coverage by the hull of two similar ellipses with middles a and b.
-float hull_coverage(vec2 p, vec4 ends, vec4 size) {
+float hull_coverage(vec2 p, vec4 ends, vec3 size) {
     vec2 run = ends.zw - ends.xy;
     float run_px = max(length(run), 1e-4);
     vec2 e = run / run_px;
@@ -55,7 +56,7 @@ float hull_coverage(vec2 p, vec4 ends, vec4 size) {
 }
 
 // Outer surface of a frustum where the line o + t d meets it first; xyz: normal, w: t.
-vec4 frustum(vec3 o, vec3 d, vec4 part) {
+vec4 frustum(vec3 o, vec3 d, vec3 axis, vec4 part) {
     float slope = (part.w - part.z) / part.y;
     float along_o = dot(o, axis) - part.x;
     float along_d = dot(d, axis);
@@ -83,42 +84,41 @@ vec4 frustum(vec3 o, vec3 d, vec4 part) {
 }
 
 vec3 shaded(vec3 n, vec3 to_eye) {
-    float key = max((dot(n, light.xyz) + 0.3) / 1.3, 0.0);
-    float up = 0.5 + 0.5 * dot(n, sky.xyz);
-    float lit = light.w * key + sky.w * mix(0.5, 1.0, up) + 0.10;
-    float glint = max(dot(n, normalize(light.xyz + to_eye)), 0.0);
+    float key = max(0.77 * dot(n, constant(5).xyz) + 0.23, 0.0);
+    float up = 0.5 + 0.5 * dot(n, constant(6).xyz);
+    float lit = constant(5).w * key + constant(6).w * (0.5 + 0.5 * up) + 0.10;
+    vec3 halfway = constant(5).xyz + to_eye;
+    float glint = max(dot(n, halfway) * inversesqrt(max(dot(halfway, halfway), 1e-12)), 0.0);
     float g2 = glint * glint, g4 = g2 * g2, g8 = g4 * g4;
-    return colour.rgb * lit + 0.10 * light.w * g8 * g8 * g8;
+    return constant(16).rgb * lit + 0.10 * constant(5).w * g8 * g8 * g8;
 }
 
 void main() {
     vec2 pixel = gl_FragCoord.xy;
-    float in_shaft = hull_coverage(pixel, outline[0], shape[0]);
-    float in_head = hull_coverage(pixel, outline[1], shape[1]);
+    float in_shaft = hull_coverage(pixel, constant(7), constant(9).xyz);
+    float in_head = hull_coverage(pixel, constant(8), constant(10).xyz);
     float covered = max(in_shaft, in_head);
-    if (covered <= 0.0) discard;
 
     // The line of sight, from a point beside the arrow.
-    vec3 d = ray_direction(pixel);
-    vec2 off = (pixel - anchor) * pixel_length(base.w);
-    vec3 o = base.xyz + off.x * right.xyz + off.y * down.xyz;
-    vec4 shaft = frustum(o, d, body[0]);
-    vec4 head = frustum(o, d, body[1]);
-    vec3 to_eye = -normalize(d);
+    vec4 view[5] = vec4[5](constant(0), constant(1), constant(2), constant(3), constant(4));
+    vec3 d = ray_direction(view, pixel);
+    vec2 off = (pixel - constant(15).xy) * pixel_length(view, constant(14).w);
+    vec3 o = constant(14).xyz + off.x * view[2].xyz + off.y * view[3].xyz;
+    vec3 axis = constant(11).xyz;
+    vec4 shaft = frustum(o, d, axis, constant(12));
+    vec4 head = frustum(o, d, axis, constant(13));
     // The nearer part lies on top: the shaft when the arrow points away.
     bool away = dot(axis, d) > 0.0;
     float on_top = away ? in_shaft : in_head;
-    vec3 top = shaded(away ? shaft.xyz : head.xyz, to_eye);
-    vec3 under = shaded(away ? head.xyz : shaft.xyz, to_eye);
-    float beneath = max(covered - on_top, 0.0);
-    vec3 shade = (top * on_top + under * beneath) / covered;
-    float t = on_top > 0.5 * covered ? (away ? shaft.w : head.w) : (away ? head.w : shaft.w);
-    float depth = base.w + t;
+    vec4 top = away ? shaft : head;
+    vec4 under = away ? head : shaft;
+    bool shows_top = on_top > 0.5 * covered;
+    vec3 shade = shaded(shows_top ? top.xyz : under.xyz, -normalize(d));
+    float depth = constant(14).w + (shows_top ? top.w : under.w);
 
-    float weight = style.y;
-    if (style.z > 0.5) {
-        vec2 seen = visibility(pixel, point_at(pixel, depth), depth, -1, -1);
-        weight = style.y > 0.5 ? seen.x : (1.0 - seen.x) * max(style.x, 1.0 - seen.y);
-    }
-    fragment = vec4(shade, 1.0) * (covered * colour.a * weight);
+    float weight = constant(15).z;
+#if N_QUADRICS + N_FLATS > 0
+    weight = layer_weight(constant(15).z, visibility(view, pixel, depth, -1.0, -1.0), constant(11).w);
+#endif
+    fragment = vec4(shade, 1.0) * (covered * constant(16).a * weight);
 }

@@ -1,5 +1,4 @@
-in vec3 colour;
-uniform float alpha;
+in vec4 colour;  // premultiplied
 out vec4 fragment;
 
-void main() { fragment = vec4(colour * alpha, alpha); }
+void main() { fragment = colour; }

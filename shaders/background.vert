@@ -1,8 +1,8 @@
 // Bands of a vertical gradient; colours are exact at the edges of the bands.
-#include "view.glsl"
+#include "clip.glsl"
 uniform vec4 box;  // left, top, right, bottom, px
-uniform vec3 bands[33];
-out vec3 colour;
+uniform vec4 bands[33];
+out vec4 colour;
 
 void main() {
     int band = gl_VertexID >> 1;

@@ -1,21 +1,21 @@
 // A stroke of constant width with round joins. Where neighbouring segments overlap, the pixel
 // belongs to the nearest, so that a translucent curve has even opacity.
-#include "view.glsl"
+#include "constants.glsl"
 #include "coverage.glsl"
+#include "view.glsl"
 #include "quadric.glsl"
+#define SOLIDS 8
 #include "occlusion.glsl"
-uniform vec4 colour;  // linear; w: opacity
-uniform vec4 style;   // width px, hidden opacity, hidden style (0 dimmed, 1 dashed, 2 absent), occluded?
-uniform vec4 dashes;  // half period of the visible and of the hidden dashes, in lengths of the curve (0: solid);
-                      // lengths a pixel; 0
-uniform vec2 fade;    // where the curve is transparent and where opaque, in points
-uniform int on_quadric;
-uniform int on_flat;
+//   0…4: the view   5: colour, linear; opacity
+//   6: width px, opacity where hidden (below 0: absent), number of the ellipsoid and of the plane it
+//      lies on (-1: none)
+//   7: half period of the dashes where visible and where hidden, in lengths of the curve (0: solid);
+//      for the ellipsoid it lies on, the step of facing at the limb and the opacity
+//   then the solids, and after them, where it fades: transparent and opaque point
 flat in vec4 ends;
 flat in vec4 neighbours;
-flat in vec4 depths;
 flat in vec4 along;
-flat in vec2 facing;
+flat in vec4 depths;
 out vec4 fragment;
 
 // x: distance from a segment; y: how far along it the nearest point lies, 0…1.
@@ -38,7 +38,7 @@ float dashed(float length_along, float half_period, float per_px) {
 void main() {
     vec2 pixel = gl_FragCoord.xy;
     vec2 own = from_segment(pixel, ends.xy, ends.zw);
-    float reach = 0.5 * style.x;
+    float reach = 0.5 * constant(6).x;
     if (own.x > reach + 0.75) discard;
     if (from_segment(pixel, neighbours.xy, ends.xy).x <= own.x && neighbours.xy != ends.xy) discard;
     if (from_segment(pixel, ends.zw, neighbours.zw).x < own.x && neighbours.zw != ends.zw) discard;
@@ -50,28 +50,28 @@ void main() {
 
     // Perspective-correct place along the segment.
     float t = own.y;
-    if (lens.w > 0.5) t = t * depths.y / max(mix(depths.z, depths.y, t), 1e-12);
-    float depth = mix(depths.y, depths.z, t);
-    float number = mix(along.x, along.y, t);
+    if (constant(0).w > 0.5) t = t * depths.x / max(mix(depths.y, depths.x, t), 1e-12);
+    float depth = mix(depths.x, depths.y, t);
     float length_along = mix(along.z, along.w, t);
     float run_px = max(length(ends.zw - ends.xy), 1e-3);
 
     vec2 seen = vec2(1.0, 0.0);
-    if (style.w > 0.5) {
-        seen = visibility(pixel, point_at(pixel, depth), depth, on_quadric, on_flat);
-        if (on_quadric >= 0) {
-            float change = max(abs(facing.y - facing.x) / run_px, quadrics[on_quadric].mx.w);
-            float front = clamp(0.5 + mix(facing.x, facing.y, t) / change, 0.0, 1.0);
-            seen.y = 1.0 - (1.0 - seen.y) * (1.0 - (1.0 - front) * quadrics[on_quadric].dy.w);
-            seen.x *= front;
-        }
+#if N_QUADRICS + N_FLATS > 0
+    vec4 view[5] = vec4[5](constant(0), constant(1), constant(2), constant(3), constant(4));
+    seen = visibility(view, pixel, depth, constant(6).z, constant(6).w);
+    if (constant(6).z >= 0.0) {
+        float change = max(abs(depths.w - depths.z) / run_px, constant(7).z);
+        float front = clamp(0.5 + mix(depths.z, depths.w, t) / change, 0.0, 1.0);
+        seen.y = 1.0 - (1.0 - seen.y) * (1.0 - (1.0 - front) * constant(7).w);
+        seen.x *= front;
     }
+#endif
     float per_px = abs(along.w - along.z) / run_px;
-    float visible = dashes.x > 0.0 ? dashed(length_along, dashes.x, per_px) : 1.0;
-    float hidden = max(style.y, 1.0 - seen.y);
-    if (style.z > 1.5) hidden = 0.0;
-    else if (dashes.y > 0.0) hidden *= dashed(length_along, dashes.y, per_px);
-    float alpha = colour.a * covered * mix(hidden * (style.z < 1.5 ? visible : 1.0), visible, seen.x);
-    if (fade.y > fade.x) alpha *= clamp((number - fade.x) / (fade.y - fade.x), 0.0, 1.0);
-    fragment = vec4(colour.rgb, 1.0) * alpha;
+    float visible = constant(7).x > 0.0 ? dashed(length_along, constant(7).x, per_px) : 1.0;
+    float hidden = constant(6).y < 0.0 ? 0.0 : visible * max(constant(6).y, 1.0 - seen.y);
+    if (constant(7).y > 0.0) hidden *= dashed(length_along, constant(7).y, per_px);
+    float alpha = constant(5).a * covered * mix(hidden, visible, seen.x);
+    vec2 fade = constant(FADE).xy;
+    if (fade.y > fade.x) alpha *= clamp((mix(along.x, along.y, t) - fade.x) / (fade.y - fade.x), 0.0, 1.0);
+    fragment = vec4(constant(5).rgb, 1.0) * alpha;
 }

@@ -1,25 +1,27 @@
 // A round dot with a rim.
-#include "view.glsl"
+#include "constants.glsl"
 #include "coverage.glsl"
+#include "view.glsl"
 #include "quadric.glsl"
+#define SOLIDS 9
 #include "occlusion.glsl"
-uniform vec4 at;      // middle px, depth, radius px
-uniform vec4 colour;  // linear; w: opacity
-uniform vec4 rim;     // linear; w: width px
-uniform vec3 style;   // as in arrow.frag
+//   0…4: the view   5: middle px, depth, radius px   6: colour, linear; opacity
+//   7: colour of the rim, linear; width px   8: hidden opacity, layer drawn (0 hidden, 1 visible)
 out vec4 fragment;
 
 void main() {
-    vec2 from_middle = gl_FragCoord.xy - at.xy;
+    vec2 from_middle = gl_FragCoord.xy - constant(5).xy;
     float r = length(from_middle);
     vec2 n = r > 1e-4 ? from_middle / r : vec2(1.0, 0.0);
-    float covered = edge_coverage(clamp(at.w - r, -2.0, 2.0), n);
-    float inner = rim.w > 0.0 ? edge_coverage(clamp(at.w - rim.w - r, -2.0, 2.0), n) : covered;
-    float weight = style.y;
-    if (style.z > 0.5) {
-        vec2 seen = visibility(gl_FragCoord.xy, point_at(gl_FragCoord.xy, at.z), at.z, -1, -1);
-        weight = style.y > 0.5 ? seen.x : (1.0 - seen.x) * max(style.x, 1.0 - seen.y);
-    }
-    vec3 premultiplied = colour.rgb * inner + rim.rgb * max(covered - inner, 0.0);
-    fragment = vec4(premultiplied, covered) * (colour.a * weight);
+    float radius = constant(5).w;
+    float covered = edge_coverage(clamp(radius - r, -2.0, 2.0), n);
+    float inner = edge_coverage(clamp(radius - constant(7).w - r, -2.0, 2.0), n);
+    float weight = constant(8).y;
+#if N_QUADRICS + N_FLATS > 0
+    vec4 view[5] = vec4[5](constant(0), constant(1), constant(2), constant(3), constant(4));
+    vec2 seen = visibility(view, gl_FragCoord.xy, constant(5).z, -1.0, -1.0);
+    weight = layer_weight(constant(8).y, seen, constant(8).x);
+#endif
+    vec3 premultiplied = constant(6).rgb * inner + constant(7).rgb * max(covered - inner, 0.0);
+    fragment = vec4(premultiplied, covered) * (constant(6).a * weight);
 }

@@ -1,12 +1,18 @@
 // Translucent ellipsoids, ray-cast. MEMBERS of them may cross each other: every surface met by the
 // line of sight is weighted by what lies before it.
-#include "view.glsl"
+#include "constants.glsl"
 #include "coverage.glsl"
 #include "quadric.glsl"
-uniform int members[MEMBERS];
-uniform vec4 colours[MEMBERS];       // linear
-uniform vec4 line_colours[MEMBERS];  // linear; w: width of the principal sections, px
-uniform vec4 rulings[MEMBERS];       // width px, opacity, meridians, parallels
+//   0: towards the key light; its strength   1: towards the middle of the sky; its strength
+//   2: least depth that is drawn, 1 if perspective, 1/focal length in px
+// then for each member, after the seven of quadric.glsl:
+//   7, 8: change of u with the pixel x, y at unit depth (orthographic: as is); w: ruling width px,
+//         opacity of the rulings
+//   9, 10, 11: rows of the map from view axes to the sphere's; w: meridians, parallels
+//   12: colour, linear   13: colour of the lines, linear; width px of the principal sections
+const int first_member = 3;
+const int member_size = 14;
+noperspective in vec3 sight;
 out vec4 fragment;
 
 const float pi = 3.14159265358979;
@@ -19,119 +25,131 @@ struct Layer {
     vec2 depth_change;  // with the pixel
 };
 
-float sixteenth_power(float x) {
-    float x2 = x * x;
-    float x4 = x2 * x2;
-    float x8 = x4 * x4;
-    return x8 * x8;
+// Polynomials after Abramowitz & Stegun 4.4.45 and 4.4.47, within 1e-4 rad: a fiftieth of a pixel.
+float arcsine(float x) {
+    float y = abs(x);
+    float p = ((-0.0187293 * y + 0.0742610) * y - 0.2121144) * y + 1.5707288;
+    float angle = 0.5 * pi - sqrt(max(1.0 - y, 0.0)) * p;
+    return x < 0.0 ? -angle : angle;
+}
+float angle_of(vec2 v) {
+    vec2 a = abs(v);
+    float t = min(a.x, a.y) / max(max(a.x, a.y), 1e-20);
+    float s = t * t;
+    float p = ((((0.0208351 * s - 0.0851330) * s + 0.1801410) * s - 0.3302995) * s + 0.9998660) * t;
+    p = a.y > a.x ? 0.5 * pi - p : p;
+    p = v.x < 0.0 ? pi - p : p;
+    return v.y < 0.0 ? -p : p;
 }
 
-// Coverage by lines where s is an integer; change: of s over a pixel. Crowded lines fade.
-float ruled(float s, float change, float width_px) {
-    float spacing_px = 1.0 / max(change, 1e-9);
+// Coverage by lines where s is an integer; square: of the change of s over a pixel. Crowded lines
+// fade.
+float ruled(float s, float square, float width_px) {
+    float spacing_px = inversesqrt(max(square, 1e-12));
     float distance_px = abs(s - floor(s + 0.5)) * spacing_px;
-    return line_coverage(distance_px, width_px) * smoothstep(4.0, 14.0, spacing_px);
+    return line_coverage(distance_px, width_px) * clamp(0.1 * spacing_px - 0.4, 0.0, 1.0);
 }
 
-// Body-fixed lines through the point u of the sphere, which changes by ux, uy with the pixel.
-float body_lines(int k, vec3 u, vec3 ux, vec3 uy) {
-    vec3 change = sqrt(ux * ux + uy * uy) + 1e-12;
-    vec3 distance_px = abs(u) / change;
-    float width = line_colours[k].w;
-    vec3 sections = clamp(0.5 * width + 0.5 - distance_px, 0.0, min(1.0, width));
-    float covered = max(max(sections.x, sections.y), sections.z);
+// The three principal sections at the point u, which changes by ux, uy with the pixel.
+float sections(vec3 u, vec3 square, float width_px) {
+    vec3 distance_px = abs(u) * inversesqrt(max(square, 1e-12));
+    return line_coverage(min(min(distance_px.x, distance_px.y), distance_px.z), width_px);
+}
 
-    if (rulings[k].y > 0.0) {
-        float rim_square = max(u.x * u.x + u.y * u.y, 1e-9);
-        float rim = sqrt(rim_square);
-        vec2 longitude_change = (u.x * vec2(ux.y, uy.y) - u.y * vec2(ux.x, uy.x)) / rim_square;
-        float per_longitude = rulings[k].z / (2.0 * pi);
-        float meridians = ruled(atan(u.y, u.x) * per_longitude,
-                                length(longitude_change) * per_longitude, rulings[k].x);
-        float per_latitude = (rulings[k].w + 1.0) / pi;
-        float parallels = ruled((atan(u.z, rim) + 0.5 * pi) * per_latitude,
-                                change.z / rim * per_latitude, rulings[k].x);
-        covered = max(covered, rulings[k].y * max(rulings[k].z > 0.0 ? meridians : 0.0,
-                                                  rulings[k].w > 0.0 ? parallels : 0.0));
-    }
-    return covered;
+// Meridians and parallels about the third axis; longitudes from the first.
+float rulings(vec3 u, vec3 ux, vec3 uy, float width_px, float n_meridians, float n_parallels) {
+    float rim_square = max(u.x * u.x + u.y * u.y, 1e-9);
+    vec2 turn = u.x * vec2(ux.y, uy.y) - u.y * vec2(ux.x, uy.x);
+    float per_longitude = n_meridians / (2.0 * pi);
+    float per_latitude = (n_parallels + 1.0) / pi;
+    float longitude_square = dot(turn, turn) * (per_longitude * per_longitude) / (rim_square * rim_square);
+    float latitude_square = (ux.z * ux.z + uy.z * uy.z) * (per_latitude * per_latitude) / rim_square;
+    float meridians = ruled(angle_of(u.xy) * per_longitude, longitude_square, width_px);
+    float parallels = ruled((arcsine(u.z) + 0.5 * pi) * per_latitude, latitude_square, width_px);
+    return max(n_meridians > 0.5 ? meridians : 0.0, n_parallels > 0.5 ? parallels : 0.0);
 }
 
 // Entry (side -1: the outer surface) or exit (side +1: the inner one) of the line of sight.
-Layer surface(int k, Sight s, float side, vec3 to_eye, float covered) {
-    int i = members[k];
+Layer surface(int at, Sight s, float side, vec3 to_eye, float covered) {
     vec3 u = sphere_point(s, side);
     Layer layer;
-    layer.depth = depth_of(i, u);
+    layer.depth = depth_of(at, u);
 
-    // How the point slides over the sphere as the pixel changes.
-    float stretch = mix(1.0, layer.depth, quadrics[i].eye.w);
-    vec3 gx = stretch * quadrics[i].gx.xyz;
-    vec3 gy = stretch * quadrics[i].gy.xyz;
-    float slant = side * s.root;  // u·d
-    vec3 ux = gx - s.d * (dot(u, gx) / slant);
-    vec3 uy = gy - s.d * (dot(u, gy) / slant);
-    layer.depth_change = vec2(dot(quadrics[i].depth.xyz, ux), dot(quadrics[i].depth.xyz, uy));
+    // How the point slides over the sphere as the pixel changes; u·d is the root.
+    float stretch = constant(2).y > 0.5 ? layer.depth : 1.0;
+    vec3 gx = stretch * constant(at + 7).xyz;
+    vec3 gy = stretch * constant(at + 8).xyz;
+    vec3 slide = s.d * (side / s.root);
+    vec3 ux = gx - slide * dot(u, gx);
+    vec3 uy = gy - slide * dot(u, gy);
+#if MEMBERS > 1
+    layer.depth_change = vec2(dot(constant(at + 6).xyz, ux), dot(constant(at + 6).xyz, uy));
+#endif
 
-    vec3 outward = normalize(u.x * quadrics[i].to_u[0].xyz + u.y * quadrics[i].to_u[1].xyz +
-                             u.z * quadrics[i].to_u[2].xyz);
-    vec3 n = -side * outward;
+    vec3 outward = u.x * constant(at + 9).xyz + u.y * constant(at + 10).xyz + u.z * constant(at + 11).xyz;
+    vec3 n = outward * (-side * inversesqrt(dot(outward, outward)));
     float facing = clamp(dot(n, to_eye), 0.0, 1.0);
     float limb = 1.0 - facing;
     limb *= limb * limb;
 
-    // Key light wrapped a little round the edge, sky from above, weak light from the ground.
-    float key = max((dot(n, light.xyz) + 0.25) / 1.25, 0.0);
-    float up = 0.5 + 0.5 * dot(n, sky.xyz);
-    float lit = light.w * key * key * (1.5 - 0.5 * key) + sky.w * mix(0.42, 1.0, up * up) + 0.06;
-    float lines = body_lines(k, u, ux, uy);
-    vec3 albedo = mix(colours[k].rgb, line_colours[k].rgb, lines);
-    vec3 colour = albedo * lit;
+    vec3 square = ux * ux + uy * uy;
+    float lines = sections(u, square, constant(at + 13).w);
+    if (side < 0.0 || MEMBERS > 1)
+        lines = max(lines, constant(at + 8).w * rulings(u, ux, uy, constant(at + 7).w,
+                                                        constant(at + 9).w, constant(at + 10).w));
 
-    float opacity = quadrics[i].dy.w;
+    // Key light wrapped a little round the edge, sky from above, weak light from the ground.
+    float key_strength = constant(0).w;
+    float sky_strength = constant(1).w;
+    float key = max(0.8 * dot(n, constant(0).xyz) + 0.2, 0.0);
+    float up = 0.5 + 0.5 * dot(n, constant(1).xyz);
+    float lit = key_strength * key * key * (1.5 - 0.5 * key) + sky_strength * (0.42 + 0.58 * up * up) + 0.06;
+    layer.colour = mix(constant(at + 12).rgb, constant(at + 13).rgb, lines) * lit;
+
+    float opacity = constant(at + 2).w;
     float alpha;
     if (side < 0.0) {
-        vec3 halfway = normalize(light.xyz + to_eye);
-        float glint = max(dot(n, halfway), 0.0);
-        float narrow_glint = sixteenth_power(glint);
-        float gloss = 0.05 * narrow_glint + 0.16 * sixteenth_power(narrow_glint);
-        colour += light.w * gloss * (1.0 - lines) + sky.w * 0.30 * limb * up;
+        vec3 halfway = constant(0).xyz + to_eye;
+        float glint = max(dot(n, halfway) * inversesqrt(dot(halfway, halfway)), 0.0);
+        float g2 = glint * glint, g4 = g2 * g2, g8 = g4 * g4, g16 = g8 * g8, g32 = g16 * g16;
+        float gloss = 0.05 * g16 + 0.16 * g32 * g32;
+        layer.colour += key_strength * gloss * (1.0 - lines) + sky_strength * 0.30 * limb * up;
         alpha = opacity + (1.0 - opacity) * 0.8 * limb;
         alpha = mix(alpha, max(alpha, 0.92), lines);
     } else {
-        colour *= 0.62;
+        layer.colour *= 0.62;
         alpha = opacity * (0.55 + 0.3 * limb);
         alpha = mix(alpha, max(alpha, 0.85), lines);
     }
-    layer.colour = colour;
-    layer.alpha = layer.depth > eye.w ? alpha * covered : 0.0;
+    layer.alpha = layer.depth > constant(2).x ? alpha * covered : 0.0;
     return layer;
 }
 
 // 1 if a lies before b, a pixel-wide step where they cross.
 float before(Layer a, Layer b) {
     float change = length(a.depth_change - b.depth_change);
-    float step_length = max(change, 0.02 * pixel_length(a.depth));
-    return clamp(0.5 + (b.depth - a.depth) / step_length, 0.0, 1.0);
+    float pixel = constant(2).z * (constant(2).y > 0.5 ? a.depth : 1.0);
+    return clamp(0.5 + (b.depth - a.depth) / max(change, 0.02 * pixel), 0.0, 1.0);
 }
 
 void main() {
     vec2 pixel = gl_FragCoord.xy;
-    vec3 to_eye = -normalize(ray_direction(pixel));
+    vec3 to_eye = -sight * inversesqrt(dot(sight, sight));
 #if MEMBERS == 1
-    Sight s = sight_of(members[0], pixel);
-    float covered = outline_coverage(members[0], s);
-    Layer front = surface(0, s, -1.0, to_eye, covered);
-    Layer back = surface(0, s, 1.0, to_eye, covered);
+    Sight s = sight_of(first_member, pixel);
+    float covered = outline_coverage(first_member, s);
+    Layer front = surface(first_member, s, -1.0, to_eye, covered);
+    Layer back = surface(first_member, s, 1.0, to_eye, covered);
     float behind = (1.0 - front.alpha) * back.alpha;
     fragment = vec4(front.colour * front.alpha + back.colour * behind, front.alpha + behind);
 #else
     Layer layers[2 * MEMBERS];
     for (int k = 0; k < MEMBERS; ++k) {
-        Sight s = sight_of(members[k], pixel);
-        float covered = outline_coverage(members[k], s);
-        layers[2 * k] = surface(k, s, -1.0, to_eye, covered);
-        layers[2 * k + 1] = surface(k, s, 1.0, to_eye, covered);
+        int at = first_member + k * member_size;
+        Sight s = sight_of(at, pixel);
+        float covered = outline_coverage(at, s);
+        layers[2 * k] = surface(at, s, -1.0, to_eye, covered);
+        layers[2 * k + 1] = surface(at, s, 1.0, to_eye, covered);
     }
     vec4 sum = vec4(0.0);
     float through = 1.0;

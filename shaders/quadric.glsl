@@ -1,4 +1,13 @@
-// Rays and ellipsoids. Needs view.glsl and coverage.glsl.
+// Lines of sight and ellipsoids. Needs constants.glsl and coverage.glsl.
+//
+// An ellipsoid has seven constants, in axes where it is the unit sphere about the origin. For the
+// pixel p the line of sight has direction d and moment m (Plücker coordinates), both affine in p:
+// d = d0 + x dx + y dy with (x, y) = p - anchor; they are scaled alike.
+//   0: d0, anchor x   1: dx, anchor y   2: dy, opacity
+//   3: m0, and x of the direction in which the outline is narrowest   4: mx, and its y
+//   5: my, and the curvature of |d|² - |m|² along it (0 if the outline is wider than 3 px)
+//   6: depth along the view axis is w + xyz·u for the point u of the sphere
+const int quadric_size = 7;
 
 // The line of sight of one pixel in the axes of one ellipsoid.
 struct Sight {
@@ -10,11 +19,11 @@ struct Sight {
     vec3 nearest;        // point of the line nearest to the centre
 };
 
-Sight sight_of(int i, vec2 pixel) {
-    vec2 p = pixel - vec2(quadrics[i].d0.w, quadrics[i].dx.w);
+Sight sight_of(int at, vec2 pixel) {
+    vec2 p = pixel - vec2(constant(at).w, constant(at + 1).w);
     Sight s;
-    s.d = quadrics[i].d0.xyz + p.x * quadrics[i].dx.xyz + p.y * quadrics[i].dy.xyz;
-    s.m = quadrics[i].m0.xyz + p.x * quadrics[i].mx.xyz + p.y * quadrics[i].my.xyz;
+    s.d = constant(at).xyz + p.x * constant(at + 1).xyz + p.y * constant(at + 2).xyz;
+    s.m = constant(at + 3).xyz + p.x * constant(at + 4).xyz + p.y * constant(at + 5).xyz;
     s.square = max(dot(s.d, s.d), 1e-30);
     s.discriminant = s.square - dot(s.m, s.m);
     s.root = sqrt(max(s.discriminant, 1e-7 * s.square));
@@ -23,14 +32,14 @@ Sight sight_of(int i, vec2 pixel) {
 }
 
 // Share of the pixel inside the outline.
-float outline_coverage(int i, Sight s) {
-    vec2 gradient = 2.0 * vec2(dot(s.d, quadrics[i].dx.xyz) - dot(s.m, quadrics[i].mx.xyz),
-                               dot(s.d, quadrics[i].dy.xyz) - dot(s.m, quadrics[i].my.xyz));
-    if (quadrics[i].narrow.z > 0.5) {
+float outline_coverage(int at, Sight s) {
+    vec2 gradient = 2.0 * vec2(dot(s.d, constant(at + 1).xyz) - dot(s.m, constant(at + 4).xyz),
+                               dot(s.d, constant(at + 2).xyz) - dot(s.m, constant(at + 5).xyz));
+    float bend = constant(at + 5).w;
+    if (bend < 0.0) {
         // Both edges may lie within one pixel: the discriminant is a parabola across the outline.
-        vec2 across = quadrics[i].narrow.xy;
+        vec2 across = vec2(constant(at + 3).w, constant(at + 4).w);
         float slope = dot(gradient, across);
-        float bend = quadrics[i].m0.w;
         float inside = slope * slope - 2.0 * bend * s.discriminant;
         float reach = sqrt(max(inside, 0.0)) / -bend;
         float middle = slope / -bend;
@@ -40,13 +49,14 @@ float outline_coverage(int i, Sight s) {
         float end = clamp(0.5 + ridge / max(abs(along), 1e-30), 0.0, 1.0);
         return inside > 0.0 ? max(covered, 0.0) * end : 0.0;
     }
-    float steepness = max(length(gradient), 1e-30);
-    return edge_coverage(clamp(s.discriminant / steepness, -2.0, 2.0), gradient / steepness);
+    float steepness = inversesqrt(max(dot(gradient, gradient), 1e-36));
+    return edge_coverage(clamp(s.discriminant * steepness, -2.0, 2.0), gradient * steepness);
 }
 
 // Where the line enters (side -1) or leaves (side +1) the unit sphere.
 vec3 sphere_point(Sight s, float side) {
-    return normalize(s.nearest + (side * s.root / s.square) * s.d);
+    vec3 u = s.nearest + (side * s.root / s.square) * s.d;
+    return u * inversesqrt(max(dot(u, u), 1e-30));
 }
 
-float depth_of(int i, vec3 u) { return quadrics[i].depth.w + dot(quadrics[i].depth.xyz, u); }
+float depth_of(int at, vec3 u) { return constant(at + 6).w + dot(constant(at + 6).xyz, u); }

@@ -53,34 +53,54 @@ ArrowShape shape_of(const Projection& p, const Camera& camera, const Arrow& arro
     return shape;
 }
 
-// A rectangle along the arrow that holds it.
-PixelPolygon polygon_of(const ArrowShape& shape) {
-    const Eigen::Vector2d run = shape.tip_px - shape.tail_px;
-    const Eigen::Vector2d e =
-        run.norm() > 1e-3 ? Eigen::Vector2d(run.normalized()) : Eigen::Vector2d::UnitX();
-    const Eigen::Vector2d across(-e.y(), e.x());
-    const double neck = shape.head_radius * shape.neck_scale;
-    const double reach = std::max(neck, shape.shaft_radius * shape.tail_scale) + 1.5;
-    // Along the axis the ends bulge by their ellipses.
-    const double neck_at = e.dot(shape.neck_px - shape.tail_px);
-    const double from =
-        std::min(-shape.open * shape.shaft_radius * shape.tail_scale, neck_at - shape.open * neck) -
-        1.5;
-    const double to = std::max(run.norm(), neck_at + shape.open * neck) + 1.5;
-    PixelPolygon polygon;
-    polygon.add(shape.tail_px + from * e - reach * across);
-    polygon.add(shape.tail_px + to * e - reach * across);
-    polygon.add(shape.tail_px + to * e + reach * across);
-    polygon.add(shape.tail_px + from * e + reach * across);
-    return polygon;
+// Rectangles along the arrow's axis, in pixels from the tail; the shaft's ends where the head's
+// begins, so that no pixel lies in both.
+struct ArrowFrame {
+    Eigen::Vector2d origin, along, across;
+    double start, head_start, end;
+    double shaft_reach, head_reach;
+
+    explicit ArrowFrame(const ArrowShape& shape) : origin(shape.tail_px) {
+        constexpr double margin = 1.5;
+        const Eigen::Vector2d run = shape.tip_px - shape.tail_px;
+        along = run.norm() > 1e-3 ? Eigen::Vector2d(run.normalized()) : Eigen::Vector2d::UnitX();
+        across = {-along.y(), along.x()};
+        const double neck = along.dot(shape.neck_px - shape.tail_px);
+        const double head = shape.head_radius * shape.neck_scale;
+        const double tail = shape.shaft_radius * shape.tail_scale;
+        shaft_reach = std::max(tail, shape.shaft_radius * shape.neck_scale) + margin;
+        head_reach = std::max(head, shaft_reach - margin) + margin;
+        start = -shape.open * tail - margin;
+        head_start = neck - shape.open * head - margin;
+        end = std::max(run.norm(), neck + shape.open * head) + margin;
+    }
+    PixelPolygon rectangle(double from, double to, double reach) const {
+        PixelPolygon polygon;
+        if (from >= to) return polygon;
+        polygon.add(origin + from * along - reach * across);
+        polygon.add(origin + to * along - reach * across);
+        polygon.add(origin + to * along + reach * across);
+        polygon.add(origin + from * along + reach * across);
+        return polygon;
+    }
+};
+
+PixelPolygon shaft_polygon(const ArrowShape& shape) {
+    const ArrowFrame frame(shape);
+    return frame.rectangle(frame.start, frame.head_start, frame.shaft_reach);
+}
+
+PixelPolygon head_polygon(const ArrowShape& shape) {
+    const ArrowFrame frame(shape);
+    return frame.rectangle(frame.head_start, frame.end, frame.head_reach);
 }
 
 Eigen::Vector4f ends(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return Eigen::Vector4d(a.x(), a.y(), b.x(), b.y()).cast<float>();
 }
 
-float layer_number(ArrowPass::Layer layer) {
-    return layer == ArrowPass::Layer::visible ? 1.0f : 0.0f;
+double layer_number(ArrowPass::Layer layer) {
+    return layer == ArrowPass::Layer::visible ? 1.0 : 0.0;
 }
 
 // Depth of an arrow's axis where it passes nearest to a pixel.
@@ -113,23 +133,15 @@ Eigen::Vector2d meeting_of(const Projection& p, const Arrow& a, const Arrow& b) 
 
 }  // namespace
 
-ArrowPass::ArrowPass()
-    : arrow_("polygon.vert", "arrow.frag"),
-      corners_(arrow_.at("corners")),
-      outline_(arrow_.at("outline")),
-      shape_(arrow_.at("shape")),
-      axis_(arrow_.at("axis")),
-      body_(arrow_.at("body")),
-      base_(arrow_.at("base")),
-      anchor_(arrow_.at("anchor")),
-      colour_(arrow_.at("colour")),
-      style_(arrow_.at("style")),
-      dot_("polygon.vert", "dot.frag"),
-      dot_corners_(dot_.at("corners")),
-      dot_at_(dot_.at("at")),
-      dot_colour_(dot_.at("colour")),
-      dot_rim_(dot_.at("rim")),
-      dot_style_(dot_.at("style")) {}
+ArrowPass::ArrowProgram::ArrowProgram(int n_quadrics, int n_flats)
+    : PolygonProgram(
+          "arrow.frag", 17 + n_solid_constants(n_quadrics, n_flats),
+          {"N_QUADRICS " + std::to_string(n_quadrics), "N_FLATS " + std::to_string(n_flats)}) {}
+
+ArrowPass::DotProgram::DotProgram(int n_quadrics, int n_flats)
+    : PolygonProgram(
+          "dot.frag", 9 + n_solid_constants(n_quadrics, n_flats),
+          {"N_QUADRICS " + std::to_string(n_quadrics), "N_FLATS " + std::to_string(n_flats)}) {}
 
 void ArrowPass::order(const ViewScene& scene) {
     const View& view = *scene.view;
@@ -160,7 +172,7 @@ void ArrowPass::order(const ViewScene& scene) {
     }
 }
 
-void ArrowPass::draw(const ViewScene& scene, Layer layer) const {
+void ArrowPass::draw(const ViewScene& scene, Layer layer) {
     const auto n_arrows = scene.view->arrows.size();
     for (const int k : order_) {
         const auto i = static_cast<std::size_t>(k);
@@ -171,51 +183,38 @@ void ArrowPass::draw(const ViewScene& scene, Layer layer) const {
     }
 }
 
-void ArrowPass::draw_arrow(const ViewScene& scene, const Arrow& arrow, Layer layer) const {
+void ArrowPass::draw_arrow(const ViewScene& scene, const Arrow& arrow, Layer layer) {
     const Projection& p = scene.projection;
     const bool occluded = arrow.occlusion == Occlusion::by_solids;
     if (!occluded && layer == Layer::hidden) return;
     const ArrowShape shape = shape_of(p, scene.view->camera, arrow);
     if (!shape.seen) return;
-    arrow_.use();
-    const PixelPolygon polygon = polygon_of(shape);
-    glUniform2fv(corners_, polygon.n_corners, polygon.corners[0].data());
-    const std::array outline{ends(shape.tail_px, shape.neck_px), ends(shape.neck_px, shape.tip_px)};
-    glUniform4fv(outline_, 2, outline[0].data());
-    const std::array radii{
-        Eigen::Vector4d(shape.shaft_radius * shape.tail_scale,
-                        shape.shaft_radius * shape.neck_scale, shape.open, 0.0)
-            .cast<float>()
-            .eval(),
-        Eigen::Vector4d(shape.head_radius * shape.neck_scale, 0.0, shape.open, 0.0)
-            .cast<float>()
-            .eval()};
-    glUniform4fv(shape_, 2, radii[0].data());
+    const ArrowProgram& made = occluded ? arrow_programs_.of(scene.n_quadrics(), scene.n_flats())
+                                        : arrow_programs_.of(0, 0);
     const double shaft_length = std::max(shape.length - shape.head_length, 1e-9);
-    const std::array body{Eigen::Vector4d(0.0, shaft_length, shape.shaft_radius, shape.shaft_radius)
-                              .cast<float>()
-                              .eval(),
-                          Eigen::Vector4d(shaft_length, shape.head_length, shape.head_radius, 0.0)
-                              .cast<float>()
-                              .eval()};
-    glUniform4fv(body_, 2, body[0].data());
-    glUniform3fv(axis_, 1, shape.axis.cast<float>().eval().data());
-
     // Lines of sight are followed from beside the arrow's middle, where few digits are lost.
     const Eigen::Vector3d middle = 0.5 * (shape.tail + shape.tip);
     const Eigen::Vector2d anchor = p.pixel(middle);
-    const Eigen::Vector3d from_tail = middle - shape.tail;
-    glUniform4f(base_, static_cast<float>(from_tail.x()), static_cast<float>(from_tail.y()),
-                static_cast<float>(from_tail.z()), static_cast<float>(p.depth(middle)));
-    glUniform2f(anchor_, static_cast<float>(anchor.x()), static_cast<float>(anchor.y()));
-    const Eigen::Vector3f colour = linear_from_srgb(arrow.colour);
-    glUniform4f(colour_, colour.x(), colour.y(), colour.z(), static_cast<float>(arrow.opacity));
-    glUniform3f(style_, static_cast<float>(arrow.hidden_opacity), layer_number(layer),
-                occluded ? 1.0f : 0.0f);
-    glDrawArrays(GL_TRIANGLE_FAN, 0, polygon.n_corners);
+    Constants constants;
+    scene.add_view(constants);
+    scene.add_light(constants);
+    constants.add(ends(shape.tail_px, shape.neck_px));
+    constants.add(ends(shape.neck_px, shape.tip_px));
+    constants.add(shape.shaft_radius * shape.tail_scale, shape.shaft_radius * shape.neck_scale,
+                  shape.open, 0.0);
+    constants.add(shape.head_radius * shape.neck_scale, 0.0, shape.open, 0.0);
+    constants.add(shape.axis, arrow.hidden_opacity);
+    constants.add(0.0, shaft_length, shape.shaft_radius, shape.shaft_radius);
+    constants.add(shaft_length, shape.head_length, shape.head_radius, 0.0);
+    constants.add(middle - shape.tail, p.depth(middle));
+    constants.add(anchor.x(), anchor.y(), layer_number(layer), 0.0);
+    constants.add(linear_from_srgb(arrow.colour, arrow.opacity));
+    if (occluded) scene.add_solids(constants);
+    made.draw(shaft_polygon(shape), constants, *scene.drawing);
+    made.draw(head_polygon(shape), constants, *scene.drawing);
 }
 
-void ArrowPass::draw_dot(const ViewScene& scene, const Dot& dot, Layer layer) const {
+void ArrowPass::draw_dot(const ViewScene& scene, const Dot& dot, Layer layer) {
     const Projection& p = scene.projection;
     const bool occluded = dot.occlusion == Occlusion::by_solids;
     if (!occluded && layer == Layer::hidden) return;
@@ -224,26 +223,26 @@ void ArrowPass::draw_dot(const ViewScene& scene, const Dot& dot, Layer layer) co
     PixelBox box;
     box.add(p.pixel(dot.at), dot.radius_px + 1.5);
     if (box.within(p.box).empty()) return;
-    dot_.use();
-    const PixelPolygon polygon = polygon_of(box);
-    glUniform2fv(dot_corners_, polygon.n_corners, polygon.corners[0].data());
+    const DotProgram& made =
+        occluded ? dot_programs_.of(scene.n_quadrics(), scene.n_flats()) : dot_programs_.of(0, 0);
     const Eigen::Vector2d pixel = p.pixel(dot.at);
-    glUniform4f(dot_at_, static_cast<float>(pixel.x()), static_cast<float>(pixel.y()),
-                static_cast<float>(depth), static_cast<float>(dot.radius_px));
-    const Eigen::Vector3f colour = linear_from_srgb(dot.colour);
-    const Eigen::Vector3f rim = linear_from_srgb(dot.rim_colour);
-    glUniform4f(dot_colour_, colour.x(), colour.y(), colour.z(), static_cast<float>(dot.opacity));
-    glUniform4f(dot_rim_, rim.x(), rim.y(), rim.z(), static_cast<float>(dot.rim_px));
-    glUniform3f(dot_style_, static_cast<float>(dot.hidden_opacity), layer_number(layer),
-                occluded ? 1.0f : 0.0f);
-    glDrawArrays(GL_TRIANGLE_FAN, 0, polygon.n_corners);
+    Constants constants;
+    scene.add_view(constants);
+    constants.add(pixel.x(), pixel.y(), depth, dot.radius_px);
+    constants.add(linear_from_srgb(dot.colour, dot.opacity));
+    constants.add(linear_from_srgb(dot.rim_colour, dot.rim_px));
+    constants.add(dot.hidden_opacity, layer_number(layer), 0.0, 0.0);
+    if (occluded) scene.add_solids(constants);
+    made.draw(polygon_of(box), constants, *scene.drawing);
 }
 
 void ArrowPass::mark(const ViewScene& scene, TileMask& marks) const {
     const Projection& p = scene.projection;
     for (const Arrow& arrow : scene.view->arrows) {
         const ArrowShape shape = shape_of(p, scene.view->camera, arrow);
-        if (shape.seen) marks.mark(polygon_of(shape).box.within(p.box));
+        if (!shape.seen) continue;
+        marks.mark(shaft_polygon(shape).box.within(p.box));
+        marks.mark(head_polygon(shape).box.within(p.box));
     }
     for (const Dot& dot : scene.view->dots) {
         if (p.perspective && p.depth(dot.at) <= p.near_depth) continue;

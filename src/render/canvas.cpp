@@ -1,102 +1,103 @@
 #include "render/canvas.h"
 
+#include <algorithm>
+
 #include "error/error.h"
 
 namespace poinsot {
+namespace {
 
-Canvas::Canvas()
-    : clear_("tiles.vert", "clear.frag"),
-      compose_opaque_("tiles.vert", "compose.frag"),
-      compose_transparent_("tiles.vert", "compose.frag", {"TRANSPARENT"}),
-      vertex_array_(GlVertexArray::make()),
-      corners_(GlBuffer::make()) {}
+// Rows read back at a time: few enough for the processor's cache.
+constexpr int band_px = 32;
 
-Canvas::Layer Canvas::layer_of(int width_px, int height_px, GLint format) {
+}  // namespace
+
+Canvas::Layer Canvas::make_layer() const {
     Layer layer{GlTexture::make(), GlFramebuffer::make()};
     glBindTexture(GL_TEXTURE_2D, layer.texture.id());
-    const bool encoded = format == GL_RGBA8;
-    glTexImage2D(GL_TEXTURE_2D, 0, format, width_px, height_px, 0, GL_RGBA,
-                 encoded ? GL_UNSIGNED_BYTE : GL_FLOAT, nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16, width_px_, height_px_, 0, GL_RGBA, GL_UNSIGNED_SHORT,
+                 nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, layer.texture.id(),
                            0);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw EnvironmentError("OpenGL has no room for a picture of " + std::to_string(width_px) +
-                               "x" + std::to_string(height_px) + " pixels; ask for a smaller one");
+    if (glGetError() != GL_NO_ERROR ||
+        glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw EnvironmentError("OpenGL has no room for a picture of " + std::to_string(width_px_) +
+                               "x" + std::to_string(height_px_) + " pixels; ask for a smaller one");
     return layer;
 }
 
 bool Canvas::resize(int width_px, int height_px) {
     if (width_px == width_px_ && height_px == height_px_) return false;
-    still_ = layer_of(width_px, height_px, GL_RGBA16F);
-    moving_ = layer_of(width_px, height_px, GL_RGBA16F);
-    encoded_ = layer_of(width_px, height_px, GL_RGBA8);
-    before_.resize(width_px, height_px);
-    both_.resize(width_px, height_px);
-    before_.fill();
     width_px_ = width_px;
     height_px_ = height_px;
+    picture_ = make_layer();
+    still_ = Layer{};
+    scratch_.resize(4 * static_cast<std::size_t>(width_px) * band_px);
     return true;
 }
 
-void Canvas::begin_still() {
-    glBindFramebuffer(GL_FRAMEBUFFER, still_.framebuffer.id());
+void Canvas::begin(const Layer& layer) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer.id());
     glViewport(0, 0, width_px_, height_px_);
     glDisable(GL_SCISSOR_TEST);
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT);
-    before_.fill();
 }
 
-void Canvas::begin_moving(const TileMask& marks) {
-    glBindFramebuffer(GL_FRAMEBUFFER, moving_.framebuffer.id());
+void Canvas::begin_whole() { begin(picture_); }
+
+void Canvas::begin_still() {
+    if (!still_.texture) still_ = make_layer();
+    begin(still_);
+}
+
+void Canvas::keep_still(bool transparent) { read_all(still_, still_image_, transparent); }
+
+void Canvas::begin_over_still(TileMask& marks) {
+    glDisable(GL_SCISSOR_TEST);
     glViewport(0, 0, width_px_, height_px_);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
-    both_.clear();
-    both_.join(marks);
-    both_.join(before_);
-    draw_tiles(clear_, both_);
+    glBindFramebuffer(GL_FRAMEBUFFER, picture_.framebuffer.id());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, still_.framebuffer.id());
+    for (const PixelRect& r : marks.rects())
+        glBlitFramebuffer(r.left, r.top, r.right, r.bottom, r.left, r.top, r.right, r.bottom,
+                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, picture_.framebuffer.id());
 }
 
-void Canvas::compose(const TileMask& marks, bool transparent) {
-    glBindFramebuffer(GL_FRAMEBUFFER, encoded_.framebuffer.id());
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
-    glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, still_.texture.id());
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, moving_.texture.id());
-    draw_tiles(transparent ? compose_transparent_ : compose_opaque_, both_);
-    before_.clear();
-    before_.join(marks);
-}
+void Canvas::read_whole(Image& image, bool transparent) { read_all(picture_, image, transparent); }
 
-void Canvas::read(Image& image) const {
+void Canvas::read_all(const Layer& layer, Image& image, bool transparent) {
     if (image.width() != width_px_ || image.height() != height_px_)
         image = Image(width_px_, height_px_);
-    glBindFramebuffer(GL_FRAMEBUFFER, encoded_.framebuffer.id());
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, width_px_, height_px_, GL_RGBA, GL_UNSIGNED_BYTE, image.bytes().data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, layer.framebuffer.id());
+    for (int top = 0; top < height_px_; top += band_px)
+        read({0, top, width_px_, std::min(top + band_px, height_px_)}, image, transparent);
 }
 
-void Canvas::draw_tiles(const Program& program, const TileMask& marks) {
-    corner_scratch_.clear();
-    marks.append_triangles(corner_scratch_);
-    if (corner_scratch_.empty()) return;
-    glBindVertexArray(vertex_array_.id());
-    glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corner_scratch_.size() * sizeof(float)),
-                 corner_scratch_.data(), GL_STREAM_DRAW);
-    glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    program.use();
-    glUniform4f(program.at("picture"), static_cast<float>(width_px_),
-                static_cast<float>(height_px_), 1.0f / static_cast<float>(width_px_),
-                1.0f / static_cast<float>(height_px_));
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corner_scratch_.size() / 2));
+void Canvas::read_over_still(TileMask& marks, Image& image, bool transparent) {
+    image = still_image_;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.id());
+    for (const PixelRect& rect : marks.rects()) read(rect, image, transparent);
+}
+
+void Canvas::read(const PixelRect& rect, Image& image, bool transparent) {
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(rect.left, rect.top, rect.width(), rect.height(), GL_RGBA, GL_UNSIGNED_SHORT,
+                 scratch_.data());
+    const std::uint16_t* row = scratch_.data();
+    for (int y = rect.top; y < rect.bottom; ++y) {
+        const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px_) +
+                           static_cast<std::size_t>(rect.left);
+        std::uint8_t* out = image.bytes().data() + 4 * first;
+        if (transparent)
+            encoder_.encode_transparent(row, rect.left, y, rect.width(), out);
+        else
+            encoder_.encode_opaque(row, rect.left, y, rect.width(), out);
+        row += 4 * static_cast<std::ptrdiff_t>(rect.width());
+    }
 }
 
 }  // namespace poinsot

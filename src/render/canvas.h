@@ -1,46 +1,49 @@
-// The layers of a picture: what stands still, what moves over it, and the encoded result.
+// The picture under way: what stands still, kept from one picture to the next, and what moves.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "image/image.h"
+#include "render/encoding.h"
 #include "render/gl_handles.h"
-#include "render/program.h"
 #include "render/tile_mask.h"
 
 namespace poinsot {
 
-// Layers hold linear light, premultiplied. Only tiles on which something moves, or moved in the
-// picture before, are cleared, composed and encoded again.
+// Layers hold linear light, premultiplied, 16 bits a component. While nothing that stands still
+// changes, only the marked tiles are restored, read back and encoded.
 class Canvas {
  public:
-    Canvas();
-
-    // Makes the layers as large as the picture; true if they are new, so that all must be drawn.
+    // Makes the layers as large as the picture; true if they are new.
     bool resize(int width_px, int height_px);
 
-    // Directs drawing to the layer that stands still, cleared, or to the moving one with the marked
-    // tiles cleared.
+    // What follows is drawn on an empty picture.
+    void begin_whole();
+    // What follows, up to keep_still, is kept as what stands still.
     void begin_still();
-    void begin_moving(const TileMask& marks);
-    // Composes and encodes the marked tiles and those marked in the picture before.
-    void compose(const TileMask& marks, bool transparent);
-    void read(Image& image) const;
+    void keep_still(bool transparent);
+    // What follows is drawn over what stands still, on the marked tiles only.
+    void begin_over_still(TileMask& marks);
+
+    // The picture: all of it, or the marked tiles over what stands still.
+    void read_whole(Image& image, bool transparent);
+    void read_over_still(TileMask& marks, Image& image, bool transparent);
 
  private:
     struct Layer {
         GlTexture texture;
         GlFramebuffer framebuffer;
     };
-    static Layer layer_of(int width_px, int height_px, GLint format);
-    void draw_tiles(const Program& program, const TileMask& marks);
+    Layer make_layer() const;
+    void begin(const Layer& layer) const;
+    void read(const PixelRect& rect, Image& image, bool transparent);
+    void read_all(const Layer& layer, Image& image, bool transparent);
 
-    Program clear_, compose_opaque_, compose_transparent_;
-    GlVertexArray vertex_array_;
-    GlBuffer corners_;
-    std::vector<float> corner_scratch_;
-    Layer still_, moving_, encoded_;
-    TileMask before_, both_;
+    Encoder encoder_;
+    Layer still_, picture_;
+    Image still_image_;
+    std::vector<std::uint16_t> scratch_;
     int width_px_ = 0, height_px_ = 0;
 };
 

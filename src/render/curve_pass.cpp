@@ -37,21 +37,16 @@ double scale_of(const Eigen::Affine3d& placement) {
 
 }  // namespace
 
-CurvePass::CurvePass()
-    : program_("curve.vert", "curve.frag"),
-      points_(program_.at("n_points")),
-      closed_(program_.at("closed")),
-      range_(program_.at("range")),
-      placement_(program_.at("placement")),
-      total_length_(program_.at("total_length")),
-      on_quadric_(program_.at("on_quadric")),
-      on_flat_(program_.at("on_flat")),
-      colour_(program_.at("colour")),
-      style_(program_.at("style")),
-      dashes_(program_.at("dashes")),
-      fade_(program_.at("fade")),
-      vertex_array_(GlVertexArray::make()),
-      indices_(GlBuffer::make()) {}
+CurvePass::Stroke::Stroke(int n_quadrics, int n_flats)
+    : program("curve.vert", "curve.frag", 9 + n_solid_constants(n_quadrics, n_flats), 4,
+              {"N_QUADRICS " + std::to_string(n_quadrics), "N_FLATS " + std::to_string(n_flats),
+               "FADE " + std::to_string(8 + n_solid_constants(n_quadrics, n_flats))}),
+      n_points(program.at("n_points")),
+      closed(program.at("closed")),
+      stroke(program.at("stroke")),
+      on_ellipsoid(program.at("on_ellipsoid")) {}
+
+CurvePass::CurvePass() : vertex_array_(GlVertexArray::make()), indices_(GlBuffer::make()) {}
 
 void CurvePass::begin_picture() {
     ++picture_;
@@ -126,23 +121,11 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve) {
     const Uploaded& upload = uploaded(*curve.geometry);
     reserve_segments(range.end_segment);
 
-    program_.use();
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_BUFFER, upload.texture.id());
-    glUniform1i(points_, upload.n_points);
-    glUniform1i(closed_, curve.geometry->closed ? 1 : 0);
-    glUniform4f(range_, static_cast<float>(range.first), static_cast<float>(range.last),
-                static_cast<float>(curve.width_px), 0.0f);
-    const Eigen::Matrix4f placement = curve.placement.matrix().cast<float>();
-    glUniformMatrix4fv(placement_, 1, GL_FALSE, placement.data());
-    glUniform1f(total_length_, static_cast<float>(upload.length));
-    glUniform1i(on_quadric_, curve.on_surface < scene.n_quadrics() ? curve.on_surface : -1);
-    glUniform1i(on_flat_, curve.on_plane);
-    const Eigen::Vector3f colour = linear_from_srgb(curve.colour);
-    glUniform4f(colour_, colour.x(), colour.y(), colour.z(), static_cast<float>(curve.opacity));
-    glUniform4f(style_, static_cast<float>(curve.width_px),
-                static_cast<float>(curve.hidden_opacity), static_cast<float>(curve.hidden),
-                curve.occlusion == Occlusion::by_solids ? 1.0f : 0.0f);
+    // A curve drawn in full needs no solids.
+    const bool occluded = curve.occlusion == Occlusion::by_solids;
+    const Stroke& made =
+        occluded ? strokes_.of(scene.n_quadrics(), scene.n_flats()) : strokes_.of(0, 0);
+    const int own = occluded && curve.on_surface < scene.n_quadrics() ? curve.on_surface : -1;
 
     // Dashes are as long as asked for where the camera looks; a closed curve has whole ones.
     const Projection& p = scene.projection;
@@ -155,17 +138,42 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve) {
         return upload.length / (2.0 * std::max(1.0, std::round(upload.length / (2.0 * length))));
     };
     const double hidden_dash_px = curve.dash_px > 0.0 ? curve.dash_px : 2.0 * curve.width_px;
-    glUniform4f(dashes_, static_cast<float>(half_period(curve.dash_px)),
-                curve.hidden == HiddenStyle::dashed
-                    ? static_cast<float>(half_period(hidden_dash_px))
-                    : 0.0f,
-                0.0f, 0.0f);
-    if (curve.fade_points > 0.0)
-        glUniform2f(fade_, static_cast<float>(range.last - curve.fade_points),
-                    static_cast<float>(range.last));
-    else
-        glUniform2f(fade_, 0.0f, 0.0f);
 
+    Constants constants;
+    scene.add_view(constants);
+    constants.add(linear_from_srgb(curve.colour, curve.opacity));
+    constants.add(curve.width_px, curve.hidden == HiddenStyle::absent ? -1.0 : curve.hidden_opacity,
+                  own, curve.on_plane);
+    const Quadric* surface = own < 0 ? nullptr : &scene.quadrics[static_cast<std::size_t>(own)];
+    constants.add(
+        half_period(curve.dash_px),
+        curve.hidden == HiddenStyle::dashed ? half_period(hidden_dash_px) : 0.0,
+        surface == nullptr ? 0.0 : surface->limb_cosine(),
+        surface == nullptr ? 0.0 : scene.view->ellipsoids[static_cast<std::size_t>(own)].opacity);
+    if (occluded) scene.add_solids(constants);
+    constants.add(range.last - curve.fade_points, range.last, 0.0, 0.0);
+
+    Constants stroke;
+    stroke.add(range.first, range.last, curve.width_px, upload.length);
+    for (int row = 0; row < 3; ++row)
+        stroke.add(curve.placement.linear().row(row).transpose(),
+                   curve.placement.translation()[row]);
+    for (int row = 0; row < 3; ++row) {
+        if (surface == nullptr)
+            stroke.add(0.0, 0.0, 0.0, 0.0);
+        else
+            stroke.add(surface->to_u_row(row), surface->to_u_offset(row));
+    }
+    stroke.add(surface == nullptr ? Eigen::Vector3d::Zero() : surface->eye_u,
+               p.perspective ? 1.0 : 0.0);
+
+    made.program.use(constants, *scene.drawing);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_BUFFER, upload.texture.id());
+    glUniform1i(made.n_points, upload.n_points);
+    glUniform1i(made.closed, curve.geometry->closed ? 1 : 0);
+    glUniform4fv(made.stroke, stroke.size(), stroke.from(0));
+    glUniform1i(made.on_ellipsoid, surface == nullptr ? 0 : 1);
     const auto offset =
         static_cast<std::uintptr_t>(range.first_segment) * 6 * sizeof(std::uint32_t);
     glDrawElements(GL_TRIANGLES, 6 * (range.end_segment - range.first_segment), GL_UNSIGNED_INT,

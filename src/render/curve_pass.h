@@ -39,9 +39,12 @@ class CurvePass {
     Uploaded& uploaded(const CurveGeometry& geometry);
     void reserve_segments(int n_segments);
 
-    Program program_;
-    GLint points_, closed_, range_, placement_, total_length_, on_quadric_, on_flat_, colour_,
-        style_, dashes_, fade_;
+    struct Stroke {
+        Stroke(int n_quadrics, int n_flats);
+        ConstantProgram program;
+        GLint n_points, closed, stroke, on_ellipsoid;
+    };
+    BySolids<Stroke> strokes_;
     GlVertexArray vertex_array_;
     GlBuffer indices_;
     int n_segments_ = 0;

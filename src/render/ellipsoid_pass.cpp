@@ -8,12 +8,9 @@
 namespace poinsot {
 
 EllipsoidPass::Variant::Variant(int n_members)
-    : program("polygon.vert", "ellipsoid.frag", {"MEMBERS " + std::to_string(n_members)}),
-      corners(program.at("corners")),
-      members(program.at("members")),
-      colours(program.at("colours")),
-      line_colours(program.at("line_colours")),
-      rulings(program.at("rulings")) {}
+    : program("ellipsoid.frag", 3 + 14 * n_members, {"MEMBERS " + std::to_string(n_members)},
+              "ellipsoid.vert", 1),
+      sights(program.at("sights")) {}
 
 void EllipsoidPass::draw(const ViewScene& scene) {
     // Farthest first; each group takes in all that its outline touches.
@@ -49,31 +46,37 @@ void EllipsoidPass::draw(const ViewScene& scene) {
 void EllipsoidPass::draw_group(const ViewScene& scene, const int* members, int n_members) {
     auto& variant = variants_[static_cast<std::size_t>(n_members - 1)];
     if (!variant) variant.emplace(n_members);
-    std::array<Eigen::Vector4f, most_members> colours, line_colours, rulings;
+    const Projection& p = scene.projection;
+    Constants constants;
+    scene.add_light(constants);
+    constants.add(p.near_depth, p.perspective ? 1.0 : 0.0, 1.0 / p.focal_px, 0.0);
     PixelBox box;
     for (int k = 0; k < n_members; ++k) {
-        const Ellipsoid& shape = scene.view->ellipsoids[static_cast<std::size_t>(members[k])];
-        const auto i = static_cast<std::size_t>(k);
-        colours[i] = linear_from_srgb(shape.colour, 1.0);
-        line_colours[i] = linear_from_srgb(shape.line_colour, shape.section_px);
-        rulings[i] =
-            Eigen::Vector4d(shape.ruling_px, shape.ruling_px > 0.0 ? shape.ruling_opacity : 0.0,
-                            shape.n_meridians, shape.n_parallels)
-                .cast<float>();
-        const PixelBox& outline = scene.quadrics[static_cast<std::size_t>(members[k])].outline.box;
-        box.add({outline.left, outline.top});
-        box.add({outline.right, outline.bottom});
+        const auto i = static_cast<std::size_t>(members[k]);
+        const Ellipsoid& shape = scene.view->ellipsoids[i];
+        const Quadric& q = scene.quadrics[i];
+        scene.add_quadric(constants, i);
+        constants.add(q.gx, shape.ruling_px);
+        constants.add(q.gy, shape.ruling_px > 0.0 ? shape.ruling_opacity : 0.0);
+        constants.add(q.to_u_row(0), shape.n_meridians);
+        constants.add(q.to_u_row(1), shape.n_parallels);
+        constants.add(q.to_u_row(2));
+        constants.add(linear_from_srgb(shape.colour, 1.0));
+        constants.add(linear_from_srgb(shape.line_colour, shape.section_px));
+        box.add({q.outline.box.left, q.outline.box.top});
+        box.add({q.outline.box.right, q.outline.box.bottom});
     }
+    variant->program.Program::use();
+    // Lines of sight at pixel 0, and their change with x and y.
+    const Eigen::Vector3d sight = p.ray(Eigen::Vector2d::Zero());
+    Eigen::Matrix3f sights;
+    sights << sight.cast<float>(), (p.ray(Eigen::Vector2d::UnitX()) - sight).cast<float>(),
+        (p.ray(Eigen::Vector2d::UnitY()) - sight).cast<float>();
+    glUniform3fv(variant->sights, 3, sights.data());
     const PixelPolygon polygon = n_members == 1
                                      ? scene.quadrics[static_cast<std::size_t>(members[0])].outline
-                                     : polygon_of(box.within(scene.projection.box));
-    variant->program.use();
-    glUniform1iv(variant->members, n_members, members);
-    glUniform4fv(variant->colours, n_members, colours[0].data());
-    glUniform4fv(variant->line_colours, n_members, line_colours[0].data());
-    glUniform4fv(variant->rulings, n_members, rulings[0].data());
-    glUniform2fv(variant->corners, polygon.n_corners, polygon.corners[0].data());
-    glDrawArrays(GL_TRIANGLE_FAN, 0, polygon.n_corners);
+                                     : polygon_of(box.within(p.box));
+    variant->program.draw(polygon, constants, *scene.drawing);
 }
 
 }  // namespace poinsot

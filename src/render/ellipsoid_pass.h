@@ -12,14 +12,15 @@ namespace poinsot {
 
 class EllipsoidPass {
  public:
+    // Precondition: a vertex array without attributes is bound.
     void draw(const ViewScene& scene);
 
  private:
     static constexpr int most_members = 4;
     struct Variant {
         explicit Variant(int n_members);
-        Program program;
-        GLint corners, members, colours, line_colours, rulings;
+        PolygonProgram program;
+        GLint sights;
     };
     void draw_group(const ViewScene& scene, const int* members, int n_members);
 

@@ -1,6 +1,10 @@
 #include "render/plane_pass.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "render/colour.h"
 
@@ -9,149 +13,156 @@ namespace {
 
 constexpr int n_bands = 32;
 
-void set_map(GLint location, const Eigen::Matrix3d& map) {
-    const Eigen::Matrix3f values = map.cast<float>();
-    glUniformMatrix3fv(location, 1, GL_FALSE, values.data());
+// As in shaders/shadow.vert.
+constexpr int n_rings = 24;
+constexpr int n_spokes = 64;
+
+// The part of a plane that an ellipsoid may shade.
+struct Shadow {
+    Eigen::Vector3d hub;  // the point of the plane nearest to the ellipsoid
+    double side;          // of the plane on which the ellipsoid stands
+    double reach;
+};
+
+Shadow shadow_of(const Plane& plane, const Quadric& caster, const Light& light) {
+    const double height = plane.normal.dot(caster.centre - plane.centre);
+    const double side = height < 0.0 ? -1.0 : 1.0;
+    const Eigen::Vector3d lean = caster.axes.transpose() * plane.normal;
+    const Eigen::Vector3d lowest =
+        caster.centre - side * caster.axes * lean / std::max(lean.norm(), 1e-12);
+    const Eigen::Vector3d hub = lowest - plane.normal.dot(lowest - plane.centre) * plane.normal;
+    const double largest = caster.axes.colwise().norm().maxCoeff();
+    // The key light's shadow lies away from the light, and widens with the height.
+    const Eigen::Vector3d towards = light.towards.normalized();
+    const double rise = std::max(std::abs(plane.normal.dot(towards)), 0.3);
+    const double slope = std::sqrt(1.0 - rise * rise) / rise;
+    const double away = (caster.centre - height * plane.normal - hub).norm();
+    return {hub, side, away + std::abs(height) * slope + 1.3 * largest / rise};
 }
 
-void set_anchor(GLint location, const PlaneMap& map) {
-    glUniform2f(location, static_cast<float>(map.anchor_px.x()),
-                static_cast<float>(map.anchor_px.y()));
-}
-
-void set_disc(GLint location, const Plane& plane) {
-    glUniform4f(location, static_cast<float>(plane.radius), static_cast<float>(plane.fade_from),
-                static_cast<float>(plane.opacity), static_cast<float>(plane.grid_px));
-}
-
-void draw_polygon(GLint corners, const PixelPolygon& polygon) {
-    glUniform2fv(corners, polygon.n_corners, polygon.corners[0].data());
-    glDrawArrays(GL_TRIANGLE_FAN, 0, polygon.n_corners);
-}
-
-// How far from the plane's disc the ellipsoid's shadow reaches, as a ball about its foot.
-double shadow_reach(const Ellipsoid& ellipsoid) {
-    constexpr double radii = 5.0;
-    return radii * ellipsoid.half_axes.colwise().norm().maxCoeff();
-}
+bool casts(const Ellipsoid& ellipsoid) { return ellipsoid.casts_shadow && ellipsoid.opacity > 0.0; }
 
 }  // namespace
 
 BackgroundPass::BackgroundPass()
     : program_("background.vert", "background.frag"),
+      picture_(program_.at("picture")),
       box_(program_.at("box")),
-      bands_(program_.at("bands")),
-      alpha_(program_.at("alpha")) {}
+      bands_(program_.at("bands")) {}
 
-void BackgroundPass::draw(const Background& background, const PixelBox& box) const {
+void BackgroundPass::draw(const Drawing& drawing, const Background& background,
+                          const PixelBox& box) const {
     if (background.alpha <= 0.0) return;
     program_.use();
-    std::array<Eigen::Vector3f, n_bands + 1> bands;
+    set_picture(picture_, drawing);
+    std::array<Eigen::Vector4f, n_bands + 1> bands;
+    const auto alpha = static_cast<float>(background.alpha);
     for (int k = 0; k <= n_bands; ++k)
         bands[static_cast<std::size_t>(k)] =
-            linear_from_srgb(mixed(background.top, background.bottom, k / double{n_bands}));
-    glUniform3fv(bands_, n_bands + 1, bands[0].data());
+            alpha *
+            linear_from_srgb(mixed(background.top, background.bottom, k / double{n_bands}), 1.0);
+    glUniform4fv(bands_, n_bands + 1, bands[0].data());
     glUniform4f(box_, static_cast<float>(box.left), static_cast<float>(box.top),
                 static_cast<float>(box.right), static_cast<float>(box.bottom));
-    glUniform1f(alpha_, static_cast<float>(background.alpha));
+    // What covers in full need not be mixed.
+    if (background.alpha >= 1.0) glDisable(GL_BLEND);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (n_bands + 1));
+    glEnable(GL_BLEND);
 }
 
-PixelBox disc_box(const ViewScene& scene, std::size_t plane) {
+PixelPolygon disc_polygon(const ViewScene& scene, std::size_t plane) {
     const Plane& shape = scene.view->planes[plane];
-    return scene.projection.ball_box(shape.centre, shape.radius).within(scene.projection.box);
+    return disc_polygon(scene.projection, shape.centre, shape.along, across_of(shape),
+                        shape.radius);
 }
 
-PixelBox shadow_box(const ViewScene& scene, std::size_t plane) {
-    const Plane& shape = scene.view->planes[plane];
-    PixelBox box;
-    for (const Ellipsoid& caster : scene.view->ellipsoids) {
-        if (!caster.casts_shadow) continue;
-        const double height = shape.normal.dot(caster.centre - shape.centre);
-        const PixelBox ball =
-            scene.projection.ball_box(caster.centre - height * shape.normal, shadow_reach(caster));
-        if (ball.empty()) continue;
-        box.add({ball.left, ball.top});
-        box.add({ball.right, ball.bottom});
-    }
-    return box.within(disc_box(scene, plane));
-}
-
-PlanePass::PlanePass()
-    : program_("polygon.vert", "plane.frag"),
-      corners_(program_.at("corners")),
-      map_(program_.at("plane_from_pixel")),
-      anchor_(program_.at("anchor")),
-      disc_(program_.at("disc")),
-      colour_(program_.at("colour")),
-      grid_colour_(program_.at("grid_colour")) {}
+PlanePass::PlanePass() : program_("plane.frag", 6) {}
 
 void PlanePass::draw(const ViewScene& scene, std::size_t plane) const {
     const Plane& shape = scene.view->planes[plane];
     const PlaneMap& map = scene.maps[plane];
-    const PixelBox box = disc_box(scene, plane);
-    if (map.edge_on || box.empty()) return;
-    program_.use();
-    set_map(map_, map.plane_from_pixel);
-    set_anchor(anchor_, map);
-    set_disc(disc_, shape);
-    const Eigen::Vector3f colour = linear_from_srgb(shape.colour);
-    const Eigen::Vector3f grid = linear_from_srgb(shape.grid_colour);
-    glUniform4f(colour_, colour.x(), colour.y(), colour.z(),
-                static_cast<float>(1.0 / shape.grid_spacing));
-    glUniform3fv(grid_colour_, 1, grid.data());
-    draw_polygon(corners_, polygon_of(box));
+    const PixelPolygon polygon = disc_polygon(scene, plane);
+    if (map.edge_on || polygon.box.within(scene.projection.box).empty()) return;
+    Constants constants;
+    constants.add(map.plane_from_pixel.col(0), map.anchor_px.x());
+    constants.add(map.plane_from_pixel.col(1), map.anchor_px.y());
+    constants.add(map.plane_from_pixel.col(2), 1.0 / shape.grid_spacing);
+    constants.add(shape.radius, shape.fade_from, shape.opacity, shape.grid_px);
+    constants.add(linear_from_srgb(shape.colour, 1.0));
+    constants.add(linear_from_srgb(shape.grid_colour, 1.0));
+    program_.draw(polygon, constants, *scene.drawing);
 }
 
 ShadowPass::ShadowPass()
-    : program_("polygon.vert", "shadow.frag"),
-      corners_(program_.at("corners")),
-      map_(program_.at("plane_from_pixel")),
-      anchor_(program_.at("anchor")),
-      disc_(program_.at("disc")),
+    : program_("shadow.vert", "shadow.frag"),
+      picture_(program_.at("picture")),
+      constants_(program_.at("constants")),
+      to_u_(program_.at("to_u")),
       tint_(program_.at("tint")),
-      n_casters_(program_.at("n_casters")),
-      sphere_map_(program_.at("sphere_from_pixel")),
-      normal_(program_.at("normal_u")),
-      light_(program_.at("light_u")) {}
+      vertex_array_(GlVertexArray::make()),
+      indices_(GlBuffer::make()) {
+    std::vector<std::uint16_t> indices;
+    for (int ring = 0; ring < n_rings; ++ring) {
+        for (int spoke = 0; spoke < n_spokes; ++spoke) {
+            const int next = (spoke + 1) % n_spokes;
+            const auto at = [](int i, int j) {
+                return static_cast<std::uint16_t>(i * n_spokes + j);
+            };
+            // The innermost ring is a point.
+            if (ring > 0)
+                indices.insert(indices.end(),
+                               {at(ring, spoke), at(ring, next), at(ring + 1, next)});
+            indices.insert(indices.end(),
+                           {at(ring, spoke), at(ring + 1, next), at(ring + 1, spoke)});
+        }
+    }
+    n_indices_ = static_cast<GLsizei>(indices.size());
+    glBindVertexArray(vertex_array_.id());
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint16_t)), indices.data(),
+                 GL_STATIC_DRAW);
+}
 
 void ShadowPass::draw(const ViewScene& scene, std::size_t plane) const {
     const Plane& shape = scene.view->planes[plane];
-    const PlaneMap& map = scene.maps[plane];
-    const PixelBox box = shadow_box(scene, plane);
-    if (map.edge_on || box.empty()) return;
-
-    std::array<Eigen::Matrix3f, max_quadrics> sphere_maps;
-    std::array<Eigen::Vector3f, max_quadrics> normals, lights;
-    std::size_t n_casters = 0;
-    for (std::size_t k = 0; k < scene.quadrics.size() && n_casters < max_quadrics; ++k) {
-        if (!scene.view->ellipsoids[k].casts_shadow) continue;
+    for (std::size_t k = 0; k < scene.quadrics.size(); ++k) {
+        if (!casts(scene.view->ellipsoids[k])) continue;
         const Quadric& q = scene.quadrics[k];
-        // The side of the plane on which the ellipsoid stands is the lit one.
-        const double side = shape.normal.dot(q.centre - shape.centre) < 0.0 ? -1.0 : 1.0;
-        Eigen::Matrix3d sphere_from_plane;
-        sphere_from_plane << q.to_u * shape.along, q.to_u * across_of(shape),
-            q.to_u * (shape.centre - q.centre);
-        sphere_maps[n_casters] = (sphere_from_plane * map.plane_from_pixel).cast<float>();
-        normals[n_casters] = (side * q.axes.transpose() * shape.normal).normalized().cast<float>();
-        lights[n_casters] = (q.to_u * scene.view->light.towards).normalized().cast<float>();
-        ++n_casters;
+        const Shadow shadow = shadow_of(shape, q, scene.view->light);
+        Constants constants;
+        scene.add_view(constants);
+        scene.add_light(constants);
+        constants.add(shadow.hub, shadow.reach);
+        constants.add(shape.along);
+        constants.add(across_of(shape));
+        constants.add(shape.centre, shape.radius);
+        constants.add(shape.opacity, shape.fade_from, 0.0, 0.0);
+        constants.add((shadow.side * q.axes.transpose() * shape.normal).normalized());
+        constants.add((q.to_u * scene.view->light.towards).normalized());
+        Constants to_u;
+        for (int row = 0; row < 3; ++row) to_u.add(q.to_u_row(row), q.to_u_offset(row));
+        program_.use();
+        set_picture(picture_, *scene.drawing);
+        glUniform4fv(constants_, constants.size(), constants.from(0));
+        glUniform4fv(to_u_, to_u.size(), to_u.from(0));
+        // A deep shade of the plane's own colour is calmer than black.
+        const Eigen::Vector4f tint = linear_from_srgb(shape.grid_colour, 1.0);
+        glUniform4f(tint_, 0.06f * tint[0], 0.06f * tint[1], 0.06f * tint[2], 1.0f);
+        glBindVertexArray(vertex_array_.id());
+        glDrawElements(GL_TRIANGLES, n_indices_, GL_UNSIGNED_SHORT, nullptr);
     }
-    if (n_casters == 0) return;
+}
 
-    program_.use();
-    set_map(map_, map.plane_from_pixel);
-    set_anchor(anchor_, map);
-    set_disc(disc_, shape);
-    // A deep shade of the plane's own colour is calmer than black.
-    const Eigen::Vector3f tint = 0.06f * linear_from_srgb(shape.grid_colour);
-    glUniform3fv(tint_, 1, tint.data());
-    const auto n = static_cast<GLsizei>(n_casters);
-    glUniform1i(n_casters_, n);
-    glUniformMatrix3fv(sphere_map_, n, GL_FALSE, sphere_maps[0].data());
-    glUniform3fv(normal_, n, normals[0].data());
-    glUniform3fv(light_, n, lights[0].data());
-    draw_polygon(corners_, polygon_of(box));
+void ShadowPass::mark(const ViewScene& scene, std::size_t plane, TileMask& marks) const {
+    const Plane& shape = scene.view->planes[plane];
+    for (std::size_t k = 0; k < scene.quadrics.size(); ++k) {
+        if (!casts(scene.view->ellipsoids[k])) continue;
+        const Shadow shadow = shadow_of(shape, scene.quadrics[k], scene.view->light);
+        const PixelPolygon polygon =
+            disc_polygon(scene.projection, shadow.hub, shape.along, across_of(shape), shadow.reach);
+        marks.mark(polygon.box.within(scene.projection.box));
+    }
 }
 
 }  // namespace poinsot

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/program.h"
+#include "render/tile_mask.h"
 #include "render/view_scene.h"
 
 namespace poinsot {
@@ -9,11 +10,11 @@ namespace poinsot {
 class BackgroundPass {
  public:
     BackgroundPass();
-    void draw(const Background& background, const PixelBox& box) const;
+    void draw(const Drawing& drawing, const Background& background, const PixelBox& box) const;
 
  private:
     Program program_;
-    GLint box_, bands_, alpha_;
+    GLint picture_, box_, bands_;
 };
 
 class PlanePass {
@@ -22,22 +23,24 @@ class PlanePass {
     void draw(const ViewScene& scene, std::size_t plane) const;
 
  private:
-    Program program_;
-    GLint corners_, map_, anchor_, disc_, colour_, grid_colour_;
+    PolygonProgram program_;
 };
 
 class ShadowPass {
  public:
     ShadowPass();
     void draw(const ViewScene& scene, std::size_t plane) const;
+    void mark(const ViewScene& scene, std::size_t plane, TileMask& marks) const;
 
  private:
     Program program_;
-    GLint corners_, map_, anchor_, disc_, tint_, n_casters_, sphere_map_, normal_, light_;
+    GLint picture_, constants_, to_u_, tint_;
+    GlVertexArray vertex_array_;
+    GlBuffer indices_;
+    GLsizei n_indices_ = 0;
 };
 
-// Where a plane's disc, or the part of it in shadow, may be seen.
-PixelBox disc_box(const ViewScene& scene, std::size_t plane);
-PixelBox shadow_box(const ViewScene& scene, std::size_t plane);
+// Where a plane's disc is seen.
+PixelPolygon disc_polygon(const ViewScene& scene, std::size_t plane);
 
 }  // namespace poinsot

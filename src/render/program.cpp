@@ -1,7 +1,8 @@
 #include "render/program.h"
 
+#include <algorithm>
 #include <array>
-#include <vector>
+#include <cassert>
 
 #include "error/error.h"
 #include "render/shader_sources.h"
@@ -32,7 +33,7 @@ void append(std::string& out, std::string_view name) {
     }
 }
 
-GlShader compiled(GLenum kind, std::string_view name, std::initializer_list<std::string> defines) {
+GlShader compiled(GLenum kind, std::string_view name, const std::vector<std::string>& defines) {
     GlShader shader(kind);
     const std::string text = shader_text(name, defines);
     const char* start = text.c_str();
@@ -50,7 +51,7 @@ GlShader compiled(GLenum kind, std::string_view name, std::initializer_list<std:
 
 }  // namespace
 
-std::string shader_text(std::string_view name, std::initializer_list<std::string> defines) {
+std::string shader_text(std::string_view name, const std::vector<std::string>& defines) {
     std::string text = "#version 330 core\n";
     for (const std::string& define : defines) text += "#define " + define + "\n";
     append(text, name);
@@ -58,7 +59,7 @@ std::string shader_text(std::string_view name, std::initializer_list<std::string
 }
 
 Program::Program(std::string_view vertex, std::string_view fragment,
-                 std::initializer_list<std::string> defines)
+                 const std::vector<std::string>& defines)
     : program_(GlProgram::make()) {
     const GlShader vertex_shader = compiled(GL_VERTEX_SHADER, vertex, defines);
     const GlShader fragment_shader = compiled(GL_FRAGMENT_SHADER, fragment, defines);
@@ -76,12 +77,67 @@ Program::Program(std::string_view vertex, std::string_view fragment,
     glDetachShader(program_.id(), vertex_shader.id());
     glDetachShader(program_.id(), fragment_shader.id());
 
-    // Units and bindings are the same in every program, so that passes need not set them.
-    const GLuint block = glGetUniformBlockIndex(program_.id(), "View");
-    if (block != GL_INVALID_INDEX) glUniformBlockBinding(program_.id(), block, 0);
     use();
     glUniform1i(at("texture_0"), 0);
-    glUniform1i(at("texture_1"), 1);
+}
+
+namespace {
+
+// llvmpipe and OpenGL 3.3 hand 32 vectors to a fragment, one of them its position.
+constexpr int most_varyings = 31;
+
+int n_flat(int n_constants, int n_varyings) {
+    return std::min(n_constants, most_varyings - n_varyings);
+}
+
+// The defines of shaders/constants.glsl before those of the program.
+std::vector<std::string> with_counts(int n_constants, int n_varyings,
+                                     std::initializer_list<std::string> defines) {
+    std::vector<std::string> all{"N_CONSTANTS " + std::to_string(n_constants),
+                                 "N_FLAT " + std::to_string(n_flat(n_constants, n_varyings))};
+    all.insert(all.end(), defines);
+    return all;
+}
+
+}  // namespace
+
+ConstantProgram::ConstantProgram(std::string_view vertex, std::string_view fragment,
+                                 int n_constants, int n_varyings,
+                                 std::initializer_list<std::string> defines)
+    : Program(vertex, fragment, with_counts(n_constants, n_varyings, defines)),
+      n_flat_(n_flat(n_constants, n_varyings)),
+      n_constants_(n_constants),
+      constants_(at("constants")),
+      more_(at("more_constants")),
+      picture_(at("picture")) {}
+
+void ConstantProgram::use(const Constants& constants, const Drawing& drawing) const {
+    assert(constants.size() == n_constants_);
+    Program::use();
+    glUniform4fv(constants_, n_flat_, constants.from(0));
+    if (n_constants_ > n_flat_)
+        glUniform4fv(more_, n_constants_ - n_flat_, constants.from(n_flat_));
+    set_picture(picture_, drawing);
+}
+
+void set_picture(GLint location, const Drawing& drawing) {
+    const auto width = static_cast<float>(drawing.width_px);
+    const auto height = static_cast<float>(drawing.height_px);
+    glUniform4f(location, width, height, 1.0f / width, 1.0f / height);
+}
+
+PolygonProgram::PolygonProgram(std::string_view fragment, int n_constants,
+                               std::initializer_list<std::string> defines, std::string_view vertex,
+                               int n_varyings)
+    : ConstantProgram(vertex, fragment, n_constants, n_varyings, defines),
+      corners_(at("corners")) {}
+
+void PolygonProgram::draw(const PixelPolygon& polygon, const Constants& constants,
+                          const Drawing& drawing) const {
+    if (polygon.n_corners == 0) return;
+    use(constants, drawing);
+    glUniform2fv(corners_, polygon.n_corners, polygon.corners[0].data());
+    glDrawArrays(GL_TRIANGLE_FAN, 0, polygon.n_corners);
 }
 
 }  // namespace poinsot

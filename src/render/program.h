@@ -5,23 +5,28 @@
 
 #include <Eigen/Core>
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "drawing/drawing.h"
+#include "render/constants.h"
 #include "render/gl_handles.h"
+#include "render/projection.h"
 
 namespace poinsot {
 
 // The full text of a shader: `#include "file"` lines replaced by that embedded file, `#define`s
 // put after the version line. Throws Error if there is no such file.
-std::string shader_text(std::string_view name, std::initializer_list<std::string> defines);
+std::string shader_text(std::string_view name, const std::vector<std::string>& defines);
 
-// A linked program with its texture units and the block "View" (at binding 0) already set.
+// A linked program with its texture unit already set.
 class Program {
  public:
     // Throws Error with the driver's message if a shader does not compile.
     Program(std::string_view vertex, std::string_view fragment,
-            std::initializer_list<std::string> defines = {});
+            const std::vector<std::string>& defines = {});
 
     void use() const { glUseProgram(program_.id()); }
     // Location of a uniform; -1, which OpenGL ignores, if the shader makes no use of it.
@@ -29,6 +34,58 @@ class Program {
 
  private:
     GlProgram program_;
+};
+
+// Sets the uniform `picture` of shaders/clip.glsl.
+void set_picture(GLint location, const Drawing& drawing);
+
+// A program whose constants reach its fragments as shaders/constants.glsl says.
+class ConstantProgram : public Program {
+ public:
+    // n_varyings: how many other vectors its vertex shader hands on.
+    ConstantProgram(std::string_view vertex, std::string_view fragment, int n_constants,
+                    int n_varyings, std::initializer_list<std::string> defines = {});
+
+    // Makes it current with these constants, for a picture of this size.
+    void use(const Constants& constants, const Drawing& drawing) const;
+
+ private:
+    int n_flat_, n_constants_;
+    GLint constants_, more_, picture_;
+};
+
+// One that fills convex polygons given in pixels.
+class PolygonProgram : public ConstantProgram {
+ public:
+    PolygonProgram(std::string_view fragment, int n_constants,
+                   std::initializer_list<std::string> defines = {},
+                   std::string_view vertex = "polygon.vert", int n_varyings = 0);
+    // Precondition: a vertex array without attributes is bound.
+    void draw(const PixelPolygon& polygon, const Constants& constants,
+              const Drawing& drawing) const;
+
+ private:
+    GLint corners_;
+};
+
+// Programs that differ by the numbers of solids in the view, made when first needed: their loops
+// have constant lengths, and what they read is found when they are compiled.
+template <class Made>
+class BySolids {
+ public:
+    const Made& of(int n_quadrics, int n_flats) {
+        for (const Row& row : rows_)
+            if (row.n_quadrics == n_quadrics && row.n_flats == n_flats) return *row.made;
+        rows_.push_back({n_quadrics, n_flats, std::make_unique<Made>(n_quadrics, n_flats)});
+        return *rows_.back().made;
+    }
+
+ private:
+    struct Row {
+        int n_quadrics, n_flats;
+        std::unique_ptr<Made> made;
+    };
+    std::vector<Row> rows_;
 };
 
 }  // namespace poinsot

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace poinsot {
 
@@ -86,6 +87,23 @@ PixelBox Projection::ball_box(const Eigen::Vector3d& centre, double radius) cons
     const double slant = perspective ? (middle - centre_px).norm() / focal_px : 0.0;
     ball.add(middle, radius * unit_px(nearest) * (1.0 + slant));
     return ball;
+}
+
+PixelPolygon disc_polygon(const Projection& projection, const Eigen::Vector3d& centre,
+                          const Eigen::Vector3d& along, const Eigen::Vector3d& across,
+                          double radius) {
+    constexpr int n = PixelPolygon::most_corners;
+    const double reach = radius / std::cos(std::numbers::pi / n);
+    PixelPolygon polygon;
+    for (int k = 0; k < n; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / n;
+        const Eigen::Vector3d corner =
+            centre + reach * (std::cos(angle) * along + std::sin(angle) * across);
+        if (projection.perspective && projection.depth(corner) <= projection.near_depth)
+            return polygon_of(projection.box);
+        polygon.add(projection.pixel(corner));
+    }
+    return polygon;
 }
 
 PlaneMap map_of(const Projection& projection, const Eigen::Vector3d& centre,

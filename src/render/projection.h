@@ -63,6 +63,11 @@ struct PlaneMap {
     bool edge_on = false;  // the plane is seen as a line: nothing to draw
 };
 
+// A polygon about the picture of a disc; the whole view where the disc reaches behind the eye.
+PixelPolygon disc_polygon(const Projection& projection, const Eigen::Vector3d& centre,
+                          const Eigen::Vector3d& along, const Eigen::Vector3d& across,
+                          double radius);
+
 PlaneMap map_of(const Projection& projection, const Eigen::Vector3d& centre,
                 const Eigen::Vector3d& along, const Eigen::Vector3d& across);
 

@@ -102,4 +102,9 @@ Quadric::Quadric(const Ellipsoid& ellipsoid, const Projection& projection)
     seen = !outline.box.within(view.box).empty();
 }
 
+double Quadric::limb_cosine() const {
+    // It grows as the square root of the distance from the limb.
+    return std::clamp(std::sqrt(0.2 / std::max(narrow_px, 1e-6)), 1e-3, 0.5);
+}
+
 }  // namespace poinsot

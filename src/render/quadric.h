@@ -31,6 +31,12 @@ struct Quadric {
     PixelPolygon outline;  // holds its picture; the whole view where it surrounds the eye
 
     Quadric(const Ellipsoid& ellipsoid, const Projection& projection);
+
+    // Row k of u = to_u·(X - centre), as a vector and what is added to its product with X.
+    Eigen::Vector3d to_u_row(int k) const { return to_u.row(k).transpose(); }
+    double to_u_offset(int k) const { return -to_u.row(k).dot(centre); }
+    // The cosine of the angle between normal and line of sight a tenth of a pixel within the limb.
+    double limb_cosine() const;
 };
 
 }  // namespace poinsot

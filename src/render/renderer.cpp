@@ -1,5 +1,4 @@
-// Draws a picture in layers: what stands still (kept between pictures), then what moves, view by
-// view, then composes and encodes the tiles that changed.
+// Draws what stands still, kept from picture to picture, then what moves over it, view by view.
 #include "render/renderer.h"
 
 #include <fmt/format.h>
@@ -36,8 +35,6 @@ bool same(const StillView& a, const StillView& b) {
            a.planes == b.planes;
 }
 
-bool is_transparent(const Drawing& drawing) { return drawing.background.alpha < 1.0; }
-
 }  // namespace
 
 struct Renderer::Impl {
@@ -50,14 +47,15 @@ struct Renderer::Impl {
  private:
     void check_size(const Drawing& drawing) const;
     void prepare(const Drawing& drawing);
+    bool still_is_same(const Drawing& drawing);
     void draw_still(const Drawing& drawing);
+    void draw_views();
     void mark_moving(const ViewScene& scene);
     void draw_moving(const ViewScene& scene);
     void draw_planes(const ViewScene& scene, bool before_solids);
     void limit_to(const PixelBox& box) const;
 
     Canvas canvas_;
-    ViewBlocks blocks_;
     BackgroundPass background_;
     PlanePass plane_;
     ShadowPass shadow_;
@@ -71,7 +69,7 @@ struct Renderer::Impl {
     TileMask marks_;
     Background still_background_;
     std::vector<StillView> still_views_;
-    bool still_is_drawn_ = false;
+    bool still_is_kept_ = false;
 };
 
 void Renderer::Impl::check_size(const Drawing& drawing) const {
@@ -87,7 +85,7 @@ void Renderer::Impl::prepare(const Drawing& drawing) {
     scenes_.resize(n);
     overlaps_.assign(n, false);
     for (std::size_t k = 0; k < n; ++k) {
-        scenes_[k].prepare(drawing.views[k]);
+        scenes_[k].prepare(drawing, drawing.views[k]);
         for (std::size_t j = 0; j < k; ++j)
             if (!scenes_[k].projection.box.within(scenes_[j].projection.box).empty())
                 overlaps_[k] = true;
@@ -107,36 +105,34 @@ void Renderer::Impl::draw_planes(const ViewScene& scene, bool before_solids) {
         if (scene.before_solids[k] == before_solids) plane_.draw(scene, k);
 }
 
-void Renderer::Impl::draw_still(const Drawing& drawing) {
+bool Renderer::Impl::still_is_same(const Drawing& drawing) {
     std::vector<StillView> views;
     views.reserve(scenes_.size());
-    for (std::size_t k = 0; k < scenes_.size(); ++k) {
-        const View& view = *scenes_[k].view;
-        StillView still{scenes_[k].projection.box, view.camera, view.background, {}};
-        for (std::size_t j = 0; j < view.planes.size(); ++j)
-            if (!scenes_[k].before_solids[j]) still.planes.push_back(view.planes[j]);
+    for (const ViewScene& scene : scenes_) {
+        StillView still{scene.projection.box, scene.view->camera, scene.view->background, {}};
+        for (std::size_t k = 0; k < scene.maps.size(); ++k)
+            if (!scene.before_solids[k]) still.planes.push_back(scene.view->planes[k]);
         views.push_back(std::move(still));
     }
-    const bool kept =
-        still_is_drawn_ && drawing.background == still_background_ &&
+    if (drawing.background == still_background_ &&
         std::equal(views.begin(), views.end(), still_views_.begin(), still_views_.end(),
-                   [](const auto& a, const auto& b) { return same(a, b); });
-    if (kept) return;
+                   [](const auto& a, const auto& b) { return same(a, b); }))
+        return true;
     still_background_ = drawing.background;
     still_views_ = std::move(views);
-    still_is_drawn_ = true;
+    return false;
+}
 
-    canvas_.begin_still();
-    glEnable(GL_BLEND);
-    blocks_.bind(0);
+void Renderer::Impl::draw_still(const Drawing& drawing) {
     glBindVertexArray(empty_.id());
-    background_.draw(drawing.background, {0.0, 0.0, static_cast<double>(drawing.width_px),
-                                          static_cast<double>(drawing.height_px)});
+    background_.draw(
+        drawing, drawing.background,
+        {0.0, 0.0, static_cast<double>(drawing.width_px), static_cast<double>(drawing.height_px)});
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
         if (overlaps_[k]) continue;
-        blocks_.bind(k);
         limit_to(scenes_[k].projection.box);
-        background_.draw(scenes_[k].view->background, scenes_[k].projection.box);
+        background_.draw(*scenes_[k].drawing, scenes_[k].view->background,
+                         scenes_[k].projection.box);
         draw_planes(scenes_[k], false);
     }
 }
@@ -144,8 +140,8 @@ void Renderer::Impl::draw_still(const Drawing& drawing) {
 void Renderer::Impl::mark_moving(const ViewScene& scene) {
     const PixelBox& box = scene.projection.box;
     for (std::size_t k = 0; k < scene.maps.size(); ++k) {
-        marks_.mark(shadow_box(scene, k));
-        if (scene.before_solids[k]) marks_.mark(disc_box(scene, k));
+        shadow_.mark(scene, k, marks_);
+        if (scene.before_solids[k]) marks_.mark(disc_polygon(scene, k).box.within(box));
     }
     for (const Quadric& q : scene.quadrics)
         if (q.seen) marks_.mark(q.outline.box.within(box));
@@ -157,6 +153,7 @@ void Renderer::Impl::draw_moving(const ViewScene& scene) {
     glBindVertexArray(empty_.id());
     for (std::size_t k = 0; k < scene.maps.size(); ++k)
         if (!scene.before_solids[k]) shadow_.draw(scene, k);
+    glBindVertexArray(empty_.id());
     ellipsoid_.draw(scene);
     for (std::size_t k = 0; k < scene.maps.size(); ++k)
         if (scene.before_solids[k]) plane_.draw(scene, k);
@@ -167,39 +164,58 @@ void Renderer::Impl::draw_moving(const ViewScene& scene) {
     arrow_.draw(scene, ArrowPass::Layer::visible);
 }
 
+void Renderer::Impl::draw_views() {
+    for (std::size_t k = 0; k < scenes_.size(); ++k) {
+        limit_to(scenes_[k].projection.box);
+        if (overlaps_[k]) {
+            glBindVertexArray(empty_.id());
+            background_.draw(*scenes_[k].drawing, scenes_[k].view->background,
+                             scenes_[k].projection.box);
+            draw_planes(scenes_[k], false);
+        }
+        draw_moving(scenes_[k]);
+    }
+}
+
 void Renderer::Impl::render(const Drawing& drawing, Image& image) {
     check_size(drawing);
+    bool known = true;
     if (canvas_.resize(drawing.width_px, drawing.height_px)) {
-        still_is_drawn_ = false;
+        known = false;
         marks_.resize(drawing.width_px, drawing.height_px);
     }
     prepare(drawing);
+    known = still_is_same(drawing) && known;
+    glEnable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    blocks_.upload(drawing, scenes_);
     curve_.begin_picture();
-    draw_still(drawing);
+    const bool transparent = drawing.background.alpha < 1.0;
 
+    // What stood still in the picture before will likely stand still in the next, and is kept.
+    if (!known) {
+        still_is_kept_ = false;
+        canvas_.begin_whole();
+        draw_still(drawing);
+        draw_views();
+        canvas_.read_whole(image, transparent);
+        return;
+    }
+    if (!still_is_kept_) {
+        canvas_.begin_still();
+        draw_still(drawing);
+        canvas_.keep_still(transparent);
+        still_is_kept_ = true;
+    }
     marks_.clear();
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
         if (overlaps_[k]) marks_.mark(scenes_[k].projection.box);
         mark_moving(scenes_[k]);
     }
-    canvas_.begin_moving(marks_);
-    glEnable(GL_BLEND);
-    for (std::size_t k = 0; k < scenes_.size(); ++k) {
-        blocks_.bind(k);
-        limit_to(scenes_[k].projection.box);
-        if (overlaps_[k]) {
-            glBindVertexArray(empty_.id());
-            background_.draw(scenes_[k].view->background, scenes_[k].projection.box);
-            draw_planes(scenes_[k], false);
-        }
-        draw_moving(scenes_[k]);
-    }
-    canvas_.compose(marks_, is_transparent(drawing));
-    canvas_.read(image);
+    canvas_.begin_over_still(marks_);
+    draw_views();
+    canvas_.read_over_still(marks_, image, transparent);
 }
 
 Renderer::Renderer(const OffscreenContext& context)

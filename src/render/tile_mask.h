@@ -8,31 +8,31 @@
 
 namespace poinsot {
 
-// Tiles as large as llvmpipe's own, so that a tile is drawn without looking at its edges.
+// Whole pixels, end exclusive.
+struct PixelRect {
+    int left = 0, top = 0, right = 0, bottom = 0;
+    int width() const { return right - left; }
+    int height() const { return bottom - top; }
+};
+
 class TileMask {
  public:
-    static constexpr int side_px = 64;
+    static constexpr int side_px = 32;
 
     void resize(int width_px, int height_px);
     void clear();
     void fill();
     void mark(const PixelBox& box);
 
-    int n_columns() const { return n_columns_; }
-    int n_rows() const { return n_rows_; }
-    bool marked(int column, int row) const {
-        return marks_[static_cast<std::size_t>(row * n_columns_ + column)] != 0;
-    }
-    void join(const TileMask& other);
-    void swap(TileMask& other) noexcept { marks_.swap(other.marks_); }
-
-    // Rectangles of tiles as two triangles each, x and y in pixels: neighbours in a row as one.
-    void append_triangles(std::vector<float>& corners) const;
+    // The marked tiles as rectangles, row by row, neighbours joined; of no use after the next
+    // call of a function that is not const.
+    const std::vector<PixelRect>& rects();
 
  private:
-    int n_columns_ = 0;
-    int n_rows_ = 0;
+    int width_px_ = 0, height_px_ = 0;
+    int n_columns_ = 0, n_rows_ = 0;
     std::vector<std::uint8_t> marks_;
+    std::vector<PixelRect> rects_;
 };
 
 }  // namespace poinsot

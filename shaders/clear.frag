@@ -1,2 +1,0 @@
-out vec4 fragment;
-void main() { fragment = vec4(0.0); }

@@ -1,0 +1,69 @@
+#include "render/encoding.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace poinsot {
+namespace {
+
+constexpr int side = 8;  // of the dither's matrix
+
+// Bayer's matrix of thresholds, in 256ths of a level: 128 ± 0.42 levels.
+constexpr std::array<std::array<std::uint16_t, side>, side> make_thresholds() {
+    std::array<std::array<std::uint16_t, side>, side> thresholds{};
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const int z = x ^ y;
+            const int rank = ((z & 1) << 5) | ((y & 1) << 4) | ((z & 2) << 2) | ((y & 2) << 1) |
+                             ((z & 4) >> 1) | ((y & 4) >> 2);
+            constexpr int amplitude = 216;
+            thresholds[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] =
+                static_cast<std::uint16_t>(128 + (2 * rank - 63) * amplitude / 128);
+        }
+    }
+    return thresholds;
+}
+constexpr auto thresholds = make_thresholds();
+
+double srgb_from_linear(double x) {
+    return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
+}
+
+}  // namespace
+
+Encoder::Encoder() : levels_(65536) {
+    for (std::size_t k = 0; k < levels_.size(); ++k)
+        levels_[k] = static_cast<std::uint16_t>(
+            std::lround(255.0 * 256.0 * srgb_from_linear(static_cast<double>(k) / 65535.0)));
+}
+
+void Encoder::encode_opaque(const std::uint16_t* linear, int x, int y, int n,
+                            std::uint8_t* out) const {
+    const std::uint16_t* levels = levels_.data();
+    const auto& row = thresholds[static_cast<std::size_t>(y % side)];
+    for (int k = 0; k < n; ++k, linear += 4, out += 4) {
+        const unsigned threshold = row[static_cast<std::size_t>((x + k) % side)];
+        out[0] = static_cast<std::uint8_t>((levels[linear[0]] + threshold) >> 8);
+        out[1] = static_cast<std::uint8_t>((levels[linear[1]] + threshold) >> 8);
+        out[2] = static_cast<std::uint8_t>((levels[linear[2]] + threshold) >> 8);
+        out[3] = 255;
+    }
+}
+
+void Encoder::encode_transparent(const std::uint16_t* linear, int x, int y, int n,
+                                 std::uint8_t* out) const {
+    const auto& row = thresholds[static_cast<std::size_t>(y % side)];
+    for (int k = 0; k < n; ++k, linear += 4, out += 4) {
+        const unsigned threshold = row[static_cast<std::size_t>((x + k) % side)];
+        const unsigned alpha = linear[3];
+        for (int c = 0; c < 3; ++c) {
+            const unsigned part =
+                alpha == 0 ? 0u : std::min(65535u, (65535u * linear[c] + alpha / 2) / alpha);
+            out[c] = static_cast<std::uint8_t>((levels_[part] + threshold) >> 8);
+        }
+        out[3] = static_cast<std::uint8_t>((255u * alpha + 32767u) / 65535u);
+    }
+}
+
+}  // namespace poinsot
