@@ -6,13 +6,16 @@
 #include <array>
 #include <filesystem>
 
+#include "cli/quality.h"
 #include "drawing/elements.h"
 #include "drawing/panel.h"
 #include "drawing/theme.h"
 #include "error/error.h"
+#include "mechanics/methods.h"
 #include "mechanics/solids.h"
 #include "output/frame_sink.h"
 #include "scene/load_scene.h"
+#include "scene/scene_keys.h"
 
 namespace poinsot {
 
@@ -52,14 +55,36 @@ std::vector<CatalogueEntry> solid_entries() {
     return entries;
 }
 
-const std::array<Catalogue, 6> table{{
+std::vector<CatalogueEntry> method_entries() {
+    std::vector<CatalogueEntry> entries;
+    for (const Method& method : methods()) {
+        entries.push_back({std::string(method.name),
+                           fmt::format("{}; conserves {}", method.summary, method.conserves)});
+    }
+    return entries;
+}
+
+std::vector<CatalogueEntry> key_entries() {
+    std::vector<CatalogueEntry> entries;
+    for (const SceneKey& key : scene_keys()) {
+        entries.push_back({std::string(key.path),
+                           fmt::format("{}{}{}; {}", key.type, key.unit.empty() ? "" : " in ",
+                                       key.unit, key.summary)});
+    }
+    return entries;
+}
+
+const auto table = std::to_array<Catalogue>({
     {"scenes", scene_entries},
+    {"keys", key_entries},
+    {"methods", method_entries},
+    {"qualities", [] { return rows_of(qualities()); }},
     {"elements", [] { return rows_of(elements()); }},
     {"panels", [] { return rows_of(panel_kinds()); }},
     {"themes", [] { return rows_of(themes()); }},
     {"formats", [] { return rows_of(output_formats()); }},
     {"solids", solid_entries},
-}};
+});
 
 }  // namespace
 

@@ -9,9 +9,11 @@
 
 #include "cli/command.h"
 #include "cli/json_text.h"
+#include "cli/plan.h"
 #include "cli/session.h"
 #include "construction/poinsot_construction.h"
 #include "construction/polhode.h"
+#include "drawing/reach.h"
 #include "drawing/stage.h"
 #include "error/nearest.h"
 #include "mechanics/free_rotation.h"
@@ -112,6 +114,29 @@ void add_free_motion(const Session& session, std::vector<Fact>& facts) {
     }
 }
 
+// What the scene's accuracy in pixels means here.
+void add_accuracy(const Session& session, std::vector<Fact>& facts) {
+    const double px_per_rad = pixels_per_radian(session.scene);
+    const bool stepped = session.motion.integrated() != nullptr;
+    const double motion_px =
+        stepped ? session.step.attitude_rad * px_per_rad : exact_residual_bound * px_per_rad;
+    facts.push_back({"accuracy_px", json_number(session.scene.accuracy_px), "accuracy asked",
+                     fmt::format("{:g} px", session.scene.accuracy_px)});
+    if (!stepped || session.step.attitude_rad > 0.0) {
+        facts.push_back({"motion_error_px", json_number(motion_px), "accuracy of the motion",
+                         fmt::format("{:.2g} px ({})", motion_px,
+                                     stepped ? "measured over the film" : "rounding alone")});
+    }
+    facts.push_back({"curve_error_px", json_number(0.5 * session.scene.accuracy_px),
+                     "accuracy of the curves",
+                     fmt::format("{:g} px, by subdivision", 0.5 * session.scene.accuracy_px)});
+    if (session.motion.integrated() != nullptr) {
+        const MethodChoice& method = session.motion.problem().method;
+        if (method.step_s) add_number(facts, "step_s", "step", *method.step_s, "s");
+        if (method.tolerance) add_number(facts, "tolerance", "tolerance", *method.tolerance, "");
+    }
+}
+
 int run(const Options& options) {
     const Session session = open_session(options);
     print_notes(session.scene, options.quiet);
@@ -151,6 +176,18 @@ int run(const Options& options) {
                        .first_time_s = film.start_s,
                        .last_time_s = film.last_time_s()});
 
+    add_accuracy(session, facts);
+    const bool certified = can_certify(session);
+    const Certificate certificate = certified ? certify_film(session, film) : Certificate{};
+    if (certified) {
+        facts.push_back({"certificate_holds", fmt::format("{}", certificate.holds()), "", ""});
+        for (const CertifiedClaim& claim : certificate.claims) {
+            facts.push_back(
+                {fmt::format("worst_{}", claim.name), json_number(claim.worst), "", ""});
+        }
+    }
+    const int code = certificate.holds() ? 0 : 1;
+
     if (options.json) {
         fmt::print("{{\n");
         for (std::size_t i = 0; i < facts.size(); ++i) {
@@ -158,10 +195,19 @@ int run(const Options& options) {
                        i + 1 < facts.size() ? "," : "");
         }
         fmt::print("}}\n");
-        return 0;
+        return code;
     }
-    for (const Fact& fact : facts) fmt::print("{}: {}\n", fact.label, fact.text);
-    return 0;
+    for (const Fact& fact : facts) {
+        if (!fact.label.empty()) fmt::print("{}: {}\n", fact.label, fact.text);
+    }
+    if (options.plan) {
+        fmt::print("\n");
+        for (const PlanLine& line : plan_of(session, film, stage)) {
+            fmt::print("{}: {} ({})\n", line.what, line.decision, line.why);
+        }
+    }
+    if (certified) fmt::print("\n{}", text_of(certificate));
+    return code;
 }
 
 constexpr std::array<std::string_view, 7> options_taken{"set",  "size",  "fps", "quality",

@@ -24,6 +24,7 @@ extern const Command render_command;
 extern const Command still_command;
 extern const Command check_command;
 extern const Command sample_command;
+extern const Command tradeoff_command;
 extern const Command list_command;
 extern const Command doctor_command;
 extern const Command explain_command;

@@ -14,13 +14,14 @@ struct Options {
     std::string output;                  // -o
     std::vector<std::string> overrides;  // --set key=value, and --size, --fps, --quality as such
     std::optional<std::pair<std::int64_t, std::int64_t>> frames;  // --frames A-B, inclusive
-    double time_s = 0.0;                                          // --time
+    std::optional<double> time_s;                                 // --time
     std::vector<double> times_s;                                  // --times
     std::string backend = "auto";                                 // --backend
     bool portable = false;                                        // --portable
     bool json = false;
     bool quiet = false;
-    bool plan = false;  // check --plan
+    bool certify = false;  // render --certify
+    bool plan = false;     // check --plan
 };
 
 }  // namespace poinsot

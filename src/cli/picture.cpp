@@ -2,20 +2,34 @@
 
 #include <fmt/format.h>
 
+#include "cli/quality.h"
 #include "error/error.h"
 #include "error/nearest.h"
+#include "image/downsample.h"
+#include "scene/scene_error.h"
 
 namespace poinsot {
 
 namespace {
 
-StageOptions stage_options(const Scene& scene, const PictureSpan& span) {
+Stage make_stage(const Session& session, const PictureSpan& span, const PictureSetting& setting) {
     StageOptions options;
-    options.width_px = scene.film.width_px;
-    options.height_px = scene.film.height_px;
+    options.width_px = session.scene.film.width_px * setting.samples;
+    options.height_px = session.scene.film.height_px * setting.samples;
     options.first_time_s = span.first_time_s;
     options.last_time_s = span.last_time_s;
-    return options;
+    // Tolerances are pixels of the picture drawn, which is `samples` times as large as the one
+    // made.
+    Scene scene = session.scene;
+    scene.accuracy_px *= setting.curve_tolerance * setting.samples;
+    return Stage(scene, session.motion, options);
+}
+
+PictureSetting setting_of(const Scene& scene) {
+    const Quality& quality = at_scene_key(scene, "film.quality", [&]() -> const Quality& {
+        return quality_named(scene.film.quality);
+    });
+    return {quality.curve_tolerance, quality.samples};
 }
 
 }  // namespace
@@ -35,12 +49,26 @@ OffscreenContext make_context(const Options& options) {
 }
 
 PictureMaker::PictureMaker(const Session& session, const Options& options, const PictureSpan& span)
-    : stage_(session.scene, session.motion, stage_options(session.scene, span)),
-      context_(make_context(options)),
-      renderer_(context_) {}
+    : own_context_(make_context(options)),
+      context_(&*own_context_),
+      samples_(setting_of(session.scene).samples),
+      stage_(make_stage(session, span, setting_of(session.scene))),
+      renderer_(*context_) {}
+
+PictureMaker::PictureMaker(const Session& session, const OffscreenContext& context,
+                           const PictureSpan& span, const PictureSetting& setting)
+    : context_(&context),
+      samples_(setting.samples),
+      stage_(make_stage(session, span, setting)),
+      renderer_(context) {}
 
 void PictureMaker::draw(double time_s, Image& image) {
-    renderer_.render_into(stage_.at(time_s), image);
+    if (samples_ == 1) {
+        renderer_.render_into(stage_.at(time_s), image);
+        return;
+    }
+    renderer_.render_into(stage_.at(time_s), large_);
+    image = downsampled(large_, samples_);
 }
 
 }  // namespace poinsot

@@ -1,6 +1,8 @@
 // Pictures of a session: stage, context and renderer together, for the commands that draw.
 #pragma once
 
+#include <optional>
+
 #include "cli/options.h"
 #include "cli/session.h"
 #include "drawing/stage.h"
@@ -17,19 +19,35 @@ struct PictureSpan {
 // The context that the command line asks for.
 OffscreenContext make_context(const Options& options);
 
+// How finely a picture is drawn; --quality names some of these.
+struct PictureSetting {
+    double curve_tolerance = 1.0;  // in units of the scene's accuracy_px
+    int samples = 1;               // drawn samples × samples times as large and averaged
+};
+
 class PictureMaker {
  public:
+    // On a context of its own, as finely as the scene's quality says.
     PictureMaker(const Session& session, const Options& options, const PictureSpan& span);
+    // On a context that outlives it.
+    PictureMaker(const Session& session, const OffscreenContext& context, const PictureSpan& span,
+                 const PictureSetting& setting);
+    PictureMaker(const PictureMaker&) = delete;
+    PictureMaker& operator=(const PictureMaker&) = delete;
 
     // The picture of an instant, drawn into an image whose memory is reused.
     void draw(double time_s, Image& image);
 
-    const ContextInfo& context_info() const { return context_.info(); }
+    const ContextInfo& context_info() const { return context_->info(); }
+    const Stage& stage() const { return stage_; }
 
  private:
+    std::optional<OffscreenContext> own_context_;
+    const OffscreenContext* context_;
+    int samples_;
     Stage stage_;
-    OffscreenContext context_;
     Renderer renderer_;
+    Image large_;
 };
 
 }  // namespace poinsot

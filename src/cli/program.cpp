@@ -68,7 +68,7 @@ std::vector<double> parse_times(const std::string& text) {
     return times;
 }
 
-const std::array<OptionRow, 13> option_table{{
+const auto option_table = std::to_array<OptionRow>({
     {"output",
      [](CLI::App& app, Options& o) { app.add_option("-o,--output", o.output, "where to write"); }},
     {"set",
@@ -103,7 +103,8 @@ const std::array<OptionRow, 13> option_table{{
      }},
     {"time",
      [](CLI::App& app, Options& o) {
-         app.add_option("--time", o.time_s, "instant of the motion in seconds");
+         app.add_option("--time", o.time_s,
+                        "instant of the motion in seconds; the film's last if not given");
      }},
     {"times",
      [](CLI::App& app, Options& o) {
@@ -123,7 +124,11 @@ const std::array<OptionRow, 13> option_table{{
      [](CLI::App& app, Options& o) {
          app.add_flag("--portable", o.portable, "the same bytes on every processor");
      }},
-}};
+    {"certify",
+     [](CLI::App& app, Options& o) {
+         app.add_flag("--certify", o.certify, "measure how well it is Poinsot's, over all frames");
+     }},
+});
 
 void add_option(std::string_view name, CLI::App& app, Options& options) {
     for (const OptionRow& row : option_table) {
@@ -148,8 +153,9 @@ void flush_stdout() {
 }  // namespace
 
 std::span<const Command> commands() {
-    static const std::array table{render_command,  still_command,    check_command, sample_command,
-                                  explain_command, rerender_command, list_command,  doctor_command};
+    static const std::array table{render_command,   still_command,   check_command,
+                                  sample_command,   explain_command, rerender_command,
+                                  tradeoff_command, list_command,    doctor_command};
     return table;
 }
 

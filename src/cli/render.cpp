@@ -56,6 +56,17 @@ int make_film(const Session& session, const Options& options) {
     plan.n_frames = last - first + 1;
     plan.quality = session.scene.film.quality;
 
+    // A film that is not what its method promises is refused before it is drawn.
+    if (options.certify) {
+        if (!can_certify(session)) {
+            throw InputError(
+                "--certify: only a torque-free body that turns rolls on a plane; leave it out");
+        }
+        const Certificate certificate = certify_film(session, film);
+        fmt::print("{}", text_of(certificate));
+        if (!certificate.holds()) return 1;
+    }
+
     watch_for_interrupts();
     const OutputFormat& format = format_for(plan.path);
     PictureMaker pictures(session, options,
@@ -81,8 +92,9 @@ namespace {
 
 int run(const Options& options) { return make_film(open_session(options), options); }
 
-constexpr std::array<std::string_view, 9> options_taken{
-    "output", "set", "size", "fps", "quality", "frames", "quiet", "backend", "portable"};
+constexpr auto options_taken =
+    std::to_array<std::string_view>({"output", "set", "size", "fps", "quality", "frames", "quiet",
+                                     "backend", "portable", "certify"});
 
 }  // namespace
 

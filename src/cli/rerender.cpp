@@ -85,8 +85,7 @@ int run(const Options& given) {
     // The record's scene is read as a file of its name would be.
     Scene scene = parse_scene(record.scene_toml, record.scene_name + ".toml");
     scene.notes.clear();
-    Motion motion(problem_of(scene));
-    const Session session{std::move(scene), std::move(motion)};
+    const Session session = session_of(std::move(scene));
 
     options.portable = record.portable;
     options.time_s = record.time_s.value_or(0.0);

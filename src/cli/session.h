@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "cli/options.h"
+#include "construction/certificate.h"
+#include "construction/step_choice.h"
 #include "mechanics/motion.h"
 #include "output/frame_sink.h"
 #include "scene/scene.h"
@@ -17,11 +19,15 @@ namespace poinsot {
 // A scene that has been read and whose motion has been made.
 struct Session {
     Scene scene;
+    StepChoice step;  // of a stepped method; chosen from accuracy_px where the scene does not say
     Motion motion;
 };
 
 // Reads the scene named by the first argument with the command line's overrides. Throws InputError.
 Session open_session(const Options& options);
+
+// The motion of a scene, its step chosen. Throws SceneError.
+Session session_of(Scene scene);
 
 // The instants of a film. Frame k shows start + k·speed/fps, from the ratio, never accumulated.
 struct FilmPlan {
@@ -35,6 +41,14 @@ struct FilmPlan {
 };
 
 FilmPlan film_plan(const Scene& scene, const Motion& motion);
+
+// The residuals of the construction over all frames; every frame counts. Torque-free scenes that
+// turn.
+bool can_certify(const Session& session);
+Certificate certify_film(const Session& session, const FilmPlan& film);
+
+// The certificate as lines of text, one a claim, with what was measured and what was promised.
+std::string text_of(const Certificate& certificate);
 
 // Notes that the scene's reader left for the user, on stderr, unless quiet.
 void print_notes(const Scene& scene, bool quiet);

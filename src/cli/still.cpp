@@ -18,7 +18,9 @@ namespace poinsot {
 
 int make_still(const Session& session, const Options& options) {
     print_notes(session.scene, options.quiet);
-    if (!std::isfinite(options.time_s)) {
+    const FilmPlan film = film_plan(session.scene, session.motion);
+    const double time_s = options.time_s.value_or(film.last_time_s());
+    if (!std::isfinite(time_s)) {
         throw InputError("--time is not a finite number; give an instant in seconds");
     }
 
@@ -32,15 +34,13 @@ int make_still(const Session& session, const Options& options) {
         throw InputError(fmt::format("{}: a still is a PNG; end its name in .png", path.string()));
     }
 
-    // A still shows the herpolhode of the whole film, so that the figure has both curves.
-    const FilmPlan film = film_plan(session.scene, session.motion);
+    // The histories shown begin with the film and end with the instant.
     PictureMaker pictures(session, options,
-                          {.first_time_s = std::min(film.start_s, options.time_s),
-                           .last_time_s = std::max(film.last_time_s(), options.time_s)});
+                          {.first_time_s = std::min(film.start_s, time_s), .last_time_s = time_s});
     Image image;
-    pictures.draw(options.time_s, image);
+    pictures.draw(time_s, image);
     Record record = record_of(session, pictures.context_info(), options.portable);
-    record.time_s = options.time_s;
+    record.time_s = time_s;
     PngOptions png;
     png.texts[kMetadataName] = to_text(record);
     write_png(path, image, png);

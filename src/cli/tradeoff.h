@@ -1,0 +1,68 @@
+// The parts of `poinsot tradeoff`: motion, picture and film, each measured on this machine.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/options.h"
+#include "cli/session.h"
+
+namespace poinsot {
+
+// One row of the motion's table: a method with one setting.
+struct MotionTrade {
+    std::string method;   // with its order where it has several: "dmv-10"
+    std::string setting;  // "step 0.01 s", "tolerance 1e-06", ""
+    double ns_a_frame = 0.0;
+    double evaluations_a_frame = 0.0;
+    double attitude_rad = 0.0;
+    double energy = 0.0;    // relative drift of T
+    double momentum = 0.0;  // relative drift of L
+    double displacement_px = 0.0;
+    bool on_front = false;
+};
+
+// Methods over a ladder of settings against the truth (exact where it exists, else dopri5 at its
+// least tolerance).
+struct MotionTrades {
+    std::string truth;
+    int n_runs = 0;  // fewest of any row
+    std::int64_t n_frames = 0;
+    std::vector<MotionTrade> rows;
+};
+MotionTrades trade_motion(const Session& session, const FilmPlan& film, double px_per_rad);
+
+// One row of the picture's table.
+struct PictureTrade {
+    std::string setting;
+    std::string quality;  // the name of --quality that it is, or empty
+    double ms_a_frame = 0.0;
+    double rms_levels = 0.0;  // against the reference picture
+    double largest_levels = 0.0;
+    bool on_front = false;
+};
+struct PictureTrades {
+    int width_px = 0, height_px = 0;
+    int n_runs = 0;
+    std::string reference;
+    std::vector<PictureTrade> rows;
+};
+PictureTrades trade_picture(const Session& session, const Options& options, const FilmPlan& film);
+
+// One row of the film's table: a quality's encoder.
+struct FilmTrade {
+    std::string quality;
+    double ms_a_frame = 0.0;  // processor time
+    double bytes_a_frame = 0.0;
+    double ssim = 0.0;
+    bool on_front = false;
+};
+struct FilmTrades {
+    int width_px = 0, height_px = 0;
+    std::int64_t n_frames = 0;
+    std::vector<FilmTrade> rows;
+};
+FilmTrades trade_film(const Session& session, const Options& options, const FilmPlan& film);
+
+}  // namespace poinsot

@@ -1,0 +1,111 @@
+// Speed against accuracy of the picture, for one scene: settings against a reference of 8 × 8
+// samples a pixel.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cli/measure.h"
+#include "cli/picture.h"
+#include "cli/quality.h"
+#include "cli/tradeoff.h"
+
+namespace poinsot {
+
+namespace {
+
+struct Setting {
+    double curve_tolerance;
+    int samples;
+};
+
+constexpr std::array<Setting, 9> settings{
+    {{100.0, 1}, {10.0, 1}, {1.0, 1}, {0.1, 1}, {10.0, 2}, {1.0, 2}, {0.5, 2}, {0.5, 3}, {0.1, 4}}};
+
+std::string quality_of(const Setting& setting) {
+    for (const Quality& quality : qualities()) {
+        if (quality.curve_tolerance == setting.curve_tolerance &&
+            quality.samples == setting.samples) {
+            return std::string(quality.name);
+        }
+    }
+    return "";
+}
+
+struct Difference {
+    double rms = 0.0;
+    double largest = 0.0;
+};
+
+Difference difference_between(const Image& a, const Image& b) {
+    Difference difference;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.bytes().size(); ++i) {
+        const double d = std::abs(static_cast<double>(a.bytes()[i]) - b.bytes()[i]);
+        sum += d * d;
+        difference.largest = std::max(difference.largest, d);
+    }
+    // Alpha is the same everywhere and does not count.
+    difference.rms = std::sqrt(sum / (0.75 * static_cast<double>(a.bytes().size())));
+    return difference;
+}
+
+}  // namespace
+
+PictureTrades trade_picture(const Session& session, const Options& options, const FilmPlan& film) {
+    // A third of the film's sides: the errors are those of edges and lines, the same at any size.
+    Session small = session;
+    PictureTrades trades;
+    trades.width_px = small.scene.film.width_px = std::max(16, session.scene.film.width_px / 3);
+    trades.height_px = small.scene.film.height_px = std::max(16, session.scene.film.height_px / 3);
+    trades.n_runs = 1000;
+
+    constexpr int reference_samples = 8;
+    constexpr double reference_tolerance = 0.02;
+    trades.reference = fmt::format("{0} × {0} samples a pixel, curves within {1} accuracy_px",
+                                   reference_samples, reference_tolerance);
+    const PictureSpan span{film.time_of(0), film.last_time_s()};
+    const std::array<double, 3> times{film.time_of(film.n_frames / 4),
+                                      film.time_of(film.n_frames / 2), film.last_time_s()};
+
+    const OffscreenContext context = make_context(options);
+    std::array<Image, 3> references;
+    {
+        PictureMaker maker(small, context, span, {reference_tolerance, reference_samples});
+        for (std::size_t i = 0; i < times.size(); ++i) maker.draw(times[i], references[i]);
+    }
+    for (const Setting& setting : settings) {
+        PictureMaker maker(small, context, span, {setting.curve_tolerance, setting.samples});
+        PictureTrade row;
+        row.setting =
+            fmt::format("curves {:g} × accuracy_px, {}", setting.curve_tolerance,
+                        setting.samples == 1 ? std::string("analytic edges alone")
+                                             : fmt::format("{0} × {0} samples", setting.samples));
+        row.quality = quality_of(setting);
+        Image image;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            maker.draw(times[i], image);
+            const Difference difference = difference_between(references[i], image);
+            sum += difference.rms * difference.rms;
+            row.largest_levels = std::max(row.largest_levels, difference.largest);
+        }
+        row.rms_levels = std::sqrt(sum / static_cast<double>(times.size()));
+        const Timing timing = timed([&] {
+            for (const double time_s : times) maker.draw(time_s, image);
+        });
+        row.ms_a_frame = timing.cpu_s / static_cast<double>(times.size()) * 1e3;
+        trades.n_runs = std::min(trades.n_runs, timing.n_runs);
+        trades.rows.push_back(row);
+    }
+    for (PictureTrade& row : trades.rows) {
+        row.on_front =
+            std::none_of(trades.rows.begin(), trades.rows.end(), [&row](const PictureTrade& other) {
+                return other.ms_a_frame < row.ms_a_frame && other.rms_levels < row.rms_levels;
+            });
+    }
+    return trades;
+}
+
+}  // namespace poinsot
