@@ -44,9 +44,10 @@ std::vector<ObjectPart> t_handle() {
           aluminium_kg_m3}});
 }
 
-// Handle and long axis along z, strings in the y-z plane. The masses of the parts are those that
-// give the racket 340 g, its balance 325 mm from the butt, a swingweight (about an axis 100 mm from
-// the butt) of 0.0326 kg m² and a twistweight of 0.0016 kg m².
+// Handle and long axis along z, strings in the y-z plane. The masses of the parts are chosen to
+// give the racket what is usual: 340 g, its balance 327 mm from the butt, a swingweight (about an
+// axis 100 mm from the butt) of 0.033 kg m² and a twistweight of 0.0016 kg m². The ends of the
+// throat lie within the hoop and count twice there.
 std::vector<ObjectPart> racket() {
     constexpr double length_m = 0.6858;
     constexpr double handle_length_m = 0.200;

@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "mesh/circle.h"
-#include "mesh/mass_properties.h"
 
 namespace poinsot {
 
 namespace {
 
 using Index = std::uint32_t;
-using std::numbers::pi;
 
 // One sector, from facet first to facet last: the revolved profile and its two walls.
 TriangleMesh one_sector(std::span<const ProfilePoint> profile, int first, int last, int facets) {

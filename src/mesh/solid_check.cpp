@@ -18,29 +18,23 @@ namespace {
 
 using Index = std::uint32_t;
 
-// A triangle's edge as one number that sorts the two directions of an edge next to each other.
-// Vertices are fewer than 2^31 by the readers' limits.
-class DirectedEdge {
- public:
-    DirectedEdge(Index from, Index to)
-        : key_((std::uint64_t{std::min(from, to)} << 32) |
-               (std::uint64_t{std::max(from, to)} << 1) | (from < to ? 0u : 1u)) {}
+// A triangle's edge as one number that sorts the two directions of an edge next to each other: the
+// lower vertex, the higher one, the direction. Vertices are fewer than 2^31 by the readers' limits.
+using DirectedEdge = std::uint64_t;
 
-    bool same_edge(DirectedEdge other) const { return key_ >> 1 == other.key_ >> 1; }
-    bool operator==(const DirectedEdge&) const = default;
-    auto operator<=>(const DirectedEdge&) const = default;
-    Index low() const { return static_cast<Index>(key_ >> 32); }
-    Index high() const { return static_cast<Index>((key_ >> 1) & 0x7fffffffu); }
-
- private:
-    std::uint64_t key_;
-};
+DirectedEdge directed_edge(Index from, Index to) {
+    return (std::uint64_t{std::min(from, to)} << 32) | (std::uint64_t{std::max(from, to)} << 1) |
+           (from < to ? 0u : 1u);
+}
+bool same_edge(DirectedEdge a, DirectedEdge b) { return a >> 1 == b >> 1; }
+Index low_vertex(DirectedEdge edge) { return static_cast<Index>(edge >> 32); }
+Index high_vertex(DirectedEdge edge) { return static_cast<Index>((edge >> 1) & 0x7fffffffu); }
 
 std::vector<DirectedEdge> sorted_edges(const TriangleMesh& mesh) {
     std::vector<DirectedEdge> edges;
     edges.reserve(3 * mesh.triangles.size());
     for (const auto& t : mesh.triangles) {
-        for (std::size_t i = 0; i < 3; ++i) edges.emplace_back(t[i], t[(i + 1) % 3]);
+        for (std::size_t i = 0; i < 3; ++i) edges.push_back(directed_edge(t[i], t[(i + 1) % 3]));
     }
     std::ranges::sort(edges);
     return edges;
@@ -138,6 +132,7 @@ std::vector<Piece> measured(const TriangleMesh& mesh, const Pieces& pieces) {
 void mark_inside_out(std::vector<Piece>& pieces) {
     constexpr std::size_t n_compared = 64;
     std::vector<const Piece*> outer;
+    outer.reserve(pieces.size());
     for (const Piece& piece : pieces) outer.push_back(&piece);
     const auto larger = [](const Piece* a, const Piece* b) {
         return std::abs(a->volume_m3) > std::abs(b->volume_m3);
@@ -191,7 +186,7 @@ EdgeFaults edge_faults(const TriangleMesh& mesh) {
     const std::vector<DirectedEdge> edges = sorted_edges(mesh);
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t end = i + 1;
-        while (end < edges.size() && edges[end].same_edge(edges[i])) ++end;
+        while (end < edges.size() && same_edge(edges[end], edges[i])) ++end;
         const std::size_t n = end - i;
         if (n == 1) {
             ++faults.n_open;
@@ -202,7 +197,8 @@ EdgeFaults edge_faults(const TriangleMesh& mesh) {
         }
         const bool faulty = n != 2 || edges[i] == edges[i + 1];
         if (faulty && (!faults.first_m || (n == 1 && !first_is_open))) {
-            faults.first_m = {mesh.vertices[edges[i].low()], mesh.vertices[edges[i].high()]};
+            faults.first_m = {mesh.vertices[low_vertex(edges[i])],
+                              mesh.vertices[high_vertex(edges[i])]};
             first_is_open = n == 1;
         }
         i = end;

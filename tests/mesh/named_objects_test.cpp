@@ -51,7 +51,7 @@ TEST_P(NamedObjects, HaveTheirPrincipalAxesAlongTheirOwn) {
     for (const ObjectPart& part : parts) {
         for (const Eigen::Vector3d& v : part.mesh.vertices) size = std::max(size, v.norm());
     }
-    EXPECT_LT(body.centre_of_mass_m.norm(), 1e-15 * size);  // measured 1e-16
+    EXPECT_LT(body.centre_of_mass_m.norm(), 1e-15 * size);  // measured 2e-17
     EXPECT_TRUE(body.inertia_kg_m2.isDiagonal(0.0)) << body.inertia_kg_m2;
     const Eigen::Vector3d I = body.inertia_kg_m2.diagonal();
     EXPECT_GT(I.minCoeff(), 0.0);
@@ -142,7 +142,7 @@ TEST(NamedObjectMoments, OfTheBookAreThoseOfItsBoards) {
                             about_z(spine, m[2], 0.0, y[2]);
     const BodyProperties body = properties_of(parts);
     EXPECT_NEAR(body.mass_kg, mass, 1e-14);
-    EXPECT_NEAR(body.inertia_kg_m2(2, 2), expected, 1e-14 * expected);  // measured 4e-16
+    EXPECT_NEAR(body.inertia_kg_m2(2, 2), expected, 1e-14 * expected);  // measured 7e-16
 }
 
 // Bar and stem as cylinders; the stem's end is hollowed by the bar, which takes
@@ -158,7 +158,7 @@ TEST(NamedObjectMoments, OfTheTHandleMakeItsStemTheMiddleAxis) {
         hollow += (R - std::sqrt(R * R - x * x)) * 2.0 * std::sqrt(r * r - x * x) * 2.0 * r / n;
     }
     const double mass = 2700.0 * (pi * R * R * 0.1 + pi * r * r * 0.06 + hollow);
-    EXPECT_NEAR(body.mass_kg, mass, 2e-5 * mass);  // measured 3e-6, the rings of the stem's end
+    EXPECT_NEAR(body.mass_kg, mass, 2e-5 * mass);  // measured 9e-6: the facets of the stem's end
     const double bar = 2700.0 * pi * R * R * 0.1;
     const double stem = mass - bar;
     const double about_stem = bar * (3.0 * R * R + 0.01) / 12.0 + stem * r * r / 2.0;
@@ -182,9 +182,9 @@ TEST(NamedObjectMoments, OfTheRacketAreThoseOfRealOnes) {
         }
     }
     EXPECT_NEAR(tip - butt, 0.6858, 2e-4);
-    EXPECT_NEAR(-butt, 0.325, 0.003);
+    EXPECT_NEAR(-butt, 0.327, 0.001);
     const double swing = body.inertia_kg_m2(1, 1) + 0.340 * std::pow(-butt - 0.1, 2);
-    EXPECT_NEAR(swing, 0.0326, 0.0005);
+    EXPECT_NEAR(swing, 0.0331, 0.0002);
     EXPECT_NEAR(body.inertia_kg_m2(2, 2), 0.0016, 0.0001);
     // A nearly plane body: the largest moment is almost the sum of the others.
     EXPECT_NEAR(body.inertia_kg_m2(0, 0), body.inertia_kg_m2(1, 1) + body.inertia_kg_m2(2, 2),
@@ -193,7 +193,7 @@ TEST(NamedObjectMoments, OfTheRacketAreThoseOfRealOnes) {
 
 TEST(NamedObjectMoments, OfThePlateMakeItWobbleAlmostTwiceAsFastAsItSpins) {
     const Eigen::Vector3d I = moments_of("plate");
-    EXPECT_NEAR(I.z() / I.x(), 1.96, 0.02);
+    EXPECT_NEAR(I.z() / I.x(), 1.979, 0.002);
 }
 
 // The rule's circumference along the seam: 28 to 28 1/2 inches.
