@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <ostream>
 #include <vector>
 
 #include "mechanics/free_rotation.h"
@@ -343,6 +344,8 @@ std::vector<double> instants(const Family& family, const FreeRotation& motion, c
 }  // namespace
 
 std::span<const Family> all() { return table; }
+
+void PrintTo(const Family& family, std::ostream* out) { *out << family.name; }
 
 Residuals measure(const Family& family, int first, int last) {
     Residuals worst;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <iosfwd>
 #include <random>
 #include <span>
 #include <string_view>
@@ -35,6 +36,9 @@ struct Family {
 };
 
 std::span<const Family> all();
+
+// A family's name stands for it in the names of tests.
+void PrintTo(const Family& family, std::ostream* out);
 
 // The worst over a family's bodies and instants.
 struct Residuals {

@@ -1,0 +1,214 @@
+// Inertia tensors: what is accepted, what is refused and why, and which axes come out.
+#include "mechanics/inertia.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "error/error.h"
+
+namespace poinsot {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// The message of the InputError that is thrown, or empty.
+std::string refusal(const std::function<void()>& make) {
+    try {
+        make();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+std::string refusal_of_moments(const Vector3d& moments) {
+    return refusal([&] { InertiaTensor::from_principal_moments(moments); });
+}
+std::string refusal_of_tensor(const Matrix3d& tensor) {
+    return refusal([&] { InertiaTensor::from_matrix(tensor); });
+}
+
+// R D Rᵀ, symmetric to the last bit.
+Matrix3d turned(const Vector3d& moments, const Matrix3d& rotation) {
+    const Matrix3d full = rotation * moments.asDiagonal() * rotation.transpose();
+    return 0.5 * (full + full.transpose());
+}
+
+TEST(InertiaTensor, KeepsPrincipalMomentsBitForBitAndInOrder) {
+    const Vector3d given(0.3, 0.1, 0.25);
+    const InertiaTensor inertia = InertiaTensor::from_principal_moments(given);
+    EXPECT_EQ(inertia.moments_kg_m2(), given);
+    EXPECT_TRUE(inertia.body_axes_are_principal());
+    EXPECT_TRUE(inertia.note().empty());
+}
+
+TEST(InertiaTensor, RefusesMomentsByNameAndRule) {
+    EXPECT_NE(refusal_of_moments({0.0, 1.0, 1.0}).find("moments_kg_m2[0] (I1) = 0"),
+              std::string::npos);
+    EXPECT_NE(refusal_of_moments({1.0, -1.0, 1.0}).find("moments_kg_m2[1] (I2) = -1"),
+              std::string::npos);
+    EXPECT_NE(refusal_of_moments({1.0, 1.0, std::nan("")}).find("finite"), std::string::npos);
+    EXPECT_NE(refusal_of_moments({1.0, infinity, 1.0}).find("finite"), std::string::npos);
+}
+
+TEST(InertiaTensor, TeachesTheTriangleInequality) {
+    const std::string message = refusal_of_moments({1.0, 2.0, 3.5});
+    EXPECT_NE(message.find("I1 + I2 - I3 = 2 times the integral of x3^2 dm"), std::string::npos)
+        << message;
+    EXPECT_NE(message.find("at most 3"), std::string::npos) << message;
+    EXPECT_NE(refusal_of_moments({3.5, 1.0, 2.0}).find("I2 + I3 - I1"), std::string::npos);
+    EXPECT_NE(refusal_of_moments({1e-12, 1.0, 1e12}), "");
+    // Sums that would overflow are judged as well.
+    EXPECT_EQ(refusal_of_moments({1.2e308, 1.2e308, 1.7e308}), "");
+    EXPECT_NE(refusal_of_moments({0.1e308, 0.2e308, 1.7e308}), "");
+}
+
+TEST(InertiaTensor, KeepsTheMathematicsOfUnphysicalMoments) {
+    const Vector3d given(1e-12, 1.0, 1e12);
+    const InertiaTensor inertia = InertiaTensor::from_principal_moments(given, Physicality::waived);
+    EXPECT_EQ(inertia.moments_kg_m2(), given);
+    EXPECT_FALSE(inertia.planar());
+    EXPECT_NE(refusal([&] {
+                  InertiaTensor::from_principal_moments({-1.0, 1.0, 1.0}, Physicality::waived);
+              }),
+              "");
+}
+
+TEST(InertiaTensor, CallsALaminaPlanarToFourUlp) {
+    const auto planar = [](double high) {
+        return InertiaTensor::from_principal_moments({1.25, 2.5, high}).planar();
+    };
+    double high = 3.75;
+    EXPECT_TRUE(planar(high));
+    for (int n = 1; n <= 4; ++n) {
+        high = std::nextafter(high, infinity);
+        EXPECT_TRUE(planar(high)) << n << " ulp beyond the sum";
+    }
+    EXPECT_NE(refusal_of_moments({1.25, 2.5, std::nextafter(high, infinity)}), "");
+    EXPECT_TRUE(planar(3.75 - 4 * 2.0 * epsilon));
+    EXPECT_FALSE(planar(3.75 - 6 * 2.0 * epsilon));
+    EXPECT_FALSE(planar(3.0));
+}
+
+TEST(InertiaTensor, ReturnsADiagonalTensorBitForBit) {
+    const Vector3d moments(0.7, 0.30000000000000004, 0.5);
+    const InertiaTensor inertia = InertiaTensor::from_matrix(moments.asDiagonal());
+    EXPECT_EQ(inertia.moments_kg_m2(), moments);
+    EXPECT_TRUE(inertia.body_axes_are_principal());
+    EXPECT_EQ(inertia.matrix_body(), Matrix3d(moments.asDiagonal()));
+}
+
+TEST(InertiaTensor, FindsPrincipalAxesNearestTheBodyAxes) {
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal;
+    for (int n = 0; n < 500; ++n) {
+        const Vector3d moments(1.0 + 0.5 * std::abs(std::sin(n)), 1.7, 2.2);
+        // Turned by at most 0.35 rad, so that the nearest axes are the body's own.
+        const Vector3d axis = Vector3d(normal(random), normal(random), normal(random)).normalized();
+        const Matrix3d rotation =
+            Eigen::AngleAxisd(0.35 * std::sin(3.0 * n), axis).toRotationMatrix();
+        const Matrix3d tensor = turned(moments, rotation);
+        const InertiaTensor inertia = InertiaTensor::from_matrix(tensor);
+        const Matrix3d& axes = inertia.body_from_principal();
+        EXPECT_LE((inertia.moments_kg_m2() - moments).cwiseAbs().maxCoeff(),
+                  2e-15);                                           // measured 8.9e-16
+        EXPECT_LE((axes - rotation).cwiseAbs().maxCoeff(), 4e-15);  // 2.1e-15
+        EXPECT_LE((axes.transpose() * axes - Matrix3d::Identity()).cwiseAbs().maxCoeff(), 4e-16);
+        EXPECT_GT(axes.determinant(), 0.0);
+        EXPECT_LE((inertia.matrix_body() - tensor).cwiseAbs().maxCoeff(), 2e-15);
+    }
+}
+
+TEST(InertiaTensor, KeepsTheSmallestMomentOfANeedleTurnedAway) {
+    // The tensor is taken as exact: its doubles have this smallest eigenvalue to 60 digits.
+    // Dyadic entries: e = (3, 4, 0)/5 would round, so a rotation of 45° about e3 is used instead.
+    const double thin = 0x1p-36;
+    const Matrix3d tensor{{0.5 * (thin + 1.0), 0.5 * (thin - 1.0), 0.0},
+                          {0.5 * (thin - 1.0), 0.5 * (thin + 1.0), 0.0},
+                          {0.0, 0.0, 1.0}};
+    const InertiaTensor inertia = InertiaTensor::from_matrix(tensor);
+    EXPECT_DOUBLE_EQ(inertia.moments_kg_m2().minCoeff(), thin);
+}
+
+TEST(InertiaTensor, RepeatedMomentsGiveAxesNearestTheBodys) {
+    // A sphere's tensor with rounding noise off the diagonal.
+    Matrix3d sphere = 2.0 * Matrix3d::Identity();
+    sphere(0, 1) = sphere(1, 0) = 2e-16;
+    const InertiaTensor ball = InertiaTensor::from_matrix(sphere);
+    EXPECT_EQ(ball.body_from_principal(), Matrix3d::Identity());
+    EXPECT_EQ(ball.moments_kg_m2(), Vector3d::Constant(2.0));
+
+    // A symmetric body whose axis is turned from e3 by 0.3 rad about e1: the nearest axes are
+    // turned by that and nothing else.
+    const Matrix3d rotation = Eigen::AngleAxisd(0.3, Vector3d::UnitX()).toRotationMatrix();
+    const InertiaTensor spindle = InertiaTensor::from_matrix(turned({2.0, 2.0, 1.0}, rotation));
+    EXPECT_LE((spindle.body_from_principal() - rotation).cwiseAbs().maxCoeff(), 4e-16);
+    EXPECT_EQ(spindle.moments_kg_m2()[0], spindle.moments_kg_m2()[1]);
+}
+
+TEST(InertiaTensor, AveragesASmallAsymmetryAndRefusesALargeOne) {
+    Matrix3d tensor =
+        turned({1.0, 2.0, 2.5},
+               Eigen::AngleAxisd(0.4, Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix());
+    const double ulp = std::nextafter(std::abs(tensor(0, 1)), infinity) - std::abs(tensor(0, 1));
+    Matrix3d slight = tensor;
+    slight(0, 1) += 8.0 * ulp;
+    EXPECT_NE(InertiaTensor::from_matrix(slight).note().find("averaged"), std::string::npos);
+    Matrix3d gross = tensor;
+    gross(0, 1) += 16.0 * ulp;
+    EXPECT_NE(refusal_of_tensor(gross).find("[0][1]"), std::string::npos);
+    // Noise below the diagonal's own rounding has no meaningful ratio.
+    Matrix3d noisy = Vector3d(1.0, 2.0, 2.5).asDiagonal();
+    noisy(0, 1) = 1e-17;
+    noisy(1, 0) = -3e-17;
+    EXPECT_EQ(refusal_of_tensor(noisy), "");
+}
+
+TEST(InertiaTensor, RefusesAnIndefiniteTensorWithItsEigenvalues) {
+    const Matrix3d tensor{{1.0, 2.0, 0.0}, {2.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    const std::string message = refusal_of_tensor(tensor);
+    EXPECT_NE(message.find("not positive definite"), std::string::npos) << message;
+    EXPECT_NE(message.find("-1, 3, 1"), std::string::npos) << message;
+    Matrix3d not_finite = Matrix3d::Identity();
+    not_finite(2, 1) = std::nan("");
+    EXPECT_NE(refusal_of_tensor(not_finite).find("tensor_kg_m2[2][1]"), std::string::npos);
+    EXPECT_NE(refusal_of_tensor(Matrix3d::Zero()), "");
+}
+
+TEST(InertiaTensor, AcceptsALaminaTurnedAway) {
+    std::mt19937_64 random(11);
+    std::normal_distribution<double> normal;
+    for (int n = 0; n < 2000; ++n) {
+        const Eigen::Quaterniond q =
+            Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+                .normalized();
+        const Matrix3d tensor = turned({1.25, 2.5, 3.75}, q.toRotationMatrix());
+        EXPECT_TRUE(InertiaTensor::from_matrix(tensor).planar());
+    }
+    const Matrix3d broken =
+        turned({1.0, 2.0, 3.5}, Eigen::AngleAxisd(1.0, Vector3d::UnitY()).toRotationMatrix());
+    EXPECT_NE(refusal_of_tensor(broken).find("allow_unphysical"), std::string::npos);
+}
+
+TEST(InertiaTensor, AxesOfTheUserMustBeARotation) {
+    EXPECT_NE(refusal([] {
+                  InertiaTensor::from_principal_axes({1.0, 2.0, 2.5}, -Matrix3d::Identity());
+              }),
+              "");
+    const InertiaTensor inertia = InertiaTensor::from_principal_axes(
+        {1.0, 2.0, 2.5}, Eigen::AngleAxisd(0.5, Vector3d::UnitZ()).toRotationMatrix());
+    EXPECT_FALSE(inertia.body_axes_are_principal());
+}
+
+}  // namespace
+}  // namespace poinsot
