@@ -338,20 +338,6 @@ const SceneKey table[] = {
      [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).rows = cell(g, 1); },
      [](const Scene& s, size_t i) { return toml_text(s.panels.at(i).rows); }},
     {"panels[].quantity", "a string", "", R"("omega")",
-     "what a plot shows: omega, euler_angles, energy or residuals; default: what suits the motion",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).quantity = g.text(); },
-     [](const Scene& s, size_t i) {
-         const std::string& quantity = s.panels.at(i).quantity;
-         return quantity.empty() ? "" : toml_text(std::string_view(quantity));
-     }},
-    {"panels[].title", "a string", "", R"("Body axes")",
-     "over the panel; default: the panel's own where there are several",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).title = g.text(); },
-     [](const Scene& s, size_t i) {
-         const auto& title = s.panels.at(i).title;
-         return title ? toml_text(std::string_view(*title)) : "";
-     }},
-    {"panels[].quantity", "a string", "", R"("omega")",
      "what a plot shows against time; default: what suits the motion",
      [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).quantity = g.text(); },
      [](const Scene& s, size_t i) {
