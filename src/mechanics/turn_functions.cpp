@@ -36,7 +36,10 @@ PowerOfHalf power_of_half(double y, double y_low) {
         0x1.2bec333018867p-2, 0x1.4a9f0456f57adp-2, 0x1.6804a5593abb2p-2, 0x1.842b367db97bcp-2,
         0x1.9f203eb9c91d6p-2, 0x1.b8f0b23153b8fp-2, 0x1.d1a8f87055d0ap-2, 0x1.e954f260cede1p-2};
 
-    if (y > 1000.0) return {0x1p-1000, 1.0};
+    // Only the separatrix goes this far: through the subnormal numbers to zero.
+    if (y > 1000.0) [[unlikely]] {
+        return {y > 1100.0 ? 0.0 : 0x1p-600 * power_of_half(y - 600.0, y_low).power, 1.0};
+    }
     const double shifted = 16.0 * y + rounding_shift;
     const auto n = static_cast<unsigned>(std::bit_cast<std::uint64_t>(shifted)) & 0x3fffU;
     const double z = (y - 0.0625 * (shifted - rounding_shift)) + y_low;

@@ -93,7 +93,7 @@ struct PowerOfHalf {
     double complement;
 };
 
-// 2^−(y + y_low) for y ≥ 0; below 2^−1000 it is held there.
+// 2^−(y + y_low) for y ≥ 0.
 PowerOfHalf power_of_half(double y, double y_low);
 
 }  // namespace poinsot
