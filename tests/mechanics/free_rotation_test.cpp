@@ -1,4 +1,5 @@
-// Jacobi's solution against the reference motions, computed to 40 digits by Taylor series.
+// Jacobi's solution against the reference motions, computed to 40 digits by Taylor series, and the
+// laws that every torque-free motion obeys.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ long double distance(const Eigen::Vector3d& x, const Triple& reference) {
 }
 
 // Angle between an attitude and q = (w, x, y, z), for small angles.
-long double angle(const Eigen::Quaterniond& attitude, const Json& q) {
+long double reference_angle(const Eigen::Quaterniond& attitude, const Json& q) {
     const Triple vector = triple_of(q, 1);
     const long double w = std::strtold(q.items.at(0).text.c_str(), nullptr);
     const auto difference = [&](long double sign) {
@@ -42,7 +43,7 @@ long double angle(const Eigen::Quaterniond& attitude, const Json& q) {
     return 2.0L * std::min(difference(1.0L), difference(-1.0L));
 }
 
-Motion motion_of(const Json& c) {
+Motion reference_motion(const Json& c) {
     MotionProblem problem;
     problem.inertia = InertiaTensor::from_principal_moments(
         {c["I1"].number(), c["I2"].number(), c["I3"].number()}, Physicality::waived);
@@ -56,7 +57,7 @@ TEST(FreeRotation, AgreesWithReferenceCases) {
     const Json file = reference::read_reference("torque_free.json");
     ASSERT_EQ(file["cases"].items.size(), 34U);
     for (const Json& c : file["cases"].items) {
-        const Motion motion = motion_of(c);
+        const Motion motion = reference_motion(c);
         // A subnormal component of ω has fewer digits to keep.
         const bool subnormal = c["name"].text == "denormal_component";
         for (const Json& sample : c["samples"].items) {
@@ -67,12 +68,248 @@ TEST(FreeRotation, AgreesWithReferenceCases) {
             const Triple omega = triple_of(sample["omega"]);
             const long double omega_error = distance(now.state.omega_body, omega);
             EXPECT_LE(omega_error, 2e-15L * norm(omega)) << where;  // measured 4.1e-16
-            const long double attitude_error = angle(now.state.space_from_body, sample["q"]);
+            const long double attitude_error =
+                reference_angle(now.state.space_from_body, sample["q"]);
             EXPECT_LE(attitude_error, 2e-15L) << where;  // measured 8.0e-16
             const Triple h = triple_of(sample["herpolhode"]);
             const long double h_error = distance(now.herpolhode_space, h);
             // measured 9.9e-16
             EXPECT_LE(h_error, subnormal ? 1e-298L : 3e-15L * norm(h)) << where;
+        }
+    }
+}
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr Quantities everything{.attitude = true, .herpolhode = true, .euler_angles = false};
+
+FreeRotation free_rotation(const Vector3d& moments, const Vector3d& omega,
+                           Tier tier = Tier::exact) {
+    RotationState start;
+    start.omega_body = omega;
+    return {InertiaTensor::from_principal_moments(moments), start, tier};
+}
+
+double angle(const Quaterniond& a, const Quaterniond& b) {
+    return 2.0 * std::min((a.coeffs() - b.coeffs()).norm(), (a.coeffs() + b.coeffs()).norm());
+}
+
+struct Named {
+    Regime regime;
+    Vector3d moments;
+    Vector3d omega;
+};
+
+// One motion of every regime.
+const std::array<Named, 6> regimes{{
+    {Regime::permanent, {1.0, 2.0, 2.5}, {0.0, 0.0, 1.5}},
+    {Regime::symmetric, {2.0, 2.0, 3.0}, {0.5, 0.3, 1.0}},
+    {Regime::elliptic_about_highest, {1.0, 2.0, 2.5}, {0.1, 0.2, 1.0}},
+    {Regime::elliptic_about_lowest, {1.0, 2.0, 2.5}, {1.0, 0.2, 0.1}},
+    {Regime::elliptic_about_highest, {1.0, 2.0, 2.5}, {0.3, 2.0, 0.4}},
+    {Regime::separatrix, {1.0, 2.0, 2.25}, {0.75, 0.5, 1.0}},
+}};
+
+TEST(FreeRotation, ChoosesTheRegimeOnce) {
+    for (const Named& c : regimes) {
+        EXPECT_EQ(free_rotation(c.moments, c.omega).regime(), c.regime) << name_of(c.regime);
+    }
+    EXPECT_EQ(free_rotation({1.0, 2.0, 2.5}, Vector3d::Zero()).regime(), Regime::at_rest);
+    EXPECT_EQ(free_rotation({2.0, 2.0, 2.0}, {1.0, 2.0, 3.0}).regime(), Regime::permanent);
+}
+
+TEST(FreeRotation, StartsWhereItIsTold) {
+    const Quaterniond attitude = Quaterniond(0.3, -0.5, 0.7, 0.1).normalized();
+    for (const Named& c : regimes) {
+        const FreeRotation plain = free_rotation(c.moments, c.omega);
+        RotationState start;
+        start.time_s = 3.25;
+        start.space_from_body = attitude;
+        start.omega_body = c.omega;
+        const FreeRotation moved(InertiaTensor::from_principal_moments(c.moments), start);
+        EXPECT_LE((moved.at(3.25).omega_body - c.omega).norm(), 1e-15 * c.omega.norm());
+        EXPECT_LE(angle(moved.at(3.25).space_from_body, attitude), 1e-15);
+        for (const double t : {-7.5, 0.25, 40.0}) {
+            const MotionSample a = plain.sample(t, everything);
+            const MotionSample b = moved.sample(t + 3.25, everything);
+            // t + 3.25 is exact, so that only the evaluations' own errors are left.
+            EXPECT_LE((a.state.omega_body - b.state.omega_body).norm(), 2e-15 * c.omega.norm());
+            EXPECT_LE(angle(attitude * a.state.space_from_body, b.state.space_from_body), 2e-15);
+            EXPECT_LE((attitude * a.herpolhode_space - b.herpolhode_space).norm(), 2e-15);
+        }
+    }
+}
+
+TEST(FreeRotation, AnyStateOfTheMotionStartsTheSameMotion) {
+    for (const Named& c : regimes) {
+        const InertiaTensor inertia = InertiaTensor::from_principal_moments(c.moments);
+        const FreeRotation motion = free_rotation(c.moments, c.omega);
+        const FreeRotation resumed(inertia, motion.at(2.0));
+        for (const double t : {0.0, 5.0}) {
+            // The resumed start carries roundings of 1e-16 that the motion amplifies.
+            EXPECT_LE(angle(motion.at(t).space_from_body, resumed.at(t).space_from_body), 2e-14);
+        }
+    }
+}
+
+TEST(FreeRotation, BodyAxesNeedNotBePrincipal) {
+    const Matrix3d axes = Eigen::AngleAxisd(0.6, Vector3d(1.0, 2.0, -2.0) / 3.0).toRotationMatrix();
+    for (const Named& c : regimes) {
+        const FreeRotation principal = free_rotation(c.moments, c.omega);
+        RotationState start;
+        start.omega_body = axes * c.omega;
+        const FreeRotation turned(InertiaTensor::from_principal_axes(c.moments, axes), start);
+        for (const double t : {0.0, 1.0, 8.0}) {
+            const MotionSample a = principal.sample(t, everything);
+            const MotionSample b = turned.sample(t, everything);
+            EXPECT_LE((axes * a.state.omega_body - b.state.omega_body).norm(), 1e-13);
+            const Matrix3d expected =
+                axes * a.state.space_from_body.toRotationMatrix() * axes.transpose();
+            EXPECT_LE((expected - b.state.space_from_body.toRotationMatrix()).norm(), 1e-13);
+            EXPECT_LE((axes * a.herpolhode_space - b.herpolhode_space).norm(), 1e-13);
+        }
+    }
+}
+
+TEST(FreeRotation, HerpolhodeIsOmegaAcrossMomentum) {
+    for (const Named& c : regimes) {
+        const FreeRotation motion = free_rotation(c.moments, c.omega);
+        const Vector3d L = motion.constants().momentum_space;
+        for (const double t : {0.0, 0.9, 21.0}) {
+            const MotionSample sample = motion.sample(t, everything);
+            const Vector3d omega = sample.state.space_from_body * sample.state.omega_body;
+            const Vector3d across = omega - L * (omega.dot(L) / L.squaredNorm());
+            EXPECT_LE((across - sample.herpolhode_space).norm(), 4e-15);
+            EXPECT_LE(std::abs(sample.herpolhode_space.dot(L)), 2e-15 * L.norm());
+        }
+    }
+}
+
+TEST(FreeRotation, ConstantsDescribeTheMotion) {
+    for (const Named& c : regimes) {
+        const FreeRotation motion = free_rotation(c.moments, c.omega);
+        const FreeRotationConstants& k = motion.constants();
+        const Vector3d L = c.moments.cwiseProduct(c.omega);
+        EXPECT_DOUBLE_EQ(k.kinetic_energy_J, 0.5 * c.omega.dot(L));
+        EXPECT_DOUBLE_EQ(k.momentum_kg_m2_s, L.norm());
+        EXPECT_EQ(k.momentum_space, L);
+        // The encircled axis is the one along which ω never changes sign.
+        double least_radius = 1e300;
+        double greatest_radius = 0.0;
+        const double span = k.polhode_period_s.value_or(40.0);
+        constexpr int n_samples = 8000;
+        for (int i = -n_samples; i <= n_samples; ++i) {
+            const MotionSample sample = motion.sample(span * i / n_samples, everything);
+            if (motion.regime() != Regime::permanent) {
+                EXPECT_GT(sample.state.omega_body[k.encircled_axis] * c.omega[k.encircled_axis],
+                          0.0);
+            }
+            least_radius = std::min(least_radius, sample.herpolhode_space.norm());
+            greatest_radius = std::max(greatest_radius, sample.herpolhode_space.norm());
+        }
+        // Between samples the radius differs by the square of the step.
+        EXPECT_NEAR(least_radius, k.least_herpolhode_radius_rad_s, 1e-5);
+        EXPECT_NEAR(greatest_radius, k.greatest_herpolhode_radius_rad_s, 1e-5);
+    }
+}
+
+TEST(FreeRotation, PolhodeClosesAndHerpolhodeAdvancesInOnePeriod) {
+    for (const Named& c : regimes) {
+        const FreeRotation motion = free_rotation(c.moments, c.omega);
+        const FreeRotationConstants& k = motion.constants();
+        ASSERT_EQ(k.polhode_period_s.has_value(),
+                  c.regime != Regime::permanent && c.regime != Regime::separatrix);
+        if (!k.polhode_period_s) continue;
+        const double period = *k.polhode_period_s;
+        EXPECT_LE((motion.at(period).omega_body - c.omega).norm(), 1e-14);
+        const Vector3d axis = k.momentum_space.normalized();
+        // The herpolhode's angle about L, followed in small steps.
+        double followed = 0.0;
+        Vector3d last = motion.sample(0.0, everything).herpolhode_space;
+        constexpr int n_steps = 1000;
+        for (int i = 1; i <= n_steps; ++i) {
+            const Vector3d now = motion.sample(period * i / n_steps, everything).herpolhode_space;
+            followed += std::atan2(axis.dot(last.cross(now)), last.dot(now));
+            last = now;
+        }
+        EXPECT_NEAR(followed, *k.advance_per_period_rad, 1e-12);
+        EXPECT_DOUBLE_EQ(k.mean_advance_rate_rad_s * period, *k.advance_per_period_rad);
+    }
+}
+
+TEST(FreeRotation, SymmetricBodyPrecessesAsTheTextbookSays) {
+    // L/I₁ about L, (I₃ − I₁)ω₃/I₁ in body axes (Landau & Lifshitz, Mechanics §35, §36).
+    const FreeRotation motion = free_rotation({2.0, 2.0, 3.0}, {0.5, 0.3, 1.0});
+    const FreeRotationConstants& k = motion.constants();
+    EXPECT_DOUBLE_EQ(k.mean_advance_rate_rad_s, k.momentum_kg_m2_s / 2.0);
+    EXPECT_DOUBLE_EQ(*k.polhode_period_s, 2.0 * 3.14159265358979323846 / 0.5);
+    const double turn = 0.5 * 1.7;
+    const Vector3d omega = motion.at(1.7).omega_body;
+    EXPECT_NEAR(omega[0], 0.5 * std::cos(turn) - 0.3 * std::sin(turn), 1e-15);
+    EXPECT_NEAR(omega[1], 0.3 * std::cos(turn) + 0.5 * std::sin(turn), 1e-15);
+    EXPECT_EQ(omega[2], 1.0);
+}
+
+TEST(FreeRotation, ContinuesSmoothlyThroughEveryInstant) {
+    // Steps far smaller than the motion: a jump anywhere would stand out from ω·step.
+    for (const Named& c : regimes) {
+        const FreeRotation motion = free_rotation(c.moments, c.omega);
+        const double step = 1e-3;
+        RotationState last = motion.at(-20.0);
+        for (int i = 1; i <= 40000; ++i) {
+            const RotationState now = motion.at(-20.0 + i * step);
+            const double turned = angle(now.space_from_body, last.space_from_body);
+            EXPECT_LE(std::abs(turned - now.omega_body.norm() * step), 1e-5 * c.omega.norm());
+            EXPECT_LE((now.omega_body - last.omega_body).norm(), 10.0 * step);
+            last = now;
+        }
+    }
+}
+
+TEST(FreeRotation, ComputesOnlyWhatIsAskedFor) {
+    for (const Named& c : regimes) {
+        const FreeRotation motion = free_rotation(c.moments, c.omega);
+        const MotionSample full = motion.sample(3.0, everything);
+        const MotionSample omega_only =
+            motion.sample(3.0, {.attitude = false, .herpolhode = false, .euler_angles = false});
+        EXPECT_EQ(omega_only.state.omega_body, full.state.omega_body);
+        EXPECT_EQ(omega_only.state.space_from_body.coeffs(), Quaterniond::Identity().coeffs());
+        EXPECT_EQ(omega_only.herpolhode_space, Vector3d::Zero());
+        const MotionSample curve =
+            motion.sample(3.0, {.attitude = false, .herpolhode = true, .euler_angles = false});
+        EXPECT_EQ(curve.herpolhode_space, full.herpolhode_space);
+        EXPECT_EQ(motion.at(3.0).space_from_body.coeffs(), full.state.space_from_body.coeffs());
+    }
+}
+
+TEST(FreeRotation, EulerAnglesGiveBackTheAttitude) {
+    for (const Named& c : regimes) {
+        const FreeRotation motion = free_rotation(c.moments, c.omega);
+        for (const double t : {0.0, 0.4, 9.0}) {
+            const MotionSample sample =
+                motion.sample(t, {.attitude = true, .herpolhode = false, .euler_angles = true});
+            const Quaterniond back = Eigen::AngleAxisd(sample.euler.phi_rad, Vector3d::UnitZ()) *
+                                     Eigen::AngleAxisd(sample.euler.theta_rad, Vector3d::UnitX()) *
+                                     Eigen::AngleAxisd(sample.euler.psi_rad, Vector3d::UnitZ());
+            EXPECT_LE(angle(back, sample.state.space_from_body), 2e-15);
+        }
+    }
+}
+
+TEST(FreeRotation, FastTierErrsByARoundingATurn) {
+    for (const Named& c : regimes) {
+        const FreeRotation exact = free_rotation(c.moments, c.omega);
+        const FreeRotation fast = free_rotation(c.moments, c.omega, Tier::fast);
+        for (const double turns : {0.3, 10.0, 1e3, 1e6, 1e9}) {
+            const double t = turns * 6.283185307179586 / c.omega.norm();
+            const MotionSample a = exact.sample(t, everything);
+            const MotionSample b = fast.sample(t, everything);
+            const double allowed = 2e-15 + 2e-15 * turns;
+            EXPECT_LE(angle(a.state.space_from_body, b.state.space_from_body), allowed);
+            EXPECT_LE((a.state.omega_body - b.state.omega_body).norm(), allowed * c.omega.norm());
+            EXPECT_LE((a.herpolhode_space - b.herpolhode_space).norm(), allowed * c.omega.norm());
         }
     }
 }
