@@ -242,8 +242,9 @@ RotationState HeavyTop::state_from(double time_s, const Phase& phase,
         std::swap(rate[0], rate[1]);
     }
 
-    // ω1 + iω2 = 2 (ᾱ dβ/dt − β dᾱ/dt); the norm's own rate drops out.
-    const double norm = std::hypot(std::abs(value[0]), std::abs(value[1]));
+    // ω1 + iω2 = 2 (ᾱ dβ/dt − β dᾱ/dt); the norm's own rate drops out. One
+    // of the two is never small, so that a square may vanish unharmed.
+    const double norm = std::sqrt(std::norm(value[0]) + std::norm(value[1]));
     const Complex alpha = value[0] / norm;
     const Complex beta = value[1] / norm;
     const Complex omega =

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -16,164 +17,24 @@
 #include <vector>
 
 #include "error/error.h"
+#include "mechanics/heavy_top_oracle.h"
 #include "mechanics/motion.h"
 #include "mechanics/reference_cases.h"
+#include "mechanics/top_families.h"
 
 namespace poinsot {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 using reference::Json;
+using tops::Difference;
+using tops::difference;
+using tops::generic_top;
+using tops::Quad;
+using tops::TaylorTop;
+using tops::uniform;
+using tops::Wide;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// How far a top's state is from (q, ω) in long double: the largest component of the quaternion's
-// difference (q and −q alike) and of ω's, the latter relative to its norm if that exceeds one.
-struct Difference {
-    double attitude = 0.0;
-    double omega = 0.0;
-};
-
-using Wide = long double;
-using Quad = boost::multiprecision::cpp_bin_float_quad;
-
-Difference difference(const RotationState& state, const std::array<Wide, 4>& q,
-                      const std::array<Wide, 3>& omega) {
-    const Eigen::Quaterniond& r = state.space_from_body;
-    const double components[4] = {r.w(), r.x(), r.y(), r.z()};
-    Wide same = 0;
-    Wide opposite = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        same = std::max(same, std::abs(q[i] - components[i]));
-        opposite = std::max(opposite, std::abs(q[i] + components[i]));
-    }
-    Wide worst = 0;
-    Wide norm = 1;
-    for (std::size_t i = 0; i < 3; ++i) {
-        worst = std::max(worst, std::abs(omega[i] - state.omega_body[static_cast<int>(i)]));
-        norm = std::max(norm, std::abs(omega[i]));
-    }
-    return {static_cast<double>(std::min(same, opposite)), static_cast<double>(worst / norm)};
-}
-
-// Taylor's method for Euler's equations of the top: an independent answer, regular through the
-// vertical, with an error of about the arithmetic's. Long double serves where the motion does not
-// amplify its 1e-19; 113 bits where it does.
-template <typename Real>
-class TaylorTop {
- public:
-    explicit TaylorTop(const HeavyTopProblem& p)
-        : omega3_(p.omega3_rad_s),
-          spin_coupling_((Real(p.moment_transverse_kg_m2) - p.moment_axial_kg_m2) * omega3_ /
-                         p.moment_transverse_kg_m2),
-          gravity_(Real(p.mgl_N_m) / p.moment_transverse_kg_m2) {
-        using std::cos;
-        using std::sin;
-        const Real half = Real(p.theta_rad) / 2;
-        const Real c = cos(half);
-        const Real s = sin(half);
-        state_ = {Real(p.theta_dot_rad_s),
-                  Real(p.phi_dot_rad_s * 2 * s * c),
-                  Real(0),
-                  Real(2 * s * c),
-                  Real((c - s) * (c + s)),
-                  c,
-                  s,
-                  Real(0),
-                  Real(0)};
-    }
-
-    void advance(double duration) {
-        const double p = static_cast<double>(state_[0]);
-        const double q = static_cast<double>(state_[1]);
-        const double rate = std::hypot(p, q) + std::abs(static_cast<double>(omega3_)) +
-                            std::abs(static_cast<double>(spin_coupling_)) +
-                            2 * std::sqrt(std::abs(static_cast<double>(gravity_))) + 1e-3;
-        const auto n_steps = static_cast<int>(std::ceil(std::abs(duration) * rate / 0.5));
-        for (int step = 0; step < n_steps; ++step) advance_once(Real(duration) / n_steps);
-    }
-
-    std::array<Wide, 4> quaternion() const {
-        return {static_cast<Wide>(state_[5]), static_cast<Wide>(state_[6]),
-                static_cast<Wide>(state_[7]), static_cast<Wide>(state_[8])};
-    }
-    std::array<Wide, 3> omega() const {
-        return {static_cast<Wide>(state_[0]), static_cast<Wide>(state_[1]),
-                static_cast<Wide>(omega3_)};
-    }
-
- private:
-    static constexpr int order = std::numeric_limits<Real>::digits > 100 ? 42 : 28;
-    using Series = std::array<Real, order + 1>;
-
-    static Real product(const Series& a, const Series& b, int n) {
-        Real sum = 0;
-        for (int k = 0; k <= n; ++k) sum += a[k] * b[n - k];
-        return sum;
-    }
-
-    void advance_once(const Real& h) {
-        std::array<Series, 9> s{};
-        for (std::size_t i = 0; i < 9; ++i) s[i][0] = state_[i];
-        auto& [p, q, v1, v2, v3, w, x, y, z] = s;
-        const Real& r = omega3_;
-        for (int n = 0; n < order; ++n) {
-            const Real next = n + 1;
-            p[n + 1] = (spin_coupling_ * q[n] + gravity_ * v2[n]) / next;
-            q[n + 1] = (-spin_coupling_ * p[n] - gravity_ * v1[n]) / next;
-            v1[n + 1] = (r * v2[n] - product(v3, q, n)) / next;
-            v2[n + 1] = (product(v3, p, n) - r * v1[n]) / next;
-            v3[n + 1] = (product(v1, q, n) - product(v2, p, n)) / next;
-            w[n + 1] = -(product(x, p, n) + product(y, q, n) + r * z[n]) / (2 * next);
-            x[n + 1] = (product(w, p, n) - product(z, q, n) + r * y[n]) / (2 * next);
-            y[n + 1] = (product(w, q, n) + product(z, p, n) - r * x[n]) / (2 * next);
-            z[n + 1] = (r * w[n] + product(x, q, n) - product(y, p, n)) / (2 * next);
-        }
-        for (std::size_t i = 0; i < 9; ++i) {
-            Real sum = 0;
-            for (int n = order; n >= 0; --n) sum = sum * h + s[i][n];
-            state_[i] = sum;
-        }
-    }
-
-    Real omega3_, spin_coupling_, gravity_;
-    std::array<Real, 9> state_{};  // ω1, ω2, vertical in body axes, quaternion (w, x, y, z)
-};
-
-// The largest differences of many tops from the Taylor integration at four times each.
-template <typename Real, typename MakeProblem>
-Difference worst_of(int n_tops, unsigned seed, double duration_s, MakeProblem make) {
-    std::mt19937_64 random(seed);
-    Difference worst;
-    for (int i = 0; i < n_tops; ++i) {
-        const HeavyTopProblem problem = make(random);
-        const HeavyTop top(problem);
-        TaylorTop<Real> oracle(problem);
-        const double piece = std::ldexp(std::round(duration_s * (i % 4 == 3 ? -16 : 16)), -6);
-        for (int k = 1; k <= 4; ++k) {
-            oracle.advance(piece);
-            const Difference d = difference(top.at(k * piece), oracle.quaternion(), oracle.omega());
-            worst.attitude = std::max(worst.attitude, d.attitude);
-            worst.omega = std::max(worst.omega, d.omega);
-        }
-    }
-    return worst;
-}
-
-double uniform(std::mt19937_64& random, double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-HeavyTopProblem generic_top(std::mt19937_64& random) {
-    HeavyTopProblem p;
-    p.moment_transverse_kg_m2 = uniform(random, 0.3, 3.0);
-    p.moment_axial_kg_m2 = p.moment_transverse_kg_m2 * uniform(random, 0.05, 2.0);
-    p.mgl_N_m = uniform(random, -4.0, 4.0);
-    p.theta_rad = uniform(random, 0.01, 3.13);
-    p.theta_dot_rad_s = uniform(random, -2.0, 2.0);
-    p.phi_dot_rad_s = uniform(random, -2.0, 2.0);
-    p.omega3_rad_s = uniform(random, -8.0, 8.0);
-    return p;
-}
 
 HeavyTopProblem lecture_top() {
     return {.moment_transverse_kg_m2 = 1.0,
@@ -278,107 +139,29 @@ TEST_F(HeavyTopReference, AgreesWhenStartedFromRoundedStates) {
     });
 }
 
-TEST(HeavyTop, AgreesWithTaylorForGenericTops) {
-    const Difference worst = worst_of<Wide>(400, 1, 20.0, generic_top);
-    EXPECT_LE(worst.attitude, 2e-15);  // measured 3.7e-16
-    EXPECT_LE(worst.omega, 3e-15);     // measured 8e-16
+class HeavyTopFamily : public testing::TestWithParam<tops::Family> {};
+
+TEST_P(HeavyTopFamily, AgreesWithTaylor) {
+    const tops::Residuals worst = tops::measure(GetParam(), 0, GetParam().amplifies ? 16 : 200);
+    // Measured 3.7e-16 and 8e-16 over all families.
+    EXPECT_LE(worst.attitude, tops::bounds.attitude);
+    EXPECT_LE(worst.omega, tops::bounds.omega);
 }
 
-TEST(HeavyTop, AgreesWithTaylorNearTheVertical) {
-    const Difference worst = worst_of<Quad>(16, 2, 12.0, [](std::mt19937_64& random) {
-        HeavyTopProblem p = generic_top(random);
-        p.theta_rad = std::pow(10.0, uniform(random, -12.0, -1.0));
-        p.theta_dot_rad_s *= p.theta_rad;
-        p.omega3_rad_s = uniform(random, -4.0, 4.0);
-        return p;
-    });
-    EXPECT_LE(worst.attitude, 2e-15);  // measured 3.4e-16
-    EXPECT_LE(worst.omega, 3e-15);     // measured 6e-16
+std::string test_name(const testing::TestParamInfo<tops::Family>& info) {
+    std::string name;
+    for (const char c : info.param.name) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+            name += c;
+        } else if (name.back() != '_') {
+            name += '_';
+        }
+    }
+    return name;
 }
 
-TEST(HeavyTop, AgreesWithTaylorNearTheBottom) {
-    const Difference worst = worst_of<Wide>(200, 3, 20.0, [](std::mt19937_64& random) {
-        HeavyTopProblem p = generic_top(random);
-        p.theta_rad = pi - std::pow(10.0, uniform(random, -12.0, -1.0));
-        p.mgl_N_m = std::abs(p.mgl_N_m);
-        return p;
-    });
-    EXPECT_LE(worst.attitude, 2e-15);  // measured 3.3e-16
-    EXPECT_LE(worst.omega, 3e-15);     // measured 5.7e-16
-}
-
-TEST(HeavyTop, AgreesWithTaylorFromExactlyVertical) {
-    const Difference worst = worst_of<Quad>(16, 4, 15.0, [](std::mt19937_64& random) {
-        HeavyTopProblem p = generic_top(random);
-        p.theta_rad = 0.0;
-        return p;
-    });
-    EXPECT_LE(worst.attitude, 2e-15);  // measured 2.4e-16
-    EXPECT_LE(worst.omega, 3e-15);     // measured 2.6e-16
-}
-
-TEST(HeavyTop, AgreesWithTaylorForPlanarAndSphericalPendulums) {
-    const Difference worst = worst_of<Quad>(16, 5, 15.0, [](std::mt19937_64& random) {
-        HeavyTopProblem p = generic_top(random);
-        p.omega3_rad_s = 0.0;
-        if (random() % 2 == 0) p.phi_dot_rad_s = 0.0;
-        return p;
-    });
-    EXPECT_LE(worst.attitude, 2e-15);  // measured 3.1e-16
-    EXPECT_LE(worst.omega, 3e-15);     // measured 6.4e-16
-}
-
-TEST(HeavyTop, AgreesWithTaylorForWeakGravityAndExtremeShapes) {
-    const Difference worst = worst_of<Wide>(200, 6, 15.0, [](std::mt19937_64& random) {
-        HeavyTopProblem p = generic_top(random);
-        p.mgl_N_m = std::copysign(std::pow(10.0, uniform(random, -20.0, 0.0)), p.mgl_N_m);
-        p.moment_axial_kg_m2 =
-            p.moment_transverse_kg_m2 * std::pow(10.0, uniform(random, -9.0, 0.3));
-        return p;
-    });
-    EXPECT_LE(worst.attitude, 2e-15);  // measured 2.8e-16
-    EXPECT_LE(worst.omega, 3e-15);     // measured 7.3e-16
-}
-
-TEST(HeavyTop, AgreesWithTaylorNearSteadyPrecession) {
-    const Difference worst = worst_of<Wide>(200, 7, 15.0, [](std::mt19937_64& random) {
-        HeavyTopProblem p = generic_top(random);
-        p.mgl_N_m = std::abs(p.mgl_N_m);
-        p.theta_rad = uniform(random, 0.1, 1.4);
-        const double cosine = std::cos(p.theta_rad);
-        const double spin = std::sqrt(4.0 * p.moment_transverse_kg_m2 * p.mgl_N_m * cosine);
-        p.omega3_rad_s = uniform(random, 1.05, 3.0) * spin / p.moment_axial_kg_m2;
-        const double a = p.moment_axial_kg_m2 * p.omega3_rad_s / p.moment_transverse_kg_m2;
-        const double root = std::sqrt(a * a - 4.0 * cosine * p.mgl_N_m / p.moment_transverse_kg_m2);
-        p.phi_dot_rad_s = (random() % 2 == 0 ? a - root : a + root) / (2.0 * cosine) +
-                          std::pow(10.0, uniform(random, -20.0, -3.0));
-        p.theta_dot_rad_s = random() % 2 == 0 ? 0.0 : std::pow(10.0, uniform(random, -300.0, -3.0));
-        return p;
-    });
-    EXPECT_LE(worst.attitude, 2e-15);  // measured 2.4e-16
-    EXPECT_LE(worst.omega, 3e-15);     // measured 6.6e-16
-}
-
-TEST(HeavyTop, AgreesWithTaylorNearTheSeparatrix) {
-    // A pendulum-like top whose energy is that of the upright position but for 1e-1 … 1e-15.
-    const Difference worst = worst_of<Quad>(16, 8, 12.0, [](std::mt19937_64& random) {
-        HeavyTopProblem p = generic_top(random);
-        p.mgl_N_m = uniform(random, 0.5, 2.0);
-        p.theta_rad = uniform(random, 0.5, 3.0);
-        // p_φ = p_ψ and E = E_upright: φ̇ = a/(1 + cos θ), θ̇² = βx − φ̇² sin²θ.
-        const double a = uniform(random, 0.0, 0.5);
-        p.omega3_rad_s = a * p.moment_transverse_kg_m2 / p.moment_axial_kg_m2;
-        p.phi_dot_rad_s = a / (1.0 + std::cos(p.theta_rad));
-        const double x = 1.0 - std::cos(p.theta_rad);
-        const double rate2 = 2.0 * p.mgl_N_m / p.moment_transverse_kg_m2 * x -
-                             a * a * x / (1.0 + std::cos(p.theta_rad));
-        p.theta_dot_rad_s =
-            -std::sqrt(std::max(rate2, 0.0)) + std::pow(10.0, uniform(random, -15.0, -1.0));
-        return p;
-    });
-    EXPECT_LE(worst.attitude, 2e-15);  // measured 2.5e-16
-    EXPECT_LE(worst.omega, 3e-15);     // measured 5.8e-16
-}
+INSTANTIATE_TEST_SUITE_P(Extremes, HeavyTopFamily,
+                         testing::ValuesIn(tops::all().begin(), tops::all().end()), test_name);
 
 TEST(HeavyTop, KeepsItsInvariantsFromTheFirstInstantToTheFarthest) {
     std::mt19937_64 random(9);

@@ -1,0 +1,40 @@
+// Families of heavy tops at the extremes, drawn from seeds, and how far the exact motion is from
+// the Taylor integration.
+#pragma once
+
+#include <random>
+#include <span>
+#include <string_view>
+
+#include "mechanics/heavy_top.h"
+
+namespace poinsot::tops {
+
+using Random = std::mt19937_64;
+
+double uniform(Random& random, double low, double high);
+
+// A top of ordinary size, either sign of Mgl, anywhere.
+HeavyTopProblem generic_top(Random& random);
+
+struct Family {
+    std::string_view name;
+    HeavyTopProblem (*draw)(Random& random);
+    double duration_s;
+    bool amplifies;  // so much that the oracle needs 113 bits
+};
+
+std::span<const Family> all();
+
+// The largest differences from the oracle over tops first … last−1 of a family, each from its own
+// seed, at four instants, before the start for every fourth one.
+struct Residuals {
+    double attitude = 0.0;  // largest component of the quaternion's difference
+    double omega = 0.0;     // of ω's, relative to |ω| where that exceeds 1/s
+};
+Residuals measure(const Family& family, int first, int last);
+
+// What every family stays within.
+inline constexpr Residuals bounds{2e-15, 3e-15};
+
+}  // namespace poinsot::tops
