@@ -23,8 +23,8 @@ double volume_of(const Eigen::Vector3d& half_axes_m) {
 }  // namespace
 
 // Axis along z. The densities of mantle and core are the two that give the whole its mass and its
-// polar moment C = 0.3307 M a²; the dynamical flattening (C − A)/C then comes out at 1/304.7, and
-// the rigid Earth's Euler period at 303.7 sidereal days, against 1/305.5 observed.
+// polar moment C = 0.3307 M a²; the dynamical flattening (C − A)/C then comes out at 1/305.3, for
+// 1/305.46 observed, and the rigid Earth's Euler period A/(C − A) at 304.3 sidereal days.
 std::vector<ObjectPart> earth() {
     constexpr double mass_kg = 5.9722e24;
     constexpr double equatorial_m = 6378137.0;

@@ -128,16 +128,16 @@ std::vector<ObjectPart> book() {
                      board_kg_m3}});
 }
 
-// Long axis along z. The meridian is a mean of an ellipse and a parabola such that the long
-// circumference, like all else, is the middle of what the rule allows: 11 1/8, 28 1/4 and 21 1/8
-// inches, 14 1/2 ounces. Bladder and leather together are 4 mm thick.
+// Long axis along z. Length, girth and mass are the middle of what the rule allows: 11 1/8 and
+// 21 1/8 inches, 14 1/2 ounces. The meridian is a mean of an ellipse and a parabola, as pointed as
+// the least long circumference, 28 inches, lets it be. Bladder and leather are 4 mm thick together.
 std::vector<ObjectPart> football() {
     constexpr double inch_m = 0.0254;
     constexpr double half_length_m = 0.5 * 11.125 * inch_m;
     const double radius_m = 21.125 * inch_m / (2.0 * pi);
     constexpr double mass_kg = 14.5 * 0.028349523125;
     constexpr double thickness_m = 0.004;
-    constexpr double ellipse_share = 0.88;
+    constexpr double ellipse_share = 0.77;
     constexpr int n_steps = 48;
     const auto meridian = [&](double shrunk_m, double angle) -> ProfilePoint {
         const double s = std::sin(angle);

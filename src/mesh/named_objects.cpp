@@ -21,8 +21,8 @@ constexpr std::array<NamedObject, 15> table{{
      object_makers::t_handle},
     {"racket", "strung tennis racket; flips about the axis across its face",
      "ITF Rules of Tennis, appendix II (size); mass, balance, swingweight and twistweight of a "
-     "modern racket: Brody, Phys. Teach. 23 (1985) 213; Taraborrelli et al., Sports Eng. 22 (2019) "
-     "9",
+     "modern racket: Brody, Phys. Teach. 23 (1985) 213; Taraborrelli et al., Sports Eng. 22 "
+     "(2019), doi:10.1007/s12283-019-0303-8",
      object_makers::racket},
     {"book", "hardback of 400 pages",
      "royal octavo, 234 x 156 mm (BS 1413); 80 g/m^2 paper of 0.11 mm; 2.5 mm greyboard of 650 "
@@ -37,7 +37,7 @@ constexpr std::array<NamedObject, 15> table{{
      "of 10 1/2 inches, porcelain of 2400 kg/m^3",
      object_makers::plate},
     {"disc", "compact disc: moments very nearly 1 : 1 : 2",
-     "ECMA-130 (1996), clause 8: 120 mm, hole of 15 mm, 1.2 mm thick, 14 to 33 g; polycarbonate, "
+     "ECMA-130 (1996): 120 mm, hole of 15 mm, 1.2 mm thick, 14 to 33 g; polycarbonate, "
      "1200 kg/m^3",
      object_makers::disc},
     {"coin", "two-euro coin",

@@ -211,13 +211,13 @@ TEST(NamedObjectMoments, OfTheFootballBelongToABallOfTheRules) {
         // The outer seam in the half-plane y = 0, x ≥ 0, by its height; the inner one lies 4 mm in.
         if (v.y() != 0.0 || v.x() < 0.0) continue;
         const double s = std::sqrt(std::max(0.0, 1.0 - std::pow(2.0 * v.z() / length, 2)));
-        if (v.x() > radius * (0.88 * s + 0.12 * s * s) - 1e-4) meridian.emplace_back(v.x(), v.z());
+        if (v.x() > radius * (0.77 * s + 0.23 * s * s) - 1e-4) meridian.emplace_back(v.x(), v.z());
     }
     std::ranges::sort(meridian, {}, [](const Eigen::Vector2d& p) { return p.y(); });
     double half = 0.0;
     for (std::size_t i = 1; i < meridian.size(); ++i)
         half += (meridian[i] - meridian[i - 1]).norm();
-    EXPECT_NEAR(2.0 * half / 0.0254, 28.25, 0.05);
+    EXPECT_NEAR(2.0 * half / 0.0254, 28.05, 0.05);
     EXPECT_NEAR(length / 0.0254, 11.125, 0.001);
     const BodyProperties ball = properties_of(parts);
     EXPECT_NEAR(ball.mass_kg, 14.5 * 0.028349523125, 1e-12);
@@ -230,7 +230,7 @@ TEST(NamedObjectMoments, OfTheEarthGiveTheEulerPeriod) {
     const double A = earth.inertia_kg_m2(0, 0);
     const double C = earth.inertia_kg_m2(2, 2);
     EXPECT_NEAR(C / (earth.mass_kg * 6378137.0 * 6378137.0), 0.3307, 1e-5);
-    EXPECT_NEAR(A / (C - A), 304.5, 1.0);  // observed: (1/0.0032738) − 1
+    EXPECT_NEAR(A / (C - A), 304.46, 0.3);  // observed: (1/0.0032738) − 1
 }
 
 // The radar model's ratios are 3.22 and 3.09 (Hudson & Ostro 1995).
