@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "mechanics/motion.h"
 #include "scene/load_scene.h"
+#include "scene/motion_of.h"
 
 namespace poinsot {
 
@@ -16,7 +16,7 @@ Scene lecture(const std::string& name) {
     return load_scene(std::filesystem::path(POINSOT_SOURCE_DIR) / "scenes" / (name + ".toml"));
 }
 
-Regime regime_of(const std::string& name) { return Motion(problem_of(lecture(name))).regime(); }
+Regime regime_of(const std::string& name) { return motion_of(lecture(name)).regime(); }
 
 TEST(LectureScenes, EachHasTitleCaptionAndAFilmOfTenToTwentySeconds) {
     for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SOURCE_DIR "/scenes")) {
@@ -51,7 +51,7 @@ TEST(LectureScenes, SeparatrixIsExactlyOnIt) {
 
 TEST(LectureScenes, TennisRacketTurnsOverMoreThanOnceInItsFilm) {
     const Scene scene = lecture("tennis_racket");
-    const Motion motion(problem_of(scene));
+    const Motion motion = motion_of(scene);
     int n_flips = 0;
     double sign = 1.0;
     for (int i = 0; i <= 1000; ++i) {
@@ -75,6 +75,25 @@ TEST(LectureScenes, CaptionsGiveTheRateOfPrecession) {
         EXPECT_NEAR((I[2] - I[0]) * scene.start.omega_rad_s[2] / I[0], rate, 4e-16);
         EXPECT_NE(scene.caption.find(in_caption), std::string::npos) << scene.caption;
     }
+}
+
+TEST(LectureScenes, TopsMoveAsTheirNamesSay) {
+    for (const auto& [name, regime] : {std::pair{"heavy_top_wavy", TopRegime::wavy},
+                                       std::pair{"heavy_top_cusp", TopRegime::cusp},
+                                       std::pair{"heavy_top_looping", TopRegime::looping},
+                                       std::pair{"heavy_top_sleeping", TopRegime::sleeping},
+                                       std::pair{"heavy_top_steady", TopRegime::steady_slow}}) {
+        const Motion motion = motion_of(lecture(name));
+        ASSERT_NE(motion.heavy_top(), nullptr) << name;
+        EXPECT_EQ(motion.heavy_top()->regime(), regime) << name;
+    }
+}
+
+TEST(LectureScenes, SteadyTopKeepsItsTilt) {
+    const Motion motion = motion_of(lecture("heavy_top_steady"));
+    const TopNutation& nutation = motion.heavy_top()->nutation();
+    EXPECT_LT(nutation.theta_max_rad - nutation.theta_min_rad, 1e-15);
+    EXPECT_NEAR(nutation.precession_rate_rad_s, 0.4666, 5e-5);  // as the caption rounds it
 }
 
 TEST(LectureScenes, TensorIsOffItsPrincipalAxes) {

@@ -1,0 +1,23 @@
+// Any bytes as a scene file: a scene that is written out and read back the same, or a refusal with
+// a place, and nothing else.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "scene/load_scene.h"
+#include "scene/scene_error.h"
+#include "scene/write_scene.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    try {
+        const poinsot::Scene scene = poinsot::parse_scene(text, "fuzz.toml");
+        const std::string written = poinsot::to_toml(scene);
+        if (poinsot::to_toml(poinsot::parse_scene(written, "fuzz.toml")) != written) std::abort();
+    } catch (const poinsot::SceneError&) {
+        // Refused with a sentence: what a bad scene deserves.
+    }
+    return 0;
+}
