@@ -212,8 +212,10 @@ TrigonometricSeries trigonometric_series(const JacobiSolution& j) {
 
 HyperbolicSeries hyperbolic_series(const JacobiSolution& j) {
     const HyperbolicNomes nomes = hyperbolic_nomes(j);
-    const Nome Q(nomes.root);
-    const Nome q(nomes.root * nomes.root);
+    // Terms below 2^−120 are left out: beside 1 they are nothing.
+    const DoubleDouble root = nomes.root.hi > 0x1p-60 ? nomes.root : DoubleDouble(0.0);
+    const Nome Q(root);
+    const Nome q(root * root);
     const ThetaZeros zero(q);
 
     HyperbolicSeries series;

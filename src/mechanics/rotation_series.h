@@ -102,8 +102,11 @@ struct HyperbolicSeries {
  private:
     SeriesPoint sum(double E, double F, double one_less_E, double one_less_F, double side,
                     double parity) const {
-        const double X = E * E;
-        const double Y = F * F;
+        // Beside 1, what is below 2^−60 is nothing; as zero it makes no slow subnormal numbers.
+        const double E_seen = E > 0x1p-60 ? E : 0.0;
+        const double F_seen = F > 0x1p-60 ? F : 0.0;
+        const double X = E_seen * E_seen;
+        const double Y = F_seen * F_seen;
         const auto near_sum = [this](double z) { return z * (1.0 + z * (q2 + q6 * z)); };
         const auto far_sum = [this](double z) { return z * (q1 + z * (q4 + q9 * z)); };
         // sn's and cn's series over 1 − X and 1 − Y, with XY = q′.
@@ -115,10 +118,10 @@ struct HyperbolicSeries {
         const double cn = E * (one_less_F * (1.0 + F)) * (zero_0 + (zero_near(X) + zero_far(Y)));
 
         const auto in_F = [=](const std::array<double, 5>& p) {
-            return p[0] + F * (p[1] + F * (p[2] + F * (p[3] + F * p[4])));
+            return p[0] + F_seen * (p[1] + F_seen * (p[2] + F_seen * (p[3] + F_seen * p[4])));
         };
         const auto in_E = [=](const std::array<double, 4>& p) {
-            return E * (p[0] + E * (p[1] + E * (p[2] + E * p[3])));
+            return E_seen * (p[0] + E_seen * (p[1] + E_seen * (p[2] + E_seen * p[3])));
         };
         return {a * (dn * scale), parity * side * (b * (sn * scale)), parity * (c * (cn * scale)),
                 in_F(cos_F) + in_E(cos_E), side * (in_F(sin_F) + in_E(sin_E))};

@@ -2,7 +2,9 @@
 // their squares and ratios neither underflow nor lose a digit.
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "mechanics/double_double.h"
 
@@ -14,9 +16,12 @@ class WideDouble {
     WideDouble() = default;
     // A double is a wide double: mixed expressions read as in the formulas.
     WideDouble(double value) : WideDouble(DoubleDouble(value), 0) {}  // NOLINT(*-explicit-*)
-    explicit WideDouble(DoubleDouble value, int exponent = 0)
-        : significand_(value), exponent_(exponent) {
-        normalise();
+    explicit WideDouble(DoubleDouble value, int exponent = 0) {
+        if (value.hi == 0.0) return;
+        int shift = 0;
+        std::frexp(value.hi, &shift);
+        significand_ = poinsot::ldexp(value, -shift);
+        exponent_ = exponent + shift;
     }
 
     bool is_zero() const { return significand_.hi == 0.0; }
@@ -41,15 +46,15 @@ class WideDouble {
         if (a.exponent_ < b.exponent_) return b + a;
         const int shift = b.exponent_ - a.exponent_;
         if (shift < -220) return a;
-        return WideDouble(a.significand_ + ldexp(b.significand_, shift), a.exponent_);
+        return normalised(a.significand_ + scaled(b.significand_, shift), a.exponent_);
     }
     friend WideDouble operator-(const WideDouble& a, const WideDouble& b) { return a + (-b); }
     friend WideDouble operator*(const WideDouble& a, const WideDouble& b) {
-        return WideDouble(a.significand_ * b.significand_, a.exponent_ + b.exponent_);
+        return normalised(a.significand_ * b.significand_, a.exponent_ + b.exponent_);
     }
     // Precondition: b ≠ 0.
     friend WideDouble operator/(const WideDouble& a, const WideDouble& b) {
-        return WideDouble(a.significand_ / b.significand_, a.exponent_ - b.exponent_);
+        return normalised(a.significand_ / b.significand_, a.exponent_ - b.exponent_);
     }
     friend bool operator<(const WideDouble& a, const WideDouble& b) { return (a - b).sign() < 0; }
     friend bool operator>(const WideDouble& a, const WideDouble& b) { return b < a; }
@@ -58,7 +63,7 @@ class WideDouble {
     // Precondition: a ≥ 0.
     friend WideDouble sqrt(const WideDouble& a) {
         const int odd = a.exponent_ & 1;
-        return WideDouble(sqrt(ldexp(a.significand_, odd)), (a.exponent_ - odd) / 2);
+        return normalised(sqrt(scaled(a.significand_, odd)), (a.exponent_ - odd) / 2);
     }
     friend WideDouble ldexp(const WideDouble& a, int exponent) {
         return a.is_zero() ? a : from_parts(a.significand_, a.exponent_ + exponent);
@@ -71,16 +76,18 @@ class WideDouble {
         result.exponent_ = exponent;
         return result;
     }
-    void normalise() {
-        if (significand_.hi == 0.0) {
-            exponent_ = 0;
-            return;
-        }
-        int shift = 0;
-        std::frexp(significand_.hi, &shift);
-        if (shift == 0) return;
-        significand_ = ldexp(significand_, -shift);
-        exponent_ += shift;
+    // x·2^exponent for −1022 ≤ exponent ≤ 1023.
+    static DoubleDouble scaled(DoubleDouble x, int exponent) {
+        const double power =
+            std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52U);
+        return {x.hi * power, x.lo * power};
+    }
+    // The same from a result of normal numbers: the exponent is read off its bits.
+    static WideDouble normalised(DoubleDouble value, int exponent) {
+        if (value.hi == 0.0) return {};
+        const auto bits = std::bit_cast<std::uint64_t>(value.hi);
+        const int shift = static_cast<int>((bits >> 52U) & 0x7ffU) - 1022;
+        return from_parts(scaled(value, -shift), exponent + shift);
     }
 
     DoubleDouble significand_;
