@@ -1,5 +1,5 @@
-uniform vec4 tint;  // linear colour of the deepest shadow
-in float darkness;
+flat in vec4 tint;
+noperspective in float darkness;
 out vec4 fragment;
 
 void main() { fragment = tint * darkness; }

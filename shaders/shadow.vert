@@ -3,20 +3,22 @@
 // corners of a web of rings about it, and interpolated.
 #include "clip.glsl"
 #include "view.glsl"
-uniform vec4 constants[14];
+uniform vec4 constants[15];
 //   0…4: the view   5: towards the light; strength of the key light   6: strength of the sky in w
-//   7: point of the plane nearest to the ellipsoid; reach of the web
+//   7: point of the plane nearest to the ellipsoid; radius of the web
 //   8, 9: two unit vectors in the plane   10: middle of the plane's disc; radius
 //   11: opacity of the plane; where it begins to fade
 //   12: the plane's normal, towards the ellipsoid, in the sphere's axes, unit
-//   13: direction towards the key light likewise
+//   13: direction towards the lamp likewise   14: middle of the web from the nearest point
 uniform vec4 to_u[3];  // rows of u = to_u·(X, 1), where the ellipsoid is the unit sphere
-out float darkness;
+uniform vec4 deepest;  // linear colour of the deepest shadow
+flat out vec4 tint;
+noperspective out float darkness;
 
-const int n_rings = 24;
-const int n_spokes = 64;
+const int n_rings = 16;
+const int n_spokes = 48;
 const float lamp = 0.33;  // sine of half the angle that the key light fills
-const float far_sky = 0.06;
+const float far_sky = 0.07;
 
 float light_taken(vec3 point) {
     vec4 x = vec4(point, 1.0);
@@ -39,12 +41,17 @@ float light_taken(vec3 point) {
 }
 
 void main() {
+    tint = deepest;
     int ring = gl_VertexID / n_spokes;
     float angle = 6.28318530718 * float(gl_VertexID % n_spokes) / float(n_spokes);
     float share = float(ring) / float(n_rings);
-    float radius = constants[7].w * share * share;
-    vec3 point = constants[7].xyz +
-                 radius * (cos(angle) * constants[8].xyz + sin(angle) * constants[9].xyz);
+    // Spokes run from the touch to the web's rim.
+    vec2 spoke = vec2(cos(angle), sin(angle));
+    float inward = dot(spoke, constants[14].xy);
+    float beside = spoke.x * constants[14].y - spoke.y * constants[14].x;
+    float reach = inward + sqrt(max(constants[7].w * constants[7].w - beside * beside, 0.0));
+    vec2 place = (reach * share * share) * spoke;
+    vec3 point = constants[7].xyz + place.x * constants[8].xyz + place.y * constants[9].xyz;
     float r = length(point - constants[10].xyz) / constants[10].w;
     float visible = constants[11].x * (1.0 - smoothstep(constants[11].y, 1.0, r));
     // The web's rim is dark by less than a level; it ends at nothing all the same.

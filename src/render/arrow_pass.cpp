@@ -241,8 +241,8 @@ void ArrowPass::mark(const ViewScene& scene, TileMask& marks) const {
     for (const Arrow& arrow : scene.view->arrows) {
         const ArrowShape shape = shape_of(p, scene.view->camera, arrow);
         if (!shape.seen) continue;
-        marks.mark(shaft_polygon(shape).box.within(p.box));
-        marks.mark(head_polygon(shape).box.within(p.box));
+        marks.mark(shaft_polygon(shape), p.box);
+        marks.mark(head_polygon(shape), p.box);
     }
     for (const Dot& dot : scene.view->dots) {
         if (p.perspective && p.depth(dot.at) <= p.near_depth) continue;

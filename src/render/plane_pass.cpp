@@ -14,30 +14,42 @@ namespace {
 constexpr int n_bands = 32;
 
 // As in shaders/shadow.vert.
-constexpr int n_rings = 24;
-constexpr int n_spokes = 64;
+constexpr int n_rings = 16;
+constexpr int n_spokes = 48;
 
-// The part of a plane that an ellipsoid may shade.
+// The part of a plane that an ellipsoid shades: a web about the hub, out to a circle.
 struct Shadow {
-    Eigen::Vector3d hub;  // the point of the plane nearest to the ellipsoid
-    double side;          // of the plane on which the ellipsoid stands
-    double reach;
+    Eigen::Vector3d hub;      // the point of the plane nearest to the ellipsoid
+    Eigen::Vector3d centre;   // of the circle
+    Eigen::Vector3d towards;  // the middle of the lamp, unit
+    double side;              // of the plane on which the ellipsoid stands
+    double radius;
 };
 
 Shadow shadow_of(const Plane& plane, const Quadric& caster, const Light& light) {
+    Shadow shadow;
     const double height = plane.normal.dot(caster.centre - plane.centre);
-    const double side = height < 0.0 ? -1.0 : 1.0;
-    const Eigen::Vector3d lean = caster.axes.transpose() * plane.normal;
+    shadow.side = height < 0.0 ? -1.0 : 1.0;
+    const Eigen::Vector3d up = shadow.side * plane.normal;
+    const Eigen::Vector3d lean = caster.axes.transpose() * up;
     const Eigen::Vector3d lowest =
-        caster.centre - side * caster.axes * lean / std::max(lean.norm(), 1e-12);
-    const Eigen::Vector3d hub = lowest - plane.normal.dot(lowest - plane.centre) * plane.normal;
-    const double largest = caster.axes.colwise().norm().maxCoeff();
-    // The key light's shadow lies away from the light, and widens with the height.
-    const Eigen::Vector3d towards = light.towards.normalized();
-    const double rise = std::max(std::abs(plane.normal.dot(towards)), 0.3);
-    const double slope = std::sqrt(1.0 - rise * rise) / rise;
-    const double away = (caster.centre - height * plane.normal - hub).norm();
-    return {hub, side, away + std::abs(height) * slope + 1.3 * largest / rise};
+        caster.centre - caster.axes * lean / std::max(lean.norm(), 1e-12);
+    const auto foot = [&](const Eigen::Vector3d& x) {
+        return (x - plane.normal.dot(x - plane.centre) * plane.normal).eval();
+    };
+    shadow.hub = foot(lowest);
+    // The lamp stands higher than the key light: a shadow near the touch is calmer than a long one.
+    constexpr double raised = 0.8;
+    const Eigen::Vector3d key = light.towards.normalized();
+    shadow.towards = (key + (raised + std::max(0.0, -key.dot(up))) * up).normalized();
+    const Eigen::Vector3d lee =
+        foot(caster.centre -
+             shadow.towards * (std::abs(height) / std::max(shadow.towards.dot(up), 0.3)));
+    // Beyond two of its radii a sphere on the plane takes no more than a level.
+    shadow.centre = 0.5 * (foot(caster.centre) + lee);
+    shadow.radius = std::max(2.0 * caster.axes.colwise().norm().maxCoeff(),
+                             1.2 * (shadow.centre - shadow.hub).norm());
+    return shadow;
 }
 
 bool casts(const Ellipsoid& ellipsoid) { return ellipsoid.casts_shadow && ellipsoid.opacity > 0.0; }
@@ -98,7 +110,7 @@ ShadowPass::ShadowPass()
       picture_(program_.at("picture")),
       constants_(program_.at("constants")),
       to_u_(program_.at("to_u")),
-      tint_(program_.at("tint")),
+      tint_(program_.at("deepest")),
       vertex_array_(GlVertexArray::make()),
       indices_(GlBuffer::make()) {
     std::vector<std::uint16_t> indices;
@@ -133,13 +145,15 @@ void ShadowPass::draw(const ViewScene& scene, std::size_t plane) const {
         Constants constants;
         scene.add_view(constants);
         scene.add_light(constants);
-        constants.add(shadow.hub, shadow.reach);
+        constants.add(shadow.hub, shadow.radius);
         constants.add(shape.along);
         constants.add(across_of(shape));
         constants.add(shape.centre, shape.radius);
         constants.add(shape.opacity, shape.fade_from, 0.0, 0.0);
         constants.add((shadow.side * q.axes.transpose() * shape.normal).normalized());
-        constants.add((q.to_u * scene.view->light.towards).normalized());
+        constants.add((q.to_u * shadow.towards).normalized());
+        const Eigen::Vector3d off = shadow.centre - shadow.hub;
+        constants.add(shape.along.dot(off), across_of(shape).dot(off), 0.0, 0.0);
         Constants to_u;
         for (int row = 0; row < 3; ++row) to_u.add(q.to_u_row(row), q.to_u_offset(row));
         program_.use();
@@ -159,9 +173,9 @@ void ShadowPass::mark(const ViewScene& scene, std::size_t plane, TileMask& marks
     for (std::size_t k = 0; k < scene.quadrics.size(); ++k) {
         if (!casts(scene.view->ellipsoids[k])) continue;
         const Shadow shadow = shadow_of(shape, scene.quadrics[k], scene.view->light);
-        const PixelPolygon polygon =
-            disc_polygon(scene.projection, shadow.hub, shape.along, across_of(shape), shadow.reach);
-        marks.mark(polygon.box.within(scene.projection.box));
+        marks.mark(disc_polygon(scene.projection, shadow.centre, shape.along, across_of(shape),
+                                shadow.radius),
+                   scene.projection.box);
     }
 }
 

@@ -141,10 +141,10 @@ void Renderer::Impl::mark_moving(const ViewScene& scene) {
     const PixelBox& box = scene.projection.box;
     for (std::size_t k = 0; k < scene.maps.size(); ++k) {
         shadow_.mark(scene, k, marks_);
-        if (scene.before_solids[k]) marks_.mark(disc_polygon(scene, k).box.within(box));
+        if (scene.before_solids[k]) marks_.mark(disc_polygon(scene, k), box);
     }
     for (const Quadric& q : scene.quadrics)
-        if (q.seen) marks_.mark(q.outline.box.within(box));
+        if (q.seen) marks_.mark(q.outline, box);
     for (const Curve& curve : scene.view->curves) curve_.mark(scene, curve, marks_);
     arrow_.mark(scene, marks_);
 }

@@ -31,6 +31,32 @@ void TileMask::mark(const PixelBox& box) {
     }
 }
 
+void TileMask::mark(const PixelPolygon& polygon, const PixelBox& limits) {
+    const PixelBox box = polygon.box.within(limits);
+    if (box.empty()) return;
+    const int first = static_cast<int>(std::floor(std::max(box.top, 0.0) / side_px));
+    for (int row = first; row * side_px < std::min<double>(box.bottom, height_px_); ++row) {
+        // Where the row's upper and lower edges, and the corners between them, lie.
+        const double top = row * side_px, bottom = top + side_px;
+        PixelBox part;
+        for (int k = 0; k < polygon.n_corners; ++k) {
+            const auto corner = [&](int i) {
+                return polygon.corners[static_cast<std::size_t>(i % polygon.n_corners)]
+                    .cast<double>()
+                    .eval();
+            };
+            const Eigen::Vector2d a = corner(k), b = corner(k + 1);
+            if (a.y() >= top && a.y() <= bottom) part.add(a);
+            for (const double y : {top, bottom}) {
+                const double t = (y - a.y()) / (b.y() - a.y());
+                if (t >= 0.0 && t <= 1.0) part.add(a + t * (b - a));
+            }
+        }
+        part.top = top, part.bottom = bottom - 1.0;
+        mark(part.within(limits));
+    }
+}
+
 const std::vector<PixelRect>& TileMask::rects() {
     // A gap this narrow costs less than another rectangle.
     constexpr int bridged_tiles = 2;

@@ -23,6 +23,8 @@ class TileMask {
     void clear();
     void fill();
     void mark(const PixelBox& box);
+    // Only what lies within `limits` as well.
+    void mark(const PixelPolygon& polygon, const PixelBox& limits);
 
     // The marked tiles as rectangles, row by row, neighbours joined; of no use after the next
     // call of a function that is not const.
