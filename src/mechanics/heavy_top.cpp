@@ -35,8 +35,10 @@ Complex quarter_turns(std::int64_t n) {
 
 // e^{iφ}, the turns taken off in two words.
 Complex unit_phase(DoubleDouble phase) {
-    const double turns = std::round(phase.hi / two_pi.hi);
-    const DoubleDouble rest = phase + two_pi * -turns;
+    DoubleDouble rest = phase;
+    do {
+        rest = rest + two_pi * -std::round(rest.hi / two_pi.hi);
+    } while (std::abs(rest.hi) > two_pi.hi);
     return {std::cos(rest.hi) - rest.lo * std::sin(rest.hi),
             std::sin(rest.hi) + rest.lo * std::cos(rest.hi)};
 }
@@ -107,21 +109,24 @@ struct HeavyTop::Factors {
 HeavyTop::Phase HeavyTop::phase_at(double elapsed_s) const {
     Phase phase;
     phase.elapsed_s = elapsed_s;
-    if (series_.steady) return phase;
-    DoubleDouble u = series_.lambda_1_s * elapsed_s + series_.u_start;
-    if (!std::isfinite(u.hi)) {
+    const double fastest = std::max({series_.lambda_1_s.hi, std::abs(series_.factor[0].rate_1_s.hi),
+                                     std::abs(series_.factor[1].rate_1_s.hi)});
+    constexpr double largest_phase = 1e290;  // products of two words must not overflow
+    if (!(fastest * std::abs(elapsed_s) < largest_phase) || !std::isfinite(elapsed_s)) {
         throw InputError(fmt::format(
             "the top's phase after {} s exceeds what a double holds; ask for an earlier time",
             elapsed_s));
     }
+    if (series_.steady) return phase;
+    DoubleDouble u = series_.lambda_1_s * elapsed_s + series_.u_start;
     if (std::isfinite(series_.quarter_u.hi)) {
-        // Two passes: the first may leave some quarters where their number exceeds 2^53.
-        for (int pass = 0; pass < 2; ++pass) {
+        // One pass, and more where the number of quarters exceeds 2^53.
+        do {
             const double quarters = std::round(u.hi / series_.quarter_u.hi);
             u = u + series_.quarter_u * -quarters;
             phase.quarters += quarters;
             phase.quarter += static_cast<std::int64_t>(std::fmod(quarters, 4.0));
-        }
+        } while (std::abs(u.hi) > series_.quarter_u.hi);
     }
     phase.quarters += series_.quarter_start;
     phase.quarter += series_.quarter_start;
