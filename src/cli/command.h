@@ -27,6 +27,8 @@ extern const Command sample_command;
 extern const Command tradeoff_command;
 extern const Command list_command;
 extern const Command doctor_command;
+extern const Command compare_command;
+extern const Command approve_command;
 extern const Command explain_command;
 extern const Command rerender_command;
 

@@ -9,6 +9,23 @@
 
 namespace poinsot {
 
+// What compare allows to differ, and what it writes.
+struct CompareChoices {
+    std::string profile = "portable";          // --profile
+    std::optional<std::string> max_differing;  // --max-differing, a share of the pixels
+    std::optional<std::string> max_over;       // --max-over
+    std::optional<int> over_levels;            // --over-levels
+    std::string report, junit, diff;           // files to write, empty for none
+};
+
+// What approve takes from where to where.
+struct ApproveChoices {
+    std::string results, baselines;  // folders
+    std::string why;
+    bool any_renderer = false;
+    bool all = false;
+};
+
 struct Options {
     std::vector<std::string> arguments;  // SCENE, REF NEW, WHAT
     std::string output;                  // -o
@@ -22,6 +39,8 @@ struct Options {
     bool quiet = false;
     bool certify = false;  // render --certify
     bool plan = false;     // check --plan
+    CompareChoices compare;
+    ApproveChoices approve;
 };
 
 }  // namespace poinsot

@@ -114,6 +114,66 @@ const auto option_table = std::to_array<OptionRow>({
              ->required();
      }},
     {"json", [](CLI::App& app, Options& o) { app.add_flag("--json", o.json, "answer in JSON"); }},
+    {"profile",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--profile", o.compare.profile,
+                        "portable: no pixel may differ; native: as much as processors round apart");
+     }},
+    {"max-differing",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--max-differing", o.compare.max_differing,
+                        "share of the pixels that may differ at all, as 0.001 or 0.1%");
+     }},
+    {"max-over",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--max-over", o.compare.max_over,
+                        "share of the pixels that may differ by more than --over-levels");
+     }},
+    {"over-levels",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--over-levels", o.compare.over_levels,
+                        "levels of 255 that --max-over counts from; 2 if not given");
+     }},
+    {"report",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--report", o.compare.report,
+                        "FILE.html: write a page that shows the pictures");
+     }},
+    {"junit",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--junit", o.compare.junit,
+                        "FILE.xml: write test results");
+     }},
+    {"diff",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--diff", o.compare.diff,
+                        "FILE.png: write expected | difference × 16 | actual");
+     }},
+    {"results",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--results", o.approve.results,
+                        "folder of the new pictures");
+     }},
+    {"baselines",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--baselines", o.approve.baselines,
+                        "folder of the baselines and their manifest");
+     }},
+    {"why",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--why", o.approve.why,
+                        "the reason for the change, kept in the manifest");
+     }},
+    {"any-renderer",
+     [](CLI::App& app, Options& o) {
+         app.add_flag("--any-renderer", o.approve.any_renderer,
+                        "take pictures of another renderer or profile, too");
+     }},
+    {"all",
+     [](CLI::App& app, Options& o) {
+         app.add_flag("--all", o.approve.all,
+                        "take every picture that is new or has changed");
+     }},
     {"quiet", [](CLI::App& app,
                  Options& o) { app.add_flag("--quiet,-q", o.quiet, "no progress, no notes"); }},
     {"plan", [](CLI::App& app,
@@ -153,9 +213,10 @@ void flush_stdout() {
 }  // namespace
 
 std::span<const Command> commands() {
-    static const std::array table{render_command,   still_command,   check_command,
-                                  sample_command,   explain_command, rerender_command,
-                                  tradeoff_command, list_command,    doctor_command};
+    static const std::array table{render_command,  still_command,    check_command,
+                                  sample_command,  compare_command,  approve_command,
+                                  explain_command, rerender_command, tradeoff_command,
+                                  list_command,    doctor_command};
     return table;
 }
 

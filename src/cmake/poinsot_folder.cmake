@@ -13,6 +13,17 @@ function(poinsot_folder name)
     target_link_libraries(poinsot_${name} PUBLIC poinsot_options ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
 endfunction()
 
+# poinsot_embed(OUTPUT HEADER h TYPE t FUNCTION f FILES files…) makes OUTPUT, which defines f() of h: a vector of t,
+# each of a file's name and text.
+function(poinsot_embed output)
+    cmake_parse_arguments(arg "" "HEADER;TYPE;FUNCTION" "FILES" ${ARGN})
+    set(script ${CMAKE_SOURCE_DIR}/src/cmake/embed_files.cmake)
+    add_custom_command(OUTPUT ${output}
+        COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} "-DFILES=${arg_FILES}" -DHEADER=${arg_HEADER}
+                -DTYPE=${arg_TYPE} -DFUNCTION=${arg_FUNCTION} -P ${script}
+        DEPENDS ${arg_FILES} ${script} VERBATIM)
+endfunction()
+
 # poinsot_tests(NAME targets…) makes test_NAME from ./*_test.cpp, each claim a CTest test.
 function(poinsot_tests name)
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp)

@@ -26,9 +26,10 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"drawing", {"error", "mesh", "mechanics", "scene", "construction", "typeset"}},
     {"render", {"error", "drawing", "image"}},
     {"output", {"error", "image"}},
+    {"report", {"error", "image"}},
     {"cli",
      {"error", "mesh", "mechanics", "scene", "construction", "typeset", "drawing", "render", "image",
-      "output"}},
+      "output", "report"}},
 };
 
 // Beginning of a library's header → the one folder that may know it.

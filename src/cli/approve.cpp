@@ -1,0 +1,164 @@
+// poinsot approve NAME…: takes pictures as the new baselines, with what they were made of and why.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/record.h"
+#include "error/error.h"
+#include "error/nearest.h"
+#include "image/atomic_file.h"
+#include "image/png.h"
+#include "image/sha256.h"
+#include "report/baseline_manifest.h"
+#include "report/compared_picture.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A picture that is to become a baseline.
+struct Candidate {
+    std::string name;
+    fs::path file;
+    Baseline baseline;
+};
+
+// "turn", from "turn" or "turn.png". It stays within its folder.
+std::string picture_name(const std::string& argument) {
+    fs::path path = fs::path(argument).lexically_normal();
+    if (path.extension() == ".png") path.replace_extension();
+    const bool leaves = path.empty() || path.is_absolute() || *path.begin() == "..";
+    if (leaves)
+        throw InputError(fmt::format("{}: not the name of a picture within the folder of results",
+                                     printable(argument)));
+    return path.generic_string();
+}
+
+// The names given, or all that are not as the baselines are.
+std::vector<std::string> names_wanted(const Options& options) {
+    std::vector<std::string> names;
+    if (options.approve.all) {
+        if (!options.arguments.empty())
+            throw InputError("poinsot approve: give names or --all, not both");
+        for (const ComparedPicture& picture :
+             compare_folders(options.approve.baselines, options.approve.results,
+                             {.differing_share = 0,
+                             .level = 0,
+                             .over_level_share = 0,
+                             .measures_likeness = false}))
+            if (!picture.actual.empty() && picture.outcome != Outcome::same)
+                names.push_back(picture.name);
+        return names;
+    }
+    if (options.arguments.empty())
+        throw InputError("poinsot approve: name the pictures to take, or say --all");
+    for (const std::string& argument : options.arguments) names.push_back(picture_name(argument));
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+Candidate candidate_for(const std::string& name, const ApproveChoices& choices) {
+    Candidate candidate{name, fs::path(choices.results) / (name + ".png"), {}};
+    const Record record = read_record(candidate.file);
+    if (!record.portable && !choices.any_renderer)
+        throw InputError(fmt::format(
+            "{}: drawn for this processor alone; draw it with --portable, or say --any-renderer",
+            printable(candidate.file.string())));
+    candidate.baseline = {pixel_hash(read_png(candidate.file)),
+                          record.scene_hash,
+                          record.renderer,
+                          record.mesa,
+                          record.version,
+                          choices.why};
+    return candidate;
+}
+
+// All baselines of a folder come from one renderer, or comparing with them would tell renderers
+// apart instead of pictures.
+void check_renderer(const Candidate& candidate, const BaselineManifest& manifest,
+                    const ApproveChoices& choices) {
+    if (choices.any_renderer) return;
+    for (const auto& [name, baseline] : manifest) {
+        const Baseline& now = candidate.baseline;
+        if (baseline.renderer == now.renderer && baseline.mesa == now.mesa) continue;
+        throw InputError(fmt::format(
+            "{}: drawn by {}, Mesa {}, but the baseline {} by {}, Mesa {}; approve all of them "
+            "with --any-renderer if the renderer is to change",
+            printable(candidate.file.string()), printable(now.renderer), printable(now.mesa),
+            printable(name), printable(baseline.renderer), printable(baseline.mesa)));
+    }
+}
+
+void check_reason(const Candidate& candidate, const BaselineManifest& manifest) {
+    if (!manifest.contains(candidate.name) || !candidate.baseline.why.empty()) return;
+    throw InputError(fmt::format(
+        "{}: another picture than the baseline; say with --why \"…\" why it is the right one now",
+        printable(candidate.name)));
+}
+
+void copy_picture(const fs::path& from, const fs::path& to) {
+    std::ifstream file(from, std::ios::binary);
+    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+    if (!file) throw EnvironmentError(fmt::format("{}: cannot be read", from.string()));
+    std::error_code ignored;  // the write that follows says what is wrong
+    fs::create_directories(to.parent_path(), ignored);
+    AtomicFile copy(to);
+    copy.write(bytes);
+    copy.commit();
+}
+
+int run(const Options& options) {
+    const ApproveChoices& choices = options.approve;
+    if (choices.results.empty() || choices.baselines.empty())
+        throw InputError(
+            "poinsot approve: say with --results and --baselines from which folder to which");
+    BaselineManifest manifest = read_manifest(choices.baselines);
+
+    // Everything is checked before anything is changed.
+    std::vector<Candidate> changed;
+    for (const std::string& name : names_wanted(options)) {
+        Candidate candidate = candidate_for(name, choices);
+        const auto before = manifest.find(name);
+        std::error_code ignored;
+        const bool is_there = fs::exists(fs::path(choices.baselines) / (name + ".png"), ignored);
+        if (is_there && before != manifest.end() &&
+            before->second.pixels == candidate.baseline.pixels) {
+            if (!options.quiet) fmt::print("{}: as it was\n", printable(name));
+            continue;
+        }
+        check_renderer(candidate, manifest, choices);
+        check_reason(candidate, manifest);
+        if (candidate.baseline.why.empty()) candidate.baseline.why = "first picture";
+        changed.push_back(std::move(candidate));
+    }
+
+    for (const Candidate& candidate : changed) {
+        copy_picture(candidate.file, fs::path(choices.baselines) / (candidate.name + ".png"));
+        const bool is_new = !manifest.contains(candidate.name);
+        manifest[candidate.name] = candidate.baseline;
+        write_manifest(choices.baselines, manifest);
+        if (!options.quiet)
+            fmt::print("{}: {}\n", printable(candidate.name), is_new ? "new" : "changed");
+    }
+    return 0;
+}
+
+constexpr std::array<std::string_view, 6> options_taken{"results",      "baselines", "why",
+                                                        "any-renderer", "all",       "quiet"};
+
+}  // namespace
+
+const Command approve_command{
+    "approve",     "NAME", 0, 1000000, "take pictures as the new baselines, and record why",
+    options_taken, run};
+
+}  // namespace poinsot

@@ -1,0 +1,162 @@
+// poinsot compare REF NEW: two pictures, or two folders of them.
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <filesystem>
+
+#include "cli/command.h"
+#include "cli/json_text.h"
+#include "error/error.h"
+#include "error/nearest.h"
+#include "image/atomic_file.h"
+#include "image/png.h"
+#include "report/compared_picture.h"
+#include "report/html_report.h"
+#include "report/junit.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A share of the pixels: "0.001" or "0.1%".
+double parse_share(std::string_view option, std::string_view text) {
+    const bool percent = text.ends_with('%');
+    const std::string_view digits = text.substr(0, text.size() - (percent ? 1 : 0));
+    double value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const double share = percent ? value / 100 : value;
+    if (error != std::errc{} || end != digits.data() + digits.size() || !(share >= 0 && share <= 1))
+        throw InputError(fmt::format(
+            "{} {}: not a share of the pixels; give one from 0 to 1, or from 0% to 100%", option,
+            printable(text)));
+    return share;
+}
+
+// Within one portable profile no pixel may differ; otherwise the caps are those that tell a
+// processor's rounding from a defect, unless the command line gives its own.
+CompareLimits limits_of(const CompareChoices& choices) {
+    if (choices.profile != "portable" && choices.profile != "native")
+        throw InputError(fmt::format("--profile {}: unknown; choose portable or native",
+                                     printable(choices.profile)));
+    const bool own = choices.max_differing || choices.max_over || choices.over_levels;
+    if (choices.profile == "portable" && !own) return CompareLimits::exact();
+    CompareLimits limits;
+    if (choices.max_differing)
+        limits.differing_share = parse_share("--max-differing", *choices.max_differing);
+    if (choices.max_over) limits.over_level_share = parse_share("--max-over", *choices.max_over);
+    if (choices.over_levels) {
+        limits.level = *choices.over_levels;
+        if (limits.level < 0 || limits.level > 255)
+            throw InputError(
+                fmt::format("--over-levels {}: a level is one of 0 to 255", *choices.over_levels));
+    }
+    return limits;
+}
+
+// Whether both are folders; refuses what cannot be compared with each other.
+bool are_folders(const fs::path& expected, const fs::path& actual) {
+    std::error_code ignored;
+    if (!fs::exists(expected, ignored))
+        throw InputError(
+            fmt::format("{}: no such file or folder; the first is what the second is "
+                        "compared with",
+                        printable(expected.string())));
+    const bool folder = fs::is_directory(expected, ignored);
+    if (fs::exists(actual, ignored) && fs::is_directory(actual, ignored) != folder)
+        throw InputError(
+            fmt::format("{} and {}: one is a folder, the other is not; give two "
+                        "pictures or two folders",
+                        printable(expected.string()), printable(actual.string())));
+    if (folder && !fs::exists(actual, ignored))
+        throw InputError(fmt::format("{}: no such folder", printable(actual.string())));
+    return folder;
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+    AtomicFile file(path);
+    file.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    file.commit();
+}
+
+void print_json(const std::vector<ComparedPicture>& pictures, const CompareLimits& limits) {
+    fmt::print(
+        "{{\n  \"passes\": {},\n  \"limits\": {{\"differing_share\": {}, \"level\": {}, "
+        "\"over_level_share\": {}}},\n  \"pictures\": [\n",
+        all_pass(pictures), json_number(limits.differing_share), limits.level,
+        json_number(limits.over_level_share));
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const ComparedPicture& p = pictures[i];
+        const Comparison& m = p.measured;
+        const bool measured = m.n_pixels > 0;
+        fmt::print(
+            "    {{\"name\": {}, \"outcome\": {}, \"passes\": {}, \"reason\": {}, "
+            "\"expected_size\": [{}, {}], \"actual_size\": [{}, {}], \"n_pixels\": {}, "
+            "\"n_differing\": {}, \"n_over_level\": {}, \"largest_difference\": {}, "
+            "\"mean_difference\": {}, \"ssim\": {}, \"flip\": {}}}{}\n",
+            json_string(p.name), json_string(name_of(p.outcome)), p.passes(), json_string(p.reason),
+            m.expected_width, m.expected_height, m.actual_width, m.actual_height, m.n_pixels,
+            m.n_differing, m.n_over_level, m.largest_difference, json_number(m.mean_difference),
+            json_number(m.ssim), json_number(m.flip), i + 1 < pictures.size() ? "," : "");
+    }
+    fmt::print("  ]\n}}\n");
+}
+
+// A line for each picture that is not the same, worst first, and the count.
+void print_lines(const std::vector<ComparedPicture>& pictures) {
+    std::size_t n_same = 0, n_failed = 0;
+    for (const ComparedPicture& p : pictures) {
+        n_same += p.outcome == Outcome::same;
+        n_failed += !p.passes();
+        if (p.outcome != Outcome::same)
+            fmt::print("{}: {}: {}\n", name_of(p.outcome), printable(p.name), printable(p.reason));
+    }
+    fmt::print("{} compared, {} failed, {} the same\n", pictures.size(), n_failed, n_same);
+}
+
+int run(const Options& options) {
+    const fs::path expected = options.arguments.at(0), actual = options.arguments.at(1);
+    const CompareChoices& choices = options.compare;
+    const CompareLimits limits = limits_of(choices);
+    const bool folders = are_folders(expected, actual);
+    if (folders && !choices.diff.empty())
+        throw InputError("--diff shows one pair of pictures; for folders take --report FILE.html");
+    if (!choices.diff.empty() && fs::path(choices.diff).extension() != ".png")
+        throw InputError(fmt::format("--diff {}: the picture is a PNG; end its name in .png",
+                                     printable(choices.diff)));
+
+    std::vector<ComparedPicture> pictures;
+    if (folders) {
+        pictures = compare_folders(expected, actual, limits);
+        sort_by_severity(pictures);
+    } else {
+        pictures = {compare_files(actual.filename().replace_extension().string(), expected, actual,
+                                  limits)};
+        if (pictures[0].outcome == Outcome::unreadable) throw InputError(pictures[0].reason);
+    }
+
+    const std::string title = fmt::format("{} compared with {}", printable(actual.string()),
+                                          printable(expected.string()));
+    if (!choices.diff.empty() && !pictures[0].actual.empty())
+        write_png(choices.diff, difference_picture(read_png(expected), read_png(actual)));
+    if (!choices.report.empty()) write_text(choices.report, html_report(title, pictures));
+    if (!choices.junit.empty()) write_text(choices.junit, junit_xml(title, pictures));
+    if (options.json) {
+        print_json(pictures, limits);
+    } else {
+        print_lines(pictures);
+    }
+    return all_pass(pictures) ? 0 : 1;
+}
+
+constexpr std::array<std::string_view, 8> options_taken{
+    "profile", "max-differing", "max-over", "over-levels", "json", "report", "junit", "diff"};
+
+}  // namespace
+
+const Command compare_command{
+    "compare", "REF NEW", 2, 2, "compare two pictures, or two folders of them", options_taken, run};
+
+}  // namespace poinsot

@@ -1,0 +1,166 @@
+#include "report/baseline_manifest.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "error/error.h"
+#include "error/nearest.h"
+#include "image/atomic_file.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr std::string_view kHeading =
+    "# What each picture beside this file was made of, and why it was taken; see `poinsot approve "
+    "--help`.\n";
+
+// A baseline's fields by name, in the order written.
+struct Field {
+    std::string_view name;
+    std::string Baseline::*value;
+};
+constexpr std::array<Field, 6> kFields{{{"pixels", &Baseline::pixels},
+                                        {"scene", &Baseline::scene},
+                                        {"renderer", &Baseline::renderer},
+                                        {"mesa", &Baseline::mesa},
+                                        {"version", &Baseline::version},
+                                        {"why", &Baseline::why}}};
+
+// A basic string (TOML 1.0, "String").
+std::string toml_string(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            result += '\\';
+            result += c;
+        } else if (code < 0x20 || code == 0x7f) {
+            result += fmt::format("\\u{:04X}", code);
+        } else {
+            result += c;
+        }
+    }
+    return result + "\"";
+}
+
+// Takes one line apart, from the left. Every function says whether it found what it wants.
+class LineReader {
+ public:
+    explicit LineReader(std::string_view line) : rest_(line) {}
+
+    bool skip(std::string_view word) {
+        rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size()));
+        if (!rest_.starts_with(word)) return false;
+        rest_.remove_prefix(word.size());
+        return true;
+    }
+
+    // What toml_string() writes, taken back.
+    std::optional<std::string> string() {
+        if (!skip("\"")) return std::nullopt;
+        std::string text;
+        while (!rest_.empty()) {
+            const char c = rest_.front();
+            rest_.remove_prefix(1);
+            if (c == '"') return text;
+            if (c != '\\') {
+                text += c;
+            } else if (rest_.starts_with('"') || rest_.starts_with('\\')) {
+                text += rest_.front();
+                rest_.remove_prefix(1);
+            } else if (const auto code = control_code()) {
+                text += *code;
+            } else {
+                return std::nullopt;
+            }
+        }
+        return std::nullopt;
+    }
+
+    bool at_end() { return skip("") && rest_.empty(); }
+
+ private:
+    std::optional<char> control_code() {
+        constexpr std::string_view hexadecimal = "0123456789ABCDEF";
+        if (!rest_.starts_with("u00") || rest_.size() < 5) return std::nullopt;
+        const std::size_t high = hexadecimal.find(rest_[3]), low = hexadecimal.find(rest_[4]);
+        if (high > 7 || low > 15) return std::nullopt;
+        rest_.remove_prefix(5);
+        return static_cast<char>(16 * high + low);
+    }
+
+    std::string_view rest_;
+};
+
+std::optional<std::pair<std::string, Baseline>> parse_line(std::string_view line) {
+    LineReader reader(line);
+    auto name = reader.string();
+    if (!name || !reader.skip("=") || !reader.skip("{")) return std::nullopt;
+    Baseline baseline;
+    for (std::size_t i = 0; i < kFields.size(); ++i) {
+        if ((i > 0 && !reader.skip(",")) || !reader.skip(kFields[i].name) || !reader.skip("="))
+            return std::nullopt;
+        auto value = reader.string();
+        if (!value) return std::nullopt;
+        baseline.*kFields[i].value = std::move(*value);
+    }
+    if (!reader.skip("}") || !reader.at_end()) return std::nullopt;
+    return std::make_pair(std::move(*name), std::move(baseline));
+}
+
+}  // namespace
+
+std::string to_text(const BaselineManifest& manifest) {
+    std::string text(kHeading);
+    for (const auto& [name, baseline] : manifest) {
+        text += toml_string(name) + " = { ";
+        for (const Field& field : kFields)
+            text += fmt::format("{}{} = {}", &field == kFields.data() ? "" : ", ", field.name,
+                                toml_string(baseline.*field.value));
+        text += " }\n";
+    }
+    return text;
+}
+
+BaselineManifest parse_manifest(std::string_view text, const std::string& name) {
+    BaselineManifest manifest;
+    for (int number = 1; !text.empty(); ++number) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (line.empty() || line.starts_with('#')) continue;
+        auto entry = parse_line(line);
+        if (!entry)
+            throw InputError(fmt::format(
+                "{}:{}: not a line of `poinsot approve`; take the file back from version control",
+                printable(name), number));
+        if (!manifest.insert(std::move(*entry)).second)
+            throw InputError(fmt::format("{}:{}: this picture stands in an earlier line, too",
+                                         printable(name), number));
+    }
+    return manifest;
+}
+
+BaselineManifest read_manifest(const std::filesystem::path& folder) {
+    const std::filesystem::path path = folder / kManifestName;
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) return {};
+    std::ifstream file(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (!file) throw EnvironmentError(fmt::format("{}: cannot be read", path.string()));
+    return parse_manifest(text, path.string());
+}
+
+void write_manifest(const std::filesystem::path& folder, const BaselineManifest& manifest) {
+    const std::string text = to_text(manifest);
+    AtomicFile file(folder / kManifestName);
+    file.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    file.commit();
+}
+
+}  // namespace poinsot

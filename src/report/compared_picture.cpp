@@ -1,0 +1,124 @@
+#include "report/compared_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "error/error.h"
+#include "error/nearest.h"
+#include "image/png.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Outcome outcome_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::same:
+            return Outcome::same;
+        case Verdict::within_limits:
+            return Outcome::within_limits;
+        case Verdict::size_differs:
+            return Outcome::size;
+        case Verdict::pixels_differ:
+            break;
+    }
+    return Outcome::pixels;
+}
+
+// The pictures of a folder by name.
+std::map<std::string, fs::path> pictures_in(const fs::path& folder) {
+    std::map<std::string, fs::path> found;
+    std::error_code error;
+    fs::recursive_directory_iterator at(folder, error);
+    const fs::recursive_directory_iterator end;
+    for (; !error && at != end; at.increment(error)) {
+        const fs::path& path = at->path();
+        const bool hidden = path.filename().string().starts_with('.');
+        std::error_code ignored;
+        if (at->is_directory(ignored)) {
+            if (hidden) at.disable_recursion_pending();
+        } else if (!hidden && path.extension() == ".png") {
+            found.emplace(path.lexically_relative(folder).replace_extension().generic_string(),
+                          path);
+        }
+    }
+    if (error)
+        throw InputError(fmt::format("{}: {}; give a folder of pictures",
+                                     printable(folder.string()), error.message()));
+    return found;
+}
+
+}  // namespace
+
+std::string_view name_of(Outcome outcome) {
+    constexpr std::array<std::string_view, 7> names{"unreadable", "missing",       "size", "pixels",
+                                                    "unexpected", "within limits", "same"};
+    return names.at(static_cast<std::size_t>(outcome));
+}
+
+ComparedPicture compare_files(const std::string& name, const fs::path& expected,
+                              const fs::path& actual, const CompareLimits& limits) {
+    ComparedPicture result;
+    result.name = name;
+    std::error_code ignored;
+    if (fs::exists(expected, ignored)) result.expected = expected;
+    if (fs::exists(actual, ignored)) result.actual = actual;
+    if (result.actual.empty()) {
+        result.outcome = Outcome::missing;
+        result.reason = "there is no such picture; it was expected";
+        return result;
+    }
+    if (result.expected.empty()) {
+        result.outcome = Outcome::unexpected;
+        result.reason =
+            "nothing says what this picture should look like; approve it if it is right";
+        return result;
+    }
+    try {
+        result.measured = compare(read_png(expected), read_png(actual), limits);
+        result.outcome = outcome_of(result.measured.verdict);
+        result.reason = result.measured.reason;
+    } catch (const InputError& error) {
+        result.outcome = Outcome::unreadable;
+        result.reason = error.what();
+    }
+    return result;
+}
+
+std::vector<ComparedPicture> compare_folders(const fs::path& expected, const fs::path& actual,
+                                             const CompareLimits& limits) {
+    const auto expected_files = pictures_in(expected);
+    const auto actual_files = pictures_in(actual);
+    std::map<std::string, std::pair<fs::path, fs::path>> names;
+    for (const auto& [name, path] : expected_files) names[name].first = path;
+    for (const auto& [name, path] : actual_files) names[name].second = path;
+    if (names.empty())
+        throw InputError(fmt::format("{} and {}: no .png in either; nothing to compare",
+                                     printable(expected.string()), printable(actual.string())));
+    std::vector<ComparedPicture> results;
+    results.reserve(names.size());
+    for (const auto& [name, paths] : names)
+        results.push_back(compare_files(name, paths.first, paths.second, limits));
+    return results;
+}
+
+void sort_by_severity(std::vector<ComparedPicture>& pictures) {
+    const auto rank = [](const ComparedPicture& p) {
+        return std::make_tuple(p.outcome, -p.measured.flip, std::string_view(p.name));
+    };
+    std::stable_sort(pictures.begin(), pictures.end(),
+                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+}
+
+bool all_pass(std::span<const ComparedPicture> pictures) {
+    return std::all_of(pictures.begin(), pictures.end(),
+                       [](const ComparedPicture& p) { return p.passes(); });
+}
+
+}  // namespace poinsot

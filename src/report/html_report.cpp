@@ -1,0 +1,94 @@
+#include "report/html_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "error/error.h"
+#include "image/png.h"
+#include "report/escape.h"
+#include "report/report_page.h"
+
+namespace poinsot {
+
+namespace {
+
+std::string data_uri(std::span<const std::uint8_t> png) {
+    return "data:image/png;base64," + base64(png);
+}
+
+std::vector<std::uint8_t> contents_of(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+    if (!file) throw EnvironmentError(fmt::format("{}: cannot be read again", path.string()));
+    return bytes;
+}
+
+// The middle of expected | difference × 16 | actual.
+Image difference_alone(const Image& expected, const Image& actual) {
+    const Image sheet = difference_picture(expected, actual);
+    Image middle(sheet.width() / 3, sheet.height());
+    for (int y = 0; y < middle.height(); ++y)
+        for (int x = 0; x < middle.width(); ++x) middle.set(x, y, sheet.at(middle.width() + x, y));
+    return middle;
+}
+
+std::string numbers_in_words(const ComparedPicture& picture) {
+    const Comparison& m = picture.measured;
+    if (m.n_pixels == 0 || picture.outcome == Outcome::same) return "";
+    return fmt::format("{} of {} pixels, at most {} levels; FLIP {:.3g}, SSIM {:.5f}",
+                       m.n_differing, m.n_pixels, m.largest_difference, m.flip, m.ssim);
+}
+
+// One picture's object in the page's data.
+std::string object_of(const ComparedPicture& picture) {
+    std::string object =
+        fmt::format(R"({{"name":{},"outcome":{},"reason":{},"numbers":{})",
+                    script_string(picture.name), script_string(name_of(picture.outcome)),
+                    script_string(picture.reason), script_string(numbers_in_words(picture)));
+    const auto add_file = [&object](const char* key, const std::filesystem::path& path) {
+        if (!path.empty()) object += fmt::format(R"(,"{}":"{}")", key, data_uri(contents_of(path)));
+    };
+    if (picture.outcome != Outcome::same) {
+        add_file("expected", picture.expected);
+        add_file("actual", picture.actual);
+    }
+    if (picture.outcome == Outcome::pixels || picture.outcome == Outcome::size ||
+        picture.outcome == Outcome::within_limits) {
+        const Image difference =
+            difference_alone(read_png(picture.expected), read_png(picture.actual));
+        object += fmt::format(R"(,"difference":"{}")", data_uri(encode_png(difference)));
+    }
+    return object + "}";
+}
+
+// The template with each @WORD@ replaced, in one pass, so that what is put in is not searched.
+std::string filled(std::string_view page, std::string_view title, std::string_view data) {
+    std::string text;
+    for (;;) {
+        const std::size_t at = std::min(page.find("@TITLE@"), page.find("@DATA@"));
+        text += page.substr(0, at);
+        if (at == std::string_view::npos) return text;
+        const bool is_title = page.substr(at).starts_with("@TITLE@");
+        text += is_title ? title : data;
+        page.remove_prefix(at + (is_title ? 7 : 6));
+    }
+}
+
+}  // namespace
+
+std::string html_report(const std::string& title, std::span<const ComparedPicture> pictures) {
+    std::string data = "[";
+    for (const ComparedPicture& picture : pictures) {
+        data += data.size() == 1 ? "\n" : ",\n";
+        data += object_of(picture);
+    }
+    data += "\n]";
+    return filled(report_pages().front().text, escaped_markup(title), data);
+}
+
+}  // namespace poinsot

@@ -1,0 +1,17 @@
+// The page's template, embedded at build time.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace poinsot {
+
+struct ReportPage {
+    std::string_view name;  // file name: "report_page.html"
+    std::string_view text;  // with @TITLE@ and @DATA@ to be filled in
+};
+
+// One row.
+const std::vector<ReportPage>& report_pages();
+
+}  // namespace poinsot
