@@ -99,7 +99,8 @@ void print_json(const std::vector<ComparedPicture>& pictures, const CompareLimit
             json_string(p.name), json_string(name_of(p.outcome)), p.passes(), json_string(p.reason),
             m.expected_width, m.expected_height, m.actual_width, m.actual_height, m.n_pixels,
             m.n_differing, m.n_over_level, m.largest_difference, json_number(m.mean_difference),
-            json_number(m.ssim), json_number(m.flip), i + 1 < pictures.size() ? "," : "");
+            measured ? json_number(m.ssim) : "null", measured ? json_number(m.flip) : "null",
+            i + 1 < pictures.size() ? "," : "");
     }
     fmt::print("  ]\n}}\n");
 }
