@@ -57,11 +57,11 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
 
     // Overlapping pairs push each other apart along the line of their centres, as ellipses of their
     // boxes.
-    constexpr int n_rounds = 12;
+    constexpr int n_rounds = 40;
     for (int round = 0; round < n_rounds; ++round) {
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-                const Eigen::Vector2d sum = 0.8 * (boxes[i].half + boxes[j].half);
+                const Eigen::Vector2d sum = 1.25 * (boxes[i].half + boxes[j].half);
                 const Eigen::Vector2d between = boxes[j].centre - boxes[i].centre;
                 const double nearness = between.cwiseQuotient(sum).norm();
                 if (nearness >= 1.0) continue;
