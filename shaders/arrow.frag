@@ -117,7 +117,7 @@ void main() {
     float depth = constant(14).w + (shows_top ? top.w : under.w);
 
     float weight = constant(15).z;
-#if N_QUADRICS + N_FLATS > 0
+#if N_QUADRICS + N_FLATS + N_MESHES > 0
     weight = layer_weight(constant(15).z, visibility(view, pixel, depth, -1.0, -1.0), constant(11).w);
 #endif
     fragment = vec4(shade, 1.0) * (covered * constant(16).a * weight);

@@ -56,7 +56,7 @@ void main() {
     float run_px = max(length(ends.zw - ends.xy), 1e-3);
 
     vec2 seen = vec2(1.0, 0.0);
-#if N_QUADRICS + N_FLATS > 0
+#if N_QUADRICS + N_FLATS + N_MESHES > 0
     vec4 view[5] = vec4[5](constant(0), constant(1), constant(2), constant(3), constant(4));
     seen = visibility(view, pixel, depth, constant(6).z, constant(6).w);
     if (constant(6).z >= 0.0) {

@@ -17,7 +17,7 @@ void main() {
     float covered = edge_coverage(clamp(radius - r, -2.0, 2.0), n);
     float inner = edge_coverage(clamp(radius - constant(7).w - r, -2.0, 2.0), n);
     float weight = constant(8).y;
-#if N_QUADRICS + N_FLATS > 0
+#if N_QUADRICS + N_FLATS + N_MESHES > 0
     vec4 view[5] = vec4[5](constant(0), constant(1), constant(2), constant(3), constant(4));
     vec2 seen = visibility(view, gl_FragCoord.xy, constant(5).z, -1.0, -1.0);
     weight = layer_weight(constant(8).y, seen, constant(8).x);

@@ -3,6 +3,7 @@
 #include "constants.glsl"
 #include "coverage.glsl"
 #include "quadric.glsl"
+#include "lines.glsl"
 //   0: towards the key light; its strength   1: towards the middle of the sky; its strength
 //   2: least depth that is drawn, 1 if perspective, 1/focal length in px
 // then for each member, after the seven of quadric.glsl:
@@ -25,29 +26,12 @@ struct Layer {
     vec2 depth_change;  // with the pixel
 };
 
-// Polynomials after Abramowitz & Stegun 4.4.45 and 4.4.47, within 1e-4 rad: a fiftieth of a pixel.
+// After Abramowitz & Stegun 4.4.45, within 1e-4 rad: a fiftieth of a pixel.
 float arcsine(float x) {
     float y = abs(x);
     float p = ((-0.0187293 * y + 0.0742610) * y - 0.2121144) * y + 1.5707288;
     float angle = 0.5 * pi - sqrt(max(1.0 - y, 0.0)) * p;
     return x < 0.0 ? -angle : angle;
-}
-float angle_of(vec2 v) {
-    vec2 a = abs(v);
-    float t = min(a.x, a.y) / max(max(a.x, a.y), 1e-20);
-    float s = t * t;
-    float p = ((((0.0208351 * s - 0.0851330) * s + 0.1801410) * s - 0.3302995) * s + 0.9998660) * t;
-    p = a.y > a.x ? 0.5 * pi - p : p;
-    p = v.x < 0.0 ? pi - p : p;
-    return v.y < 0.0 ? -p : p;
-}
-
-// Coverage by lines where s is an integer; square: of the change of s over a pixel. Crowded lines
-// fade.
-float ruled(float s, float square, float width_px) {
-    float spacing_px = inversesqrt(max(square, 1e-12));
-    float distance_px = abs(s - floor(s + 0.5)) * spacing_px;
-    return line_coverage(distance_px, width_px) * clamp(0.1 * spacing_px - 0.4, 0.0, 1.0);
 }
 
 // The three principal sections at the point u, which changes by ux, uy with the pixel.

@@ -1,7 +1,14 @@
 // What the solids of the view hide. Needs view.glsl and quadric.glsl; the solids' constants begin
-// at SOLIDS: those of N_QUADRICS ellipsoids, then of N_FLATS planes, three each:
+// at SOLIDS: those of N_QUADRICS ellipsoids, then of N_FLATS planes, three each, then two of the
+// layer of meshes if there is one (N_MESHES is 1). Planes:
 //   0: normal; offset, so that the signed height of X is xyz·X + w
 //   1: centre; radius   2: opacity, where fading begins (share of the radius), side of the eye (±1)
+// Meshes:
+//   0: corner of the layer px; its size px   1: the depth buffer holds x + y/depth (orthographic:
+//      x + y·depth); opacity
+#if N_MESHES > 0
+uniform sampler2DMS texture_1;  // their depth, four samples a pixel
+#endif
 
 // A step from 1 (in front) to 0 (behind) as wide as a pixel. ahead: how far in front, in depth.
 float in_front(float ahead, float pixel) {
@@ -40,6 +47,24 @@ vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own
         clear *= 1.0 - hidden;
         transmitted *= 1.0 - hidden;
     }
+#if N_MESHES > 0
+    int at_mesh = SOLIDS + N_QUADRICS * quadric_size + 3 * N_FLATS;
+    ivec2 texel = ivec2(pixel - constant(at_mesh).xy);
+    bool within = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(constant(at_mesh).zw)));
+    vec2 scale = constant(at_mesh + 1).xy;
+    float covered = 0.0;
+    for (int k = 0; k < 4; ++k) {
+        float stored = texelFetch(texture_1, within ? texel : ivec2(0), k).r;
+        float offset = stored - scale.x;
+        float front = v[0].w > 0.5 ? scale.y / (abs(offset) < 1e-12 ? 1e-12 : offset) : offset / scale.y;
+        // The buffer is cleared to 1: nothing there.
+        float ahead = clamp(0.5 + (front - depth + 0.75 * unit) / unit, 0.0, 1.0);
+        covered += stored < 1.0 ? 0.25 * (1.0 - ahead) : 0.0;
+    }
+    covered = within ? covered : 0.0;
+    clear *= 1.0 - covered;
+    transmitted *= 1.0 - covered * constant(at_mesh + 1).z;
+#endif
     return vec2(clear, 1.0 - transmitted);
 }
 

@@ -133,15 +133,11 @@ Eigen::Vector2d meeting_of(const Projection& p, const Arrow& a, const Arrow& b) 
 
 }  // namespace
 
-ArrowPass::ArrowProgram::ArrowProgram(int n_quadrics, int n_flats)
-    : PolygonProgram(
-          "arrow.frag", 17 + n_solid_constants(n_quadrics, n_flats),
-          {"N_QUADRICS " + std::to_string(n_quadrics), "N_FLATS " + std::to_string(n_flats)}) {}
+ArrowPass::ArrowProgram::ArrowProgram(const Solids& solids)
+    : PolygonProgram("arrow.frag", 17 + solids.n_constants(), solids.defines()) {}
 
-ArrowPass::DotProgram::DotProgram(int n_quadrics, int n_flats)
-    : PolygonProgram(
-          "dot.frag", 9 + n_solid_constants(n_quadrics, n_flats),
-          {"N_QUADRICS " + std::to_string(n_quadrics), "N_FLATS " + std::to_string(n_flats)}) {}
+ArrowPass::DotProgram::DotProgram(const Solids& solids)
+    : PolygonProgram("dot.frag", 9 + solids.n_constants(), solids.defines()) {}
 
 void ArrowPass::order(const ViewScene& scene) {
     const View& view = *scene.view;
@@ -189,8 +185,8 @@ void ArrowPass::draw_arrow(const ViewScene& scene, const Arrow& arrow, Layer lay
     if (!occluded && layer == Layer::hidden) return;
     const ArrowShape shape = shape_of(p, scene.view->camera, arrow);
     if (!shape.seen) return;
-    const ArrowProgram& made = occluded ? arrow_programs_.of(scene.n_quadrics(), scene.n_flats())
-                                        : arrow_programs_.of(0, 0);
+    const ArrowProgram& made =
+        occluded ? arrow_programs_.of(scene.solids()) : arrow_programs_.of(Solids{});
     const double shaft_length = std::max(shape.length - shape.head_length, 1e-9);
     // Lines of sight are followed from beside the arrow's middle, where few digits are lost.
     const Eigen::Vector3d middle = 0.5 * (shape.tail + shape.tip);
@@ -198,8 +194,8 @@ void ArrowPass::draw_arrow(const ViewScene& scene, const Arrow& arrow, Layer lay
     Constants constants;
     scene.add_view(constants);
     scene.add_light(constants);
-    constants.add(ends(shape.tail_px, shape.neck_px));
-    constants.add(ends(shape.neck_px, shape.tip_px));
+    constants.add4(ends(shape.tail_px, shape.neck_px));
+    constants.add4(ends(shape.neck_px, shape.tip_px));
     constants.add(shape.shaft_radius * shape.tail_scale, shape.shaft_radius * shape.neck_scale,
                   shape.open, 0.0);
     constants.add(shape.head_radius * shape.neck_scale, 0.0, shape.open, 0.0);
@@ -208,7 +204,7 @@ void ArrowPass::draw_arrow(const ViewScene& scene, const Arrow& arrow, Layer lay
     constants.add(shaft_length, shape.head_length, shape.head_radius, 0.0);
     constants.add(middle - shape.tail, p.depth(middle));
     constants.add(anchor.x(), anchor.y(), layer_number(layer), 0.0);
-    constants.add(linear_from_srgb(arrow.colour, arrow.opacity));
+    constants.add4(linear_from_srgb(arrow.colour, arrow.opacity));
     if (occluded) scene.add_solids(constants);
     made.draw(shaft_polygon(shape), constants, *scene.drawing);
     made.draw(head_polygon(shape), constants, *scene.drawing);
@@ -224,13 +220,13 @@ void ArrowPass::draw_dot(const ViewScene& scene, const Dot& dot, Layer layer) {
     box.add(p.pixel(dot.at), dot.radius_px + 1.5);
     if (box.within(p.box).empty()) return;
     const DotProgram& made =
-        occluded ? dot_programs_.of(scene.n_quadrics(), scene.n_flats()) : dot_programs_.of(0, 0);
+        occluded ? dot_programs_.of(scene.solids()) : dot_programs_.of(Solids{});
     const Eigen::Vector2d pixel = p.pixel(dot.at);
     Constants constants;
     scene.add_view(constants);
     constants.add(pixel.x(), pixel.y(), depth, dot.radius_px);
-    constants.add(linear_from_srgb(dot.colour, dot.opacity));
-    constants.add(linear_from_srgb(dot.rim_colour, dot.rim_px));
+    constants.add4(linear_from_srgb(dot.colour, dot.opacity));
+    constants.add4(linear_from_srgb(dot.rim_colour, dot.rim_px));
     constants.add(dot.hidden_opacity, layer_number(layer), 0.0, 0.0);
     if (occluded) scene.add_solids(constants);
     made.draw(polygon_of(box), constants, *scene.drawing);

@@ -23,10 +23,10 @@ class ArrowPass {
     void draw_dot(const ViewScene& scene, const Dot& dot, Layer layer);
 
     struct ArrowProgram : PolygonProgram {
-        ArrowProgram(int n_quadrics, int n_flats);
+        explicit ArrowProgram(const Solids& solids);
     };
     struct DotProgram : PolygonProgram {
-        DotProgram(int n_quadrics, int n_flats);
+        explicit DotProgram(const Solids& solids);
     };
     BySolids<ArrowProgram> arrow_programs_;
     BySolids<DotProgram> dot_programs_;

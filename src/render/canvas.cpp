@@ -49,6 +49,11 @@ void Canvas::begin(const Layer& layer) const {
 
 void Canvas::begin_whole() { begin(picture_); }
 
+void Canvas::resume() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, picture_.framebuffer.id());
+    glViewport(0, 0, width_px_, height_px_);
+}
+
 void Canvas::begin_still() {
     if (!still_.texture) still_ = make_layer();
     begin(still_);

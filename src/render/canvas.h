@@ -20,6 +20,8 @@ class Canvas {
 
     // What follows is drawn on an empty picture.
     void begin_whole();
+    // Draws on the picture again after another framebuffer was bound.
+    void resume() const;
     // What follows, up to keep_still, is kept as what stands still.
     void begin_still();
     void keep_still(bool transparent);

@@ -12,9 +12,9 @@ class Constants {
     // planes.
     static constexpr int capacity = 96;
 
-    void add(const Eigen::Vector4f& value) { values_[static_cast<std::size_t>(size_++)] = value; }
+    void add4(const Eigen::Vector4f& value) { values_[static_cast<std::size_t>(size_++)] = value; }
     void add(const Eigen::Vector3d& xyz, double w = 0.0) {
-        add(Eigen::Vector4f(Eigen::Vector4d(xyz.x(), xyz.y(), xyz.z(), w).cast<float>()));
+        add4(Eigen::Vector4f(Eigen::Vector4d(xyz.x(), xyz.y(), xyz.z(), w).cast<float>()));
     }
     void add(double x, double y, double z, double w) { add(Eigen::Vector3d(x, y, z), w); }
     int size() const { return size_; }

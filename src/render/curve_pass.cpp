@@ -30,6 +30,11 @@ Range range_of(const Curve& curve) {
     return {first, last, first_segment, end_segment};
 }
 
+std::vector<std::string> with(std::vector<std::string> defines, const std::string& another) {
+    defines.push_back(another);
+    return defines;
+}
+
 // Uniform part of a placement's scale.
 double scale_of(const Eigen::Affine3d& placement) {
     return std::cbrt(std::abs(placement.linear().determinant()));
@@ -37,10 +42,9 @@ double scale_of(const Eigen::Affine3d& placement) {
 
 }  // namespace
 
-CurvePass::Stroke::Stroke(int n_quadrics, int n_flats)
-    : program("curve.vert", "curve.frag", 9 + n_solid_constants(n_quadrics, n_flats), 4,
-              {"N_QUADRICS " + std::to_string(n_quadrics), "N_FLATS " + std::to_string(n_flats),
-               "FADE " + std::to_string(8 + n_solid_constants(n_quadrics, n_flats))}),
+CurvePass::Stroke::Stroke(const Solids& solids)
+    : program("curve.vert", "curve.frag", 9 + solids.n_constants(), 4,
+              with(solids.defines(), "FADE " + std::to_string(8 + solids.n_constants()))),
       n_points(program.at("n_points")),
       closed(program.at("closed")),
       stroke(program.at("stroke")),
@@ -123,8 +127,7 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve) {
 
     // A curve drawn in full needs no solids.
     const bool occluded = curve.occlusion == Occlusion::by_solids;
-    const Stroke& made =
-        occluded ? strokes_.of(scene.n_quadrics(), scene.n_flats()) : strokes_.of(0, 0);
+    const Stroke& made = occluded ? strokes_.of(scene.solids()) : strokes_.of(Solids{});
     const int own = occluded && curve.on_surface < scene.n_quadrics() ? curve.on_surface : -1;
 
     // Dashes are as long as asked for where the camera looks; a closed curve has whole ones.
@@ -141,7 +144,7 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve) {
 
     Constants constants;
     scene.add_view(constants);
-    constants.add(linear_from_srgb(curve.colour, curve.opacity));
+    constants.add4(linear_from_srgb(curve.colour, curve.opacity));
     constants.add(curve.width_px, curve.hidden == HiddenStyle::absent ? -1.0 : curve.hidden_opacity,
                   own, curve.on_plane);
     const Quadric* surface = own < 0 ? nullptr : &scene.quadrics[static_cast<std::size_t>(own)];

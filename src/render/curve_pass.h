@@ -40,7 +40,7 @@ class CurvePass {
     void reserve_segments(int n_segments);
 
     struct Stroke {
-        Stroke(int n_quadrics, int n_flats);
+        explicit Stroke(const Solids& solids);
         ConstantProgram program;
         GLint n_points, closed, stroke, on_ellipsoid;
     };

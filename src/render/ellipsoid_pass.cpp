@@ -61,8 +61,8 @@ void EllipsoidPass::draw_group(const ViewScene& scene, const int* members, int n
         constants.add(q.to_u_row(0), shape.n_meridians);
         constants.add(q.to_u_row(1), shape.n_parallels);
         constants.add(q.to_u_row(2));
-        constants.add(linear_from_srgb(shape.colour, 1.0));
-        constants.add(linear_from_srgb(shape.line_colour, shape.section_px));
+        constants.add4(linear_from_srgb(shape.colour, 1.0));
+        constants.add4(linear_from_srgb(shape.line_colour, shape.section_px));
         box.add({q.outline.box.left, q.outline.box.top});
         box.add({q.outline.box.right, q.outline.box.bottom});
     }

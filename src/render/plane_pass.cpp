@@ -52,8 +52,6 @@ Shadow shadow_of(const Plane& plane, const Quadric& caster, const Light& light) 
     return shadow;
 }
 
-bool casts(const Ellipsoid& ellipsoid) { return ellipsoid.casts_shadow && ellipsoid.opacity > 0.0; }
-
 }  // namespace
 
 BackgroundPass::BackgroundPass()
@@ -100,8 +98,8 @@ void PlanePass::draw(const ViewScene& scene, std::size_t plane) const {
     constants.add(map.plane_from_pixel.col(1), map.anchor_px.y());
     constants.add(map.plane_from_pixel.col(2), 1.0 / shape.grid_spacing);
     constants.add(shape.radius, shape.fade_from, shape.opacity, shape.grid_px);
-    constants.add(linear_from_srgb(shape.colour, 1.0));
-    constants.add(linear_from_srgb(shape.grid_colour, 1.0));
+    constants.add4(linear_from_srgb(shape.colour, 1.0));
+    constants.add4(linear_from_srgb(shape.grid_colour, 1.0));
     program_.draw(polygon, constants, *scene.drawing);
 }
 
@@ -138,9 +136,7 @@ ShadowPass::ShadowPass()
 
 void ShadowPass::draw(const ViewScene& scene, std::size_t plane) const {
     const Plane& shape = scene.view->planes[plane];
-    for (std::size_t k = 0; k < scene.quadrics.size(); ++k) {
-        if (!casts(scene.view->ellipsoids[k])) continue;
-        const Quadric& q = scene.quadrics[k];
+    for (const Quadric& q : scene.casters) {
         const Shadow shadow = shadow_of(shape, q, scene.view->light);
         Constants constants;
         scene.add_view(constants);
@@ -170,9 +166,8 @@ void ShadowPass::draw(const ViewScene& scene, std::size_t plane) const {
 
 void ShadowPass::mark(const ViewScene& scene, std::size_t plane, TileMask& marks) const {
     const Plane& shape = scene.view->planes[plane];
-    for (std::size_t k = 0; k < scene.quadrics.size(); ++k) {
-        if (!casts(scene.view->ellipsoids[k])) continue;
-        const Shadow shadow = shadow_of(shape, scene.quadrics[k], scene.view->light);
+    for (const Quadric& q : scene.casters) {
+        const Shadow shadow = shadow_of(shape, q, scene.view->light);
         marks.mark(disc_polygon(scene.projection, shadow.centre, shape.along, across_of(shape),
                                 shadow.radius),
                    scene.projection.box);

@@ -79,6 +79,7 @@ Program::Program(std::string_view vertex, std::string_view fragment,
 
     use();
     glUniform1i(at("texture_0"), 0);
+    glUniform1i(at("texture_1"), 1);
 }
 
 namespace {
@@ -92,10 +93,10 @@ int n_flat(int n_constants, int n_varyings) {
 
 // The defines of shaders/constants.glsl before those of the program.
 std::vector<std::string> with_counts(int n_constants, int n_varyings,
-                                     std::initializer_list<std::string> defines) {
+                                     const std::vector<std::string>& defines) {
     std::vector<std::string> all{"N_CONSTANTS " + std::to_string(n_constants),
                                  "N_FLAT " + std::to_string(n_flat(n_constants, n_varyings))};
-    all.insert(all.end(), defines);
+    all.insert(all.end(), defines.begin(), defines.end());
     return all;
 }
 
@@ -103,7 +104,7 @@ std::vector<std::string> with_counts(int n_constants, int n_varyings,
 
 ConstantProgram::ConstantProgram(std::string_view vertex, std::string_view fragment,
                                  int n_constants, int n_varyings,
-                                 std::initializer_list<std::string> defines)
+                                 const std::vector<std::string>& defines)
     : Program(vertex, fragment, with_counts(n_constants, n_varyings, defines)),
       n_flat_(n_flat(n_constants, n_varyings)),
       n_constants_(n_constants),
@@ -127,7 +128,7 @@ void set_picture(GLint location, const Drawing& drawing) {
 }
 
 PolygonProgram::PolygonProgram(std::string_view fragment, int n_constants,
-                               std::initializer_list<std::string> defines, std::string_view vertex,
+                               const std::vector<std::string>& defines, std::string_view vertex,
                                int n_varyings)
     : ConstantProgram(vertex, fragment, n_constants, n_varyings, defines),
       corners_(at("corners")) {}

@@ -4,7 +4,6 @@
 #include <glad/gl.h>
 
 #include <Eigen/Core>
-#include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -14,6 +13,7 @@
 #include "render/constants.h"
 #include "render/gl_handles.h"
 #include "render/projection.h"
+#include "render/view_scene.h"
 
 namespace poinsot {
 
@@ -44,7 +44,7 @@ class ConstantProgram : public Program {
  public:
     // n_varyings: how many other vectors its vertex shader hands on.
     ConstantProgram(std::string_view vertex, std::string_view fragment, int n_constants,
-                    int n_varyings, std::initializer_list<std::string> defines = {});
+                    int n_varyings, const std::vector<std::string>& defines = {});
 
     // Makes it current with these constants, for a picture of this size.
     void use(const Constants& constants, const Drawing& drawing) const;
@@ -58,7 +58,7 @@ class ConstantProgram : public Program {
 class PolygonProgram : public ConstantProgram {
  public:
     PolygonProgram(std::string_view fragment, int n_constants,
-                   std::initializer_list<std::string> defines = {},
+                   const std::vector<std::string>& defines = {},
                    std::string_view vertex = "polygon.vert", int n_varyings = 0);
     // Precondition: a vertex array without attributes is bound.
     void draw(const PixelPolygon& polygon, const Constants& constants,
@@ -73,16 +73,16 @@ class PolygonProgram : public ConstantProgram {
 template <class Made>
 class BySolids {
  public:
-    const Made& of(int n_quadrics, int n_flats) {
+    const Made& of(const Solids& solids) {
         for (const Row& row : rows_)
-            if (row.n_quadrics == n_quadrics && row.n_flats == n_flats) return *row.made;
-        rows_.push_back({n_quadrics, n_flats, std::make_unique<Made>(n_quadrics, n_flats)});
+            if (row.solids == solids) return *row.made;
+        rows_.push_back({solids, std::make_unique<Made>(solids)});
         return *rows_.back().made;
     }
 
  private:
     struct Row {
-        int n_quadrics, n_flats;
+        Solids solids;
         std::unique_ptr<Made> made;
     };
     std::vector<Row> rows_;

@@ -10,8 +10,11 @@
 #include "error/error.h"
 #include "render/arrow_pass.h"
 #include "render/canvas.h"
+#include "render/cone_pass.h"
 #include "render/curve_pass.h"
 #include "render/ellipsoid_pass.h"
+#include "render/label_pass.h"
+#include "render/mesh_pass.h"
 #include "render/plane_pass.h"
 #include "render/view_scene.h"
 
@@ -62,6 +65,9 @@ struct Renderer::Impl {
     EllipsoidPass ellipsoid_;
     CurvePass curve_;
     ArrowPass arrow_;
+    ConePass cone_;
+    LabelPass label_;
+    MeshPass mesh_;
     GlVertexArray empty_;  // for shapes whose corners come from uniforms
 
     std::vector<ViewScene> scenes_;
@@ -147,6 +153,9 @@ void Renderer::Impl::mark_moving(const ViewScene& scene) {
         if (q.seen) marks_.mark(q.outline, box);
     for (const Curve& curve : scene.view->curves) curve_.mark(scene, curve, marks_);
     arrow_.mark(scene, marks_);
+    cone_.mark(scene, marks_);
+    label_.mark(scene, marks_);
+    mesh_.mark(scene, marks_);
 }
 
 void Renderer::Impl::draw_moving(const ViewScene& scene) {
@@ -154,18 +163,26 @@ void Renderer::Impl::draw_moving(const ViewScene& scene) {
     for (std::size_t k = 0; k < scene.maps.size(); ++k)
         if (!scene.before_solids[k]) shadow_.draw(scene, k);
     glBindVertexArray(empty_.id());
+    mesh_.draw(scene);
     ellipsoid_.draw(scene);
     for (std::size_t k = 0; k < scene.maps.size(); ++k)
         if (scene.before_solids[k]) plane_.draw(scene, k);
+    cone_.draw(scene);
     arrow_.order(scene);
     arrow_.draw(scene, ArrowPass::Layer::hidden);
     for (const Curve& curve : scene.view->curves) curve_.draw(scene, curve);
     glBindVertexArray(empty_.id());
     arrow_.draw(scene, ArrowPass::Layer::visible);
+    glDisable(GL_SCISSOR_TEST);
+    label_.draw(scene);
 }
 
 void Renderer::Impl::draw_views() {
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
+        if (scenes_[k].mesh_layer.width > 0) {
+            mesh_.draw_layer(scenes_[k]);
+            canvas_.resume();
+        }
         limit_to(scenes_[k].projection.box);
         if (overlaps_[k]) {
             glBindVertexArray(empty_.id());
@@ -191,6 +208,9 @@ void Renderer::Impl::render(const Drawing& drawing, Image& image) {
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     curve_.begin_picture();
+    label_.begin_picture(drawing);
+    mesh_.begin_picture();
+    for (ViewScene& scene : scenes_) mesh_.prepare(scene);
     const bool transparent = drawing.background.alpha < 1.0;
 
     // What stood still in the picture before will likely stand still in the next, and is kept.

@@ -10,15 +10,28 @@ int ViewScene::n_quadrics() const {
     return std::min(max_quadrics, static_cast<int>(quadrics.size()));
 }
 
-int ViewScene::n_flats() const { return std::min(max_flats, static_cast<int>(maps.size())); }
+Solids ViewScene::solids() const {
+    return {n_quadrics(), std::min(max_flats, static_cast<int>(maps.size())),
+            mesh_layer.width > 0 ? 1 : 0};
+}
+
+std::vector<std::string> Solids::defines() const {
+    return {"N_QUADRICS " + std::to_string(n_quadrics), "N_FLATS " + std::to_string(n_flats),
+            "N_MESHES " + std::to_string(n_meshes)};
+}
 
 void ViewScene::prepare(const Drawing& whole, const View& shown) {
     drawing = &whole;
     view = &shown;
     projection = Projection(shown);
+    mesh_layer = MeshLayer{};
     quadrics.clear();
     for (const Ellipsoid& ellipsoid : shown.ellipsoids)
         quadrics.emplace_back(ellipsoid, projection);
+    casters.clear();
+    for (std::size_t k = 0; k < quadrics.size(); ++k)
+        if (shown.ellipsoids[k].casts_shadow && shown.ellipsoids[k].opacity > 0.0)
+            casters.push_back(quadrics[k]);
     maps.clear();
     before_solids.clear();
     for (const Plane& plane : shown.planes) {
@@ -34,9 +47,10 @@ void ViewScene::prepare(const Drawing& whole, const View& shown) {
     }
 }
 
-void ViewScene::add_view(Constants& constants) const {
+void ViewScene::add_view(Constants& constants, const Eigen::Vector2d& corner_px) const {
     const Projection& p = projection;
-    constants.add(p.centre_px.x(), p.centre_px.y(), 1.0 / p.focal_px, p.perspective ? 1.0 : 0.0);
+    constants.add(p.centre_px.x() - corner_px.x(), p.centre_px.y() - corner_px.y(),
+                  1.0 / p.focal_px, p.perspective ? 1.0 : 0.0);
     constants.add(p.eye, p.near_depth);
     constants.add(p.right);
     constants.add(p.down);
@@ -67,7 +81,7 @@ void ViewScene::add_quadric(Constants& constants, std::size_t ellipsoid) const {
 
 void ViewScene::add_solids(Constants& constants) const {
     for (int k = 0; k < n_quadrics(); ++k) add_quadric(constants, static_cast<std::size_t>(k));
-    for (int k = 0; k < n_flats(); ++k) {
+    for (int k = 0; k < solids().n_flats; ++k) {
         const Plane& plane = view->planes[static_cast<std::size_t>(k)];
         const double offset = -plane.normal.dot(plane.centre);
         const double eye_height = projection.perspective ? plane.normal.dot(projection.eye) + offset
@@ -75,6 +89,10 @@ void ViewScene::add_solids(Constants& constants) const {
         constants.add(plane.normal, offset);
         constants.add(plane.centre, plane.radius);
         constants.add(plane.opacity, plane.fade_from, eye_height < 0.0 ? -1.0 : 1.0, 0.0);
+    }
+    if (mesh_layer.width > 0) {
+        constants.add(mesh_layer.left, mesh_layer.top, mesh_layer.width, mesh_layer.height);
+        constants.add(mesh_layer.depth_offset, mesh_layer.depth_slope, mesh_layer.opacity, 0.0);
     }
 }
 

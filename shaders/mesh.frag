@@ -1,0 +1,22 @@
+// Opaque, softly lit. Normals look outward; a face seen from within is lit as its other side.
+uniform vec4 look[4];  // eye, or direction towards it; 1 if perspective | key light | sky | colour, linear
+in vec3 normal_out;
+in vec3 point;
+out vec4 fragment;
+
+void main() {
+    vec3 n = normal_out * inversesqrt(max(dot(normal_out, normal_out), 1e-20));
+    vec3 to_eye = normalize(look[0].xyz - look[0].w * point);
+    float facing = dot(n, to_eye);
+    n = facing < 0.0 ? -n : n;
+    float key = max(0.85 * dot(n, look[1].xyz) + 0.15, 0.0);
+    float up = 0.5 + 0.5 * dot(n, look[2].xyz);
+    float lit = look[1].w * key + look[2].w * (0.40 + 0.60 * up) + 0.06;
+    vec3 halfway = look[1].xyz + to_eye;
+    float glint = max(dot(n, halfway) * inversesqrt(max(dot(halfway, halfway), 1e-12)), 0.0);
+    float g2 = glint * glint, g4 = g2 * g2, g8 = g4 * g4, g16 = g8 * g8;
+    float limb = 1.0 - abs(facing);
+    limb *= limb * limb;
+    vec3 colour = look[3].rgb * lit + look[1].w * 0.06 * g16 + look[2].w * 0.15 * limb * up;
+    fragment = vec4(colour, 1.0);
+}

@@ -1,0 +1,163 @@
+#include "render/label_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "error/error.h"
+#include "render/colour.h"
+
+namespace poinsot {
+namespace {
+
+constexpr int first_side_px = 1024;
+constexpr int largest_side_px = 8192;
+// Between slots, so that filtering does not mix them.
+constexpr int gap_px = 1;
+
+PixelBox box_of(const Label& label) {
+    const double margin = std::ceil(std::max(label.halo_px, 0.0)) + 1.0;
+    PixelBox box;
+    box.add(label.top_left_px, margin);
+    box.add(label.top_left_px + Eigen::Vector2d(label.mask->width, label.mask->height), margin);
+    return box;
+}
+
+bool shows(const Label& label) {
+    return label.mask != nullptr && label.mask->width > 0 && label.mask->height > 0 &&
+           label.opacity > 0.0;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> with_halo(const GlyphMask& mask, double reach_px, int margin) {
+    const int width = mask.width + 2 * margin, height = mask.height + 2 * margin;
+    std::vector<std::uint8_t> texels(2 * static_cast<std::size_t>(width) *
+                                     static_cast<std::size_t>(height));
+    // The halo is full to half its reach, then falls smoothly to nothing.
+    struct Brush {
+        int x, y;
+        double weight;
+    };
+    std::vector<Brush> brush;
+    for (int y = -margin; y <= margin && reach_px > 0.0; ++y) {
+        for (int x = -margin; x <= margin; ++x) {
+            const double t =
+                std::clamp((reach_px + 0.5 - std::hypot(x, y)) / (0.5 * reach_px + 0.5), 0.0, 1.0);
+            if (t > 0.0) brush.push_back({x, y, t * t * (3.0 - 2.0 * t)});
+        }
+    }
+    std::vector<double> halo(texels.size() / 2, 0.0);
+    for (int y = 0; y < mask.height; ++y) {
+        for (int x = 0; x < mask.width; ++x) {
+            const std::uint8_t covered =
+                mask.coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) +
+                              static_cast<std::size_t>(x)];
+            if (covered == 0) continue;
+            const auto middle =
+                static_cast<std::size_t>(y + margin) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x + margin);
+            texels[2 * middle] = covered;
+            for (const Brush& b : brush) {
+                double& there = halo[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(middle) +
+                                                              b.y * width + b.x)];
+                there = std::max(there, covered * b.weight);
+            }
+        }
+    }
+    for (std::size_t k = 0; k < halo.size(); ++k)
+        texels[2 * k + 1] = static_cast<std::uint8_t>(std::lround(halo[k]));
+    return texels;
+}
+
+LabelPass::LabelPass() : program_("label.frag", 3) {}
+
+LabelPass::Key LabelPass::key_of(const Label& label) {
+    return {label.mask->id, static_cast<int>(std::lround(64.0 * std::max(label.halo_px, 0.0)))};
+}
+
+void LabelPass::empty_texture(int side_px) {
+    slots_.clear();
+    shelf_x_ = shelf_y_ = shelf_height_ = 0;
+    if (side_px == side_px_) return;
+    side_px_ = side_px;
+    texture_ = GlTexture::make();
+    glBindTexture(GL_TEXTURE_2D, texture_.id());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, side_px, side_px, 0, GL_RG, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+bool LabelPass::place(const Label& label) {
+    const Key key = key_of(label);
+    if (slots_.contains(key)) return true;
+    Slot slot;
+    slot.margin = static_cast<int>(std::ceil(std::max(label.halo_px, 0.0))) + 1;
+    slot.width = label.mask->width + 2 * slot.margin;
+    slot.height = label.mask->height + 2 * slot.margin;
+    // Shelves from the top, filled from the left.
+    if (shelf_x_ + slot.width > side_px_) {
+        shelf_x_ = 0;
+        shelf_y_ += shelf_height_ + gap_px;
+        shelf_height_ = 0;
+    }
+    if (slot.width > side_px_ || shelf_y_ + slot.height > side_px_) return false;
+    slot.x = shelf_x_;
+    slot.y = shelf_y_;
+    shelf_x_ += slot.width + gap_px;
+    shelf_height_ = std::max(shelf_height_, slot.height);
+    const std::vector<std::uint8_t> texels = with_halo(*label.mask, label.halo_px, slot.margin);
+    glBindTexture(GL_TEXTURE_2D, texture_.id());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, slot.x, slot.y, slot.width, slot.height, GL_RG,
+                    GL_UNSIGNED_BYTE, texels.data());
+    slots_.emplace(key, slot);
+    return true;
+}
+
+void LabelPass::begin_picture(const Drawing& drawing) {
+    const auto place_all = [&] {
+        for (const View& view : drawing.views)
+            for (const Label& label : view.labels)
+                if (shows(label) && !place(label)) return false;
+        return true;
+    };
+    const bool any = std::any_of(drawing.views.begin(), drawing.views.end(),
+                                 [](const View& view) { return !view.labels.empty(); });
+    if (!any) return;
+    if (side_px_ == 0) empty_texture(first_side_px);
+    if (place_all()) return;
+    // Full: forget the masks of earlier pictures, then grow.
+    for (int side = side_px_; side <= largest_side_px; side *= 2) {
+        empty_texture(side);
+        if (place_all()) return;
+    }
+    throw InputError(
+        "the labels of one picture do not fit into a texture of 8192x8192 pixels; "
+        "make them fewer or smaller");
+}
+
+void LabelPass::draw(const ViewScene& scene) const {
+    for (const Label& label : scene.view->labels) {
+        if (!shows(label)) continue;
+        const Slot& slot = slots_.at(key_of(label));
+        const Eigen::Vector2d to_texel =
+            Eigen::Vector2d(slot.x + slot.margin, slot.y + slot.margin) - label.top_left_px;
+        Constants constants;
+        constants.add(to_texel.x(), to_texel.y(), 1.0 / side_px_, 1.0 / side_px_);
+        constants.add4(linear_from_srgb(label.colour, label.opacity));
+        constants.add4(linear_from_srgb(label.halo_colour, 1.0));
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, texture_.id());
+        program_.draw(polygon_of(box_of(label)), constants, *scene.drawing);
+    }
+}
+
+void LabelPass::mark(const ViewScene& scene, TileMask& marks) const {
+    for (const Label& label : scene.view->labels)
+        if (shows(label)) marks.mark(box_of(label));
+}
+
+}  // namespace poinsot
