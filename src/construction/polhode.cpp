@@ -21,7 +21,9 @@ Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body
 
     std::array<int, 3> order{0, 1, 2};
     std::stable_sort(order.begin(), order.end(), [&I](int i, int j) { return I[i] < I[j]; });
-    const auto [low, middle, high] = order;
+    const int low = order[0];
+    const int middle = order[1];
+    const int high = order[2];
 
     // Δ_i = L² − 2T·I_i as sums of terms of one sign for the outer axes; Δ of the middle one
     // decides the family.
@@ -109,7 +111,9 @@ std::vector<std::vector<Eigen::Vector3d>> separatrices(const InertiaTensor& iner
     const Eigen::Vector3d& I = inertia.moments_kg_m2();
     std::array<int, 3> order{0, 1, 2};
     std::stable_sort(order.begin(), order.end(), [&I](int i, int j) { return I[i] < I[j]; });
-    const auto [low, middle, high] = order;
+    const int low = order[0];
+    const int middle = order[1];
+    const int high = order[2];
     if (I[low] == I[middle] || I[middle] == I[high]) return {};
 
     // I_h(I_h−I_m)ρ_h² = I_l(I_m−I_l)ρ_l²: two planes through the middle axis, each cutting the
