@@ -59,7 +59,10 @@ std::vector<Curve> family_of(Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     const InertiaTensor& inertia = picture.construction.inertia();
     const Eigen::Vector3d I = inertia.moments_kg_m2() / inertia.moments_kg_m2().maxCoeff();
-    const auto [low, middle, high] = ranks_of(I);
+    const auto ranks = ranks_of(I);
+    const int low = ranks[0];
+    const int middle = ranks[1];
+    const int high = ranks[2];
     std::vector<Curve> curves;
     if (I[low] == I[high]) return curves;
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <regex>
 
 #include "error/error.h"
 #include "error/nearest.h"
@@ -12,10 +11,29 @@ namespace poinsot {
 
 namespace {
 
-// Precision is bounded so that a caption cannot ask for a page of digits.
+// Takes at most two digits from the front.
+void skip_digits(std::string_view& rest) {
+    for (int n = 0; n < 2 && !rest.empty() && rest.front() >= '0' && rest.front() <= '9'; ++n) {
+        rest.remove_prefix(1);
+    }
+}
+
+// A width and a precision of at most two digits each: a caption cannot ask for a page of digits.
+bool is_number_format(std::string_view rest) {
+    if (rest.starts_with('+')) rest.remove_prefix(1);
+    if (rest.starts_with('0')) rest.remove_prefix(1);
+    skip_digits(rest);
+    if (rest.starts_with('.')) {
+        rest.remove_prefix(1);
+        const std::size_t before = rest.size();
+        skip_digits(rest);
+        if (rest.size() == before) return false;
+    }
+    return rest.empty() || rest == "e" || rest == "f" || rest == "g";
+}
+
 std::string formatted(double value, std::string_view format, std::size_t column) {
-    static const std::regex accepted("[+]?0?[0-9]{0,2}([.][0-9]{1,2})?[efg]?");
-    if (!std::regex_match(format.begin(), format.end(), accepted)) {
+    if (!is_number_format(format)) {
         throw InputError(
             fmt::format("caption column {}: bad number format \"{}\"; write digits as in .2f",
                         column + 1, printable(format)));

@@ -105,7 +105,8 @@ void make_momentum_panel(Panel& panel) {
         const PoinsotConstruction& construction = panel.stage->rolling->construction;
         const Eigen::Vector3d momentum =
             momentum_at(panel, construction.contact_body(instant.state.omega_body));
-        const Arrow arrow = arrow_to(panel, momentum, theme.momentum, 1.15);
+        Arrow arrow = arrow_to(panel, momentum, theme.momentum, 1.15);
+        arrow.hidden_opacity = 0.7;
         sheet.view.arrows.push_back(arrow);
         wish_at_tip(panel, arrow, momentum_type, sheet);
     };

@@ -16,9 +16,13 @@ namespace {
 
 bool rolls(const StageData& stage) { return stage.rolling.has_value(); }
 
+bool any(const StageData&) { return true; }
+bool is_heavy_top(const StageData& stage) { return stage.motion.motion().heavy_top() != nullptr; }
+
+constexpr std::string_view heavy_top = "a heavy symmetric top";
 constexpr std::string_view free_turning = "a torque-free body that turns";
 
-const std::array<PanelKind, 4> table{{
+const std::array<PanelKind, 8> table{{
     {"space", "the ellipsoid rolling on the invariable plane", "Invariable plane", false, rolls,
      free_turning, make_space_panel},
     {"body", "the ellipsoid at rest, all its polhodes and the separatrices", "Body axes", false,
@@ -27,6 +31,14 @@ const std::array<PanelKind, 4> table{{
      free_turning, make_plan_panel},
     {"momentum", "the sphere |L| and the energy ellipsoid meeting, in body axes",
      "Momentum in body axes", false, rolls, free_turning, make_momentum_panel},
+    {"object", "the body itself turning, with its principal axes, ω and L", "Body in space", false,
+     any, "", make_object_panel},
+    {"plot", "ω, angles, energies or residuals against time, with a moving cursor", "", true, any,
+     "", make_plot_panel},
+    {"top", "a heavy top with its Euler angles and the path of its axis on the unit sphere",
+     "Heavy top", false, is_heavy_top, heavy_top, make_top_panel},
+    {"potential", "effective potential of a heavy top with E and the moving point",
+     "Effective potential", true, is_heavy_top, heavy_top, make_potential_panel},
 }};
 
 }  // namespace
@@ -40,7 +52,11 @@ void aim(Panel& panel, const Camera& camera) {
             : 2.0 * distance * std::tan(0.5 * camera.vertical_field_rad) / panel.box.height_px;
 }
 
-std::string_view default_panel(const StageData&) { return "space"; }
+std::string_view default_panel(const StageData& stage) {
+    if (is_heavy_top(stage)) return "top";
+    const auto& torque = stage.motion.motion().problem().torque;
+    return std::holds_alternative<NoTorque>(torque) ? "space" : "object";
+}
 
 std::span<const PanelKind> panel_kinds() { return table; }
 

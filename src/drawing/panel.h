@@ -57,5 +57,9 @@ void make_space_panel(Panel& panel);
 void make_body_panel(Panel& panel);
 void make_plan_panel(Panel& panel);
 void make_momentum_panel(Panel& panel);
+void make_plot_panel(Panel& panel);
+void make_potential_panel(Panel& panel);
+void make_top_panel(Panel& panel);
+void make_object_panel(Panel& panel);
 
 }  // namespace poinsot

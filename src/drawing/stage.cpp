@@ -37,7 +37,7 @@ std::vector<int> boundaries(const std::vector<double>& sizes, int from_px, int t
     double at = 0.0;
     for (const double size : sizes) {
         at += size;
-        edges.push_back(from_px + static_cast<int>(at / sum * total_px + 0.5));
+        edges.push_back(from_px + static_cast<int>(std::lround(at / sum * total_px)));
     }
     return edges;
 }
@@ -218,6 +218,20 @@ const MeshGeometry* StageData::keep(MeshGeometry geometry) {
 Instant StageData::instant_at(double time_s) const {
     const MotionSample sample = motion.sample(time_s, asks);
     return {time_s, sample.state, sample.herpolhode_space, sample.euler};
+}
+
+double StageData::quickest_rate_rad_s() const {
+    const MotionProblem& problem = motion.motion().problem();
+    const double I_least = problem.inertia.moments_kg_m2().minCoeff();
+    const Eigen::Vector3d omega =
+        problem.inertia.body_from_principal().transpose() * problem.start.omega_body;
+    // In units of the least moment, so that T neither overflows nor vanishes.
+    const Eigen::Vector3d weights = (problem.inertia.moments_kg_m2() / I_least).cwiseSqrt();
+    double rate = weights.cwiseProduct(omega).stableNorm();
+    if (const auto* gravity = std::get_if<GravityTorque>(&problem.torque)) {
+        rate = std::hypot(rate, 2.0 * std::sqrt(std::abs(gravity->mgl_N_m) / I_least));
+    }
+    return rate;
 }
 
 std::vector<LiveValue> StageData::live_values(const Instant& instant) const {

@@ -97,6 +97,10 @@ struct StageData {
     // What the panels ask for at an instant, and nothing else.
     Instant instant_at(double time_s) const;
 
+    // A rate that |ω| does not exceed, rad/s: from the energy at the start and what gravity can
+    // add.
+    double quickest_rate_rad_s() const;
+
     // The numbers that captions may name, at an instant.
     std::vector<LiveValue> live_values(const Instant& instant) const;
 

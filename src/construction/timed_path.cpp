@@ -1,0 +1,48 @@
+#include "construction/timed_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "construction/adaptive_curve.h"
+
+namespace poinsot {
+
+double TimedPath::index_at(double time_s) const {
+    if (times_s.size() < 2) return 0.0;
+    const auto after = std::upper_bound(times_s.begin(), times_s.end(), time_s);
+    if (after == times_s.begin()) return 0.0;
+    if (after == times_s.end()) return static_cast<double>(times_s.size() - 1);
+    const auto i = after - times_s.begin() - 1;
+    const double from = times_s[static_cast<std::size_t>(i)];
+    return static_cast<double>(i) + (time_s - from) / (*after - from);
+}
+
+TimedPath sample_path(const std::function<Eigen::Vector3d(double)>& point, double first_time_s,
+                      double last_time_s, double shortest_feature_s, double tolerance,
+                      std::size_t max_points) {
+    // Pieces of one length from the first instant on, a power of two so that their ends do not
+    // depend on how many follow; too many of them for max_points share the stretch instead.
+    const double span = last_time_s - first_time_s;
+    const double piece_s = std::exp2(std::floor(std::log2(0.5 * shortest_feature_s)));
+    const double wanted = std::ceil(span / piece_s);
+    const double n_pieces = std::clamp(wanted, 0.0, static_cast<double>(max_points) / 4.0);
+    const double end_s = wanted <= n_pieces ? first_time_s + piece_s * n_pieces : last_time_s;
+
+    TimedPath path;
+    const auto samples = sample_adaptively(
+        [&](double t) {
+            ++path.n_evaluations;
+            return point(t);
+        },
+        first_time_s, end_s, static_cast<int>(n_pieces), tolerance, max_points);
+
+    path.times_s.reserve(samples.size());
+    path.points.reserve(samples.size());
+    for (const CurveSample& sample : samples) {
+        path.times_s.push_back(sample.parameter);
+        path.points.push_back(sample.point);
+    }
+    return path;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,29 @@
+// A path that is run along in time: sampled once, shown up to any instant.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace poinsot {
+
+// `times_s` ascends and names the instant of each point.
+struct TimedPath {
+    std::vector<double> times_s;
+    std::vector<Eigen::Vector3d> points;
+    std::int64_t n_evaluations = 0;  // that it took
+
+    // Fractional index of an instant: how many points have been passed, 0 … n−1.
+    double index_at(double time_s) const;
+};
+
+// Samples [first_time_s, last_time_s] so that the polyline is within `tolerance` of the path.
+// `shortest_feature_s` is a time over which the path certainly does not turn by more than half a
+// turn. It goes on beyond the last instant to the end of a piece of at most half that time, so that
+// a shorter stretch is a part of a longer one, bit for bit.
+TimedPath sample_path(const std::function<Eigen::Vector3d(double)>& point, double first_time_s,
+                      double last_time_s, double shortest_feature_s, double tolerance,
+                      std::size_t max_points = 200'000);
+
+}  // namespace poinsot

@@ -1,0 +1,264 @@
+// The plot panel: quantities of the motion against time over the whole film, with a cursor at the
+// instant shown.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <vector>
+
+#include "construction/adaptive_curve.h"
+#include "drawing/plot_frame.h"
+#include "drawing/plot_quantity.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr double curve_width = 3.4;
+
+// Values over the film, asked for once an instant however many curves need it.
+class Record {
+ public:
+    Record(const StageData& stage, const PlotQuantity& quantity)
+        : stage_(&stage), quantity_(&quantity) {}
+
+    const PlotValues& at(double time_s) {
+        const auto [entry, is_new] = known_.try_emplace(time_s);
+        if (is_new) entry->second = quantity_->values(*stage_, instant(time_s));
+        return entry->second;
+    }
+
+    // Least and greatest of the values known so far, of the curves first to last.
+    std::pair<double, double> range(std::size_t first, std::size_t last) const {
+        double least = INFINITY;
+        double most = -INFINITY;
+        for (const auto& [time, values] : known_) {
+            for (std::size_t i = first; i <= last; ++i) {
+                least = std::min(least, values[i]);
+                most = std::max(most, values[i]);
+            }
+        }
+        return {least, most};
+    }
+
+ private:
+    Instant instant(double time_s) const {
+        const MotionSample sample = stage_->motion.sample(time_s, quantity_->asks);
+        return {time_s, sample.state, sample.herpolhode_space, sample.euler};
+    }
+
+    const StageData* stage_;
+    const PlotQuantity* quantity_;
+    std::map<double, PlotValues> known_;
+};
+
+// So many pieces of the film that no curve turns by more than about half a turn within one; no more
+// than a plot of this width can show.
+int n_pieces_of(const StageData& stage, double width_px) {
+    const double n_turns = (stage.film_last_s - stage.film_first_s) *
+                           (2.0 * stage.quickest_rate_rad_s()) / std::numbers::pi;
+    return static_cast<int>(std::clamp(n_turns, 16.0, std::max(16.0, 2.0 * width_px)));
+}
+
+// The range that an axis shows: a little more than the values.
+Axis axis_for(const PlotQuantity& quantity, std::pair<double, double> range, int most_ticks) {
+    auto [least, most] = range;
+    if (quantity.decades)
+        return decade_axis(std::floor(least), std::max(most + 0.5, -14.0), most_ticks);
+    if (quantity.from_zero) {
+        least = std::min(least, 0.0);
+        most = std::max(most, 0.0);
+    }
+    const double margin = 0.06 * (most - least);
+    return linear_axis(least < 0.0 || !quantity.from_zero ? least - margin : least,
+                       most > 0.0 || !quantity.from_zero ? most + margin : most, most_ticks);
+}
+
+double dash_of(LineStyle style, const Panel& panel) {
+    switch (style) {
+        case LineStyle::dashed:
+            return 13.0 * panel.px;
+        case LineStyle::dotted:
+            return 1.15 * curve_width * panel.px;
+        default:
+            return 0.0;
+    }
+}
+
+// A curve of the plot, with the number that its dot follows.
+struct PlottedCurve {
+    Curve curve;
+    std::size_t value = 0;
+    Label name;
+};
+
+// One chart with its curves.
+struct PlottedChart {
+    PlotFrame chart;
+    std::vector<PlottedCurve> curves;
+};
+
+// Names beside the ends of their curves, moved apart where the ends lie close.
+void place_names(PlottedChart& plotted, const Panel& panel) {
+    std::vector<PlottedCurve*> order;
+    for (PlottedCurve& curve : plotted.curves) order.push_back(&curve);
+    std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) {
+        return a->name.top_left_px.y() < b->name.top_left_px.y();
+    });
+    // Downwards, then back up from the lower end of the panel.
+    const double gap = 3.0 * panel.px;
+    double free_from = panel.box.y_px;
+    for (PlottedCurve* curve : order) {
+        double& y = curve->name.top_left_px.y();
+        y = std::max(y, free_from);
+        free_from = y + curve->name.mask->height + gap;
+    }
+    double free_to = panel.box.y_px + panel.box.height_px - plotted.chart.area().bottom +
+                     0.5 * chart_name_size * panel.type_px;
+    for (auto curve = order.rbegin(); curve != order.rend(); ++curve) {
+        double& y = (*curve)->name.top_left_px.y();
+        y = std::min(y, free_to - (*curve)->name.mask->height);
+        free_to = y - gap;
+    }
+}
+
+class PlotMaker {
+ public:
+    PlotMaker(Panel& panel, const PlotQuantity& quantity)
+        : panel_(&panel), quantity_(&quantity), record_(*panel.stage, quantity) {}
+
+    std::vector<PlottedChart> make() {
+        const StageData& stage = *panel_->stage;
+        const double first = stage.film_first_s;
+        const double last = stage.film_last_s;
+        n_pieces_ = n_pieces_of(stage, panel_->box.width_px);
+        // A first round for the ranges: so dense that an extreme is missed by little.
+        constexpr int per_piece = 4;
+        for (int k = 0; k <= per_piece * n_pieces_; ++k) {
+            record_.at(first + (last - first) * k / (per_piece * n_pieces_));
+        }
+        set_names();
+
+        std::vector<PlottedChart> charts;
+        const std::size_t n_curves = quantity_->curves.size();
+        const std::size_t n_charts = quantity_->stacked ? n_curves : 1;
+        for (std::size_t i = 0; i < n_charts; ++i) {
+            const std::size_t first_curve = quantity_->stacked ? i : 0;
+            const std::size_t last_curve = quantity_->stacked ? i : n_curves - 1;
+            charts.push_back(chart_of(first_curve, last_curve, i, n_charts));
+        }
+        return charts;
+    }
+
+ private:
+    void set_names() {
+        for (const PlotCurve& curve : quantity_->curves) {
+            names_.push_back(set_chart_type(*panel_, curve.label, TypeMode::math, chart_name_size));
+            widest_name_ = std::max(widest_name_, 1.0 * names_.back().mask->width);
+        }
+    }
+
+    PlottedChart chart_of(std::size_t first_curve, std::size_t last_curve, std::size_t place,
+                          std::size_t n_charts) {
+        const StageData& stage = *panel_->stage;
+        const double margin = 22.0 * panel_->px;
+        const bool is_lowest = place + 1 == n_charts;
+
+        // Charts share the height; the lowest also has the numbers of the time axis.
+        const double foot = (chart_number_size + 24.0) * panel_->type_px;
+        const double top = panel_->box.height_px - margin - panel_->header_px;
+        const double share = (top - margin - foot) / static_cast<double>(n_charts);
+        ChartArea region{margin, margin + foot, panel_->box.width_px - margin, top};
+        region.top = top - share * static_cast<double>(place);
+        region.bottom = region.top - share + (is_lowest ? -foot : 14.0 * panel_->px);
+        if (n_charts == 1) region.bottom = margin;
+
+        const auto n_ticks = [this](double px, double apart) {
+            return std::clamp(static_cast<int>(px / (apart * panel_->type_px)), 2, 10);
+        };
+        const Axis x =
+            linear_axis(stage.film_first_s, stage.film_last_s, n_ticks(region.width(), 120.0));
+        const Axis y = axis_for(*quantity_, record_.range(first_curve, last_curve),
+                                n_ticks(region.height(), n_charts == 1 ? 75.0 : 45.0));
+        const std::string y_title =
+            quantity_->stacked
+                ? axis_title(fmt::format("${}$", quantity_->curves[first_curve].label),
+                             quantity_->unit, y.exponent)
+                : axis_title(quantity_->title, quantity_->unit, y.exponent);
+        const std::string x_title = is_lowest ? axis_title("$t$", "s", x.exponent) : "";
+        const double names_px = widest_name_ + 16.0 * panel_->px;
+        PlottedChart plotted{PlotFrame(*panel_, region, x, y, x_title, y_title, names_px), {}};
+        for (std::size_t i = first_curve; i <= last_curve; ++i) add_curve(plotted, i);
+        place_names(plotted, *panel_);
+        return plotted;
+    }
+
+    void add_curve(PlottedChart& plotted, std::size_t i) {
+        StageData& stage = *panel_->stage;
+        const PlotFrame& chart = plotted.chart;
+        const auto point = [&](double t) { return chart.at(t, record_.at(t)[i]); };
+        CurveGeometry geometry;
+        for (const CurveSample& sample :
+             sample_adaptively(point, stage.film_first_s, stage.film_last_s, n_pieces_,
+                               0.5 * stage.scene.accuracy_px, 40'000)) {
+            geometry.points.push_back(sample.point);
+        }
+        const PlotCurve& kind = quantity_->curves[i];
+        PlottedCurve curve;
+        curve.value = i;
+        curve.curve.colour = kind.colour(*stage.theme);
+        curve.curve.width_px = curve_width * panel_->px;
+        curve.curve.dash_px = dash_of(kind.style, *panel_);
+        curve.curve.occlusion = Occlusion::none;
+        const Eigen::Vector3d end = geometry.points.back();
+        curve.name = chart_label(*panel_, names_[i], chart.area().right + 12.0 * panel_->px,
+                                 end.y(), Anchor::left_middle, curve.curve.colour);
+        curve.curve.geometry = stage.keep(std::move(geometry));
+        plotted.curves.push_back(curve);
+    }
+
+    Panel* panel_;
+    const PlotQuantity* quantity_;
+    Record record_;
+    int n_pieces_ = 16;
+    std::vector<SetType> names_;
+    double widest_name_ = 0.0;
+};
+
+void draw_chart(const Panel& panel, const PlottedChart& plotted, double time_s,
+                const PlotValues& values, Sheet& sheet) {
+    plotted.chart.draw(sheet);
+    const ChartArea& area = plotted.chart.area();
+    const double across = plotted.chart.at(time_s, 0.0).x();
+    Curve cursor = PlotFrame::line(panel, {across, area.bottom, 0.0}, {across, area.top, 0.0},
+                                   panel.stage->theme->text, 1.6);
+    cursor.opacity = 0.55;
+    sheet.view.curves.push_back(cursor);
+    for (const PlottedCurve& curve : plotted.curves) {
+        sheet.view.curves.push_back(curve.curve);
+        sheet.view.labels.push_back(curve.name);
+    }
+    for (const PlottedCurve& curve : plotted.curves) {
+        sheet.view.dots.push_back(PlotFrame::dot(
+            panel, plotted.chart.at(time_s, values[curve.value]), curve.curve.colour, 6.5));
+    }
+}
+
+}  // namespace
+
+void make_plot_panel(Panel& panel) {
+    aim_at_pixels(panel);
+    const PlotQuantity& quantity = plot_quantity_of(*panel.stage, panel.spec.quantity);
+    panel.asks = quantity.asks;
+    const std::vector<PlottedChart> charts = PlotMaker(panel, quantity).make();
+    panel.draw = [&panel, &quantity, charts](const Instant& instant, Sheet& sheet) {
+        const PlotValues values = quantity.values(*panel.stage, instant);
+        for (const PlottedChart& plotted : charts) {
+            draw_chart(panel, plotted, instant.time_s, values, sheet);
+        }
+    };
+}
+
+}  // namespace poinsot

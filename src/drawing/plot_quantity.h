@@ -1,0 +1,46 @@
+// The table of what a plot can show against time.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "drawing/panel.h"
+
+namespace poinsot {
+
+// Told apart in grey as well.
+enum class LineStyle { solid, dashed, dotted };
+
+struct PlotCurve {
+    std::string_view label;  // a formula
+    Colour (*colour)(const Theme& theme);
+    LineStyle style;
+};
+
+constexpr std::size_t most_plot_curves = 6;
+using PlotValues = std::array<double, most_plot_curves>;
+
+// A row of the table of quantities.
+struct PlotQuantity {
+    std::string_view name;
+    std::string_view summary;
+    std::string_view title;  // of the axis: text with $formulas$
+    std::string_view unit;
+    bool stacked;    // a chart of its own for every curve, with its own scale
+    bool decades;    // values are logarithms to base 10
+    bool from_zero;  // the axis holds 0
+    Quantities asks;
+    bool (*possible)(const StageData& stage);
+    std::string_view needs;
+    std::span<const PlotCurve> curves;
+    PlotValues (*values)(const StageData& stage, const Instant& instant);
+};
+
+std::span<const PlotQuantity> plot_quantities();
+
+// By name, or the one that suits the motion if the name is empty. Throws InputError with the
+// nearest name and the list, or for a motion that has no such quantity.
+const PlotQuantity& plot_quantity_of(const StageData& stage, std::string_view name);
+
+}  // namespace poinsot
