@@ -60,9 +60,9 @@ std::vector<Curve> family_of(Panel& panel) {
     const InertiaTensor& inertia = picture.construction.inertia();
     const Eigen::Vector3d I = inertia.moments_kg_m2() / inertia.moments_kg_m2().maxCoeff();
     const auto ranks = ranks_of(I);
-    const int low = ranks[0];
-    const int middle = ranks[1];
-    const int high = ranks[2];
+    const int low = ranks.low;
+    const int middle = ranks.middle;
+    const int high = ranks.high;
     std::vector<Curve> curves;
     if (I[low] == I[high]) return curves;
 

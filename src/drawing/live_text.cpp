@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <vector>
 
 #include "error/error.h"
 #include "error/nearest.h"
