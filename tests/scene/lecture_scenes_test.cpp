@@ -38,7 +38,7 @@ TEST(LectureScenes, EachMovesAsItsNameSays) {
     EXPECT_EQ(regime_of("separatrix"), Regime::separatrix);
     EXPECT_EQ(regime_of("symmetric_oblate"), Regime::symmetric);
     EXPECT_EQ(regime_of("symmetric_prolate"), Regime::symmetric);
-    EXPECT_EQ(regime_of("generic"), Regime::elliptic_about_highest);
+    EXPECT_EQ(regime_of("generic"), Regime::elliptic_about_lowest);
 }
 
 TEST(LectureScenes, SeparatrixIsExactlyOnIt) {
