@@ -119,14 +119,11 @@ EulerAngles euler_angles(const Quaterniond& q) {
 }  // namespace
 
 FreeRotation::FreeRotation(const InertiaTensor& inertia, const RotationState& start, Tier tier)
-    : tier_(tier),
-      body_axes_are_principal_(inertia.body_axes_are_principal()),
-      omega_start_body_(start.omega_body) {
+    : tier_(tier), omega_start_body_(start.omega_body) {
     check_start(start.omega_body, start.space_from_body, start.time_s);
     const Vector3d omega = principal(inertia, start.omega_body);
     const JacobiSolution solution = solve_free_rotation(inertia.moments_kg_m2(), omega);
     regime_ = solution.regime;
-    axis_ = solution.axis;
     set_constants(solution, inertia, start);
     set_output(solution, inertia, start);
     if (regime_ == Regime::at_rest) return;
@@ -252,12 +249,12 @@ void FreeRotation::set_output(const JacobiSolution& j, const InertiaTensor& iner
     }
     // The two directions of the invariable plane that b and c have when a is along L.
     for (int k = 0; k < 2; ++k) {
-        VectorDD direction{0.0, 0.0, 0.0};
-        direction[static_cast<std::size_t>(k + 1)] = 1.0;
+        const VectorDD direction{0.0, k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0};
         const VectorDD in_space =
             rotated(attitude, times(body_from_axes_, rotated(axes_at_start, direction)));
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i) {
             plane_space_(i, k) = in_space[static_cast<std::size_t>(i)].rounded();
+        }
     }
 }
 
@@ -295,7 +292,10 @@ SeriesPoint FreeRotation::series_point(double time) const {
         point = hyperbolic_.at(phase, place);
         turn_start = turn_start + hyperbolic_.phase_per_period * place.periods;
     } else {
-        const DoubleDouble x = phase_rate_.value * time + phase_start_;
+        // Past |u| = 1400 nothing is left of the approach to the middle axis.
+        const double near = phase_rate_.value.hi * time + phase_start_.hi;
+        const DoubleDouble x = std::abs(near) > 2000.0 ? DoubleDouble(std::copysign(2000.0, near))
+                                                       : phase_rate_.value * time + phase_start_;
         point = hyperbolic_.at_separatrix(abs(x), x.hi < 0.0 ? -1.0 : 1.0);
     }
     const QuarterTurns turn = reduce(turn_rate_, turn_start);

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <optional>
 
 #include "mechanics/inertia.h"
@@ -56,7 +55,6 @@ class FreeRotation {
     const FreeRotationConstants& constants() const { return constants_; }
 
  private:
-    struct Point;
     template <bool two_words>
     SeriesPoint series_point(double time) const;
     double scaled_time(double time_s) const;
@@ -73,8 +71,6 @@ class FreeRotation {
     Regime regime_ = Regime::at_rest;
     Tier tier_ = Tier::exact;
     Series series_ = Series::none;
-    bool body_axes_are_principal_ = true;
-    std::array<int, 3> axis_{0, 1, 2};
 
     // Times are taken in units of 2^−n s near 1/|ω|, so that no product over- or underflows.
     double time_scale_ = 1.0;

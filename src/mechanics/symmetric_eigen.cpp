@@ -102,7 +102,7 @@ void turn_repeated(SymmetricEigen& eigen, double tolerance) {
         const Eigen::Vector3d y = eigen.vectors.col(j);
         const double cosine = x[i] + y[j];
         const double sine = y[i] - x[j];
-        const double length = std::hypot(cosine, sine);
+        const double length = std::sqrt(cosine * cosine + sine * sine);
         if (!(length > 0.0)) continue;
         eigen.vectors.col(i) = (cosine * x + sine * y) / length;
         eigen.vectors.col(j) = (cosine * y - sine * x) / length;

@@ -126,6 +126,7 @@ TEST(Extremes, ConditioningIsReportedAndGrowsWithTime) {
 TEST(Extremes, InstantsAloneEqualInstantsInARow) {
     const FreeRotation motion = motion_of({1.0, 2.0, 3.0}, {0.3, 1.0, 0.2});
     std::vector<Quaterniond> film;
+    film.reserve(300);
     for (int k = 0; k < 300; ++k) film.push_back(motion.at(k * 1001.0 / 30000.0).space_from_body);
     for (const int k : {299, 0, 17}) {
         const FreeRotation again = motion_of({1.0, 2.0, 3.0}, {0.3, 1.0, 0.2});
@@ -368,12 +369,16 @@ TEST(Extremes, OverflowIsRefusedAndNothingElse) {
     EXPECT_NE(refusal([&] { fast.at(infinity); }), "");
     EXPECT_NE(refusal([&] { fast.at(std::nan("")); }), "");
     // Beyond every digit, but no overflow: still a rotation.
-    const FreeRotation motion = motion_of({1.0, 2.0, 3.0}, {0.3, 1.0, 0.2});
-    for (const double t : {1e17, 1e30, -1e100, 1e307}) {
-        const MotionSample sample = motion.sample(t, everything);
-        EXPECT_NEAR(sample.state.space_from_body.norm(), 1.0, 1e-15);
-        EXPECT_TRUE(sample.state.omega_body.allFinite());
-        EXPECT_TRUE(sample.herpolhode_space.allFinite());
+    for (const FreeRotation& motion :
+         {motion_of({1.0, 2.0, 3.0}, {0.3, 1.0, 0.2}), motion_of({1.0, 2.0, 3.0}, {0.1, 0.2, 1.0}),
+          motion_of({1.0, 2.0, 2.25}, {0.75, 0.5, 1.0}),
+          motion_of({1.0, 2.0, 3.0}, {0.0, 0.0, 1.0})}) {
+        for (const double t : {1e17, 1e30, -1e100, 1e307}) {
+            const MotionSample sample = motion.sample(t, everything);
+            EXPECT_NEAR(sample.state.space_from_body.norm(), 1.0, 1e-15);
+            EXPECT_TRUE(sample.state.omega_body.allFinite());
+            EXPECT_TRUE(sample.herpolhode_space.allFinite());
+        }
     }
 }
 

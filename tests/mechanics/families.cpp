@@ -215,10 +215,8 @@ Body needle(Random& random) {
     return shuffled(body, random);
 }
 Body any_ratio(Random& random) {
-    const Body body{
-        {decade(random, -12.0, 12.0), decade(random, -12.0, 12.0), decade(random, -12.0, 12.0)},
-        spin(random)};
-    return body;
+    return {{decade(random, -12.0, 12.0), decade(random, -12.0, 12.0), decade(random, -12.0, 12.0)},
+            spin(random)};
 }
 Body scaled(Random& random) {
     Body body = generic(random);

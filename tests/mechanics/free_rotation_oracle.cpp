@@ -116,7 +116,6 @@ struct Jacobi {
 template <unsigned digits>
 Jacobi landen(const Real& given_u, const Real& k_complement) {
     using Number = Digits<digits>;
-    const Number u(given_u);
     Number kc(k_complement);
     Number scale = 1;
     std::vector<Number> moduli;
@@ -128,8 +127,9 @@ Jacobi landen(const Real& given_u, const Real& k_complement) {
         if (k1 * k1 < tiny) break;
         kc = 2 * sqrt(kc) / (1 + kc);
     }
-    Number sn = sin(u / scale);
-    Number cn = cos(u / scale);
+    const Number last_u = Number(given_u) / scale;
+    Number sn = sin(last_u);
+    Number cn = cos(last_u);
     Number dn = 1;
     for (auto k1 = moduli.rbegin(); k1 != moduli.rend(); ++k1) {
         const Number s2 = *k1 * sn * sn;

@@ -198,9 +198,8 @@ TEST(PointMasses, CoplanarOnesAreALamina) {
     for (int n = 0; n < 200; ++n) {
         const Vector3d x(normal(random), normal(random), normal(random));
         const Vector3d y(normal(random), normal(random), normal(random));
-        std::vector<PointMass> masses;
-        for (int i = 0; i < 5; ++i)
-            masses.push_back({1.0, normal(random) * x + normal(random) * y});
+        std::array<PointMass, 5> masses;
+        for (PointMass& mass : masses) mass = {1.0, normal(random) * x + normal(random) * y};
         EXPECT_TRUE(inertia_of_masses(masses).inertia.planar());
     }
 }
