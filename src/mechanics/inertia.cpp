@@ -170,15 +170,13 @@ InertiaTensor InertiaTensor::from_matrix(const Eigen::Matrix3d& tensor_kg_m2_bod
     }
 
     InertiaTensor inertia;
-    if (is_diagonal) {
-        inertia = from_principal_moments(tensor_kg_m2_body.diagonal(), physicality);
-    } else {
-        // Three eigenvalues, each moved by the rounding of nine elements.
-        inertia.planar_ = check_triangle(moments, physicality, 16.0, "tensor_kg_m2");
-        inertia.moments_kg_m2_ = moments;
-        inertia.body_from_principal_ = eigen.vectors;
-        inertia.body_axes_are_principal_ = eigen.vectors.isIdentity(0.0);
-    }
+    if (is_diagonal) moments = tensor_kg_m2_body.diagonal();
+    // Three eigenvalues, each moved by the rounding of nine elements.
+    inertia.planar_ =
+        check_triangle(moments, physicality, is_diagonal ? 4.0 : 16.0, "tensor_kg_m2");
+    inertia.moments_kg_m2_ = moments;
+    inertia.body_from_principal_ = eigen.vectors;
+    inertia.body_axes_are_principal_ = eigen.vectors.isIdentity(0.0);
     inertia.note_ = note;
     return inertia;
 }

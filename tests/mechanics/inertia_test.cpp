@@ -200,6 +200,11 @@ TEST(InertiaTensor, AcceptsALaminaTurnedAway) {
     EXPECT_NE(refusal_of_tensor(broken).find("allow_unphysical"), std::string::npos);
 }
 
+TEST(InertiaTensor, NamesTheTensorWhereOneWasGiven) {
+    const Matrix3d tensor = Vector3d(1.0, 2.0, 3.5).asDiagonal();
+    EXPECT_EQ(refusal_of_tensor(tensor).find("tensor_kg_m2: no distribution of mass"), 0U);
+}
+
 TEST(InertiaTensor, AxesOfTheUserMustBeARotation) {
     EXPECT_NE(refusal([] {
                   InertiaTensor::from_principal_axes({1.0, 2.0, 2.5}, -Matrix3d::Identity());
