@@ -49,17 +49,17 @@ OffscreenContext make_context(const Options& options) {
 }
 
 PictureMaker::PictureMaker(const Session& session, const Options& options, const PictureSpan& span)
-    : own_context_(make_context(options)),
-      context_(&*own_context_),
-      samples_(setting_of(session.scene).samples),
+    : samples_(setting_of(session.scene).samples),
       stage_(make_stage(session, span, setting_of(session.scene))),
+      own_context_(make_context(options)),
+      context_(&*own_context_),
       renderer_(*context_) {}
 
 PictureMaker::PictureMaker(const Session& session, const OffscreenContext& context,
                            const PictureSpan& span, const PictureSetting& setting)
-    : context_(&context),
-      samples_(setting.samples),
+    : samples_(setting.samples),
       stage_(make_stage(session, span, setting)),
+      context_(&context),
       renderer_(context) {}
 
 void PictureMaker::draw(double time_s, Image& image) {

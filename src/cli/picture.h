@@ -42,10 +42,11 @@ class PictureMaker {
     const Stage& stage() const { return stage_; }
 
  private:
-    std::optional<OffscreenContext> own_context_;
-    const OffscreenContext* context_;
+    // The stage is made first: a scene that has no picture is refused before a context is opened.
     int samples_;
     Stage stage_;
+    std::optional<OffscreenContext> own_context_;
+    const OffscreenContext* context_;
     Renderer renderer_;
     Image large_;
 };
