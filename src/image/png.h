@@ -16,7 +16,7 @@ namespace poinsot {
 struct PngOptions {
     std::map<std::string, std::string> texts;  // keyword (1–79 of Latin-1) → UTF-8 text
     double pixels_per_metre = 0;               // 0: not said
-    int deflate_level = 6;                     // of libdeflate, 1–12
+    int deflate_level = 4;                     // of libdeflate, 1–12
 };
 
 // What a PNG file says besides its pixels.

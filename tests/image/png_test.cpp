@@ -48,6 +48,22 @@ RC_GTEST_PROP(Png, GivesEveryPixelBack, ()) {
     RC_ASSERT(decode_png(encode_png(image, options), "x") == image);
 }
 
+// A ramp compresses to almost nothing as differences, and hardly at all as samples: the size tells
+// that the filter was chosen, the pixels that it was undone.
+TEST(Png, SmoothPicturesAreFilteredAndComeBack) {
+    for (const std::uint8_t alpha : {255, 254}) {
+        Image ramp(300, 200);
+        for (int y = 0; y < 200; ++y)
+            for (int x = 0; x < 300; ++x)
+                ramp.set(x, y,
+                         {static_cast<std::uint8_t>(x + y * y), static_cast<std::uint8_t>(3 * x),
+                          static_cast<std::uint8_t>(5 * x + y * y * y), alpha});
+        const Bytes file = encode_png(ramp);
+        EXPECT_LT(file.size(), 6000u);
+        EXPECT_TRUE(decode_png(file, "x") == ramp);
+    }
+}
+
 RC_GTEST_PROP(Png, AnEncoderUsedAgainWritesTheSameBytes, ()) {
     const Image first = random_image(false), second = random_image(true);
     PngEncoder encoder;

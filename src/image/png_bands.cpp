@@ -1,0 +1,93 @@
+#include "image/png_bands.h"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "error/error.h"
+#include "image/atomic_file.h"
+#include "image/png_chunks.h"
+
+namespace poinsot {
+
+namespace {
+
+using png::Bytes;
+
+// zlib's scale ends at 9, libdeflate's at 12; from 4 on zlib's time grows faster than its gain.
+constexpr int kLargestZlibLevel = 9;
+constexpr std::size_t kChunk_bytes = 1 << 18;
+
+}  // namespace
+
+struct PngBandWriter::Impl {
+    Impl(const std::filesystem::path& path, int width_px, int height_px, bool is_opaque,
+         const PngOptions& options)
+        : width(width_px), height(height_px), opaque(is_opaque), chunk(kChunk_bytes) {
+        const Bytes front = png::front(width, height, opaque, png::description(options));
+        file.emplace(path);
+        file->write(front);
+        const int level = std::clamp(options.deflate_level, 1, kLargestZlibLevel);
+        if (deflateInit(&stream, level) != Z_OK)
+            throw EnvironmentError("no memory to compress a picture");
+    }
+    ~Impl() { deflateEnd(&stream); }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    // Compresses what is in rows; what comes out goes to the file a chunk at a time.
+    void compress(int flush) {
+        stream.next_in = rows.data();
+        stream.avail_in = static_cast<uInt>(rows.size());
+        do {
+            stream.next_out = chunk.data();
+            stream.avail_out = static_cast<uInt>(chunk.size());
+            deflate(&stream, flush);
+            const std::size_t n_out = chunk.size() - stream.avail_out;
+            if (n_out == 0) break;
+            Bytes idat;
+            png::append_chunk(idat, "IDAT", std::span(chunk).first(n_out));
+            file->write(idat);
+        } while (stream.avail_out == 0);
+        rows.clear();
+    }
+
+    int width, height;
+    bool opaque;
+    int n_rows_written = 0;
+    std::optional<AtomicFile> file;
+    z_stream stream{};
+    Bytes rows, chunk;
+};
+
+PngBandWriter::PngBandWriter(const std::filesystem::path& path, int width_px, int height_px,
+                             bool opaque, const PngOptions& options)
+    : impl_(std::make_unique<Impl>(path, width_px, height_px, opaque, options)) {}
+PngBandWriter::~PngBandWriter() = default;
+PngBandWriter::PngBandWriter(PngBandWriter&&) noexcept = default;
+PngBandWriter& PngBandWriter::operator=(PngBandWriter&&) noexcept = default;
+
+void PngBandWriter::write(const Image& band) {
+    if (band.width() != impl_->width || band.height() > impl_->height - impl_->n_rows_written)
+        throw InputError(fmt::format(
+            "a band of {}×{} pixels was given to a picture of {}×{} at row {}", band.width(),
+            band.height(), impl_->width, impl_->height, impl_->n_rows_written));
+    impl_->rows.resize(png::row_size(band.width(), impl_->opaque) *
+                       static_cast<std::size_t>(band.height()));
+    png::filter_rows(band, impl_->opaque, png::Filter::sub, 0, band.height(), impl_->rows.data());
+    impl_->n_rows_written += band.height();
+    impl_->compress(Z_NO_FLUSH);
+}
+
+void PngBandWriter::finish() {
+    if (impl_->n_rows_written != impl_->height)
+        throw InputError(fmt::format("{} of {} rows were given to {}", impl_->n_rows_written,
+                                     impl_->height, impl_->file->path().string()));
+    impl_->compress(Z_FINISH);
+    impl_->file->write(png::back());
+    impl_->file->commit();
+}
+
+}  // namespace poinsot

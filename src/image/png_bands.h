@@ -1,0 +1,36 @@
+// A PNG file written band by band, for pictures that would not fit into memory whole.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+#include "image/image.h"
+#include "image/png.h"
+
+namespace poinsot {
+
+// Takes a picture in bands from the top, each as wide as the picture; memory is that of one band.
+// Move-only. Destroyed unfinished, it leaves nothing.
+class PngBandWriter {
+ public:
+    // Opaque pictures are written without alpha, whatever their bands say.
+    // Throws: InputError as PngEncoder does, EnvironmentError as AtomicFile does.
+    PngBandWriter(const std::filesystem::path& path, int width_px, int height_px, bool opaque,
+                  const PngOptions& options = {});
+    ~PngBandWriter();
+    PngBandWriter(PngBandWriter&&) noexcept;
+    PngBandWriter& operator=(PngBandWriter&&) noexcept;
+
+    // Throws: InputError for a band of another width or one row too many; EnvironmentError.
+    void write(const Image& band);
+
+    // Syncs and renames. Throws: InputError if rows are missing; EnvironmentError.
+    void finish();
+
+ private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace poinsot
