@@ -16,7 +16,7 @@ namespace {
 // The scene's camera about the vertical L, aimed so that the construction fills the panel.
 Camera camera_of(const CameraSpec& spec, double plane_distance) {
     Camera camera;
-    camera.target = spec.target.value_or(Eigen::Vector3d(0.0, 0.0, 0.5 * (1.25 - plane_distance)));
+    camera.target = spec.target.value_or(Eigen::Vector3d(0.0, 0.0, 0.5 * (1.42 - plane_distance)));
     camera.eye = camera.target + spec.distance * direction_of(spec.azimuth_deg, spec.elevation_deg);
     camera.vertical_field_rad = spec.field_deg * std::numbers::pi / 180.0;
     return camera;
