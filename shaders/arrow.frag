@@ -29,6 +29,7 @@ float hull_coverage(vec2 p, vec4 ends, vec3 size) {
     float r1 = size.x;
     float r2 = size.y;
     float inside;
+    float beside = 1.0;  // what the width of an end leaves
     vec2 gradient;
     if (abs(r1 - r2) >= h) {
         vec2 middle = r1 > r2 ? q : q - vec2(0.0, h);
@@ -44,6 +45,8 @@ float hull_coverage(vec2 p, vec4 ends, vec3 size) {
             float far = max(length(middle), 1e-6);
             inside = (k < 0.0 ? r1 : r2) - far;
             gradient = middle / far;
+            // A flat ellipse's edge is no straight line beside its ends.
+            beside = clamp((k < 0.0 ? r1 : r2) + 0.5 - q.x, 0.0, 1.0);
         } else {
             inside = r1 - dot(q, vec2(a, b));
             gradient = vec2(a, b);
@@ -52,7 +55,7 @@ float hull_coverage(vec2 p, vec4 ends, vec3 size) {
     vec2 in_picture = vec2(gradient.x, gradient.y / open);
     float steepness = max(length(in_picture), 1e-6);
     vec2 n = (e * in_picture.y + vec2(-e.y, e.x) * in_picture.x * sign(side + 1e-9)) / steepness;
-    return edge_coverage(clamp(inside / steepness, -2.0, 2.0), n);
+    return min(edge_coverage(clamp(inside / steepness, -2.0, 2.0), n), beside);
 }
 
 // Outer surface of a frustum where the line o + t d meets it first; xyz: normal, w: t.

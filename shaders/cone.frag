@@ -26,7 +26,18 @@ struct Layer {
     vec2 depth_change;
 };
 
-Layer sheet(vec4 v[5], vec2 pixel, int at, vec3 o, vec3 d, float t, float outline) {
+// Opacity of a layer dimmed by what lies before it.
+float shown(vec4 v[5], vec2 pixel, float depth, float alpha) {
+    vec2 seen = vec2(1.0, 0.0);
+#if N_QUADRICS + N_FLATS + N_MESHES > 0
+    seen = visibility(v, pixel, depth, -1.0, -1.0);
+#endif
+    return depth > v[1].w ? alpha * (seen.x + (1.0 - seen.x) * (1.0 - seen.y)) : 0.0;
+}
+
+// rim_px, apex_px: distances in the picture.
+Layer sheet(vec4 v[5], vec2 pixel, int at, vec3 o, vec3 d, float t, float outline, float rim_px,
+            float apex_px) {
     vec3 x = o + t * d;
     // How the point slides over the cone as the pixel changes.
     vec3 gx = constant(at + 1).xyz + t * constant(at + 4).xyz;
@@ -42,21 +53,16 @@ Layer sheet(vec4 v[5], vec2 pixel, int at, vec3 o, vec3 d, float t, float outlin
     layer.depth = constant(at + 2).w + t;
     layer.depth_change = dt;
 
-    // The rim and the soft end of the surface.
-    float height_change = max(length(vec2(xx.z, xy.z)), 1e-12);
-    float beyond_px = (x.z - constant(at + 3).w) / height_change;
-    float rim = line_coverage(beyond_px, constant(at + 4).w);
-    float inside = clamp(0.5 - beyond_px, 0.0, 1.0);
-    // The other nappe is no part of it.
-    float apex_px = x.z / height_change;
-    inside *= clamp(0.5 + apex_px, 0.0, 1.0);
+    // It ends at the rim and at the apex, a pixel softly; the other nappe is no part of it.
+    float inside = clamp(0.5 + (x.z < constant(at + 3).w ? rim_px : -rim_px), 0.0, 1.0);
+    inside *= clamp(0.5 + (x.z > 0.0 ? apex_px : -apex_px), 0.0, 1.0);
 
     float rim_square = max(dot(x.xy, x.xy), 1e-20);
     vec2 turn = x.x * vec2(xx.y, xy.y) - x.y * vec2(xx.x, xy.x);
     float per_angle = constant(at + 5).w / 6.2831853;
     float generators = ruled((angle_of(x.xy) - constant(at + 6).w) * per_angle,
                              dot(turn, turn) * per_angle * per_angle / (rim_square * rim_square), 0.6 * constant(at + 4).w);
-    float lines = max(rim, constant(at + 5).w > 0.5 ? 0.55 * generators * inside : 0.0);
+    float lines = constant(at + 5).w > 0.5 ? 0.55 * generators : 0.0;
 
     vec3 n = up_slope.x * constant(at + 6).xyz + up_slope.y * constant(at + 7).xyz + up_slope.z * constant(at + 8).xyz;
     n *= inversesqrt(max(dot(n, n), 1e-30));
@@ -72,12 +78,8 @@ Layer sheet(vec4 v[5], vec2 pixel, int at, vec3 o, vec3 d, float t, float outlin
     layer.colour = mix(tone * lit, tone * 0.35, lines);
     float opacity = constant(at + 9).w;
     float alpha = opacity + (1.0 - opacity) * 0.5 * limb * limb * limb;
-    alpha = max(alpha * inside, lines * max(alpha, 0.85)) * outline;
-    vec2 seen = vec2(1.0, 0.0);
-#if N_QUADRICS + N_FLATS + N_MESHES > 0
-    seen = visibility(v, pixel, layer.depth, -1.0, -1.0);
-#endif
-    layer.alpha = layer.depth > v[1].w ? alpha * (seen.x + (1.0 - seen.x) * (1.0 - seen.y)) : 0.0;
+    alpha = max(alpha, 0.85 * lines) * inside * outline;
+    layer.alpha = shown(v, pixel, layer.depth, alpha);
     return layer;
 }
 
@@ -89,7 +91,7 @@ float before(vec4 v[5], Layer a, Layer b) {
 void main() {
     vec2 pixel = gl_FragCoord.xy;
     vec4 view[5] = vec4[5](constant(0), constant(1), constant(2), constant(3), constant(4));
-    Layer layers[2 * MEMBERS];
+    Layer layers[3 * MEMBERS];  // both sheets and the rim of each
     for (int k = 0; k < MEMBERS; ++k) {
         int at = 7 + k * member_size;
         vec2 p = pixel - vec2(constant(at).w, constant(at + 1).w);
@@ -112,14 +114,31 @@ void main() {
         float q = -(b + (b < 0.0 ? -root : root));
         float t1 = abs(a) < 1e-12 ? 1e12 : q / a;
         float t2 = abs(q) < 1e-20 ? t1 : c / q;
-        layers[2 * k] = sheet(view, pixel, at, o, d, min(t1, t2), outline);
-        layers[2 * k + 1] = sheet(view, pixel, at, o, d, max(t1, t2), outline);
+
+        // The rim is a circle in the plane that ends the cone.
+        float descent = abs(d.z) < 1e-9 ? 1e-9 : d.z;
+        float t_rim = (constant(at + 3).w - o.z) / descent;
+        vec3 x = o + t_rim * d;
+        vec3 gx = constant(at + 1).xyz + t_rim * constant(at + 4).xyz;
+        vec3 gy = constant(at + 2).xyz + t_rim * constant(at + 5).xyz;
+        vec2 from_axis = x.xy * inversesqrt(max(dot(x.xy, x.xy), 1e-20));
+        vec2 change = vec2(dot(from_axis, gx.xy - d.xy * (gx.z / descent)),
+                           dot(from_axis, gy.xy - d.xy * (gy.z / descent)));
+        float rim_px = abs(length(x.xy) - constant(at + 3).w) * inversesqrt(max(dot(change, change), 1e-20));
+
+        layers[3 * k] = sheet(view, pixel, at, o, d, min(t1, t2), outline, rim_px, length(p));
+        layers[3 * k + 1] = sheet(view, pixel, at, o, d, max(t1, t2), outline, rim_px, length(p));
+        layers[3 * k + 2].colour = 0.35 * constant(at + 9).rgb;
+        layers[3 * k + 2].depth = constant(at + 2).w + t_rim;
+        layers[3 * k + 2].depth_change = -vec2(gx.z, gy.z) / descent;
+        layers[3 * k + 2].alpha = shown(view, pixel, layers[3 * k + 2].depth,
+                                        0.9 * line_coverage(rim_px, constant(at + 4).w));
     }
     vec4 sum = vec4(0.0);
     float through = 1.0;
-    for (int i = 0; i < 2 * MEMBERS; ++i) {
+    for (int i = 0; i < 3 * MEMBERS; ++i) {
         float weight = layers[i].alpha;
-        for (int j = 0; j < 2 * MEMBERS; ++j)
+        for (int j = 0; j < 3 * MEMBERS; ++j)
             if (j != i) weight *= 1.0 - layers[j].alpha * before(view, layers[j], layers[i]);
         sum += vec4(layers[i].colour, 1.0) * weight;
         through *= 1.0 - layers[i].alpha;

@@ -11,7 +11,8 @@
 //      lies on (-1: none)
 //   7: half period of the dashes where visible and where hidden, in lengths of the curve (0: solid);
 //      for the ellipsoid it lies on, the step of facing at the limb and the opacity
-//   then the solids, and after them, where it fades: transparent and opaque point
+//   then the solids, and after them, where it fades: transparent and opaque point; the depth that
+//   marks this curve
 flat in vec4 ends;
 flat in vec4 neighbours;
 flat in vec4 along;
@@ -74,4 +75,7 @@ void main() {
     vec2 fade = constant(FADE).xy;
     if (fade.y > fade.x) alpha *= clamp((mix(along.x, along.y, t) - fade.x) / (fade.y - fade.x), 0.0, 1.0);
     fragment = vec4(constant(5).rgb, 1.0) * alpha;
+    // Where the curve meets itself only the fuller coverage counts: depth orders the fragments of
+    // one curve by it, and any curve before those drawn earlier.
+    gl_FragDepth = constant(FADE).z + constant(FADE).w * (1.0 - covered);
 }

@@ -12,8 +12,10 @@ constexpr int band_px = 32;
 
 }  // namespace
 
-Canvas::Layer Canvas::make_layer() const {
-    Layer layer{GlTexture::make(), GlFramebuffer::make()};
+Canvas::Layer Canvas::make_layer(bool with_depth) const {
+    Layer layer;
+    layer.texture = GlTexture::make();
+    layer.framebuffer = GlFramebuffer::make();
     glBindTexture(GL_TEXTURE_2D, layer.texture.id());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16, width_px_, height_px_, 0, GL_RGBA, GL_UNSIGNED_SHORT,
                  nullptr);
@@ -22,6 +24,13 @@ Canvas::Layer Canvas::make_layer() const {
     glBindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, layer.texture.id(),
                            0);
+    if (with_depth) {
+        layer.depth = GlRenderbuffer::make();
+        glBindRenderbuffer(GL_RENDERBUFFER, layer.depth.id());
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT16, width_px_, height_px_);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                                  layer.depth.id());
+    }
     if (glGetError() != GL_NO_ERROR ||
         glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw EnvironmentError("OpenGL has no room for a picture of " + std::to_string(width_px_) +
@@ -33,7 +42,7 @@ bool Canvas::resize(int width_px, int height_px) {
     if (width_px == width_px_ && height_px == height_px_) return false;
     width_px_ = width_px;
     height_px_ = height_px;
-    picture_ = make_layer();
+    picture_ = make_layer(true);
     still_ = Layer{};
     scratch_.resize(4 * static_cast<std::size_t>(width_px) * band_px);
     return true;
@@ -44,7 +53,7 @@ void Canvas::begin(const Layer& layer) const {
     glViewport(0, 0, width_px_, height_px_);
     glDisable(GL_SCISSOR_TEST);
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
 void Canvas::begin_whole() { begin(picture_); }
@@ -55,7 +64,7 @@ void Canvas::resume() const {
 }
 
 void Canvas::begin_still() {
-    if (!still_.texture) still_ = make_layer();
+    if (!still_.texture) still_ = make_layer(false);
     begin(still_);
 }
 
@@ -70,6 +79,7 @@ void Canvas::begin_over_still(TileMask& marks) {
         glBlitFramebuffer(r.left, r.top, r.right, r.bottom, r.left, r.top, r.right, r.bottom,
                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, picture_.framebuffer.id());
+    glClear(GL_DEPTH_BUFFER_BIT);
 }
 
 void Canvas::read_whole(Image& image, bool transparent) { read_all(picture_, image, transparent); }

@@ -35,9 +35,10 @@ class Canvas {
  private:
     struct Layer {
         GlTexture texture;
+        GlRenderbuffer depth;  // of the picture only: it keeps curves from mixing with themselves
         GlFramebuffer framebuffer;
     };
-    Layer make_layer() const;
+    Layer make_layer(bool with_depth) const;
     void begin(const Layer& layer) const;
     void read(const PixelRect& rect, Image& image, bool transparent);
     void read_all(const Layer& layer, Image& image, bool transparent);

@@ -54,6 +54,7 @@ CurvePass::CurvePass() : vertex_array_(GlVertexArray::make()), indices_(GlBuffer
 
 void CurvePass::begin_picture() {
     ++picture_;
+    n_drawn_ = 0;
     std::erase_if(uploads_, [this](const auto& entry) {
         return entry.second.last_picture + kept_pictures < picture_;
     });
@@ -154,7 +155,11 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve) {
         surface == nullptr ? 0.0 : surface->limb_cosine(),
         surface == nullptr ? 0.0 : scene.view->ellipsoids[static_cast<std::size_t>(own)].opacity);
     if (occluded) scene.add_solids(constants);
-    constants.add(range.last - curve.fade_points, range.last, 0.0, 0.0);
+    // Each curve of the picture lies a step before the last in the depth buffer.
+    constexpr double depth_step = 1.0 / 1024.0;
+    n_drawn_ = n_drawn_ % 1000 + 1;
+    constants.add(range.last - curve.fade_points, range.last, 1.0 - n_drawn_ * depth_step,
+                  0.9 * depth_step);
 
     Constants stroke;
     stroke.add(range.first, range.last, curve.width_px, upload.length);
@@ -179,8 +184,11 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve) {
     glUniform1i(made.on_ellipsoid, surface == nullptr ? 0 : 1);
     const auto offset =
         static_cast<std::uintptr_t>(range.first_segment) * 6 * sizeof(std::uint32_t);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
     glDrawElements(GL_TRIANGLES, 6 * (range.end_segment - range.first_segment), GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(offset));
+    glDisable(GL_DEPTH_TEST);
 }
 
 void CurvePass::mark(const ViewScene& scene, const Curve& curve, TileMask& marks) {
