@@ -98,8 +98,10 @@ MeshPass::Uploaded& MeshPass::uploaded(const MeshGeometry& geometry) {
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
     glEnableVertexAttribArray(1);
-    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride,
-                          reinterpret_cast<const void*>(sizeof(Eigen::Vector3f)));
+    // GL takes an offset into the buffer as a pointer.
+    const void* after_position = reinterpret_cast<const void*>(
+        sizeof(Eigen::Vector3f));  // NOLINT(performance-no-int-to-ptr)
+    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, after_position);
     return upload;
 }
 

@@ -56,10 +56,9 @@ std::string escaped_markup(std::string_view text) {
             escaped += "&quot;";
         } else if (c == "'") {
             escaped += "&#39;";
-        } else if (is_control(c) && c != "\n" && c != "\t") {
-            escaped += kReplacement;
-        } else if (c == "\xef\xbf\xbe" || c == "\xef\xbf\xbf") {
-            escaped += kReplacement;  // U+FFFE and U+FFFF are no characters of XML
+        } else if ((is_control(c) && c != "\n" && c != "\t") || c == "\xef\xbf\xbe" ||
+                   c == "\xef\xbf\xbf") {
+            escaped += kReplacement;  // U+FFFE and U+FFFF are no characters of XML either
         } else {
             escaped += c;
         }
