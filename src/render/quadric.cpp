@@ -76,7 +76,7 @@ Quadric::Quadric(const Ellipsoid& ellipsoid, const Projection& projection)
     const double c = d0.squaredNorm() - m0.squaredNorm();
     const double reach = depth_change.norm();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(h);
-    const Eigen::Vector2d values = solver.eigenvalues();
+    const Eigen::Vector2d& values = solver.eigenvalues();
     if (view.perspective && depth + reach <= view.near_depth) {
         seen = false;
         return;
