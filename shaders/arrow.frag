@@ -19,7 +19,7 @@ out vec4 fragment;
 float hull_coverage(vec2 p, vec4 ends, vec3 size) {
     vec2 run = ends.zw - ends.xy;
     float run_px = max(length(run), 1e-4);
-    vec2 e = run / run_px;
+    vec2 e = run_px > 1e-3 ? run / run_px : vec2(1.0, 0.0);
     vec2 from_a = p - ends.xy;
     // Stretched along the axis the ellipses are circles.
     float open = size.z;

@@ -36,8 +36,7 @@ float shown(vec4 v[5], vec2 pixel, float depth, float alpha) {
 }
 
 // rim_px, apex_px: distances in the picture.
-Layer sheet(vec4 v[5], vec2 pixel, int at, vec3 o, vec3 d, float t, float outline, float rim_px,
-            float apex_px) {
+Layer sheet(vec4 v[5], vec2 pixel, int at, vec3 o, vec3 d, float t, float rim_px, float apex_px) {
     vec3 x = o + t * d;
     // How the point slides over the cone as the pixel changes.
     vec3 gx = constant(at + 1).xyz + t * constant(at + 4).xyz;
@@ -78,7 +77,7 @@ Layer sheet(vec4 v[5], vec2 pixel, int at, vec3 o, vec3 d, float t, float outlin
     layer.colour = mix(tone * lit, tone * 0.35, lines);
     float opacity = constant(at + 9).w;
     float alpha = opacity + (1.0 - opacity) * 0.5 * limb * limb * limb;
-    alpha = max(alpha, 0.85 * lines) * inside * outline;
+    alpha = max(alpha, 0.85 * lines) * inside;
     layer.alpha = shown(v, pixel, layer.depth, alpha);
     return layer;
 }
@@ -126,8 +125,12 @@ void main() {
                            dot(from_axis, gy.xy - d.xy * (gy.z / descent)));
         float rim_px = abs(length(x.xy) - constant(at + 3).w) * inversesqrt(max(dot(change, change), 1e-20));
 
-        layers[3 * k] = sheet(view, pixel, at, o, d, min(t1, t2), outline, rim_px, length(p));
-        layers[3 * k + 1] = sheet(view, pixel, at, o, d, max(t1, t2), outline, rim_px, length(p));
+        layers[3 * k] = sheet(view, pixel, at, o, d, min(t1, t2), rim_px, length(p));
+        layers[3 * k + 1] = sheet(view, pixel, at, o, d, max(t1, t2), rim_px, length(p));
+        // A pixel that the cone covers in part shows both sheets in that part.
+        float behind = outline * layers[3 * k + 1].alpha * (1.0 - layers[3 * k].alpha);
+        layers[3 * k].alpha *= outline;
+        layers[3 * k + 1].alpha = behind / max(1.0 - layers[3 * k].alpha, 1e-6);
         layers[3 * k + 2].colour = 0.35 * constant(at + 9).rgb;
         layers[3 * k + 2].depth = constant(at + 2).w + t_rim;
         layers[3 * k + 2].depth_change = -vec2(gx.z, gy.z) / descent;

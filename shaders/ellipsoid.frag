@@ -54,7 +54,7 @@ float rulings(vec3 u, vec3 ux, vec3 uy, float width_px, float n_meridians, float
 }
 
 // Entry (side -1: the outer surface) or exit (side +1: the inner one) of the line of sight.
-Layer surface(int at, Sight s, float side, vec3 to_eye, float covered) {
+Layer surface(int at, Sight s, float side, vec3 to_eye) {
     vec3 u = sphere_point(s, side);
     Layer layer;
     layer.depth = depth_of(at, u);
@@ -105,8 +105,15 @@ Layer surface(int at, Sight s, float side, vec3 to_eye, float covered) {
         alpha = opacity * (0.55 + 0.3 * limb);
         alpha = mix(alpha, max(alpha, 0.85), lines);
     }
-    layer.alpha = layer.depth > constant(2).x ? alpha * covered : 0.0;
+    layer.alpha = layer.depth > constant(2).x ? alpha : 0.0;
     return layer;
+}
+
+// A pixel that the ellipsoid covers in part shows both its surfaces in that part, not each by itself.
+void cover(inout Layer front, inout Layer back, float covered) {
+    float behind = covered * back.alpha * (1.0 - front.alpha);
+    front.alpha *= covered;
+    back.alpha = behind / max(1.0 - front.alpha, 1e-6);
 }
 
 // 1 if a lies before b, a pixel-wide step where they cross.
@@ -121,19 +128,19 @@ void main() {
     vec3 to_eye = -sight * inversesqrt(dot(sight, sight));
 #if MEMBERS == 1
     Sight s = sight_of(first_member, pixel);
-    float covered = outline_coverage(first_member, s);
-    Layer front = surface(first_member, s, -1.0, to_eye, covered);
-    Layer back = surface(first_member, s, 1.0, to_eye, covered);
+    Layer front = surface(first_member, s, -1.0, to_eye);
+    Layer back = surface(first_member, s, 1.0, to_eye);
     float behind = (1.0 - front.alpha) * back.alpha;
-    fragment = vec4(front.colour * front.alpha + back.colour * behind, front.alpha + behind);
+    fragment = vec4(front.colour * front.alpha + back.colour * behind, front.alpha + behind) *
+               outline_coverage(first_member, s);
 #else
     Layer layers[2 * MEMBERS];
     for (int k = 0; k < MEMBERS; ++k) {
         int at = first_member + k * member_size;
         Sight s = sight_of(at, pixel);
-        float covered = outline_coverage(at, s);
-        layers[2 * k] = surface(at, s, -1.0, to_eye, covered);
-        layers[2 * k + 1] = surface(at, s, 1.0, to_eye, covered);
+        layers[2 * k] = surface(at, s, -1.0, to_eye);
+        layers[2 * k + 1] = surface(at, s, 1.0, to_eye);
+        cover(layers[2 * k], layers[2 * k + 1], outline_coverage(at, s));
     }
     vec4 sum = vec4(0.0);
     float through = 1.0;

@@ -33,11 +33,11 @@ Sight sight_of(int at, vec2 pixel) {
 
 // Share of the pixel inside the outline.
 float outline_coverage(int at, Sight s) {
-    vec2 gradient = 2.0 * vec2(dot(s.d, constant(at + 1).xyz) - dot(s.m, constant(at + 4).xyz),
-                               dot(s.d, constant(at + 2).xyz) - dot(s.m, constant(at + 5).xyz));
     float bend = constant(at + 5).w;
     if (bend < 0.0) {
         // Both edges may lie within one pixel: the discriminant is a parabola across the outline.
+        vec2 gradient = 2.0 * vec2(dot(s.d, constant(at + 1).xyz) - dot(s.m, constant(at + 4).xyz),
+                                   dot(s.d, constant(at + 2).xyz) - dot(s.m, constant(at + 5).xyz));
         vec2 across = vec2(constant(at + 3).w, constant(at + 4).w);
         float slope = dot(gradient, across);
         float inside = slope * slope - 2.0 * bend * s.discriminant;
@@ -49,8 +49,17 @@ float outline_coverage(int at, Sight s) {
         float end = clamp(0.5 + ridge / max(abs(along), 1e-30), 0.0, 1.0);
         return inside > 0.0 ? max(covered, 0.0) * end : 0.0;
     }
+    // |d| - |m| is nearly linear across the outline, and quite so for a sphere.
+    float per_d = inversesqrt(s.square);
+    float m_square = max(dot(s.m, s.m), 1e-30);
+    float per_m = inversesqrt(m_square);
+    vec3 d = per_d * s.d;
+    vec3 m = per_m * s.m;
+    vec2 gradient = vec2(dot(d, constant(at + 1).xyz) - dot(m, constant(at + 4).xyz),
+                         dot(d, constant(at + 2).xyz) - dot(m, constant(at + 5).xyz));
     float steepness = inversesqrt(max(dot(gradient, gradient), 1e-36));
-    return edge_coverage(clamp(s.discriminant * steepness, -2.0, 2.0), gradient * steepness);
+    float inside = s.discriminant / (s.square * per_d + m_square * per_m);
+    return edge_coverage(clamp(inside * steepness, -2.0, 2.0), gradient * steepness);
 }
 
 // Where the line enters (side -1) or leaves (side +1) the unit sphere.
