@@ -66,6 +66,8 @@ std::int64_t n_whole_bytes(int descriptor) {
     return n_whole;
 }
 
+fs::path renewed_path(const fs::path& path) { return aside_path_of(path, ".renewed.mp4"); }
+
 // The packets of a film part, in decoding order, as far as they are whole.
 class PartReader {
  public:
@@ -193,6 +195,9 @@ FilmPart::FilmPart(const OutputPlan& plan, const AVCodecContext& encoder,
     : plan_(plan),
       time_base_(encoder.time_base),
       file_(plan.path, film_part_path(plan.path), plan.resume) {
+    // Killed while keep_chunks was at work, a run has left this one too.
+    std::error_code ignored;
+    fs::remove(renewed_path(plan.path), ignored);
     if (plan_.resume) keep_chunks(encoder, settings, n_chunk_frames);
     if (n_frames_kept_ == 0) {
         if (::lseek(file_.descriptor(), 0, SEEK_SET) != 0 || ftruncate(file_.descriptor(), 0) != 0)
@@ -204,7 +209,13 @@ FilmPart::FilmPart(const OutputPlan& plan, const AVCodecContext& encoder,
 FilmPart::~FilmPart() {
     // FFmpeg's buffers go before the file does.
     muxer_.reset();
-    if (plan_.resume && file_.descriptor() >= 0) file_.release();
+    try {
+        if (plan_.resume && file_.descriptor() >= 0 && n_frames_without_gap(file_, 1) > 0)
+            file_.release();
+    } catch (const Error&) {
+        // What cannot be read back is not worth keeping.
+        file_.discard();
+    }
 }
 
 std::unique_ptr<libav::Muxer> FilmPart::open_muxer(const AtomicFile& file,
@@ -239,7 +250,7 @@ void FilmPart::keep_chunks(const AVCodecContext& encoder, const std::string& set
     }
     const std::int64_t n_kept = n_frames_without_gap(file_, n_chunk_frames);
     if (n_kept == 0) return;
-    AtomicFile renewed(plan_.path, aside_path_of(plan_.path, ".renewed.mp4"));
+    AtomicFile renewed(plan_.path, renewed_path(plan_.path));
     std::unique_ptr<libav::Muxer> muxer = open_muxer(renewed, encoder, settings);
     copy_packets(file_, *muxer, n_kept, Units::with_start_codes, plan_.path);
     muxer->flush_fragment();

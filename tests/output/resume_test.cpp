@@ -155,6 +155,14 @@ TEST(InterruptedFilm, OfGarbageStartsAgain) {
     EXPECT_EQ(frames_of(plan.path).size(), 400u);
 }
 
+TEST(InterruptedFilm, WithoutAWholeFragmentLeavesNothing) {
+    const TemporaryFolder folder;
+    const OutputPlan plan = film_plan(folder / "a.mp4");
+    std::ofstream(folder / ".a.mp4.renewed.mp4") << "of a run killed while it renewed its part";
+    format_for(plan.path).open(plan)->write(frame_of(plan, 0));
+    EXPECT_TRUE(folder.contents().empty());
+}
+
 TEST(InterruptedFilm, IsNotThereWithoutOne) {
     const TemporaryFolder folder;
     EXPECT_EQ(input_error_of([&] { recover_film(folder / "a.mp4"); }),
