@@ -128,8 +128,7 @@ struct HyperbolicSeries {
     }
 };
 
-// The series that suits k′ and the start's attitude in the axes a, b, c, as a unit rotor about a
-// followed by the turn that takes the momentum to a.
+// The coefficients of one motion. Precondition: the series suits its k′.
 TrigonometricSeries trigonometric_series(const JacobiSolution& solution);
 HyperbolicSeries hyperbolic_series(const JacobiSolution& solution);
 
