@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drawing/marks.h"
+#include "drawing/projection.h"
 #include "error/error.h"
 #include "error/nearest.h"
 
@@ -28,10 +29,39 @@ bool has_curves(const ConstructionPicture& picture) {
 
 const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
 
+// Far enough for the herpolhode; in a panel above another one, so near that the rim towards us is
+// seen and the panel has no hard edge.
+double plane_radius(const Panel& panel) {
+    const double wanted = std::max(2.4, 2.2 * picture_of(panel).herpolhode_radius);
+    const double bottom_px = panel.box.y_px + panel.box.height_px;
+    if (bottom_px >= panel.stage->options.height_px) return wanted;
+
+    View view;
+    view.x_px = panel.box.x_px, view.y_px = panel.box.y_px;
+    view.width_px = panel.box.width_px, view.height_px = panel.box.height_px;
+    view.camera = panel.camera;
+    Eigen::Vector3d towards_us = panel.camera.eye - panel.camera.target;
+    towards_us.z() = 0.0;
+    if (!(towards_us.norm() > 0.0)) return wanted;
+    const Eigen::Vector3d centre(0.0, 0.0, -picture_of(panel).plane_distance);
+    const auto is_seen = [&](double radius) {
+        const Eigen::Vector3d rim = centre + radius * towards_us.normalized();
+        return project(view, rim).depth > 0.0 && project(view, rim).px.y() < bottom_px;
+    };
+    double seen = 0.0;
+    double cut = wanted;
+    for (int round = 0; round < 40 && !is_seen(wanted); ++round) {
+        const double middle = 0.5 * (seen + cut);
+        (is_seen(middle) ? seen : cut) = middle;
+    }
+    const double least = std::max(1.0, 1.3 * picture_of(panel).herpolhode_radius);
+    return is_seen(wanted) ? wanted : std::max(seen, least);
+}
+
 Drawer make_plane(Panel& panel) {
     Plane plane;
     plane.centre = {0.0, 0.0, -picture_of(panel).plane_distance};
-    plane.radius = std::max(2.4, 2.2 * picture_of(panel).herpolhode_radius);
+    plane.radius = plane_radius(panel);
     plane.grid_spacing = 0.2;
     plane.grid_px = 1.1 * panel.px;
     plane.colour = panel.stage->theme->plane;

@@ -5,12 +5,15 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "construction/adaptive_curve.h"
 #include "drawing/body_axes.h"
 #include "drawing/framing.h"
 #include "drawing/marks.h"
+#include "drawing/plot_frame.h"
 
 namespace poinsot {
 
@@ -46,6 +49,24 @@ CurveGeometry meeting_curve(const Panel& panel) {
 Eigen::Vector3d energy_half_axes(const Panel& panel) {
     const PoinsotConstruction& construction = panel.stage->rolling->construction;
     return construction.plane_distance() * construction.inertia().moments_kg_m2().cwiseSqrt();
+}
+
+// What the two surfaces are, in their colours, in the lower left corner.
+std::vector<Label> legend_of(const Panel& panel) {
+    const Theme& theme = *panel.stage->theme;
+    const std::array<std::pair<std::string_view, Colour>, 2> rows{{
+        {"|\\mathbf{m}| = L", theme.rule},
+        {"\\sum m_i^2/(2I_i) = T", theme.energy},
+    }};
+    std::vector<Label> legend;
+    const double left = 0.6 * chart_margin * panel.px;
+    double bottom = 0.5 * chart_margin * panel.px;
+    for (const auto& [text, colour] : rows) {
+        const SetType type = set_label(panel, text, 0.72);
+        legend.push_back(chart_label(panel, type, left, bottom, Anchor::bottom_left, colour));
+        bottom += type.mask->height + 10.0 * panel.px;
+    }
+    return legend;
 }
 
 }  // namespace
@@ -91,9 +112,11 @@ void make_momentum_panel(Panel& panel) {
         axis_types[i] = set_label(panel, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
     }
     const SetType momentum_type = set_label(panel, "\\mathbf{L}");
-    panel.draw = [&panel, sphere, energy, curves, axis_lengths, axis_types, momentum_type](
+    const std::vector<Label> legend = legend_of(panel);
+    panel.draw = [&panel, sphere, energy, curves, axis_lengths, axis_types, momentum_type, legend](
                      const Instant& instant, Sheet& sheet) {
         const Theme& theme = *panel.stage->theme;
+        sheet.view.labels = legend;
         sheet.view.ellipsoids = {sphere, energy};
         sheet.view.curves = curves;
         for (int i = 0; i < 3; ++i) {

@@ -95,6 +95,12 @@ void make_object_panel(Panel& panel) {
             mesh.colour = part.colour;
             sheet.view.meshes.push_back(mesh);
         }
+        Eigen::Affine3d turned = Eigen::Affine3d::Identity();
+        turned.linear() = attitude;
+        for (Curve edge : shape.edges) {
+            edge.placement = turned * edge.placement;
+            sheet.view.curves.push_back(edge);
+        }
         const auto add_arrow = [&](const Eigen::Vector3d& tip, const Colour& colour, double weight,
                                    const SetType& type) {
             sheet.view.arrows.push_back(arrow_to(panel, tip, colour, weight));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/marks.h"
 #include "mesh/solid_meshes.h"
 
 namespace poinsot {
@@ -64,6 +65,26 @@ BodyPart part_of(Panel& panel, const TriangleMesh& mesh, double reach_m, const C
             colour};
 }
 
+// The twelve edges of a box about the origin.
+std::vector<Curve> edges_of_box(const Panel& panel, const Eigen::Vector3d& half_edges,
+                                const Eigen::Matrix3d& body_from_principal) {
+    std::vector<Curve> edges;
+    for (int i = 0; i < 3; ++i) {
+        for (int corner = 0; corner < 4; ++corner) {
+            Eigen::Vector3d from = -half_edges;
+            if ((corner & 1) != 0) from[(i + 1) % 3] *= -1.0;
+            if ((corner & 2) != 0) from[(i + 2) % 3] *= -1.0;
+            Eigen::Vector3d to = from;
+            to[i] *= -1.0;
+            edges.push_back(line_between(panel, body_from_principal * from,
+                                         body_from_principal * to, panel.stage->theme->solid_lines,
+                                         1.6));
+            edges.back().hidden_opacity = 0.12;
+        }
+    }
+    return edges;
+}
+
 }  // namespace
 
 Eigen::Vector3d box_of_moments(const Eigen::Vector3d& moments_kg_m2) {
@@ -102,6 +123,10 @@ BodyShape body_shape(Panel& panel) {
         }
     }
 
+    const bool is_box = body.given == BodySpec::Given::moments ||
+                        body.given == BodySpec::Given::tensor || body.shape == "box" ||
+                        body.shape == "plate";
+
     BodyShape shape;
     shape.reach_m = 0.0;
     for (const ColouredMesh& part : meshes) {
@@ -115,6 +140,7 @@ BodyShape body_shape(Panel& panel) {
             shape.extents = shape.extents.cwiseMax(along / shape.reach_m);
         }
     }
+    if (is_box) shape.edges = edges_of_box(panel, shape.extents, body_from_principal);
     return shape;
 }
 

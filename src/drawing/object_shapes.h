@@ -18,6 +18,7 @@ struct BodyPart {
 // origin, and how far it extends along its principal axes in the same units.
 struct BodyShape {
     std::vector<BodyPart> parts;
+    std::vector<Curve> edges;  // of a box, in body axes
     Eigen::Vector3d extents = Eigen::Vector3d::Ones();
     double reach_m = 1.0;  // of the body itself; of a stand-in for moments, its size for 1 kg
 };

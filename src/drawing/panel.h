@@ -36,7 +36,7 @@ struct PanelKind {
     std::string_view name;
     std::string_view summary;
     std::string_view title;  // stands over it when it is not alone
-    bool fills;              // its content reaches the panel's edges: no type may lie over it
+    bool fills;              // alone, it still leaves the title and the caption their room
     // Whether this motion can be shown so; `without` finishes the sentence "this panel needs …".
     bool (*possible)(const StageData& stage);
     std::string_view needs;

@@ -58,15 +58,15 @@ void aim_from_above(Panel& panel) {
 
 Plane plane_of(const Panel& panel) {
     Plane plane;
-    // As far as the panel's corners, so that its rim is not seen.
-    plane.radius = 2.0 * panel.camera.height_units *
-                   std::max(1.0, 1.0 * panel.box.width_px / panel.box.height_px);
-    plane.fade_from = 0.95;
+    // It fades out within the panel.
+    plane.radius = std::max(1.5, 0.5 * panel.camera.height_units *
+                                     std::min(1.0, 1.0 * panel.box.width_px / panel.box.height_px));
+    plane.fade_from = 0.6;
     plane.grid_spacing = 0.25;
     plane.grid_px = 1.0 * panel.px;
     plane.colour = panel.stage->theme->plane;
     plane.grid_colour = panel.stage->theme->grid;
-    plane.opacity = 0.55 * panel.stage->theme->plane_opacity;
+    plane.opacity = 0.8 * panel.stage->theme->plane_opacity;
     return plane;
 }
 

@@ -47,7 +47,13 @@ Step step_above(double least) {
 Axis linear_axis(double first, double last, int most_ticks) {
     widen(first, last);
     Axis axis{first, last, 0, {}};
-    const Step step = step_above((last - first) / std::max(1, most_ticks));
+    // Two numbers do not yet show a scale.
+    constexpr int least_ticks = 3;
+    const auto n_within = [&](double size) {
+        return std::floor(last / size + 1e-9) - std::ceil(first / size - 1e-9) + 1.0;
+    };
+    Step step = step_above((last - first) / std::max(1, most_ticks));
+    while (n_within(step.size()) < least_ticks) step = step_above(0.4 * step.size());
 
     // Very large or small numbers count a power of ten, unless that would take too many digits.
     const double largest = std::max(std::abs(first), std::abs(last));
@@ -147,21 +153,16 @@ Dot PlotFrame::dot(const Panel& panel, const Eigen::Vector3d& at, const Colour& 
 }
 
 PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const Axis& y,
-                     std::string_view x_title, std::string_view y_title, double right_px)
+                     std::string_view x_title, std::string_view y_title, double left_px,
+                     double right_px)
     : area_(region), x_(x), y_(y) {
     const Theme& theme = *panel.stage->theme;
     const double gap = 9.0 * panel.type_px;
     const double tick_px = 7.0 * panel.px;
     const double number_px = chart_number_size * panel.type_px;
 
-    // Room for the widest number at the left, for one row of numbers below, for a title above.
-    std::vector<SetType> y_types;
-    double widest = 0.0;
-    for (const Tick& tick : y.ticks) {
-        y_types.push_back(set_chart_type(panel, tick.label, TypeMode::math, chart_number_size));
-        widest = std::max(widest, 1.0 * y_types.back().mask->width);
-    }
-    area_.left += widest + gap + tick_px;
+    // Room for numbers at the left, for one row of them below, for a title above.
+    area_.left += left_px;
     area_.right -= right_px;
     if (!x_title.empty()) area_.bottom += tick_px + gap + 0.75 * number_px;
     const SetType y_type = set_chart_type(panel, y_title, TypeMode::text, chart_title_size);
@@ -170,14 +171,15 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     area_.top = std::max(area_.top, area_.bottom + 1.0);
 
     // Numbers and grid of the values.
-    for (std::size_t i = 0; i < y.ticks.size(); ++i) {
-        const double height = at(x.first, y.ticks[i].value).y();
+    for (const Tick& tick : y.ticks) {
+        const double height = at(x.first, tick.value).y();
         Curve rule =
             line(panel, {area_.left, height, 0.0}, {area_.right, height, 0.0}, theme.rule, 1.0);
         rule.opacity = 0.45;
         lines_.push_back(rule);
-        labels_.push_back(chart_label(panel, y_types[i], area_.left - gap, height,
-                                      Anchor::right_middle, theme.text));
+        const SetType number = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
+        labels_.push_back(
+            chart_label(panel, number, area_.left - gap, height, Anchor::right_middle, theme.text));
     }
     labels_.push_back(chart_label(panel, y_type, region.left, area_.top + 1.3 * gap,
                                   Anchor::bottom_left, theme.text));
@@ -211,6 +213,15 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
         if (title.top_left_px.x() - panel.box.x_px < free_from + gap) labels_.pop_back();
     }
     labels_.push_back(title);
+}
+
+double PlotFrame::numbers_px(const Panel& panel, const Axis& y) {
+    int widest = 0;
+    for (const Tick& tick : y.ticks) {
+        const SetType type = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
+        widest = std::max(widest, type.mask->width);
+    }
+    return widest + 9.0 * panel.type_px + 7.0 * panel.px;
 }
 
 Eigen::Vector3d PlotFrame::at(double x, double y) const {

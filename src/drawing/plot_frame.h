@@ -24,8 +24,9 @@ struct Axis {
     std::vector<Tick> ticks;
 };
 
-// Ticks at multiples of 1, 2 or 5 times a power of ten, between 0 and `most_ticks` of them, within
-// [first, last]. A range that is empty or not finite is widened about its middle.
+// Ticks at multiples of 1, 2 or 5 times a power of ten within [first, last]: at most `most_ticks`
+// and one more, but three at least. A range that is empty or not finite is widened about its
+// middle.
 Axis linear_axis(double first, double last, int most_ticks);
 
 // For values that are logarithms to base 10: ticks at whole powers.
@@ -49,10 +50,13 @@ enum class Anchor { left_middle, right_middle, top_centre, bottom_left, bottom_r
 class PlotFrame {
  public:
     // Lays the axes out in a region of the panel: what is left of it after numbers and titles is
-    // the area. `right_px`: room for names at the ends of curves. An empty title of x leaves out
-    // the numbers below the axis too.
+    // the area. `left_px`: room for the numbers of y (see numbers_px); `right_px`: for names at the
+    // ends of curves. An empty title of x leaves out the numbers below the axis too.
     PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const Axis& y,
-              std::string_view x_title, std::string_view y_title, double right_px);
+              std::string_view x_title, std::string_view y_title, double left_px, double right_px);
+
+    // Width that the numbers of an axis take at the left of a frame.
+    static double numbers_px(const Panel& panel, const Axis& y);
 
     const ChartArea& area() const { return area_; }
     const Axis& x() const { return x_; }
@@ -88,6 +92,7 @@ SetType set_chart_type(const Panel& panel, std::string_view text, TypeMode mode,
 Label chart_label(const Panel& panel, const SetType& type, double x, double y, Anchor anchor,
                   const Colour& colour);
 
+constexpr double chart_margin = 40.0;       // px at the sides, half of it above and below
 constexpr double chart_number_size = 23.0;  // px per em at 1080 rows
 constexpr double chart_title_size = 26.0;
 constexpr double chart_name_size = 31.0;

@@ -141,14 +141,17 @@ class PlotMaker {
         }
         set_names();
 
-        std::vector<PlottedChart> charts;
+        // Charts above each other share the room for their numbers.
         const std::size_t n_curves = quantity_->curves.size();
         const std::size_t n_charts = quantity_->stacked ? n_curves : 1;
+        double left_px = 0.0;
+        std::vector<Place> places;
         for (std::size_t i = 0; i < n_charts; ++i) {
-            const std::size_t first_curve = quantity_->stacked ? i : 0;
-            const std::size_t last_curve = quantity_->stacked ? i : n_curves - 1;
-            charts.push_back(chart_of(first_curve, last_curve, i, n_charts));
+            places.push_back(place_of(i, n_charts));
+            left_px = std::max(left_px, PlotFrame::numbers_px(*panel_, places.back().y));
         }
+        std::vector<PlottedChart> charts;
+        for (const Place& place : places) charts.push_back(chart_of(place, left_px));
         return charts;
     }
 
@@ -160,37 +163,51 @@ class PlotMaker {
         }
     }
 
-    PlottedChart chart_of(std::size_t first_curve, std::size_t last_curve, std::size_t place,
-                          std::size_t n_charts) {
-        const StageData& stage = *panel_->stage;
-        const double margin = 22.0 * panel_->px;
-        const bool is_lowest = place + 1 == n_charts;
+    // Where one of the charts stands, and what it shows.
+    struct Place {
+        ChartArea region;
+        Axis y;
+        std::size_t first_curve = 0, last_curve = 0;
+        bool is_lowest = true;
+    };
+
+    int n_ticks(double px, double apart_px) const {
+        return std::clamp(static_cast<int>(px / (apart_px * panel_->type_px)), 2, 10);
+    }
+
+    Place place_of(std::size_t i, std::size_t n_charts) const {
+        Place place;
+        place.first_curve = quantity_->stacked ? i : 0;
+        place.last_curve = quantity_->stacked ? i : quantity_->curves.size() - 1;
+        place.is_lowest = i + 1 == n_charts;
 
         // Charts share the height; the lowest also has the numbers of the time axis.
+        const double margin = chart_margin * panel_->px;
         const double foot = (chart_number_size + 24.0) * panel_->type_px;
-        const double top = panel_->box.height_px - margin - panel_->header_px;
-        const double share = (top - margin - foot) / static_cast<double>(n_charts);
-        ChartArea region{margin, margin + foot, panel_->box.width_px - margin, top};
-        region.top = top - share * static_cast<double>(place);
-        region.bottom = region.top - share + (is_lowest ? -foot : 14.0 * panel_->px);
-        if (n_charts == 1) region.bottom = margin;
+        const double top = panel_->box.height_px - 0.5 * margin - panel_->header_px;
+        const double share = (top - 0.5 * margin - foot) / static_cast<double>(n_charts);
+        place.region = {margin, 0.5 * margin, panel_->box.width_px - margin,
+                        top - share * static_cast<double>(i)};
+        if (!place.is_lowest) place.region.bottom = place.region.top - share + 14.0 * panel_->px;
+        place.y = axis_for(*quantity_, record_.range(place.first_curve, place.last_curve),
+                           n_ticks(place.region.height(), n_charts == 1 ? 75.0 : 60.0));
+        return place;
+    }
 
-        const auto n_ticks = [this](double px, double apart) {
-            return std::clamp(static_cast<int>(px / (apart * panel_->type_px)), 2, 10);
-        };
-        const Axis x =
-            linear_axis(stage.film_first_s, stage.film_last_s, n_ticks(region.width(), 120.0));
-        const Axis y = axis_for(*quantity_, record_.range(first_curve, last_curve),
-                                n_ticks(region.height(), n_charts == 1 ? 75.0 : 45.0));
+    PlottedChart chart_of(const Place& place, double left_px) {
+        const StageData& stage = *panel_->stage;
+        const Axis x = linear_axis(stage.film_first_s, stage.film_last_s,
+                                   n_ticks(place.region.width(), 120.0));
         const std::string y_title =
             quantity_->stacked
-                ? axis_title(fmt::format("${}$", quantity_->curves[first_curve].label),
-                             quantity_->unit, y.exponent)
-                : axis_title(quantity_->title, quantity_->unit, y.exponent);
-        const std::string x_title = is_lowest ? axis_title("$t$", "s", x.exponent) : "";
+                ? axis_title(fmt::format("${}$", quantity_->curves[place.first_curve].label),
+                             quantity_->unit, place.y.exponent)
+                : axis_title(quantity_->title, quantity_->unit, place.y.exponent);
+        const std::string x_title = place.is_lowest ? axis_title("$t$", "s", x.exponent) : "";
         const double names_px = widest_name_ + 16.0 * panel_->px;
-        PlottedChart plotted{PlotFrame(*panel_, region, x, y, x_title, y_title, names_px), {}};
-        for (std::size_t i = first_curve; i <= last_curve; ++i) add_curve(plotted, i);
+        PlottedChart plotted{
+            PlotFrame(*panel_, place.region, x, place.y, x_title, y_title, left_px, names_px), {}};
+        for (std::size_t i = place.first_curve; i <= place.last_curve; ++i) add_curve(plotted, i);
         place_names(plotted, *panel_);
         return plotted;
     }

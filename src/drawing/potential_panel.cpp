@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "construction/adaptive_curve.h"
+#include "drawing/marks.h"
 #include "drawing/plot_frame.h"
 #include "mechanics/heavy_top.h"
 
@@ -106,9 +107,9 @@ void make_potential_panel(Panel& panel) {
     const SetType energy_type = set_chart_type(panel, "E", TypeMode::math, chart_name_size);
     const SetType potential_type =
         set_chart_type(panel, "V_{\\mathrm{eff}}", TypeMode::math, chart_name_size);
-    const double margin = 22.0 * panel.px;
-    const ChartArea region{margin, margin, panel.box.width_px - margin,
-                           panel.box.height_px - margin - panel.header_px};
+    const double margin = chart_margin * panel.px;
+    const ChartArea region{margin, 0.5 * margin, panel.box.width_px - margin,
+                           panel.box.height_px - 0.5 * margin - panel.header_px};
     const auto n_ticks = [&](double px, double apart) {
         return std::clamp(static_cast<int>(px / (apart * panel.type_px)), 2, 10);
     };
@@ -119,7 +120,7 @@ void make_potential_panel(Panel& panel) {
     const Axis y = linear_axis(well.first_J, well.last_J, n_ticks(region.height(), 75.0));
     const PlotFrame chart(
         panel, region, x, y, axis_title("$\\theta$", "rad", x.exponent),
-        axis_title("energy", "J", y.exponent),
+        axis_title("energy", "J", y.exponent), PlotFrame::numbers_px(panel, y),
         std::max(energy_type.mask->width, potential_type.mask->width) + 16.0 * panel.px);
 
     // The curve, cut where it leaves the chart.
@@ -134,9 +135,8 @@ void make_potential_panel(Panel& panel) {
         geometry.points.push_back(sample.point);
     }
     const Eigen::Vector3d end = geometry.points.back();
-    Curve curve = PlotFrame::line(panel, {}, {1.0, 0.0, 0.0}, theme.potential, 3.6);
-    curve.placement = Eigen::Affine3d::Identity();
-    curve.geometry = panel.stage->keep(std::move(geometry));
+    Curve curve = curve_of(panel, panel.stage->keep(std::move(geometry)), theme.potential, 3.6);
+    curve.occlusion = Occlusion::none;
 
     std::vector<Curve> lines;
     std::vector<Label> labels;

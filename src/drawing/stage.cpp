@@ -265,9 +265,11 @@ Drawing Stage::at(double time_s) const {
         view.height_px = panel.box.height_px;
         view.camera = panel.camera;
         view.light = panel.light;
-        // Several panels stand on the one background of the picture.
+        // Panels that share the picture stand on its one background.
         view.background = data_->theme->background;
-        if (data_->panels.size() > 1) view.background.alpha = 0.0;
+        if (panel.box.height_px < drawing.height_px || panel.box.width_px < drawing.width_px) {
+            view.background.alpha = 0.0;
+        }
         panel.draw(instant, sheet);
         place_labels(sheet.wishes, data_->theme->halo, 3.0 * panel.px, view);
         drawing.views.push_back(std::move(view));

@@ -193,12 +193,13 @@ class TopDrawer {
             line_between(*panel_, -0.35 * node_length * node, node_length * node, theme.text, 2.0);
         nodes.dash_px = 7.0 * panel_->px;
         sheet_->view.curves.push_back(nodes);
-        wish_beside(*panel_, node_length * node, {}, names.node, theme.text, *sheet_);
+        wish_beside(*panel_, node_length * node, Eigen::Vector3d::Zero(), names.node, theme.text,
+                    *sheet_);
 
-        arc({}, z, leaning, theta_radius, euler_.theta_rad, theme.angles[0], names.theta);
-        arc({}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), phi_radius,
+        arc(z, leaning, theta_radius, euler_.theta_rad, theme.angles[0], names.theta);
+        arc(Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), phi_radius,
             within_turn(euler_.phi_rad), theme.angles[1], names.phi);
-        arc({}, node, e3.cross(node), psi_radius, within_turn(euler_.psi_rad), theme.angles[2],
+        arc(node, e3.cross(node), psi_radius, within_turn(euler_.psi_rad), theme.angles[2],
             names.psi);
 
         arrow(e1_length * axes_.col(0), theme.axes[0], 0.7, names.e1);
@@ -212,16 +213,16 @@ class TopDrawer {
     }
 
  private:
-    // An arc with its name outside of its middle.
-    void arc(const Eigen::Vector3d& centre, const Eigen::Vector3d& from,
-             const Eigen::Vector3d& towards, double radius, double angle_rad, const Colour& colour,
-             const SetType& name) {
+    // An arc about the fixed point with its name outside of its middle.
+    void arc(const Eigen::Vector3d& from, const Eigen::Vector3d& towards, double radius,
+             double angle_rad, const Colour& colour, const SetType& name) {
+        const Eigen::Vector3d centre = Eigen::Vector3d::Zero();
         sheet_->view.curves.push_back(
             arc_about(*panel_, centre, from, towards, radius, angle_rad, colour, 3.2));
         sheet_->view.curves.back().hidden_opacity = 0.5;
         const double half = 0.5 * angle_rad;
-        wish_beside(*panel_, centre + radius * (std::cos(half) * from + std::sin(half) * towards),
-                    centre, name, colour, *sheet_);
+        wish_beside(*panel_, radius * (std::cos(half) * from + std::sin(half) * towards), centre,
+                    name, colour, *sheet_);
     }
 
     const Panel* panel_;
