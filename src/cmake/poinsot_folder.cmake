@@ -30,10 +30,11 @@ function(poinsot_tests name)
     if(NOT sources)
         return()
     endif()
-    add_executable(test_${name} ${sources})
+    add_executable(test_${name} ${sources} ${CMAKE_SOURCE_DIR}/tests/places.cpp)
     target_link_libraries(test_${name} PRIVATE poinsot_options ${ARGN} GTest::gtest GTest::gtest_main)
-    target_compile_definitions(test_${name} PRIVATE POINSOT_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
-        POINSOT_BINARY_DIR="${CMAKE_BINARY_DIR}" POINSOT_TESTS_DIR="${CMAKE_SOURCE_DIR}/tests")
+    # One file alone knows where the repository lies, so that a compiler cache serves every copy.
+    set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/places.cpp PROPERTIES
+        COMPILE_DEFINITIONS "POINSOT_SOURCE_DIR=\"${CMAKE_SOURCE_DIR}\"")
     target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
     include(GoogleTest)
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120

@@ -10,6 +10,7 @@
 #include "cli/program_run.h"
 #include "image/png.h"
 #include "output/video_reader.h"
+#include "places.h"
 
 namespace poinsot::testing {
 namespace {
@@ -187,7 +188,7 @@ class EveryScene : public ::testing::TestWithParam<std::string> {};
 
 std::vector<std::string> scene_files() {
     std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SOURCE_DIR "/scenes")) {
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes")) {
         if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
     }
     return files;

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "places.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,7 +64,7 @@ std::string included_header(const std::string& line) {
 
 std::vector<Include> includes_of_sources() {
     std::vector<Include> found;
-    const fs::path src = fs::path(POINSOT_SOURCE_DIR) / "src";
+    const fs::path src = poinsot::source_folder() / "src";
     for (const auto& entry : fs::recursive_directory_iterator(src)) {
         const std::string extension = entry.path().extension().string();
         if (extension != ".h" && extension != ".cpp") continue;
@@ -106,7 +108,7 @@ TEST(House, LibrariesStayInTheirFolder) {
 }
 
 TEST(House, MainSeesOnlyTheCommandLine) {
-    std::ifstream file(fs::path(POINSOT_SOURCE_DIR) / "src" / "main.cpp");
+    std::ifstream file(poinsot::source_folder() / "src" / "main.cpp");
     ASSERT_TRUE(file);
     for (std::string line; std::getline(file, line);) {
         const std::string header = included_header(line);
@@ -118,8 +120,8 @@ TEST(House, MainSeesOnlyTheCommandLine) {
 TEST(House, EveryFolderHasItsTestsAndTarget) {
     for (const auto& [folder, others] : allowed) {
         if (folder == "error") continue;
-        EXPECT_TRUE(fs::exists(fs::path(POINSOT_SOURCE_DIR) / "src" / folder / "CMakeLists.txt"));
-        EXPECT_TRUE(fs::exists(fs::path(POINSOT_SOURCE_DIR) / "tests" / folder / "CMakeLists.txt"));
+        EXPECT_TRUE(fs::exists(poinsot::source_folder() / "src" / folder / "CMakeLists.txt"));
+        EXPECT_TRUE(fs::exists(poinsot::source_folder() / "tests" / folder / "CMakeLists.txt"));
     }
 }
 

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "places.h"
+
 namespace poinsot::reference {
 
 // A JSON value: text for strings, numbers and words; else the items or the members.
@@ -104,7 +106,8 @@ class JsonReader {
 
 // A file of tests/mechanics/reference/.
 inline Json read_reference(const std::string& file_name) {
-    const std::string path = std::string(POINSOT_TESTS_DIR) + "/mechanics/reference/" + file_name;
+    const std::string path =
+        (poinsot::source_folder() / "tests/mechanics/reference" / file_name).string();
     std::ifstream file(path);
     if (!file) throw std::runtime_error("cannot read " + path);
     std::ostringstream text;

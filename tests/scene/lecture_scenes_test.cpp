@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "places.h"
 #include "scene/load_scene.h"
 #include "scene/motion_of.h"
 
@@ -13,13 +14,13 @@ namespace poinsot {
 namespace {
 
 Scene lecture(const std::string& name) {
-    return load_scene(std::filesystem::path(POINSOT_SOURCE_DIR) / "scenes" / (name + ".toml"));
+    return load_scene(source_folder() / "scenes" / (name + ".toml"));
 }
 
 Regime regime_of(const std::string& name) { return motion_of(lecture(name)).regime(); }
 
 TEST(LectureScenes, EachHasTitleCaptionAndAFilmOfTenToTwentySeconds) {
-    for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SOURCE_DIR "/scenes")) {
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes")) {
         if (entry.path().extension() != ".toml") continue;
         const Scene scene = load_scene(entry.path());
         EXPECT_TRUE(scene.locations.contains("title")) << entry.path();

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "places.h"
 #include "scene/frame_rate.h"
 #include "scene/toml_text.h"
 #include "scene/write_scene.h"
@@ -176,7 +177,7 @@ TEST(RoundTrip, TopsComeBack) {
 
 TEST(RoundTrip, EverySceneOfTheLectureComesBack) {
     int n_scenes = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SOURCE_DIR "/scenes")) {
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes")) {
         if (entry.path().extension() != ".toml") continue;
         ++n_scenes;
         const Scene scene = load_scene(entry.path());

@@ -1,0 +1,7 @@
+#include "places.h"
+
+namespace poinsot {
+
+std::filesystem::path source_folder() { return POINSOT_SOURCE_DIR; }
+
+}  // namespace poinsot
