@@ -1,0 +1,94 @@
+// What is not shown is not computed.
+#include "drawing/evaluations.h"
+
+#include <gtest/gtest.h>
+
+#include "scenes_by_hand.h"
+
+namespace poinsot {
+namespace {
+
+const Eigen::Vector3d generic_moments{1.0, 2.0, 2.9};
+const Eigen::Vector3d generic_omega{1.4, 0.5, 1.6};
+
+TEST(Evaluations, BodyPanelAsksForOmegaAlone) {
+    for (const char* kind : {"body", "momentum"}) {
+        const StagedScene staged(free_scene(generic_moments, generic_omega, kind), 10.0);
+        EXPECT_EQ(staged.stage.counts().n_omega, 0) << kind;
+        for (int k = 0; k < 5; ++k) staged.stage.at(k);
+        EXPECT_EQ(staged.stage.counts().n_omega, 5) << kind;
+        EXPECT_EQ(staged.stage.counts().n_attitude, 0) << kind;
+        EXPECT_EQ(staged.stage.counts().n_herpolhode, 0) << kind;
+    }
+}
+
+TEST(Evaluations, PlanAsksForNoAttitude) {
+    const StagedScene staged(free_scene(generic_moments, generic_omega, "plan"), 10.0);
+    const std::int64_t made = staged.stage.counts().n_herpolhode;
+    EXPECT_GT(made, 0);
+    staged.stage.at(3.0);
+    EXPECT_EQ(staged.stage.counts().n_herpolhode, made + 1);
+    EXPECT_EQ(staged.stage.counts().n_attitude, 0);
+}
+
+TEST(Evaluations, SpacePanelAsksForWhatItsElementsShow) {
+    Scene scene = free_scene(generic_moments, generic_omega, "space");
+    scene.show = {"plane", "momentum", "annulus"};
+    const StagedScene still(scene, 10.0);
+    still.stage.at(1.0);
+    EXPECT_EQ(still.stage.counts().n_omega, 1);
+    EXPECT_EQ(still.stage.counts().n_attitude, 0);
+    EXPECT_EQ(still.stage.counts().n_herpolhode, 0);
+
+    scene.show = {"plane", "ellipsoid"};
+    const StagedScene turning(scene, 10.0);
+    turning.stage.at(1.0);
+    EXPECT_EQ(turning.stage.counts().n_attitude, 1);
+    EXPECT_EQ(turning.stage.counts().n_herpolhode, 0);
+}
+
+TEST(Evaluations, StillMakesNoHistoryBeyondItsInstant) {
+    const Scene scene = free_scene(generic_moments, generic_omega, "space");
+    const StagedScene at_start(scene, 0.0);
+    EXPECT_LE(at_start.stage.counts().n_herpolhode, 1);
+    const StagedScene early(scene, 1.0);
+    const StagedScene late(scene, 10.0);
+    // Evaluations follow the stretch that is shown, up to the end of its last piece.
+    EXPECT_LT(early.stage.counts().n_herpolhode, late.stage.counts().n_herpolhode / 5);
+}
+
+TEST(Evaluations, SphereHasNoCurves) {
+    const StagedScene space(free_scene({2.0, 2.0, 2.0}, generic_omega, "space"), 10.0);
+    EXPECT_EQ(space.stage.counts().n_herpolhode, 0);
+    EXPECT_TRUE(space.stage.at(1.0).views[0].curves.empty());
+    const StagedScene body(free_scene({2.0, 2.0, 2.0}, generic_omega, "body"), 10.0);
+    EXPECT_TRUE(body.stage.at(1.0).views[0].curves.empty());
+    const StagedScene momentum(free_scene({2.0, 2.0, 2.0}, generic_omega, "momentum"), 10.0);
+    EXPECT_TRUE(momentum.stage.at(1.0).views[0].curves.empty());
+}
+
+TEST(Evaluations, PotentialOfATopAsksForItsAnglesAlone) {
+    const StagedScene staged(top_scene({.theta_rad = 0.7, .omega3_rad_s = 5.0}, "potential"), 10.0);
+    staged.stage.at(1.0);
+    EXPECT_EQ(staged.stage.counts().n_euler_angles, 1);
+    EXPECT_EQ(staged.stage.counts().n_attitude, 0);
+}
+
+TEST(Evaluations, PanelsTogetherAskOnceAnInstant) {
+    Scene scene = free_scene(generic_moments, generic_omega, "space");
+    scene.grid.columns = {1.0, 1.0, 1.0};
+    for (const char* kind : {"body", "momentum"}) {
+        PanelSpec spec;
+        spec.kind = kind;
+        spec.column = static_cast<int>(scene.panels.size());
+        scene.panels.push_back(spec);
+    }
+    const StagedScene staged(scene, 2.0);
+    const std::int64_t made = staged.stage.counts().n_omega;
+    staged.stage.at(1.0);
+    EXPECT_EQ(staged.stage.counts().n_omega, made + 1);
+    EXPECT_EQ(staged.stage.counts().n_attitude, 1);
+}
+
+}  // namespace
+}  // namespace poinsot

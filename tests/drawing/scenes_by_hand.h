@@ -1,0 +1,63 @@
+// Scenes for the tests of the drawing layer, made without a file.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "drawing/drawing.h"
+#include "drawing/stage.h"
+#include "drawing/stage_data.h"
+#include "mechanics/heavy_top.h"
+#include "mechanics/motion.h"
+#include "scene/scene.h"
+
+namespace poinsot {
+
+struct NamedScene {
+    std::string name;
+    Scene scene;
+};
+
+inline Scene free_scene(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega,
+                        const std::string& panel) {
+    Scene scene;
+    scene.body.inertia = InertiaTensor::from_principal_moments(moments, Physicality::waived);
+    scene.start.omega_rad_s = omega;
+    scene.film.duration_s = 10.0;
+    scene.film.width_px = 640;
+    scene.film.height_px = 360;
+    PanelSpec spec;
+    spec.kind = panel;
+    scene.panels = {spec};
+    return scene;
+}
+
+inline Scene top_scene(const TopStart& top, const std::string& panel, double mgl_N_m = 1.0) {
+    Scene scene = free_scene({1.0, 1.0, 0.5}, {0.0, 0.0, 0.0}, panel);
+    const RotationState start = start_of({1.0, 0.5, mgl_N_m, top.theta_rad, top.theta_dot_rad_s,
+                                          top.phi_dot_rad_s, top.omega3_rad_s});
+    scene.start.omega_rad_s = start.omega_body;
+    scene.start.space_from_body = start.space_from_body;
+    scene.start.top = top;
+    scene.torque = GravityTorque{mgl_N_m, {0.0, 0.0, 1.0}};
+    return scene;
+}
+
+// A stage with the motion that it refers to.
+struct StagedScene {
+    Scene scene;
+    Motion motion;
+    Stage stage;
+
+    StagedScene(const Scene& scene_, double last_time_s)
+        : scene(scene_),
+          motion(problem_of(scene)),
+          stage(scene, motion,
+                {.width_px = scene.film.width_px,
+                 .height_px = scene.film.height_px,
+                 .first_time_s = scene.film.start_s,
+                 .last_time_s = last_time_s}) {}
+};
+
+}  // namespace poinsot

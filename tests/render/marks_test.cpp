@@ -1,0 +1,222 @@
+// Arrows, dots, cones, meshes and labels.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "pictures.h"
+#include "render/label_pass.h"
+
+namespace poinsot::testing {
+namespace {
+
+TEST(ArrowPicture, CoversAShaftAndAHeadAcrossTheView) {
+    Drawing drawing = flat_drawing(200, 100, 100.0);
+    Arrow arrow;
+    arrow.tail = {-80.0, -10.0, 0.0};
+    arrow.tip = {80.0, 20.0, 0.0};
+    arrow.shaft_px = 5.0;
+    arrow.head_px = 17.0;
+    arrow.head_length_px = 24.0;
+    drawing.views[0].arrows.push_back(arrow);
+    const double length = std::hypot(160.0, 30.0);
+    const double expected = (length - 24.0) * 5.0 + 0.5 * 17.0 * 24.0;
+    EXPECT_NEAR(covered_px(renderer().render(drawing)), expected, 0.005 * expected);
+}
+
+TEST(ArrowPicture, IsADiscWhenItPointsAtTheEye) {
+    Drawing drawing = flat_drawing(100, 100, 100.0);
+    for (const double way : {-1.0, 1.0}) {
+        Arrow arrow;
+        arrow.tail = {0.3, 0.2, -30.0 * way};
+        arrow.tip = {0.3, 0.2, 30.0 * way};
+        arrow.head_px = 30.0;
+        drawing.views[0].arrows = {arrow};
+        EXPECT_NEAR(covered_px(renderer().render(drawing)), std::numbers::pi * 225.0, 2.5) << way;
+    }
+}
+
+TEST(ArrowPicture, ComesOutOfAnEllipsoidSolid) {
+    Drawing drawing = flat_drawing(200, 100, 100.0);
+    View& view = drawing.views[0];
+    view.background.alpha = drawing.background.alpha = 1.0;
+    view.background.top = view.background.bottom = {1.0, 1.0, 1.0};
+    Ellipsoid sphere = plain_ellipsoid(30.0 * Eigen::Matrix3d::Identity());
+    sphere.colour = {1.0, 1.0, 1.0};
+    view.ellipsoids.push_back(sphere);
+    const Image bare = renderer().render(drawing);
+    Arrow arrow;
+    arrow.tip = {80.0, 0.0, 0.0};
+    arrow.colour = {0.0, 0.0, 0.0};
+    arrow.shaft_px = 8.0;
+    arrow.hidden_opacity = 0.3;
+    view.arrows.push_back(arrow);
+    const Image image = renderer().render(drawing);
+    const auto kept = [&](int x) {
+        return std::pow(static_cast<double>(image.at(x, 50).g) / bare.at(x, 50).g, 2.2);
+    };
+    EXPECT_NEAR(kept(110), 0.7, 0.05);
+    EXPECT_LT(kept(150), 0.2);
+}
+
+TEST(DotPicture, IsWhereItsPointIsAndAsLargeAsAsked) {
+    const CurveGeometry none = circle(9301, 0.1, -0.8);
+    Drawing drawing = lecture_drawing(1920, 1080, none, none);
+    View& view = drawing.views[0];
+    view.planes.clear();
+    view.ellipsoids.clear();
+    view.curves.clear();
+    view.arrows.clear();
+    view.background.alpha = drawing.background.alpha = 0.0;
+    // The point of contact with the plane z = -0.8, projected as the camera is defined.
+    view.dots[0].at = {0.21, -0.13, -0.8};
+    view.dots[0].radius_px = 6.0;
+    const Camera& camera = view.camera;
+    const Eigen::Vector3d forward = (camera.target - camera.eye).normalized();
+    const Eigen::Vector3d right = forward.cross(camera.up).normalized();
+    const Eigen::Vector3d down = forward.cross(right);
+    const Eigen::Vector3d from_eye = view.dots[0].at - camera.eye;
+    const double focal = 540.0 / std::tan(0.5 * camera.vertical_field_rad) / forward.dot(from_eye);
+    const Eigen::Vector2d expected(960.0 + focal * right.dot(from_eye),
+                                   540.0 + focal * down.dot(from_eye));
+    const Image image = renderer().render(drawing);
+    EXPECT_LT((middle_of(image) - expected).norm(), 0.02);
+    EXPECT_NEAR(covered_px(image), std::numbers::pi * 36.0, 0.3);
+}
+
+TEST(ConePicture, CoversItsProjection) {
+    // Seen along its axis a cone is a disc; seen across, a triangle with half an ellipse.
+    Drawing drawing = flat_drawing(120, 120, 120.0);
+    Cone cone;
+    cone.apex = {0.2, 0.1, 40.0};
+    cone.axis = {0.0, 0.0, -1.0};
+    cone.half_angle_rad = 0.5;
+    cone.length = 60.0;
+    cone.opacity = 1.0;
+    cone.rim_px = 0.0;
+    cone.n_rulings = 0;
+    drawing.views[0].cones = {cone};
+    const double radius = 60.0 * std::tan(0.5);
+    EXPECT_NEAR(covered_px(renderer().render(drawing)), std::numbers::pi * radius * radius,
+                0.005 * std::numbers::pi * radius * radius);
+    drawing.views[0].cones[0].apex = {0.2, 30.0, 0.0};
+    drawing.views[0].cones[0].axis = {0.0, -1.0, 0.0};
+    EXPECT_NEAR(covered_px(renderer().render(drawing)), radius * 60.0, 0.02 * radius * 60.0);
+}
+
+MeshGeometry square(std::uint64_t id, double half_side, double z) {
+    MeshGeometry mesh;
+    mesh.id = id;
+    const auto h = static_cast<float>(half_side);
+    const auto at = static_cast<float>(z);
+    for (const auto& [x, y] : {std::pair{-h, -h}, {h, -h}, {h, h}, {-h, -h}, {h, h}, {-h, h}}) {
+        mesh.positions.emplace_back(x, y, at);
+        mesh.normals.emplace_back(0.0f, 0.0f, 1.0f);
+    }
+    return mesh;
+}
+
+TEST(MeshPicture, HidesItsFarPartsAndWhatIsBehindIt) {
+    Drawing drawing = flat_drawing(100, 100, 100.0);
+    View& view = drawing.views[0];
+    const MeshGeometry near_square = square(9401, 20.0, 5.0), far_square = square(9402, 30.0, -5.0);
+    Mesh nearer;
+    nearer.geometry = &near_square;
+    nearer.colour = {1.0, 0.0, 0.0};
+    Mesh farther;
+    farther.geometry = &far_square;
+    farther.colour = {0.0, 0.0, 1.0};
+    view.meshes = {nearer, farther};
+    const CurveGeometry line = curve_of(
+        9403, 2, false, [](double t) { return Eigen::Vector3d(-45.0 + 90.0 * t, 0.0, 0.0); });
+    Curve curve;
+    curve.geometry = &line;
+    curve.colour = {0.0, 1.0, 0.0};
+    curve.width_px = 6.0;
+    curve.hidden = HiddenStyle::absent;
+    view.curves = {curve};
+    const Image image = renderer().render(drawing);
+    EXPECT_GT(image.at(50, 40).r, 2 * image.at(50, 40).b);
+    EXPECT_GT(image.at(75, 40).b, 2 * image.at(75, 40).r);
+    // The line lies behind the near square and before the far one.
+    EXPECT_GT(image.at(50, 50).r, 2 * image.at(50, 50).g);
+    EXPECT_GT(image.at(75, 50).g, 2 * image.at(75, 50).b);
+    EXPECT_EQ(image.at(50, 15).a, 0);
+    EXPECT_EQ(image.at(50, 25).a, 255);
+}
+
+TEST(MeshPicture, HasSmoothEdges) {
+    Drawing drawing = flat_drawing(100, 100, 100.0);
+    const MeshGeometry geometry = square(9404, 30.0, 0.0);
+    Mesh mesh;
+    mesh.geometry = &geometry;
+    mesh.placement.rotate(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
+    drawing.views[0].meshes = {mesh};
+    // Four samples a pixel place the area of an edge to an eighth of a pixel at worst.
+    EXPECT_NEAR(covered_px(renderer().render(drawing)), 3600.0, 0.125 * 240.0 / 4.0);
+}
+
+GlyphMask block(std::uint64_t id, int width, int height) {
+    GlyphMask mask;
+    mask.id = id;
+    mask.width = width;
+    mask.height = height;
+    mask.coverage.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255);
+    return mask;
+}
+
+TEST(LabelPicture, CopiesItsMaskPixelByPixel) {
+    GlyphMask mask = block(9501, 9, 5);
+    for (std::size_t k = 0; k < mask.coverage.size(); ++k)
+        mask.coverage[k] = static_cast<std::uint8_t>(k * 5);
+    Drawing drawing = flat_drawing(40, 30, 30.0);
+    Label label;
+    label.mask = &mask;
+    label.top_left_px = {11.0, 7.0};
+    drawing.views[0].labels = {label};
+    const Image image = renderer().render(drawing);
+    for (int y = 0; y < 30; ++y) {
+        for (int x = 0; x < 40; ++x) {
+            const bool inside = x >= 11 && x < 20 && y >= 7 && y < 12;
+            const int expected = inside ? 5 * ((y - 7) * 9 + x - 11) : 0;
+            EXPECT_EQ(image.at(x, y).a, expected) << x << "," << y;
+        }
+    }
+}
+
+TEST(LabelPicture, HasAHaloThatFallsWithTheDistance) {
+    const GlyphMask mask = block(9502, 1, 1);
+    const std::vector<std::uint8_t> texels = with_halo(mask, 4.0, 5);
+    const auto halo = [&](int x, int y) {
+        return texels[2 * static_cast<std::size_t>(y * 11 + x) + 1];
+    };
+    EXPECT_EQ(halo(5, 5), 255);
+    EXPECT_EQ(halo(7, 5), 255);
+    EXPECT_GT(halo(8, 5), halo(9, 5));
+    EXPECT_EQ(halo(10, 5), 0);
+    EXPECT_EQ(halo(5, 1), halo(9, 5));
+}
+
+TEST(LabelPicture, DrawsMoreMasksThanTheTextureHolds) {
+    // 300 masks of 100×100 px fill three textures of 1024² px; each is still drawn in full.
+    std::vector<GlyphMask> masks;
+    for (std::uint64_t k = 0; k < 300; ++k) masks.push_back(block(9600 + k, 100, 100));
+    Drawing drawing = flat_drawing(128, 128, 128.0);
+    for (const GlyphMask& mask : masks) {
+        Label label;
+        label.mask = &mask;
+        label.top_left_px = {10.0, 12.0};
+        drawing.views[0].labels = {label};
+        ASSERT_NEAR(covered_px(renderer().render(drawing)), 10000.0, 1.0);
+    }
+    drawing.views[0].labels.clear();
+    for (const GlyphMask& mask : masks) {
+        Label label;
+        label.mask = &mask;
+        label.top_left_px = {10.0, 12.0};
+        drawing.views[0].labels.push_back(label);
+    }
+    EXPECT_NEAR(covered_px(renderer().render(drawing)), 10000.0, 1.0);
+}
+
+}  // namespace
+}  // namespace poinsot::testing
