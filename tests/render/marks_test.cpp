@@ -164,7 +164,7 @@ GlyphMask block(std::uint64_t id, int width, int height) {
     return mask;
 }
 
-TEST(LabelPicture, CopiesItsMaskPixelByPixel) {
+TEST(LabelPicture, DrawsItsMaskPixelByPixelWithInkForLinearLight) {
     GlyphMask mask = block(9501, 9, 5);
     for (std::size_t k = 0; k < mask.coverage.size(); ++k)
         mask.coverage[k] = static_cast<std::uint8_t>(k * 5);
@@ -177,8 +177,9 @@ TEST(LabelPicture, CopiesItsMaskPixelByPixel) {
     for (int y = 0; y < 30; ++y) {
         for (int x = 0; x < 40; ++x) {
             const bool inside = x >= 11 && x < 20 && y >= 7 && y < 12;
-            const int expected = inside ? 5 * ((y - 7) * 9 + x - 11) : 0;
-            EXPECT_EQ(image.at(x, y).a, expected) << x << "," << y;
+            const double covered = inside ? 5.0 * ((y - 7) * 9 + x - 11) / 255.0 : 0.0;
+            const double ink = covered * (1.8 - 0.8 * covered);
+            EXPECT_NEAR(image.at(x, y).a, 255.0 * ink, 1.0) << x << "," << y;
         }
     }
 }

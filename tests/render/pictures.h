@@ -16,10 +16,12 @@ struct Studio {
     Renderer renderer{context};
 };
 
-inline Renderer& renderer() {
-    static Studio studio;
-    return studio.renderer;
+inline Studio& studio() {
+    static Studio the_one;
+    return the_one;
 }
+inline Renderer& renderer() { return studio().renderer; }
+inline const OffscreenContext& context() { return studio().context; }
 
 // A transparent picture with one orthographic view along -z: x right, y up, centred on the origin.
 inline Drawing flat_drawing(int width_px, int height_px, double units_high) {

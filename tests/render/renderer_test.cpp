@@ -50,12 +50,11 @@ TEST(Renderer, DrawsAFrameOfAFilmAsItDrawsItAlone) {
         drawing.views[0].curves[0].last = 20.0 * k;
         return drawing;
     };
-    Image image;
+    std::vector<Image> film(6);
+    for (int k = 0; k < 6; ++k) renderer().render_into(frame(k), film[static_cast<std::size_t>(k)]);
     for (int k = 0; k < 6; ++k) {
-        renderer().render_into(frame(k), image);
-        const OffscreenContext context;
-        Renderer alone(context);
-        EXPECT_EQ(alone.render(frame(k)), image) << k;
+        Renderer alone(context());
+        EXPECT_TRUE(alone.render(frame(k)) == film[static_cast<std::size_t>(k)]) << k;
     }
 }
 
