@@ -13,6 +13,7 @@
 #include "error/error.h"
 #include "mechanics/methods.h"
 #include "mechanics/solids.h"
+#include "mesh/named_objects.h"
 #include "output/frame_sink.h"
 #include "scene/load_scene.h"
 #include "scene/scene_keys.h"
@@ -55,6 +56,15 @@ std::vector<CatalogueEntry> solid_entries() {
     return entries;
 }
 
+std::vector<CatalogueEntry> object_entries() {
+    std::vector<CatalogueEntry> entries;
+    for (const NamedObject& object : named_objects()) {
+        entries.push_back(
+            {std::string(object.name), fmt::format("{}; {}", object.summary, object.source)});
+    }
+    return entries;
+}
+
 std::vector<CatalogueEntry> method_entries() {
     std::vector<CatalogueEntry> entries;
     for (const Method& method : methods()) {
@@ -84,6 +94,7 @@ const auto table = std::to_array<Catalogue>({
     {"themes", [] { return rows_of(themes()); }},
     {"formats", [] { return rows_of(output_formats()); }},
     {"solids", solid_entries},
+    {"objects", object_entries},
 });
 
 }  // namespace

@@ -210,8 +210,8 @@ int run(const Options& options) {
     return code;
 }
 
-constexpr std::array<std::string_view, 7> options_taken{"set",  "size",  "fps", "quality",
-                                                        "json", "quiet", "plan"};
+constexpr auto options_taken = std::to_array<std::string_view>(
+    {"set", "size", "fps", "quality", "json", "quiet", "plan", "allow-outside"});
 
 }  // namespace
 

@@ -53,7 +53,7 @@ constexpr std::array<std::string_view, 1> options_taken{"json"};
 }  // namespace
 
 const Command list_command{
-    "list",        "WHAT", 0, 1, "list scenes, elements, methods, formats, themes, qualities, keys",
+    "list",        "WHAT", 0, 1, "list scenes, keys, methods, elements, panels, objects, …",
     options_taken, run};
 
 }  // namespace poinsot

@@ -35,6 +35,7 @@ struct Options {
     std::vector<double> times_s;                                  // --times
     std::string backend = "auto";                                 // --backend
     bool portable = false;                                        // --portable
+    bool allow_outside = false;                                   // --allow-outside
     bool json = false;
     bool quiet = false;
     bool certify = false;  // render --certify

@@ -184,6 +184,11 @@ const auto option_table = std::to_array<OptionRow>({
      [](CLI::App& app, Options& o) {
          app.add_flag("--portable", o.portable, "the same bytes on every processor");
      }},
+    {"allow-outside",
+     [](CLI::App& app, Options& o) {
+         app.add_flag("--allow-outside", o.allow_outside,
+                      "let the scene name files outside of its folder");
+     }},
     {"certify",
      [](CLI::App& app, Options& o) {
          app.add_flag("--certify", o.certify, "measure how well it is Poinsot's, over all frames");

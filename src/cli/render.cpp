@@ -94,7 +94,7 @@ int run(const Options& options) { return make_film(open_session(options), option
 
 constexpr auto options_taken =
     std::to_array<std::string_view>({"output", "set", "size", "fps", "quality", "frames", "quiet",
-                                     "backend", "portable", "certify"});
+                                     "backend", "portable", "certify", "allow-outside"});
 
 }  // namespace
 

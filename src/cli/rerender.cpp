@@ -82,8 +82,10 @@ int run(const Options& given) {
                                      printable(output.string()), printable(file.string()),
                                      is_picture ? "in .png" : "in .mp4, .webm or .gif"));
 
-    // The record's scene is read as a file of its name would be.
-    Scene scene = parse_scene(record.scene_toml, record.scene_name + ".toml");
+    // The record's scene is read as a file of its name in this folder would be.
+    Scene scene =
+        parse_scene(record.scene_toml, record.scene_name + ".toml", {},
+                    options.allow_outside ? OutsideFiles::allowed : OutsideFiles::refused);
     scene.notes.clear();
     const Session session = session_of(std::move(scene));
 
@@ -97,7 +99,8 @@ int run(const Options& given) {
     return code;
 }
 
-constexpr std::array<std::string_view, 3> options_taken{"output", "quiet", "backend"};
+constexpr std::array<std::string_view, 4> options_taken{"output", "quiet", "backend",
+                                                        "allow-outside"};
 
 }  // namespace
 

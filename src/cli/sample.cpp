@@ -38,7 +38,7 @@ int run(const Options& options) {
     return 0;
 }
 
-constexpr std::array<std::string_view, 3> options_taken{"set", "times", "quiet"};
+constexpr std::array<std::string_view, 4> options_taken{"set", "times", "quiet", "allow-outside"};
 
 }  // namespace
 

@@ -14,7 +14,9 @@
 namespace poinsot {
 
 Session open_session(const Options& options) {
-    return session_of(load_scene(options.arguments.at(0), options.overrides));
+    return session_of(
+        load_scene(options.arguments.at(0), options.overrides,
+                   options.allow_outside ? OutsideFiles::allowed : OutsideFiles::refused));
 }
 
 Session session_of(Scene scene) {

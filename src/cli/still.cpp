@@ -52,8 +52,8 @@ namespace {
 
 int run(const Options& options) { return make_still(open_session(options), options); }
 
-constexpr std::array<std::string_view, 7> options_taken{"output", "set",     "size",    "time",
-                                                        "quiet",  "backend", "portable"};
+constexpr auto options_taken = std::to_array<std::string_view>(
+    {"output", "set", "size", "time", "quiet", "backend", "portable", "allow-outside"});
 
 }  // namespace
 

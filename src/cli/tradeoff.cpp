@@ -252,8 +252,8 @@ int run(const Options& options) {
     return 0;
 }
 
-constexpr std::array<std::string_view, 6> options_taken{"output", "set",   "size",
-                                                        "json",   "quiet", "backend"};
+constexpr auto options_taken = std::to_array<std::string_view>(
+    {"output", "set", "size", "json", "quiet", "backend", "allow-outside"});
 
 }  // namespace
 

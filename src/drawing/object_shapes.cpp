@@ -85,6 +85,46 @@ std::vector<Curve> edges_of_box(const Panel& panel, const Eigen::Vector3d& half_
     return edges;
 }
 
+struct ColouredMesh {
+    TriangleMesh mesh;
+    Colour colour;
+};
+
+// The body's surfaces in body axes.
+std::vector<ColouredMesh> meshes_of(const Scene& scene, const Theme& theme) {
+    std::vector<ColouredMesh> meshes;
+    for (const BodySurface& surface : scene.surfaces) {
+        const auto& rgb = surface.srgb;
+        meshes.push_back(
+            {surface.mesh, rgb ? Colour{(*rgb)[0], (*rgb)[1], (*rgb)[2]} : theme.solid});
+    }
+    if (!meshes.empty()) return meshes;
+
+    const BodySpec& body = scene.body;
+    if (body.given == BodySpec::Given::solid) {
+        meshes.push_back({solid_mesh(body.shape, body.size_m), theme.solid});
+    } else if (body.given == BodySpec::Given::masses) {
+        meshes.push_back({mesh_of_masses(body.masses, true), theme.solid});
+        meshes.push_back({mesh_of_masses(body.masses, false), theme.solid_lines});
+    } else {
+        // Moments scaled to order one: a box of any size stands for them.
+        const Eigen::Vector3d moments = body.inertia.moments_kg_m2();
+        Eigen::Affine3d placement = Eigen::Affine3d::Identity();
+        placement.linear() = body.inertia.body_from_principal();
+        meshes.push_back({placed(box_mesh(box_of_moments(moments / moments.maxCoeff())), placement),
+                          theme.solid});
+    }
+    return meshes;
+}
+
+// Whether its edges are those of a box along the principal axes.
+bool is_box(const Scene& scene) {
+    if (!scene.surfaces.empty()) return false;
+    const BodySpec& body = scene.body;
+    return body.given == BodySpec::Given::moments || body.given == BodySpec::Given::tensor ||
+           body.shape == "box" || body.shape == "plate";
+}
+
 }  // namespace
 
 Eigen::Vector3d box_of_moments(const Eigen::Vector3d& moments_kg_m2) {
@@ -96,37 +136,9 @@ Eigen::Vector3d box_of_moments(const Eigen::Vector3d& moments_kg_m2) {
 }
 
 BodyShape body_shape(Panel& panel) {
-    const BodySpec& body = panel.stage->scene.body;
-    const Theme& theme = *panel.stage->theme;
-    const Eigen::Matrix3d body_from_principal = body.inertia.body_from_principal();
-    struct ColouredMesh {
-        TriangleMesh mesh;
-        Colour colour;
-    };
-    std::vector<ColouredMesh> meshes;
-    switch (body.given) {
-        case BodySpec::Given::solid:
-            meshes.push_back({solid_mesh(body.shape, body.size_m), theme.solid});
-            break;
-        case BodySpec::Given::masses:
-            meshes.push_back({mesh_of_masses(body.masses, true), theme.solid});
-            meshes.push_back({mesh_of_masses(body.masses, false), theme.solid_lines});
-            break;
-        default: {
-            // Moments scaled to order one: a box of any size stands for them.
-            const Eigen::Vector3d moments = body.inertia.moments_kg_m2();
-            Eigen::Affine3d placement = Eigen::Affine3d::Identity();
-            placement.linear() = body_from_principal;
-            meshes.push_back(
-                {placed(box_mesh(box_of_moments(moments / moments.maxCoeff())), placement),
-                 theme.solid});
-        }
-    }
-
-    const bool is_box = body.given == BodySpec::Given::moments ||
-                        body.given == BodySpec::Given::tensor || body.shape == "box" ||
-                        body.shape == "plate";
-
+    const Scene& scene = panel.stage->scene;
+    const Eigen::Matrix3d body_from_principal = scene.body.inertia.body_from_principal();
+    const std::vector<ColouredMesh> meshes = meshes_of(scene, *panel.stage->theme);
     BodyShape shape;
     shape.reach_m = 0.0;
     for (const ColouredMesh& part : meshes) {
@@ -140,7 +152,7 @@ BodyShape body_shape(Panel& panel) {
             shape.extents = shape.extents.cwiseMax(along / shape.reach_m);
         }
     }
-    if (is_box) shape.edges = edges_of_box(panel, shape.extents, body_from_principal);
+    if (is_box(scene)) shape.edges = edges_of_box(panel, shape.extents, body_from_principal);
     return shape;
 }
 

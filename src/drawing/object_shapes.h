@@ -23,7 +23,7 @@ struct BodyShape {
     double reach_m = 1.0;  // of the body itself; of a stand-in for moments, its size for 1 kg
 };
 
-// The solid that the scene names; point masses as balls with volumes as their masses, on thin rods
+// The scene's object or mesh; the solid that it names; point masses as balls with volumes as their masses, on thin rods
 // from the centre of mass; for moments or a tensor alone the uniform box that has them.
 BodyShape body_shape(Panel& panel);
 

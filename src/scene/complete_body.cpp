@@ -13,23 +13,48 @@ namespace poinsot {
 
 namespace {
 
-const std::array<std::vector<std::string>, 4> ways_of_body{{
+const std::array<std::vector<std::string>, 6> ways_of_body{{
     {"body.moments_kg_m2"},
     {"body.tensor_kg_m2"},
-    {"body.shape", "body.size_m", "body.mass_kg"},
+    {"body.shape", "body.size_m"},
     {"body.masses"},
+    {"body.object"},
+    {"body.mesh"},
 }};
+
+// Keys that only some of the ways take, and those that do.
+struct SharedKey {
+    std::string key;
+    std::vector<std::string> ways;
+    std::string_view belongs_to;
+};
+
+void check_shared_keys(const SceneDraft& draft) {
+    static const std::array<SharedKey, 3> shared{{
+        {"body.mass_kg",
+         {"body.shape", "body.size_m", "body.object", "body.mesh"},
+         "a shape, an object or a mesh"},
+        {"body.scale", {"body.object", "body.mesh"}, "an object or a mesh"},
+        {"body.density_kg_m3", {"body.mesh"}, "a mesh"},
+    }};
+    for (const SharedKey& row : shared) {
+        if (!draft.has(row.key)) continue;
+        const bool owned = std::any_of(row.ways.begin(), row.ways.end(),
+                                       [&draft](const auto& way) { return draft.has(way); });
+        if (owned) continue;
+        refuse(draft.scene, row.key,
+               fmt::format("{} belongs to {}, which the body is not given by; remove it", row.key,
+                           row.belongs_to));
+    }
+}
 
 void complete_solid(SceneDraft& draft) {
     Scene& scene = draft.scene;
     BodySpec& body = scene.body;
     body.given = BodySpec::Given::solid;
     if (!draft.has("body.shape")) {
-        const std::string given = draft.size_m ? "body.size_m" : "body.mass_kg";
-        refuse(scene, given,
-               fmt::format("{} is given but body.shape is not; name the solid, as in shape = "
-                           "\"box\"",
-                           given));
+        refuse(scene, "body.size_m",
+               "body.size_m is given but body.shape is not; name the solid, as in shape = \"box\"");
     }
 
     const auto table = solids();
@@ -95,6 +120,7 @@ void complete_body(SceneDraft& draft) {
     Scene& scene = draft.scene;
     BodySpec& body = scene.body;
     refuse_mixed(scene, ways_of_body, "give the body in one way only");
+    check_shared_keys(draft);
     const Physicality physicality =
         body.allow_unphysical ? Physicality::waived : Physicality::required;
     if (draft.moments_kg_m2) {
@@ -112,13 +138,18 @@ void complete_body(SceneDraft& draft) {
         body.tensor_kg_m2 = 0.5 * tensor + 0.5 * tensor.transpose();
     } else if (draft.has("body.masses")) {
         complete_masses(draft);
-    } else if (draft.has("body.shape") || draft.size_m || draft.mass_kg) {
+    } else if (draft.has("body.object")) {
+        complete_object_body(draft);
+    } else if (draft.has("body.mesh")) {
+        complete_mesh_body(draft);
+    } else if (draft.has("body.shape") || draft.size_m) {
         complete_solid(draft);
     } else {
         refuse(scene, "body",
                "the body is missing; under [body] give moments_kg_m2, tensor_kg_m2, shape with "
-               "size_m and mass_kg, or [[body.masses]]");
+               "size_m and mass_kg, object, mesh, or [[body.masses]]");
     }
+    complete_look(draft);
     if (!body.inertia.note().empty()) {
         scene.notes.push_back(fmt::format("body.tensor_kg_m2: {}", body.inertia.note()));
     }

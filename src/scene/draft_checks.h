@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,11 @@ namespace poinsot {
 // later.
 void refuse_mixed(const Scene& scene, std::span<const std::vector<std::string>> ways,
                   std::string_view remedy);
+
+// The file that a key names, looked for in the scene's folder. Throws SceneError at the key for one
+// that lies outside of it, also by a link, unless the draft allows that.
+std::filesystem::path file_named(const SceneDraft& draft, const std::string& key,
+                                 const std::string& name);
 
 // A vector of length 1 to rounding is kept bit for bit, so that a scene written out reads back the
 // same; any other is scaled, and the user is told. Throws for the zero vector.
@@ -43,6 +49,9 @@ Vector unit(Scene& scene, const std::string& key, const Vector& given) {
 
 // The parts of complete_scene.
 void complete_body(SceneDraft& draft);
+void complete_object_body(SceneDraft& draft);  // [body] object
+void complete_mesh_body(SceneDraft& draft);    // [body] mesh
+void complete_look(SceneDraft& draft);         // [object], once the body is complete
 void complete_start(SceneDraft& draft);
 
 }  // namespace poinsot

@@ -244,7 +244,7 @@ class Reader {
 }  // namespace
 
 Scene parse_scene(std::string_view text, const std::string& file_name,
-                  std::span<const std::string> overrides) {
+                  std::span<const std::string> overrides, OutsideFiles outside) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
         throw SceneError({file_name, 1, 1},
                          "the file is empty; a scene needs at least [body] and [start]");
@@ -253,6 +253,7 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
     for (const std::string& text_of_override : overrides) apply_override(root, text_of_override);
 
     SceneDraft draft;
+    draft.outside = outside;
     draft.scene.file = file_name;
     draft.scene.name = fs::path(file_name).stem().string();
     draft.scene.title = draft.scene.name;
@@ -260,8 +261,9 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
     return complete_scene(std::move(draft));
 }
 
-Scene load_scene(const fs::path& file, std::span<const std::string> overrides) {
-    return parse_scene(text_of_file(file), file.string(), overrides);
+Scene load_scene(const fs::path& file, std::span<const std::string> overrides,
+                 OutsideFiles outside) {
+    return parse_scene(text_of_file(file), file.string(), overrides, outside);
 }
 
 }  // namespace poinsot

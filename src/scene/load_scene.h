@@ -12,11 +12,14 @@ namespace poinsot {
 
 // Reads a scene file. `overrides` are the "key=value" of --set, in order: they replace what the
 // file says; a value that is not TOML counts as a string. Throws SceneError, for a file that cannot
-// be read, too.
-Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides = {});
+// be read, too. Files that the scene names are looked for in its own folder; only with `outside`
+// allowed may they lie elsewhere.
+Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides = {},
+                 OutsideFiles outside = OutsideFiles::refused);
 
-// The same from text; `file_name` is used in messages and for the scene's name.
+// The same from text; `file_name` is used in messages, for the scene's name and for its folder.
 Scene parse_scene(std::string_view text, const std::string& file_name,
-                  std::span<const std::string> overrides = {});
+                  std::span<const std::string> overrides = {},
+                  OutsideFiles outside = OutsideFiles::refused);
 
 }  // namespace poinsot

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -13,8 +14,12 @@
 #include "mechanics/inertia.h"
 #include "mechanics/motion_problem.h"
 #include "mechanics/solids.h"
+#include "mesh/triangle_mesh.h"
 
 namespace poinsot {
+
+// Whether a scene may name files that lie outside of its own folder.
+enum class OutsideFiles { refused, allowed };
 
 // Where a value stands. line 0: it came from --set (then `file` is "--set key=value") or is a
 // default.
@@ -26,19 +31,35 @@ struct SourceLocation {
     std::string prefix() const;
 };
 
+// One closed surface of the body, drawn in one colour.
+struct BodySurface {
+    TriangleMesh mesh;                          // m, body axes, from the centre of mass
+    std::optional<std::array<double, 3>> srgb;  // sRGB-encoded, 0…1; absent: the theme's
+};
+
 // [body]: how the inertia was given, and the tensor that follows from it.
 struct BodySpec {
-    enum class Given { moments, tensor, solid, masses };
+    enum class Given { moments, tensor, solid, masses, object, mesh };
     Given given = Given::moments;
     InertiaTensor inertia = InertiaTensor::from_principal_moments({3.0, 2.0, 1.0});
     std::string shape;              // solid: name of the solid
     std::vector<double> size_m;     // solid
-    double mass_kg = 1.0;           // solid, or the sum of the masses
+    double mass_kg = 1.0;           // solid, object, mesh, or the sum of the masses
     std::vector<PointMass> masses;  // masses, moved so that the centre of mass is the origin
     Eigen::Vector3d centre_of_mass_m_body = Eigen::Vector3d::Zero();  // as given, before that
     std::vector<PointMass> masses_as_given;                           // before that
     Eigen::Matrix3d tensor_kg_m2 = Eigen::Matrix3d::Identity();       // tensor, symmetric
+    std::string object;                   // object: its name in the table of mesh/
+    std::string mesh;                     // mesh: its file, as given
+    double scale = 1.0;                   // object, mesh: metres for one unit of their lengths
+    std::optional<double> density_kg_m3;  // mesh, if it was given so
     bool allow_unphysical = false;
+};
+
+// [object]: what a body looks like whose moments or tensor say nothing of its form.
+struct ObjectSpec {
+    std::string name;  // in the table of mesh/
+    std::string mesh;  // or a file, as given
 };
 
 // [start]: ω and attitude at t = 0, or the top's Euler angles and rates.
@@ -94,6 +115,8 @@ struct Scene {
     std::string title;
     std::string caption;
     BodySpec body;
+    ObjectSpec object;
+    std::vector<BodySurface> surfaces;  // of an object or a mesh; empty: the body has another form
     StartSpec start;
     Torque torque;
     MethodChoice method;

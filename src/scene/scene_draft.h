@@ -14,6 +14,7 @@ namespace poinsot {
 // Filled by the rows of the key table; values that several keys decide together wait here.
 struct SceneDraft {
     Scene scene;
+    OutsideFiles outside = OutsideFiles::refused;
 
     // [body]
     std::optional<Eigen::Vector3d> moments_kg_m2;

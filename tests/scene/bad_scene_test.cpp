@@ -139,7 +139,7 @@ TEST(BadScene, BodyGivenTwiceNamesBothPlaces) {
 TEST(BadScene, MissingBodyAndStartAreNamed) {
     EXPECT_EQ(refusal("title = \"x\"\n"),
               "scenes/a.toml:1:1: the body is missing; under [body] give moments_kg_m2, "
-              "tensor_kg_m2, shape with size_m and mass_kg, or [[body.masses]]");
+              "tensor_kg_m2, shape with size_m and mass_kg, object, mesh, or [[body.masses]]");
     EXPECT_EQ(refusal(a_body + "[start]\nattitude = [1, 0, 0, 0]\n"),
               "scenes/a.toml:3:2: start.omega_rad_s is missing; under [start] give the angular "
               "velocity at t = 0 in body axes, as in omega_rad_s = [0.01, 2.0, 0.01]");

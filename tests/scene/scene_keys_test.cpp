@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <set>
 #include <string>
 
+#include "mesh_folder.h"
 #include "scene/write_scene.h"
 #include "scene_text.h"
 
@@ -22,6 +24,12 @@ const std::string three_masses =
     "[[body.masses]]\nmass_kg = 2.5\nat_m = [1.0, 0.5, 0.25]\n"
     "[[body.masses]]\nmass_kg = 1.0\nat_m = [0.0, 1.0, 0.0]\n"
     "[[body.masses]]\nmass_kg = 1.0\nat_m = [0.0, 0.0, 1.0]\n";
+
+const std::string a_wedge =
+    "[body]\nmesh = \"wedge.obj\"\nscale = 2\ndensity_kg_m3 = 3\n" + a_start;
+
+// Where the wedge is found.
+const MeshFolder folder;
 
 // A scene that gives the key, and what must then stand in it.
 struct Claim {
@@ -79,6 +87,31 @@ const std::map<std::string, Claim> claims{
           return s.body.mass_kg == 6.0 &&
                  (s.body.inertia.moments_kg_m2() - Eigen::Vector3d::Constant(4.0)).norm() < 1e-14;
       }}},
+    {"body.object",
+     {"[body]\nobject = \"book\"\n" + a_start,
+      [](const Scene& s) {
+          return s.body.given == BodySpec::Given::object && s.body.object == "book" &&
+                 s.surfaces.size() > 1;
+      }}},
+    {"body.mesh",
+     {a_wedge,
+      [](const Scene& s) {
+          return s.body.given == BodySpec::Given::mesh && s.body.mesh == "wedge.obj" &&
+                 s.surfaces.size() == 1;
+      }}},
+    {"body.scale", {a_wedge, [](const Scene& s) { return s.body.scale == 2.0; }}},
+    {"body.density_kg_m3",
+     {a_wedge,
+      [](const Scene& s) {
+          // Half a cube of 2 m.
+          return s.body.density_kg_m3 == 3.0 && std::abs(s.body.mass_kg - 12.0) < 1e-13;
+      }}},
+    {"object.name",
+     {with("object", "name = \"coin\""),
+      [](const Scene& s) { return s.object.name == "coin" && s.surfaces.size() > 1; }}},
+    {"object.mesh",
+     {with("object", "mesh = \"wedge.obj\""),
+      [](const Scene& s) { return s.object.mesh == "wedge.obj" && s.surfaces.size() == 1; }}},
     {"body.allow_unphysical",
      {"[body]\nmoments_kg_m2 = [1, 1, 5]\nallow_unphysical = true\n" + a_start,
       [](const Scene& s) { return s.body.allow_unphysical; }}},

@@ -1,0 +1,162 @@
+// [body] object, [body] mesh and [object]: real things and surfaces from files.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "mesh/mass_properties.h"
+#include "mesh/mesh_reader.h"
+#include "mesh/named_objects.h"
+#include "scene/draft_checks.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A body of parts with its mass, in the axes that the parts were given in.
+struct Thing {
+    std::vector<BodySurface> surfaces;
+    BodyProperties properties;  // of the parts as given
+};
+
+Thing thing_named(std::string_view name) {
+    const std::vector<ObjectPart> parts = object_named(name).make();
+    Thing thing;
+    thing.properties = properties_of(parts);
+    for (const ObjectPart& part : parts) thing.surfaces.push_back({part.mesh, part.srgb});
+    return thing;
+}
+
+// The solid in a file, of unit density; what was mended on the way is noted.
+Thing thing_in_file(SceneDraft& draft, const std::string& key, const std::string& name) {
+    SolidMesh solid =
+        at_scene_key(draft.scene, key, [&] { return read_solid(file_named(draft, key, name)); });
+    for (const std::string& note : solid.notes) {
+        draft.scene.notes.push_back(fmt::format("{}: {}: {}", key, name, note));
+    }
+    Thing thing;
+    const DensePart part{mass_properties(solid.mesh), 1.0};
+    thing.properties = body_of_parts({&part, 1});
+    thing.surfaces.push_back({std::move(solid.mesh), {}});
+    return thing;
+}
+
+// The surfaces turned, and moved so that the centre of mass is the origin, in m.
+std::vector<BodySurface> placed_surfaces(Thing thing, const Eigen::Matrix3d& turn, double scale) {
+    for (BodySurface& surface : thing.surfaces) {
+        for (Eigen::Vector3d& vertex : surface.mesh.vertices) {
+            vertex = turn * (vertex - thing.properties.centre_of_mass_m) * scale;
+        }
+    }
+    return std::move(thing.surfaces);
+}
+
+// Inertia of the thing at a scale and with a mass, in kg m²: as the square of its lengths.
+InertiaTensor inertia_of(const Scene& scene, const std::string& key, const Thing& thing) {
+    const BodySpec& body = scene.body;
+    const double factor = body.mass_kg / thing.properties.mass_kg * body.scale * body.scale;
+    return at_scene_key(scene, key, [&] {
+        return InertiaTensor::from_matrix(thing.properties.inertia_kg_m2 * factor);
+    });
+}
+
+// Axes by their moments, the least first; as columns of a proper rotation.
+Eigen::Matrix3d axes_by_moment(const InertiaTensor& inertia) {
+    std::array<int, 3> order{0, 1, 2};
+    const Eigen::Vector3d& I = inertia.moments_kg_m2();
+    std::stable_sort(order.begin(), order.end(), [&I](int i, int j) { return I[i] < I[j]; });
+    Eigen::Matrix3d axes;
+    for (int i = 0; i < 3; ++i) {
+        axes.col(i) = inertia.body_from_principal().col(order[static_cast<std::size_t>(i)]);
+    }
+    if (axes.determinant() < 0.0) axes.col(1) *= -1.0;
+    return axes;
+}
+
+}  // namespace
+
+fs::path file_named(const SceneDraft& draft, const std::string& key, const std::string& name) {
+    const fs::path scene_folder = draft.scene.file.parent_path();
+    const fs::path folder = scene_folder.empty() ? fs::path(".") : scene_folder;
+    fs::path file = folder / name;  // an absolute name stands for itself
+    if (draft.outside == OutsideFiles::allowed) return file;
+
+    // Links are followed before it is asked where the file lies.
+    std::error_code failed;
+    const fs::path true_folder = fs::weakly_canonical(folder, failed);
+    const fs::path true_file = failed ? fs::path() : fs::weakly_canonical(file, failed);
+    const auto [end_of_folder, rest] =
+        std::mismatch(true_folder.begin(), true_folder.end(), true_file.begin(), true_file.end());
+    if (failed || name.empty() || end_of_folder != true_folder.end() ||
+        fs::path(name).is_absolute()) {
+        refuse(
+            draft.scene, key,
+            fmt::format("{} = \"{}\" does not lie in the scene's folder; move it there, or trust "
+                        "the scene and say --allow-outside",
+                        key, echo(name)));
+    }
+    return file;
+}
+
+void complete_object_body(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    BodySpec& body = scene.body;
+    body.given = BodySpec::Given::object;
+    Thing thing = at_scene_key(scene, "body.object", [&body] { return thing_named(body.object); });
+    body.mass_kg = draft.mass_kg.value_or(thing.properties.mass_kg * std::pow(body.scale, 3));
+    body.inertia = inertia_of(scene, "body.object", thing);
+    scene.surfaces = placed_surfaces(std::move(thing), Eigen::Matrix3d::Identity(), body.scale);
+}
+
+void complete_mesh_body(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    BodySpec& body = scene.body;
+    body.given = BodySpec::Given::mesh;
+    if (draft.has("body.mass_kg") == draft.has("body.density_kg_m3")) {
+        refuse(scene, "body.mesh",
+               draft.mass_kg ? "body.mass_kg and body.density_kg_m3 say the same of a mesh; give "
+                               "one of them"
+                             : "the mesh has no mass; give body.mass_kg or body.density_kg_m3");
+    }
+    Thing thing = thing_in_file(draft, "body.mesh", body.mesh);
+    // Its density so far is one kilogram for a cube of its own unit.
+    const double volume_m3 = thing.properties.mass_kg * std::pow(body.scale, 3);
+    body.mass_kg = draft.mass_kg ? *draft.mass_kg : *body.density_kg_m3 * volume_m3;
+    body.inertia = inertia_of(scene, "body.mesh", thing);
+    body.centre_of_mass_m_body = thing.properties.centre_of_mass_m * body.scale;
+    scene.surfaces = placed_surfaces(std::move(thing), Eigen::Matrix3d::Identity(), body.scale);
+}
+
+void complete_look(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    const bool by_name = draft.has("object.name");
+    if (!by_name && !draft.has("object.mesh")) return;
+    const std::string key = by_name ? "object.name" : "object.mesh";
+    if (by_name && draft.has("object.mesh")) {
+        refuse(scene, "object.mesh", "object.mesh contradicts object.name; give one of them");
+    }
+    if (scene.body.given != BodySpec::Given::moments &&
+        scene.body.given != BodySpec::Given::tensor) {
+        refuse(scene, key,
+               fmt::format("{} shows a body that is given by its moments or its tensor; this one "
+                           "has a form of its own, so remove it",
+                           key));
+    }
+    Thing thing = by_name ? at_scene_key(scene, key, [&] { return thing_named(scene.object.name); })
+                          : thing_in_file(draft, key, scene.object.mesh);
+
+    // Its axis of the largest moment lies along the body's, and so on.
+    const InertiaTensor its_own = at_scene_key(
+        scene, key, [&] { return InertiaTensor::from_matrix(thing.properties.inertia_kg_m2); });
+    const Eigen::Matrix3d turn =
+        axes_by_moment(scene.body.inertia) * axes_by_moment(its_own).transpose();
+    scene.surfaces = placed_surfaces(std::move(thing), turn, 1.0);
+}
+
+}  // namespace poinsot
