@@ -1,5 +1,7 @@
 // Translucent ellipsoids, ray-cast. MEMBERS of them may cross each other: every surface met by the
-// line of sight is weighted by what lies before it.
+// line of sight is weighted by what lies before it. RIM is 0 for the part of a single one that lies
+// well within its outline: there coverage is full. llvmpipe divides and takes roots exactly, which
+// costs as much as ten products, so they are few.
 #include "constants.glsl"
 #include "coverage.glsl"
 #include "quadric.glsl"
@@ -36,8 +38,12 @@ float arcsine(float x) {
 
 // The three principal sections at the point u, which changes by ux, uy with the pixel.
 float sections(vec3 u, vec3 square, float width_px) {
-    vec3 distance_px = abs(u) * inversesqrt(max(square, 1e-12));
-    return line_coverage(min(min(distance_px.x, distance_px.y), distance_px.z), width_px);
+    // The nearest: the least u²/square, found by products.
+    vec3 n = u * u;
+    vec3 d = max(square, 1e-12);
+    vec2 least = n.x * d.y < n.y * d.x ? vec2(n.x, d.x) : vec2(n.y, d.y);
+    least = n.z * least.y < least.x * d.z ? vec2(n.z, d.z) : least;
+    return line_coverage(sqrt(least.x / least.y), width_px);
 }
 
 // Meridians and parallels about the third axis; longitudes from the first.
@@ -46,16 +52,22 @@ float rulings(vec3 u, vec3 ux, vec3 uy, float width_px, float n_meridians, float
     vec2 turn = u.x * vec2(ux.y, uy.y) - u.y * vec2(ux.x, uy.x);
     float per_longitude = n_meridians / (2.0 * pi);
     float per_latitude = (n_parallels + 1.0) / pi;
-    float longitude_square = dot(turn, turn) * (per_longitude * per_longitude) / (rim_square * rim_square);
-    float latitude_square = (ux.z * ux.z + uy.z * uy.z) * (per_latitude * per_latitude) / rim_square;
-    float meridians = ruled(angle_of(u.xy) * per_longitude, longitude_square, width_px);
-    float parallels = ruled((arcsine(u.z) + 0.5 * pi) * per_latitude, latitude_square, width_px);
+    float longitude_square = dot(turn, turn) * (per_longitude * per_longitude);
+    float latitude_square = (ux.z * ux.z + uy.z * uy.z) * (per_latitude * per_latitude);
+    float meridians = ruled_apart(angle_of(u.xy) * per_longitude,
+                                  rim_square * inversesqrt(max(longitude_square, 1e-20)), width_px);
+    float parallels = ruled_apart((arcsine(u.z) + 0.5 * pi) * per_latitude,
+                                  sqrt(rim_square / max(latitude_square, 1e-20)), width_px);
     return max(n_meridians > 0.5 ? meridians : 0.0, n_parallels > 0.5 ? parallels : 0.0);
 }
 
 // Entry (side -1: the outer surface) or exit (side +1: the inner one) of the line of sight.
-Layer surface(int at, Sight s, float side, vec3 to_eye) {
+Layer surface(int at, Sight s, float per_root, float side, vec3 to_eye) {
+#if RIM
     vec3 u = sphere_point(s, side);
+#else
+    vec3 u = s.nearest + (side * s.root * s.per_square) * s.d;
+#endif
     Layer layer;
     layer.depth = depth_of(at, u);
 
@@ -63,7 +75,7 @@ Layer surface(int at, Sight s, float side, vec3 to_eye) {
     float stretch = constant(2).y > 0.5 ? layer.depth : 1.0;
     vec3 gx = stretch * constant(at + 7).xyz;
     vec3 gy = stretch * constant(at + 8).xyz;
-    vec3 slide = s.d * (side / s.root);
+    vec3 slide = s.d * (side * per_root);
     vec3 ux = gx - slide * dot(u, gx);
     vec3 uy = gy - slide * dot(u, gy);
 #if MEMBERS > 1
@@ -94,8 +106,8 @@ Layer surface(int at, Sight s, float side, vec3 to_eye) {
     float alpha;
     if (side < 0.0) {
         vec3 halfway = constant(0).xyz + to_eye;
-        float glint = max(dot(n, halfway) * inversesqrt(dot(halfway, halfway)), 0.0);
-        float g2 = glint * glint, g4 = g2 * g2, g8 = g4 * g4, g16 = g8 * g8, g32 = g16 * g16;
+        float glint = max(dot(n, halfway), 0.0);
+        float g2 = glint * glint / dot(halfway, halfway), g4 = g2 * g2, g8 = g4 * g4, g16 = g8 * g8, g32 = g16 * g16;
         float gloss = 0.05 * g16 + 0.16 * g32 * g32;
         layer.colour += key_strength * gloss * (1.0 - lines) + sky_strength * 0.30 * limb * up;
         alpha = opacity + (1.0 - opacity) * 0.8 * limb;
@@ -128,18 +140,22 @@ void main() {
     vec3 to_eye = -sight * inversesqrt(dot(sight, sight));
 #if MEMBERS == 1
     Sight s = sight_of(first_member, pixel);
-    Layer front = surface(first_member, s, -1.0, to_eye);
-    Layer back = surface(first_member, s, 1.0, to_eye);
+    float per_root = 1.0 / s.root;
+    Layer front = surface(first_member, s, per_root, -1.0, to_eye);
+    Layer back = surface(first_member, s, per_root, 1.0, to_eye);
     float behind = (1.0 - front.alpha) * back.alpha;
-    fragment = vec4(front.colour * front.alpha + back.colour * behind, front.alpha + behind) *
-               outline_coverage(first_member, s);
+    fragment = vec4(front.colour * front.alpha + back.colour * behind, front.alpha + behind);
+#if RIM
+    fragment *= outline_coverage(first_member, s);
+#endif
 #else
     Layer layers[2 * MEMBERS];
     for (int k = 0; k < MEMBERS; ++k) {
         int at = first_member + k * member_size;
         Sight s = sight_of(at, pixel);
-        layers[2 * k] = surface(at, s, -1.0, to_eye);
-        layers[2 * k + 1] = surface(at, s, 1.0, to_eye);
+        float per_root = 1.0 / s.root;
+        layers[2 * k] = surface(at, s, per_root, -1.0, to_eye);
+        layers[2 * k + 1] = surface(at, s, per_root, 1.0, to_eye);
         cover(layers[2 * k], layers[2 * k + 1], outline_coverage(at, s));
     }
     vec4 sum = vec4(0.0);

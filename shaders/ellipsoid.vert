@@ -1,6 +1,6 @@
-// As polygon.vert, with the direction of the line of sight, of unit component along the view axis.
+// As polygon.vert, or a ring between two polygons, with the direction of the line of sight, of unit component along the view axis.
 #include "clip.glsl"
-uniform vec2 corners[16];
+uniform vec2 corners[34];
 uniform vec4 constants[N_FLAT];
 uniform vec3 sights[3];  // at pixel 0, and its change with x and y
 flat out vec4 flat_constants[N_FLAT];

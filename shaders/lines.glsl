@@ -1,11 +1,14 @@
 // Families of lines ruled on a surface. Needs coverage.glsl.
 
-// Coverage by lines where s is an integer; square: of the change of s over a pixel. Crowded lines
-// fade.
-float ruled(float s, float square, float width_px) {
-    float spacing_px = inversesqrt(max(square, 1e-12));
+// Coverage by lines where s is an integer, so many pixels apart. Crowded lines fade.
+float ruled_apart(float s, float spacing_px, float width_px) {
     float distance_px = abs(s - floor(s + 0.5)) * spacing_px;
     return line_coverage(distance_px, width_px) * clamp(0.1 * spacing_px - 0.4, 0.0, 1.0);
+}
+
+// The same by the square of the change of s over a pixel.
+float ruled(float s, float square, float width_px) {
+    return ruled_apart(s, inversesqrt(max(square, 1e-12)), width_px);
 }
 
 // Angle of a vector, after Abramowitz & Stegun 4.4.47, within 1e-4 rad: a fiftieth of a pixel.

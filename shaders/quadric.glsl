@@ -14,6 +14,7 @@ struct Sight {
     vec3 d;
     vec3 m;
     float square;        // |d|²
+    float per_square;    // its inverse
     float discriminant;  // |d|² - |m|²: positive where the line meets the ellipsoid
     float root;          // its square root, not below a tiny part of |d|
     vec3 nearest;        // point of the line nearest to the centre
@@ -25,9 +26,10 @@ Sight sight_of(int at, vec2 pixel) {
     s.d = constant(at).xyz + p.x * constant(at + 1).xyz + p.y * constant(at + 2).xyz;
     s.m = constant(at + 3).xyz + p.x * constant(at + 4).xyz + p.y * constant(at + 5).xyz;
     s.square = max(dot(s.d, s.d), 1e-30);
+    s.per_square = 1.0 / s.square;
     s.discriminant = s.square - dot(s.m, s.m);
     s.root = sqrt(max(s.discriminant, 1e-7 * s.square));
-    s.nearest = cross(s.d, s.m) / s.square;
+    s.nearest = s.per_square * cross(s.d, s.m);
     return s;
 }
 
@@ -64,7 +66,7 @@ float outline_coverage(int at, Sight s) {
 
 // Where the line enters (side -1) or leaves (side +1) the unit sphere.
 vec3 sphere_point(Sight s, float side) {
-    vec3 u = s.nearest + (side * s.root / s.square) * s.d;
+    vec3 u = s.nearest + (side * s.root * s.per_square) * s.d;
     return u * inversesqrt(max(dot(u, u), 1e-30));
 }
 

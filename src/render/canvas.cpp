@@ -1,6 +1,7 @@
 #include "render/canvas.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "error/error.h"
 
@@ -27,7 +28,7 @@ Canvas::Layer Canvas::make_layer(bool with_depth) const {
     if (with_depth) {
         layer.depth = GlRenderbuffer::make();
         glBindRenderbuffer(GL_RENDERBUFFER, layer.depth.id());
-        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT16, width_px_, height_px_);
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width_px_, height_px_);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
                                   layer.depth.id());
     }
@@ -79,7 +80,6 @@ void Canvas::begin_over_still(TileMask& marks) {
         glBlitFramebuffer(r.left, r.top, r.right, r.bottom, r.left, r.top, r.right, r.bottom,
                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, picture_.framebuffer.id());
-    glClear(GL_DEPTH_BUFFER_BIT);
 }
 
 void Canvas::read_whole(Image& image, bool transparent) { read_all(picture_, image, transparent); }
@@ -93,9 +93,33 @@ void Canvas::read_all(const Layer& layer, Image& image, bool transparent) {
 }
 
 void Canvas::read_over_still(TileMask& marks, Image& image, bool transparent) {
-    image = still_image_;
+    if (image.width() != width_px_ || image.height() != height_px_)
+        image = Image(width_px_, height_px_);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.id());
-    for (const PixelRect& rect : marks.rects()) read(rect, image, transparent);
+    // Between the rectangles, which come row by row, lies what stands still.
+    int left = 0, top = 0, bottom = std::min(TileMask::side_px, height_px_);
+    for (const PixelRect& rect : marks.rects()) {
+        while (top < rect.top) {
+            copy_still({left, top, width_px_, bottom}, image);
+            left = 0, top = bottom, bottom = std::min(top + TileMask::side_px, height_px_);
+        }
+        copy_still({left, top, rect.left, bottom}, image);
+        left = rect.right;
+        read(rect, image, transparent);
+    }
+    copy_still({left, top, width_px_, bottom}, image);
+    copy_still({0, bottom, width_px_, height_px_}, image);
+}
+
+void Canvas::copy_still(const PixelRect& rect, Image& image) const {
+    const auto row_size = 4 * static_cast<std::size_t>(width_px_);
+    const std::size_t n = 4 * static_cast<std::size_t>(std::max(rect.width(), 0));
+    if (n == 0) return;
+    for (int y = rect.top; y < rect.bottom; ++y) {
+        const std::size_t first =
+            static_cast<std::size_t>(y) * row_size + 4 * static_cast<std::size_t>(rect.left);
+        std::memcpy(image.bytes().data() + first, still_image_.bytes().data() + first, n);
+    }
 }
 
 void Canvas::read(const PixelRect& rect, Image& image, bool transparent) {

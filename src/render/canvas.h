@@ -35,12 +35,14 @@ class Canvas {
  private:
     struct Layer {
         GlTexture texture;
-        GlRenderbuffer depth;  // of the picture only: it keeps curves from mixing with themselves
+        // Of the picture only: it keeps curves from mixing with themselves. CurvePass empties it.
+        GlRenderbuffer depth;
         GlFramebuffer framebuffer;
     };
     Layer make_layer(bool with_depth) const;
     void begin(const Layer& layer) const;
     void read(const PixelRect& rect, Image& image, bool transparent);
+    void copy_still(const PixelRect& rect, Image& image) const;
     void read_all(const Layer& layer, Image& image, bool transparent);
 
     Encoder encoder_;

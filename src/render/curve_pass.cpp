@@ -54,7 +54,6 @@ CurvePass::CurvePass() : vertex_array_(GlVertexArray::make()), indices_(GlBuffer
 
 void CurvePass::begin_picture() {
     ++picture_;
-    n_drawn_ = 0;
     std::erase_if(uploads_, [this](const auto& entry) {
         return entry.second.last_picture + kept_pictures < picture_;
     });
@@ -155,9 +154,16 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve) {
         surface == nullptr ? 0.0 : surface->limb_cosine(),
         surface == nullptr ? 0.0 : scene.view->ellipsoids[static_cast<std::size_t>(own)].opacity);
     if (occluded) scene.add_solids(constants);
-    // Each curve of the picture lies a step before the last in the depth buffer.
+    // Each curve lies a step before all that were drawn earlier, so that the depth buffer need not
+    // be emptied for every picture. Steps are powers of two and depths lie between 1/2 and 1: what
+    // is compared is rounded alike in whatever step it is drawn.
     constexpr double depth_step = 1.0 / 1024.0;
-    n_drawn_ = n_drawn_ % 1000 + 1;
+    if (++n_drawn_ >= 512) {
+        glDisable(GL_SCISSOR_TEST);  // of all views
+        glClear(GL_DEPTH_BUFFER_BIT);
+        glEnable(GL_SCISSOR_TEST);
+        n_drawn_ = 1;
+    }
     constants.add(range.last - curve.fade_points, range.last, 1.0 - n_drawn_ * depth_step,
                   0.9 * depth_step);
 

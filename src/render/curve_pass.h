@@ -50,7 +50,7 @@ class CurvePass {
     int n_segments_ = 0;
     std::unordered_map<std::uint64_t, Uploaded> uploads_;
     std::uint64_t picture_ = 0;
-    int n_drawn_ = 0;  // in this picture
+    int n_drawn_ = 0;  // since the depth buffer was emptied
 };
 
 }  // namespace poinsot

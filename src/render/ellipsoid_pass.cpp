@@ -7,10 +7,27 @@
 
 namespace poinsot {
 
-EllipsoidPass::Variant::Variant(int n_members)
-    : program("ellipsoid.frag", 3 + 14 * n_members, {"MEMBERS " + std::to_string(n_members)},
-              "ellipsoid.vert", 1),
+EllipsoidPass::Variant::Variant(int n_members, bool rim)
+    : program("ellipsoid.frag", 3 + 14 * n_members,
+              {"MEMBERS " + std::to_string(n_members), rim ? "RIM 1" : "RIM 0"}, "ellipsoid.vert",
+              1),
       sights(program.at("sights")) {}
+
+void EllipsoidPass::Variant::use(const Projection& p) const {
+    program.Program::use();
+    // Lines of sight at pixel 0, and their change with x and y.
+    const Eigen::Vector3d sight = p.ray(Eigen::Vector2d::Zero());
+    Eigen::Matrix3f rows;
+    rows << sight.cast<float>(), (p.ray(Eigen::Vector2d::UnitX()) - sight).cast<float>(),
+        (p.ray(Eigen::Vector2d::UnitY()) - sight).cast<float>();
+    glUniform3fv(sights, 3, rows.data());
+}
+
+const EllipsoidPass::Variant& EllipsoidPass::variant_of(int n_members) {
+    auto& variant = variants_[static_cast<std::size_t>(n_members - 1)];
+    if (!variant) variant.emplace(n_members, true);
+    return *variant;
+}
 
 void EllipsoidPass::draw(const ViewScene& scene) {
     // Farthest first; each group takes in all that its outline touches.
@@ -44,8 +61,6 @@ void EllipsoidPass::draw(const ViewScene& scene) {
 }
 
 void EllipsoidPass::draw_group(const ViewScene& scene, const int* members, int n_members) {
-    auto& variant = variants_[static_cast<std::size_t>(n_members - 1)];
-    if (!variant) variant.emplace(n_members);
     const Projection& p = scene.projection;
     Constants constants;
     scene.add_light(constants);
@@ -66,17 +81,19 @@ void EllipsoidPass::draw_group(const ViewScene& scene, const int* members, int n
         box.add({q.outline.box.left, q.outline.box.top});
         box.add({q.outline.box.right, q.outline.box.bottom});
     }
-    variant->program.Program::use();
-    // Lines of sight at pixel 0, and their change with x and y.
-    const Eigen::Vector3d sight = p.ray(Eigen::Vector2d::Zero());
-    Eigen::Matrix3f sights;
-    sights << sight.cast<float>(), (p.ray(Eigen::Vector2d::UnitX()) - sight).cast<float>(),
-        (p.ray(Eigen::Vector2d::UnitY()) - sight).cast<float>();
-    glUniform3fv(variant->sights, 3, sights.data());
-    const PixelPolygon polygon = n_members == 1
-                                     ? scene.quadrics[static_cast<std::size_t>(members[0])].outline
-                                     : polygon_of(box.within(p.box));
-    variant->program.draw(polygon, constants, *scene.drawing);
+    const Quadric& first = scene.quadrics[static_cast<std::size_t>(members[0])];
+    const Variant& variant = variant_of(n_members);
+    variant.use(p);
+    if (n_members > 1) {
+        variant.program.draw(polygon_of(box.within(p.box)), constants, *scene.drawing);
+    } else if (first.core.n_corners == 0) {
+        variant.program.draw(first.outline, constants, *scene.drawing);
+    } else {
+        variant.program.draw_ring(first.outline, first.core, constants, *scene.drawing);
+        if (!core_) core_.emplace(1, false);
+        core_->use(p);
+        core_->program.draw(first.core, constants, *scene.drawing);
+    }
 }
 
 }  // namespace poinsot

@@ -13,45 +13,6 @@ namespace {
 
 constexpr int n_bands = 32;
 
-// As in shaders/shadow.vert.
-constexpr int n_rings = 16;
-constexpr int n_spokes = 48;
-
-// The part of a plane that an ellipsoid shades: a web about the hub, out to a circle.
-struct Shadow {
-    Eigen::Vector3d hub;      // the point of the plane nearest to the ellipsoid
-    Eigen::Vector3d centre;   // of the circle
-    Eigen::Vector3d towards;  // the middle of the lamp, unit
-    double side;              // of the plane on which the ellipsoid stands
-    double radius;
-};
-
-Shadow shadow_of(const Plane& plane, const Quadric& caster, const Light& light) {
-    Shadow shadow;
-    const double height = plane.normal.dot(caster.centre - plane.centre);
-    shadow.side = height < 0.0 ? -1.0 : 1.0;
-    const Eigen::Vector3d up = shadow.side * plane.normal;
-    const Eigen::Vector3d lean = caster.axes.transpose() * up;
-    const Eigen::Vector3d lowest =
-        caster.centre - caster.axes * lean / std::max(lean.norm(), 1e-12);
-    const auto foot = [&](const Eigen::Vector3d& x) {
-        return (x - plane.normal.dot(x - plane.centre) * plane.normal).eval();
-    };
-    shadow.hub = foot(lowest);
-    // The lamp stands higher than the key light: a shadow near the touch is calmer than a long one.
-    constexpr double raised = 0.8;
-    const Eigen::Vector3d key = light.towards.normalized();
-    shadow.towards = (key + (raised + std::max(0.0, -key.dot(up))) * up).normalized();
-    const Eigen::Vector3d lee =
-        foot(caster.centre -
-             shadow.towards * (std::abs(height) / std::max(shadow.towards.dot(up), 0.3)));
-    // Beyond two of its radii a sphere on the plane takes no more than a level.
-    shadow.centre = 0.5 * (foot(caster.centre) + lee);
-    shadow.radius = std::max(2.0 * caster.axes.colwise().norm().maxCoeff(),
-                             1.2 * (shadow.centre - shadow.hub).norm());
-    return shadow;
-}
-
 }  // namespace
 
 BackgroundPass::BackgroundPass()
@@ -106,11 +67,11 @@ void PlanePass::draw(const ViewScene& scene, std::size_t plane) const {
 ShadowPass::ShadowPass()
     : program_("shadow.vert", "shadow.frag"),
       picture_(program_.at("picture")),
-      constants_(program_.at("constants")),
-      to_u_(program_.at("to_u")),
       tint_(program_.at("deepest")),
       vertex_array_(GlVertexArray::make()),
+      corners_(GlBuffer::make()),
       indices_(GlBuffer::make()) {
+    constexpr int n_rings = ShadowWeb::n_rings, n_spokes = ShadowWeb::n_spokes;
     std::vector<std::uint16_t> indices;
     for (int ring = 0; ring < n_rings; ++ring) {
         for (int spoke = 0; spoke < n_spokes; ++spoke) {
@@ -132,46 +93,43 @@ ShadowPass::ShadowPass()
     glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                  static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint16_t)), indices.data(),
                  GL_STATIC_DRAW);
+    glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Eigen::Vector4f), nullptr);
+}
+
+void ShadowPass::prepare(ViewScene& scene) {
+    scene.shadows.clear();
+    for (std::size_t plane = 0; plane < scene.view->planes.size(); ++plane) {
+        for (const Quadric& caster : scene.casters) {
+            ShadowWeb web =
+                shadow_web(scene.view->planes[plane], caster, scene.view->light, scene.projection);
+            if (web.corners.empty()) continue;
+            web.plane = plane;
+            scene.shadows.push_back(std::move(web));
+        }
+    }
 }
 
 void ShadowPass::draw(const ViewScene& scene, std::size_t plane) const {
-    const Plane& shape = scene.view->planes[plane];
-    for (const Quadric& q : scene.casters) {
-        const Shadow shadow = shadow_of(shape, q, scene.view->light);
-        Constants constants;
-        scene.add_view(constants);
-        scene.add_light(constants);
-        constants.add(shadow.hub, shadow.radius);
-        constants.add(shape.along);
-        constants.add(across_of(shape));
-        constants.add(shape.centre, shape.radius);
-        constants.add(shape.opacity, shape.fade_from, 0.0, 0.0);
-        constants.add((shadow.side * q.axes.transpose() * shape.normal).normalized());
-        constants.add((q.to_u * shadow.towards).normalized());
-        const Eigen::Vector3d off = shadow.centre - shadow.hub;
-        constants.add(shape.along.dot(off), across_of(shape).dot(off), 0.0, 0.0);
-        Constants to_u;
-        for (int row = 0; row < 3; ++row) to_u.add(q.to_u_row(row), q.to_u_offset(row));
+    for (const ShadowWeb& web : scene.shadows) {
+        if (web.plane != plane) continue;
         program_.use();
         set_picture(picture_, *scene.drawing);
-        glUniform4fv(constants_, constants.size(), constants.from(0));
-        glUniform4fv(to_u_, to_u.size(), to_u.from(0));
         // A deep shade of the plane's own colour is calmer than black.
-        const Eigen::Vector4f tint = linear_from_srgb(shape.grid_colour, 1.0);
+        const Eigen::Vector4f tint = linear_from_srgb(scene.view->planes[plane].grid_colour, 1.0);
         glUniform4f(tint_, 0.06f * tint[0], 0.06f * tint[1], 0.06f * tint[2], 1.0f);
         glBindVertexArray(vertex_array_.id());
+        glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
+        glBufferData(GL_ARRAY_BUFFER,
+                     static_cast<GLsizeiptr>(web.corners.size() * sizeof(Eigen::Vector4f)),
+                     web.corners.data(), GL_STREAM_DRAW);
         glDrawElements(GL_TRIANGLES, n_indices_, GL_UNSIGNED_SHORT, nullptr);
     }
 }
 
-void ShadowPass::mark(const ViewScene& scene, std::size_t plane, TileMask& marks) const {
-    const Plane& shape = scene.view->planes[plane];
-    for (const Quadric& q : scene.casters) {
-        const Shadow shadow = shadow_of(shape, q, scene.view->light);
-        marks.mark(disc_polygon(scene.projection, shadow.centre, shape.along, across_of(shape),
-                                shadow.radius),
-                   scene.projection.box);
-    }
+void ShadowPass::mark(const ViewScene& scene, TileMask& marks) const {
+    for (const ShadowWeb& web : scene.shadows) web.mark(scene.projection, marks);
 }
 
 }  // namespace poinsot

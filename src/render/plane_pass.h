@@ -29,14 +29,16 @@ class PlanePass {
 class ShadowPass {
  public:
     ShadowPass();
+    // Makes the webs of all that casts shadows in the view.
+    static void prepare(ViewScene& scene);
     void draw(const ViewScene& scene, std::size_t plane) const;
-    void mark(const ViewScene& scene, std::size_t plane, TileMask& marks) const;
+    void mark(const ViewScene& scene, TileMask& marks) const;
 
  private:
     Program program_;
-    GLint picture_, constants_, to_u_, tint_;
+    GLint picture_, tint_;
     GlVertexArray vertex_array_;
-    GlBuffer indices_;
+    GlBuffer corners_, indices_;
     GLsizei n_indices_ = 0;
 };
 

@@ -141,4 +141,18 @@ void PolygonProgram::draw(const PixelPolygon& polygon, const Constants& constant
     glDrawArrays(GL_TRIANGLE_FAN, 0, polygon.n_corners);
 }
 
+void PolygonProgram::draw_ring(const PixelPolygon& outer, const PixelPolygon& inner,
+                               const Constants& constants, const Drawing& drawing) const {
+    std::array<Eigen::Vector2f, 2 * (PixelPolygon::most_corners + 1)> corners;
+    for (int k = 0; k <= outer.n_corners; ++k) {
+        const auto corner = static_cast<std::size_t>(k % outer.n_corners);
+        corners[2 * static_cast<std::size_t>(k)] = outer.corners[corner];
+        corners[2 * static_cast<std::size_t>(k) + 1] = inner.corners[corner];
+    }
+    use(constants, drawing);
+    const int n_corners = 2 * (outer.n_corners + 1);
+    glUniform2fv(corners_, n_corners, corners[0].data());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, n_corners);
+}
+
 }  // namespace poinsot

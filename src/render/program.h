@@ -63,6 +63,10 @@ class PolygonProgram : public ConstantProgram {
     // Precondition: a vertex array without attributes is bound.
     void draw(const PixelPolygon& polygon, const Constants& constants,
               const Drawing& drawing) const;
+    // Only what lies outside `inner`, which lies within it and has as many corners; the vertex
+    // shader must hold twice as many and two.
+    void draw_ring(const PixelPolygon& outer, const PixelPolygon& inner, const Constants& constants,
+                   const Drawing& drawing) const;
 
  private:
     GLint corners_;

@@ -24,15 +24,14 @@ Eigen::Matrix3d thickened(const Eigen::Matrix3d& half_axes) {
     return axes;
 }
 
-// The corners of a regular polygon about the ellipse middle + cos·a + sin·b.
-PixelPolygon polygon_about(const Eigen::Vector2d& middle, const Eigen::Vector2d& a,
-                           const Eigen::Vector2d& b) {
-    constexpr int n = 12;
-    const double outside = 1.0 / std::cos(std::numbers::pi / n);
+// A polygon with its corners on the ellipse middle + cos·a + sin·b.
+PixelPolygon polygon_in(const Eigen::Vector2d& middle, const Eigen::Vector2d& a,
+                        const Eigen::Vector2d& b) {
+    constexpr int n = PixelPolygon::most_corners;
     PixelPolygon polygon;
     for (int k = 0; k < n; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / n;
-        polygon.add(middle + outside * (std::cos(angle) * a + std::sin(angle) * b));
+        polygon.add(middle + std::cos(angle) * a + std::sin(angle) * b);
     }
     return polygon;
 }
@@ -96,9 +95,16 @@ Quadric::Quadric(const Ellipsoid& ellipsoid, const Projection& projection)
     narrow_bend = 2.0 * values[0];
     narrow_px = half_px[0];
     wide_px = half_px[1];
+    const Eigen::Vector2d wide = solver.eigenvectors().col(1);
+    const double about = 1.0 / std::cos(std::numbers::pi / PixelPolygon::most_corners);
     constexpr double margin_px = 1.5;
-    outline = polygon_about(anchor_px + middle, (half_px[0] + margin_px) * narrow,
-                            (half_px[1] + margin_px) * solver.eigenvectors().col(1));
+    outline = polygon_in(anchor_px + middle, about * (half_px[0] + margin_px) * narrow,
+                         about * (half_px[1] + margin_px) * wide);
+    // Axes shorter by this bring the edge nearer by at least 2 inset √(ab)/(a + b), here 0.9 px.
+    constexpr double inset_px = 3.0, narrowest_px = 24.0, longest = 40.0;
+    if (half_px[0] > narrowest_px && half_px[1] < longest * half_px[0])
+        core = polygon_in(anchor_px + middle, (half_px[0] - inset_px) * narrow,
+                          (half_px[1] - inset_px) * wide);
     seen = !outline.box.within(view.box).empty();
 }
 

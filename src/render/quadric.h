@@ -29,6 +29,7 @@ struct Quadric {
     double wide_px = 1e9;          // greatest half width
     bool seen = true;
     PixelPolygon outline;  // holds its picture; the whole view where it surrounds the eye
+    PixelPolygon core;     // pixels wholly inside it, corners as those of `outline`; may be empty
 
     Quadric(const Ellipsoid& ellipsoid, const Projection& projection);
 

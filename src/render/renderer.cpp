@@ -71,7 +71,7 @@ struct Renderer::Impl {
     GlVertexArray empty_;  // for shapes whose corners come from uniforms
 
     std::vector<ViewScene> scenes_;
-    std::vector<bool> overlaps_;  // whether a view covers part of an earlier one
+    std::vector<bool> overlaps_;  // whether what stands still in a view covers an earlier one
     TileMask marks_;
     Background still_background_;
     std::vector<StillView> still_views_;
@@ -92,6 +92,8 @@ void Renderer::Impl::prepare(const Drawing& drawing) {
     overlaps_.assign(n, false);
     for (std::size_t k = 0; k < n; ++k) {
         scenes_[k].prepare(drawing, drawing.views[k]);
+        // A view of labels alone leaves what lies under it as it is.
+        if (drawing.views[k].background.alpha <= 0.0 && drawing.views[k].planes.empty()) continue;
         for (std::size_t j = 0; j < k; ++j)
             if (!scenes_[k].projection.box.within(scenes_[j].projection.box).empty())
                 overlaps_[k] = true;
@@ -145,10 +147,9 @@ void Renderer::Impl::draw_still(const Drawing& drawing) {
 
 void Renderer::Impl::mark_moving(const ViewScene& scene) {
     const PixelBox& box = scene.projection.box;
-    for (std::size_t k = 0; k < scene.maps.size(); ++k) {
-        shadow_.mark(scene, k, marks_);
+    shadow_.mark(scene, marks_);
+    for (std::size_t k = 0; k < scene.maps.size(); ++k)
         if (scene.before_solids[k]) marks_.mark(disc_polygon(scene, k), box);
-    }
     for (const Quadric& q : scene.quadrics)
         if (q.seen) marks_.mark(q.outline, box);
     for (const Curve& curve : scene.view->curves) curve_.mark(scene, curve, marks_);
@@ -210,7 +211,10 @@ void Renderer::Impl::render(const Drawing& drawing, Image& image) {
     curve_.begin_picture();
     label_.begin_picture(drawing);
     mesh_.begin_picture();
-    for (ViewScene& scene : scenes_) mesh_.prepare(scene);
+    for (ViewScene& scene : scenes_) {
+        mesh_.prepare(scene);
+        ShadowPass::prepare(scene);
+    }
     const bool transparent = drawing.background.alpha < 1.0;
 
     // What stood still in the picture before will likely stand still in the next, and is kept.

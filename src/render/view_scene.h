@@ -8,6 +8,7 @@
 #include "render/constants.h"
 #include "render/projection.h"
 #include "render/quadric.h"
+#include "render/shadow_web.h"
 
 namespace poinsot {
 
@@ -39,6 +40,7 @@ struct ViewScene {
     std::vector<PlaneMap> maps;       // one for each plane
     std::vector<bool> before_solids;  // whether the plane lies between the eye and the ellipsoids
     std::vector<Quadric> casters;     // what casts shadows on the planes
+    std::vector<ShadowWeb> shadows;   // the shadows
     MeshLayer mesh_layer;
 
     void prepare(const Drawing& whole, const View& shown);
