@@ -124,7 +124,7 @@ ShadowWeb shadow_web(const Plane& plane, const Quadric& caster, const Light& lig
     }
     ShadowWeb web;
     if (!any) return web;
-    web.corners.reserve(static_cast<std::size_t>((n_rings + 1) * n_spokes));
+    web.corners.reserve(std::size_t{n_rings + 1} * n_spokes);
     for (int ring = 0; ring <= n_rings; ++ring) {
         const double share = static_cast<double>(ring) / n_rings;
         for (const Eigen::Vector3d& spoke : spokes) {
@@ -149,7 +149,8 @@ void ShadowWeb::mark(const Projection& projection, TileMask& marks) const {
         return (corner.head<2>() / corner.z()).cast<double>().eval();
     };
     const auto at = [&](int ring, int spoke) -> const Eigen::Vector4f& {
-        return corners[static_cast<std::size_t>(ring * n_spokes + spoke % n_spokes)];
+        const int corner = ring * n_spokes + spoke % n_spokes;
+        return corners[static_cast<std::size_t>(corner)];
     };
     for (int spoke = 0; spoke < n_spokes; ++spoke) {
         if (projection.perspective && std::min(at(0, 0).z(), at(n_rings, spoke).z()) <=
