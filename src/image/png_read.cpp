@@ -127,10 +127,29 @@ void check_start(std::span<const std::uint8_t> file, const std::string& name) {
                                      height, kLargestPngSide_px));
 }
 
+// libpng takes memory for a chunk by the length that it claims, before reading it.
+void check_chunks(std::span<const std::uint8_t> file, const std::string& name) {
+    std::size_t at = 8;
+    while (at < file.size()) {
+        if (file.size() - at < 12) throw InputError(fmt::format("{} is cut short", name));
+        const std::size_t length = u32_at(file, at);
+        const std::string_view type(reinterpret_cast<const char*>(file.data()) + at + 4, 4);
+        if (length > file.size() - at - 12) throw InputError(fmt::format("{} is cut short", name));
+        if (length > kLargestChunk_bytes && type != "IDAT")
+            throw InputError(
+                fmt::format("{} is a broken PNG picture: a chunk of {} bytes besides "
+                            "the pixels; at most {} are read",
+                            name, length, kLargestChunk_bytes));
+        if (type == "IEND") return;
+        at += 12 + length;
+    }
+}
+
 }  // namespace
 
 Image decode_png(std::span<const std::uint8_t> file, const std::string& name, PngInfo* info) {
     check_start(file, name);
+    check_chunks(file, name);
     Source source;
     source.file = file;
     source.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);

@@ -218,6 +218,26 @@ TEST(PngReading, HugeSizesAreRefusedBeforeMemoryIsTaken) {
     EXPECT_EQ(refusal([&] { decode_png(with_size(0x40, 0), "a.png"); }), "a.png is cut short");
 }
 
+// libpng would take the memory that a chunk claims before it reads it.
+TEST(PngReading, TakesNoMemoryOnAChunksWordAlone) {
+    const Bytes file = encode_png(Image(2, 2));
+    Bytes claims(file.begin(), file.end() - 12);  // without IEND
+    // A length of 0x5c0f0010, the type and the first byte of a text.
+    for (const char byte :
+         {'\x5c', '\x0f', '\0', '\x10', 'i', 'T', 'X', 't', 'k', '\0', '\0', '\0', '\0'})
+        claims.push_back(static_cast<std::uint8_t>(byte));
+    EXPECT_EQ(refusal([&] { decode_png(claims, "a.png"); }), "a.png is cut short");
+
+    constexpr std::size_t too_long = (std::size_t{4} << 20) + 1;
+    Bytes large(file.begin(), file.end() - 12);
+    for (int i = 3; i >= 0; --i) large.push_back(static_cast<std::uint8_t>(too_long >> 8 * i));
+    for (const char c : {'i', 'T', 'X', 't'}) large.push_back(static_cast<std::uint8_t>(c));
+    large.resize(large.size() + too_long + 4);
+    EXPECT_EQ(refusal([&] { decode_png(large, "a.png"); }),
+              "a.png is a broken PNG picture: a chunk of 4194305 bytes besides the pixels; at most "
+              "4194304 are read");
+}
+
 TEST(PngReading, SaysWhatIsWrongWithAFile) {
     const TemporaryFolder folder;
     const fs::path path = folder / "a.png";
