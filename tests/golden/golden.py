@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""The golden suite: every scene drawn small, in the portable profile, beside the picture that was approved.
+
+check:  one scene against its baseline in tests/golden/scenes. With the renderer that drew the baselines no pixel may differ;
+        with another, the caps of `poinsot compare --profile native` hold. On failure a report is left and named.
+renew:  takes the pictures of all scenes as baselines, after you have looked at them; --why says what changed them.
+sheet:  all baselines on one picture, to be looked at.
+Usage: golden.py check POINSOT NAME FOLDER | golden.py renew POINSOT "WHY" [FOLDER] | golden.py sheet POINSOT OUT.png
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+BASELINES = HERE / "scenes"
+SCENES = HERE.parents[1] / "scenes"
+SIZE = "240x135"
+
+
+def draw(program, name, folder):
+    """The scene's picture in the folder, at the last instant of its film, when every curve has its length."""
+    picture = folder / f"{name}.png"
+    subprocess.run([program, "still", str(SCENES / f"{name}.toml"), "--portable", "--size", SIZE, "-q", "-o", str(picture)],
+                   check=True)
+    return picture
+
+
+def fields_of(program, picture):
+    """What a picture says of itself, by key."""
+    text = subprocess.run([program, "explain", str(picture)], check=True, capture_output=True, text=True).stdout
+    return dict(line.split(": ", 1) for line in text.split("\n\n")[0].splitlines() if ": " in line)
+
+
+def check(program, name, folder):
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    baseline = BASELINES / f"{name}.png"
+    picture = draw(program, name, folder)
+    if not baseline.exists():
+        print(f"{name}: no baseline; look at {picture}, then: {sys.argv[0]} renew {program} \"first picture\"")
+        return 1
+    then, now = fields_of(program, baseline), fields_of(program, picture)
+    profile = "portable"
+    if (then["renderer"], then["mesa"]) != (now["renderer"], now["mesa"]):
+        profile = "native"
+        print(f"{name}: the baseline is by {then['renderer']}, Mesa {then['mesa']}, this is {now['renderer']}, Mesa "
+              f"{now['mesa']}: compared with caps, not by bytes")
+    report = folder / f"{name}.html"
+    compared = subprocess.run([program, "compare", str(baseline), str(picture), "--profile", profile,
+                               "--report", str(report)])
+    if compared.returncode == 0:
+        report.unlink(missing_ok=True)
+        return 0
+    if then["scene-sha256"] != now["scene-sha256"]:
+        print(f"{name}: its scene has changed since the picture was approved")
+    print(f"report: {report}\nif the new picture is the right one: {sys.argv[0]} renew {program} \"why it changed\"")
+    return 1
+
+
+def renew(program, why, folder=None):
+    with tempfile.TemporaryDirectory() as scratch:
+        results = pathlib.Path(folder or scratch)
+        results.mkdir(parents=True, exist_ok=True)
+        names = sorted(scene.stem for scene in SCENES.glob("*.toml"))
+        for name in names:
+            draw(program, name, results)
+        # Baselines of scenes that are no more go, with their lines in the manifest.
+        for baseline in BASELINES.glob("*.png"):
+            if baseline.stem in names:
+                continue
+            baseline.unlink()
+            manifest = BASELINES / "manifest.toml"
+            kept = [line for line in manifest.read_text().splitlines(True) if not line.startswith(f'"{baseline.stem}" ')]
+            manifest.write_text("".join(kept))
+            print(f"{baseline.stem}: gone")
+        return subprocess.run([program, "approve", "--all", "--results", str(results), "--baselines", str(BASELINES),
+                               "--why", why]).returncode
+
+
+def sheet(program, out):
+    """Baselines side by side through a page that Chromium draws; only for looking."""
+    pictures = sorted(BASELINES.glob("*.png"))
+    cells = "".join(f'<figure style="display:inline-block;margin:4px"><img src="file://{p}" style="width:480px">'
+                    f"<figcaption>{re.sub('_', ' ', p.stem)}</figcaption></figure>" for p in pictures)
+    with tempfile.NamedTemporaryFile("w", suffix=".html") as page:
+        page.write(f'<body style="font:14px sans-serif;width:1980px">{cells}')
+        page.flush()
+        rows = -(-len(pictures) // 4)
+        return subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--screenshot={out}",
+                               f"--window-size=2000,{rows * 305 + 20}", "--allow-file-access-from-files",
+                               f"file://{page.name}"], capture_output=True).returncode
+
+
+if __name__ == "__main__":
+    sys.exit({"check": check, "renew": renew, "sheet": sheet}[sys.argv[1]](*sys.argv[2:]))
