@@ -8,6 +8,9 @@
 
 namespace poinsot {
 
+// As most_arguments: CLI11's own word for it.
+inline constexpr int any_number = 1 << 29;
+
 struct Command {
     std::string_view name;
     std::string_view arguments;  // "SCENE", as shown in the usage

@@ -48,26 +48,36 @@ OffscreenContext make_context(const Options& options) {
                             options.portable ? Portability::portable : Portability::native);
 }
 
-PictureMaker::PictureMaker(const Session& session, const Options& options, const PictureSpan& span)
+const OffscreenContext& Easel::context() {
+    if (!context_) context_.emplace(make_context(options_));
+    return *context_;
+}
+
+Renderer& Easel::renderer() {
+    if (!renderer_) renderer_.emplace(context());
+    return *renderer_;
+}
+
+PictureMaker::PictureMaker(const Session& session, Easel& easel, const PictureSpan& span)
     : samples_(setting_of(session.scene).samples),
       stage_(make_stage(session, span, setting_of(session.scene))),
-      own_context_(make_context(options)),
-      context_(&*own_context_),
-      renderer_(*context_) {}
+      context_(&easel.context()),
+      renderer_(&easel.renderer()) {}
 
 PictureMaker::PictureMaker(const Session& session, const OffscreenContext& context,
                            const PictureSpan& span, const PictureSetting& setting)
     : samples_(setting.samples),
       stage_(make_stage(session, span, setting)),
       context_(&context),
-      renderer_(context) {}
+      own_renderer_(context),
+      renderer_(&*own_renderer_) {}
 
 void PictureMaker::draw(double time_s, Image& image) {
     if (samples_ == 1) {
-        renderer_.render_into(stage_.at(time_s), image);
+        renderer_->render_into(stage_.at(time_s), image);
         return;
     }
-    renderer_.render_into(stage_.at(time_s), large_);
+    renderer_->render_into(stage_.at(time_s), large_);
     image = downsampled(large_, samples_);
 }
 

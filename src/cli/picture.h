@@ -19,6 +19,22 @@ struct PictureSpan {
 // The context that the command line asks for.
 OffscreenContext make_context(const Options& options);
 
+// What all scenes of a command are drawn with: the context that the command line asks for, and a
+// renderer, whose shaders serve them all. Opened when first asked for.
+class Easel {
+ public:
+    explicit Easel(const Options& options) : options_(options) {}
+
+    // Throw as make_context does.
+    const OffscreenContext& context();
+    Renderer& renderer();
+
+ private:
+    Options options_;
+    std::optional<OffscreenContext> context_;
+    std::optional<Renderer> renderer_;
+};
+
 // How finely a picture is drawn; --quality names some of these.
 struct PictureSetting {
     double curve_tolerance = 1.0;  // in units of the scene's accuracy_px
@@ -27,8 +43,8 @@ struct PictureSetting {
 
 class PictureMaker {
  public:
-    // On a context of its own, as finely as the scene's quality says.
-    PictureMaker(const Session& session, const Options& options, const PictureSpan& span);
+    // As finely as the scene's quality says.
+    PictureMaker(const Session& session, Easel& easel, const PictureSpan& span);
     // On a context that outlives it.
     PictureMaker(const Session& session, const OffscreenContext& context, const PictureSpan& span,
                  const PictureSetting& setting);
@@ -45,9 +61,9 @@ class PictureMaker {
     // The stage is made first: a scene that has no picture is refused before a context is opened.
     int samples_;
     Stage stage_;
-    std::optional<OffscreenContext> own_context_;
     const OffscreenContext* context_;
-    Renderer renderer_;
+    std::optional<Renderer> own_renderer_;
+    Renderer* renderer_;
     Image large_;
 };
 

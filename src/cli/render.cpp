@@ -11,6 +11,7 @@
 #include "cli/picture.h"
 #include "cli/progress.h"
 #include "cli/record.h"
+#include "cli/scenes.h"
 #include "cli/session.h"
 #include "error/error.h"
 #include "output/pipeline.h"
@@ -30,7 +31,7 @@ std::filesystem::path output_path(const Options& options, const Scene& scene) {
 
 }  // namespace
 
-int make_film(const Session& session, const Options& options) {
+int make_film(const Session& session, const Options& options, Easel& easel) {
     print_notes(session.scene, options.quiet);
     const FilmPlan film = film_plan(session.scene, session.motion);
 
@@ -69,7 +70,7 @@ int make_film(const Session& session, const Options& options) {
 
     watch_for_interrupts();
     const OutputFormat& format = format_for(plan.path);
-    PictureMaker pictures(session, options,
+    PictureMaker pictures(session, easel,
                           {.first_time_s = film.time_of(0), .last_time_s = film.time_of(last)});
     Record record = record_of(session, pictures.context_info(), options.portable);
     record.frames = {first, last};
@@ -90,7 +91,11 @@ int make_film(const Session& session, const Options& options) {
 
 namespace {
 
-int run(const Options& options) { return make_film(open_session(options), options); }
+int run(const Options& options) {
+    Easel easel(options);
+    return for_each_scene(
+        options, [&easel](const Options& own) { return make_film(open_session(own), own, easel); });
+}
 
 constexpr auto options_taken =
     std::to_array<std::string_view>({"output", "set", "size", "fps", "quality", "frames", "quiet",
@@ -99,6 +104,7 @@ constexpr auto options_taken =
 }  // namespace
 
 const Command render_command{
-    "render", "SCENE", 1, 1, "make a film or a PNG sequence of a scene", options_taken, run};
+    "render",      "SCENE", 1, any_number, "make a film or a PNG sequence of each scene",
+    options_taken, run};
 
 }  // namespace poinsot

@@ -48,7 +48,7 @@ void note_differences(const Record& then, const Record& now) {
 
 // One frame of a sequence carries the record of the whole, whose histories it shows.
 int redraw_frame(const std::filesystem::path& file, const Record& record, const Session& session,
-                 const Options& options) {
+                 const Options& options, Easel& easel) {
     const auto frame = frame_of_name(file);
     const auto [first, last] = *record.frames;
     if (!frame || *frame < first || *frame > last)
@@ -57,7 +57,7 @@ int redraw_frame(const std::filesystem::path& file, const Record& record, const 
             "the name end in the frame's number",
             printable(file.string()), first, last));
     const FilmPlan film = film_plan(session.scene, session.motion);
-    PictureMaker pictures(session, options,
+    PictureMaker pictures(session, easel,
                           {.first_time_s = film.time_of(0), .last_time_s = film.time_of(last)});
     Image image;
     pictures.draw(film.time_of(*frame), image);
@@ -92,9 +92,10 @@ int run(const Options& given) {
     options.portable = record.portable;
     options.time_s = record.time_s.value_or(0.0);
     options.frames = record.frames;
-    const int code = record.time_s ? make_still(session, options)
-                     : is_picture  ? redraw_frame(file, record, session, options)
-                                   : make_film(session, options);
+    Easel easel(options);
+    const int code = record.time_s ? make_still(session, options, easel)
+                     : is_picture  ? redraw_frame(file, record, session, options, easel)
+                                   : make_film(session, options, easel);
     if (!options.quiet) note_differences(record, read_record(output));
     return code;
 }

@@ -9,6 +9,7 @@
 #include "cli/jobs.h"
 #include "cli/picture.h"
 #include "cli/record.h"
+#include "cli/scenes.h"
 #include "cli/session.h"
 #include "error/error.h"
 #include "image/png.h"
@@ -16,7 +17,7 @@
 
 namespace poinsot {
 
-int make_still(const Session& session, const Options& options) {
+int make_still(const Session& session, const Options& options, Easel& easel) {
     print_notes(session.scene, options.quiet);
     const FilmPlan film = film_plan(session.scene, session.motion);
     const double time_s = options.time_s.value_or(film.last_time_s());
@@ -35,7 +36,7 @@ int make_still(const Session& session, const Options& options) {
     }
 
     // The histories shown begin with the film and end with the instant.
-    PictureMaker pictures(session, options,
+    PictureMaker pictures(session, easel,
                           {.first_time_s = std::min(film.start_s, time_s), .last_time_s = time_s});
     Image image;
     pictures.draw(time_s, image);
@@ -50,14 +51,19 @@ int make_still(const Session& session, const Options& options) {
 
 namespace {
 
-int run(const Options& options) { return make_still(open_session(options), options); }
+int run(const Options& options) {
+    Easel easel(options);
+    return for_each_scene(options, [&easel](const Options& own) {
+        return make_still(open_session(own), own, easel);
+    });
+}
 
 constexpr auto options_taken = std::to_array<std::string_view>(
     {"output", "set", "size", "time", "quiet", "backend", "portable", "allow-outside"});
 
 }  // namespace
 
-const Command still_command{"still",       "SCENE", 1, 1, "make one picture of a scene",
+const Command still_command{"still",       "SCENE", 1, any_number, "make one picture of each scene",
                             options_taken, run};
 
 }  // namespace poinsot

@@ -1,0 +1,77 @@
+// Several scenes on one command line.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "cli/program_run.h"
+#include "image/png.h"
+
+namespace poinsot::testing {
+namespace {
+
+std::string scene(const std::string& title) {
+    return "title = \"" + title + R"("
+[body]
+moments_kg_m2 = [3.0, 2.0, 1.0]
+[start]
+omega_rad_s = [0.3, 2.0, 0.1]
+[film]
+size = [96, 54]
+duration_s = 0.1
+)";
+}
+
+Image image_of(const ScratchFolder& folder, const std::string& name) {
+    return read_png(folder.path() / name);
+}
+
+TEST(ManyScenes, AreNumberedInTheirOrderAndDrawnAsEachAlone) {
+    const ScratchFolder folder;
+    for (const char* name : {"a", "b", "c"}) folder.write(name + std::string(".toml"), scene(name));
+    const ProgramRun run = run_program_in(folder, "still *.toml -q -o '##.png'");
+    ASSERT_EQ(run.code, 0) << run.err;
+    int number = 0;
+    for (const char* name : {"a", "b", "c"}) {
+        const std::string one = std::string(name) + ".png";
+        ASSERT_EQ(run_program_in(folder, "still " + (name + (".toml -q -o " + one))).code, 0);
+        EXPECT_EQ(image_of(folder, "0" + std::to_string(number++) + ".png"), image_of(folder, one));
+    }
+    EXPECT_NE(image_of(folder, "00.png"), image_of(folder, "01.png"));
+}
+
+TEST(ManyScenes, ABadOneIsSaidAndTheOthersAreMade) {
+    const ScratchFolder folder;
+    folder.write("a.toml", scene("a"));
+    folder.write("b.toml", "titel = \"b\"\n");
+    folder.write("c.toml", scene("c"));
+    const ProgramRun run = run_program_in(folder, "still a.toml b.toml c.toml -q -o '####.png'");
+    EXPECT_EQ(run.code, 2);
+    EXPECT_NE(run.err.find("b.toml:1:1: unknown key \"titel\""), std::string::npos) << run.err;
+    EXPECT_EQ(folder.listing().find("0001.png"), std::string::npos);
+    EXPECT_FALSE(image_of(folder, "0000.png").empty());
+    EXPECT_FALSE(image_of(folder, "0002.png").empty());
+}
+
+TEST(ManyScenes, FilmsAreNumberedToo) {
+    const ScratchFolder folder;
+    folder.write("a.toml", scene("a"));
+    folder.write("b.toml", scene("b"));
+    const ProgramRun run = run_program_in(folder, "render a.toml b.toml -q -o film_##.md5");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(text_of(folder.path() / "film_00.md5"), "");
+    EXPECT_NE(text_of(folder.path() / "film_00.md5"), text_of(folder.path() / "film_01.md5"));
+}
+
+TEST(ManyScenes, AreNotWrittenOverEachOther) {
+    const ScratchFolder folder;
+    folder.write("a.toml", scene("a"));
+    folder.write("b.toml", scene("b"));
+    const ProgramRun run = run_program_in(folder, "still a.toml b.toml -o one.png");
+    EXPECT_EQ(run.code, 2);
+    EXPECT_NE(run.err.find("put #### into it"), std::string::npos) << run.err;
+    EXPECT_EQ(folder.listing(), "a.toml\nb.toml\n");
+}
+
+}  // namespace
+}  // namespace poinsot::testing
