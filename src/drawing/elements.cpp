@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "drawing/figure_elements.h"
 #include "drawing/marks.h"
 #include "drawing/projection.h"
 #include "error/error.h"
@@ -233,9 +234,11 @@ Drawer make_cones(Panel& panel) {
 
 constexpr Quantities attitude{.attitude = true, .herpolhode = false, .euler_angles = false};
 
-const std::array<Element, 10> table{{
+const std::array<Element, 18> table{{
     {"plane", "the invariable plane with its grid", always, omega_alone, make_plane},
+    {"tangent", "the plane that touches the ellipsoid at ρ", never, attitude, make_tangent},
     {"ellipsoid", "the inertia ellipsoid with body-fixed lines", always, attitude, make_ellipsoid},
+    {"body", "the body itself, inside its ellipsoid", never, attitude, make_body},
     {"annulus", "the ring that the herpolhode fills", never, omega_alone, make_annulus},
     {"polhode", "path of the contact point on the ellipsoid", has_curves, attitude, make_polhode},
     {"herpolhode", "path of the contact point on the plane", has_curves, omega_alone,
@@ -245,6 +248,15 @@ const std::array<Element, 10> table{{
     {"momentum", "the angular momentum L", always, omega_alone, make_momentum},
     {"omega", "the angular velocity ω", always, attitude, make_omega},
     {"axes", "the principal axes e1, e2, e3", always, attitude, make_axes},
+    {"given-axes", "the axes x, y, z that the scene's numbers are given in", never, attitude,
+     make_given_axes},
+    {"half-axes", "the half-axes 1/√I1, 1/√I2, 1/√I3 of the ellipsoid", never, attitude,
+     make_half_axes},
+    {"radius", "the radius vector ρ = ω/√(2T), F(ρ) = 1", never, attitude, make_radius},
+    {"gradient", "∇F at ρ, along L", never, attitude, make_gradient},
+    {"distance", "the plane's distance √(2T)/L from the centre", never, omega_alone, make_distance},
+    {"precession", "Ω about the symmetry axis and L/I1 about L (symmetric bodies)", never, attitude,
+     make_precession},
     {"contact", "the contact point", always, attitude, make_contact},
 }};
 

@@ -55,8 +55,8 @@ Eigen::Vector3d energy_half_axes(const Panel& panel) {
 std::vector<Label> legend_of(const Panel& panel) {
     const Theme& theme = *panel.stage->theme;
     const std::array<std::pair<std::string_view, Colour>, 2> rows{{
-        {"|\\mathbf{m}| = L", theme.rule},
-        {"\\sum m_i^2/(2I_i) = T", theme.energy},
+        {"L_1^2 + L_2^2 + L_3^2 = L^2", theme.potential},
+        {"L_1^2/I_1 + L_2^2/I_2 + L_3^2/I_3 = 2T", theme.energy},
     }};
     std::vector<Label> legend;
     const double left = 0.6 * chart_margin * panel.px;

@@ -1,8 +1,11 @@
 #include "drawing/overlay.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/time_unit.h"
 #include "scene/scene_error.h"
 
 namespace poinsot {
@@ -64,10 +67,12 @@ Drawer make_caption(StageData& stage) {
 }
 
 Drawer make_clock(StageData& stage) {
-    return [&stage](const Instant& instant, Sheet& sheet) {
-        const auto values = stage.live_values(instant);
+    const TimeUnit unit = time_unit_of(stage.film_last_s - stage.film_first_s);
+    return [&stage, unit](const Instant& instant, Sheet& sheet) {
+        const LiveValue time{"time", instant.time_s / unit.seconds};
         const SetType type = stage.type_case.set_live(
-            expand_live_text("$t$ = {time_s:.2f} s", values), text_style(stage, 26.0), sheet.view);
+            expand_live_text(fmt::format("$t$ = {{time:.2f}} {}", unit.name), {&time, 1}),
+            text_style(stage, 26.0), sheet.view);
         // Right-aligned on the widest text of its kind, so that changing digits do not move it.
         const double pen = stage.options.width_px - margin(stage) - 160.0 * stage.px;
         add_text(stage, type, pen, margin(stage) + 26.0 * stage.px, sheet);

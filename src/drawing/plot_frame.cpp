@@ -73,6 +73,14 @@ Axis linear_axis(double first, double last, int most_ticks) {
     return axis;
 }
 
+Axis time_axis(double first_s, double last_s, const TimeUnit& unit, int most_ticks) {
+    Axis axis = linear_axis(first_s / unit.seconds, last_s / unit.seconds, most_ticks);
+    axis.first *= unit.seconds;
+    axis.last *= unit.seconds;
+    for (Tick& tick : axis.ticks) tick.value *= unit.seconds;
+    return axis;
+}
+
 Axis decade_axis(double first, double last, int most_ticks) {
     widen(first, last);
     Axis axis{first, last, 0, {}};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drawing/panel.h"
+#include "drawing/time_unit.h"
 
 namespace poinsot {
 
@@ -28,6 +29,9 @@ struct Axis {
 // and one more, but three at least. A range that is empty or not finite is widened about its
 // middle.
 Axis linear_axis(double first, double last, int most_ticks);
+
+// An axis of seconds whose ticks stand at round numbers of a unit and are told in it.
+Axis time_axis(double first_s, double last_s, const TimeUnit& unit, int most_ticks);
 
 // For values that are logarithms to base 10: ticks at whole powers.
 Axis decade_axis(double first, double last, int most_ticks);

@@ -196,14 +196,15 @@ class PlotMaker {
 
     PlottedChart chart_of(const Place& place, double left_px) {
         const StageData& stage = *panel_->stage;
-        const Axis x = linear_axis(stage.film_first_s, stage.film_last_s,
-                                   n_ticks(place.region.width(), 120.0));
+        const TimeUnit unit = time_unit_of(stage.film_last_s - stage.film_first_s);
+        const Axis x = time_axis(stage.film_first_s, stage.film_last_s, unit,
+                                 n_ticks(place.region.width(), 120.0));
         const std::string y_title =
             quantity_->stacked
                 ? axis_title(fmt::format("${}$", quantity_->curves[place.first_curve].label),
                              quantity_->unit, place.y.exponent)
                 : axis_title(quantity_->title, quantity_->unit, place.y.exponent);
-        const std::string x_title = place.is_lowest ? axis_title("$t$", "s", x.exponent) : "";
+        const std::string x_title = place.is_lowest ? axis_title("$t$", unit.name, x.exponent) : "";
         const double names_px = widest_name_ + 16.0 * panel_->px;
         PlottedChart plotted{
             PlotFrame(*panel_, place.region, x, place.y, x_title, y_title, left_px, names_px), {}};

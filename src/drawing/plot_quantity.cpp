@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,13 @@ Colour momentum_colour(const Theme& theme) { return theme.momentum; }
 Colour contact_colour(const Theme& theme) { return theme.herpolhode; }
 Colour plane_colour(const Theme& theme) { return theme.polhode; }
 
+Colour body_cone_colour(const Theme& theme) { return theme.body_cone; }
+Colour space_cone_colour(const Theme& theme) { return theme.space_cone; }
+
 bool any_motion(const StageData&) { return true; }
 bool is_heavy_top(const StageData& stage) { return stage.motion.motion().heavy_top() != nullptr; }
 bool rolls(const StageData& stage) { return stage.rolling.has_value(); }
+bool has_cones(const StageData& stage) { return rolls(stage) && stage.rolling->cones; }
 
 constexpr Quantities attitude{.attitude = true, .herpolhode = false, .euler_angles = false};
 constexpr Quantities euler_angles{.attitude = false, .herpolhode = false, .euler_angles = true};
@@ -75,6 +80,23 @@ PlotValues energy_values(const StageData& stage, const Instant& instant) {
     return {kinetic, potential, kinetic + potential};
 }
 
+constexpr PlotCurve turn_curves[] = {
+    {"\\mathrm{wobble}", space_cone_colour, LineStyle::solid},
+    {"\\mathrm{spin}", body_cone_colour, LineStyle::dashed},
+};
+// Turns since t = 0, seen along L: of the axis of symmetry, φ = L t/I₁, and of marks on the body
+// about it, φ + ψ with ψ = −Ω t; φ − ψ where the axis hangs down. Source: Landau & Lifshitz §35.
+PlotValues turn_values(const StageData& stage, const Instant& instant) {
+    const MotionProblem& problem = stage.motion.motion().problem();
+    const RollingCones& cones = *stage.rolling->cones;
+    const double spin_rad_s = problem.inertia.body_from_principal()
+                                  .col(cones.symmetry_axis)
+                                  .dot(problem.start.omega_body);
+    const double turns = instant.time_s / (2.0 * std::numbers::pi);
+    const double psi_dot = -std::copysign(1.0, spin_rad_s) * cones.body_precession_rad_s;
+    return {cones.space_precession_rad_s * turns, (cones.space_precession_rad_s + psi_dot) * turns};
+}
+
 constexpr PlotCurve residual_curves[] = {
     {"\\Delta T", energy_colour, LineStyle::solid},
     {"\\Delta\\mathbf{L}", momentum_colour, LineStyle::dashed},
@@ -98,6 +120,9 @@ constexpr PlotQuantity table[] = {
      is_heavy_top, "a heavy symmetric top", euler_curves, euler_values},
     {"energy", "kinetic energy T, potential V and their sum E", "energy", "J", false, false, true,
      attitude, any_motion, "", energy_curves, energy_values},
+    {"turns", "turns of a symmetric body's axis about L (wobble) and of marks on it (spin)",
+     "turns", "", false, false, true, omega_alone, has_cones,
+     "a torque-free body with exactly two equal moments", turn_curves, turn_values},
     {"residuals", "how far T, L, the contact and the attitude are from what is conserved",
      "relative residual", "", false, true, false, attitude, rolls, "a torque-free body that turns",
      residual_curves, residual_values},

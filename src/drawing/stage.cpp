@@ -237,6 +237,8 @@ double StageData::quickest_rate_rad_s() const {
 std::vector<LiveValue> StageData::live_values(const Instant& instant) const {
     const Eigen::Vector3d& omega = instant.state.omega_body;
     return {{"time_s", instant.time_s},
+            {"time_h", instant.time_s / 3600.0},
+            {"time_d", instant.time_s / 86400.0},
             {"omega_1_rad_s", omega[0]},
             {"omega_2_rad_s", omega[1]},
             {"omega_3_rad_s", omega[2]}};

@@ -85,8 +85,8 @@ struct FilmSpec {
 
 // [camera]: about the picture's vertical, which is L.
 struct CameraSpec {
-    double azimuth_deg = -58.0;
-    double elevation_deg = 20.0;
+    double azimuth_deg = -40.0;
+    double elevation_deg = 14.0;
     double distance = 5.2;    // in units of the largest half-axis, from the target
     double field_deg = 28.0;  // vertical
     std::optional<Eigen::Vector3d>

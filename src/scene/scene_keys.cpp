@@ -316,13 +316,13 @@ const SceneKey table[] = {
      [](const Scene& s, size_t) { return toml_text(std::string_view(s.film.quality)); }},
 
     // Where it is seen from; the picture's vertical is L.
-    {"camera.azimuth_deg", "a number", "degrees", "-58.0",
+    {"camera.azimuth_deg", "a number", "degrees", "-40.0",
      "direction of the camera about the vertical",
      [](const GivenValue& g, SceneDraft& d) {
          d.scene.camera.azimuth_deg = g.number_between(-3600.0, 3600.0);
      },
      [](const Scene& s, size_t) { return toml_text(s.camera.azimuth_deg); }},
-    {"camera.elevation_deg", "a number", "degrees", "20.0", "its height above the plane, -89 to 89",
+    {"camera.elevation_deg", "a number", "degrees", "14.0", "its height above the plane, -89 to 89",
      [](const GivenValue& g, SceneDraft& d) {
          d.scene.camera.elevation_deg = g.number_between(-89.0, 89.0);
      },

@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
 
+#include "mechanics/free_rotation.h"
 #include "places.h"
 #include "scene/load_scene.h"
 #include "scene/motion_of.h"
@@ -109,6 +111,71 @@ TEST(LectureScenes, PointMassesAreMovedToTheirCentre) {
     for (const PointMass& mass : scene.body.masses) moment += mass.mass_kg * mass.at_m;
     EXPECT_LT(moment.norm(), 1e-15);  // measured 2e-16
     EXPECT_GT(scene.body.centre_of_mass_m_body.norm(), 0.05);
+}
+
+FreeRotationConstants constants_of(const std::string& name) {
+    const MotionProblem problem = problem_of(lecture(name));
+    return FreeRotation(problem.inertia, problem.start).constants();
+}
+
+// Rate of a symmetric body's axis about L over its spin ω₃: I₃/(I₁ cos θ), cos θ = I₃ω₃/L.
+double wobbles_a_spin(const std::string& name) {
+    const Scene scene = lecture(name);
+    return constants_of(name).momentum_kg_m2_s / scene.body.inertia.moments_kg_m2()[0] /
+           scene.start.omega_rad_s[2];
+}
+
+TEST(LectureScenes, RealBodiesAreWhatTheirCaptionsSay) {
+    // As the captions round them.
+    EXPECT_NEAR(wobbles_a_spin("feynman_plate"), 2.00, 0.005);
+    EXPECT_NEAR(wobbles_a_spin("football"), 0.64, 0.005);
+    const Scene earth = lecture("earth_wobble");
+    const Eigen::Vector3d I = earth.body.inertia.moments_kg_m2();
+    const double period_s =
+        2.0 * std::numbers::pi * I[0] / ((I[2] - I[0]) * earth.start.omega_rad_s[2]);
+    EXPECT_NEAR(period_s / 86164.1, 304.3, 0.05);  // sidereal days: turns of the Earth
+    EXPECT_NEAR(period_s / 86400.0, 303.5, 0.05);
+}
+
+TEST(LectureScenes, ToutatisHasThePeriodsThatWereObserved) {
+    // Hudson & Ostro: 5.41 d about the long axis, 7.35 d of the long axis about L, on average.
+    const Scene scene = lecture("toutatis");
+    const double period_s = *constants_of("toutatis").polhode_period_s;
+    EXPECT_NEAR(period_s / 86400.0, 5.41, 0.005);
+    const Motion motion = motion_of(scene);
+    const Eigen::Vector3d vertical =
+        (scene.body.inertia.moments_kg_m2().cwiseProduct(scene.start.omega_rad_s)).normalized();
+    const Eigen::Vector3d right = vertical.unitOrthogonal();
+    double turned = 0.0;
+    double before = 0.0;
+    constexpr int n = 200;  // a hundred and fifty steps a turn
+    for (int k = 0; k <= n; ++k) {
+        const Eigen::Vector3d axis =
+            motion.at(period_s * k / n).space_from_body * Eigen::Vector3d::UnitZ();
+        const double azimuth = std::atan2(axis.dot(vertical.cross(right)), axis.dot(right));
+        if (k > 0) turned += std::remainder(azimuth - before, 2.0 * std::numbers::pi);
+        before = azimuth;
+    }
+    EXPECT_NEAR(period_s / 86400.0 * 2.0 * std::numbers::pi / std::abs(turned), 7.35, 0.005);
+}
+
+TEST(LectureScenes, ThrownRacketTurnsItsFaceOverInOneTurn) {
+    // e1, across the face, comes to stand the other way as the handle comes round.
+    const Scene scene = lecture("racket_thrown");
+    const Motion motion = motion_of(scene);
+    double handle_turned = 0.0;
+    double t = 0.0;
+    constexpr double step_s = 1e-3;
+    const Eigen::Vector3d vertical =
+        (scene.body.inertia.moments_kg_m2().cwiseProduct(scene.start.omega_rad_s)).normalized();
+    Eigen::Vector3d before = Eigen::Vector3d::UnitZ();
+    while (handle_turned < 2.0 * std::numbers::pi) {
+        t += step_s;
+        const Eigen::Vector3d handle = motion.at(t).space_from_body * Eigen::Vector3d::UnitZ();
+        handle_turned += std::atan2(vertical.dot(before.cross(handle)), before.dot(handle));
+        before = handle;
+    }
+    EXPECT_LT((motion.at(t).space_from_body * Eigen::Vector3d::UnitX()).x(), -0.7);
 }
 
 }  // namespace
