@@ -48,15 +48,18 @@ TEST(Compare, CountsWhatWasChanged) {
     EXPECT_DOUBLE_EQ(result.mean_difference, (3 * 9 + 4 * 1) / 40000.0);
 }
 
-// 10,000 pixels: 0.1 % of them are 10, 0.01 % is 1.
+// 1,000,000 pixels: 0.1 % of them are 1,000, 2e-6 are 2.
 TEST(Compare, JudgesByTheTwoCaps) {
-    const Image before = filled(100, 100, {10, 20, 30, 255});
-    EXPECT_EQ(compare(before, changed(before, 10, 2)).verdict, Verdict::within_limits);
-    EXPECT_EQ(compare(before, changed(before, 11, 2)).verdict, Verdict::pixels_differ);
-    EXPECT_EQ(compare(before, changed(before, 1, 200)).verdict, Verdict::within_limits);
-    EXPECT_EQ(compare(before, changed(before, 2, 3)).verdict, Verdict::pixels_differ);
-    EXPECT_EQ(compare(before, changed(before, 1, 1), CompareLimits::exact()).verdict,
-              Verdict::pixels_differ);
+    const Image before = filled(1000, 1000, {10, 20, 30, 255});
+    const auto verdict = [&before](int n_pixels, int levels, CompareLimits limits = {}) {
+        limits.measures_likeness = false;
+        return compare(before, changed(before, n_pixels, levels), limits).verdict;
+    };
+    EXPECT_EQ(verdict(1000, 2), Verdict::within_limits);
+    EXPECT_EQ(verdict(1001, 2), Verdict::pixels_differ);
+    EXPECT_EQ(verdict(2, 200), Verdict::within_limits);
+    EXPECT_EQ(verdict(3, 3), Verdict::pixels_differ);
+    EXPECT_EQ(verdict(1, 1, CompareLimits::exact()), Verdict::pixels_differ);
 }
 
 TEST(Compare, AlphaCountsAsAnyChannel) {

@@ -1,0 +1,242 @@
+// Prints which seeded defects the default caps of a comparison catch, and that they let the noise
+// of other processors pass. Exit code 1 if one is missed or noise is caught.
+//
+// Usage: seeded_defects                              all of it; noise also under qemu, if it is
+// there
+//        seeded_defects --draw SCENE WxH OUT.png     one picture in the native profile
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cli/session.h"
+#include "drawing/stage.h"
+#include "error/error.h"
+#include "image/compare.h"
+#include "image/png.h"
+#include "places.h"
+#include "render/renderer.h"
+#include "scene/load_scene.h"
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+
+// In the middle of the motion, while the herpolhode is being drawn.
+constexpr double kTime_s = 3.0;
+constexpr double kFrame_s = 1.0 / 30.0;
+
+struct Size {
+    int width_px, height_px;
+};
+
+// A scene that can be drawn at any instant.
+struct Subject {
+    Session session;
+    Stage stage;
+
+    Subject(Scene scene, const Size& size)
+        : session(session_of(std::move(scene))),
+          stage(session.scene, session.motion,
+                {.width_px = size.width_px, .height_px = size.height_px, .last_time_s = 10.0}) {}
+};
+
+Scene scene_named(const std::string& name) {
+    return load_scene(source_folder() / "scenes" / (name + ".toml"));
+}
+
+// Sideways by half a pixel, at the distance of the view's target.
+Eigen::Vector3d half_pixel(const View& view) {
+    const Eigen::Vector3d ahead = view.camera.target - view.camera.eye;
+    const double units_per_px = 2.0 * std::tan(view.camera.vertical_field_rad / 2.0) *
+                                ahead.norm() / static_cast<double>(view.height_px);
+    return 0.5 * units_per_px * ahead.cross(view.camera.up).normalized();
+}
+
+// The herpolhode, which lies on the plane.
+Curve* herpolhode_of(View& view) {
+    for (Curve& curve : view.curves)
+        if (curve.on_plane >= 0) return &curve;
+    return nullptr;
+}
+
+// A change of the drawing, as small as a mistake may be.
+struct Defect {
+    std::string name;
+    std::function<void(Drawing& drawing, const Stage& stage)> make;
+};
+
+std::vector<Defect> drawing_defects(std::size_t n_curves) {
+    std::vector<Defect> defects{
+        {"light +0.005", [](Drawing& d, const Stage&) { d.views[0].light.key += 0.005; }},
+        {"colour +0.015",
+         [](Drawing& d, const Stage&) { d.views[0].ellipsoids.at(0).colour.g += 0.015; }},
+        {"one axis +0.3 %",
+         [](Drawing& d, const Stage&) { d.views[0].ellipsoids.at(0).half_axes.col(0) *= 1.003; }},
+        {"body's edge moved 0.5 px",
+         [](Drawing& d, const Stage&) {
+             d.views[0].ellipsoids.at(0).centre += half_pixel(d.views[0]);
+         }},
+        {"curve's edge moved 0.5 px",
+         [](Drawing& d, const Stage&) {
+             herpolhode_of(d.views[0])->placement.pretranslate(half_pixel(d.views[0]));
+         }},
+        {"herpolhode one frame late", [](Drawing& d, const Stage& stage) {
+             Drawing before = stage.at(kTime_s - kFrame_s);
+             herpolhode_of(d.views[0])->last = herpolhode_of(before.views[0])->last;
+         }}};
+    for (std::size_t i = 0; i < n_curves; ++i)
+        defects.push_back(
+            {fmt::format("curve {} of {} missing", i + 1, n_curves), [i](Drawing& d, const Stage&) {
+                 auto& curves = d.views[0].curves;
+                 curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(i));
+             }});
+    return defects;
+}
+
+// The largest component of ω by one in its fourth digit.
+Scene with_wrong_omega(Scene scene) {
+    Eigen::Vector3d& omega = scene.start.omega_rad_s;
+    Eigen::Index largest = 0;
+    omega.cwiseAbs().maxCoeff(&largest);
+    omega[largest] += std::pow(10.0, std::floor(std::log10(std::abs(omega[largest]))) - 3.0);
+    return scene;
+}
+
+// One line of the table. Returns whether it is as it should be.
+bool print_row(const std::string& picture, const std::string& what, const Comparison& found,
+               bool must_fail) {
+    const auto percent = [&](std::int64_t n) {
+        return 100.0 * static_cast<double>(n) / static_cast<double>(found.n_pixels);
+    };
+    const bool right = found.passes() != must_fail;
+    fmt::print("{:24} {:28} {:9.4f} % {:9.4f} % {:4}  {}\n", picture, what,
+               percent(found.n_differing), percent(found.n_over_level), found.largest_difference,
+               must_fail ? (right ? "caught" : "MISSED") : (right ? "let pass" : "TAKEN FOR ONE"));
+    std::fflush(stdout);
+    return right;
+}
+
+Comparison compared(const Image& expected, const Image& actual) {
+    CompareLimits limits;
+    limits.measures_likeness = false;
+    return compare(expected, actual, limits);
+}
+
+// Every defect of one scene at one size; returns how many rows are wrong.
+int defects_of(const std::string& name, const Size& size, Renderer& renderer) {
+    const std::string picture = fmt::format("{} {}×{}", name, size.width_px, size.height_px);
+    const Subject subject(scene_named(name), size);
+    const Image good = renderer.render(subject.stage.at(kTime_s));
+    int n_wrong = 0;
+    for (const Defect& defect :
+         drawing_defects(subject.stage.at(kTime_s).views.at(0).curves.size())) {
+        Drawing drawing = subject.stage.at(kTime_s);
+        defect.make(drawing, subject.stage);
+        n_wrong += !print_row(picture, defect.name, compared(good, renderer.render(drawing)), true);
+    }
+    const Subject wrong(with_wrong_omega(scene_named(name)), size);
+    n_wrong += !print_row(picture, "omega wrong in 4th digit",
+                          compared(good, renderer.render(wrong.stage.at(kTime_s))), true);
+    return n_wrong;
+}
+
+// This program again, in a process of its own, as another processor ("" for this one).
+bool draw_elsewhere(const std::string& processor, const std::string& name, const Size& size,
+                    const fs::path& out) {
+    const std::string self = fs::read_symlink("/proc/self/exe");
+    std::vector<std::string> words;
+    if (!processor.empty()) words = {"qemu-x86_64", "-cpu", processor};
+    for (const std::string& word :
+         {self, std::string("--draw"), name, fmt::format("{}x{}", size.width_px, size.height_px),
+          out.string()})
+        words.push_back(word);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const pid_t child = fork();
+    if (child == 0) {
+        unsetenv("GALLIUM_OVERRIDE_CPU_CAPS");  // set for the portable profile of this process
+        setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+        if (freopen("/dev/null", "w", stderr) == nullptr) _exit(126);
+        execvp(arguments[0], arguments.data());
+        _exit(127);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+// What other processors make of the same scene, in the native profile.
+int noise_of(const std::string& name, const Size& size, Renderer& renderer) {
+    const std::string picture = fmt::format("{} {}×{}", name, size.width_px, size.height_px);
+    const Subject subject(scene_named(name), size);
+    const Image good = renderer.render(subject.stage.at(kTime_s));
+    const fs::path out =
+        fs::temp_directory_path() / fmt::format("poinsot-noise-{}.png", ::getpid());
+    int n_wrong = 0;
+    for (const std::string processor : {"", "Haswell", "EPYC"}) {
+        const std::string what = "noise, " + (processor.empty() ? "this machine" : processor);
+        if (!draw_elsewhere(processor, name, size, out)) {
+            fmt::print("{:24} {:28} cannot be run here\n", picture, what);
+            continue;
+        }
+        n_wrong += !print_row(picture, what, compared(good, read_png(out)), false);
+        fs::remove(out);
+    }
+    return n_wrong;
+}
+
+int draw_native(const std::string& name, const std::string& size_text, const fs::path& out) {
+    Size size{};
+    if (std::sscanf(size_text.c_str(), "%dx%d", &size.width_px, &size.height_px) != 2) return 2;
+    const OffscreenContext context(Backend::automatic, Portability::native);
+    Renderer renderer(context);
+    const Subject subject(scene_named(name), size);
+    write_png(out, renderer.render(subject.stage.at(kTime_s)));
+    return 0;
+}
+
+int print_table() {
+    const OffscreenContext context(Backend::automatic, Portability::portable);
+    Renderer renderer(context);
+    const CompareLimits caps;
+    fmt::print(
+        "caps: {:g} % differ, {:g} % by more than {} levels\n\n{:24} {:28} {:>11} {:>11} "
+        "{:>5}\n",
+        100 * caps.differing_share, 100 * caps.over_level_share, caps.level, "picture", "change",
+        "differ", "over", "most");
+    int n_wrong = 0;
+    for (const Size& size : {Size{240, 135}, Size{960, 540}, Size{1920, 1080}})
+        for (const char* name : {"generic", "tennis_racket"})
+            n_wrong += defects_of(name, size, renderer);
+    for (const Size& size : {Size{240, 135}, Size{960, 540}})
+        for (const char* name : {"generic", "tennis_racket"})
+            n_wrong += noise_of(name, size, renderer);
+    fmt::print("\n{} rows are not as they should be\n", n_wrong);
+    return n_wrong == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace poinsot
+
+int main(int argc, char** argv) {
+    try {
+        if (argc == 5 && std::string(argv[1]) == "--draw")
+            return poinsot::draw_native(argv[2], argv[3], argv[4]);
+        return poinsot::print_table();
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 3;
+    }
+}
