@@ -69,14 +69,18 @@ void Canvas::begin_still() {
     begin(still_);
 }
 
-void Canvas::keep_still(bool transparent) { read_all(still_, still_image_, transparent); }
+void Canvas::begin_still_on_top() { restore({{0, 0, width_px_, height_px_}}); }
 
-void Canvas::begin_over_still(TileMask& marks) {
+void Canvas::keep_still(bool transparent) { read_all(picture_, still_image_, transparent); }
+
+void Canvas::begin_over_still(TileMask& marks) { restore(marks.rects()); }
+
+void Canvas::restore(const std::vector<PixelRect>& rects) const {
     glDisable(GL_SCISSOR_TEST);
     glViewport(0, 0, width_px_, height_px_);
     glBindFramebuffer(GL_FRAMEBUFFER, picture_.framebuffer.id());
     glBindFramebuffer(GL_READ_FRAMEBUFFER, still_.framebuffer.id());
-    for (const PixelRect& r : marks.rects())
+    for (const PixelRect& r : rects)
         glBlitFramebuffer(r.left, r.top, r.right, r.bottom, r.left, r.top, r.right, r.bottom,
                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, picture_.framebuffer.id());

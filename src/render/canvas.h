@@ -22,8 +22,10 @@ class Canvas {
     void begin_whole();
     // Draws on the picture again after another framebuffer was bound.
     void resume() const;
-    // What follows, up to keep_still, is kept as what stands still.
+    // What follows is kept as what stands still, under all that moves; then, up to keep_still, what
+    // stands still on top of it. The latter is not restored where something moves.
     void begin_still();
+    void begin_still_on_top();
     void keep_still(bool transparent);
     // What follows is drawn over what stands still, on the marked tiles only.
     void begin_over_still(TileMask& marks);
@@ -41,6 +43,8 @@ class Canvas {
     };
     Layer make_layer(bool with_depth) const;
     void begin(const Layer& layer) const;
+    // Puts what stands still into these parts of the picture, and binds it.
+    void restore(const std::vector<PixelRect>& rects) const;
     void read(const PixelRect& rect, Image& image, bool transparent);
     void copy_still(const PixelRect& rect, Image& image) const;
     void read_all(const Layer& layer, Image& image, bool transparent);

@@ -29,6 +29,20 @@ bool shows(const Label& label) {
 
 }  // namespace
 
+PlacedLabel::PlacedLabel(const Label& label)
+    : mask(label.mask->id),
+      top_left_px(label.top_left_px),
+      colour(label.colour),
+      halo_colour(label.halo_colour),
+      halo_px(label.halo_px),
+      opacity(label.opacity),
+      box(box_of(label)) {}
+
+bool PlacedLabel::operator==(const PlacedLabel& other) const {
+    return mask == other.mask && top_left_px == other.top_left_px && colour == other.colour &&
+           halo_colour == other.halo_colour && halo_px == other.halo_px && opacity == other.opacity;
+}
+
 std::vector<std::uint8_t> with_halo(const GlyphMask& mask, double reach_px, int margin) {
     const int width = mask.width + 2 * margin, height = mask.height + 2 * margin;
     std::vector<std::uint8_t> texels(2 * static_cast<std::size_t>(width) *
@@ -139,9 +153,10 @@ void LabelPass::begin_picture(const Drawing& drawing) {
         "make them fewer or smaller");
 }
 
-void LabelPass::draw(const ViewScene& scene) const {
+void LabelPass::draw(const ViewScene& scene,
+                     const std::function<bool(const PlacedLabel&)>& wanted) const {
     for (const Label& label : scene.view->labels) {
-        if (!shows(label)) continue;
+        if (!shows(label) || !wanted(PlacedLabel(label))) continue;
         const Slot& slot = slots_.at(key_of(label));
         const Eigen::Vector2d to_texel =
             Eigen::Vector2d(slot.x + slot.margin, slot.y + slot.margin) - label.top_left_px;
@@ -155,9 +170,12 @@ void LabelPass::draw(const ViewScene& scene) const {
     }
 }
 
-void LabelPass::mark(const ViewScene& scene, TileMask& marks) const {
-    for (const Label& label : scene.view->labels)
-        if (shows(label)) marks.mark(box_of(label));
+std::vector<PlacedLabel> LabelPass::placed(const Drawing& drawing) {
+    std::vector<PlacedLabel> labels;
+    for (const View& view : drawing.views)
+        for (const Label& label : view.labels)
+            if (shows(label)) labels.emplace_back(label);
+    return labels;
 }
 
 }  // namespace poinsot

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <unordered_map>
 #include <vector>
 
@@ -15,14 +16,28 @@ namespace poinsot {
 // row by row, coverage and halo in turn.
 std::vector<std::uint8_t> with_halo(const GlyphMask& mask, double reach_px, int margin);
 
+// A label as it lies in the picture.
+struct PlacedLabel {
+    explicit PlacedLabel(const Label& label);
+    bool operator==(const PlacedLabel& other) const;
+
+    std::uint64_t mask;
+    Eigen::Vector2d top_left_px;
+    Colour colour, halo_colour;
+    double halo_px, opacity;
+    PixelBox box;
+};
+
 class LabelPass {
  public:
     LabelPass();
     // Puts what the picture needs into the texture.
     void begin_picture(const Drawing& drawing);
+    // Those for which `wanted` is true, in their order.
     // Precondition: a vertex array without attributes is bound.
-    void draw(const ViewScene& scene) const;
-    void mark(const ViewScene& scene, TileMask& marks) const;
+    void draw(const ViewScene& scene, const std::function<bool(const PlacedLabel&)>& wanted) const;
+    // The labels that the picture shows, of all its views.
+    static std::vector<PlacedLabel> placed(const Drawing& drawing);
 
  private:
     // A mask with its halo, somewhere in the texture.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "error/error.h"
 #include "render/arrow_pass.h"
@@ -52,9 +53,11 @@ struct Renderer::Impl {
     void prepare(const Drawing& drawing);
     bool still_is_same(const Drawing& drawing);
     void draw_still(const Drawing& drawing);
-    void draw_views();
+    void keep_still(const Drawing& drawing);
+    void draw_views(bool only_marked);
+    void mark_labels();
     void mark_moving(const ViewScene& scene);
-    void draw_moving(const ViewScene& scene);
+    void draw_moving(const ViewScene& scene, bool only_marked);
     void draw_planes(const ViewScene& scene, bool before_solids);
     void limit_to(const PixelBox& box) const;
 
@@ -75,6 +78,8 @@ struct Renderer::Impl {
     TileMask marks_;
     Background still_background_;
     std::vector<StillView> still_views_;
+    // Labels of the picture under way, and those that what stands still already shows.
+    std::vector<PlacedLabel> labels_, still_labels_;
     bool still_is_kept_ = false;
 };
 
@@ -145,6 +150,17 @@ void Renderer::Impl::draw_still(const Drawing& drawing) {
     }
 }
 
+void Renderer::Impl::keep_still(const Drawing& drawing) {
+    canvas_.begin_still();
+    draw_still(drawing);
+    canvas_.begin_still_on_top();
+    for (const ViewScene& scene : scenes_)
+        label_.draw(scene, [&](const PlacedLabel& label) {
+            return std::find(still_labels_.begin(), still_labels_.end(), label) !=
+                   still_labels_.end();
+        });
+}
+
 void Renderer::Impl::mark_moving(const ViewScene& scene) {
     const PixelBox& box = scene.projection.box;
     shadow_.mark(scene, marks_);
@@ -155,11 +171,21 @@ void Renderer::Impl::mark_moving(const ViewScene& scene) {
     for (const Curve& curve : scene.view->curves) curve_.mark(scene, curve, marks_);
     arrow_.mark(scene, marks_);
     cone_.mark(scene, marks_);
-    label_.mark(scene, marks_);
     mesh_.mark(scene, marks_);
 }
 
-void Renderer::Impl::draw_moving(const ViewScene& scene) {
+// Those that do not stand as they stood when what stands still was kept.
+void Renderer::Impl::mark_labels() {
+    const auto mark_missing = [this](const auto& labels, const auto& others) {
+        for (const PlacedLabel& label : labels)
+            if (std::find(others.begin(), others.end(), label) == others.end())
+                marks_.mark(label.box);
+    };
+    mark_missing(labels_, still_labels_);
+    mark_missing(still_labels_, labels_);
+}
+
+void Renderer::Impl::draw_moving(const ViewScene& scene, bool only_marked) {
     glBindVertexArray(empty_.id());
     for (std::size_t k = 0; k < scene.maps.size(); ++k)
         if (!scene.before_solids[k]) shadow_.draw(scene, k);
@@ -175,10 +201,11 @@ void Renderer::Impl::draw_moving(const ViewScene& scene) {
     glBindVertexArray(empty_.id());
     arrow_.draw(scene, ArrowPass::Layer::visible);
     glDisable(GL_SCISSOR_TEST);
-    label_.draw(scene);
+    label_.draw(
+        scene, [&](const PlacedLabel& label) { return !only_marked || marks_.touches(label.box); });
 }
 
-void Renderer::Impl::draw_views() {
+void Renderer::Impl::draw_views(bool only_marked) {
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
         if (scenes_[k].mesh_layer.width > 0) {
             mesh_.draw_layer(scenes_[k]);
@@ -191,7 +218,7 @@ void Renderer::Impl::draw_views() {
                              scenes_[k].projection.box);
             draw_planes(scenes_[k], false);
         }
-        draw_moving(scenes_[k]);
+        draw_moving(scenes_[k], only_marked);
     }
 }
 
@@ -216,19 +243,24 @@ void Renderer::Impl::render(const Drawing& drawing, Image& image) {
         ShadowPass::prepare(scene);
     }
     const bool transparent = drawing.background.alpha < 1.0;
+    const std::vector<PlacedLabel> labels_before =
+        std::exchange(labels_, LabelPass::placed(drawing));
 
     // What stood still in the picture before will likely stand still in the next, and is kept.
     if (!known) {
         still_is_kept_ = false;
         canvas_.begin_whole();
         draw_still(drawing);
-        draw_views();
+        draw_views(false);
         canvas_.read_whole(image, transparent);
         return;
     }
     if (!still_is_kept_) {
-        canvas_.begin_still();
-        draw_still(drawing);
+        std::erase_if(still_labels_ = labels_, [&](const PlacedLabel& label) {
+            return std::find(labels_before.begin(), labels_before.end(), label) ==
+                   labels_before.end();
+        });
+        keep_still(drawing);
         canvas_.keep_still(transparent);
         still_is_kept_ = true;
     }
@@ -237,8 +269,9 @@ void Renderer::Impl::render(const Drawing& drawing, Image& image) {
         if (overlaps_[k]) marks_.mark(scenes_[k].projection.box);
         mark_moving(scenes_[k]);
     }
+    mark_labels();
     canvas_.begin_over_still(marks_);
-    draw_views();
+    draw_views(true);
     canvas_.read_over_still(marks_, image, transparent);
 }
 

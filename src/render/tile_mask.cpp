@@ -17,18 +17,33 @@ void TileMask::clear() { std::fill(marks_.begin(), marks_.end(), std::uint8_t{0}
 
 void TileMask::fill() { std::fill(marks_.begin(), marks_.end(), std::uint8_t{1}); }
 
-void TileMask::mark(const PixelBox& box) {
+TileMask::Tiles TileMask::tiles_of(const PixelBox& box) const {
     if (box.empty() || box.right < 0.0 || box.bottom < 0.0 || box.left >= width_px_ ||
         box.top >= height_px_)
-        return;
+        return {};
     const auto tile = [](double px, int n) {
         return static_cast<int>(std::clamp(std::floor(px / side_px), 0.0, n - 1.0));
     };
-    for (int row = tile(box.top, n_rows_); row <= tile(box.bottom, n_rows_); ++row) {
+    return {tile(box.left, n_columns_), tile(box.top, n_rows_), tile(box.right, n_columns_),
+            tile(box.bottom, n_rows_)};
+}
+
+void TileMask::mark(const PixelBox& box) {
+    const Tiles tiles = tiles_of(box);
+    for (int row = tiles.top; row <= tiles.bottom; ++row) {
         const auto start = marks_.begin() + static_cast<std::ptrdiff_t>(row) * n_columns_;
-        std::fill(start + tile(box.left, n_columns_), start + tile(box.right, n_columns_) + 1,
-                  std::uint8_t{1});
+        std::fill(start + tiles.left, start + tiles.right + 1, std::uint8_t{1});
     }
+}
+
+bool TileMask::touches(const PixelBox& box) const {
+    const Tiles tiles = tiles_of(box);
+    for (int row = tiles.top; row <= tiles.bottom; ++row) {
+        const auto start = marks_.begin() + static_cast<std::ptrdiff_t>(row) * n_columns_;
+        if (std::find(start + tiles.left, start + tiles.right + 1, 1) != start + tiles.right + 1)
+            return true;
+    }
+    return false;
 }
 
 void TileMask::mark(const PixelPolygon& polygon, const PixelBox& limits) {

@@ -26,11 +26,20 @@ class TileMask {
     // Only what lies within `limits` as well.
     void mark(const PixelPolygon& polygon, const PixelBox& limits);
 
+    // Whether any tile that the box lies on is marked.
+    bool touches(const PixelBox& box) const;
+
     // The marked tiles as rectangles, row by row, neighbours joined; of no use after the next
     // call of a function that is not const.
     const std::vector<PixelRect>& rects();
 
  private:
+    // First and last column and row of the tiles that a box lies on; empty if it lies on none.
+    struct Tiles {
+        int left = 0, top = 0, right = -1, bottom = -1;
+    };
+    Tiles tiles_of(const PixelBox& box) const;
+
     int width_px_ = 0, height_px_ = 0;
     int n_columns_ = 0, n_rows_ = 0;
     std::vector<std::uint8_t> marks_;
