@@ -34,7 +34,7 @@ PictureSetting setting_of(const Scene& scene) {
 
 }  // namespace
 
-OffscreenContext make_context(const Options& options) {
+OffscreenContext make_context(const Options& options, ShaderCompilation compilation) {
     Backend backend = Backend::automatic;
     if (options.backend == "osmesa") {
         backend = Backend::osmesa;
@@ -44,12 +44,12 @@ OffscreenContext make_context(const Options& options) {
         throw InputError(fmt::format("--backend {}: unknown; choose auto, osmesa or egl",
                                      printable(options.backend)));
     }
-    return OffscreenContext(backend,
-                            options.portable ? Portability::portable : Portability::native);
+    return OffscreenContext(backend, options.portable ? Portability::portable : Portability::native,
+                            compilation);
 }
 
 const OffscreenContext& Easel::context() {
-    if (!context_) context_.emplace(make_context(options_));
+    if (!context_) context_.emplace(make_context(options_, compilation_));
     return *context_;
 }
 

@@ -17,7 +17,8 @@ struct PictureSpan {
 };
 
 // The context that the command line asks for.
-OffscreenContext make_context(const Options& options);
+OffscreenContext make_context(const Options& options,
+                              ShaderCompilation compilation = ShaderCompilation::thorough);
 
 // What all scenes of a command are drawn with: the context that the command line asks for, and a
 // renderer, whose shaders serve them all. Opened when first asked for.
@@ -25,12 +26,17 @@ class Easel {
  public:
     explicit Easel(const Options& options) : options_(options) {}
 
+    // Of use before the context is opened: a single small picture is drawn sooner than its shaders
+    // are optimised.
+    void compile_quickly() { compilation_ = ShaderCompilation::quick; }
+
     // Throw as make_context does.
     const OffscreenContext& context();
     Renderer& renderer();
 
  private:
     Options options_;
+    ShaderCompilation compilation_ = ShaderCompilation::thorough;
     std::optional<OffscreenContext> context_;
     std::optional<Renderer> renderer_;
 };

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 
 #include "cli/command.h"
@@ -53,8 +54,14 @@ namespace {
 
 int run(const Options& options) {
     Easel easel(options);
-    return for_each_scene(options, [&easel](const Options& own) {
-        return make_still(open_session(own), own, easel);
+    const bool alone = options.arguments.size() == 1;
+    return for_each_scene(options, [&easel, alone](const Options& own) {
+        const Session session = open_session(own);
+        constexpr std::int64_t small_px = 1 << 24;
+        if (alone &&
+            std::int64_t{session.scene.film.width_px} * session.scene.film.height_px <= small_px)
+            easel.compile_quickly();
+        return make_still(session, own, easel);
     });
 }
 

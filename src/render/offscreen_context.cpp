@@ -64,8 +64,12 @@ struct OffscreenContext::Impl {
     }
 };
 
-OffscreenContext::OffscreenContext(Backend backend, Portability portability) {
+OffscreenContext::OffscreenContext(Backend backend, Portability portability,
+                                   ShaderCompilation compilation) {
     if (portability == Portability::portable) ask_for_portable_bytes();
+    // llvmpipe's word for leaving LLVM's optimisations out, read once; a user's own stands.
+    if (compilation == ShaderCompilation::quick && !processor_was_read())
+        setenv("GALLIVM_PERF", "nopt", 0);
     processor_was_read() = true;
     std::string tried;
     for (const BackendRow& row : backends) {

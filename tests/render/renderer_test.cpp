@@ -115,6 +115,13 @@ TEST(Renderer, DrawsTheSameBytesWithAnyBackendAndThreads) {
     EXPECT_EQ(bytes_drawn_with("egl", "2"), reference);
 }
 
+TEST(Renderer, DrawsTheSameBytesHoweverItsShadersAreCompiled) {
+    const std::string reference = bytes_drawn_with("osmesa", "2");
+    ASSERT_EQ(setenv("GALLIVM_PERF", "nopt", 1), 0);
+    EXPECT_EQ(bytes_drawn_with("osmesa", "2"), reference);
+    unsetenv("GALLIVM_PERF");
+}
+
 TEST(Renderer, RefusesPicturesItCannotDraw) {
     const auto message = [](int width_px, int height_px) -> std::string {
         try {
