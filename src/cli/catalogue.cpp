@@ -74,6 +74,21 @@ std::vector<CatalogueEntry> method_entries() {
     return entries;
 }
 
+// With what each costs and gives.
+std::vector<CatalogueEntry> quality_entries() {
+    std::vector<CatalogueEntry> entries;
+    for (const Quality& quality : qualities()) {
+        const QualityFigures& f = quality.figures;
+        entries.push_back(
+            {std::string(quality.name),
+             fmt::format("{}; a picture of 640×360 takes {:g} ms and is {:g} of 255 levels (rms) "
+                         "off, a film frame of 960×540 {:g} ms more and {:g} kB, SSIM {:g}",
+                         quality.summary, f.picture_ms, f.rms_levels, f.film_ms, f.film_kB,
+                         f.film_ssim)});
+    }
+    return entries;
+}
+
 std::vector<CatalogueEntry> key_entries() {
     std::vector<CatalogueEntry> entries;
     for (const SceneKey& key : scene_keys()) {
@@ -88,7 +103,7 @@ const auto table = std::to_array<Catalogue>({
     {"scenes", scene_entries},
     {"keys", key_entries},
     {"methods", method_entries},
-    {"qualities", [] { return rows_of(qualities()); }},
+    {"qualities", quality_entries, figures_source},
     {"elements", [] { return rows_of(elements()); }},
     {"panels", [] { return rows_of(panel_kinds()); }},
     {"themes", [] { return rows_of(themes()); }},

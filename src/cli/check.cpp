@@ -9,11 +9,12 @@
 
 #include "cli/command.h"
 #include "cli/json_text.h"
+#include "cli/picture.h"
 #include "cli/plan.h"
 #include "cli/session.h"
+#include "construction/motion_errors.h"
 #include "construction/poinsot_construction.h"
 #include "construction/polhode.h"
-#include "drawing/reach.h"
 #include "drawing/stage.h"
 #include "error/nearest.h"
 #include "mechanics/free_rotation.h"
@@ -38,12 +39,25 @@ void add_number(std::vector<Fact>& facts, std::string key, std::string label, do
 
 std::string axis_name(int axis) { return fmt::format("e{}", axis + 1); }
 
-std::string regime_in_words(Regime regime, const FreeRotationConstants& constants) {
+// Steady spin about the axis of the middle moment, which any disturbance leaves.
+bool is_about_middle_axis(const MotionProblem& problem) {
+    const Eigen::Vector3d& I = problem.inertia.moments_kg_m2();
+    const Eigen::Vector3d omega =
+        problem.inertia.body_from_principal().transpose() * problem.start.omega_body;
+    int axis = 0;
+    omega.cwiseAbs().maxCoeff(&axis);
+    return I.minCoeff() < I[axis] && I[axis] < I.maxCoeff();
+}
+
+std::string regime_in_words(const MotionProblem& problem, Regime regime,
+                            const FreeRotationConstants& constants) {
     switch (regime) {
         case Regime::at_rest:
             return "at rest: ω is zero";
         case Regime::permanent:
-            return "permanent rotation: ω stays where it is";
+            return is_about_middle_axis(problem)
+                       ? "permanent rotation about the middle axis: kept exactly, but unstable"
+                       : "permanent rotation: ω stays where it is";
         case Regime::symmetric:
             return "symmetric body: ω runs round a circle, by trigonometric functions";
         case Regime::elliptic_about_lowest:
@@ -65,7 +79,7 @@ void add_free_motion(const Session& session, std::vector<Fact>& facts) {
     const FreeRotationConstants constants =
         FreeRotation(problem.inertia, problem.start).constants();
     facts.push_back({"regime", json_string(name_of(session.motion.regime())), "regime",
-                     regime_in_words(session.motion.regime(), constants)});
+                     regime_in_words(problem, session.motion.regime(), constants)});
     add_number(facts, "kinetic_energy_J", "T", constants.kinetic_energy_J, "J");
     add_number(facts, "momentum_kg_m2_s", "L", constants.momentum_kg_m2_s, "kg m²/s");
     if (session.motion.regime() == Regime::at_rest) return;
@@ -114,27 +128,47 @@ void add_free_motion(const Session& session, std::vector<Fact>& facts) {
     }
 }
 
-// What the scene's accuracy in pixels means here.
-void add_accuracy(const Session& session, std::vector<Fact>& facts) {
-    const double px_per_rad = pixels_per_radian(session.scene);
+// What the scene's accuracy in pixels means here, and what is reached.
+void add_accuracy(const Session& session, const PictureBound& bound, std::vector<Fact>& facts) {
     const bool stepped = session.motion.integrated() != nullptr;
-    const double motion_px =
-        stepped ? session.step.attitude_rad * px_per_rad : exact_residual_bound * px_per_rad;
+    const bool fast = session.motion.problem().tier == Tier::fast;
     facts.push_back({"accuracy_px", json_number(session.scene.accuracy_px), "accuracy asked",
                      fmt::format("{:g} px", session.scene.accuracy_px)});
-    if (!stepped || session.step.attitude_rad > 0.0) {
-        facts.push_back({"motion_error_px", json_number(motion_px), "accuracy of the motion",
-                         fmt::format("{:.2g} px ({})", motion_px,
-                                     stepped ? "measured over the film" : "rounding alone")});
-    }
-    facts.push_back({"curve_error_px", json_number(0.5 * session.scene.accuracy_px),
-                     "accuracy of the curves",
-                     fmt::format("{:g} px, by subdivision", 0.5 * session.scene.accuracy_px)});
-    if (session.motion.integrated() != nullptr) {
+    facts.push_back({"motion_error_px", json_number(bound.motion_px), "accuracy of the motion",
+                     fmt::format("{:.2g} px ({})", bound.motion_px,
+                                 stepped ? "measured over the film"
+                                 : fast  ? "a bound of rounding, phases in one word"
+                                         : "a bound of rounding, phases in two words")});
+    facts.push_back({"curve_error_px", json_number(bound.curves_px), "accuracy of the curves",
+                     fmt::format("{:.2g} px, by subdivision", bound.curves_px)});
+    facts.push_back({"bound_px", json_number(bound.total_px()), "nothing drawn is further off than",
+                     fmt::format("{:.2g} px", bound.total_px())});
+    if (stepped) {
         const MethodChoice& method = session.motion.problem().method;
         if (method.step_s) add_number(facts, "step_s", "step", *method.step_s, "s");
         if (method.tolerance) add_number(facts, "tolerance", "tolerance", *method.tolerance, "");
     }
+}
+
+// What the second method makes of the same start, against the first.
+void add_beside(const Session& session, const FilmPlan& film, std::vector<Fact>& facts) {
+    if (!session.beside) return;
+    std::vector<double> times;
+    for (std::int64_t frame = 0; frame < film.n_frames; ++frame) {
+        times.push_back(film.time_of(frame));
+    }
+    const MotionErrors errors = worst_errors(*session.beside, session.motion, times);
+    const std::string& name = session.beside->problem().method.name;
+    const IntegratedRotation* stepped = session.beside->integrated();
+    facts.push_back({"beside", json_string(name), "beside it",
+                     stepped != nullptr && stepped->method().takes_step
+                         ? fmt::format("{}, step {:g} s", name, stepped->step_s())
+                         : name});
+    add_number(facts, "beside_attitude_rad", "its attitude departs by", errors.attitude_rad, "rad");
+    facts.push_back({"beside_energy", json_number(errors.energy_relative), "its T drifts by",
+                     fmt::format("{:.3g} of T", errors.energy_relative)});
+    facts.push_back({"beside_momentum", json_number(errors.momentum_relative), "its L drifts by",
+                     fmt::format("{:.3g} of L", errors.momentum_relative)});
 }
 
 int run(const Options& options) {
@@ -170,13 +204,11 @@ int run(const Options& options) {
                      film.rate.per_second(), film.start_s, film.last_time_s())});
 
     // Whether it can be drawn is part of the check: making the stage opens no context.
-    const Stage stage(session.scene, session.motion,
-                      {.width_px = session.scene.film.width_px,
-                       .height_px = session.scene.film.height_px,
-                       .first_time_s = film.start_s,
-                       .last_time_s = film.last_time_s()});
-
-    add_accuracy(session, facts);
+    const PictureSetting setting = setting_of(session.scene);
+    const Stage stage = stage_of(
+        session, {.first_time_s = film.start_s, .last_time_s = film.last_time_s()}, setting);
+    add_accuracy(session, bound_of(session, stage, setting.samples), facts);
+    add_beside(session, film, facts);
     const bool certified = can_certify(session);
     const Certificate certificate = certified ? certify_film(session, film) : Certificate{};
     if (certified) {

@@ -41,6 +41,7 @@ int run(const Options& options) {
             }
         }
         if (options.json) fmt::print("]\n");
+        if (!catalogue.note.empty()) fmt::print(stderr, "{}\n", catalogue.note);
         return 0;
     }
     throw InputError(fmt::format("poinsot list: nothing called \"{}\"{}; choose from: {}",

@@ -10,9 +10,14 @@
 
 namespace poinsot {
 
-namespace {
+PictureSetting setting_of(const Scene& scene) {
+    const Quality& quality = at_scene_key(scene, "film.quality", [&]() -> const Quality& {
+        return quality_named(scene.film.quality);
+    });
+    return {quality.curve_tolerance, quality.samples};
+}
 
-Stage make_stage(const Session& session, const PictureSpan& span, const PictureSetting& setting) {
+Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting) {
     StageOptions options;
     options.width_px = session.scene.film.width_px * setting.samples;
     options.height_px = session.scene.film.height_px * setting.samples;
@@ -22,17 +27,19 @@ Stage make_stage(const Session& session, const PictureSpan& span, const PictureS
     // made.
     Scene scene = session.scene;
     scene.accuracy_px *= setting.curve_tolerance * setting.samples;
-    return Stage(scene, session.motion, options);
+    return Stage(scene, session.motion, options, session.beside ? &*session.beside : nullptr);
 }
 
-PictureSetting setting_of(const Scene& scene) {
-    const Quality& quality = at_scene_key(scene, "film.quality", [&]() -> const Quality& {
-        return quality_named(scene.film.quality);
-    });
-    return {quality.curve_tolerance, quality.samples};
+PictureBound bound_of(const Session& session, const Stage& stage, int samples) {
+    return {motion_error_px(session), stage.curve_error_px() / samples};
 }
 
-}  // namespace
+std::string in_words(const PictureBound& bound, double accuracy_px) {
+    return fmt::format(
+        "within {:.2g} px of the truth (motion {:.2g} px, curves {:.2g} px; {:g} px "
+        "asked)",
+        bound.total_px(), bound.motion_px, bound.curves_px, accuracy_px);
+}
 
 OffscreenContext make_context(const Options& options, ShaderCompilation compilation) {
     Backend backend = Backend::automatic;
@@ -60,14 +67,16 @@ Renderer& Easel::renderer() {
 
 PictureMaker::PictureMaker(const Session& session, Easel& easel, const PictureSpan& span)
     : samples_(setting_of(session.scene).samples),
-      stage_(make_stage(session, span, setting_of(session.scene))),
+      stage_(stage_of(session, span, setting_of(session.scene))),
+      bound_(bound_of(session, stage_, samples_)),
       context_(&easel.context()),
       renderer_(&easel.renderer()) {}
 
 PictureMaker::PictureMaker(const Session& session, const OffscreenContext& context,
                            const PictureSpan& span, const PictureSetting& setting)
     : samples_(setting.samples),
-      stage_(make_stage(session, span, setting)),
+      stage_(stage_of(session, span, setting)),
+      bound_(bound_of(session, stage_, samples_)),
       context_(&context),
       own_renderer_(context),
       renderer_(&*own_renderer_) {}

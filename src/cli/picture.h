@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "cli/options.h"
 #include "cli/session.h"
@@ -47,6 +48,23 @@ struct PictureSetting {
     int samples = 1;               // drawn samples × samples times as large and averaged
 };
 
+// What the scene's quality asks for.
+PictureSetting setting_of(const Scene& scene);
+
+// The stage of pictures drawn so. The session must outlive it.
+Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting);
+
+// How far anything drawn is from the truth, in pixels of the picture that is made.
+struct PictureBound {
+    double motion_px = 0.0;  // see motion_error_px
+    double curves_px = 0.0;  // polylines for curves
+    double total_px() const { return motion_px + curves_px; }
+};
+PictureBound bound_of(const Session& session, const Stage& stage, int samples);
+
+// "within 0.05 px of the truth (motion 1.6e-11 px, curves 0.05 px; 0.1 px asked)"
+std::string in_words(const PictureBound& bound, double accuracy_px);
+
 class PictureMaker {
  public:
     // As finely as the scene's quality says.
@@ -62,11 +80,13 @@ class PictureMaker {
 
     const ContextInfo& context_info() const { return context_->info(); }
     const Stage& stage() const { return stage_; }
+    const PictureBound& bound() const { return bound_; }
 
  private:
     // The stage is made first: a scene that has no picture is refused before a context is opened.
     int samples_;
     Stage stage_;
+    PictureBound bound_;
     const OffscreenContext* context_;
     std::optional<Renderer> own_renderer_;
     Renderer* renderer_;

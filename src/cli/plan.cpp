@@ -40,7 +40,35 @@ PlanLine motion_line(const Session& session) {
     }
 }
 
-std::string times_word(std::int64_t n) { return n == 1 ? "once" : fmt::format("{} times", n); }
+PlanLine tier_line(const Session& session) {
+    const std::string error = fmt::format("{:.1g} px", motion_error_px(session));
+    if (session.motion.problem().tier == Tier::fast) {
+        return {"phases", "in one word, the fast tier",
+                fmt::format("off by at most {} over the film, a thousandth of accuracy_px or less",
+                            error)};
+    }
+    return {"phases", "in two words",
+            session.motion.free_rotation() != nullptr
+                ? "one word would take more than a thousandth of accuracy_px"
+                : "this closed form has no other"};
+}
+
+PlanLine torque_line(const Session& session) {
+    if (std::holds_alternative<NoTorque>(session.motion.problem().torque)) {
+        return {"torque", "none", "the scene has no [torque]"};
+    }
+    const IntegratedRotation* stepped = session.motion.integrated();
+    if (stepped == nullptr) return {"torque", "none", "the closed form holds what gravity does"};
+    const std::int64_t n_torques = stepped->counters().n_torques;
+    return {"torque", fmt::format("evaluated {} times", n_torques),
+            n_torques > 0 ? "the scene has a [torque]" : "friction inside the body is no torque"};
+}
+
+PlanLine frames_line(const char* what, bool asked, std::int64_t n_frames, const char* why,
+                     const char* why_not) {
+    return {what, asked ? fmt::format("{} frames, once each", n_frames) : "none",
+            asked ? why : why_not};
+}
 
 }  // namespace
 
@@ -48,30 +76,40 @@ std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, cons
     const StageData& data = stage.data();
     const Quantities& asks = data.asks;
     const EvaluationCounts& made = stage.counts();
-    const bool torque = !std::holds_alternative<NoTorque>(session.motion.problem().torque);
 
     std::vector<PlanLine> lines;
     lines.push_back(motion_line(session));
-    lines.push_back({"torque", torque ? "in every evaluation of the motion" : "none",
-                     torque ? "the scene has a [torque]" : "the scene has no [torque]"});
-    lines.push_back({"angular velocity", fmt::format("{} frames, once each", film.n_frames),
-                     "every panel shows it"});
+    if (session.motion.sums_theta_series()) lines.push_back(tier_line(session));
+    lines.push_back(torque_line(session));
     lines.push_back(
-        {"attitude", asks.attitude ? fmt::format("{} frames, once each", film.n_frames) : "none",
-         asks.attitude ? "a panel shows the body in space" : "every panel shows the body at rest"});
+        frames_line("angular velocity", true, film.n_frames, "every panel shows it", ""));
+    lines.push_back(frames_line("attitude", asks.attitude, film.n_frames,
+                                "a panel shows the body in space",
+                                "every panel shows the body at rest"));
+    lines.push_back(frames_line("herpolhode's point", asks.herpolhode, film.n_frames,
+                                "a panel shows where it is",
+                                "no panel needs it apart from the attitude"));
     lines.push_back(
-        {"herpolhode",
+        {"herpolhode's history",
          made.n_herpolhode > 0
-             ? fmt::format("{} once, before the first frame; frames reveal a part of it",
-                           times_word(made.n_herpolhode))
+             ? fmt::format("{} evaluations before the first frame, none after", made.n_herpolhode)
              : "none",
-         made.n_herpolhode > 0 ? "a panel shows its history" : "no panel shows it"});
-    lines.push_back({"Euler angles", asks.euler_angles ? "once a frame" : "none",
-                     asks.euler_angles ? "a panel shows them" : "no panel shows them"});
+         made.n_herpolhode > 0 ? "a panel shows it; frames reveal a part of one curve"
+                               : "no panel shows it"});
+    lines.push_back(frames_line("Euler angles", asks.euler_angles, film.n_frames,
+                                "a panel shows them", "no panel shows them"));
+    if (session.beside) {
+        const IntegratedRotation* stepped = session.beside->integrated();
+        lines.push_back({"motion beside",
+                         fmt::format("by {}: {} steps", session.beside->problem().method.name,
+                                     stepped != nullptr ? stepped->counters().n_steps : 0),
+                         "the scene has a [beside]"});
+    }
     lines.push_back({"curves",
-                     fmt::format("{} curves kept, within {:g} px", data.curves.size(),
-                                 session.scene.accuracy_px),
-                     "accuracy_px"});
+                     fmt::format("{} kept, within {:.2g} px of the picture drawn",
+                                 data.curves.size(), stage.curve_error_px()),
+                     fmt::format("half of accuracy_px = {:g} at quality {}",
+                                 session.scene.accuracy_px, session.scene.film.quality)});
     return lines;
 }
 

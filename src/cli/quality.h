@@ -7,12 +7,26 @@
 
 namespace poinsot {
 
+// What `poinsot tradeoff` measured for a quality: processor time, and how far from the reference
+// picture and from the frames encoded.
+struct QualityFigures {
+    double picture_ms;  // a frame of 640 × 360
+    double rms_levels;  // its error, of 255 levels
+    double film_ms;     // encoding a frame of 960 × 540
+    double film_kB;     // its size
+    double film_ssim;   // structural similarity
+};
+
 struct Quality {
     std::string_view name;
     double curve_tolerance;  // factor on the scene's accuracy_px for the sampling of curves
     int samples;             // the picture is drawn samples × samples times as large and averaged
-    std::string_view summary;  // what it costs and gives, from `poinsot tradeoff`
+    std::string_view summary;
+    QualityFigures figures;
 };
+
+// When, where and from what the figures come, and how to renew them.
+extern const std::string_view figures_source;
 
 std::span<const Quality> qualities();
 

@@ -40,13 +40,6 @@ std::string method_in_words(const Motion& motion) {
     return text;
 }
 
-std::string bounds_in_words(const Session& session) {
-    const char* motion = session.motion.integrated() != nullptr
-                             ? "motion stepped"
-                             : "motion in closed form, to rounding";
-    return fmt::format("{}; drawn within {} px", motion, session.scene.accuracy_px);
-}
-
 // The lines before the scene, by key.
 using Fields = std::map<std::string, std::string, std::less<>>;
 
@@ -86,14 +79,15 @@ double number(const std::string& text, const std::string& name) {
 
 }  // namespace
 
-Record record_of(const Session& session, const ContextInfo& context, bool portable) {
+Record record_of(const Session& session, const PictureMaker& pictures, bool portable) {
+    const ContextInfo& context = pictures.context_info();
     Record record;
     record.version = POINSOT_VERSION;
     record.scene_name = session.scene.name;
     record.scene_toml = to_toml(session.scene);
     record.scene_hash = sha256_of(record.scene_toml);
     record.method = method_in_words(session.motion);
-    record.bounds = bounds_in_words(session);
+    record.bounds = in_words(pictures.bound(), session.scene.accuracy_px);
     record.portable = portable;
     record.renderer = context.renderer;
     record.mesa = mesa_version(context.version);

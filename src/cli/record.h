@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/picture.h"
 #include "cli/session.h"
-#include "render/renderer.h"
 
 namespace poinsot {
 
@@ -32,7 +32,7 @@ struct Record {
 };
 
 // The record of pictures of a session, without time or frames.
-Record record_of(const Session& session, const ContextInfo& context, bool portable);
+Record record_of(const Session& session, const PictureMaker& pictures, bool portable);
 
 // "poinsot VERSION", a line "key: value" each, an empty line, the scene.
 std::string to_text(const Record& record);

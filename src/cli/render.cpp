@@ -72,7 +72,7 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
     const OutputFormat& format = format_for(plan.path);
     PictureMaker pictures(session, easel,
                           {.first_time_s = film.time_of(0), .last_time_s = film.time_of(last)});
-    Record record = record_of(session, pictures.context_info(), options.portable);
+    Record record = record_of(session, pictures, options.portable);
     record.frames = {first, last};
     plan.metadata = to_text(record);
     AsyncSink sink(format.open(plan));
@@ -86,6 +86,9 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
     }
     sink.finish();
     progress.finish(plan.path.string());
+    if (!options.quiet) {
+        fmt::print(stderr, "{}\n", in_words(pictures.bound(), session.scene.accuracy_px));
+    }
     return 0;
 }
 

@@ -61,7 +61,7 @@ int redraw_frame(const std::filesystem::path& file, const Record& record, const 
                           {.first_time_s = film.time_of(0), .last_time_s = film.time_of(last)});
     Image image;
     pictures.draw(film.time_of(*frame), image);
-    Record again = record_of(session, pictures.context_info(), options.portable);
+    Record again = record_of(session, pictures, options.portable);
     again.frames = record.frames;
     PngOptions png;
     png.texts[kMetadataName] = to_text(again);
@@ -87,10 +87,9 @@ int run(const Options& given) {
         parse_scene(record.scene_toml, record.scene_name + ".toml", {},
                     options.allow_outside ? OutsideFiles::allowed : OutsideFiles::refused);
     scene.notes.clear();
-    const Session session = session_of(std::move(scene));
-
     options.portable = record.portable;
     options.time_s = record.time_s.value_or(0.0);
+    const Session session = session_of(std::move(scene), {&*options.time_s, 1});
     options.frames = record.frames;
     Easel easel(options);
     const int code = record.time_s ? make_still(session, options, easel)

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <string>
 
 #include "cli/command.h"
 #include "cli/session.h"
@@ -12,12 +13,13 @@ namespace poinsot {
 namespace {
 
 int run(const Options& options) {
-    const Session session = open_session(options);
+    const Session session = open_session(options, Purpose::numbers);
     print_notes(session.scene, options.quiet);
     const bool top = session.motion.regime() == Regime::heavy_top;
 
     // Shortest decimals that give each double back.
-    fmt::print(
+    // Printed when all of it is known: an instant that cannot be had leaves no half a table.
+    std::string table = fmt::format(
         "time_s,omega_body_1,omega_body_2,omega_body_3,q_w,q_x,q_y,q_z,"
         "herpolhode_x,herpolhode_y,herpolhode_z{}\n",
         top ? ",theta_rad,phi_rad,psi_rad" : "");
@@ -27,14 +29,15 @@ int run(const Options& options) {
         const Eigen::Vector3d& w = sample.state.omega_body;
         const Eigen::Quaterniond& q = sample.state.space_from_body;
         const Eigen::Vector3d& h = sample.herpolhode_space;
-        fmt::print("{},{},{},{},{},{},{},{},{},{},{}", time_s, w[0], w[1], w[2], q.w(), q.x(),
-                   q.y(), q.z(), h[0], h[1], h[2]);
+        table += fmt::format("{},{},{},{},{},{},{},{},{},{},{}", time_s, w[0], w[1], w[2], q.w(),
+                             q.x(), q.y(), q.z(), h[0], h[1], h[2]);
         if (top) {
-            fmt::print(",{},{},{}", sample.euler.theta_rad, sample.euler.phi_rad,
-                       sample.euler.psi_rad);
+            table += fmt::format(",{},{},{}", sample.euler.theta_rad, sample.euler.phi_rad,
+                                 sample.euler.psi_rad);
         }
-        fmt::print("\n");
+        table += "\n";
     }
+    fmt::print("{}", table);
     return 0;
 }
 

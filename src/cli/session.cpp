@@ -2,41 +2,107 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "drawing/reach.h"
 #include "error/error.h"
 #include "error/nearest.h"
+#include "mechanics/methods.h"
 #include "scene/load_scene.h"
 #include "scene/scene_error.h"
 
 namespace poinsot {
 
-Session open_session(const Options& options) {
-    return session_of(
-        load_scene(options.arguments.at(0), options.overrides,
-                   options.allow_outside ? OutsideFiles::allowed : OutsideFiles::refused));
+namespace {
+
+// The greatest attitude error of the fast tier over a problem's span: a turn takes at least
+// 2π·I_min/L.
+double fast_tier_error_rad(const MotionProblem& problem) {
+    const double span_s = std::max(std::abs(problem.first_time_s), std::abs(problem.last_time_s));
+    const double rate = FreeRotation(problem.inertia, problem.start).constants().momentum_kg_m2_s /
+                        problem.inertia.moments_kg_m2().minCoeff();
+    const double n_turns = 1.0 + span_s * rate / (2.0 * std::numbers::pi);
+    return exact_residual_bound + fast_tier_rad_a_turn * n_turns;
 }
 
-Session session_of(Scene scene) {
-    MotionProblem problem = problem_of(scene);
-    const double tolerance_rad = scene.accuracy_px / pixels_per_radian(scene);
-    StepChoice step =
-        at_scene_key(scene, "motion", [&] { return choose_step(problem, tolerance_rad); });
-    if (!step.reached) {
-        scene.notes.push_back(fmt::format(
-            "{} does not reach accuracy_px = {:g} in a reasonable number of steps; at {} it is off "
-            "by {:.2g} px",
-            step.method.name, scene.accuracy_px,
-            step.method.step_s
-                ? fmt::format("step_s = {:.3g}", *step.method.step_s)
-                : fmt::format("tolerance = {:.0e}", step.method.tolerance.value_or(0.0)),
-            step.attitude_rad * pixels_per_radian(scene)));
+// Rounding may take this share of accuracy_px and no more.
+constexpr double rounding_share = 1e-3;
+
+Tier tier_for(const Scene& scene, const MotionProblem& problem, Purpose purpose) {
+    const bool free = std::holds_alternative<NoTorque>(problem.torque);
+    if (purpose == Purpose::numbers || !free || find_method(problem.method.name).make != nullptr) {
+        return Tier::exact;
     }
+    const double error_px = fast_tier_error_rad(problem) * pixels_per_radian(scene);
+    return error_px <= rounding_share * scene.accuracy_px ? Tier::fast : Tier::exact;
+}
+
+void note_unreached(Scene& scene, const StepChoice& step) {
+    const bool given = scene.method.step_s || scene.method.tolerance;
+    if (step.reached || given) return;
+    scene.notes.push_back(fmt::format(
+        "{} does not reach accuracy_px = {:g} in a reasonable number of steps; at {} it is off "
+        "by {:.2g} px",
+        step.method.name, scene.accuracy_px,
+        step.method.step_s ? fmt::format("step_s = {:.3g}", *step.method.step_s)
+                           : fmt::format("tolerance = {:.0e}", step.method.tolerance.value_or(0.0)),
+        step.attitude_rad * pixels_per_radian(scene)));
+}
+
+// The key that a refusal of the mechanics is about.
+std::string key_of(const std::string& table, const MethodChoice& choice) {
+    if (choice.step_s) return table + ".step_s";
+    return choice.tolerance ? table + ".tolerance" : table;
+}
+
+void extend(MotionProblem& problem, std::span<const double> times_s) {
+    for (const double time_s : times_s) {
+        if (!std::isfinite(time_s)) continue;  // refused where it is used, by name
+        problem.first_time_s = std::min(problem.first_time_s, time_s);
+        problem.last_time_s = std::max(problem.last_time_s, time_s);
+    }
+}
+
+}  // namespace
+
+Session open_session(const Options& options, Purpose purpose) {
+    std::vector<double> times_s = options.times_s;
+    if (options.time_s) times_s.push_back(*options.time_s);
+    return session_of(
+        load_scene(options.arguments.at(0), options.overrides,
+                   options.allow_outside ? OutsideFiles::allowed : OutsideFiles::refused),
+        times_s, purpose);
+}
+
+Session session_of(Scene scene, std::span<const double> times_s, Purpose purpose) {
+    MotionProblem problem = problem_of(scene);
+    extend(problem, times_s);
+    const double tolerance_rad = scene.accuracy_px / pixels_per_radian(scene);
+    const std::string key = key_of("motion", scene.method);
+    StepChoice step = at_scene_key(scene, key, [&] { return choose_step(problem, tolerance_rad); });
+    note_unreached(scene, step);
     problem.method = step.method;
-    Motion motion = at_scene_key(scene, "motion", [&] { return Motion(problem); });
-    return {std::move(scene), std::move(step), std::move(motion)};
+    problem.tier = at_scene_key(scene, "start", [&] { return tier_for(scene, problem, purpose); });
+    Motion motion = at_scene_key(scene, key, [&] { return Motion(problem); });
+
+    std::optional<Motion> beside;
+    if (scene.beside) {
+        problem.method = *scene.beside;
+        beside =
+            at_scene_key(scene, key_of("beside", *scene.beside), [&] { return Motion(problem); });
+    }
+    return {std::move(scene), std::move(step), std::move(motion), std::move(beside)};
+}
+
+double motion_error_px(const Session& session) {
+    const double px_per_rad = pixels_per_radian(session.scene);
+    if (session.motion.integrated() != nullptr) return session.step.attitude_rad * px_per_rad;
+    const MotionProblem& problem = session.motion.problem();
+    const bool fast = problem.tier == Tier::fast;
+    return (fast ? fast_tier_error_rad(problem) : exact_residual_bound) * px_per_rad;
 }
 
 bool can_certify(const Session& session) {
@@ -51,7 +117,8 @@ Certificate certify_film(const Session& session, const FilmPlan& film) {
     for (std::int64_t frame = 0; frame < film.n_frames; ++frame) {
         times.push_back(film.time_of(frame));
     }
-    // A stepped method promises what the scene's accuracy asks of it.
+    // A stepped method promises what the scene's accuracy asks of it, a closed form its rounding:
+    // errors of phase along the motion leave T, L and the contact as they are.
     const bool stepped = session.motion.integrated() != nullptr;
     const double bound = stepped ? session.scene.accuracy_px / pixels_per_radian(session.scene)
                                  : exact_residual_bound;

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,13 +23,24 @@ struct Session {
     Scene scene;
     StepChoice step;  // of a stepped method; chosen from accuracy_px where the scene does not say
     Motion motion;
+    std::optional<Motion> beside;  // by the scene's second method
 };
 
-// Reads the scene named by the first argument with the command line's overrides. Throws InputError.
-Session open_session(const Options& options);
+// What a motion is for: pictures take the closed form's fast tier where accuracy_px allows it,
+// numbers never do.
+enum class Purpose { pictures, numbers };
 
-// The motion of a scene, its step chosen. Throws SceneError.
-Session session_of(Scene scene);
+// Reads the scene named by the first argument with the command line's overrides; stepped motions
+// cover the film and the command line's instants. Throws InputError.
+Session open_session(const Options& options, Purpose purpose = Purpose::pictures);
+
+// The motion of a scene over its film and further instants, its step chosen. Throws SceneError.
+Session session_of(Scene scene, std::span<const double> times_s = {},
+                   Purpose purpose = Purpose::pictures);
+
+// How far the motion can carry anything drawn from the truth, in pixels: measured for a stepped
+// motion, the bound of the tier for a closed form.
+double motion_error_px(const Session& session);
 
 // The instants of a film. Frame k shows start + k·speed/fps, from the ratio, never accumulated.
 struct FilmPlan {

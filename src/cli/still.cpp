@@ -41,12 +41,15 @@ int make_still(const Session& session, const Options& options, Easel& easel) {
                           {.first_time_s = std::min(film.start_s, time_s), .last_time_s = time_s});
     Image image;
     pictures.draw(time_s, image);
-    Record record = record_of(session, pictures.context_info(), options.portable);
+    Record record = record_of(session, pictures, options.portable);
     record.time_s = time_s;
     PngOptions png;
     png.texts[kMetadataName] = to_text(record);
     write_png(path, image, png);
-    if (!options.quiet) fmt::print(stderr, "{}\n", path.string());
+    if (!options.quiet) {
+        fmt::print(stderr, "{}\n{}\n", path.string(),
+                   in_words(pictures.bound(), session.scene.accuracy_px));
+    }
     return 0;
 }
 

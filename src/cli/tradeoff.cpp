@@ -207,6 +207,18 @@ Chart picture_chart(const Tradeoff& t) {
     return chart;
 }
 
+Chart film_chart(const Tradeoff& t) {
+    Chart chart;
+    chart.title = "Encoder settings against the likeness of the film";
+    chart.x_label = "processor time a frame / ms";
+    chart.y_label = "one less the structural similarity";
+    for (const FilmTrade& row : t.film.rows) {
+        chart.series.push_back(
+            {"\\textbf{" + row.quality + "}", {{row.ms_a_frame, 1.0 - row.ssim, row.on_front}}});
+    }
+    return chart;
+}
+
 void write_chart(const Chart& chart, const Options& options, const fs::path& path) {
     const ChartSheet sheet(chart, theme_named("light"), 1600, 1000);
     const OffscreenContext context = make_context(options);
@@ -221,7 +233,7 @@ void write_text(const fs::path& path, const std::string& text) {
 }
 
 int run(const Options& options) {
-    const Session session = open_session(options);
+    const Session session = open_session(options, Purpose::numbers);
     print_notes(session.scene, options.quiet);
     const FilmPlan film = film_plan(session.scene, session.motion);
 
@@ -240,6 +252,7 @@ int run(const Options& options) {
     write_text(prefix + ".json", json_of(session, t));
     write_chart(motion_chart(session, t), options, prefix + "-motion.png");
     write_chart(picture_chart(t), options, prefix + "-picture.png");
+    write_chart(film_chart(t), options, prefix + "-film.png");
 
     if (options.json) {
         fmt::print("{}", json_of(session, t));
@@ -247,7 +260,8 @@ int run(const Options& options) {
         print_table(session, t);
     }
     if (!options.quiet) {
-        fmt::print(stderr, "{0}.csv, {0}.json, {0}-motion.png, {0}-picture.png\n", prefix);
+        fmt::print(stderr, "{0}.csv, {0}.json, {0}-motion.png, {0}-picture.png, {0}-film.png\n",
+                   prefix);
     }
     return 0;
 }

@@ -35,6 +35,7 @@ class AdaptiveSampler {
                       distance_from_segment(first_quarter.point, from.point, to.point),
                       distance_from_segment(last_quarter.point, from.point, to.point)});
         if (off <= tolerance_ || depth == 0 || samples.size() >= max_points_) {
+            worst_off = std::max(worst_off, off);
             samples.push_back(to);
             return;
         }
@@ -43,6 +44,7 @@ class AdaptiveSampler {
     }
 
     std::vector<CurveSample> samples;
+    double worst_off = 0.0;
 
  private:
     const std::function<Eigen::Vector3d(double)>& point_;
@@ -54,10 +56,11 @@ class AdaptiveSampler {
 
 std::vector<CurveSample> sample_adaptively(const std::function<Eigen::Vector3d(double)>& point,
                                            double first, double last, int n_pieces,
-                                           double tolerance, std::size_t max_points) {
+                                           double tolerance, std::size_t max_points, double* off) {
     AdaptiveSampler sampler(point, tolerance, max_points);
     CurveSample from = sampler.at(first);
     sampler.samples.push_back(from);
+    if (off != nullptr) *off = 0.0;
     if (!(last > first)) return sampler.samples;
 
     constexpr int deepest = 24;
@@ -67,6 +70,7 @@ std::vector<CurveSample> sample_adaptively(const std::function<Eigen::Vector3d(d
         sampler.subdivide(from, to, deepest);
         from = to;
     }
+    if (off != nullptr) *off = sampler.worst_off;
     return sampler.samples;
 }
 

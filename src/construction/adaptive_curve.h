@@ -19,9 +19,11 @@ double distance_from_segment(const Eigen::Vector3d& point, const Eigen::Vector3d
 // Samples point(parameter) over [first, last], starting from n_pieces equal pieces and halving each
 // until the curve at its quarter points is within `tolerance` of the chord. Returns ascending
 // parameters, both ends included; at most max_points of them (the tolerance is then not reached
-// everywhere).
+// everywhere). `off` receives the largest
+// distance found at those quarter points between curve and polyline.
 std::vector<CurveSample> sample_adaptively(const std::function<Eigen::Vector3d(double)>& point,
                                            double first, double last, int n_pieces,
-                                           double tolerance, std::size_t max_points = 1'000'000);
+                                           double tolerance, std::size_t max_points = 1'000'000,
+                                           double* off = nullptr);
 
 }  // namespace poinsot

@@ -36,7 +36,8 @@ inline constexpr double exact_residual_bound = 2e-14;
 inline constexpr double speed_difference_bound = 1e-9;
 
 // Evaluates the motion at every instant. `bound` is what the method promises, relative:
-// exact_residual_bound, or what the scene's accuracy allows a stepped method.
+// exact_residual_bound, or what the scene's accuracy allows a stepped method. At the surface of a
+// needle it is multiplied by the largest half-axis over the plane's distance.
 Certificate certify(const Motion& motion, std::span<const double> times_s, double bound);
 
 }  // namespace poinsot

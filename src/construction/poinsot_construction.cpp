@@ -84,8 +84,10 @@ RollingResiduals PoinsotConstruction::residuals(const RotationState& state) cons
     const Eigen::Vector3d lowest = lowest_point_space(state.space_from_body);
     r.tangency_gap = std::abs(lowest.dot(vertical_space_) + plane_distance_) / plane_distance_;
     const Eigen::Vector3d omega_space = state.space_from_body * omega;
-    r.slip = omega_space.cross(lowest).norm() / (omega.norm() * half_axes().maxCoeff());
-    r.momentum = (momentum - momentum_scaled_space_).norm() / momentum_scaled_space_.norm();
+    const double longest = half_axes().maxCoeff();
+    r.slip = omega_space.cross(lowest / longest).norm() / omega.norm();
+    r.momentum =
+        (momentum - momentum_scaled_space_).stableNorm() / momentum_scaled_space_.stableNorm();
     r.energy = std::abs(twice_T - twice_T_start) / twice_T_start;
     r.unit_quaternion = std::abs(state.space_from_body.norm() - 1.0);
     return r;

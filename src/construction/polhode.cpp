@@ -32,7 +32,11 @@ Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body
     a_ = delta_middle >= 0.0 ? high : low;
     b_ = middle;
     c_ = delta_middle >= 0.0 ? low : high;
-    const double delta_a = term(a_, b_) + term(a_, c_);
+    // √|Δ_a| without its square, which vanishes for wobbles below 1e-160.
+    const auto root = [&](int j) {
+        return omega[j] * std::sqrt(I[j]) * std::sqrt(std::abs(I[j] - I[a_]));
+    };
+    const double root_delta_a = std::hypot(root(b_), root(c_));
     const double delta_c = term(c_, a_) + term(c_, b_);
     const double twice_T = I.dot(omega.cwiseProduct(omega));
 
@@ -49,13 +53,15 @@ Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body
 
     // Amplitudes of ρ_i = L_i/(I_i √(2T)): L_a² = I_aΔ_c/(I_a−I_c), L_b² = I_bΔ_a/(I_b−I_a), L_c² =
     // I_cΔ_a/(I_c−I_a).
-    const auto amplitude = [&](int i, double delta, double difference) {
-        return std::sqrt(std::abs(delta / (I[i] * difference)) / (twice_T * I_largest));
+    const auto amplitude = [&](int i, double root_delta, double difference) {
+        return root_delta / std::sqrt(std::abs(I[i] * difference) * (twice_T * I_largest));
     };
-    alpha_ = amplitude(a_, delta_c, I[a_] - I[c_]) * (omega[a_] < 0.0 ? 1.0 : -1.0);
-    gamma_ = amplitude(c_, delta_a, I[c_] - I[a_]) * (omega[c_] < 0.0 ? 1.0 : -1.0);
-    beta_ = amplitude(b_, delta_a, I[b_] - I[a_]);
-    k2_ = delta_a * (I[b_] - I[c_]) / (delta_c * (I[b_] - I[a_]));
+    const double root_delta_c = std::sqrt(std::abs(delta_c));
+    alpha_ = amplitude(a_, root_delta_c, I[a_] - I[c_]) * (omega[a_] < 0.0 ? 1.0 : -1.0);
+    gamma_ = amplitude(c_, root_delta_a, I[c_] - I[a_]) * (omega[c_] < 0.0 ? 1.0 : -1.0);
+    beta_ = amplitude(b_, root_delta_a, I[b_] - I[a_]);
+    const double ratio = root_delta_a / root_delta_c;
+    k2_ = ratio * ratio * std::abs((I[b_] - I[c_]) / (I[b_] - I[a_]));
     k2_complement_ = delta_middle * (I[a_] - I[c_]) / (delta_c * (I[a_] - I[b_]));
     kind_ = k2_ == 0.0 ? Kind::circle : k2_complement_ == 0.0 ? Kind::separatrix : Kind::closed;
 }
@@ -93,12 +99,21 @@ std::vector<Eigen::Vector3d> Polhode::sampled(double tolerance) const {
 }
 
 Polhode::Annulus Polhode::annulus() const {
-    // |ρ|² − (ρ·n)² has its extremes at χ = 0 and χ = ±π/2; as |ρ × Jρ|/|Jρ| it does not cancel
-    // near the axes.
+    // |ρ|² − (ρ·n)² has its extremes at χ = 0 and χ = ±π/2. ρ's component in the plane is
+    // ρ_i Σ_j I_jρ_j²(I_j−I_i)/Σ_j(I_jρ_j)² along axis i, which keeps its digits where the curve is
+    // small and where the moments are nearly equal.
     const auto radius = [this](double chi) {
         const Eigen::Vector3d rho = body_from_principal_.transpose() * at(chi);
-        const Eigen::Vector3d normal = moments_.cwiseProduct(rho).stableNormalized();
-        return rho.cross(normal).stableNorm();
+        const double size = rho.cwiseAbs().maxCoeff();
+        const Eigen::Vector3d x = rho / size;
+        const Eigen::Vector3d I = moments_ / moments_.maxCoeff();
+        const Eigen::Vector3d momentum = I.cwiseProduct(x);
+        Eigen::Vector3d across;
+        for (int i = 0; i < 3; ++i) {
+            const Eigen::Vector3d differences = I.array() - I[i];
+            across[i] = x[i] * momentum.cwiseProduct(x).dot(differences) / momentum.squaredNorm();
+        }
+        return size * across.stableNorm();
     };
     if (kind_ == Kind::point) return {0.0, 0.0};
     const double r0 = radius(0.0);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "construction/motion_errors.h"
@@ -58,6 +59,25 @@ std::vector<MethodChoice> ladder(const MotionProblem& problem, const Method& met
     return rungs;
 }
 
+// The error of a choice that names its step or tolerance: against the truth, or else against half
+// the step or a tenth of the tolerance. Where no tolerance is finer, ten times this one is measured
+// against it: an upper bound.
+double error_of(const MotionProblem& problem, const std::optional<Motion>& truth,
+                std::span<const double> times) {
+    const auto error = [&](const MotionProblem& coarse, const Motion& fine) {
+        return worst_errors(Motion(coarse), fine, times).attitude_rad;
+    };
+    if (truth) return error(problem, *truth);
+    MethodChoice other = problem.method;
+    if (other.step_s) *other.step_s *= 0.5;
+    if (other.tolerance && *other.tolerance < 10.0 * least_tolerance) {
+        *other.tolerance *= 10.0;
+        return error(with(problem, other), Motion(problem));
+    }
+    if (other.tolerance) *other.tolerance *= 0.1;
+    return error(problem, Motion(with(problem, other)));
+}
+
 }  // namespace
 
 StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_rad,
@@ -67,12 +87,17 @@ StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_r
     const bool given = problem.method.step_s || problem.method.tolerance;
     const bool still =
         problem.start.omega_body.isZero(0.0) || problem.first_time_s == problem.last_time_s;
-    if (method.make == nullptr || given || still) return choice;
+    if (method.make == nullptr || still) return choice;
 
     const std::vector<double> times = instants(problem);
     std::optional<Motion> truth;
     if (can_solve(find_method("exact"), problem.inertia, problem.torque)) {
         truth.emplace(with(problem, exact_choice()));
+    }
+    if (given) {
+        choice.attitude_rad = error_of(problem, truth, times);
+        choice.reached = choice.attitude_rad <= attitude_tolerance_rad;
+        return choice;
     }
     const std::vector<MethodChoice> rungs = ladder(problem, method, most_steps);
     choice.reached = false;

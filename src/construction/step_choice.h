@@ -9,15 +9,16 @@ namespace poinsot {
 
 struct StepChoice {
     MethodChoice method;        // with step_s or tolerance filled in
-    double attitude_rad = 0.0;  // worst error measured over the problem's span at that choice
+    double attitude_rad = 0.0;  // worst error measured over the problem's span at that choice; 0
+                                // for an exact method
     bool reached = true;        // whether that is within the tolerance asked for
 };
 
 // The largest step (or tolerance) of a geometric ladder whose worst attitude error over the
 // problem's time span stays within `attitude_tolerance_rad`. Measured against the exact motion
 // where one exists, otherwise against the same method at the next rung. A choice that names its
-// step or tolerance, and an exact method, are returned as they are. If no rung of at most
-// `most_steps` steps reaches it, the finest is returned with reached = false.
+// step or tolerance is kept and measured in the same way; an exact method is returned as it is. If
+// no rung of at most `most_steps` steps reaches it, the finest is returned with reached = false.
 StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_rad,
                        double most_steps = 4e6);
 

@@ -34,7 +34,7 @@ TimedPath sample_path(const std::function<Eigen::Vector3d(double)>& point, doubl
             ++path.n_evaluations;
             return point(t);
         },
-        first_time_s, end_s, static_cast<int>(n_pieces), tolerance, max_points);
+        first_time_s, end_s, static_cast<int>(n_pieces), tolerance, max_points, &path.off);
 
     path.times_s.reserve(samples.size());
     path.points.reserve(samples.size());

@@ -13,6 +13,7 @@ struct TimedPath {
     std::vector<double> times_s;
     std::vector<Eigen::Vector3d> points;
     std::int64_t n_evaluations = 0;  // that it took
+    double off = 0.0;                // largest distance found between path and polyline
 
     // Fractional index of an instant: how many points have been passed, 0 … n−1.
     double index_at(double time_s) const;

@@ -9,6 +9,7 @@
 
 #include "drawing/body_axes.h"
 #include "drawing/framing.h"
+#include "drawing/ghost.h"
 #include "drawing/marks.h"
 
 namespace poinsot {
@@ -131,6 +132,27 @@ std::vector<Curve> motion_of(Panel& panel) {
     return curves;
 }
 
+// ρ = ω/√(2T) of the motion beside, with the T of the start: a drift takes it off its polhode and
+// off the ellipsoid.
+Eigen::Vector3d rho_of(const Panel& panel, const RotationState& state) {
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    return -(principal_from_body(panel) * picture.construction.contact_body(state.omega_body)) *
+           picture.picture_per_rho;
+}
+
+// The drifting polhode of the motion beside, run along by ω, with its ω. Nothing without one.
+Drawer make_beside(Panel& panel) {
+    if (!panel.stage->beside) return [](const Instant&, Sheet&) {};
+    panel.shows_beside = true;
+    const GhostPath path = ghost_path(
+        panel, [&panel](const RotationState& state) { return rho_of(panel, state); }, 2.6);
+    const SetType type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
+    return [&panel, path, type](const Instant& instant, Sheet& sheet) {
+        add_ghost_path(path, instant, sheet);
+        add_ghost_arrow(panel, omega_tip(rho_of(panel, *instant.beside)), type, sheet);
+    };
+}
+
 // Everything that the camera must hold over the whole motion.
 std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
@@ -177,8 +199,9 @@ void make_body_panel(Panel& panel) {
     }
     const SetType omega_type = set_label(panel, "\\boldsymbol{\\omega}");
     const SetType momentum_type = set_label(panel, "\\mathbf{L}");
-    panel.draw = [&panel, &picture, ellipsoid, curves, axis_types, omega_type, momentum_type](
-                     const Instant& instant, Sheet& sheet) {
+    const Drawer beside = make_beside(panel);
+    panel.draw = [&panel, &picture, ellipsoid, curves, axis_types, omega_type, momentum_type,
+                  beside](const Instant& instant, Sheet& sheet) {
         const Theme& theme = *panel.stage->theme;
         const auto add_arrow = [&](const Eigen::Vector3d& tip, const Colour& colour, double weight,
                                    const SetType& type) {
@@ -200,6 +223,7 @@ void make_body_panel(Panel& panel) {
         add_arrow(omega_tip(rho), theme.omega, 1.15, omega_type);
         sheet.view.dots.push_back(dot_at(panel, rho, theme.omega));
         sheet.view.dots.push_back(dot_at(panel, -rho, theme.contact));
+        beside(instant, sheet);
     };
 }
 

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "drawing/figure_elements.h"
+#include "drawing/ghost.h"
 #include "drawing/marks.h"
 #include "drawing/projection.h"
 #include "error/error.h"
@@ -21,12 +23,13 @@ namespace {
 constexpr int the_ellipsoid = 0;
 constexpr int the_plane = 0;
 
-bool always(const ConstructionPicture&) { return true; }
-bool never(const ConstructionPicture&) { return false; }
-bool has_cones(const ConstructionPicture& picture) { return picture.cones.has_value(); }
-bool has_curves(const ConstructionPicture& picture) {
-    return picture.polhode.kind() != Polhode::Kind::point;
+bool always(const StageData&) { return true; }
+bool never(const StageData&) { return false; }
+bool has_cones(const StageData& stage) { return stage.rolling->cones.has_value(); }
+bool has_curves(const StageData& stage) {
+    return stage.rolling->polhode.kind() != Polhode::Kind::point;
 }
+bool has_beside(const StageData& stage) { return stage.beside.has_value(); }
 
 const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
 
@@ -113,6 +116,8 @@ Drawer make_herpolhode(Panel& panel) {
                                      (herpolhode.foot + point) * picture_of(panel).picture_per_rho);
     }
     herpolhode.points.clear();
+    panel.stage->note_curve_error(herpolhode.off * picture_of(panel).picture_per_rho /
+                                  panel.units_per_px);
     Curve curve;
     curve.geometry = panel.stage->keep(std::move(geometry));
     curve.width_px = 4.0 * panel.px;
@@ -128,7 +133,11 @@ Drawer make_herpolhode(Panel& panel) {
 CurveGeometry circle_on_plane(const Panel& panel, double radius) {
     CurveGeometry circle;
     circle.closed = true;
-    constexpr int n_points = 256;
+    // The sagitta r(1 − cos(π/n)) stays below half of accuracy_px.
+    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    const double least =
+        std::numbers::pi / std::sqrt(2.0 * tolerance / std::max(radius, tolerance));
+    const int n_points = static_cast<int>(std::clamp(std::ceil(least), 256.0, 65536.0));
     for (int k = 0; k < n_points; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / n_points;
         circle.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
@@ -234,7 +243,7 @@ Drawer make_cones(Panel& panel) {
 
 constexpr Quantities attitude{.attitude = true, .herpolhode = false, .euler_angles = false};
 
-const std::array<Element, 18> table{{
+const std::array<Element, 20> table{{
     {"plane", "the invariable plane with its grid", always, omega_alone, make_plane},
     {"tangent", "the plane that touches the ellipsoid at ρ", never, attitude, make_tangent},
     {"ellipsoid", "the inertia ellipsoid with body-fixed lines", always, attitude, make_ellipsoid},
@@ -258,6 +267,10 @@ const std::array<Element, 18> table{{
     {"precession", "Ω about the symmetry axis and L/I1 about L (symmetric bodies)", never, attitude,
      make_precession},
     {"contact", "the contact point", always, attitude, make_contact},
+    {"ghost", "the ellipsoid and ω as the method beside has them", has_beside, omega_alone,
+     make_ghost},
+    {"drift", "path of the contact point by the method beside", has_beside, omega_alone,
+     make_drift},
 }};
 
 }  // namespace

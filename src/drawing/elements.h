@@ -13,7 +13,7 @@ struct Element {
     std::string_view name;
     std::string_view summary;
     // Whether it is shown when the scene does not say.
-    bool (*by_default)(const ConstructionPicture& picture);
+    bool (*by_default)(const StageData& stage);
     // What its drawer reads of an instant besides ω.
     Quantities asks;
     // Makes what all instants share, kept by the stage, and the function that draws an instant.

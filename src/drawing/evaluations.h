@@ -14,6 +14,7 @@ struct EvaluationCounts {
     std::int64_t n_attitude = 0;
     std::int64_t n_herpolhode = 0;
     std::int64_t n_euler_angles = 0;
+    std::int64_t n_theta_series = 0;  // those that summed the closed forms' theta series
 };
 
 // ω and nothing else: what every evaluation gives.
@@ -43,6 +44,7 @@ class CountedMotion {
         counts_.n_attitude += wanted.attitude ? n : 0;
         counts_.n_herpolhode += wanted.herpolhode ? n : 0;
         counts_.n_euler_angles += wanted.euler_angles ? n : 0;
+        counts_.n_theta_series += motion_->sums_theta_series() ? n : 0;
     }
 
     const Motion& motion() const { return *motion_; }

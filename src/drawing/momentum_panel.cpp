@@ -12,6 +12,7 @@
 #include "construction/adaptive_curve.h"
 #include "drawing/body_axes.h"
 #include "drawing/framing.h"
+#include "drawing/ghost.h"
 #include "drawing/marks.h"
 #include "drawing/plot_frame.h"
 
@@ -44,6 +45,32 @@ CurveGeometry meeting_curve(const Panel& panel) {
     for (const CurveSample& sample : samples) geometry.points.push_back(sample.point);
     if (geometry.closed) geometry.points.pop_back();
     return geometry;
+}
+
+// m of the motion beside over the L of the start, principal axes: a drift of L takes it off the
+// sphere.
+Eigen::Vector3d momentum_beside(const Panel& panel, const RotationState& state) {
+    const MotionProblem& problem = panel.stage->motion.motion().problem();
+    const Eigen::Vector3d& moments = problem.inertia.moments_kg_m2();
+    const Eigen::Vector3d weights = moments / moments.maxCoeff();
+    const double rate = problem.start.omega_body.stableNorm();
+    const auto momentum = [&](const Eigen::Vector3d& omega_body) -> Eigen::Vector3d {
+        return weights.cwiseProduct(principal_from_body(panel) * (omega_body / rate));
+    };
+    return momentum(state.omega_body) / momentum(problem.start.omega_body).norm();
+}
+
+// Its path, leaving the curve in which sphere and ellipsoid meet. Nothing without one.
+Drawer make_beside(Panel& panel) {
+    if (!panel.stage->beside) return [](const Instant&, Sheet&) {};
+    panel.shows_beside = true;
+    const GhostPath path = ghost_path(
+        panel, [&panel](const RotationState& state) { return momentum_beside(panel, state); }, 2.6);
+    const SetType type = set_ghost_label(panel, "\\mathbf{L}");
+    return [&panel, path, type](const Instant& instant, Sheet& sheet) {
+        add_ghost_path(path, instant, sheet);
+        add_ghost_arrow(panel, momentum_beside(panel, *instant.beside), type, sheet);
+    };
 }
 
 Eigen::Vector3d energy_half_axes(const Panel& panel) {
@@ -113,8 +140,9 @@ void make_momentum_panel(Panel& panel) {
     }
     const SetType momentum_type = set_label(panel, "\\mathbf{L}");
     const std::vector<Label> legend = legend_of(panel);
-    panel.draw = [&panel, sphere, energy, curves, axis_lengths, axis_types, momentum_type, legend](
-                     const Instant& instant, Sheet& sheet) {
+    const Drawer beside = make_beside(panel);
+    panel.draw = [&panel, sphere, energy, curves, axis_lengths, axis_types, momentum_type, legend,
+                  beside](const Instant& instant, Sheet& sheet) {
         const Theme& theme = *panel.stage->theme;
         sheet.view.labels = legend;
         sheet.view.ellipsoids = {sphere, energy};
@@ -132,6 +160,7 @@ void make_momentum_panel(Panel& panel) {
         arrow.hidden_opacity = 0.7;
         sheet.view.arrows.push_back(arrow);
         wish_at_tip(panel, arrow, momentum_type, sheet);
+        beside(instant, sheet);
     };
 }
 

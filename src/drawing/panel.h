@@ -25,6 +25,7 @@ struct Panel {
     double units_per_px = 0.001;    // at the camera's target
     Light light;                    // the theme's, unless the panel turns it
     Quantities asks = omega_alone;  // what its drawer reads of an instant besides ω
+    bool shows_beside = false;      // whether it reads Instant::beside
     Drawer draw;
 };
 

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "construction/adaptive_curve.h"
@@ -18,11 +21,15 @@ namespace {
 
 constexpr double curve_width = 3.4;
 
-// Values over the film, asked for once an instant however many curves need it.
+// Lines of the motion beside are thinner, and paler.
+constexpr double beside_width = 2.0;
+constexpr double beside_opacity = 0.6;
+
+// Values over the film of one motion, asked for once an instant however many curves need it.
 class Record {
  public:
-    Record(const StageData& stage, const PlotQuantity& quantity)
-        : stage_(&stage), quantity_(&quantity) {}
+    Record(const StageData& stage, const CountedMotion& motion, const PlotQuantity& quantity)
+        : stage_(&stage), motion_(&motion), quantity_(&quantity) {}
 
     const PlotValues& at(double time_s) {
         const auto [entry, is_new] = known_.try_emplace(time_s);
@@ -45,11 +52,12 @@ class Record {
 
  private:
     Instant instant(double time_s) const {
-        const MotionSample sample = stage_->motion.sample(time_s, quantity_->asks);
-        return {time_s, sample.state, sample.herpolhode_space, sample.euler};
+        const MotionSample sample = motion_->sample(time_s, quantity_->asks);
+        return {time_s, sample.state, sample.herpolhode_space, sample.euler, {}};
     }
 
     const StageData* stage_;
+    const CountedMotion* motion_;
     const PlotQuantity* quantity_;
     std::map<double, PlotValues> known_;
 };
@@ -60,6 +68,16 @@ int n_pieces_of(const StageData& stage, double width_px) {
     const double n_turns = (stage.film_last_s - stage.film_first_s) *
                            (2.0 * stage.quickest_rate_rad_s()) / std::numbers::pi;
     return static_cast<int>(std::clamp(n_turns, 16.0, std::max(16.0, 2.0 * width_px)));
+}
+
+// The range that shows both motions, but of the one beside no more than the first one's range again
+// on either side: one that blows up leaves the chart instead of flattening it.
+std::pair<double, double> common_range(const PlotQuantity& quantity,
+                                       std::pair<double, double> first,
+                                       std::pair<double, double> beside) {
+    const double most_added = quantity.decades ? INFINITY : first.second - first.first;
+    return {std::min(first.first, std::max(beside.first, first.first - most_added)),
+            std::max(first.second, std::min(beside.second, first.second + most_added))};
 }
 
 // The range that an axis shows: a little more than the values.
@@ -98,6 +116,7 @@ struct PlottedCurve {
 struct PlottedChart {
     PlotFrame chart;
     std::vector<PlottedCurve> curves;
+    std::vector<Curve> beside;
 };
 
 // Names beside the ends of their curves, moved apart where the ends lie close.
@@ -127,7 +146,16 @@ void place_names(PlottedChart& plotted, const Panel& panel) {
 class PlotMaker {
  public:
     PlotMaker(Panel& panel, const PlotQuantity& quantity)
-        : panel_(&panel), quantity_(&quantity), record_(*panel.stage, quantity) {}
+        : panel_(&panel),
+          quantity_(&quantity),
+          record_(*panel.stage, panel.stage->motion, quantity) {
+        // Angles of a stepped motion are not continuous: they make no curve.
+        const StageData& stage = *panel.stage;
+        if (stage.beside && !quantity.asks.euler_angles) {
+            beside_.emplace(stage, *stage.beside, quantity);
+            panel.shows_beside = true;
+        }
+    }
 
     std::vector<PlottedChart> make() {
         const StageData& stage = *panel_->stage;
@@ -137,7 +165,9 @@ class PlotMaker {
         // A first round for the ranges: so dense that an extreme is missed by little.
         constexpr int per_piece = 4;
         for (int k = 0; k <= per_piece * n_pieces_; ++k) {
-            record_.at(first + (last - first) * k / (per_piece * n_pieces_));
+            const double time_s = first + (last - first) * k / (per_piece * n_pieces_);
+            record_.at(time_s);
+            if (beside_) beside_->at(time_s);
         }
         set_names();
 
@@ -189,7 +219,12 @@ class PlotMaker {
         place.region = {margin, 0.5 * margin, panel_->box.width_px - margin,
                         top - share * static_cast<double>(i)};
         if (!place.is_lowest) place.region.bottom = place.region.top - share + 14.0 * panel_->px;
-        place.y = axis_for(*quantity_, record_.range(place.first_curve, place.last_curve),
+        std::pair<double, double> range = record_.range(place.first_curve, place.last_curve);
+        if (beside_) {
+            range = common_range(*quantity_, range,
+                                 beside_->range(place.first_curve, place.last_curve));
+        }
+        place.y = axis_for(*quantity_, range,
                            n_ticks(place.region.height(), n_charts == 1 ? 75.0 : 60.0));
         return place;
     }
@@ -199,47 +234,96 @@ class PlotMaker {
         const TimeUnit unit = time_unit_of(stage.film_last_s - stage.film_first_s);
         const Axis x = time_axis(stage.film_first_s, stage.film_last_s, unit,
                                  n_ticks(place.region.width(), 120.0));
-        const std::string y_title =
+        std::string y_title =
             quantity_->stacked
                 ? axis_title(fmt::format("${}$", quantity_->curves[place.first_curve].label),
                              quantity_->unit, place.y.exponent)
                 : axis_title(quantity_->title, quantity_->unit, place.y.exponent);
+        if (beside_) {
+            y_title +=
+                fmt::format(";  thin lines: {}", stage.beside->motion().problem().method.name);
+        }
         const std::string x_title = place.is_lowest ? axis_title("$t$", unit.name, x.exponent) : "";
         const double names_px = widest_name_ + 16.0 * panel_->px;
         PlottedChart plotted{
-            PlotFrame(*panel_, place.region, x, place.y, x_title, y_title, left_px, names_px), {}};
-        for (std::size_t i = place.first_curve; i <= place.last_curve; ++i) add_curve(plotted, i);
+            PlotFrame(*panel_, place.region, x, place.y, x_title, y_title, left_px, names_px),
+            {},
+            {}};
+        for (std::size_t i = place.first_curve; i <= place.last_curve; ++i) {
+            add_curve(plotted, i);
+            if (beside_) add_curve_beside(plotted, i);
+        }
         place_names(plotted, *panel_);
         return plotted;
     }
 
-    void add_curve(PlottedChart& plotted, std::size_t i) {
+    // One curve of a record over the film, in the chart's pixels.
+    CurveGeometry sampled(const PlotFrame& chart, Record& record, std::size_t i) {
         StageData& stage = *panel_->stage;
-        const PlotFrame& chart = plotted.chart;
-        const auto point = [&](double t) { return chart.at(t, record_.at(t)[i]); };
+        const auto point = [&](double t) { return chart.at(t, record.at(t)[i]); };
         CurveGeometry geometry;
+        // Residuals are rounding, of which no sampling makes a curve: a value every few pixels.
+        if (quantity_->decades) {
+            constexpr double apart_px = 3.0;
+            const int n = static_cast<int>(std::ceil(chart.area().width() / apart_px));
+            for (int k = 0; k <= n; ++k) {
+                geometry.points.push_back(
+                    point(stage.film_first_s + (stage.film_last_s - stage.film_first_s) * k / n));
+            }
+            return geometry;
+        }
+        double off_px = 0.0;
         for (const CurveSample& sample :
              sample_adaptively(point, stage.film_first_s, stage.film_last_s, n_pieces_,
-                               0.5 * stage.scene.accuracy_px, 40'000)) {
+                               0.5 * stage.scene.accuracy_px, 40'000, &off_px)) {
             geometry.points.push_back(sample.point);
         }
-        const PlotCurve& kind = quantity_->curves[i];
+        stage.note_curve_error(off_px);
+        return geometry;
+    }
+
+    Curve line_of(const PlotCurve& kind, double width_px) const {
+        Curve curve;
+        curve.colour = kind.colour(*panel_->stage->theme);
+        curve.width_px = width_px * panel_->px;
+        curve.dash_px = dash_of(kind.style, *panel_);
+        curve.occlusion = Occlusion::none;
+        return curve;
+    }
+
+    void add_curve(PlottedChart& plotted, std::size_t i) {
+        const PlotFrame& chart = plotted.chart;
+        CurveGeometry geometry = sampled(chart, record_, i);
         PlottedCurve curve;
         curve.value = i;
-        curve.curve.colour = kind.colour(*stage.theme);
-        curve.curve.width_px = curve_width * panel_->px;
-        curve.curve.dash_px = dash_of(kind.style, *panel_);
-        curve.curve.occlusion = Occlusion::none;
+        curve.curve = line_of(quantity_->curves[i], curve_width);
         const Eigen::Vector3d end = geometry.points.back();
         curve.name = chart_label(*panel_, names_[i], chart.area().right + 12.0 * panel_->px,
                                  end.y(), Anchor::left_middle, curve.curve.colour);
-        curve.curve.geometry = stage.keep(std::move(geometry));
+        curve.curve.geometry = panel_->stage->keep(std::move(geometry));
         plotted.curves.push_back(curve);
+    }
+
+    // The same quantity of the motion beside, up to where it leaves the chart.
+    void add_curve_beside(PlottedChart& plotted, std::size_t i) {
+        const ChartArea& area = plotted.chart.area();
+        CurveGeometry geometry = sampled(plotted.chart, *beside_, i);
+        const auto gone = std::find_if(
+            geometry.points.begin(), geometry.points.end(), [&area](const Eigen::Vector3d& point) {
+                return !(point.y() >= area.bottom - 1.0 && point.y() <= area.top + 1.0);
+            });
+        geometry.points.erase(gone, geometry.points.end());
+        if (geometry.points.size() < 2) return;
+        Curve curve = line_of(quantity_->curves[i], beside_width);
+        curve.opacity = beside_opacity;
+        curve.geometry = panel_->stage->keep(std::move(geometry));
+        plotted.beside.push_back(curve);
     }
 
     Panel* panel_;
     const PlotQuantity* quantity_;
     Record record_;
+    std::optional<Record> beside_;
     int n_pieces_ = 16;
     std::vector<SetType> names_;
     double widest_name_ = 0.0;
@@ -254,6 +338,7 @@ void draw_chart(const Panel& panel, const PlottedChart& plotted, double time_s,
                                    panel.stage->theme->text, 1.6);
     cursor.opacity = 0.55;
     sheet.view.curves.push_back(cursor);
+    sheet.view.curves.insert(sheet.view.curves.end(), plotted.beside.begin(), plotted.beside.end());
     for (const PlottedCurve& curve : plotted.curves) {
         sheet.view.curves.push_back(curve.curve);
         sheet.view.labels.push_back(curve.name);

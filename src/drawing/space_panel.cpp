@@ -41,7 +41,7 @@ void make_space_panel(Panel& panel) {
     std::vector<Drawer> drawers;
     for (const Element& element : elements()) {
         const bool named = std::find(show.begin(), show.end(), element.name) != show.end();
-        if (show.empty() ? element.by_default(picture) : named) {
+        if (show.empty() ? element.by_default(*panel.stage) : named) {
             panel.asks = united(panel.asks, element.asks);
             drawers.push_back(element.make(panel));
         }

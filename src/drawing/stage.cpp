@@ -84,10 +84,13 @@ Drawer header_of(Panel& panel, std::string_view text) {
     };
 }
 
-CurveGeometry circle_of_radius_1() {
+// Drawn with radii up to half the picture's height: the sagitta r(1 − cos(π/n)) stays below half
+// of accuracy_px.
+CurveGeometry circle_of_radius_1(const StageOptions& options, double accuracy_px) {
     CurveGeometry circle;
     circle.closed = true;
-    constexpr int n_points = 512;  // 0.02 px from a circle with a radius of 1000 px
+    const double least = std::numbers::pi / std::sqrt(2.0 * accuracy_px / options.height_px);
+    const int n_points = static_cast<int>(std::clamp(std::ceil(least), 512.0, 65536.0));
     for (int k = 0; k < n_points; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / n_points;
         circle.points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
@@ -137,23 +140,32 @@ Herpolhode herpolhode_shown(const StageData& stage, double tolerance) {
     return herpolhode;
 }
 
-StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOptions& options_)
+StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOptions& options_,
+                     const Motion* beside_)
     : scene(scene_),
       motion(motion_),
       options(options_),
       theme(at_scene_key(scene_, "theme", [&] { return &theme_named(scene_.theme); })) {
+    if (beside_ != nullptr) beside.emplace(*beside_);
     px = options.line_scale > 0.0 ? options.line_scale : options.height_px / 1080.0;
     const FilmSpec& film = scene.film;
     film_first_s = std::min(film.start_s, options.first_time_s);
     film_last_s = std::max(film.start_s + film.duration_s.value_or(default_film_s * film.speed),
                            options.last_time_s);
-    unit_circle = keep(circle_of_radius_1());
+    unit_circle = keep(circle_of_radius_1(options, scene.accuracy_px));
     unit_segment = keep({.points = {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}});
     const MotionProblem& problem = motion_.problem();
     if (std::holds_alternative<NoTorque>(problem.torque) && !problem.start.omega_body.isZero(0.0)) {
         rolling.emplace(problem.inertia, problem.start);
     }
+    // Curves are subdivided to half of accuracy_px; those that could not be note it.
+    note_curve_error(0.5 * scene.accuracy_px);
     make_panels();
+    if (beside && !shows_beside) {
+        throw SceneError(scene.location_of("beside"),
+                         "no panel here shows a second motion; add a panel \"space\", \"body\", "
+                         "\"momentum\" or \"plot\"");
+    }
     overlays = make_overlays(*this);
 }
 
@@ -193,6 +205,7 @@ void StageData::make_panels() {
             header = header_of(panel, spec.title.value_or(std::string(kind.title)));
         kind.make(panel);
         asks = united(asks, panel.asks);
+        shows_beside = shows_beside || panel.shows_beside;
         if (header) {
             panel.draw = [header, draw = std::move(panel.draw)](const Instant& instant,
                                                                 Sheet& sheet) {
@@ -217,7 +230,13 @@ const MeshGeometry* StageData::keep(MeshGeometry geometry) {
 
 Instant StageData::instant_at(double time_s) const {
     const MotionSample sample = motion.sample(time_s, asks);
-    return {time_s, sample.state, sample.herpolhode_space, sample.euler};
+    Instant instant{time_s, sample.state, sample.herpolhode_space, sample.euler, {}};
+    if (shows_beside) {
+        constexpr Quantities whole_state{
+            .attitude = true, .herpolhode = false, .euler_angles = false};
+        instant.beside = beside->sample(time_s, whole_state).state;
+    }
+    return instant;
 }
 
 double StageData::quickest_rate_rad_s() const {
@@ -244,13 +263,16 @@ std::vector<LiveValue> StageData::live_values(const Instant& instant) const {
             {"omega_3_rad_s", omega[2]}};
 }
 
-Stage::Stage(const Scene& scene, const Motion& motion, const StageOptions& options)
-    : data_(std::make_unique<StageData>(scene, motion, options)) {}
+Stage::Stage(const Scene& scene, const Motion& motion, const StageOptions& options,
+             const Motion* beside)
+    : data_(std::make_unique<StageData>(scene, motion, options, beside)) {}
 Stage::~Stage() = default;
 Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&&) noexcept = default;
 
 const EvaluationCounts& Stage::counts() const { return data_->motion.counts(); }
+
+double Stage::curve_error_px() const { return data_->curve_error_px; }
 
 Drawing Stage::at(double time_s) const {
     const Instant instant = data_->instant_at(time_s);

@@ -27,7 +27,9 @@ struct StageOptions {
 class Stage {
  public:
     // Throws InputError for a scene that has no picture (no invariable plane, unknown element).
-    Stage(const Scene& scene, const Motion& motion, const StageOptions& options);
+    // `beside`: the same motion by another method, drawn as a ghost; both must outlive the stage.
+    Stage(const Scene& scene, const Motion& motion, const StageOptions& options,
+          const Motion* beside = nullptr);
     ~Stage();
     Stage(Stage&&) noexcept;
     Stage& operator=(Stage&&) noexcept;
@@ -36,6 +38,10 @@ class Stage {
 
     // What has been asked of the motion since the stage was made, its making included.
     const EvaluationCounts& counts() const;
+
+    // The greatest distance, in pixels, of a curve's polyline from the curve, where it was
+    // measured.
+    double curve_error_px() const;
 
     const StageData& data() const { return *data_; }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -26,6 +27,7 @@ struct Instant {
     RotationState state;  // the attitude is the identity unless a panel asks for it
     Eigen::Vector3d herpolhode_space = Eigen::Vector3d::Zero();  // if asked for, as in MotionSample
     EulerAngles euler;                                           // if asked for
+    std::optional<RotationState> beside{};  // by the method beside, if a panel shows it
 };
 
 // A view in the making: its shapes, and the labels that still look for their place.
@@ -67,6 +69,7 @@ Herpolhode herpolhode_shown(const StageData& stage, double tolerance);
 struct StageData {
     Scene scene;
     CountedMotion motion;
+    std::optional<CountedMotion> beside;  // by the scene's second method
     StageOptions options;
     const Theme* theme = nullptr;
     double px = 1.0;  // pixels of the picture for one pixel at 1080 rows
@@ -85,14 +88,20 @@ struct StageData {
     const CurveGeometry* unit_segment = nullptr;  // from the origin to x
     std::vector<Drawer> overlays;                 // title, caption, clock: over the whole picture
     Quantities asks = omega_alone;                // what all panels together read of an instant
+    bool shows_beside = false;                    // whether one of them shows the motion beside
+    double curve_error_px = 0.0;                  // see note_curve_error
 
-    StageData(const Scene& scene, const Motion& motion, const StageOptions& options);
+    StageData(const Scene& scene, const Motion& motion, const StageOptions& options,
+              const Motion* beside);
     ~StageData();
     StageData(const StageData&) = delete;
     StageData& operator=(const StageData&) = delete;
 
     const CurveGeometry* keep(CurveGeometry geometry);
     const MeshGeometry* keep(MeshGeometry geometry);
+
+    // Notes how far a curve's polyline was measured to be from the curve, in pixels.
+    void note_curve_error(double error_px) { curve_error_px = std::max(curve_error_px, error_px); }
 
     // What the panels ask for at an instant, and nothing else.
     Instant instant_at(double time_s) const;

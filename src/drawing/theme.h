@@ -35,13 +35,14 @@ struct Theme {
     Colour annulus;
 
     Colour separatrix;
-    Colour sphere;       // |m| = L in the space of momenta
-    Colour solid;        // real bodies
-    Colour solid_lines;  // marks on them that show how they turn
-    Colour angles[3];    // θ, φ, ψ
-    Colour energy;       // E and T
-    Colour potential;    // V
-    Colour rule;         // axes and grids of plots
+    Colour ghost{0.36, 0.40, 0.45};  // the motion beside
+    Colour sphere;                   // |m| = L in the space of momenta
+    Colour solid;                    // real bodies
+    Colour solid_lines;              // marks on them that show how they turn
+    Colour angles[3];                // θ, φ, ψ
+    Colour energy;                   // E and T
+    Colour potential;                // V
+    Colour rule;                     // axes and grids of plots
 };
 
 std::span<const Theme> themes();

@@ -90,6 +90,7 @@ class Dopri5 {
 
     void derive(const Numbers& n, Numbers& rate, StepCounters& counters) const {
         ++counters.n_right_hand_sides;
+        counters.n_torques += dynamics_.has_torque() ? 1 : 0;
         const Eigen::Quaterniond q(n[6], n[3], n[4], n[5]);
         const RotationRates rates = dynamics_.rates({unit_ * Eigen::Vector3d(n[0], n[1], n[2]), q});
         const Eigen::Vector3d half = 0.5 * rates.turning;

@@ -17,10 +17,6 @@
 
 namespace poinsot {
 
-// exact: phases in two words, so that no digit is lost with time. fast: in one word, a little
-// cheaper, with an error that grows by 4e-16 rad a turn in the mean and 2e-15 at worst.
-enum class Tier { exact, fast };
-
 // Constants of a torque-free motion. What a regime does not have is empty: no period on the
 // separatrix (it is infinite), in permanent rotation or at rest.
 struct FreeRotationConstants {
@@ -52,6 +48,11 @@ class FreeRotation {
 
     Regime regime() const { return regime_; }
     Tier tier() const { return tier_; }
+    // Whether an evaluation sums theta series (Jacobi's functions, or sine and cosine as their case
+    // of nome 0); permanent rotation, the separatrix and rest need none.
+    bool sums_theta_series() const {
+        return series_ == Series::trigonometric || series_ == Series::hyperbolic;
+    }
     const FreeRotationConstants& constants() const { return constants_; }
 
  private:

@@ -58,7 +58,8 @@ IntegratedRotation::IntegratedRotation(const MotionProblem& problem)
       inertia_(problem.inertia),
       start_time_s_(problem.start.time_s),
       first_time_s_(std::min(problem.first_time_s, problem.start.time_s)),
-      last_time_s_(std::max(problem.last_time_s, problem.start.time_s)) {
+      last_time_s_(std::max(problem.last_time_s, problem.start.time_s)),
+      overshoot_s_(problem.overshoot_s) {
     if (method_->make == nullptr) {
         throw InputError("method \"exact\" does not step; name a method that does");
     }
@@ -139,7 +140,7 @@ void IntegratedRotation::cover(Branch& branch, const MethodStart& start, double 
 RotationState IntegratedRotation::at(double time_s, StepCounters& counters) const {
     // A frame's time may exceed the span by the rounding of k/fps.
     const double slack = 1e-9 * (last_time_s_ - first_time_s_);
-    if (!(time_s >= first_time_s_ - slack && time_s <= last_time_s_ + slack)) {
+    if (!(time_s >= first_time_s_ - slack && time_s <= last_time_s_ + overshoot_s_ + slack)) {
         throw InputError(
             fmt::format("t = {} s lies outside the {} s to {} s that method \"{}\" has "
                         "stepped through",

@@ -20,7 +20,7 @@ class IntegratedRotation {
     // max_steps steps.
     explicit IntegratedRotation(const MotionProblem& problem);
 
-    // Throws InputError outside the time span.
+    // Throws InputError outside the time span and its overshoot.
     RotationState at(double time_s) const;
     // Euler angles are those of the attitude, z-x-z, φ and ψ in (−π, π], not unwrapped.
     MotionSample sample(double time_s, Quantities wanted) const;
@@ -52,6 +52,7 @@ class IntegratedRotation {
     double start_time_s_ = 0.0;
     double first_time_s_ = 0.0;
     double last_time_s_ = 0.0;
+    double overshoot_s_ = 0.0;
     double step_s_ = 0.0;
     Branch forward_;
     Branch backward_;

@@ -29,6 +29,7 @@ struct StateRate {
 StateRate rate_of(const RotationDynamics& dynamics, const StepState& state,
                   StepCounters& counters) {
     ++counters.n_right_hand_sides;
+    counters.n_torques += dynamics.has_torque() ? 1 : 0;
     const RotationRates rates = dynamics.rates(state);
     const Vector3d half = 0.5 * rates.turning;
     return {rates.momentum_rate,
@@ -68,8 +69,7 @@ Quaterniond rotation_by(const Vector3d& v) {
 struct KeptMomentum {
     explicit KeptMomentum(const MethodStart& start)
         : space(start.state.space_from_principal * start.state.momentum),
-          kept(std::holds_alternative<NoTorque>(start.dynamics.torque()) ||
-               std::holds_alternative<DissipationTorque>(start.dynamics.torque())) {}
+          kept(!start.dynamics.has_torque()) {}
 
     // L in principal axes of this attitude, if it is kept; else the one given.
     Vector3d in_axes_of(const Quaterniond& attitude, const Vector3d& otherwise) const {
@@ -137,6 +137,7 @@ Propagator rkmk4(const MethodStart& start) {
             here.space_from_principal = q0 * rotation_by(u);
             here.momentum = here.space_from_principal.conjugate() * momentum;
             const Vector3d omega = dynamics.rates(here).turning;
+            counters.n_torques += kept.kept ? 0 : 2;
             const Vector3d across = u.cross(omega);
             Stage result{omega + 0.5 * across + u.cross(across) / 12.0, Vector3d::Zero()};
             if (!kept.kept) {
@@ -216,7 +217,8 @@ Propagator splitting(const MethodStart& start) {
             end.momentum = turn.conjugate() * end.momentum;
             end.space_from_principal = end.space_from_principal * turn;
         };
-        const bool kicked = !std::holds_alternative<NoTorque>(dynamics.torque());
+        const bool kicked = dynamics.has_torque();
+        counters.n_torques += kicked ? 2 : 0;
         if (kicked) end.momentum += 0.5 * h * dynamics.torque_on(end);
         turn_about(0, 0.5 * h);
         turn_about(1, 0.5 * h);

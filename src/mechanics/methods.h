@@ -17,6 +17,7 @@ namespace poinsot {
 struct StepCounters {
     std::int64_t n_steps = 0;
     std::int64_t n_right_hand_sides = 0;  // for an implicit method: iterations
+    std::int64_t n_torques = 0;           // evaluations of the torque among them
 };
 
 // A stepped motion at the end of a step. Steps of fixed length are counted, so that their times do

@@ -15,7 +15,7 @@ Solution solve(const MotionProblem& problem) {
     if (gravity != nullptr && HeavyTop::accepts(problem.inertia, *gravity)) {
         return HeavyTop(problem.inertia, *gravity, problem.start, problem.top_start);
     }
-    return FreeRotation(problem.inertia, problem.start);
+    return FreeRotation(problem.inertia, problem.start, problem.tier);
 }
 
 }  // namespace
@@ -35,6 +35,11 @@ Regime Motion::regime() const {
     if (heavy_top() != nullptr) return Regime::heavy_top;
     if (integrated() != nullptr) return Regime::integrated;
     return free_rotation()->regime();
+}
+
+bool Motion::sums_theta_series() const {
+    return heavy_top() != nullptr ||
+           (free_rotation() != nullptr && free_rotation()->sums_theta_series());
 }
 
 }  // namespace poinsot

@@ -27,6 +27,10 @@ class Motion {
 
     Regime regime() const;
 
+    // Whether an evaluation sums the theta series of the closed forms: see FreeRotation. A heavy
+    // top always does, a stepped motion never.
+    bool sums_theta_series() const;
+
     // The solution in its own type, for what only it can tell; null if it is another one.
     const FreeRotation* free_rotation() const { return std::get_if<FreeRotation>(&solution_); }
     const HeavyTop* heavy_top() const { return std::get_if<HeavyTop>(&solution_); }

@@ -84,7 +84,7 @@ RotationRates RotationDynamics::rates(const StepState& state) const {
         }
     }
     rates.momentum_rate = L.cross(rates.turning);
-    if (!std::holds_alternative<NoTorque>(torque_)) rates.momentum_rate += torque_on(state);
+    if (has_torque()) rates.momentum_rate += torque_on(state);
     return rates;
 }
 

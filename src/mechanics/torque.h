@@ -44,6 +44,11 @@ class RotationDynamics {
 
     const Eigen::Vector3d& moments_kg_m2() const { return moments_; }
     const Torque& torque() const { return torque_; }  // in principal axes
+    // Whether a torque acts at all; friction inside the body is none.
+    bool has_torque() const {
+        return !std::holds_alternative<NoTorque>(torque_) &&
+               !std::holds_alternative<DissipationTorque>(torque_);
+    }
 
     // ω = I⁻¹L in principal axes, rad/s.
     Eigen::Vector3d omega(const Eigen::Vector3d& momentum) const {

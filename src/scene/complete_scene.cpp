@@ -61,34 +61,48 @@ void complete_torque(SceneDraft& draft) {
     }
 }
 
-// [motion]
+// [motion] and [beside]
 
-void check_motion(const SceneDraft& draft) {
+// The choice that a table makes: "motion" or "beside".
+void check_method_of(const SceneDraft& draft, const std::string& table,
+                     const MethodChoice& choice) {
     const Scene& scene = draft.scene;
-    const MethodChoice& choice = scene.method;
     const InertiaTensor& inertia = scene.body.inertia;
-    const Method& method = at_scene_key(
-        scene, "motion.method", [&]() -> const Method& { return find_method(choice.name); });
+    const std::string name = table + ".method";
+    const Method& method =
+        at_scene_key(scene, name, [&]() -> const Method& { return find_method(choice.name); });
     if (!can_solve(method, inertia, scene.torque)) {
         const bool gravity = std::holds_alternative<GravityTorque>(scene.torque);
         const bool exact = method.make == nullptr;
         const std::string torque =
             gravity && exact ? "gravity on a body that is not symmetric about the arm of its weight"
                              : fmt::format("a torque of kind \"{}\"", draft.torque_kind);
-        refuse(scene, draft.has("motion.method") ? "motion.method" : "torque.kind",
-               fmt::format("{} has no {}; set motion.method to one of {}", torque,
+        refuse(scene, draft.has(name) ? name : "torque.kind",
+               fmt::format("{} has no {}; set {} to one of {}", torque,
                            exact ? "exact solution" : fmt::format("solution by {}", method.name),
-                           methods_that_solve(inertia, scene.torque)));
+                           name, methods_that_solve(inertia, scene.torque)));
     }
 
     // Each option by itself, so that what is wrong gets its own place.
     const MethodChoice order{choice.name, {}, {}, choice.order};
     const MethodChoice step{choice.name, choice.step_s, {}, {}};
     const MethodChoice tolerance{choice.name, {}, choice.tolerance, {}};
-    at_scene_key(scene, "motion.order", [&] { check_method(order, inertia, scene.torque); });
-    at_scene_key(scene, "motion.step_s", [&] { check_method(step, inertia, scene.torque); });
-    at_scene_key(scene, "motion.tolerance",
-                 [&] { check_method(tolerance, inertia, scene.torque); });
+    const auto check = [&](const char* key, const MethodChoice& option) {
+        at_scene_key(scene, table + key, [&] { check_method(option, inertia, scene.torque); });
+    };
+    check(".order", order);
+    check(".step_s", step);
+    check(".tolerance", tolerance);
+}
+
+void check_motion(const SceneDraft& draft) {
+    const Scene& scene = draft.scene;
+    check_method_of(draft, "motion", scene.method);
+    if (!scene.beside) return;
+    if (!draft.has("beside.method")) {
+        refuse(scene, "beside", "beside.method is missing; name the method shown beside");
+    }
+    check_method_of(draft, "beside", *scene.beside);
 }
 
 // [film]

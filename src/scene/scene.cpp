@@ -40,6 +40,16 @@ MotionProblem problem_of(const Scene& scene) {
     const double duration_s = film.duration_s.value_or(default_film_s * film.speed);
     problem.first_time_s = std::min(0.0, film.start_s);
     problem.last_time_s = std::max(0.0, film.start_s + duration_s);
+    // A history's last piece lasts at most a quarter of the fastest turn that ω can make about L,
+    // (π/2)·I_min/L ≤ (π/2)/|ω|.
+    const double rate = problem.start.omega_body.stableNorm();
+    if (rate > 0.0) problem.overshoot_s = 2.0 / rate;
+    return problem;
+}
+
+MotionProblem problem_beside(const Scene& scene) {
+    MotionProblem problem = problem_of(scene);
+    problem.method = scene.beside.value();
     return problem;
 }
 

@@ -120,6 +120,7 @@ struct Scene {
     StartSpec start;
     Torque torque;
     MethodChoice method;
+    std::optional<MethodChoice> beside;  // a second method, shown beside the first as a ghost
     FilmSpec film;
     CameraSpec camera;
     std::vector<std::string> show;  // elements by name; empty: the defaults for this kind of motion
@@ -142,5 +143,8 @@ struct Scene {
 // The mechanics' problem: inertia, start, torque, method, and the span of the film, which holds
 // t = 0.
 MotionProblem problem_of(const Scene& scene);
+
+// The same by the method beside, at its own step. Precondition: the scene names one.
+MotionProblem problem_beside(const Scene& scene);
 
 }  // namespace poinsot

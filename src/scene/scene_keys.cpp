@@ -109,6 +109,17 @@ std::string attitude_text(const Scene& scene) {
     return toml_text(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()));
 }
 
+// What is read of the second method; the first key of it makes it.
+MethodChoice& beside(SceneDraft& draft) {
+    if (!draft.scene.beside) draft.scene.beside.emplace();
+    return *draft.scene.beside;
+}
+
+template <typename Value>
+std::string beside_text(const Scene& scene, std::optional<Value> MethodChoice::*value) {
+    return scene.beside ? optional_text((*scene.beside).*value) : "";
+}
+
 constexpr double smallest = std::numeric_limits<double>::denorm_min();
 constexpr double pi = 3.141592653589793;
 
@@ -286,6 +297,26 @@ const SceneKey table[] = {
     {"motion.order", "an integer", "", "4", "order of a method that comes in several",
      [](const GivenValue& g, SceneDraft& d) { d.scene.method.order = g.integer_between(1, 20); },
      [](const Scene& s, size_t) { return optional_text(s.method.order); }},
+
+    // The same motion by a second method, as a ghost.
+    {"beside.method", "a string", "", R"("euler")",
+     "a second method whose motion is drawn beside the first as a ghost; default: none",
+     [](const GivenValue& g, SceneDraft& d) { beside(d).name = g.text(); },
+     [](const Scene& s, size_t) {
+         return s.beside ? toml_text(std::string_view(s.beside->name)) : "";
+     }},
+    {"beside.step_s", "a number", "s", "0.05", "its step; default: a 200th of the shortest turn",
+     [](const GivenValue& g, SceneDraft& d) { beside(d).step_s = g.positive(); },
+     [](const Scene& s, size_t) { return beside_text(s, &MethodChoice::step_s); }},
+    {"beside.tolerance", "a number", "", "1e-4",
+     "its relative error if it is adaptive; default 1e-9",
+     [](const GivenValue& g, SceneDraft& d) {
+         beside(d).tolerance = g.number_between(smallest, 1.0);
+     },
+     [](const Scene& s, size_t) { return beside_text(s, &MethodChoice::tolerance); }},
+    {"beside.order", "an integer", "", "4", "its order if it comes in several",
+     [](const GivenValue& g, SceneDraft& d) { beside(d).order = g.integer_between(1, 20); },
+     [](const Scene& s, size_t) { return beside_text(s, &MethodChoice::order); }},
 
     // Which instants become video frames.
     {"film.start_s", "a number", "s", "0.0",

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 #include <string>
 
 #include "cli/program_run.h"
@@ -23,6 +24,8 @@ struct Case {
     int code;
     std::string says;  // part of the one line
 };
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class BadInput : public ::testing::TestWithParam<Case> {};
 
@@ -78,6 +81,41 @@ INSTANTIATE_TEST_SUITE_P(
              "still scene.toml -o a.png", 2, "invariable plane"},
         Case{"unknown_key", good + "colour = 1\n", "still scene.toml -o a.png", 2,
              "scene.toml:6:1: unknown key"}),
+    [](const auto& tested) { return tested.param.name; });
+
+Case motion(const std::string& name, const std::string& lines, const std::string& says) {
+    return {name, good + lines, "still scene.toml -o a.png", 2, says};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Methods, BadInput,
+    ::testing::Values(
+        motion("step_zero", "[motion]\nmethod = \"rk4\"\nstep_s = 0.0\n",
+               "scene.toml:8:10: motion.step_s is 0; give a number greater than 0"),
+        motion("step_negative", "[motion]\nmethod = \"rk4\"\nstep_s = -0.5\n", "scene.toml:8:10"),
+        motion("step_longer_than_the_film", "[motion]\nmethod = \"rk4\"\nstep_s = 10.5\n",
+               "scene.toml:8:1: step_s is 10.5 s, longer than the 10 s"),
+        motion("tolerance_below_doubles", "[motion]\nmethod = \"dopri5\"\ntolerance = 1e-17\n",
+               "the least that can be reached is 1e-14"),
+        motion("exact_takes_no_step", "[motion]\nstep_s = 0.1\n",
+               "method \"exact\" takes no step_s"),
+        motion("exact_with_a_general_torque",
+               "[torque]\nkind = \"constant_body\"\ntorque_body_N_m = [0.1, 0.0, 0.0]\n",
+               "has no exact solution; set motion.method to one of euler, rk4, dopri5, rkmk4"),
+        motion("asymmetric_top", "[torque]\nkind = \"gravity\"\nmgl_N_m = 1.0\n",
+               "set motion.method to one of euler, rk4, dopri5, splitting, rkmk4"),
+        motion("unknown_method", "[motion]\nmethod = \"rk5\"\n", "did you mean \"rk4\"?"),
+        motion("beside_without_method", "[beside]\nstep_s = 0.1\n", "beside.method is missing"),
+        motion("beside_unknown", "[beside]\nmethod = \"eler\"\n", "did you mean \"euler\"?"),
+        motion("beside_step_too_long", "[beside]\nmethod = \"euler\"\nstep_s = 11.0\n",
+               "longer than the 10 s"),
+        motion("beside_that_cannot",
+               "[motion]\nmethod = \"rk4\"\n[torque]\nkind = \"gravity\"\nmgl_N_m = 1.0\n"
+               "[beside]\nmethod = \"dmv\"\n",
+               "set beside.method to one of"),
+        motion("beside_with_no_panel_for_it",
+               "[beside]\nmethod = \"euler\"\n[[panels]]\nkind = \"plan\"\n",
+               "no panel here shows a second motion")),
     [](const auto& tested) { return tested.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(

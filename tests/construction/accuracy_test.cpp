@@ -47,6 +47,29 @@ TEST(Certificate, HoldsForTheExactMotion) {
     EXPECT_EQ(certificate.n_instants, 300);
 }
 
+// Where the contact point stands still or nearly so, the certificate asks for no more than doubles
+// can show.
+TEST(Certificate, HoldsForSteadySpinsAndSmallWobbles) {
+    const std::vector<double> times{0.0, 0.4, 1.7, 5.0, 9.3, 20.0};
+    for (const Eigen::Vector3d& omega :
+         {Eigen::Vector3d(0.0, 0.0, 1.0), Eigen::Vector3d(0.0, 1.0, 0.0),
+          Eigen::Vector3d(1e-9, 2e-9, 1.0), Eigen::Vector3d(1e-5, 2e-5, 1.0),
+          Eigen::Vector3d(1e-3, 2e-3, 1.0), Eigen::Vector3d(1e-300, 1e-300, 1.0)}) {
+        MotionProblem problem;
+        problem.inertia = InertiaTensor::from_principal_moments({1.0, 2.0, 2.5});
+        problem.start.omega_body = omega;
+        const Certificate certificate = certify(Motion(problem), times, exact_residual_bound);
+        for (const CertifiedClaim& claim : certificate.claims) {
+            EXPECT_TRUE(claim.holds())
+                << claim.name << " " << claim.worst << " at ω = " << omega.transpose();
+        }
+    }
+    MotionProblem sphere;
+    sphere.inertia = InertiaTensor::from_principal_moments({2.0, 2.0, 2.0});
+    sphere.start.omega_body = {0.3, 1.0, 0.2};
+    EXPECT_TRUE(certify(Motion(sphere), times, exact_residual_bound).holds());
+}
+
 TEST(Certificate, FailsForEuler) {
     MotionProblem problem = generic_problem("euler");
     problem.method.step_s = 0.01;

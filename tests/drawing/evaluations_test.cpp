@@ -67,6 +67,43 @@ TEST(Evaluations, SphereHasNoCurves) {
     EXPECT_TRUE(momentum.stage.at(1.0).views[0].curves.empty());
 }
 
+TEST(Evaluations, SphereSumsNoSeries) {
+    // A sphere turns steadily; the same picture of another body needs Jacobi's functions each time.
+    const StagedScene sphere(free_scene({2.0, 2.0, 2.0}, generic_omega, "space"), 10.0);
+    const StagedScene generic(free_scene(generic_moments, generic_omega, "space"), 10.0);
+    for (int k = 0; k < 5; ++k) {
+        sphere.stage.at(k);
+        generic.stage.at(k);
+    }
+    EXPECT_EQ(sphere.stage.counts().n_omega, 5);
+    EXPECT_EQ(sphere.stage.counts().n_theta_series, 0);
+    EXPECT_EQ(generic.stage.counts().n_theta_series, generic.stage.counts().n_omega);
+}
+
+TEST(Evaluations, SteadySpinSumsNoSeries) {
+    const StagedScene staged(free_scene(generic_moments, {0.0, 2.0, 0.0}, "body"), 10.0);
+    staged.stage.at(3.0);
+    EXPECT_EQ(staged.stage.counts().n_theta_series, 0);
+}
+
+TEST(Evaluations, WithoutTorqueNoneIsEvaluated) {
+    Scene scene = free_scene({1.0, 1.0, 0.5}, generic_omega, "body");
+    scene.method.step_s = 0.1;
+    for (const char* method : {"euler", "rk4", "splitting", "rkmk4"}) {
+        scene.method.name = method;
+        scene.torque = NoTorque{};
+        const Motion free(problem_of(scene));
+        EXPECT_GT(free.integrated()->counters().n_steps, 0) << method;
+        EXPECT_EQ(free.integrated()->counters().n_torques, 0) << method;
+        scene.torque = GravityTorque{1.0, {0.0, 0.0, 1.0}};
+        EXPECT_GE(Motion(problem_of(scene)).integrated()->counters().n_torques, 100) << method;
+    }
+    scene.method = {"dopri5", {}, 1e-6, {}};
+    EXPECT_GE(Motion(problem_of(scene)).integrated()->counters().n_torques, 50);
+    scene.torque = NoTorque{};
+    EXPECT_EQ(Motion(problem_of(scene)).integrated()->counters().n_torques, 0);
+}
+
 TEST(Evaluations, PotentialOfATopAsksForItsAnglesAlone) {
     const StagedScene staged(top_scene({.theta_rad = 0.7, .omega3_rad_s = 5.0}, "potential"), 10.0);
     staged.stage.at(1.0);

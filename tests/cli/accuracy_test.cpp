@@ -1,0 +1,182 @@
+// What the program says of its accuracy: the plan, the bound in pixels, the certificate.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/program_run.h"
+
+namespace poinsot::testing {
+namespace {
+
+const std::string generic = R"(
+[body]
+moments_kg_m2 = [1.0, 2.0, 2.5]
+[start]
+omega_rad_s = [0.3, 1.0, 0.2]
+[film]
+size = [320, 180]
+duration_s = 2.0
+)";
+
+std::string output_of(const std::string& scene, const std::string& arguments) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", scene);
+    const ProgramRun run = run_program_in(folder, arguments);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.out;
+}
+
+// The number after `key` in the JSON of check.
+double number_of(const std::string& json, const std::string& key) {
+    const std::size_t at = json.find("\"" + key + "\": ");
+    EXPECT_NE(at, std::string::npos) << key << " in " << json;
+    return at == std::string::npos ? -1.0 : std::stod(json.substr(at + key.size() + 4));
+}
+
+// The line of the plan that begins so.
+std::string plan_line(const std::string& out, const std::string& what) {
+    std::stringstream lines(out);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind(what + ": ", 0) == 0) return line;
+    }
+    return "";
+}
+
+TEST(Plan, HasAReasonForEveryLine) {
+    const std::string out = output_of(generic, "check scene.toml --plan");
+    for (const char* what :
+         {"motion", "phases", "torque", "angular velocity", "attitude", "herpolhode's point",
+          "herpolhode's history", "Euler angles", "curves"}) {
+        const std::string line = plan_line(out, what);
+        const std::size_t reason = line.find('(');
+        ASSERT_NE(reason, std::string::npos) << what << " in " << out;
+        EXPECT_GT(line.find(')', reason), reason + 8) << line;
+    }
+}
+
+TEST(Plan, FollowsTheScene) {
+    const std::string sphere = output_of(generic,
+                                         "check scene.toml --plan --set "
+                                         "'body.moments_kg_m2=[2, 2, 2]'");
+    EXPECT_NE(plan_line(sphere, "motion").find("no elliptic function"), std::string::npos);
+    EXPECT_EQ(plan_line(sphere, "phases"), "");
+    EXPECT_NE(plan_line(sphere, "herpolhode's history").find(": none ("), std::string::npos);
+
+    const std::string body =
+        output_of(generic + "[[panels]]\nkind = \"body\"\n", "check scene.toml --plan");
+    EXPECT_NE(plan_line(body, "attitude").find(": none ("), std::string::npos);
+    EXPECT_NE(plan_line(body, "torque").find(": none ("), std::string::npos);
+
+    const std::string heavy = output_of(
+        "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.5]\n[start]\nomega_rad_s = [0.3, 1.0, 0.2]\n"
+        "[torque]\nkind = \"gravity\"\nmgl_N_m = 1.0\n[motion]\nmethod = \"rk4\"\nstep_s = 0.01\n",
+        "check scene.toml --plan");
+    EXPECT_NE(plan_line(heavy, "torque").find("evaluated 4000 times"), std::string::npos) << heavy;
+}
+
+TEST(Plan, TakesTheFastTierWhereRoundingDoesNotShow) {
+    EXPECT_NE(plan_line(output_of(generic, "check scene.toml --plan"), "phases").find("fast tier"),
+              std::string::npos);
+    // 1e9 s of motion: one word would lose 7e-7 rad, more than a thousandth of 1e-4 px.
+    const std::string distant =
+        output_of(generic, "check scene.toml --plan --set film.start_s=1e9 --set accuracy_px=1e-4");
+    EXPECT_NE(plan_line(distant, "phases").find("two words"), std::string::npos) << distant;
+}
+
+// The number of `sample` are never those of the fast tier: they are the same whatever a picture
+// would allow.
+TEST(Plan, DoesNotTouchNumbers) {
+    const std::string arguments = "sample scene.toml --times 12345.678";
+    EXPECT_EQ(output_of(generic, arguments),
+              output_of(generic, arguments + " --set accuracy_px=1e-6"));
+}
+
+TEST(Bound, IsPrintedByCheckAndAddsUp) {
+    const std::string json = output_of(generic, "check scene.toml --json");
+    EXPECT_EQ(number_of(json, "accuracy_px"), 0.1);
+    EXPECT_LE(number_of(json, "bound_px"), 0.1);
+    EXPECT_NEAR(number_of(json, "bound_px"),
+                number_of(json, "motion_error_px") + number_of(json, "curve_error_px"), 1e-15);
+    const std::string draft = output_of(generic, "check scene.toml --json --quality draft");
+    EXPECT_GT(number_of(draft, "curve_error_px"), 0.1);
+    // A bad step is said, not hidden.
+    const std::string bad = output_of(generic + "[motion]\nmethod = \"rk4\"\nstep_s = 1.0\n",
+                                      "check scene.toml --json --set accuracy_px=100");
+    EXPECT_GT(number_of(bad, "motion_error_px"), 0.1);
+}
+
+TEST(Bound, StandsInTheRecordAndOnStderr) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", generic);
+    const ProgramRun still = run_program_in(folder, "still scene.toml -o a.png");
+    ASSERT_EQ(still.code, 0) << still.err;
+    EXPECT_NE(still.err.find("within 0.05 px of the truth"), std::string::npos) << still.err;
+    const ProgramRun film = run_program_in(folder, "render scene.toml -o a.mp4 --frames 0-3");
+    ASSERT_EQ(film.code, 0) << film.err;
+    EXPECT_NE(film.err.find("within 0.05 px of the truth"), std::string::npos) << film.err;
+    for (const char* file : {"a.png", "a.mp4"}) {
+        const ProgramRun record = run_program_in(folder, std::string("explain ") + file);
+        EXPECT_NE(record.out.find("bounds: within 0.05 px of the truth"), std::string::npos)
+            << record.out;
+    }
+    const ProgramRun quiet = run_program_in(folder, "still scene.toml -o b.png --quiet");
+    EXPECT_EQ(quiet.err, "");
+}
+
+TEST(Certificate, HoldsForTheExactMotion) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", generic);
+    const ProgramRun check = run_program_in(folder, "check scene.toml");
+    EXPECT_EQ(check.code, 0);
+    EXPECT_NE(check.out.find("every claim holds"), std::string::npos);
+    const ProgramRun film =
+        run_program_in(folder, "render scene.toml -o a.mp4 --frames 0-3 --certify");
+    EXPECT_EQ(film.code, 0) << film.err;
+    EXPECT_NE(film.out.find("every claim holds"), std::string::npos);
+    EXPECT_NE(folder.listing().find("a.mp4"), std::string::npos);
+}
+
+TEST(Certificate, RefusesWhatTheMethodDoesNotKeep) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", generic + "[motion]\nmethod = \"euler\"\nstep_s = 0.1\n");
+    const ProgramRun check = run_program_in(folder, "check scene.toml");
+    EXPECT_EQ(check.code, 1);
+    EXPECT_NE(check.out.find("FAILS momentum"), std::string::npos) << check.out;
+    const ProgramRun film = run_program_in(folder, "render scene.toml -o a.mp4 --certify");
+    EXPECT_EQ(film.code, 1) << film.err;
+    EXPECT_EQ(folder.listing().find("a.mp4"), std::string::npos);
+    // The same step is fine where it was not asked for.
+    EXPECT_EQ(run_program_in(folder, "render scene.toml -o a.mp4 --frames 0-1").code, 0);
+}
+
+TEST(Qualities, SayWhatTheyCostAndGive) {
+    const ScratchFolder folder;
+    const ProgramRun run = run_program_in(folder, "list qualities");
+    ASSERT_EQ(run.code, 0);
+    std::stringstream lines(run.out);
+    int n_lines = 0;
+    for (std::string line; std::getline(lines, line); ++n_lines) {
+        for (const char* unit : {" ms and is ", " levels (rms) off", " kB, SSIM 0.9"}) {
+            EXPECT_NE(line.find(unit), std::string::npos) << line;
+        }
+    }
+    EXPECT_EQ(n_lines, 4);
+    EXPECT_NE(run.err.find("poinsot tradeoff"), std::string::npos) << run.err;
+}
+
+TEST(Stepping, ReachesTheEndOfAnyFilm) {
+    // A drawn history ends with a whole piece, beyond the film's last frame.
+    for (const char* duration : {"9.9", "3.3", "0.07"}) {
+        const ScratchFolder folder;
+        folder.write("scene.toml", generic + "[motion]\nmethod = \"rk4\"\n");
+        const std::string set = std::string(" --set film.duration_s=") + duration;
+        EXPECT_EQ(run_program_in(folder, "still scene.toml -o a.png" + set).code, 0) << duration;
+        EXPECT_EQ(run_program_in(folder, "still scene.toml -o b.png --time 20" + set).code, 0);
+    }
+}
+
+}  // namespace
+}  // namespace poinsot::testing

@@ -1,0 +1,135 @@
+// The motion beside is drawn as its method computes it, and nothing of it where there is none.
+#include "drawing/ghost.h"
+
+#include <gtest/gtest.h>
+
+#include "drawing/panel.h"
+#include "error/error.h"
+#include "scenes_by_hand.h"
+
+namespace poinsot {
+namespace {
+
+const Eigen::Vector3d moments{1.0, 2.0, 2.6};
+const Eigen::Vector3d omega{1.2, 0.35, 1.1};
+
+// A stage whose scene has a second method.
+struct StagedBeside {
+    Scene scene;
+    Motion motion;
+    Motion beside;
+    Stage stage;
+
+    StagedBeside(const Scene& scene_, const MethodChoice& choice)
+        : scene(with(scene_, choice)),
+          motion(problem_of(scene)),
+          beside(problem_beside(scene)),
+          stage(scene, motion, {.width_px = 640, .height_px = 360, .last_time_s = 10.0}, &beside) {}
+
+    static Scene with(Scene scene, const MethodChoice& choice) {
+        scene.beside = choice;
+        return scene;
+    }
+};
+
+const MethodChoice euler{"euler", 0.05, {}, {}};
+const MethodChoice exact{"exact", {}, {}, {}};
+
+// A linear map is a rotation of the other's: the largest difference of entries.
+double apart(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+    return (a - b).cwiseAbs().maxCoeff();
+}
+
+TEST(Ghost, EllipsoidTurnsAsTheMethodBesideHasIt) {
+    const StagedBeside staged(free_scene(moments, omega, "space"), euler);
+    for (const double time_s : {0.0, 3.3, 10.0}) {
+        const Drawing drawing = staged.stage.at(time_s);
+        const auto& ellipsoids = drawing.views[0].ellipsoids;
+        ASSERT_EQ(ellipsoids.size(), 2u);
+        // Both are the same ellipsoid; from the first to the second turns what lies between the
+        // attitudes, seen in picture axes.
+        const ConstructionPicture& picture = *staged.stage.data().rolling;
+        const Eigen::Quaterniond between = picture.picture_from_space *
+                                           staged.beside.at(time_s).space_from_body *
+                                           staged.motion.at(time_s).space_from_body.conjugate() *
+                                           picture.picture_from_space.conjugate();
+        EXPECT_LE(apart(ellipsoids[1].half_axes, between * ellipsoids[0].half_axes), 1e-14);
+        EXPECT_EQ(ellipsoids[1].casts_shadow, false);
+    }
+}
+
+TEST(Ghost, ExactBesideExactIsOnItself) {
+    const StagedBeside staged(free_scene(moments, omega, "space"), exact);
+    const Drawing drawing = staged.stage.at(7.0);
+    const auto& ellipsoids = drawing.views[0].ellipsoids;
+    ASSERT_EQ(ellipsoids.size(), 2u);
+    EXPECT_LE(apart(ellipsoids[0].half_axes, ellipsoids[1].half_axes), 1e-14);
+}
+
+// The value of F at the end of the ghost's path in the body panel, in the ellipsoid's axes: T(t)/T.
+double energy_at_end(const StagedBeside& staged) {
+    const Drawing drawing = staged.stage.at(10.0);
+    const View& view = drawing.views[0];
+    const Colour& grey = staged.stage.data().theme->ghost;
+    for (const Curve& curve : view.curves) {
+        if (!(curve.colour == grey)) continue;
+        const auto last = static_cast<std::size_t>(
+            std::min(curve.last, static_cast<double>(curve.geometry->points.size() - 1)));
+        const Eigen::Vector3d point = curve.geometry->points[last];
+        return point.cwiseQuotient(staged.stage.data().rolling->half_axes).squaredNorm();
+    }
+    return 0.0;
+}
+
+TEST(Ghost, PolhodeOfEulersMethodLeavesTheEllipsoidAsItsEnergyGrows) {
+    const StagedBeside staged(free_scene(moments, omega, "body"), euler);
+    const auto energy = [&](const Motion& motion) {
+        const Eigen::Vector3d w = motion.at(10.0).omega_body;
+        return w.dot(moments.cwiseProduct(w));
+    };
+    const double grown = energy(staged.beside) / energy(staged.motion);
+    EXPECT_GT(grown, 1.05);
+    // The path's last point is at most a piece of 0.05 s before: T grows by less than 1e-2 in that.
+    EXPECT_NEAR(energy_at_end(staged), grown, 1e-2);
+    EXPECT_NEAR(energy_at_end(StagedBeside(free_scene(moments, omega, "body"), exact)), 1.0, 1e-14);
+}
+
+TEST(Ghost, MomentumOfEulersMethodLeavesTheSphere) {
+    const StagedBeside staged(free_scene(moments, omega, "momentum"), euler);
+    const Drawing drawing = staged.stage.at(10.0);
+    const Eigen::Vector3d w = staged.beside.at(10.0).omega_body;
+    const double grown = moments.cwiseProduct(w).norm() / moments.cwiseProduct(omega).norm();
+    EXPECT_GT(grown, 1.02);
+    EXPECT_NEAR(drawing.views[0].arrows.back().tip.norm(), grown, 1e-14);
+}
+
+TEST(Ghost, PlotHasASecondSetOfCurves) {
+    const StagedScene alone(free_scene(moments, omega, "plot"), 10.0);
+    const StagedBeside both(free_scene(moments, omega, "plot"), euler);
+    EXPECT_EQ(both.stage.at(1.0).views[0].curves.size(),
+              alone.stage.at(1.0).views[0].curves.size() + 3);
+}
+
+TEST(Ghost, WithoutAMotionBesideThereIsNone) {
+    const StagedScene staged(free_scene(moments, omega, "space"), 10.0);
+    EXPECT_EQ(staged.stage.at(1.0).views[0].ellipsoids.size(), 1u);
+    Scene scene = free_scene(moments, omega, "space");
+    scene.show = {"ghost"};
+    EXPECT_THROW(StagedScene(scene, 10.0), InputError);
+}
+
+TEST(Ghost, PanelsThatShowNoneAreRefused) {
+    EXPECT_THROW(StagedBeside(free_scene(moments, omega, "plan"), euler), InputError);
+}
+
+TEST(Ghost, AMethodThatBlowsUpDrawsNoLineToInfinity) {
+    const StagedBeside staged(free_scene(moments, omega, "space"), {"euler", 1.0, {}, {}});
+    ASSERT_GT(staged.beside.at(10.0).omega_body.norm(), 6.0 * omega.norm());
+    const Drawing drawing = staged.stage.at(10.0);
+    for (const Curve& curve : drawing.views[0].curves) {
+        for (const Eigen::Vector3d& point : curve.geometry->points) EXPECT_LE(point.norm(), 4.0);
+    }
+}
+
+}  // namespace
+}  // namespace poinsot
