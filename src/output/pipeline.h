@@ -41,7 +41,7 @@ class FrameWorkers {
 // of write() or at finish(). Destroyed unfinished, it leaves what the sink leaves.
 class AsyncSink : public FrameSink {
  public:
-    explicit AsyncSink(std::unique_ptr<FrameSink> sink, std::size_t n_waiting = 8);
+    explicit AsyncSink(std::unique_ptr<FrameSink> sink, std::size_t n_waiting = 4);
     ~AsyncSink() override;
 
     std::int64_t n_frames_kept() const override;
