@@ -87,7 +87,7 @@ void PictureMaker::draw(double time_s, Image& image) {
         return;
     }
     renderer_->render_into(stage_.at(time_s), large_);
-    image = downsampled(large_, samples_);
+    downsample_into(large_, samples_, image);
 }
 
 }  // namespace poinsot

@@ -4,6 +4,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace poinsot {
 
@@ -23,49 +25,105 @@ const std::array<float, 256>& linear_levels() {
     return levels;
 }
 
-// The level whose linear light is nearest.
-std::uint8_t encoded_level(float linear) {
-    const auto& levels = linear_levels();
-    const auto above = std::lower_bound(levels.begin(), levels.end(), linear);
-    if (above == levels.begin()) return 0;
-    if (above == levels.end()) return 255;
-    const auto level = static_cast<std::uint8_t>(above - levels.begin());
-    return linear - *(above - 1) < *above - linear ? static_cast<std::uint8_t>(level - 1) : level;
+// The nearest level at or below the light k/n_bins: where the search for a level begins.
+constexpr int n_bins = 4096;
+const std::array<std::uint8_t, n_bins + 1>& first_levels() {
+    static const std::array<std::uint8_t, n_bins + 1> levels = [] {
+        const auto& linear = linear_levels();
+        std::array<std::uint8_t, n_bins + 1> table{};
+        std::size_t level = 0;
+        for (std::size_t k = 0; k < table.size(); ++k) {
+            while (level < 255 && linear[level + 1] <= static_cast<float>(k) / n_bins) ++level;
+            table[k] = static_cast<std::uint8_t>(level);
+        }
+        return table;
+    }();
+    return levels;
 }
+
+// Sums of light over the pixels of a block, each weighted by its alpha.
+struct Light {
+    float r = 0.0F, g = 0.0F, b = 0.0F;
+    int alpha = 0;
+};
+
+class Averager {
+ public:
+    explicit Averager(int factor)
+        : factor_(factor), linear_(linear_levels()), first_levels_(first_levels()) {
+        for (std::size_t k = 0; k < linear_.size(); ++k) opaque_[k] = linear_[k] * 255.0F;
+    }
+
+    // `from`: the block's upper left pixel; stride in bytes.
+    void average(const std::uint8_t* from, std::ptrdiff_t stride, std::uint8_t* to) const {
+        Light light;
+        for (int j = 0; j < factor_; ++j) {
+            const std::uint8_t* pixel = from + j * stride;
+            for (int i = 0; i < factor_; ++i, pixel += 4) add(pixel, light);
+        }
+        if (light.alpha == 0) {
+            std::fill_n(to, 4, std::uint8_t{0});
+            return;
+        }
+        const float weight = 1.0F / static_cast<float>(light.alpha);
+        const int n = factor_ * factor_;
+        to[0] = encoded(light.r * weight);
+        to[1] = encoded(light.g * weight);
+        to[2] = encoded(light.b * weight);
+        to[3] = static_cast<std::uint8_t>((light.alpha + n / 2) / n);
+    }
+
+ private:
+    void add(const std::uint8_t* pixel, Light& light) const {
+        light.alpha += pixel[3];
+        if (pixel[3] == 255) {
+            light.r += opaque_[pixel[0]];
+            light.g += opaque_[pixel[1]];
+            light.b += opaque_[pixel[2]];
+            return;
+        }
+        const auto alpha = static_cast<float>(pixel[3]);
+        light.r += linear_[pixel[0]] * alpha;
+        light.g += linear_[pixel[1]] * alpha;
+        light.b += linear_[pixel[2]] * alpha;
+    }
+
+    // The level whose linear light is nearest.
+    std::uint8_t encoded(float light) const {
+        const auto bin = static_cast<std::size_t>(std::min(light, 1.0F) * n_bins);
+        std::size_t level = first_levels_[bin];
+        while (level < 255 && light - linear_[level] >= linear_[level + 1] - light) ++level;
+        return static_cast<std::uint8_t>(level);
+    }
+
+    int factor_;
+    const std::array<float, 256>& linear_;
+    const std::array<std::uint8_t, n_bins + 1>& first_levels_;
+    std::array<float, 256> opaque_{};
+};
 
 }  // namespace
 
-Image downsampled(const Image& image, int factor) {
+void downsample_into(const Image& image, int factor, Image& small) {
     assert(factor >= 1 && image.width() % factor == 0 && image.height() % factor == 0);
-    if (factor == 1) return image;
-    Image small(image.width() / factor, image.height() / factor);
-    const auto& linear = linear_levels();
-    for (int y = 0; y < small.height(); ++y) {
-        for (int x = 0; x < small.width(); ++x) {
-            float r = 0.0F;
-            float g = 0.0F;
-            float b = 0.0F;
-            int alpha = 0;
-            for (int j = 0; j < factor; ++j) {
-                for (int i = 0; i < factor; ++i) {
-                    const Rgba8 c = image.at(x * factor + i, y * factor + j);
-                    r += linear[c.r] * static_cast<float>(c.a);
-                    g += linear[c.g] * static_cast<float>(c.a);
-                    b += linear[c.b] * static_cast<float>(c.a);
-                    alpha += c.a;
-                }
-            }
-            if (alpha == 0) {
-                small.set(x, y, {0, 0, 0, 0});
-                continue;
-            }
-            const auto weight = 1.0F / static_cast<float>(alpha);
-            const int n = factor * factor;
-            small.set(x, y,
-                      {encoded_level(r * weight), encoded_level(g * weight),
-                       encoded_level(b * weight), static_cast<std::uint8_t>((alpha + n / 2) / n)});
-        }
+    const int width = image.width() / factor, height = image.height() / factor;
+    if (small.width() != width || small.height() != height) small = Image(width, height);
+    if (factor == 1) {
+        small = image;
+        return;
     }
+    const Averager averager(factor);
+    const std::ptrdiff_t stride = std::ptrdiff_t{4} * image.width();
+    const std::uint8_t* row = image.bytes().data();
+    std::uint8_t* to = small.bytes().data();
+    for (int y = 0; y < height; ++y, row += factor * stride)
+        for (int x = 0; x < width; ++x, to += 4)
+            averager.average(row + std::ptrdiff_t{4} * factor * x, stride, to);
+}
+
+Image downsampled(const Image& image, int factor) {
+    Image small;
+    downsample_into(image, factor, small);
     return small;
 }
 

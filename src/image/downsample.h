@@ -9,4 +9,7 @@ namespace poinsot {
 // multiples of the factor, which is at least 1.
 Image downsampled(const Image& image, int factor);
 
+// The same, into a picture whose memory is used again.
+void downsample_into(const Image& image, int factor, Image& small);
+
 }  // namespace poinsot
