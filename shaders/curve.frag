@@ -9,8 +9,9 @@
 //   0…4: the view   5: colour, linear; opacity
 //   6: width px, opacity where hidden (below 0: absent), number of the ellipsoid and of the plane it
 //      lies on (-1: none)
-//   7: half period of the dashes where visible and where hidden, in lengths of the curve (0: solid);
-//      for the ellipsoid it lies on, the step of facing at the limb and the opacity
+//   7: period of the dashes in lengths of the curve (0: solid; below 0: dashed only where hidden),
+//      share of it that is drawn; for the ellipsoid it lies on, the step of facing at the limb and
+//      the opacity
 //   then the solids, and after them, where it fades: transparent and opaque point; the depth that
 //   marks this curve
 flat in vec4 ends;
@@ -29,10 +30,10 @@ vec2 from_segment(vec2 p, vec2 a, vec2 b) {
     return vec2(abs(run.x * (p.y - a.y) - run.y * (p.x - a.x)) * inversesqrt(square), t / square);
 }
 
-// A dash and a gap of equal length, its ends a pixel soft.
-float dashed(float length_along, float half_period, float per_px) {
-    float phase = abs(fract(length_along / (2.0 * half_period)) - 0.5);
-    float edge_px = (0.25 - phase) * 2.0 * half_period / max(per_px, 1e-12);
+// Dashes that fill a share of their period, their ends a pixel soft.
+float dashed(float length_along, float period, float share, float per_px) {
+    float phase = abs(fract(length_along / period) - 0.5);
+    float edge_px = (0.5 * share - phase) * period / max(per_px, 1e-12);
     return clamp(edge_px + 0.5, 0.0, 1.0);
 }
 
@@ -68,9 +69,10 @@ void main() {
     }
 #endif
     float per_px = abs(along.w - along.z) / run_px;
-    float visible = constant(7).x > 0.0 ? dashed(length_along, constant(7).x, per_px) : 1.0;
-    float hidden = constant(6).y < 0.0 ? 0.0 : visible * max(constant(6).y, 1.0 - seen.y);
-    if (constant(7).y > 0.0) hidden *= dashed(length_along, constant(7).y, per_px);
+    float period = constant(7).x;
+    float drawn = period == 0.0 ? 1.0 : dashed(length_along, abs(period), constant(7).y, per_px);
+    float visible = period < 0.0 ? 1.0 : drawn;
+    float hidden = constant(6).y < 0.0 ? 0.0 : drawn * max(constant(6).y, 1.0 - seen.y);
     float alpha = constant(5).a * covered * mix(hidden, visible, seen.x);
     vec2 fade = constant(FADE).xy;
     if (fade.y > fade.x) alpha *= clamp((mix(along.x, along.y, t) - fade.x) / (fade.y - fade.x), 0.0, 1.0);

@@ -95,6 +95,10 @@ const auto option_table = std::to_array<OptionRow>({
      [](CLI::App& app, Options& o) {
          add_override(app, o, "--quality", "film.quality", "draft, lecture, print or reference");
      }},
+    {"theme",
+     [](CLI::App& app, Options& o) {
+         add_override(app, o, "--theme", "theme", "light, dark, print, colour-blind, transparent");
+     }},
     {"frames",
      [](CLI::App& app, Options& o) {
          app.add_option_function<std::string>(

@@ -101,8 +101,8 @@ int run(const Options& options) {
 }
 
 constexpr auto options_taken =
-    std::to_array<std::string_view>({"output", "set", "size", "fps", "quality", "frames", "quiet",
-                                     "backend", "portable", "certify", "allow-outside"});
+    std::to_array<std::string_view>({"output", "set", "size", "fps", "theme", "quality", "frames",
+                                     "quiet", "backend", "portable", "certify", "allow-outside"});
 
 }  // namespace
 

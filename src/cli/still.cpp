@@ -69,7 +69,7 @@ int run(const Options& options) {
 }
 
 constexpr auto options_taken = std::to_array<std::string_view>(
-    {"output", "set", "size", "time", "quiet", "backend", "portable", "allow-outside"});
+    {"output", "set", "size", "theme", "time", "quiet", "backend", "portable", "allow-outside"});
 
 }  // namespace
 

@@ -123,7 +123,8 @@ struct Curve {
     double opacity = 1.0;
     double hidden_opacity = 0.3;
     HiddenStyle hidden = HiddenStyle::dimmed;
-    double dash_px = 0.0;  // dash and gap length of the visible part; 0: solid
+    double dash_px = 0.0;  // length of a dash; 0: solid
+    double gap_px = 0.0;   // between dashes; 0: as long as they
     double fade_points =
         0.0;  // opacity falls linearly to 0 over this many points behind `last`; 0: full history
     Occlusion occlusion = Occlusion::by_solids;
@@ -209,10 +210,13 @@ struct View {
     std::deque<GlyphMask> live_masks;  // of labels that belong to this drawing alone
 };
 
-// A whole video frame or still.
+// A whole video frame or still, or a part of one that is drawn by itself.
 struct Drawing {
     int width_px = 0, height_px = 0;
     Background background;
+    // Of a part: the rows that the background's gradient spans, from a row above the part or its
+    // first; 0 rows: those of the picture.
+    int background_top_px = 0, background_rows_px = 0;
     std::vector<View> views;
 };
 

@@ -122,6 +122,7 @@ Drawer make_herpolhode(Panel& panel) {
     curve.geometry = panel.stage->keep(std::move(geometry));
     curve.width_px = 4.0 * panel.px;
     curve.colour = panel.stage->theme->herpolhode;
+    set_dashes(panel, panel.stage->theme->herpolhode_dashes, curve);
     curve.on_plane = the_plane;
     curve.hidden_opacity = 0.45;
     return [curve, herpolhode = std::move(herpolhode)](const Instant& instant, Sheet& sheet) {

@@ -80,6 +80,11 @@ Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Colour& 
     return curve;
 }
 
+void set_dashes(const Panel& panel, const Dashes& dashes, Curve& curve) {
+    curve.dash_px = dashes.dash_px * panel.px;
+    curve.gap_px = dashes.gap_px * panel.px;
+}
+
 Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,
                 const Eigen::Vector3d& towards, double radius, double angle_rad,
                 const Colour& colour, double width_px) {

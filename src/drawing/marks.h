@@ -54,6 +54,9 @@ Dot dot_at(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour,
 Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Colour& colour,
                double width_px);
 
+// Breaks a line as the theme does.
+void set_dashes(const Panel& panel, const Dashes& dashes, Curve& curve);
+
 // An arc of a circle about `centre` from the direction `from` towards the direction `towards` (unit
 // vectors at right angles), over an angle from 0 to 2π; a whole circle from 2π on. Negative angles
 // run the other way. One geometry serves all arcs of a stage.

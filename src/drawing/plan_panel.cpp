@@ -89,6 +89,7 @@ TimedCurve herpolhode_of(Panel& panel, const PlanScale& scale) {
     timed.herpolhode.points.clear();
     timed.curve = curve_of(panel, panel.stage->keep(std::move(geometry)),
                            panel.stage->theme->herpolhode, 4.0);
+    set_dashes(panel, panel.stage->theme->herpolhode_dashes, timed.curve);
     timed.curve.on_plane = the_plane;
     timed.curve.occlusion = Occlusion::none;
     return timed;

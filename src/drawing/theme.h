@@ -8,6 +8,13 @@
 
 namespace poinsot {
 
+// How a line is broken, in pixels at 1080 rows; told apart where colour is not.
+struct Dashes {
+    double dash_px = 0.0;  // 0: solid
+    double gap_px = 0.0;
+    bool operator==(const Dashes&) const = default;
+};
+
 struct Theme {
     std::string_view name;
     std::string_view summary;
@@ -26,6 +33,7 @@ struct Theme {
 
     Colour polhode;
     Colour herpolhode;
+    Dashes herpolhode_dashes;  // the polhode is solid
     Colour momentum;
     Colour omega;
     Colour axes[3];

@@ -134,13 +134,13 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve) {
     const Projection& p = scene.projection;
     const double unit_px = p.unit_px(std::max(p.depth(scene.view->camera.target), p.near_depth)) *
                            scale_of(curve.placement);
-    const auto half_period = [&](double dash_px) {
-        if (!(dash_px > 0.0)) return 0.0;
-        const double length = dash_px / unit_px;
-        if (!curve.geometry->closed) return length;
-        return upload.length / (2.0 * std::max(1.0, std::round(upload.length / (2.0 * length))));
-    };
-    const double hidden_dash_px = curve.dash_px > 0.0 ? curve.dash_px : 2.0 * curve.width_px;
+    const bool solid = !(curve.dash_px > 0.0);
+    const double dash_px = solid ? 2.0 * curve.width_px : curve.dash_px;
+    const double gap_px = solid || !(curve.gap_px > 0.0) ? dash_px : curve.gap_px;
+    double period = (dash_px + gap_px) / unit_px;
+    if (curve.geometry->closed)
+        period = upload.length / std::max(1.0, std::round(upload.length / period));
+    if (solid) period = curve.hidden == HiddenStyle::dashed ? -period : 0.0;
 
     Constants constants;
     scene.add_view(constants);
@@ -149,8 +149,7 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve) {
                   own, curve.on_plane);
     const Quadric* surface = own < 0 ? nullptr : &scene.quadrics[static_cast<std::size_t>(own)];
     constants.add(
-        half_period(curve.dash_px),
-        curve.hidden == HiddenStyle::dashed ? half_period(hidden_dash_px) : 0.0,
+        period, dash_px / (dash_px + gap_px),
         surface == nullptr ? 0.0 : surface->limb_cosine(),
         surface == nullptr ? 0.0 : scene.view->ellipsoids[static_cast<std::size_t>(own)].opacity);
     if (occluded) scene.add_solids(constants);

@@ -77,6 +77,7 @@ struct Renderer::Impl {
     std::vector<bool> overlaps_;  // whether what stands still in a view covers an earlier one
     TileMask marks_;
     Background still_background_;
+    int still_background_top_px_ = 0;
     std::vector<StillView> still_views_;
     // Labels of the picture under way, and those that what stands still already shows.
     std::vector<PlacedLabel> labels_, still_labels_;
@@ -128,19 +129,23 @@ bool Renderer::Impl::still_is_same(const Drawing& drawing) {
         views.push_back(std::move(still));
     }
     if (drawing.background == still_background_ &&
+        drawing.background_top_px == still_background_top_px_ &&
         std::equal(views.begin(), views.end(), still_views_.begin(), still_views_.end(),
                    [](const auto& a, const auto& b) { return same(a, b); }))
         return true;
     still_background_ = drawing.background;
+    still_background_top_px_ = drawing.background_top_px;
     still_views_ = std::move(views);
     return false;
 }
 
 void Renderer::Impl::draw_still(const Drawing& drawing) {
     glBindVertexArray(empty_.id());
-    background_.draw(
-        drawing, drawing.background,
-        {0.0, 0.0, static_cast<double>(drawing.width_px), static_cast<double>(drawing.height_px)});
+    const double top = drawing.background_top_px;
+    const double rows =
+        drawing.background_rows_px > 0 ? drawing.background_rows_px : drawing.height_px;
+    background_.draw(drawing, drawing.background,
+                     {0.0, top, static_cast<double>(drawing.width_px), top + rows});
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
         if (overlaps_[k]) continue;
         limit_to(scenes_[k].projection.box);
