@@ -15,7 +15,7 @@
 //   12: colour, linear   13: colour of the lines, linear; width px of the principal sections
 const int first_member = 3;
 const int member_size = 14;
-noperspective in vec3 sight;
+in vec3 sight;
 out vec4 fragment;
 
 const float pi = 3.14159265358979;

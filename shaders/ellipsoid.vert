@@ -4,7 +4,7 @@ uniform vec2 corners[34];
 uniform vec4 constants[N_FLAT];
 uniform vec3 sights[3];  // at pixel 0, and its change with x and y
 flat out vec4 flat_constants[N_FLAT];
-noperspective out vec3 sight;
+out vec3 sight;
 
 void main() {
     for (int i = 0; i < N_FLAT; ++i) flat_constants[i] = constants[i];

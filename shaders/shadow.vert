@@ -3,7 +3,7 @@
 uniform vec4 deepest;  // linear colour of the deepest shadow
 layout(location = 0) in vec4 corner;  // pixel x and y times the depth, the depth, the darkness
 flat out vec4 tint;
-noperspective out float darkness;
+out float darkness;
 
 void main() {
     tint = deepest;

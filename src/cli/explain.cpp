@@ -27,6 +27,9 @@ std::string json_of(const Record& record) {
     add("mesa", json_string(record.mesa));
     add("size", fmt::format("[{}, {}]", record.width_px, record.height_px));
     if (record.time_s) add("time_s", json_number(*record.time_s));
+    if (record.dpi) add("dpi", json_number(*record.dpi));
+    if (record.type_pt) add("type_pt", json_number(*record.type_pt));
+    if (record.bit_depth != 8) add("depth", fmt::format("{}", record.bit_depth));
     if (record.frames)
         add("frames", fmt::format("[{}, {}]", record.frames->first, record.frames->second));
     return text + fmt::format("  \"scene_toml\": {}\n}}\n", json_string(record.scene_toml));

@@ -26,6 +26,14 @@ struct ApproveChoices {
     bool all = false;
 };
 
+// A still's size on paper.
+struct PrintChoices {
+    std::optional<double> width_mm, height_mm;  // --width-mm, --height-mm
+    std::optional<double> dpi;                  // --dpi
+    std::optional<double> type_pt;              // --type-pt, of labels
+    int bit_depth = 8;                          // --depth
+};
+
 struct Options {
     std::vector<std::string> arguments;  // SCENE, REF NEW, WHAT
     std::string output;                  // -o
@@ -40,6 +48,7 @@ struct Options {
     bool quiet = false;
     bool certify = false;  // render --certify
     bool plan = false;     // check --plan
+    PrintChoices print;
     CompareChoices compare;
     ApproveChoices approve;
 };

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+
+#include "cli/print_size.h"
 #include "cli/quality.h"
 #include "error/error.h"
 #include "error/nearest.h"
@@ -10,17 +13,19 @@
 
 namespace poinsot {
 
-PictureSetting setting_of(const Scene& scene) {
+PictureSetting setting_of(const Scene& scene, const PrintChoices& print) {
     const Quality& quality = at_scene_key(scene, "film.quality", [&]() -> const Quality& {
         return quality_named(scene.film.quality);
     });
-    return {quality.curve_tolerance, quality.samples};
+    const auto paper = print_size_of(print, scene.film.width_px, scene.film.height_px);
+    return {quality.curve_tolerance, quality.samples, paper ? paper->line_scale : 0.0};
 }
 
 Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting) {
     StageOptions options;
     options.width_px = session.scene.film.width_px * setting.samples;
     options.height_px = session.scene.film.height_px * setting.samples;
+    options.line_scale = setting.line_scale * setting.samples;
     options.first_time_s = span.first_time_s;
     options.last_time_s = span.last_time_s;
     // Tolerances are pixels of the picture drawn, which is `samples` times as large as the one
@@ -66,8 +71,8 @@ Renderer& Easel::renderer() {
 }
 
 PictureMaker::PictureMaker(const Session& session, Easel& easel, const PictureSpan& span)
-    : samples_(setting_of(session.scene).samples),
-      stage_(stage_of(session, span, setting_of(session.scene))),
+    : samples_(setting_of(session.scene, easel.print()).samples),
+      stage_(stage_of(session, span, setting_of(session.scene, easel.print()))),
       bound_(bound_of(session, stage_, samples_)),
       context_(&easel.context()),
       renderer_(&easel.renderer()) {}
@@ -88,6 +93,19 @@ void PictureMaker::draw(double time_s, Image& image) {
     }
     renderer_->render_into(stage_.at(time_s), large_);
     downsample_into(large_, samples_, image);
+}
+
+void PictureMaker::draw_part(const Drawing& whole, const PixelArea& area, Image& image) {
+    const PixelArea drawn{samples_ * area.x_px, samples_ * area.y_px, samples_ * area.width_px,
+                          samples_ * area.height_px};
+    if (samples_ == 1) return renderer_->render_into(part_of(whole, drawn), image);
+    renderer_->render_into(part_of(whole, drawn), large_);
+    image = downsampled(large_, samples_);
+}
+
+void PictureMaker::draw_part(const Drawing& whole, const PixelArea& area, DeepImage& image) {
+    assert(samples_ == 1);
+    renderer_->render_into(part_of(whole, area), image);
 }
 
 }  // namespace poinsot

@@ -6,7 +6,9 @@
 
 #include "cli/options.h"
 #include "cli/session.h"
+#include "drawing/part.h"
 #include "drawing/stage.h"
+#include "drawing/stage_data.h"
 #include "image/image.h"
 #include "render/renderer.h"
 
@@ -34,6 +36,7 @@ class Easel {
     // Throw as make_context does.
     const OffscreenContext& context();
     Renderer& renderer();
+    const PrintChoices& print() const { return options_.print; }
 
  private:
     Options options_;
@@ -46,10 +49,11 @@ class Easel {
 struct PictureSetting {
     double curve_tolerance = 1.0;  // in units of the scene's accuracy_px
     int samples = 1;               // drawn samples × samples times as large and averaged
+    double line_scale = 0.0;       // as StageOptions has it, of the picture made
 };
 
-// What the scene's quality asks for.
-PictureSetting setting_of(const Scene& scene);
+// What the scene's quality asks for, and the size on paper.
+PictureSetting setting_of(const Scene& scene, const PrintChoices& print = {});
 
 // The stage of pictures drawn so. The session must outlive it.
 Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting);
@@ -77,6 +81,15 @@ class PictureMaker {
 
     // The picture of an instant, drawn into an image whose memory is reused.
     void draw(double time_s, Image& image);
+
+    // An area of a picture that the stage has made, in pixels of the picture made. 16 bits a
+    // component need pictures of one sample a pixel.
+    void draw_part(const Drawing& whole, const PixelArea& area, Image& image);
+    void draw_part(const Drawing& whole, const PixelArea& area, DeepImage& image);
+
+    int width_px() const { return stage_.data().options.width_px / samples_; }
+    int height_px() const { return stage_.data().options.height_px / samples_; }
+    int samples_a_pixel() const { return samples_ * samples_; }
 
     const ContextInfo& context_info() const { return context_->info(); }
     const Stage& stage() const { return stage_; }

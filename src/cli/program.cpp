@@ -99,6 +99,28 @@ const auto option_table = std::to_array<OptionRow>({
      [](CLI::App& app, Options& o) {
          add_override(app, o, "--theme", "theme", "light, dark, print, colour-blind, transparent");
      }},
+    {"width-mm",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--width-mm", o.print.width_mm, "width on paper in millimetres");
+     }},
+    {"height-mm",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--height-mm", o.print.height_mm,
+                        "height on paper; from the scene's shape if not given");
+     }},
+    {"dpi",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--dpi", o.print.dpi, "dots per inch on paper; 300 if not given");
+     }},
+    {"type-pt",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--type-pt", o.print.type_pt,
+                        "size of labels on paper in points, 8.5 if not given; lines follow it");
+     }},
+    {"depth",
+     [](CLI::App& app, Options& o) {
+         app.add_option("--depth", o.print.bit_depth, "bits a colour component: 8 or 16");
+     }},
     {"frames",
      [](CLI::App& app, Options& o) {
          app.add_option_function<std::string>(

@@ -111,6 +111,9 @@ std::string to_text(const Record& record) {
     add("mesa", record.mesa);
     add("size", fmt::format("{}x{}", record.width_px, record.height_px));
     if (record.time_s) add("time_s", fmt::format("{}", *record.time_s));
+    if (record.dpi) add("dpi", fmt::format("{}", *record.dpi));
+    if (record.type_pt) add("type-pt", fmt::format("{}", *record.type_pt));
+    if (record.bit_depth != 8) add("depth", fmt::format("{}", record.bit_depth));
     if (record.frames)
         add("frames", fmt::format("{}-{}", record.frames->first, record.frames->second));
     return text + "\n" + record.scene_toml;
@@ -147,6 +150,10 @@ Record parse_record(std::string_view text, const std::string& name) {
     std::tie(record.width_px, record.height_px) =
         number_pair<int>(field(fields, "size", name), 'x', name);
     if (fields.contains("time_s")) record.time_s = number(field(fields, "time_s", name), name);
+    if (fields.contains("dpi")) record.dpi = number(field(fields, "dpi", name), name);
+    if (fields.contains("type-pt")) record.type_pt = number(field(fields, "type-pt", name), name);
+    if (fields.contains("depth"))
+        record.bit_depth = static_cast<int>(number(field(fields, "depth", name), name));
     if (fields.contains("frames"))
         record.frames = number_pair<std::int64_t>(field(fields, "frames", name), '-', name);
     if (record.time_s.has_value() == record.frames.has_value())

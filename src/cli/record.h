@@ -25,6 +25,8 @@ struct Record {
     std::string mesa;        // version of Mesa, or all of GL_VERSION where that names none
     int width_px = 0, height_px = 0;
     std::optional<double> time_s;                                 // of a still
+    std::optional<double> dpi, type_pt;                           // of one for print
+    int bit_depth = 8;                                            // of a still
     std::optional<std::pair<std::int64_t, std::int64_t>> frames;  // of a film, inclusive
     std::string scene_toml;                                       // every key, defaults included
 

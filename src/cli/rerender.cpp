@@ -91,6 +91,9 @@ int run(const Options& given) {
     options.time_s = record.time_s.value_or(0.0);
     const Session session = session_of(std::move(scene), {&*options.time_s, 1});
     options.frames = record.frames;
+    options.print.dpi = record.dpi;
+    options.print.type_pt = record.type_pt;
+    options.print.bit_depth = record.bit_depth;
     Easel easel(options);
     const int code = record.time_s ? make_still(session, options, easel)
                      : is_picture  ? redraw_frame(file, record, session, options, easel)

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "cli/print_size.h"
 #include "drawing/reach.h"
 #include "error/error.h"
 #include "error/nearest.h"
@@ -66,15 +67,30 @@ void extend(MotionProblem& problem, std::span<const double> times_s) {
     }
 }
 
+// A size on paper is a size in pixels; what else it says, the picture's maker asks for.
+void set_size_on_paper(const Options& options, Scene& scene) {
+    const auto paper = print_size_of(options.print, scene.film.width_px, scene.film.height_px);
+    if (!paper) return;
+    const bool sized_twice =
+        std::any_of(options.overrides.begin(), options.overrides.end(),
+                    [](const std::string& given) { return given.starts_with("film.size="); });
+    if (sized_twice && (options.print.width_mm || options.print.height_mm))
+        throw InputError(
+            "--size and --width-mm or --height-mm both say how large the picture is; leave one "
+            "out");
+    scene.film.width_px = paper->width_px;
+    scene.film.height_px = paper->height_px;
+}
+
 }  // namespace
 
 Session open_session(const Options& options, Purpose purpose) {
     std::vector<double> times_s = options.times_s;
     if (options.time_s) times_s.push_back(*options.time_s);
-    return session_of(
-        load_scene(options.arguments.at(0), options.overrides,
-                   options.allow_outside ? OutsideFiles::allowed : OutsideFiles::refused),
-        times_s, purpose);
+    Scene scene = load_scene(options.arguments.at(0), options.overrides,
+                             options.allow_outside ? OutsideFiles::allowed : OutsideFiles::refused);
+    set_size_on_paper(options, scene);
+    return session_of(std::move(scene), times_s, purpose);
 }
 
 Session session_of(Scene scene, std::span<const double> times_s, Purpose purpose) {

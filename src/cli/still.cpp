@@ -6,9 +6,12 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "cli/banded_still.h"
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "cli/jobs.h"
 #include "cli/picture.h"
+#include "cli/print_size.h"
 #include "cli/record.h"
 #include "cli/scenes.h"
 #include "cli/session.h"
@@ -36,16 +39,33 @@ int make_still(const Session& session, const Options& options, Easel& easel) {
         throw InputError(fmt::format("{}: a still is a PNG; end its name in .png", path.string()));
     }
 
+    if (options.print.bit_depth != 8 && options.print.bit_depth != 16) {
+        throw InputError(
+            fmt::format("--depth {}: a component has 8 or 16 bits", options.print.bit_depth));
+    }
+
     // The histories shown begin with the film and end with the instant.
     PictureMaker pictures(session, easel,
                           {.first_time_s = std::min(film.start_s, time_s), .last_time_s = time_s});
-    Image image;
-    pictures.draw(time_s, image);
     Record record = record_of(session, pictures, options.portable);
     record.time_s = time_s;
     PngOptions png;
+    if (const auto paper = print_size_of(options.print, session.scene.film.width_px,
+                                         session.scene.film.height_px)) {
+        png.pixels_per_metre = paper->pixels_per_metre;
+        record.dpi = options.print.dpi.value_or(default_dpi);
+        record.type_pt = options.print.type_pt.value_or(default_type_pt);
+    }
+    record.bit_depth = options.print.bit_depth;
     png.texts[kMetadataName] = to_text(record);
-    write_png(path, image, png);
+    if (record.bit_depth == 16 || wants_bands(pictures)) {
+        watch_for_interrupts();
+        write_in_bands(pictures, time_s, path, png, record.bit_depth);
+    } else {
+        Image image;
+        pictures.draw(time_s, image);
+        write_png(path, image, png);
+    }
     if (!options.quiet) {
         fmt::print(stderr, "{}\n{}\n", path.string(),
                    in_words(pictures.bound(), session.scene.accuracy_px));
@@ -69,7 +89,8 @@ int run(const Options& options) {
 }
 
 constexpr auto options_taken = std::to_array<std::string_view>(
-    {"output", "set", "size", "theme", "time", "quiet", "backend", "portable", "allow-outside"});
+    {"output", "set", "size", "width-mm", "height-mm", "dpi", "type-pt", "depth", "theme", "time",
+     "quiet", "backend", "portable", "allow-outside"});
 
 }  // namespace
 

@@ -127,7 +127,7 @@ std::vector<Curve> motion_of(Panel& panel) {
     const Polhode& polhode = panel.stage->rolling->polhode;
     if (polhode.kind() == Polhode::Kind::point) return curves;
     Curve curve = curve_of(panel, keep_polhode(panel, polhode), panel.stage->theme->polhode, 4.6);
-    curve.hidden_opacity = 0.45;
+    curve.hidden_opacity = 0.55;
     add_with_mirror_image(curve, curves);
     return curves;
 }
@@ -204,15 +204,16 @@ void make_body_panel(Panel& panel) {
                   beside](const Instant& instant, Sheet& sheet) {
         const Theme& theme = *panel.stage->theme;
         const auto add_arrow = [&](const Eigen::Vector3d& tip, const Colour& colour, double weight,
-                                   const SetType& type) {
+                                   const SetType& type, double turn_rad = 0.0) {
             sheet.view.arrows.push_back(arrow_to(panel, tip, colour, weight));
-            wish_at_tip(panel, sheet.view.arrows.back(), type, sheet);
+            wish_at_tip(panel, sheet.view.arrows.back(), type, sheet, turn_rad);
         };
         sheet.view.ellipsoids.push_back(ellipsoid);
         sheet.view.curves = curves;
         for (int i = 0; i < 3; ++i) {
             add_arrow((picture.half_axes[i] + axis_overhang) * Eigen::Vector3d::Unit(i),
-                      theme.axes[i], 0.85, axis_types[static_cast<std::size_t>(i)]);
+                      theme.axes[i], 0.85, axis_types[static_cast<std::size_t>(i)],
+                      axis_label_turn_rad);
         }
 
         // L is the normal of the ellipsoid where ω pierces it.
@@ -220,7 +221,7 @@ void make_body_panel(Panel& panel) {
         const Eigen::Vector3d momentum =
             picture.construction.inertia().moments_kg_m2().cwiseProduct(rho).stableNormalized();
         add_arrow(momentum * momentum_length, theme.momentum, 1.15, momentum_type);
-        add_arrow(omega_tip(rho), theme.omega, 1.15, omega_type);
+        add_arrow(omega_tip(rho), theme.omega, 1.15, omega_type, omega_label_turn_rad);
         sheet.view.dots.push_back(dot_at(panel, rho, theme.omega));
         sheet.view.dots.push_back(dot_at(panel, -rho, theme.contact));
         beside(instant, sheet);

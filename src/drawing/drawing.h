@@ -143,7 +143,7 @@ struct Arrow {
     double head_px = 14.0;  // full width of the head's base
     double head_length_px = 22.0;
     double opacity = 1.0;
-    double hidden_opacity = 0.35;
+    double hidden_opacity = 0.45;
     Occlusion occlusion = Occlusion::by_solids;
 };
 

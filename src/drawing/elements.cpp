@@ -96,7 +96,7 @@ Drawer make_polhode(Panel& panel) {
     curve.width_px = 4.0 * panel.px;
     curve.colour = panel.stage->theme->polhode;
     curve.on_surface = the_ellipsoid;
-    curve.hidden_opacity = 0.45;
+    curve.hidden_opacity = 0.55;
     return [&panel, curve](const Instant& instant, Sheet& sheet) {
         sheet.view.curves.push_back(curve);
         sheet.view.curves.back().placement.linear() =
@@ -124,7 +124,7 @@ Drawer make_herpolhode(Panel& panel) {
     curve.colour = panel.stage->theme->herpolhode;
     set_dashes(panel, panel.stage->theme->herpolhode_dashes, curve);
     curve.on_plane = the_plane;
-    curve.hidden_opacity = 0.45;
+    curve.hidden_opacity = 0.55;
     return [curve, herpolhode = std::move(herpolhode)](const Instant& instant, Sheet& sheet) {
         sheet.view.curves.push_back(curve);
         sheet.view.curves.back().last = herpolhode.index_at(instant.time_s);
@@ -181,7 +181,7 @@ Drawer make_omega(Panel& panel) {
         const Arrow arrow = arrow_to(panel, omega_tip(-picture_of(panel).contact(instant)),
                                      panel.stage->theme->omega, 1.15);
         sheet.view.arrows.push_back(arrow);
-        wish_at_tip(panel, arrow, type, sheet);
+        wish_at_tip(panel, arrow, type, sheet, omega_label_turn_rad);
     };
 }
 
@@ -197,7 +197,8 @@ Drawer make_axes(Panel& panel) {
             const Arrow arrow =
                 arrow_to(panel, axes.col(i) * length, panel.stage->theme->axes[i], 0.85);
             sheet.view.arrows.push_back(arrow);
-            wish_at_tip(panel, arrow, types[static_cast<std::size_t>(i)], sheet);
+            wish_at_tip(panel, arrow, types[static_cast<std::size_t>(i)], sheet,
+                        axis_label_turn_rad);
         }
     };
 }

@@ -12,6 +12,14 @@ namespace poinsot {
 Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
               double vertical_field_rad, std::span<const Eigen::Vector3d> points,
               double margin_px) {
+    const double margin = std::min(margin_px, std::min(box.width_px, box.height_px) / 3.0);
+    return framed(box, towards_eye, up, vertical_field_rad, points,
+                  Margins{margin, margin, margin, margin});
+}
+
+Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
+              double vertical_field_rad, std::span<const Eigen::Vector3d> points,
+              const Margins& margins) {
     Camera camera;
     camera.eye = towards_eye.normalized();
     camera.target = Eigen::Vector3d::Zero();
@@ -19,14 +27,16 @@ Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eig
     camera.vertical_field_rad = vertical_field_rad;
     const Eigen::Matrix3d axes = camera_axes(camera);
 
-    // Slopes of the sight lines at the margins.
-    const double margin = std::min(margin_px, std::min(box.width_px, box.height_px) / 3.0);
+    // Slopes of the sight lines at the margins, to the left and down, to the right and up.
     const double per_px = 2.0 * std::tan(0.5 * vertical_field_rad) / box.height_px;
-    const Eigen::Vector2d slope(per_px * (0.5 * box.width_px - margin),
-                                per_px * (0.5 * box.height_px - margin));
+    const Eigen::Vector2d half(0.5 * box.width_px, 0.5 * box.height_px);
+    const Eigen::Vector2d below =
+        per_px * (half - Eigen::Vector2d(margins.left_px, margins.bottom_px));
+    const Eigen::Vector2d above =
+        per_px * (half - Eigen::Vector2d(margins.right_px, margins.top_px));
 
     // In the camera's axes a point (x, z) is within the sight lines of an eye (X, Z) if
-    // X − sZ ≤ x − sz and X + sZ ≥ x + sz; the nearest eye that has room for all lies where the
+    // X − bZ ≤ x − bz and X + aZ ≥ x + az; the nearest eye that has room for all lies where the
     // extreme lines of the worse direction meet.
     constexpr double infinite = std::numeric_limits<double>::infinity();
     Eigen::Vector2d least = Eigen::Vector2d::Constant(infinite);
@@ -34,16 +44,17 @@ Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eig
     double middle_depth = 0.0;
     for (const Eigen::Vector3d& point : points) {
         const Eigen::Vector3d seen = axes.transpose() * point;
-        least = least.cwiseMin(seen.head<2>() - slope * seen.z());
-        most = most.cwiseMax(seen.head<2>() + slope * seen.z());
+        least = least.cwiseMin(seen.head<2>() - below * seen.z());
+        most = most.cwiseMax(seen.head<2>() + above * seen.z());
         middle_depth += seen.z() / static_cast<double>(points.size());
     }
     if (points.empty()) least = most = Eigen::Vector2d::Zero();
-    const Eigen::Vector2d needed = 0.5 * (most - least).cwiseQuotient(slope);
+    const Eigen::Vector2d needed = (most - least).cwiseQuotient(below + above);
     double eye_depth = needed.maxCoeff();
     if (!(eye_depth - middle_depth > 1e-9)) eye_depth = middle_depth + 1.0;
 
-    const Eigen::Vector2d centre = 0.5 * (least + most);
+    // Between the two bounds that its depth leaves the eye.
+    const Eigen::Vector2d centre = 0.5 * (least + most + (below - above) * eye_depth);
     camera.eye = axes * Eigen::Vector3d(centre.x(), centre.y(), eye_depth);
     camera.target = axes * Eigen::Vector3d(centre.x(), centre.y(), middle_depth);
     return camera;

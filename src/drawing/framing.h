@@ -16,6 +16,14 @@ namespace poinsot {
 Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
               double vertical_field_rad, std::span<const Eigen::Vector3d> points, double margin_px);
 
+// The same with a margin of its own on every side.
+struct Margins {
+    double left_px = 0.0, right_px = 0.0, top_px = 0.0, bottom_px = 0.0;
+};
+Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
+              double vertical_field_rad, std::span<const Eigen::Vector3d> points,
+              const Margins& margins);
+
 // Points whose frame holds an ellipsoid about the origin: the corners of a polyhedron about it
 // would be too many, so these are points of the surface, dense enough for a frame with a margin.
 std::vector<Eigen::Vector3d> points_of_ellipsoid(const Eigen::Matrix3d& half_axes);

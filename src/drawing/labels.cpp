@@ -1,17 +1,17 @@
 #include "drawing/labels.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+
+#include "drawing/identity.h"
 
 namespace poinsot {
 
 namespace {
 
 GlyphMask mask_of(TypesetMask&& set) {
-    static std::atomic<std::uint64_t> counter{0};
     GlyphMask mask;
-    mask.id = ++counter;
+    mask.id = next_identity();
     mask.width = set.width;
     mask.height = set.height;
     mask.coverage = std::move(set.coverage);

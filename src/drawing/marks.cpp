@@ -1,5 +1,6 @@
 #include "drawing/marks.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -44,8 +45,12 @@ SetType set_label(const Panel& panel, std::string_view text, double scale) {
     return panel.stage->type_case.set(text, {.size_px = scale * label_size * panel.type_px});
 }
 
-void wish_at_tip(const Panel& panel, const Arrow& arrow, const SetType& type, Sheet& sheet) {
+void wish_at_tip(const Panel& panel, const Arrow& arrow, const SetType& type, Sheet& sheet,
+                 double turn_rad) {
     wish_beside(panel, arrow.tip, arrow.tail, type, arrow.colour, sheet);
+    // y is down in the picture, so that a positive angle is clockwise.
+    Eigen::Vector2d& away = sheet.wishes.back().away;
+    away = Eigen::Rotation2Dd(turn_rad) * away;
 }
 
 void wish_beside(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& away_from,

@@ -39,8 +39,12 @@ Ellipsoid ellipsoid_of(const Panel& panel);
 // A label in the panel's type, `scale` times the usual size.
 SetType set_label(const Panel& panel, std::string_view text, double scale = 1.0);
 
-// The label of an arrow: at its tip, on the side that it points to.
-void wish_at_tip(const Panel& panel, const Arrow& arrow, const SetType& type, Sheet& sheet);
+// The label of an arrow: at its tip, on the side that it points to, turned clockwise by an angle in
+// the picture. The names of arrows that may lie on one line are turned apart, and off that line.
+constexpr double omega_label_turn_rad = 0.8;
+constexpr double axis_label_turn_rad = -0.5;
+void wish_at_tip(const Panel& panel, const Arrow& arrow, const SetType& type, Sheet& sheet,
+                 double turn_rad = 0.0);
 
 // A label beside a point of the view's axes, on the side away from another one.
 void wish_beside(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& away_from,

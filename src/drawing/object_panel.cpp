@@ -102,19 +102,19 @@ void make_object_panel(Panel& panel) {
             sheet.view.curves.push_back(edge);
         }
         const auto add_arrow = [&](const Eigen::Vector3d& tip, const Colour& colour, double weight,
-                                   const SetType& type) {
+                                   const SetType& type, double turn_rad = 0.0) {
             sheet.view.arrows.push_back(arrow_to(panel, tip, colour, weight));
-            wish_at_tip(panel, sheet.view.arrows.back(), type, sheet);
+            wish_at_tip(panel, sheet.view.arrows.back(), type, sheet, turn_rad);
         };
         const Eigen::Matrix3d axes =
             attitude * panel.stage->scene.body.inertia.body_from_principal();
         for (int i = 0; i < 3; ++i) {
             add_arrow(axes.col(i) * (shape.extents[i] + 0.22), theme.axes[i], 0.8,
-                      axis_types[static_cast<std::size_t>(i)]);
+                      axis_types[static_cast<std::size_t>(i)], axis_label_turn_rad);
         }
         if (!arrows.turns()) return;
         add_arrow(arrows.momentum_tip(instant), theme.momentum, 1.15, momentum_type);
-        add_arrow(arrows.omega_tip(instant), theme.omega, 1.15, omega_type);
+        add_arrow(arrows.omega_tip(instant), theme.omega, 1.15, omega_type, omega_label_turn_rad);
     };
 }
 

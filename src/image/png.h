@@ -27,6 +27,8 @@ struct PngInfo {
 
 // The largest picture that is read: refused before any memory is taken.
 inline constexpr int kLargestPngSide_px = 16384;
+// The largest that is written band by band.
+inline constexpr int kLargestBandedPngSide_px = 65536;
 
 // Makes PNG files in memory, keeping its buffers between pictures: for sequences. Move-only.
 class PngEncoder {

@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 
 #include "error/error.h"
@@ -23,10 +24,9 @@ constexpr std::size_t kChunk_bytes = 1 << 18;
 }  // namespace
 
 struct PngBandWriter::Impl {
-    Impl(const std::filesystem::path& path, int width_px, int height_px, bool is_opaque,
-         const PngOptions& options)
-        : width(width_px), height(height_px), opaque(is_opaque), chunk(kChunk_bytes) {
-        const Bytes front = png::front(width, height, opaque, png::description(options));
+    Impl(const std::filesystem::path& path, const png::Format& format_, const PngOptions& options)
+        : format(format_), chunk(kChunk_bytes) {
+        const Bytes front = png::front(format, kLargestBandedPngSide_px, png::description(options));
         file.emplace(path);
         file->write(front);
         const int level = std::clamp(options.deflate_level, 1, kLargestZlibLevel);
@@ -36,6 +36,17 @@ struct PngBandWriter::Impl {
     ~Impl() { deflateEnd(&stream); }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
+
+    // Makes rows ready for a band's. Throws InputError for one that does not fit.
+    std::uint8_t* take_rows(int width_px, int n_rows) {
+        if (width_px != format.width_px || n_rows > format.height_px - n_rows_written)
+            throw InputError(
+                fmt::format("a band of {}×{} pixels was given to a picture of {}×{} at row {}",
+                            width_px, n_rows, format.width_px, format.height_px, n_rows_written));
+        n_rows_written += n_rows;
+        rows.resize(format.row_size() * static_cast<std::size_t>(n_rows));
+        return rows.data();
+    }
 
     // Compresses what is in rows; what comes out goes to the file a chunk at a time.
     void compress(int flush) {
@@ -54,8 +65,7 @@ struct PngBandWriter::Impl {
         rows.clear();
     }
 
-    int width, height;
-    bool opaque;
+    png::Format format;
     int n_rows_written = 0;
     std::optional<AtomicFile> file;
     z_stream stream{};
@@ -63,28 +73,30 @@ struct PngBandWriter::Impl {
 };
 
 PngBandWriter::PngBandWriter(const std::filesystem::path& path, int width_px, int height_px,
-                             bool opaque, const PngOptions& options)
-    : impl_(std::make_unique<Impl>(path, width_px, height_px, opaque, options)) {}
+                             bool opaque, const PngOptions& options, int bit_depth)
+    : impl_(std::make_unique<Impl>(path, png::Format{width_px, height_px, opaque, bit_depth},
+                                   options)) {}
 PngBandWriter::~PngBandWriter() = default;
 PngBandWriter::PngBandWriter(PngBandWriter&&) noexcept = default;
 PngBandWriter& PngBandWriter::operator=(PngBandWriter&&) noexcept = default;
 
 void PngBandWriter::write(const Image& band) {
-    if (band.width() != impl_->width || band.height() > impl_->height - impl_->n_rows_written)
-        throw InputError(fmt::format(
-            "a band of {}×{} pixels was given to a picture of {}×{} at row {}", band.width(),
-            band.height(), impl_->width, impl_->height, impl_->n_rows_written));
-    impl_->rows.resize(png::row_size(band.width(), impl_->opaque) *
-                       static_cast<std::size_t>(band.height()));
-    png::filter_rows(band, impl_->opaque, png::Filter::sub, 0, band.height(), impl_->rows.data());
-    impl_->n_rows_written += band.height();
+    assert(impl_->format.bit_depth == 8);
+    std::uint8_t* const rows = impl_->take_rows(band.width(), band.height());
+    png::filter_rows(band, impl_->format.opaque, png::Filter::sub, 0, band.height(), rows);
+    impl_->compress(Z_NO_FLUSH);
+}
+
+void PngBandWriter::write(const DeepImage& band) {
+    assert(impl_->format.bit_depth == 16);
+    png::filter_rows(band, impl_->format.opaque, impl_->take_rows(band.width(), band.height()));
     impl_->compress(Z_NO_FLUSH);
 }
 
 void PngBandWriter::finish() {
-    if (impl_->n_rows_written != impl_->height)
+    if (impl_->n_rows_written != impl_->format.height_px)
         throw InputError(fmt::format("{} of {} rows were given to {}", impl_->n_rows_written,
-                                     impl_->height, impl_->file->path().string()));
+                                     impl_->format.height_px, impl_->file->path().string()));
     impl_->compress(Z_FINISH);
     impl_->file->write(png::back());
     impl_->file->commit();

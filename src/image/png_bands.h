@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "image/deep_image.h"
 #include "image/image.h"
 #include "image/png.h"
 
@@ -14,16 +15,19 @@ namespace poinsot {
 // Move-only. Destroyed unfinished, it leaves nothing.
 class PngBandWriter {
  public:
-    // Opaque pictures are written without alpha, whatever their bands say.
+    // Opaque pictures are written without alpha, whatever their bands say. A sample has 8 bits or
+    // 16.
     // Throws: InputError as PngEncoder does, EnvironmentError as AtomicFile does.
     PngBandWriter(const std::filesystem::path& path, int width_px, int height_px, bool opaque,
-                  const PngOptions& options = {});
+                  const PngOptions& options = {}, int bit_depth = 8);
     ~PngBandWriter();
     PngBandWriter(PngBandWriter&&) noexcept;
     PngBandWriter& operator=(PngBandWriter&&) noexcept;
 
-    // Throws: InputError for a band of another width or one row too many; EnvironmentError.
+    // Bands are of the depth said. Throws: InputError for a band of another width or one row too
+    // many; EnvironmentError.
     void write(const Image& band);
+    void write(const DeepImage& band);
 
     // Syncs and renames. Throws: InputError if rows are missing; EnvironmentError.
     void finish();

@@ -82,18 +82,19 @@ Bytes description(const PngOptions& options) {
     return out;
 }
 
-Bytes front(int width_px, int height_px, bool opaque, std::span<const std::uint8_t> description) {
+Bytes front(const Format& format, int largest_side_px, std::span<const std::uint8_t> description) {
+    const auto [width_px, height_px, opaque, bit_depth] = format;
     if (width_px <= 0 || height_px <= 0) throw InputError("an empty picture cannot be a PNG");
-    if (width_px > kLargestPngSide_px || height_px > kLargestPngSide_px)
+    if (width_px > largest_side_px || height_px > largest_side_px)
         throw InputError(
             fmt::format("a picture of {}×{} pixels is too large; a side has at most {}", width_px,
-                        height_px, kLargestPngSide_px));
+                        height_px, largest_side_px));
     Bytes out = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     Bytes header;
     append_u32(header, static_cast<std::uint32_t>(width_px));
     append_u32(header, static_cast<std::uint32_t>(height_px));
     const std::uint8_t colour_type = opaque ? 2 : 6;
-    header.insert(header.end(), {8, colour_type, 0, 0, 0});
+    header.insert(header.end(), {static_cast<std::uint8_t>(bit_depth), colour_type, 0, 0, 0});
     append_chunk(out, "IHDR", header);
     out.insert(out.end(), description.begin(), description.end());
     return out;
@@ -105,13 +106,15 @@ Bytes back() {
     return out;
 }
 
-std::size_t row_size(int width_px, bool opaque) {
-    return 1 + (opaque ? 3u : 4u) * static_cast<std::size_t>(width_px);
+std::size_t Format::row_size() const {
+    const std::size_t n_bytes = (opaque ? 3u : 4u) * (bit_depth == 16 ? 2u : 1u);
+    return 1 + n_bytes * static_cast<std::size_t>(width_px);
 }
 
 void filter_rows(const Image& image, bool opaque, Filter filter, int y, int n_rows,
                  std::uint8_t* to) {
     const auto width = static_cast<std::size_t>(image.width());
+    const std::size_t row_size = Format{image.width(), n_rows, opaque, 8}.row_size();
     const std::uint8_t* from = image.bytes().data() + 4 * width * static_cast<std::size_t>(y);
     const auto fill = filter == Filter::none ? (opaque ? copy_samples<3> : copy_samples<4>)
                                              : (opaque ? subtract_left<3> : subtract_left<4>);
@@ -119,7 +122,25 @@ void filter_rows(const Image& image, bool opaque, Filter filter, int y, int n_ro
         *to = static_cast<std::uint8_t>(filter);
         fill(from, width, to + 1);
         from += 4 * width;
-        to += row_size(image.width(), opaque);
+        to += row_size;
+    }
+}
+
+void filter_rows(const DeepImage& image, bool opaque, std::uint8_t* to) {
+    const std::size_t n_channels = opaque ? 3 : 4;
+    const auto width = static_cast<std::size_t>(image.width());
+    const std::uint16_t* row = image.samples().data();
+    for (int y = 0; y < image.height(); ++y, row += 4 * width) {
+        *to++ = static_cast<std::uint8_t>(Filter::sub);
+        for (std::size_t x = 0; x < width; ++x) {
+            for (std::size_t c = 0; c < n_channels; ++c) {
+                const std::uint16_t now = row[4 * x + c];
+                const std::uint16_t left = x == 0 ? std::uint16_t{0} : row[4 * x - 4 + c];
+                // Samples are stored the high byte first, and filtered byte by byte (§9.2).
+                *to++ = static_cast<std::uint8_t>((now >> 8) - (left >> 8));
+                *to++ = static_cast<std::uint8_t>((now & 0xff) - (left & 0xff));
+            }
+        }
     }
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "image/deep_image.h"
 #include "image/png.h"
 
 namespace poinsot::png {
@@ -22,16 +23,26 @@ void put_u32(std::uint8_t* to, std::uint32_t value);
 // A chunk: length, type, contents, checksum of type and contents (§5.3).
 void append_chunk(Bytes& out, std::string_view type, std::span<const std::uint8_t> contents);
 
-// Signature, size and everything else before the pixels. Throws InputError as PngEncoder does.
-Bytes front(int width_px, int height_px, bool opaque, std::span<const std::uint8_t> description);
+// What a picture's samples are, in the words of its header (§11.2.2).
+struct Format {
+    int width_px = 0, height_px = 0;
+    bool opaque = false;
+    int bit_depth = 8;  // or 16
+
+    // Bytes of a row of samples with its filter's.
+    std::size_t row_size() const;
+};
+
+// Signature, size and everything else before the pixels. Throws InputError for an empty picture, or
+// one with a side larger than this.
+Bytes front(const Format& format, int largest_side_px, std::span<const std::uint8_t> description);
 Bytes description(const PngOptions& options);
 Bytes back();
-
-// Bytes of a row of samples with its filter's.
-std::size_t row_size(int width_px, bool opaque);
 
 // n_rows rows from y on, each after its filter's byte, into row_size · n_rows bytes.
 void filter_rows(const Image& image, bool opaque, Filter filter, int y, int n_rows,
                  std::uint8_t* to);
+// All rows of a picture of 16 bits, each byte less that of the pixel to its left.
+void filter_rows(const DeepImage& image, bool opaque, std::uint8_t* to);
 
 }  // namespace poinsot::png

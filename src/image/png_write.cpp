@@ -60,7 +60,8 @@ struct PngEncoder::Impl {
 Filter PngEncoder::Impl::better_filter(const Image& image, bool opaque) {
     constexpr int n_bands = 4, n_band_rows = 8;
     if (image.height() < n_bands * n_band_rows) return Filter::none;
-    const std::size_t band_size = n_band_rows * png::row_size(image.width(), opaque);
+    const std::size_t band_size =
+        n_band_rows * png::Format{image.width(), n_band_rows, opaque}.row_size();
     const std::span<std::uint8_t> sample = rows.of_size(n_bands * band_size);
     const auto size_with = [&](Filter filter) {
         for (int band = 0; band < n_bands; ++band) {
@@ -90,11 +91,12 @@ PngEncoder& PngEncoder::operator=(PngEncoder&&) noexcept = default;
 
 std::span<const std::uint8_t> PngEncoder::encode(const Image& image) {
     const bool opaque = is_opaque(image);
-    const Bytes front = png::front(image.width(), image.height(), opaque, impl_->description);
+    const png::Format format{image.width(), image.height(), opaque};
+    const Bytes front = png::front(format, kLargestPngSide_px, impl_->description);
     const Bytes back = png::back();
     const Filter filter = impl_->better_filter(image, opaque);
-    const std::span<std::uint8_t> raw = impl_->rows.of_size(
-        png::row_size(image.width(), opaque) * static_cast<std::size_t>(image.height()));
+    const std::span<std::uint8_t> raw =
+        impl_->rows.of_size(format.row_size() * static_cast<std::size_t>(image.height()));
     png::filter_rows(image, opaque, filter, 0, image.height(), raw.data());
 
     // IDAT is compressed in place, between its length and type and its checksum.

@@ -96,6 +96,21 @@ void Canvas::read_all(const Layer& layer, Image& image, bool transparent) {
         read({0, top, width_px_, std::min(top + band_px, height_px_)}, image, transparent);
 }
 
+void Canvas::read_whole(DeepImage& image, bool transparent) {
+    if (image.width() != width_px_ || image.height() != height_px_)
+        image = DeepImage(width_px_, height_px_);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.id());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    std::uint16_t* out = image.samples().data();
+    for (int top = 0; top < height_px_; top += band_px) {
+        const int n_rows = std::min(band_px, height_px_ - top);
+        glReadPixels(0, top, width_px_, n_rows, GL_RGBA, GL_UNSIGNED_SHORT, scratch_.data());
+        const int n = width_px_ * n_rows;
+        encoder_.encode_deep(scratch_.data(), n, transparent, out);
+        out += 4 * static_cast<std::ptrdiff_t>(n);
+    }
+}
+
 void Canvas::read_over_still(TileMask& marks, Image& image, bool transparent) {
     if (image.width() != width_px_ || image.height() != height_px_)
         image = Image(width_px_, height_px_);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "image/deep_image.h"
 #include "image/image.h"
 #include "render/encoding.h"
 #include "render/gl_handles.h"
@@ -32,6 +33,7 @@ class Canvas {
 
     // The picture: all of it, or the marked tiles over what stands still.
     void read_whole(Image& image, bool transparent);
+    void read_whole(DeepImage& image, bool transparent);
     void read_over_still(TileMask& marks, Image& image, bool transparent);
 
  private:

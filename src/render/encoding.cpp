@@ -32,10 +32,12 @@ double srgb_from_linear(double x) {
 
 }  // namespace
 
-Encoder::Encoder() : levels_(65536) {
-    for (std::size_t k = 0; k < levels_.size(); ++k)
-        levels_[k] = static_cast<std::uint16_t>(
-            std::lround(255.0 * 256.0 * srgb_from_linear(static_cast<double>(k) / 65535.0)));
+Encoder::Encoder() : levels_(65536), deep_levels_(65536) {
+    for (std::size_t k = 0; k < levels_.size(); ++k) {
+        const double encoded = srgb_from_linear(static_cast<double>(k) / 65535.0);
+        levels_[k] = static_cast<std::uint16_t>(std::lround(255.0 * 256.0 * encoded));
+        deep_levels_[k] = static_cast<std::uint16_t>(std::lround(65535.0 * encoded));
+    }
 }
 
 void Encoder::encode_opaque(const std::uint16_t* linear, int x, int y, int n,
@@ -63,6 +65,19 @@ void Encoder::encode_transparent(const std::uint16_t* linear, int x, int y, int 
             out[c] = static_cast<std::uint8_t>((levels_[part] + threshold) >> 8);
         }
         out[3] = static_cast<std::uint8_t>((255u * alpha + 32767u) / 65535u);
+    }
+}
+
+void Encoder::encode_deep(const std::uint16_t* linear, int n, bool transparent,
+                          std::uint16_t* out) const {
+    for (int k = 0; k < n; ++k, linear += 4, out += 4) {
+        const unsigned alpha = transparent ? linear[3] : 65535u;
+        for (int c = 0; c < 3; ++c) {
+            const unsigned part =
+                alpha == 0 ? 0u : std::min(65535u, (65535u * linear[c] + alpha / 2) / alpha);
+            out[c] = deep_levels_[part];
+        }
+        out[3] = static_cast<std::uint16_t>(alpha);
     }
 }
 

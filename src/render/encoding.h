@@ -19,9 +19,14 @@ class Encoder {
     // The same with alpha, which comes out linear and not multiplied into the colour.
     void encode_transparent(const std::uint16_t* linear, int x, int y, int n,
                             std::uint8_t* out) const;
+    // The same in 16 bits a component, where no dither is needed: the bits below the eighth are the
+    // framebuffer's own. Alpha is 65535 for opaque pictures.
+    void encode_deep(const std::uint16_t* linear, int n, bool transparent,
+                     std::uint16_t* out) const;
 
  private:
-    std::vector<std::uint16_t> levels_;  // level times 256 for each linear value
+    std::vector<std::uint16_t> levels_;       // level times 256 for each linear value
+    std::vector<std::uint16_t> deep_levels_;  // of 65535, likewise
 };
 
 }  // namespace poinsot

@@ -27,6 +27,13 @@ bool shows(const Label& label) {
            label.opacity > 0.0;
 }
 
+bool is_inner(const GlyphMask& mask, int x, int y) {
+    if (x == 0 || y == 0 || x + 1 == mask.width || y + 1 == mask.height) return false;
+    const std::uint8_t* at = mask.coverage.data() +
+                             static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) + x;
+    return at[-1] == 255 && at[1] == 255 && at[-mask.width] == 255 && at[mask.width] == 255;
+}
+
 }  // namespace
 
 PlacedLabel::PlacedLabel(const Label& label)
@@ -71,6 +78,10 @@ std::vector<std::uint8_t> with_halo(const GlyphMask& mask, double reach_px, int 
                 static_cast<std::size_t>(y + margin) * static_cast<std::size_t>(width) +
                 static_cast<std::size_t>(x + margin);
             texels[2 * middle] = covered;
+            if (brush.empty()) continue;
+            halo[middle] = std::max(halo[middle], 1.0 * covered);
+            // A pixel among full ones is farther from any other than one of its neighbours is.
+            if (is_inner(mask, x, y)) continue;
             for (const Brush& b : brush) {
                 double& there = halo[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(middle) +
                                                               b.y * width + b.x)];

@@ -45,11 +45,13 @@ struct Renderer::Impl {
     explicit Impl(int largest) : largest_picture_px(largest), empty_(GlVertexArray::make()) {}
 
     void render(const Drawing& drawing, Image& image);
+    void render(const Drawing& drawing, DeepImage& image);
 
     int largest_picture_px;
 
  private:
     void check_size(const Drawing& drawing) const;
+    bool begin(const Drawing& drawing);
     void prepare(const Drawing& drawing);
     bool still_is_same(const Drawing& drawing);
     void draw_still(const Drawing& drawing);
@@ -227,7 +229,8 @@ void Renderer::Impl::draw_views(bool only_marked) {
     }
 }
 
-void Renderer::Impl::render(const Drawing& drawing, Image& image) {
+// Whether what stands still is what stood still in the picture before.
+bool Renderer::Impl::begin(const Drawing& drawing) {
     check_size(drawing);
     bool known = true;
     if (canvas_.resize(drawing.width_px, drawing.height_px)) {
@@ -247,6 +250,20 @@ void Renderer::Impl::render(const Drawing& drawing, Image& image) {
         mesh_.prepare(scene);
         ShadowPass::prepare(scene);
     }
+    return known;
+}
+
+void Renderer::Impl::render(const Drawing& drawing, DeepImage& image) {
+    begin(drawing);
+    still_is_kept_ = false;
+    canvas_.begin_whole();
+    draw_still(drawing);
+    draw_views();
+    canvas_.read_whole(image, drawing.background.alpha < 1.0);
+}
+
+void Renderer::Impl::render(const Drawing& drawing, Image& image) {
+    const bool known = begin(drawing);
     const bool transparent = drawing.background.alpha < 1.0;
     const std::vector<PlacedLabel> labels_before =
         std::exchange(labels_, LabelPass::placed(drawing));
@@ -293,5 +310,9 @@ Image Renderer::render(const Drawing& drawing) {
 }
 
 void Renderer::render_into(const Drawing& drawing, Image& image) { impl_->render(drawing, image); }
+
+void Renderer::render_into(const Drawing& drawing, DeepImage& image) {
+    impl_->render(drawing, image);
+}
 
 }  // namespace poinsot

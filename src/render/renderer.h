@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drawing/drawing.h"
+#include "image/deep_image.h"
 #include "image/image.h"
 
 namespace poinsot {
@@ -60,6 +61,8 @@ class Renderer {
     // Throws InputError if the picture is larger than the context can draw.
     Image render(const Drawing& drawing);
     void render_into(const Drawing& drawing, Image& image);  // reuses the image's memory
+    // In 16 bits a component.
+    void render_into(const Drawing& drawing, DeepImage& image);
 
  private:
     struct Impl;

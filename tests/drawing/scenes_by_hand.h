@@ -50,12 +50,13 @@ struct StagedScene {
     Motion motion;
     Stage stage;
 
-    StagedScene(const Scene& scene_, double last_time_s)
+    StagedScene(const Scene& scene_, double last_time_s, double line_scale = 0.0)
         : scene(scene_),
           motion(problem_of(scene)),
           stage(scene, motion,
                 {.width_px = scene.film.width_px,
                  .height_px = scene.film.height_px,
+                 .line_scale = line_scale,
                  .first_time_s = scene.film.start_s,
                  .last_time_s = last_time_s}) {}
 };

@@ -1,0 +1,151 @@
+// Stills for paper: their size, density, line widths, depth and bands.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "cli/print_size.h"
+#include "cli/program_run.h"
+#include "error/error.h"
+#include "image/png.h"
+#include "places.h"
+
+namespace poinsot::testing {
+namespace {
+
+std::string scene(const std::string& name) {
+    return (source_folder() / "scenes" / (name + ".toml")).string();
+}
+
+PrintChoices on_paper(double width_mm, double dpi) {
+    PrintChoices print;
+    print.width_mm = width_mm;
+    print.dpi = dpi;
+    return print;
+}
+
+TEST(PrintSize, FollowsFromMillimetresAndDots) {
+    // 85 / 25.4 · 600 = 2007.87; 16:9; 600 / 0.0254 m = 23622.05.
+    const auto size = print_size_of(on_paper(85.0, 600.0), 1920, 1080);
+    ASSERT_TRUE(size);
+    EXPECT_EQ(size->width_px, 2008);
+    EXPECT_EQ(size->height_px, 1129);
+    EXPECT_NEAR(size->pixels_per_metre, 23622.05, 0.01);
+
+    // A0 upright: 841 mm × 1189 mm.
+    PrintChoices poster = on_paper(841.0, 300.0);
+    poster.height_mm = 1189.0;
+    const auto a0 = print_size_of(poster, 1920, 1080);
+    EXPECT_EQ(a0->width_px, 9933);
+    EXPECT_EQ(a0->height_px, 14043);
+
+    EXPECT_FALSE(print_size_of({}, 1920, 1080));
+}
+
+TEST(PrintSize, LinesHaveTheirPointsWhateverTheDots) {
+    for (const double dpi : {72.0, 300.0, 600.0, 1200.0}) {
+        const auto size = print_size_of(on_paper(85.0, dpi), 1920, 1080);
+        // A polhode of 4 pixels at 1080 rows is 1 point, a label of 34 is 8.5.
+        EXPECT_NEAR(4.0 * size->line_scale / dpi * 72.0, 1.0, 1e-12);
+        EXPECT_NEAR(34.0 * size->line_scale / dpi * 72.0, 8.5, 1e-12);
+    }
+    PrintChoices large = on_paper(841.0, 300.0);
+    large.type_pt = 34.0;
+    EXPECT_NEAR(print_size_of(large, 1920, 1080)->line_scale / 300.0 * 72.0, 1.0, 1e-12);
+}
+
+std::string refusal(const PrintChoices& print, int width_px = 1920, int height_px = 1080) {
+    try {
+        print_size_of(print, width_px, height_px);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(PrintSize, RefusesWhatNoPictureHasByName) {
+    EXPECT_EQ(refusal(on_paper(9000.0, 600.0)),
+              "--width-mm 9000 at 600 dpi makes a side of 212598 pixels; a picture has 16 to 65536 "
+              "a side: change --width-mm or --dpi");
+    EXPECT_NE(refusal(on_paper(1.0, 72.0)).find("--width-mm 1 at 72 dpi makes a side of 3 pixels"),
+              std::string::npos);
+    EXPECT_NE(refusal(on_paper(-85.0, 600.0)).find("--width-mm -85: give"), std::string::npos);
+    EXPECT_NE(refusal(on_paper(std::nan(""), 600.0)).find("--width-mm"), std::string::npos);
+    EXPECT_NE(refusal(on_paper(85.0, 0.0)).find("--dpi 0: give"), std::string::npos);
+    PrintChoices high;
+    high.height_mm = 6000.0;
+    EXPECT_NE(refusal(high).find("--height-mm 6000 at 300 dpi"), std::string::npos);
+}
+
+TEST(PrintedStill, HasItsDensityAndItsLinesTheirWidthOnPaper) {
+    const ScratchFolder folder;
+    for (const int dpi : {150, 300}) {
+        const ProgramRun run =
+            run_program_in(folder, "still '" + scene("stable_largest") +
+                                       "' --time 0.3 --theme transparent --width-mm 85 --dpi " +
+                                       std::to_string(dpi) +
+                                       " --set 'show=[\"momentum\"]' --set 'title=\"\"' -o l.png");
+        ASSERT_EQ(run.code, 0) << run.err;
+        PngInfo info;
+        const Image image = read_png(folder.path() / "l.png", &info);
+        EXPECT_EQ(image.width(), std::lround(85.0 / 25.4 * dpi));
+        EXPECT_EQ(info.pixels_per_metre, std::lround(dpi / 0.0254));
+
+        // L's shaft is 1.15 pt wide: the coverage of a row at the height of its middle.
+        double best = 0.0;
+        for (int y = image.height() * 2 / 5; y < image.height() * 3 / 5; ++y) {
+            double width = 0.0;
+            for (int x = 0; x < image.width(); ++x) width += image.at(x, y).a / 255.0;
+            best = std::max(best, width);
+        }
+        // A cylinder seen in perspective is as wide as asked at the camera's target, to a tenth.
+        EXPECT_NEAR(best * 72.0 / dpi, 1.15, 0.12) << dpi;
+    }
+}
+
+TEST(PrintedStill, InBandsIsThePictureDrawnAtOnce) {
+    // 16 bits are drawn in bands; rounded to 8 they are the other picture, within its dither.
+    const ScratchFolder folder;
+    const std::string common =
+        "still '" + scene("generic") + "' --time 3 --width-mm 60 --dpi 300 --theme print ";
+    ASSERT_EQ(run_program_in(folder, common + "-o shallow.png").code, 0);
+    const ProgramRun run = run_program_in(folder, common + "--depth 16 -o deep.png");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const Image shallow = read_png(folder.path() / "shallow.png");
+    const Image deep = read_png(folder.path() / "deep.png");
+    ASSERT_EQ(deep.width(), shallow.width());
+    int largest = 0;
+    for (int y = 0; y < deep.height(); ++y)
+        for (int x = 0; x < deep.width(); ++x)
+            largest = std::max(largest, std::abs(deep.at(x, y).g - shallow.at(x, y).g));
+    EXPECT_LE(largest, 2);
+    // IHDR's depth.
+    EXPECT_EQ(text_of(folder.path() / "deep.png").at(24), 16);
+}
+
+TEST(PrintedStill, IsDrawnAgainFromItsRecord) {
+    const ScratchFolder folder;
+    const ProgramRun run = run_program_in(
+        folder, "still '" + scene("generic") +
+                    "' --time 1 --width-mm 40 --dpi 300 --type-pt 7 --theme dark -o a.png -q");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const ProgramRun again = run_program_in(folder, "rerender a.png -o b.png");
+    ASSERT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(text_of(folder.path() / "a.png"), text_of(folder.path() / "b.png"));
+}
+
+TEST(PrintedStill, RefusalsAreOneLineAndLeaveNothing) {
+    const ScratchFolder folder;
+    const std::string still = "still '" + scene("generic") + "' -o a.png ";
+    for (const char* wrong :
+         {"--width-mm 85 --size 100x100", "--depth 12", "--width-mm 90000 --dpi 1200",
+          "--depth 16 --set film.quality=print", "--theme drak"}) {
+        const ProgramRun run = run_program_in(folder, still + wrong);
+        EXPECT_EQ(run.code, 2) << wrong << ": " << run.err;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+        EXPECT_EQ(folder.listing(), "") << wrong;
+    }
+}
+
+}  // namespace
+}  // namespace poinsot::testing
