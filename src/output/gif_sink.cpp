@@ -19,6 +19,8 @@ namespace {
 
 // One index stays free for what is transparent or as it was in the frame before.
 constexpr std::uint8_t kTransparentIndex = 255;
+// A pixel is there or not: what fades out does so into white, and ends where it is all but gone.
+constexpr std::uint8_t kHoleBelowAlpha = 16;
 
 void append_comment(AtomicFile& file, const std::string& text) {
     // GIF89a §24: an extension of blocks of at most 255 bytes, before the trailer's one byte.
@@ -66,7 +68,7 @@ class GifSink : public FrameSink {
     void flatten_keeping_holes(const Image& frame) {
         flatten_on_white(frame, flat_);
         for (std::size_t i = 3; i < frame.bytes().size(); i += 4)
-            flat_.bytes()[i] = frame.bytes()[i] < 128 ? 0 : 255;
+            flat_.bytes()[i] = frame.bytes()[i] < kHoleBelowAlpha ? 0 : 255;
     }
 
     EncoderSettings settings() const {

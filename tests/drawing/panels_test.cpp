@@ -262,7 +262,7 @@ TEST(PlanPanel, HerpolhodeStaysBetweenItsCirclesAndEndsAtTheContact) {
         double outer = 0.0;
         const Curve* path = nullptr;
         for (const Curve& curve : view.curves) {
-            if (curve.dash_px > 0.0) {
+            if (curve.geometry->closed) {
                 const double radius = curve.placement.linear().col(0).norm();
                 inner = radius < 1.0 ? radius : inner;
                 outer = std::max(outer, radius);
