@@ -48,11 +48,15 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
     for (const LabelWish& wish : wishes) {
         const Eigen::Vector2d half{0.5 * wish.type.mask->width, 0.5 * wish.type.mask->height};
         // The box touches the anchor's neighbourhood as an ellipse would: smooth in the direction.
-        // A vanishing direction (an arrow pointing at the eye) fades into "to the right".
-        const Eigen::Vector2d leaning = wish.away + Eigen::Vector2d(0.05, 0.0);
-        const Eigen::Vector2d away = leaning / std::max(leaning.norm(), 1e-9);
+        // A vanishing direction (an arrow pointing at the eye) fades into "to the right". No
+        // function of the direction alone is continuous there: the box comes nearer to the anchor
+        // as well.
+        const Eigen::Vector2d leaning = wish.away + Eigen::Vector2d(0.2, 0.0);
+        const double length = std::max(leaning.norm(), 1e-9);
+        const Eigen::Vector2d away = leaning / length;
         const double reach = std::hypot(half.x() * away.x(), half.y() * away.y());
-        boxes.push_back({wish.anchor_px + away * (wish.gap_px + reach), half});
+        const double nearness = length / std::hypot(length, 0.25);
+        boxes.push_back({wish.anchor_px + away * (nearness * (wish.gap_px + reach)), half});
     }
 
     // Overlapping pairs push each other apart along the line of their centres, as ellipses of their

@@ -42,7 +42,9 @@ class TypeCase {
 struct LabelWish {
     SetType type;
     Eigen::Vector2d anchor_px = Eigen::Vector2d::Zero();
-    Eigen::Vector2d away{1.0, 0.0};  // picture axes, y down; need not be unit; zero: to the right
+    // Picture axes, y down; longer than about 1 is far enough, shorter comes nearer to the anchor,
+    // and zero stands to the right of it.
+    Eigen::Vector2d away{1.0, 0.0};
     double gap_px = 6.0;
     Colour colour;
 };

@@ -258,7 +258,7 @@ void Renderer::Impl::render(const Drawing& drawing, DeepImage& image) {
     still_is_kept_ = false;
     canvas_.begin_whole();
     draw_still(drawing);
-    draw_views();
+    draw_views(false);
     canvas_.read_whole(image, drawing.background.alpha < 1.0);
 }
 

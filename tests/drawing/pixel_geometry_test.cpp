@@ -146,14 +146,15 @@ TEST_P(LectureFilm, LabelsGoWithTheirArrowsAndKeepOffEachOther) {
     for (int k = 0; k < n_frames; ++k) {
         const Drawing drawing = staged.stage.at(film.scene.film.start_s + k * step_s);
         const View& view = drawing.views.at(0);
-        ASSERT_EQ(view.labels.size(), view.arrows.size());
+        // A panel's name comes before the names of its arrows.
+        const std::size_t n_others = view.labels.size() - view.arrows.size();
         std::vector<Eigen::Vector2d> now;
-        for (std::size_t i = 0; i < view.labels.size(); ++i) {
-            const Eigen::AlignedBox2d box = box_of(view.labels[i]);
+        for (std::size_t i = 0; i < view.arrows.size(); ++i) {
+            const Eigen::AlignedBox2d box = box_of(view.labels.at(n_others + i));
             now.emplace_back(box.center() - project(view, view.arrows[i].tip).px);
             if (k > 0) largest_step_px = std::max(largest_step_px, (now[i] - before[i]).norm());
             for (std::size_t j = 0; j < i; ++j) {
-                const Eigen::AlignedBox2d other = box_of(view.labels[j]);
+                const Eigen::AlignedBox2d other = box_of(view.labels.at(n_others + j));
                 const Eigen::AlignedBox2d both = box.intersection(other);
                 if (both.isEmpty()) continue;
                 largest_share =
