@@ -51,7 +51,6 @@ Camera camera_of(const Panel& panel) {
 }  // namespace
 
 void make_space_panel(Panel& panel) {
-    const ConstructionPicture& picture = *panel.stage->rolling;
     aim(panel, camera_of(panel));
 
     // The elements that the scene names, or those that this kind of motion shows by itself.
