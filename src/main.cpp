@@ -1,19 +1,31 @@
 // Entry: hands over to the command line; the only catch, the only exit codes.
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
 
 #include "cli/program.h"
 #include "error/error.h"
+#include "error/nearest.h"
+
+namespace {
+
+// A message may quote names and texts from anywhere; a terminal must not obey them.
+void say(const char* message) { std::fprintf(stderr, "%s\n", poinsot::printable(message).c_str()); }
+
+}  // namespace
 
 int main(int argc, char** argv) {
+    // A closed pipe and a limit on file sizes are errors of a write, with a sentence, not deaths.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         return poinsot::run_program(argc, argv);
     } catch (const poinsot::InputError& error) {
-        std::fprintf(stderr, "%s\n", error.what());
+        say(error.what());
         return 2;
     } catch (const poinsot::Error& error) {
-        std::fprintf(stderr, "%s\n", error.what());
+        say(error.what());
         return 3;
     } catch (const std::bad_alloc&) {
         std::fputs("out of memory; ask for a smaller picture or a shorter film\n", stderr);

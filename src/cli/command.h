@@ -34,5 +34,6 @@ extern const Command compare_command;
 extern const Command approve_command;
 extern const Command explain_command;
 extern const Command rerender_command;
+extern const Command recover_command;
 
 }  // namespace poinsot

@@ -20,12 +20,12 @@ extern "C" void remember_interrupt(int signal_number) {
 void watch_for_interrupts() {
     std::signal(SIGINT, remember_interrupt);
     std::signal(SIGTERM, remember_interrupt);
-    std::signal(SIGPIPE, SIG_IGN);
 }
 
 void stop_if_interrupted() {
     if (interrupted != 0)
-        throw EnvironmentError("interrupted; nothing was left under the final name");
+        throw EnvironmentError(
+            "interrupted; nothing is under the final name; a film goes on with the same command");
 }
 
 }  // namespace poinsot

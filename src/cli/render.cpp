@@ -14,6 +14,7 @@
 #include "cli/scenes.h"
 #include "cli/session.h"
 #include "error/error.h"
+#include "error/nearest.h"
 #include "output/pipeline.h"
 
 namespace poinsot {
@@ -27,6 +28,20 @@ std::filesystem::path output_path(const Options& options, const Scene& scene) {
     std::error_code ignored;
     std::filesystem::create_directory("output", ignored);
     return std::filesystem::path("output") / (scene.name + ".mp4");
+}
+
+// What an interrupted run has left is gone on from, and the user is told.
+void note_kept(const OutputPlan& plan, std::int64_t n_kept, bool quiet) {
+    if (quiet || n_kept == 0) return;
+    if (n_kept == plan.n_frames) {
+        fmt::print(stderr,
+                   "note: all {} frames of {} are there, of this very scene; remove them to have "
+                   "them drawn again\n",
+                   n_kept, printable(plan.path.string()));
+        return;
+    }
+    fmt::print(stderr, "note: going on with frame {} of {}, where an interrupted run ended\n",
+               plan.first_frame + n_kept, printable(plan.path.string()));
 }
 
 }  // namespace
@@ -75,7 +90,9 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
     Record record = record_of(session, pictures, options.portable);
     record.frames = {first, last};
     plan.metadata = to_text(record);
+    plan.resume = true;
     AsyncSink sink(format.open(plan));
+    note_kept(plan, sink.n_frames_kept(), options.quiet);
     Progress progress(session.scene.name, plan.n_frames, options.quiet);
     for (std::int64_t frame = first + sink.n_frames_kept(); frame <= last; ++frame) {
         stop_if_interrupted();
@@ -85,7 +102,7 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
         progress.at(frame - first + 1);
     }
     sink.finish();
-    progress.finish(plan.path.string());
+    progress.finish(printable(plan.path.string()));
     if (!options.quiet) {
         fmt::print(stderr, "{}\n", in_words(pictures.bound(), session.scene.accuracy_px));
     }

@@ -16,6 +16,7 @@
 #include "cli/scenes.h"
 #include "cli/session.h"
 #include "error/error.h"
+#include "error/nearest.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
 
@@ -67,7 +68,7 @@ int make_still(const Session& session, const Options& options, Easel& easel) {
         write_png(path, image, png);
     }
     if (!options.quiet) {
-        fmt::print(stderr, "{}\n{}\n", path.string(),
+        fmt::print(stderr, "{}\n{}\n", printable(path.string()),
                    in_words(pictures.bound(), session.scene.accuracy_px));
     }
     return 0;

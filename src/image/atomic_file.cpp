@@ -159,7 +159,8 @@ void AtomicFile::commit() {
         }
     }
     const int closed = ::close(std::exchange(descriptor_, -1));
-    if (closed != 0 && errno != EINTR) throw_write_error(path_, errno);
+    // What was synced and renamed is whole, whatever closing says.
+    if (closed != 0 && errno != EINTR && !renames) throw_write_error(path_, errno);
 }
 
 void AtomicFile::release() {

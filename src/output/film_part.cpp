@@ -164,7 +164,8 @@ void copy_packets(const AtomicFile& from, libav::Muxer& to, std::int64_t n_packe
 }
 
 // Copies the first frames of a part into a file with its index in front.
-void copy_to_whole(const AtomicFile& part, const AtomicFile& whole, std::int64_t n_frames) {
+void copy_to_whole(const AtomicFile& part, const AtomicFile& whole, std::int64_t n_frames,
+                   const Retell& retell) {
     const fs::path& path = whole.path();
     PartReader reader(part);
     if (!reader.valid())
@@ -177,7 +178,9 @@ void copy_to_whole(const AtomicFile& part, const AtomicFile& whole, std::int64_t
     stream->codecpar->codec_tag = 0;
     stream->time_base = reader.stream().time_base;
     stream->avg_frame_rate = reader.rate();
-    av_dict_set(&muxer.context()->metadata, kMetadataKey, reader.text(kMetadataKey).c_str(), 0);
+    const std::string text = reader.text(kMetadataKey);
+    av_dict_set(&muxer.context()->metadata, kMetadataKey,
+                (retell ? retell(text, n_frames) : text).c_str(), 0);
     libav::Options options;
     options.set("movflags", "faststart+use_metadata_tags");
     options.set("video_track_timescale", fmt::format("{}", stream->time_base.den));
@@ -272,13 +275,13 @@ std::uint64_t FilmPart::n_bytes() const {
 void FilmPart::finish(std::int64_t n_frames) {
     muxer_->write_trailer();
     AtomicFile whole(plan_.path);
-    copy_to_whole(file_, whole, n_frames);
+    copy_to_whole(file_, whole, n_frames, {});
     whole.commit();
     muxer_.reset();
     file_.discard();
 }
 
-std::int64_t recover_film(const fs::path& path) {
+std::int64_t recover_film(const fs::path& path, const Retell& retell) {
     const fs::path part_path = film_part_path(path);
     std::error_code ignored;
     if (!fs::exists(part_path, ignored))
@@ -289,7 +292,7 @@ std::int64_t recover_film(const fs::path& path) {
     if (n_frames == 0)
         throw InputError(fmt::format("no frame of {} had been finished", path.string()));
     AtomicFile whole(path);
-    copy_to_whole(part, whole, n_frames);
+    copy_to_whole(part, whole, n_frames, retell);
     whole.commit();
     part.discard();
     return n_frames;

@@ -65,6 +65,8 @@ FrameWorkers::FrameWorkers(std::size_t n_workers, std::size_t n_waiting, Work wo
     : impl_(std::make_unique<Impl>()) {
     impl_->work = std::move(work);
     impl_->n_waiting_at_most = std::max<std::size_t>(n_waiting, 1);
+    // So that giving a frame back, outside of any try, asks for no memory.
+    impl_->spares.reserve(impl_->n_waiting_at_most);
     for (std::size_t i = 0; i < std::max<std::size_t>(n_workers, 1); ++i)
         impl_->threads.emplace_back([impl = impl_.get(), i] { impl->run(i); });
 }

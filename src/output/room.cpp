@@ -20,7 +20,7 @@ void check_room(const std::filesystem::path& path, std::uint64_t n_bytes_done, s
                           static_cast<double>(n_frames - n_done);
     if (needed > 2 * static_cast<double>(space.available))
         throw EnvironmentError(fmt::format(
-            "cannot write {}: the {} frames to come need about {:.0f} MB, and {:.0f} MB are free",
+            "cannot write {}: the {} frames to come need about {:.2g} MB, and {:.2g} MB are free",
             path.string(), n_frames - n_done, needed / megabyte,
             static_cast<double>(space.available) / megabyte));
 }

@@ -148,6 +148,31 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"still_not_png", good, "still scene.toml -o a.jpg", 2, ".png"}),
     [](const auto& tested) { return tested.param.name; });
 
+// A title, a key or a name may hold what a terminal would obey; no command gives it back raw.
+TEST(TerminalEscapes, AreNotEchoed) {
+    const ScratchFolder folder;
+    folder.write("title.toml", "title = \"a\\u001b]0;owned\\u0007\\u009b31m\"\n" + good);
+    folder.write("key.toml", good + "\"\\u001b[31m\" = 1\n");
+    folder.write("raw.toml", "title = \"\x1b[31m\"\n" + good);
+    const std::string name = "\x1b[31mscene.toml";
+    folder.write(name, good + "x = 1\n");
+    for (const std::string arguments :
+         {"check title.toml", "check title.toml --json", "check title.toml --plan",
+          "still title.toml --size 96x54 -o a.png", "explain a.png", "check key.toml",
+          "check raw.toml", "check '\x1b[31mscene.toml'", "still title.toml -o '\x1b[31m/a.png'",
+          "still title.toml --set 'theme=\x1b[31m'", "recover '\x1b[31m.mp4'",
+          "check '\u009b31m.toml'", "compare '\x1b[31m' a.png",
+          "render title.toml -o '\x1b[31m.xyz'", "list '\x1b[31m'", "'\x1b[31m'",
+          "still title.toml '--\x1b[31m'"}) {
+        const ProgramRun run = run_program_in(folder, arguments);
+        for (const std::string& text : {run.out, run.err}) {
+            EXPECT_EQ(text.find('\x1b'), std::string::npos) << arguments;
+            EXPECT_EQ(text.find('\x07'), std::string::npos) << arguments;
+            EXPECT_EQ(text.find("\xc2\x9b"), std::string::npos) << arguments;  // CSI in UTF-8
+        }
+    }
+}
+
 TEST(FullDisk, StdoutIsReported) {
     const ScratchFolder folder;
     folder.write("scene.toml", good);

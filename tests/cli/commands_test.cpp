@@ -152,6 +152,41 @@ TEST(Render, InterruptedLeavesNothingUnderTheFinalName) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.mp4"));
 }
 
+// What the interrupted film had drawn is the beginning of the whole one, and the same command goes
+// on to the same bytes.
+TEST(Recover, GivesTheFramesThatWereDrawnAndRenderGoesOn) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    const std::string film = " --size 96x54 --set film.duration_s=60 --frames 0-899 -q";
+    ASSERT_EQ(run_program_in(folder, "recover a.mp4").code, 2);
+    ASSERT_EQ(run_program_in(folder, "render scene.toml -o whole.mp4" + film).code, 0);
+    // Killed once more than a chunk of 120 frames lies aside; the whole film has three times that.
+    const auto n_bytes = std::filesystem::file_size(folder.path() / "whole.mp4") / 3;
+    const std::string script = "cd '" + folder.path().string() +
+                               "' || exit 1\n'" POINSOT_PROGRAM "' render scene.toml -o a.mp4" +
+                               film + " &\nwhile kill -0 $! 2>/dev/null && [ \"$(stat -c " +
+                               "%s .a.mp4.part.mp4 2>/dev/null || echo 0)\" -lt " +
+                               std::to_string(n_bytes) +
+                               " ]; do sleep 0.01; done\nkill -9 $!\nwait $! 2>/dev/null\n" +
+                               "cp .a.mp4.part.mp4 .b.mp4.part.mp4\n";
+    ASSERT_EQ(std::system(script.c_str()), 0);
+    ASSERT_FALSE(std::filesystem::exists(folder.path() / "a.mp4"));
+    ASSERT_EQ(run_program_in(folder, "recover b.mp4").code, 0);
+    VideoReader whole(folder.path() / "whole.mp4"), recovered(folder.path() / "b.mp4");
+    const std::int64_t n_frames = recovered.info().n_frames;
+    ASSERT_GT(n_frames, 100);
+    ASSERT_LT(n_frames, 900);
+    Image expected, found;
+    for (std::int64_t k = 0; k < n_frames; ++k) {
+        ASSERT_TRUE(whole.read(expected) && recovered.read(found)) << k;
+        ASSERT_TRUE(expected == found) << k;
+    }
+    const ProgramRun says = run_program_in(folder, "explain b.mp4");
+    EXPECT_NE(says.out.find("frames: 0-" + std::to_string(n_frames - 1) + "\n"), std::string::npos);
+    ASSERT_EQ(run_program_in(folder, "render scene.toml -o a.mp4" + film).code, 0);
+    EXPECT_EQ(text_of(folder.path() / "a.mp4"), text_of(folder.path() / "whole.mp4"));
+}
+
 TEST(List, EveryListHasRows) {
     const ScratchFolder folder;
     const ProgramRun lists = run_program_in(folder, "list");

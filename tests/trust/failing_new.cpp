@@ -1,0 +1,102 @@
+// Preloaded by fault_matrix.py: the POINSOT_FAIL_NEW-th allocation that poinsot itself asks of
+// operator new fails, and those after it as well. Libraries get their memory: what LLVM or FFmpeg
+// do without is not ours to mend.
+#include <dlfcn.h>
+#include <link.h>
+
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<long> n_asked{0};
+
+long limit() {
+    static const long value = [] {
+        const char* text = std::getenv("POINSOT_FAIL_NEW");
+        return text ? std::atol(text) : 0L;
+    }();
+    return value;
+}
+
+// Where the program's own code lies.
+struct Range {
+    std::uintptr_t from = 0, to = 0;
+};
+
+Range program_range() {
+    Range range;
+    // The first object told of is the program.
+    dl_iterate_phdr(
+        [](dl_phdr_info* info, std::size_t, void* out) {
+            for (int i = 0; i < info->dlpi_phnum; ++i) {
+                const auto& part = info->dlpi_phdr[i];
+                if (part.p_type != PT_LOAD || (part.p_flags & PF_X) == 0) continue;
+                const std::uintptr_t from = info->dlpi_addr + part.p_vaddr;
+                *static_cast<Range*>(out) = {from, from + part.p_memsz};
+            }
+            return 1;
+        },
+        &range);
+    return range;
+}
+
+bool in_program(const void* address) {
+    static const Range range = program_range();
+    const auto at = reinterpret_cast<std::uintptr_t>(address);
+    return at >= range.from && at < range.to;
+}
+
+// Nothing fails before main: what is made there is made when the program starts or not at all.
+std::atomic<bool> in_main{false};
+int (*program_main)(int, char**, char**) = nullptr;
+
+int main_marked(int argc, char** argv, char** environment) {
+    in_main = true;
+    return program_main(argc, argv, environment);
+}
+
+void* allocate(std::size_t size, const void* caller) {
+    if (in_main && limit() != 0 && in_program(caller)) {
+        const long n = ++n_asked;
+        if (limit() > 0 && n >= limit()) return nullptr;
+    }
+    return std::malloc(size == 0 ? 1 : size);
+}
+
+// With POINSOT_FAIL_NEW=-1 nothing fails, and the number of allocations is told.
+struct Report {
+    ~Report() {
+        if (limit() < 0) std::fprintf(stderr, "allocations: %ld\n", n_asked.load());
+    }
+} report;
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+    void* const memory = allocate(size, __builtin_return_address(0));
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+void* operator new[](std::size_t size) {
+    void* const memory = allocate(size, __builtin_return_address(0));
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+// glibc's start of a program, in which main is exchanged for one that tells us of itself.
+extern "C" int __libc_start_main(int (*main)(int, char**, char**), int argc, char** argv,
+                                 void (*init)(), void (*fini)(), void (*end)(), void* stack) {
+    using Start = int (*)(int (*)(int, char**, char**), int, char**, void (*)(), void (*)(),
+                          void (*)(), void*);
+    program_main = main;
+    const auto start = reinterpret_cast<Start>(dlsym(RTLD_NEXT, "__libc_start_main"));
+    return start(main_marked, argc, argv, init, fini, end, stack);
+}
