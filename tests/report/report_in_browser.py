@@ -1,0 +1,163 @@
+#!/usr/bin/env python3
+"""The page of `poinsot compare --report`, used as a reader would in a headless Chromium: list, views, keys, slider, blinking.
+
+Exit code 1 with what was wrong; 77 (skipped) without Chromium. Usage: report_in_browser.py POINSOT
+"""
+import html
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+
+# Runs in the page after its own script. Each claim is a name and whether it holds.
+DRIVER = r"""
+<pre id="claims"></pre>
+<script>
+"use strict";
+const claims = [];
+const claim = (name, holds) => claims.push([name, Boolean(holds)]);
+const failures = [];
+window.addEventListener("error", event => failures.push(event.message));
+const press = key => document.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+const names = () => [...document.querySelectorAll("#list .name")].map(item => item.textContent);
+const outcomes = () => [...document.querySelectorAll("#list li")].map(item => item.dataset.outcome);
+const chosen = () => document.querySelector('#list li[aria-selected="true"] .name').textContent;
+const cut = () => document.getElementById("above").style.clipPath;
+const wait = ms => new Promise(done => setTimeout(done, ms));
+const pictures = () => Promise.all([...document.images].map(image => image.decode()));
+
+async function drive() {
+    claim("what differs is listed, worst first",
+          outcomes().join() === "missing,size,pixels,unexpected");
+    press("a");
+    claim("a shows the same ones, too", outcomes().length === 5 && outcomes()[4] === "same");
+    press("a");
+    claim("a hides them again", outcomes().length === 4);
+    claim("the first is chosen", chosen() === names()[0]);
+    press("j"); press("j");
+    claim("j goes on", chosen() === names()[2] && document.getElementById("name").textContent === names()[2]);
+    press("k"); press("ArrowDown");
+    claim("k goes back", chosen() === names()[2]);
+    for (let i = 0; i < 9; ++i) press("j");
+    claim("j stops at the last", chosen() === names()[3]);
+    document.querySelectorAll("#list li")[2].click();
+    claim("a click chooses", chosen() === names()[2]);
+
+    await pictures();
+    claim("side by side shows three pictures",
+          document.images.length === 3 && [...document.images].every(image => image.naturalWidth > 0));
+    const captions = [...document.querySelectorAll("figcaption")].map(caption => caption.textContent);
+    claim("they are named", captions.join() === "expected,difference × 16,actual");
+    const width = parseFloat(document.images[0].style.width);
+    press("+");
+    await pictures();
+    await wait(50);
+    claim("+ doubles the size", parseFloat(document.images[0].style.width) === 2 * width);
+    press("-");
+
+    press("2");
+    await pictures();
+    claim("2 is swap", document.body.dataset.mode === "swap" && cut() === "inset(0px 0px 0px 100%)");
+    press(" ");
+    claim("space swaps", cut() === "inset(0px)" || cut() === "inset(0px 0px 0px 0%)");
+    claim("what is shown is said", document.getElementById("showing").textContent === "actual");
+    press(" ");
+    claim("and back", document.getElementById("showing").textContent === "expected");
+
+    press("3");
+    const seen = new Set();
+    for (let i = 0; i < 12; ++i) { await wait(125); seen.add(document.getElementById("showing").textContent); }
+    claim("3 blinks between both", seen.has("expected") && seen.has("actual"));
+    press("2");
+    const still = document.getElementById("showing").textContent;
+    await wait(1200);
+    claim("blinking ends with its view", document.getElementById("showing").textContent === still);
+
+    press("4");
+    const slider = document.getElementById("slider");
+    claim("4 shows the slider", !slider.hidden);
+    slider.value = 250;
+    slider.dispatchEvent(new Event("input"));
+    claim("the slider cuts", cut() === "inset(0px 0px 0px 25%)");
+    press("ArrowRight");
+    claim("the right arrow moves it", cut() === "inset(0px 0px 0px 27%)" && Number(slider.value) === 270);
+    press("ArrowLeft");
+    claim("the left arrow moves it back", cut() === "inset(0px 0px 0px 25%)");
+
+    press("5");
+    await pictures();
+    claim("5 shows the difference alone", document.images.length === 1 && slider.hidden);
+    press("1");
+    document.dispatchEvent(new KeyboardEvent("keydown", { key: "5", ctrlKey: true }));
+    claim("keys of the browser are left alone", document.body.dataset.mode === "side by side");
+
+    press("k");
+    claim("sizes that differ are shown side by side", names()[1] === chosen() && document.images.length === 3);
+    press("k"); press("2");
+    claim("a missing picture has one to show", document.images.length === 1);
+
+    claim("a name is text, not a part of the page", !document.querySelector("main b, nav b"));
+    claim("nothing is fetched",
+          performance.getEntriesByType("resource").every(entry => entry.name.startsWith("data:")));
+    claim("nothing went wrong: " + failures.join(), failures.length === 0);
+}
+drive().catch(error => claim("the driver ran to its end: " + error, false)).finally(() => {
+    document.getElementById("claims").textContent = JSON.stringify(claims);
+});
+</script>
+"""
+
+
+def make_pictures(program, expected, actual):
+    """Pairs of every kind of outcome; one name would be markup if it were not escaped."""
+    def draw(path, *options):
+        subprocess.run([program, "still", str(REPOSITORY / "scenes" / "sphere.toml"), "--portable", "-q", "-o", str(path),
+                        *options], check=True)
+    small = ["--size", "128x72"]
+    draw(expected / "same.png", *small)
+    shutil.copy(expected / "same.png", actual)
+    shutil.copy(expected / "same.png", expected / "gone.png")
+    shutil.copy(expected / "same.png", expected / "turned<b>.png")
+    draw(actual / "turned<b>.png", *small, "--time", "0.7")
+    shutil.copy(expected / "same.png", expected / "wide.png")
+    draw(actual / "wide.png", "--size", "160x72")
+    shutil.copy(expected / "same.png", actual / "new.png")
+
+
+def main():
+    program = sys.argv[1]
+    browser = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    if browser is None:
+        print("skipped: no Chromium (Debian: chromium)")
+        return 77
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        (folder / "expected").mkdir()
+        (folder / "actual").mkdir()
+        make_pictures(program, folder / "expected", folder / "actual")
+        page = folder / "report.html"
+        compared = subprocess.run([program, "compare", str(folder / "expected"), str(folder / "actual"),
+                                   "--report", str(page)], capture_output=True)
+        if compared.returncode != 1:
+            print(f"compare: exit {compared.returncode}, not 1: {compared.stderr.decode()}")
+            return 1
+        page.write_text(page.read_text().replace("</body>", DRIVER + "</body>"))
+        shown = subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=20000",
+                                f"--user-data-dir={folder / 'profile'}", "--dump-dom", page.as_uri()],
+                               capture_output=True, timeout=120).stdout.decode()
+    found = re.search(r'<pre id="claims">(.*?)</pre>', shown, re.DOTALL)
+    claims = json.loads(html.unescape(found.group(1))) if found and found.group(1) else []
+    for name, holds in claims:
+        print("holds" if holds else "FAILS", name)
+    if not claims:
+        print("the page did not run to its end")
+    return 0 if claims and all(holds for _, holds in claims) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
