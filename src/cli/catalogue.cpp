@@ -81,7 +81,7 @@ std::vector<CatalogueEntry> quality_entries() {
         const QualityFigures& f = quality.figures;
         entries.push_back(
             {std::string(quality.name),
-             fmt::format("{}; a picture of 640×360 takes {:g} ms and is {:g} of 255 levels (rms) "
+             fmt::format("{}; a picture of 960×540 takes {:g} ms and is {:g} of 255 levels (rms) "
                          "off, a film frame of 960×540 {:g} ms more and {:g} kB, SSIM {:g}",
                          quality.summary, f.picture_ms, f.rms_levels, f.film_ms, f.film_kB,
                          f.film_ssim)});

@@ -18,28 +18,28 @@ const std::array<Quality, 4> table{{
      10.0,
      1,
      "coarse curves, fastest encoder: to try a camera",
-     {3.4, 4.74, 2.2, 9.8, 0.9879}},
+     {5.0, 6.07, 2.1, 9.6, 0.9884}},
     {"lecture",
      1.0,
      1,
      "curves within accuracy_px, analytic edges: the default",
-     {3.7, 4.69, 5.6, 5.2, 0.9909}},
+     {5.8, 6.06, 5.9, 5.2, 0.9913}},
     {"print",
      0.5,
      2,
      "2 × 2 samples a pixel on top of analytic edges, small files",
-     {18.6, 2.67, 14.0, 5.3, 0.9917}},
+     {28.9, 2.33, 13.3, 5.9, 0.9929}},
     {"reference",
      0.1,
      4,
      "4 × 4 samples a pixel: what the others are measured against",
-     {48.0, 1.35, 25.0, 8.3, 0.9949}},
+     {78.7, 0.61, 22.5, 8.0, 0.9950}},
 }};
 
 }  // namespace
 
 const std::string_view figures_source =
-    "measured 2026-11-21 on an Intel Xeon, 2 cores, processor time; `poinsot tradeoff "
+    "measured 2026-11-21 on an AMD EPYC, 2 cores, processor time; `poinsot tradeoff "
     "scenes/generic.toml` measures them again for src/cli/quality.cpp";
 
 std::span<const Quality> qualities() { return table; }

@@ -10,7 +10,7 @@ namespace poinsot {
 // What `poinsot tradeoff` measured for a quality: processor time, and how far from the reference
 // picture and from the frames encoded.
 struct QualityFigures {
-    double picture_ms;  // a frame of 640 × 360
+    double picture_ms;  // a frame of 960 × 540
     double rms_levels;  // its error, of 255 levels
     double film_ms;     // encoding a frame of 960 × 540
     double film_kB;     // its size

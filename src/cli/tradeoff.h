@@ -1,6 +1,7 @@
 // The parts of `poinsot tradeoff`: motion, picture and film, each measured on this machine.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,6 +10,17 @@
 #include "cli/session.h"
 
 namespace poinsot {
+
+// Marks the rows that no other beats: none is as good in both cost and error and better in one.
+template <typename Row>
+void mark_front(std::vector<Row>& rows, double Row::*cost, double Row::*error) {
+    for (Row& row : rows) {
+        row.on_front = std::none_of(rows.begin(), rows.end(), [&](const Row& other) {
+            return other.*cost <= row.*cost && other.*error <= row.*error &&
+                   (other.*cost < row.*cost || other.*error < row.*error);
+        });
+    }
+}
 
 // One row of the motion's table: a method with one setting.
 struct MotionTrade {
@@ -37,6 +49,7 @@ MotionTrades trade_motion(const Session& session, const FilmPlan& film, double p
 struct PictureTrade {
     std::string setting;
     std::string quality;  // the name of --quality that it is, or empty
+    std::string label;    // beside its point, or empty
     double ms_a_frame = 0.0;
     double rms_levels = 0.0;  // against the reference picture
     double largest_levels = 0.0;
@@ -56,6 +69,7 @@ struct FilmTrade {
     double ms_a_frame = 0.0;  // processor time
     double bytes_a_frame = 0.0;
     double ssim = 0.0;
+    double unlikeness = 1.0;  // 1 − ssim
     bool on_front = false;
 };
 struct FilmTrades {

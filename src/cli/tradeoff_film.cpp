@@ -65,16 +65,12 @@ FilmTrades trade_film(const Session& session, const Options& options, const Film
             ++n_compared;
         }
         row.ssim = n_compared > 0 ? sum / n_compared : 0.0;
+        row.unlikeness = 1.0 - row.ssim;
         trades.rows.push_back(row);
         std::error_code ignored;
         std::filesystem::remove(path, ignored);
     }
-    for (FilmTrade& row : trades.rows) {
-        row.on_front =
-            std::none_of(trades.rows.begin(), trades.rows.end(), [&row](const FilmTrade& other) {
-                return other.ms_a_frame < row.ms_a_frame && other.ssim > row.ssim;
-            });
-    }
+    mark_front(trades.rows, &FilmTrade::ms_a_frame, &FilmTrade::unlikeness);
     return trades;
 }
 

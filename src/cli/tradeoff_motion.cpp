@@ -87,15 +87,6 @@ MotionTrade measure(const MotionProblem& problem, const MethodChoice& choice, co
     return row;
 }
 
-void mark_front(std::vector<MotionTrade>& rows) {
-    for (MotionTrade& row : rows) {
-        row.on_front = std::none_of(rows.begin(), rows.end(), [&row](const MotionTrade& other) {
-            return other.ns_a_frame <= row.ns_a_frame && other.attitude_rad <= row.attitude_rad &&
-                   (other.ns_a_frame < row.ns_a_frame || other.attitude_rad < row.attitude_rad);
-        });
-    }
-}
-
 }  // namespace
 
 MotionTrades trade_motion(const Session& session, const FilmPlan& film, double px_per_rad) {
@@ -140,7 +131,7 @@ MotionTrades trade_motion(const Session& session, const FilmPlan& film, double p
         row.setting = "fast tier";
         trades.rows.insert(trades.rows.begin() + 1, row);
     }
-    mark_front(trades.rows);
+    mark_front(trades.rows, &MotionTrade::ns_a_frame, &MotionTrade::attitude_rad);
     return trades;
 }
 

@@ -33,6 +33,17 @@ std::string quality_of(const Setting& setting) {
     return "";
 }
 
+// Beside its point in the plot: a quality, or a number of samples that no quality has; other
+// tolerances of curves lie beside those and have no name.
+std::string label_of(const Setting& setting) {
+    const std::string quality = quality_of(setting);
+    if (!quality.empty()) return "\\textbf{" + quality + "}";
+    const bool has_name =
+        std::any_of(qualities().begin(), qualities().end(),
+                    [&setting](const Quality& row) { return row.samples == setting.samples; });
+    return has_name ? "" : fmt::format("{0} × {0} samples", setting.samples);
+}
+
 struct Difference {
     double rms = 0.0;
     double largest = 0.0;
@@ -54,11 +65,12 @@ Difference difference_between(const Image& a, const Image& b) {
 }  // namespace
 
 PictureTrades trade_picture(const Session& session, const Options& options, const FilmPlan& film) {
-    // A third of the film's sides: the errors are those of edges and lines, the same at any size.
+    // Half the film's sides: the errors are those of edges and lines, the same at any size, and
+    // type set at a corner stands on whole pixels however finely it is drawn.
     Session small = session;
     PictureTrades trades;
-    trades.width_px = small.scene.film.width_px = std::max(16, session.scene.film.width_px / 3);
-    trades.height_px = small.scene.film.height_px = std::max(16, session.scene.film.height_px / 3);
+    trades.width_px = small.scene.film.width_px = std::max(16, session.scene.film.width_px / 2);
+    trades.height_px = small.scene.film.height_px = std::max(16, session.scene.film.height_px / 2);
     trades.n_runs = 1000;
 
     constexpr int reference_samples = 8;
@@ -83,6 +95,7 @@ PictureTrades trade_picture(const Session& session, const Options& options, cons
                         setting.samples == 1 ? std::string("analytic edges alone")
                                              : fmt::format("{0} × {0} samples", setting.samples));
         row.quality = quality_of(setting);
+        row.label = label_of(setting);
         Image image;
         double sum = 0.0;
         for (std::size_t i = 0; i < times.size(); ++i) {
@@ -99,12 +112,7 @@ PictureTrades trade_picture(const Session& session, const Options& options, cons
         trades.n_runs = std::min(trades.n_runs, timing.n_runs);
         trades.rows.push_back(row);
     }
-    for (PictureTrade& row : trades.rows) {
-        row.on_front =
-            std::none_of(trades.rows.begin(), trades.rows.end(), [&row](const PictureTrade& other) {
-                return other.ms_a_frame < row.ms_a_frame && other.rms_levels < row.rms_levels;
-            });
-    }
+    mark_front(trades.rows, &PictureTrade::ms_a_frame, &PictureTrade::rms_levels);
     return trades;
 }
 

@@ -166,7 +166,8 @@ void ChartSheet::add_series(const Chart& chart) {
         LabelWish wish;
         wish.type = type_case_.set(series.name, {.size_px = 26.0 * px_, .mode = TypeMode::text});
         wish.anchor_px = line.back().head<2>();
-        wish.away = {1.0, 0.25};
+        // After a line's end; a single point has its name above it, for its like lie beside it.
+        wish.away = line.size() > 1 ? Eigen::Vector2d(1.0, 0.25) : Eigen::Vector2d(0.0, -1.0);
         wish.gap_px = 12.0 * px_;
         wish.colour = colour;
         if (wish.type.mask->width > 0) wishes_.push_back(wish);

@@ -80,6 +80,7 @@ const Theme dark{
     .space_cone = hex(0xfc884e),
     .annulus = hex(0x8090a6),
     .separatrix = hex(0xf2f4f7),
+    .ghost = hex(0x9aa7b5),
     .sphere = hex(0x6d86a3),
     .solid = hex(0x8393a6),
     .solid_lines = hex(0xe8edf3),
