@@ -49,7 +49,7 @@ TEST(Certificate, HoldsForTheExactMotion) {
 
 // Where the contact point stands still or nearly so, the certificate asks for no more than doubles
 // can show.
-TEST(Certificate, HoldsForSteadySpinsAndSmallWobbles) {
+TEST(Certificate, HoldsForSteadySpinsSmallWobblesAndNeedles) {
     const std::vector<double> times{0.0, 0.4, 1.7, 5.0, 9.3, 20.0};
     for (const Eigen::Vector3d& omega :
          {Eigen::Vector3d(0.0, 0.0, 1.0), Eigen::Vector3d(0.0, 1.0, 0.0),
@@ -64,6 +64,14 @@ TEST(Certificate, HoldsForSteadySpinsAndSmallWobbles) {
                 << claim.name << " " << claim.worst << " at ω = " << omega.transpose();
         }
     }
+    MotionProblem needle;
+    needle.inertia = InertiaTensor::from_principal_moments({1e-12, 1.0, 1.0 + 5e-13});
+    needle.start.omega_body = {0.3, 0.5, -0.2};
+    EXPECT_TRUE(certify(Motion(needle), times, exact_residual_bound).holds());
+    MotionProblem light;
+    light.inertia = InertiaTensor::from_principal_moments({1e-200, 2e-200, 2.5e-200});
+    light.start.omega_body = {0.3, 1.0, 0.2};
+    EXPECT_TRUE(certify(Motion(light), times, exact_residual_bound).holds());
     MotionProblem sphere;
     sphere.inertia = InertiaTensor::from_principal_moments({2.0, 2.0, 2.0});
     sphere.start.omega_body = {0.3, 1.0, 0.2};

@@ -198,6 +198,19 @@ TEST(Polhode, AnnulusBoundsTheHerpolhodeAndIsReached) {
     }
 }
 
+TEST(Polhode, KeepsTheRadiusOfTheSmallestWobble) {
+    // ω ⟂ L of a wobble of size ε about the highest axis is proportional to ε: down to 1e-300,
+    // where its square is no number.
+    const InertiaTensor body = InertiaTensor::from_principal_moments({1.0, 2.0, 2.5});
+    const auto annulus = [&body](double size) {
+        return Polhode(body, {size, 2.0 * size, 1.0}).annulus();
+    };
+    for (const double size : {1e-100, 1e-170, 1e-300}) {
+        EXPECT_NEAR(annulus(size).inner / size, annulus(1e-12).inner / 1e-12, 1e-14);
+        EXPECT_NEAR(annulus(size).outer / size, annulus(1e-12).outer / 1e-12, 1e-14);
+    }
+}
+
 TEST(Herpolhode, NeverInflects) {
     // The signed curvature keeps its sign for a real body (Landau & Lifshitz §37; Poinsot 1834).
     for (const Body& body : bodies()) {

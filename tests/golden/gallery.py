@@ -21,7 +21,7 @@ MOST_BYTES = 40_000
 COLUMNS = 3
 # As a lecture would come to them.
 ORDER = ["tensor", "inertia_ellipsoid", "gradient", "invariable_plane", "generic", "four_views", "momentum_sphere", "sphere",
-         "stable_largest", "stable_smallest", "tennis_racket", "separatrix", "symmetric_oblate", "symmetric_prolate",
+         "stable_largest", "stable_smallest", "tennis_racket", "separatrix", "euler_drift", "symmetric_oblate", "symmetric_prolate",
          "point_masses", "euler_angles", "heavy_top_wavy", "heavy_top_cusp", "heavy_top_looping", "heavy_top_steady",
          "heavy_top_sleeping", "t_handle", "racket_thrown", "feynman_plate", "football", "earth_wobble", "toutatis"]
 
