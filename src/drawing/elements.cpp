@@ -204,7 +204,9 @@ Drawer make_axes(Panel& panel) {
 }
 
 Drawer make_contact(Panel& panel) {
-    const Dot dot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->contact);
+    Dot dot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->contact);
+    // It lies on both curves, and over them also where the ellipsoid is before it.
+    dot.occlusion = Occlusion::none;
     return [&panel, dot](const Instant& instant, Sheet& sheet) {
         sheet.view.dots.push_back(dot);
         sheet.view.dots.back().at = picture_of(panel).contact(instant);

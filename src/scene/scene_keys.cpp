@@ -358,7 +358,8 @@ const SceneKey table[] = {
          d.scene.camera.elevation_deg = g.number_between(-89.0, 89.0);
      },
      [](const Scene& s, size_t) { return toml_text(s.camera.elevation_deg); }},
-    {"camera.distance", "a number", "largest half-axes", "5.2", "its distance from the target",
+    {"camera.distance", "a number", "largest half-axes", "5.2",
+     "its distance from the target; more where the figure would not fit, unless target is given",
      [](const GivenValue& g, SceneDraft& d) {
          d.scene.camera.distance = g.number_between(0.01, 10000.0);
      },
