@@ -16,7 +16,7 @@ const int member_size = 10;
 //            number of generators (as wide as 0.6 rims)
 //   6, 7: unit vectors across the axis in view axes, over the tangent of the half angle;
 //         w: angle of the first generator
-//   8: the axis in view axes   9: colour, linear; opacity
+//   8: the axis in view axes; presence   9: colour, linear; opacity
 out vec4 fragment;
 
 struct Layer {
@@ -78,7 +78,7 @@ Layer sheet(vec4 v[5], vec2 pixel, int at, vec3 o, vec3 d, float t, float rim_px
     float opacity = constant(at + 9).w;
     float alpha = opacity + (1.0 - opacity) * 0.5 * limb * limb * limb;
     alpha = max(alpha, 0.85 * lines) * inside;
-    layer.alpha = shown(v, pixel, layer.depth, alpha);
+    layer.alpha = shown(v, pixel, layer.depth, alpha * constant(at + 8).w);
     return layer;
 }
 
@@ -135,7 +135,7 @@ void main() {
         layers[3 * k + 2].depth = constant(at + 2).w + t_rim;
         layers[3 * k + 2].depth_change = -vec2(gx.z, gy.z) / descent;
         layers[3 * k + 2].alpha = shown(view, pixel, layers[3 * k + 2].depth,
-                                        0.9 * line_coverage(rim_px, constant(at + 4).w));
+                                        0.9 * constant(at + 8).w * line_coverage(rim_px, constant(at + 4).w));
     }
     vec4 sum = vec4(0.0);
     float through = 1.0;

@@ -11,8 +11,8 @@
 // then for each member, after the seven of quadric.glsl:
 //   7, 8: change of u with the pixel x, y at unit depth (orthographic: as is); w: ruling width px,
 //         opacity of the rulings
-//   9, 10, 11: rows of the map from view axes to the sphere's; w: meridians, parallels
-//   12: colour, linear   13: colour of the lines, linear; width px of the principal sections
+//   9, 10, 11: rows of the map from view axes to the sphere's; w: meridians, parallels, presence
+//   12: colour, linear; opacity   13: colour of the lines, linear; width px of the principal sections
 const int first_member = 3;
 const int member_size = 14;
 in vec3 sight;
@@ -102,7 +102,7 @@ Layer surface(int at, Sight s, float per_root, float side, vec3 to_eye) {
     float lit = key_strength * key * key * (1.5 - 0.5 * key) + sky_strength * (0.42 + 0.58 * up * up) + 0.06;
     layer.colour = mix(constant(at + 12).rgb, constant(at + 13).rgb, lines) * lit;
 
-    float opacity = constant(at + 2).w;
+    float opacity = constant(at + 12).w;
     float alpha;
     if (side < 0.0) {
         vec3 halfway = constant(0).xyz + to_eye;
@@ -117,7 +117,7 @@ Layer surface(int at, Sight s, float per_root, float side, vec3 to_eye) {
         alpha = opacity * (0.55 + 0.3 * limb);
         alpha = mix(alpha, max(alpha, 0.85), lines);
     }
-    layer.alpha = layer.depth > constant(2).x ? alpha : 0.0;
+    layer.alpha = layer.depth > constant(2).x ? alpha * constant(at + 11).w : 0.0;
     return layer;
 }
 

@@ -3,7 +3,7 @@
 // An ellipsoid has seven constants, in axes where it is the unit sphere about the origin. For the
 // pixel p the line of sight has direction d and moment m (Plücker coordinates), both affine in p:
 // d = d0 + x dx + y dy with (x, y) = p - anchor; they are scaled alike.
-//   0: d0, anchor x   1: dx, anchor y   2: dy, opacity
+//   0: d0, anchor x   1: dx, anchor y   2: dy, how opaque it is to what it hides
 //   3: m0, and x of the direction in which the outline is narrowest   4: mx, and its y
 //   5: my, and the curvature of |d|² - |m|² along it (0 if the outline is wider than 3 px)
 //   6: depth along the view axis is w + xyz·u for the point u of the sphere

@@ -68,13 +68,13 @@ bool wants_bands(const PictureMaker& pictures) {
     return n_pixels > most_whole_pixels || side > pictures.context_info().largest_picture_px;
 }
 
-void write_in_bands(PictureMaker& pictures, double time_s, const std::filesystem::path& path,
-                    const PngOptions& png, int bit_depth) {
+void write_in_bands(PictureMaker& pictures, const FilmMoment& moment,
+                    const std::filesystem::path& path, const PngOptions& png, int bit_depth) {
     if (bit_depth == 16 && pictures.samples_a_pixel() > 1)
         throw InputError(
             "--depth 16 goes with --quality draft or lecture, whose pictures are not averaged from "
             "several samples of 8 bits");
-    const Drawing whole = pictures.stage().at(time_s);
+    const Drawing whole = pictures.stage().at(moment);
     const bool opaque = whole.background.alpha >= 1.0;
     PngBandWriter file(path, pictures.width_px(), pictures.height_px(), opaque, png, bit_depth);
     if (bit_depth == 16)

@@ -15,6 +15,8 @@
 #include "mechanics/solids.h"
 #include "mesh/named_objects.h"
 #include "output/frame_sink.h"
+#include "scene/camera_views.h"
+#include "scene/easing.h"
 #include "scene/load_scene.h"
 #include "scene/scene_keys.h"
 
@@ -106,6 +108,8 @@ const auto table = std::to_array<Catalogue>({
     {"qualities", quality_entries, figures_source},
     {"elements", [] { return rows_of(elements()); }},
     {"panels", [] { return rows_of(panel_kinds()); }},
+    {"views", [] { return rows_of(camera_views()); }},
+    {"easings", [] { return rows_of(easings()); }},
     {"themes", [] { return rows_of(themes()); }},
     {"formats", [] { return rows_of(output_formats()); }},
     {"solids", solid_entries},

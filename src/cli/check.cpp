@@ -196,12 +196,21 @@ int run(const Options& options) {
                          std::string(name_of(session.motion.regime()))});
     }
 
-    const FilmPlan film = film_plan(session.scene, session.motion);
+    const FilmPlan film = film_plan(session);
     facts.push_back(
         {"n_frames", fmt::format("{}", film.n_frames), "film",
          fmt::format("{} frames of {}×{} at {:.6g}/s, motion from {:.6g} s to {:.6g} s",
                      film.n_frames, session.scene.film.width_px, session.scene.film.height_px,
                      film.rate.per_second(), film.start_s, film.last_time_s())});
+
+    if (session.loop) {
+        facts.push_back(
+            {"loop_s", json_number(session.loop->loop_s), "loop",
+             fmt::format("{:.9g} s: {}", session.loop->loop_s, session.loop->in_words)});
+        facts.push_back({"loop_change", json_string(session.loop->change),
+                         session.loop->change.empty() ? "" : "changed for the loop",
+                         session.loop->change});
+    }
 
     // Whether it can be drawn is part of the check: making the stage opens no context.
     const PictureSetting setting = setting_of(session.scene);

@@ -28,6 +28,7 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     options.line_scale = setting.line_scale * setting.samples;
     options.first_time_s = span.first_time_s;
     options.last_time_s = span.last_time_s;
+    options.loop_s = session.loop ? session.loop->loop_s : 0.0;
     // Tolerances are pixels of the picture drawn, which is `samples` times as large as the one
     // made.
     Scene scene = session.scene;
@@ -86,12 +87,12 @@ PictureMaker::PictureMaker(const Session& session, const OffscreenContext& conte
       own_renderer_(context),
       renderer_(&*own_renderer_) {}
 
-void PictureMaker::draw(double time_s, Image& image) {
+void PictureMaker::draw(const FilmMoment& moment, Image& image) {
     if (samples_ == 1) {
-        renderer_->render_into(stage_.at(time_s), image);
+        renderer_->render_into(stage_.at(moment), image);
         return;
     }
-    renderer_->render_into(stage_.at(time_s), large_);
+    renderer_->render_into(stage_.at(moment), large_);
     downsample_into(large_, samples_, image);
 }
 

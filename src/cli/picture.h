@@ -11,6 +11,7 @@
 #include "drawing/stage_data.h"
 #include "image/image.h"
 #include "render/renderer.h"
+#include "scene/film_clock.h"
 
 namespace poinsot {
 
@@ -79,8 +80,8 @@ class PictureMaker {
     PictureMaker(const PictureMaker&) = delete;
     PictureMaker& operator=(const PictureMaker&) = delete;
 
-    // The picture of an instant, drawn into an image whose memory is reused.
-    void draw(double time_s, Image& image);
+    // The picture of a moment of the film, drawn into an image whose memory is reused.
+    void draw(const FilmMoment& moment, Image& image);
 
     // An area of a picture that the stage has made, in pixels of the picture made. 16 bits a
     // component need pictures of one sample a pixel.

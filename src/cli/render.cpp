@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 
+#include "cli/chapters.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/jobs.h"
@@ -48,7 +49,7 @@ void note_kept(const OutputPlan& plan, std::int64_t n_kept, bool quiet) {
 
 int make_film(const Session& session, const Options& options, Easel& easel) {
     print_notes(session.scene, options.quiet);
-    const FilmPlan film = film_plan(session.scene, session.motion);
+    const FilmPlan film = film_plan(session);
 
     // The frames wanted, checked against the film before anything is opened.
     std::int64_t first = 0;
@@ -71,6 +72,7 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
     plan.first_frame = first;
     plan.n_frames = last - first + 1;
     plan.quality = session.scene.film.quality;
+    plan.chapters = chapters_of(session.scene, film, first, last);
 
     // A film that is not what its method promises is refused before it is drawn.
     if (options.certify) {
@@ -97,11 +99,14 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
     for (std::int64_t frame = first + sink.n_frames_kept(); frame <= last; ++frame) {
         stop_if_interrupted();
         Image image = sink.spare();
-        pictures.draw(film.time_of(frame), image);
+        pictures.draw(film.moment_of(frame), image);
         sink.write_moved(std::move(image));
         progress.at(frame - first + 1);
     }
     sink.finish();
+    if (!plan.chapters.empty() && (format.film || format.name == "png-sequence")) {
+        write_chapters(plan, film);
+    }
     progress.finish(printable(plan.path.string()));
     if (!options.quiet) {
         fmt::print(stderr, "{}\n", in_words(pictures.bound(), session.scene.accuracy_px));

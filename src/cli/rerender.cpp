@@ -56,11 +56,11 @@ int redraw_frame(const std::filesystem::path& file, const Record& record, const 
             "{}: is one of the frames {}-{} of a sequence, and its name does not say which; let "
             "the name end in the frame's number",
             printable(file.string()), first, last));
-    const FilmPlan film = film_plan(session.scene, session.motion);
+    const FilmPlan film = film_plan(session);
     PictureMaker pictures(session, easel,
                           {.first_time_s = film.time_of(0), .last_time_s = film.time_of(last)});
     Image image;
-    pictures.draw(film.time_of(*frame), image);
+    pictures.draw(film.moment_of(*frame), image);
     Record again = record_of(session, pictures, options.portable);
     again.frames = record.frames;
     PngOptions png;

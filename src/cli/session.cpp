@@ -94,8 +94,12 @@ Session open_session(const Options& options, Purpose purpose) {
 }
 
 Session session_of(Scene scene, std::span<const double> times_s, Purpose purpose) {
+    std::optional<Loop> loop = resolve_loop(scene);
     MotionProblem problem = problem_of(scene);
     extend(problem, times_s);
+    // The trails of a loop come from the time before.
+    if (loop)
+        problem.first_time_s = std::min(problem.first_time_s, scene.film.start_s - loop->loop_s);
     const double tolerance_rad = scene.accuracy_px / pixels_per_radian(scene);
     const std::string key = key_of("motion", scene.method);
     StepChoice step = at_scene_key(scene, key, [&] { return choose_step(problem, tolerance_rad); });
@@ -110,7 +114,8 @@ Session session_of(Scene scene, std::span<const double> times_s, Purpose purpose
         beside =
             at_scene_key(scene, key_of("beside", *scene.beside), [&] { return Motion(problem); });
     }
-    return {std::move(scene), std::move(step), std::move(motion), std::move(beside)};
+    return {std::move(scene), std::move(step), std::move(motion), std::move(beside),
+            std::move(loop)};
 }
 
 double motion_error_px(const Session& session) {
@@ -153,20 +158,22 @@ std::string text_of(const Certificate& certificate) {
                               certificate.n_instants);
 }
 
-double FilmPlan::time_of(std::int64_t frame) const {
-    const double seconds =
-        static_cast<double>(frame * rate.denominator) / static_cast<double>(rate.numerator);
-    return start_s + seconds * speed;
+FilmMoment FilmPlan::moment_of(std::int64_t frame) const {
+    const double film_s =
+        loop_s > 0.0
+            ? length_s * (static_cast<double>(frame) / static_cast<double>(n_frames))
+            : static_cast<double>(frame * rate.denominator) / static_cast<double>(rate.numerator);
+    return {clock.time_at(film_s), film_s};
 }
 
-FilmPlan film_plan(const Scene& scene, const Motion&) {
-    FilmPlan plan;
-    plan.rate = {scene.film.fps_numerator, scene.film.fps_denominator};
-    plan.start_s = scene.film.start_s;
-    plan.speed = scene.film.speed;
-
-    const double film_s = scene.film.duration_s.value_or(default_film_s * plan.speed) / plan.speed;
-    plan.n_frames = std::max<std::int64_t>(1, std::llround(film_s * plan.rate.per_second()));
+FilmPlan film_plan(const Session& session) {
+    const Scene& scene = session.scene;
+    FilmPlan plan{.rate = {scene.film.fps_numerator, scene.film.fps_denominator},
+                  .start_s = scene.film.start_s,
+                  .clock = FilmClock(scene)};
+    plan.length_s = plan.clock.length_s().value_or(default_film_s);
+    plan.loop_s = session.loop ? session.loop->loop_s : 0.0;
+    plan.n_frames = std::max<std::int64_t>(1, std::llround(plan.length_s * plan.rate.per_second()));
     return plan;
 }
 

@@ -9,11 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "cli/loop.h"
 #include "cli/options.h"
 #include "construction/certificate.h"
 #include "construction/step_choice.h"
 #include "mechanics/motion.h"
 #include "output/frame_sink.h"
+#include "scene/film_clock.h"
 #include "scene/scene.h"
 
 namespace poinsot {
@@ -24,6 +26,7 @@ struct Session {
     StepChoice step;  // of a stepped method; chosen from accuracy_px where the scene does not say
     Motion motion;
     std::optional<Motion> beside;  // by the scene's second method
+    std::optional<Loop> loop;      // of a film that runs into itself
 };
 
 // What a motion is for: pictures take the closed form's fast tier where accuracy_px allows it,
@@ -42,18 +45,23 @@ Session session_of(Scene scene, std::span<const double> times_s = {},
 // motion, the bound of the tier for a closed form.
 double motion_error_px(const Session& session);
 
-// The instants of a film. Frame k shows start + k·speed/fps, from the ratio, never accumulated.
+// The instants of a film. Frame k shows second k/fps of it, from the ratio, never accumulated, and
+// the clock says which instant of the motion that is. The frames of a loop divide it evenly, so
+// that the one after the last is the first.
 struct FilmPlan {
     FrameRate rate;
     double start_s = 0.0;
-    double speed = 1.0;
+    FilmClock clock;
+    double length_s = 0.0;      // of the film
+    double loop_s = 0.0;        // seconds of motion after which it begins again; 0: it does not
     std::int64_t n_frames = 0;  // of the whole film
 
-    double time_of(std::int64_t frame) const;
+    FilmMoment moment_of(std::int64_t frame) const;
+    double time_of(std::int64_t frame) const { return moment_of(frame).time_s; }
     double last_time_s() const { return n_frames > 0 ? time_of(n_frames - 1) : start_s; }
 };
 
-FilmPlan film_plan(const Scene& scene, const Motion& motion);
+FilmPlan film_plan(const Session& session);
 
 // The residuals of the construction over all frames; every frame counts. Torque-free scenes that
 // turn.

@@ -24,8 +24,10 @@ namespace poinsot {
 
 int make_still(const Session& session, const Options& options, Easel& easel) {
     print_notes(session.scene, options.quiet);
-    const FilmPlan film = film_plan(session.scene, session.motion);
-    const double time_s = options.time_s.value_or(film.last_time_s());
+    const FilmPlan film = film_plan(session);
+    const FilmMoment moment = options.time_s ? moment_of_time(film.clock, *options.time_s)
+                                             : film.moment_of(film.n_frames - 1);
+    const double time_s = moment.time_s;
     if (!std::isfinite(time_s)) {
         throw InputError("--time is not a finite number; give an instant in seconds");
     }
@@ -61,10 +63,10 @@ int make_still(const Session& session, const Options& options, Easel& easel) {
     png.texts[kMetadataName] = to_text(record);
     if (record.bit_depth == 16 || wants_bands(pictures)) {
         watch_for_interrupts();
-        write_in_bands(pictures, time_s, path, png, record.bit_depth);
+        write_in_bands(pictures, moment, path, png, record.bit_depth);
     } else {
         Image image;
-        pictures.draw(time_s, image);
+        pictures.draw(moment, image);
         write_png(path, image, png);
     }
     if (!options.quiet) {

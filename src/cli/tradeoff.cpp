@@ -233,7 +233,7 @@ void write_text(const fs::path& path, const std::string& text) {
 int run(const Options& options) {
     const Session session = open_session(options, Purpose::numbers);
     print_notes(session.scene, options.quiet);
-    const FilmPlan film = film_plan(session.scene, session.motion);
+    const FilmPlan film = film_plan(session);
 
     Tradeoff t;
     t.motion = trade_motion(session, film, pixels_per_radian(session.scene));

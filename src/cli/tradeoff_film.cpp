@@ -29,7 +29,7 @@ FilmTrades trade_film(const Session& session, const Options& options, const Film
     PictureMaker maker(small, context, {film.time_of(0), film.last_time_s()}, {1.0, 1});
     std::vector<Image> frames(static_cast<std::size_t>(trades.n_frames));
     for (std::size_t k = 0; k < frames.size(); ++k) {
-        maker.draw(film.time_of(static_cast<std::int64_t>(k)), frames[k]);
+        maker.draw(film.moment_of(static_cast<std::int64_t>(k)), frames[k]);
     }
 
     const std::filesystem::path path = std::filesystem::temp_directory_path() /

@@ -78,14 +78,15 @@ PictureTrades trade_picture(const Session& session, const Options& options, cons
     trades.reference = fmt::format("{0} × {0} samples a pixel, curves within {1} accuracy_px",
                                    reference_samples, reference_tolerance);
     const PictureSpan span{film.time_of(0), film.last_time_s()};
-    const std::array<double, 3> times{film.time_of(film.n_frames / 4),
-                                      film.time_of(film.n_frames / 2), film.last_time_s()};
+    const std::array<FilmMoment, 3> moments{film.moment_of(film.n_frames / 4),
+                                            film.moment_of(film.n_frames / 2),
+                                            film.moment_of(film.n_frames - 1)};
 
     const OffscreenContext context = make_context(options);
     std::array<Image, 3> references;
     {
         PictureMaker maker(small, context, span, {reference_tolerance, reference_samples});
-        for (std::size_t i = 0; i < times.size(); ++i) maker.draw(times[i], references[i]);
+        for (std::size_t i = 0; i < moments.size(); ++i) maker.draw(moments[i], references[i]);
     }
     for (const Setting& setting : settings) {
         PictureMaker maker(small, context, span, {setting.curve_tolerance, setting.samples});
@@ -98,17 +99,17 @@ PictureTrades trade_picture(const Session& session, const Options& options, cons
         row.label = label_of(setting);
         Image image;
         double sum = 0.0;
-        for (std::size_t i = 0; i < times.size(); ++i) {
-            maker.draw(times[i], image);
+        for (std::size_t i = 0; i < moments.size(); ++i) {
+            maker.draw(moments[i], image);
             const Difference difference = difference_between(references[i], image);
             sum += difference.rms * difference.rms;
             row.largest_levels = std::max(row.largest_levels, difference.largest);
         }
-        row.rms_levels = std::sqrt(sum / static_cast<double>(times.size()));
+        row.rms_levels = std::sqrt(sum / static_cast<double>(moments.size()));
         const Timing timing = timed([&] {
-            for (const double time_s : times) maker.draw(time_s, image);
+            for (const FilmMoment& moment : moments) maker.draw(moment, image);
         });
-        row.ms_a_frame = timing.cpu_s / static_cast<double>(times.size()) * 1e3;
+        row.ms_a_frame = timing.cpu_s / static_cast<double>(moments.size()) * 1e3;
         trades.n_runs = std::min(trades.n_runs, timing.n_runs);
         trades.rows.push_back(row);
     }

@@ -57,6 +57,7 @@ struct Ellipsoid {
     Eigen::Matrix3d half_axes = Eigen::Matrix3d::Identity();
     Colour colour{0.85, 0.62, 0.33};
     double opacity = 0.75;  // of the front surface seen face on; more towards the limb
+    double presence = 1.0;  // 0…1: while it comes or goes; of all of it, lines and shadow too
     Colour line_colour{0.35, 0.22, 0.08};
     double section_px = 1.6;  // principal sections (0: none)
     double ruling_px = 0.8;   // meridians and parallels (0: none)
@@ -90,6 +91,7 @@ struct Cone {
     double length = 1.0;                              // along the axis
     Colour colour{0.4, 0.6, 0.8};
     double opacity = 0.35;
+    double presence = 1.0;  // as of an ellipsoid
     double rim_px = 1.5;
     int n_rulings = 12;      // generators, so that rolling is seen
     double phase_rad = 0.0;  // of ruling 0, from `reference`

@@ -6,12 +6,16 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "drawing/direction_marks.h"
 #include "drawing/figure_elements.h"
 #include "drawing/ghost.h"
 #include "drawing/marks.h"
 #include "drawing/projection.h"
+#include "drawing/trail.h"
 #include "error/error.h"
 #include "error/nearest.h"
 
@@ -62,6 +66,28 @@ double plane_radius(const Panel& panel) {
     return is_seen(wanted) ? wanted : std::max(seen, least);
 }
 
+// A plane ruled in circles about the foot of L. Seen from a camera that turns about L they stand
+// still, where straight lines would turn, and lines that turned along would belie the rolling.
+Drawer ringed(Panel& panel, Plane plane) {
+    plane.grid_px = 0.0;
+    std::vector<Curve> rings;
+    for (int k = 1; k * plane.grid_spacing < plane.radius; ++k) {
+        const double radius = k * plane.grid_spacing;
+        const double share = (radius / plane.radius - plane.fade_from) / (1.0 - plane.fade_from);
+        const double u = std::clamp(share, 0.0, 1.0);
+        Curve ring =
+            arc_about(panel, plane.centre, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
+                      radius, 2.0 * std::numbers::pi, plane.grid_colour, 1.1);
+        ring.on_plane = the_plane;
+        ring.opacity = plane.opacity * (1.0 - u * u * (3.0 - 2.0 * u));
+        rings.push_back(ring);
+    }
+    return [plane, rings](const Instant&, Sheet& sheet) {
+        sheet.view.planes.push_back(plane);
+        sheet.view.curves.insert(sheet.view.curves.end(), rings.begin(), rings.end());
+    };
+}
+
 Drawer make_plane(Panel& panel) {
     Plane plane;
     plane.centre = {0.0, 0.0, -picture_of(panel).plane_distance};
@@ -71,6 +97,7 @@ Drawer make_plane(Panel& panel) {
     plane.colour = panel.stage->theme->plane;
     plane.grid_colour = panel.stage->theme->grid;
     plane.opacity = panel.stage->theme->plane_opacity;
+    if (panel.stage->turns()) return ringed(panel, plane);
     return [plane](const Instant&, Sheet& sheet) { sheet.view.planes.push_back(plane); };
 }
 
@@ -83,41 +110,64 @@ Drawer make_ellipsoid(Panel& panel) {
     };
 }
 
+// Between direction marks, in the largest half-axis; the same on both curves, which roll on each
+// other.
+constexpr double mark_spacing = 0.45;
+
+// The contact point's path on the ellipsoid, and how much of it is shown.
 Drawer make_polhode(Panel& panel) {
+    const double per_rho = picture_of(panel).picture_per_rho;
+    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px / per_rho;
+    const Polhode& polhode = picture_of(panel).polhode;
+    const bool whole = panel.stage->scene.trail.polhode == "whole";
     CurveGeometry geometry;
-    geometry.closed = picture_of(panel).polhode.closed();
-    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
-    for (const Eigen::Vector3d& point :
-         picture_of(panel).polhode.sampled(tolerance / picture_of(panel).picture_per_rho)) {
-        geometry.points.emplace_back(point * picture_of(panel).picture_per_rho);
+    std::optional<Trail> trail;
+    if (whole) {
+        geometry.closed = polhode.closed();
+        geometry.points = polhode.sampled(tolerance);
+    } else {
+        TimedCurve timed = polhode_trail(*panel.stage, tolerance);
+        geometry.points = std::move(timed.points);
+        trail = std::move(timed.trail);
+        panel.stage->note_curve_error(timed.off * per_rho / panel.units_per_px);
     }
+    for (Eigen::Vector3d& point : geometry.points) point *= per_rho;
     Curve curve;
     curve.geometry = panel.stage->keep(std::move(geometry));
     curve.width_px = 4.0 * panel.px;
     curve.colour = panel.stage->theme->polhode;
     curve.on_surface = the_ellipsoid;
     curve.hidden_opacity = 0.55;
-    return [&panel, curve](const Instant& instant, Sheet& sheet) {
-        sheet.view.curves.push_back(curve);
-        sheet.view.curves.back().placement.linear() =
-            picture_of(panel).picture_from_body(instant).toRotationMatrix();
+    std::optional<DirectionMarks> marks;
+    if (wants_marks(panel)) {
+        marks.emplace(panel, *curve.geometry, mark_spacing,
+                      whole && runs_backwards(panel, curve.geometry->points));
+    }
+    return [&panel, curve, trail, marks](const Instant& instant, Sheet& sheet) {
+        Curve shown = curve;
+        shown.placement.linear() = picture_of(panel).picture_from_body(instant).toRotationMatrix();
+        ShownStretch stretch{0.0, curve.last, 0.0, false};
+        if (trail) stretch = trail->at(instant.time_s);
+        stretch.apply_to(shown);
+        sheet.view.curves.push_back(shown);
+        if (marks) marks->add_to(sheet, shown, stretch.grows);
     };
 }
 
 Drawer make_herpolhode(Panel& panel) {
+    const ConstructionPicture& picture = picture_of(panel);
     const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
-    Herpolhode herpolhode =
-        herpolhode_shown(*panel.stage, tolerance / picture_of(panel).picture_per_rho);
+    TimedCurve timed = herpolhode_trail(*panel.stage, tolerance / picture.picture_per_rho);
 
+    const Eigen::Vector3d foot =
+        -picture.construction.plane_distance() * picture.construction.vertical_space();
     CurveGeometry geometry;
-    geometry.points.reserve(herpolhode.points.size());
-    for (const Eigen::Vector3d& point : herpolhode.points) {
-        geometry.points.emplace_back(picture_of(panel).picture_from_space *
-                                     (herpolhode.foot + point) * picture_of(panel).picture_per_rho);
+    geometry.points.reserve(timed.points.size());
+    for (const Eigen::Vector3d& point : timed.points) {
+        geometry.points.emplace_back(picture.picture_from_space * (foot + point) *
+                                     picture.picture_per_rho);
     }
-    herpolhode.points.clear();
-    panel.stage->note_curve_error(herpolhode.off * picture_of(panel).picture_per_rho /
-                                  panel.units_per_px);
+    panel.stage->note_curve_error(timed.off * picture.picture_per_rho / panel.units_per_px);
     Curve curve;
     curve.geometry = panel.stage->keep(std::move(geometry));
     curve.width_px = 4.0 * panel.px;
@@ -125,9 +175,14 @@ Drawer make_herpolhode(Panel& panel) {
     set_dashes(panel, panel.stage->theme->herpolhode_dashes, curve);
     curve.on_plane = the_plane;
     curve.hidden_opacity = 0.55;
-    return [curve, herpolhode = std::move(herpolhode)](const Instant& instant, Sheet& sheet) {
-        sheet.view.curves.push_back(curve);
-        sheet.view.curves.back().last = herpolhode.index_at(instant.time_s);
+    std::optional<DirectionMarks> marks;
+    if (wants_marks(panel)) marks.emplace(panel, *curve.geometry, mark_spacing, false);
+    return [curve, trail = std::move(timed.trail), marks](const Instant& instant, Sheet& sheet) {
+        Curve shown = curve;
+        const ShownStretch stretch = trail.at(instant.time_s);
+        stretch.apply_to(shown);
+        sheet.view.curves.push_back(shown);
+        if (marks) marks->add_to(sheet, shown, stretch.grows);
     };
 }
 

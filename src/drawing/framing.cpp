@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "drawing/projection.h"
 
@@ -60,6 +61,17 @@ Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eig
     return camera;
 }
 
+void aim_around(Panel& panel, std::vector<Eigen::Vector3d> points, double margin_px) {
+    const auto camera_at = [&panel, points = std::move(points), margin_px](double film_s) {
+        const CameraPose pose = panel.stage->timeline.camera_at(film_s);
+        return framed(panel.box, direction_of(pose.azimuth_deg, pose.elevation_deg),
+                      up_of(pose.azimuth_deg, pose.elevation_deg), field_of(panel), points,
+                      margin_px);
+    };
+    aim(panel, camera_at(0.0));
+    if (panel.stage->timeline.camera_moves()) panel.camera_at = camera_at;
+}
+
 std::vector<Eigen::Vector3d> points_of_ellipsoid(const Eigen::Matrix3d& half_axes) {
     std::vector<Eigen::Vector3d> points;
     constexpr int n_around = 24;
@@ -86,6 +98,12 @@ Eigen::Vector3d direction_of(double azimuth_deg, double elevation_deg) {
     const double elevation = elevation_deg * std::numbers::pi / 180.0;
     return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
             std::sin(elevation)};
+}
+
+Eigen::Vector3d up_of(double azimuth_deg, double elevation_deg) {
+    // The same camera either way; near the vertical z leaves too few digits of it.
+    if (std::abs(elevation_deg) < 89.0) return Eigen::Vector3d::UnitZ();
+    return direction_of(azimuth_deg, elevation_deg + 90.0);
 }
 
 }  // namespace poinsot

@@ -24,6 +24,10 @@ Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eig
               double vertical_field_rad, std::span<const Eigen::Vector3d> points,
               const Margins& margins);
 
+// Aims a panel's camera so from where the scene's camera stands, z upwards, and lets it follow when
+// keyframes move that.
+void aim_around(Panel& panel, std::vector<Eigen::Vector3d> points, double margin_px);
+
 // Points whose frame holds an ellipsoid about the origin: the corners of a polyhedron about it
 // would be too many, so these are points of the surface, dense enough for a frame with a margin.
 std::vector<Eigen::Vector3d> points_of_ellipsoid(const Eigen::Matrix3d& half_axes);
@@ -34,5 +38,8 @@ double field_of(const Panel& panel);
 // The direction in which a camera of the scene stands: azimuth about z from x, elevation above the
 // xy plane, degrees.
 Eigen::Vector3d direction_of(double azimuth_deg, double elevation_deg);
+
+// What is upwards for a camera that stands there: z, or where it looks along z what z tends to.
+Eigen::Vector3d up_of(double azimuth_deg, double elevation_deg);
 
 }  // namespace poinsot

@@ -18,6 +18,16 @@ GlyphMask mask_of(TypesetMask&& set) {
     return mask;
 }
 
+// 1 for a point in the view, falling to 0 a little way outside: a label stays with what it names,
+// and leaves with it.
+double nearness_to_view(const Eigen::Vector2d& at_px, const View& view) {
+    const double reach_px = 0.06 * view.height_px;
+    const double outside_px =
+        std::max({view.x_px - at_px.x(), at_px.x() - view.x_px - view.width_px,
+                  view.y_px - at_px.y(), at_px.y() - view.y_px - view.height_px, 0.0});
+    return std::clamp(1.0 - outside_px / reach_px, 0.0, 1.0);
+}
+
 }  // namespace
 
 SetType TypeCase::set(std::string_view text, const TypeStyle& style) {
@@ -69,9 +79,9 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
                 const Eigen::Vector2d between = boxes[j].centre - boxes[i].centre;
                 const double nearness = between.cwiseQuotient(sum).norm();
                 if (nearness >= 1.0) continue;
-                const Eigen::Vector2d push = 0.5 * (1.0 - nearness) *
-                                             between.cwiseQuotient(sum).cwiseProduct(sum) /
-                                             std::max(nearness, 1e-3);
+                const Eigen::Vector2d push =
+                    0.5 * (1.0 - nearness) * between.cwiseQuotient(sum).cwiseProduct(sum) /
+                    std::max(nearness, 1e-3) * wishes[i].opacity * wishes[j].opacity;
                 boxes[i].centre -= 0.5 * push;
                 boxes[j].centre += 0.5 * push;
             }
@@ -92,6 +102,8 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
         label.colour = wishes[i].colour;
         label.halo_colour = halo;
         label.halo_px = halo_px;
+        label.opacity = wishes[i].opacity * nearness_to_view(wishes[i].anchor_px, view);
+        if (!(label.opacity > 0.0)) continue;
         view.labels.push_back(label);
     }
 }

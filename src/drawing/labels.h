@@ -47,6 +47,7 @@ struct LabelWish {
     Eigen::Vector2d away{1.0, 0.0};
     double gap_px = 6.0;
     Colour colour;
+    double opacity = 1.0;
 };
 
 // Adds the wishes as labels of the view: each at its place, then pushed apart where they would

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drawing/framing.h"
@@ -72,10 +73,7 @@ void make_object_panel(Panel& panel) {
     // The body in every attitude, and arrows upwards.
     std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
     if (arrows.turns()) points.emplace_back(0.0, 0.0, longest_arrow);
-    const CameraSpec& spec = stage.scene.camera;
-    aim(panel, framed(panel.box, direction_of(spec.azimuth_deg, spec.elevation_deg),
-                      Eigen::Vector3d::UnitZ(), field_of(panel), points,
-                      0.7 * label_size * panel.type_px + 24.0 * panel.px));
+    aim_around(panel, std::move(points), 0.7 * label_size * panel.type_px + 24.0 * panel.px);
 
     std::array<SetType, 3> axis_types;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -23,8 +23,9 @@ struct BodyShape {
     double reach_m = 1.0;  // of the body itself; of a stand-in for moments, its size for 1 kg
 };
 
-// The scene's object or mesh; the solid that it names; point masses as balls with volumes as their masses, on thin rods
-// from the centre of mass; for moments or a tensor alone the uniform box that has them.
+// The scene's object or mesh; the solid that it names; point masses as balls with volumes as their
+// masses, on thin rods from the centre of mass; for moments or a tensor alone the uniform box that
+// has them.
 BodyShape body_shape(Panel& panel);
 
 // Edges of the uniform box of 1 kg with these principal moments: a² = 6(I₂ + I₃ − I₁) and so on. An

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/fade.h"
 #include "drawing/time_unit.h"
 #include "scene/scene_error.h"
 
@@ -84,22 +85,30 @@ bool wants(const StageData& stage, const char* name) {
     return show.empty() || std::find(show.begin(), show.end(), name) != show.end();
 }
 
+// A loop has no first instant for a clock to count from, unless the scene wants one all the same.
+bool wants_clock(const StageData& stage) {
+    if (stage.options.loop_s > 0.0 && stage.scene.show.empty()) return false;
+    return wants(stage, "clock");
+}
+
 }  // namespace
 
 std::vector<Drawer> make_overlays(StageData& stage) {
     std::vector<Drawer> overlays;
-    if (!stage.scene.title.empty() && wants(stage, "title")) overlays.push_back(make_title(stage));
-    if (!stage.scene.caption.empty() && wants(stage, "caption")) {
-        overlays.push_back(make_caption(stage));
+    if (!stage.scene.title.empty() && wants(stage, "title")) {
+        overlays.push_back(fading(stage, "title", make_title(stage)));
     }
-    if (wants(stage, "clock")) overlays.push_back(make_clock(stage));
+    if (!stage.scene.caption.empty() && wants(stage, "caption")) {
+        overlays.push_back(fading(stage, "caption", make_caption(stage)));
+    }
+    if (wants_clock(stage)) overlays.push_back(fading(stage, "clock", make_clock(stage)));
     return overlays;
 }
 
 OverlayBands overlay_bands(StageData& stage) {
     OverlayBands bands;
     const bool title = !stage.scene.title.empty() && wants(stage, "title");
-    if (title || wants(stage, "clock")) {
+    if (title || wants_clock(stage)) {
         bands.top_px =
             static_cast<int>(std::ceil(margin(stage) + (title ? 56.0 : 40.0) * stage.px));
     }

@@ -21,11 +21,12 @@ struct Panel {
     double px = 1.0;       // pixels for one pixel of a panel with 1080 rows: lines follow its size
     double type_px = 1.0;  // the same for type, which shrinks less: it must stay readable
     double header_px = 0.0;  // rows at the top that the panel's name takes, 0 without one
-    Camera camera;
-    double units_per_px = 0.001;    // at the camera's target
-    Light light;                    // the theme's, unless the panel turns it
-    Quantities asks = omega_alone;  // what its drawer reads of an instant besides ω
-    bool shows_beside = false;      // whether it reads Instant::beside
+    Camera camera;           // at the film's beginning
+    std::function<Camera(double)> camera_at;  // of a second of the film, if it moves
+    double units_per_px = 0.001;              // at the camera's target
+    Light light;                              // the theme's, unless the panel turns it
+    Quantities asks = omega_alone;            // what its drawer reads of an instant besides ω
+    bool shows_beside = false;                // whether it reads Instant::beside
     Drawer draw;
 };
 

@@ -7,10 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "drawing/direction_marks.h"
 #include "drawing/framing.h"
 #include "drawing/marks.h"
+#include "drawing/trail.h"
 
 namespace poinsot {
 
@@ -63,36 +67,41 @@ Plane plane_of(const Panel& panel) {
                                      std::min(1.0, 1.0 * panel.box.width_px / panel.box.height_px));
     plane.fade_from = 0.6;
     plane.grid_spacing = 0.25;
-    plane.grid_px = 1.0 * panel.px;
+    // Straight lines would turn in axes that do; the annulus's circles stand still.
+    plane.grid_px = panel.stage->turns() ? 0.0 : 1.0 * panel.px;
     plane.colour = panel.stage->theme->plane;
     plane.grid_colour = panel.stage->theme->grid;
     plane.opacity = 0.8 * panel.stage->theme->plane_opacity;
     return plane;
 }
 
-// The herpolhode with the instants of its points.
-struct TimedCurve {
+// The herpolhode, and how much of it is shown.
+struct HerpolhodeCurve {
     Curve curve;
-    Herpolhode herpolhode;
+    Trail trail;
+    std::optional<DirectionMarks> marks;
 };
 
-TimedCurve herpolhode_of(Panel& panel, const PlanScale& scale) {
+HerpolhodeCurve herpolhode_of(Panel& panel, const PlanScale& scale) {
     const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
-    TimedCurve timed;
-    timed.herpolhode = herpolhode_shown(*panel.stage, tolerance / scale.plan_per_rho);
+    TimedCurve timed = herpolhode_trail(*panel.stage, tolerance / scale.plan_per_rho);
+    panel.stage->note_curve_error(timed.off * scale.plan_per_rho / panel.units_per_px);
     CurveGeometry geometry;
-    for (const Eigen::Vector3d& point : timed.herpolhode.points) {
+    for (const Eigen::Vector3d& point : timed.points) {
         Eigen::Vector3d at = scale.plan_from_space * point * scale.plan_per_rho;
         at.z() = 0.0;
         geometry.points.push_back(at);
     }
-    timed.herpolhode.points.clear();
-    timed.curve = curve_of(panel, panel.stage->keep(std::move(geometry)),
+    Curve curve = curve_of(panel, panel.stage->keep(std::move(geometry)),
                            panel.stage->theme->herpolhode, 4.0);
-    set_dashes(panel, panel.stage->theme->herpolhode_dashes, timed.curve);
-    timed.curve.on_plane = the_plane;
-    timed.curve.occlusion = Occlusion::none;
-    return timed;
+    set_dashes(panel, panel.stage->theme->herpolhode_dashes, curve);
+    curve.on_plane = the_plane;
+    curve.occlusion = Occlusion::none;
+    // Of the outer circle's radius.
+    constexpr double mark_spacing = 1.1;
+    std::optional<DirectionMarks> marks;
+    if (wants_marks(panel)) marks.emplace(panel, *curve.geometry, mark_spacing, false);
+    return {curve, std::move(timed.trail), std::move(marks)};
 }
 
 Curve circle_of(const Panel& panel, double radius) {
@@ -118,7 +127,7 @@ void make_plan_panel(Panel& panel) {
         if (scale.inner > 1e-3 && scale.inner < 0.999)
             circles.push_back(circle_of(panel, scale.inner));
     }
-    TimedCurve timed;
+    std::optional<HerpolhodeCurve> timed;
     if (panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
         timed = herpolhode_of(panel, scale);
     }
@@ -141,14 +150,17 @@ void make_plan_panel(Panel& panel) {
             line_between(panel, Eigen::Vector3d::Zero(), contact, panel.stage->theme->omega, 1.6);
         radius.occlusion = Occlusion::none;
         sheet.view.curves.push_back(radius);
-        if (timed.curve.geometry != nullptr) {
-            sheet.view.curves.push_back(timed.curve);
-            sheet.view.curves.back().last = timed.herpolhode.index_at(instant.time_s);
+        if (timed) {
+            Curve shown = timed->curve;
+            const ShownStretch stretch = timed->trail.at(instant.time_s);
+            stretch.apply_to(shown);
+            sheet.view.curves.push_back(shown);
+            if (timed->marks) timed->marks->add_to(sheet, shown, stretch.grows);
         }
 
-        if (timed.curve.geometry != nullptr) {
-            // Where the curve begins.
-            Dot start = dot_at(panel, timed.curve.geometry->points.front(),
+        // Where the film's curve begins; a loop has no beginning.
+        if (timed && !(panel.stage->options.loop_s > 0.0)) {
+            Dot start = dot_at(panel, timed->curve.geometry->points.front(),
                                panel.stage->theme->herpolhode, 4.5);
             start.occlusion = Occlusion::none;
             sheet.view.dots.push_back(start);

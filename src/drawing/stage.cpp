@@ -1,13 +1,19 @@
 #include "drawing/stage.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <numbers>
 
+#include "drawing/fade.h"
 #include "drawing/overlay.h"
 #include "drawing/panel.h"
 #include "drawing/stage_data.h"
+#include "error/nearest.h"
+#include "mechanics/free_rotation.h"
+#include "scene/film_clock.h"
 #include "scene/scene_error.h"
 
 namespace poinsot {
@@ -125,21 +131,6 @@ Eigen::Vector3d ConstructionPicture::contact(const Instant& instant) const {
     return picture_from_space * construction.contact_space(instant.state) * picture_per_rho;
 }
 
-Herpolhode herpolhode_shown(const StageData& stage, double tolerance) {
-    const PoinsotConstruction& construction = stage.rolling->construction;
-    // ω turns about L at most at L/I_min; half a turn at that rate is surely one piece of the
-    // curve.
-    const double fastest =
-        construction.momentum_kg_m2_s() / construction.inertia().moments_kg_m2().minCoeff();
-    const double feature_s = fastest > 0.0 ? std::numbers::pi / fastest : 1.0;
-    Herpolhode herpolhode =
-        sample_herpolhode(construction, stage.motion.motion(), stage.options.first_time_s,
-                          stage.options.last_time_s, feature_s, tolerance);
-    stage.motion.count({.attitude = false, .herpolhode = true, .euler_angles = false},
-                       herpolhode.n_evaluations);
-    return herpolhode;
-}
-
 StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOptions& options_,
                      const Motion* beside_)
     : scene(scene_),
@@ -148,16 +139,12 @@ StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOpti
       theme(at_scene_key(scene_, "theme", [&] { return &theme_named(scene_.theme); })) {
     if (beside_ != nullptr) beside.emplace(*beside_);
     px = options.line_scale > 0.0 ? options.line_scale : options.height_px / 1080.0;
-    const FilmSpec& film = scene.film;
-    film_first_s = std::min(film.start_s, options.first_time_s);
-    film_last_s = std::max(film.start_s + film.duration_s.value_or(default_film_s * film.speed),
-                           options.last_time_s);
+    film_first_s = std::min(scene.film.start_s, options.first_time_s);
+    film_last_s = std::max(film_end_time_s(scene), options.last_time_s);
     unit_circle = keep(circle_of_radius_1(options, scene.accuracy_px));
     unit_segment = keep({.points = {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}});
-    const MotionProblem& problem = motion_.problem();
-    if (std::holds_alternative<NoTorque>(problem.torque) && !problem.start.omega_body.isZero(0.0)) {
-        rolling.emplace(problem.inertia, problem.start);
-    }
+    make_construction();
+    timeline = Timeline(scene, rolling ? rolling->plane_distance : 0.0);
     // Curves are subdivided to half of accuracy_px; those that could not be note it.
     note_curve_error(0.5 * scene.accuracy_px);
     make_panels();
@@ -167,6 +154,32 @@ StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOpti
                          "\"momentum\" or \"plot\"");
     }
     overlays = make_overlays(*this);
+    check_fades();
+}
+
+void StageData::make_construction() {
+    const MotionProblem& problem = motion.motion().problem();
+    if (!std::holds_alternative<NoTorque>(problem.torque) || problem.start.omega_body.isZero(0.0)) {
+        return;
+    }
+    rolling.emplace(problem.inertia, problem.start);
+    const FreeRotationConstants constants =
+        FreeRotation(problem.inertia, problem.start).constants();
+    polhode_period_s = constants.polhode_period_s;
+    if (scene.camera.motion == "co-precessing") turn_rate_rad_s = constants.mean_advance_rate_rad_s;
+}
+
+void StageData::check_fades() const {
+    for (std::size_t i = 0; i < scene.fades.size(); ++i) {
+        for (const std::string& name : scene.fades[i].elements) {
+            if (can_fade.contains(name)) continue;
+            const std::vector<std::string_view> known(can_fade.begin(), can_fade.end());
+            throw SceneError(
+                scene.location_of(fmt::format("fades[{}].elements", i)),
+                fmt::format("nothing shown is called \"{}\"{}; here fade: {}", echo(name),
+                            did_you_mean(name, known), fmt::join(known, ", ")));
+        }
+    }
 }
 
 void StageData::make_panels() {
@@ -213,6 +226,7 @@ void StageData::make_panels() {
                 header(instant, sheet);
             };
         }
+        panel.draw = fading(*this, spec.kind, std::move(panel.draw));
     }
 }
 
@@ -228,15 +242,30 @@ const MeshGeometry* StageData::keep(MeshGeometry geometry) {
     return &meshes.emplace_back(std::move(geometry));
 }
 
-Instant StageData::instant_at(double time_s) const {
-    const MotionSample sample = motion.sample(time_s, asks);
-    Instant instant{time_s, sample.state, sample.herpolhode_space, sample.euler, {}};
+Instant StageData::instant_at(const FilmMoment& moment) const {
+    const MotionSample sample = motion.sample(moment.time_s, asks);
+    Instant instant{moment.time_s, sample.state,  sample.herpolhode_space,
+                    sample.euler,  moment.film_s, {}};
     if (shows_beside) {
         constexpr Quantities whole_state{
             .attitude = true, .herpolhode = false, .euler_angles = false};
-        instant.beside = beside->sample(time_s, whole_state).state;
+        instant.beside = beside->sample(moment.time_s, whole_state).state;
+    }
+    if (turns()) {
+        const Eigen::Quaterniond turn = turned_from_space(moment.time_s);
+        instant.state.space_from_body = turn * instant.state.space_from_body;
+        instant.herpolhode_space = turn * instant.herpolhode_space;
+        if (instant.beside) {
+            instant.beside->space_from_body = turn * instant.beside->space_from_body;
+        }
     }
     return instant;
+}
+
+Eigen::Quaterniond StageData::turned_from_space(double time_s) const {
+    const double angle_rad = turn_rate_rad_s * (time_s - scene.film.start_s);
+    return Eigen::Quaterniond(
+        Eigen::AngleAxisd(-angle_rad, rolling->construction.vertical_space()));
 }
 
 double StageData::quickest_rate_rad_s() const {
@@ -255,12 +284,9 @@ double StageData::quickest_rate_rad_s() const {
 
 std::vector<LiveValue> StageData::live_values(const Instant& instant) const {
     const Eigen::Vector3d& omega = instant.state.omega_body;
-    return {{"time_s", instant.time_s},
-            {"time_h", instant.time_s / 3600.0},
-            {"time_d", instant.time_s / 86400.0},
-            {"omega_1_rad_s", omega[0]},
-            {"omega_2_rad_s", omega[1]},
-            {"omega_3_rad_s", omega[2]}};
+    return {{"time_s", instant.time_s},           {"time_h", instant.time_s / 3600.0},
+            {"time_d", instant.time_s / 86400.0}, {"omega_1_rad_s", omega[0]},
+            {"omega_2_rad_s", omega[1]},          {"omega_3_rad_s", omega[2]}};
 }
 
 Stage::Stage(const Scene& scene, const Motion& motion, const StageOptions& options,
@@ -275,7 +301,11 @@ const EvaluationCounts& Stage::counts() const { return data_->motion.counts(); }
 double Stage::curve_error_px() const { return data_->curve_error_px; }
 
 Drawing Stage::at(double time_s) const {
-    const Instant instant = data_->instant_at(time_s);
+    return at(moment_of_time(FilmClock(data_->scene), time_s));
+}
+
+Drawing Stage::at(const FilmMoment& moment) const {
+    const Instant instant = data_->instant_at(moment);
     Drawing drawing;
     drawing.width_px = data_->options.width_px;
     drawing.height_px = data_->options.height_px;
@@ -287,7 +317,7 @@ Drawing Stage::at(double time_s) const {
         view.y_px = panel.box.y_px;
         view.width_px = panel.box.width_px;
         view.height_px = panel.box.height_px;
-        view.camera = panel.camera;
+        view.camera = panel.camera_at ? panel.camera_at(moment.film_s) : panel.camera;
         view.light = panel.light;
         // Panels that share the picture stand on its one background.
         view.background = data_->theme->background;

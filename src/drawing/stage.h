@@ -6,6 +6,7 @@
 
 #include "drawing/drawing.h"
 #include "mechanics/motion.h"
+#include "scene/film_clock.h"
 #include "scene/scene.h"
 
 namespace poinsot {
@@ -20,6 +21,8 @@ struct StageOptions {
     double line_scale = 0.0;  // pixels for a line of "one pixel at 1080 rows"; 0: height_px / 1080
     double first_time_s = 0.0;  // the instants that are drawn lie between these; histories begin
     double last_time_s = 0.0;   // with the first and are made up to the last
+    double loop_s = 0.0;        // after which the picture is the same again, seconds of motion; 0:
+                                // it never is
 };
 
 // Holds the geometry that all video frames share and makes the drawing of an instant. Immutable
@@ -34,7 +37,9 @@ class Stage {
     Stage(Stage&&) noexcept;
     Stage& operator=(Stage&&) noexcept;
 
+    // The second of the film is the one that its clock names for this instant.
     Drawing at(double time_s) const;
+    Drawing at(const FilmMoment& moment) const;
 
     // What has been asked of the motion since the stage was made, its making included.
     const EvaluationCounts& counts() const;

@@ -7,9 +7,10 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
-#include "construction/herpolhode.h"
 #include "construction/poinsot_construction.h"
 #include "construction/polhode.h"
 #include "drawing/drawing.h"
@@ -18,6 +19,7 @@
 #include "drawing/live_text.h"
 #include "drawing/stage.h"
 #include "drawing/theme.h"
+#include "drawing/timeline.h"
 
 namespace poinsot {
 
@@ -27,6 +29,7 @@ struct Instant {
     RotationState state;  // the attitude is the identity unless a panel asks for it
     Eigen::Vector3d herpolhode_space = Eigen::Vector3d::Zero();  // if asked for, as in MotionSample
     EulerAngles euler;                                           // if asked for
+    double film_s = 0.0;                                         // second of the film
     std::optional<RotationState> beside{};  // by the method beside, if a panel shows it
 };
 
@@ -62,10 +65,6 @@ struct ConstructionPicture {
 struct Panel;
 struct StageData;
 
-// The herpolhode over the stage's span, in the ellipsoid's lengths, to a tolerance in them.
-// Precondition: the stage has a construction.
-Herpolhode herpolhode_shown(const StageData& stage, double tolerance);
-
 struct StageData {
     Scene scene;
     CountedMotion motion;
@@ -78,6 +77,11 @@ struct StageData {
     double film_last_s = 1.0;
 
     std::optional<ConstructionPicture> rolling;  // torque-free motions that turn
+    std::optional<double> polhode_period_s;      // where it has one
+    double turn_rate_rad_s = 0.0;  // of the space axes shown about L: a co-precessing camera's
+
+    Timeline timeline;
+    std::set<std::string, std::less<>> can_fade;  // names that a fade may say here
 
     // Made once for all instants; addresses stay valid for the stage's life.
     TypeCase type_case;
@@ -103,8 +107,15 @@ struct StageData {
     // Notes how far a curve's polyline was measured to be from the curve, in pixels.
     void note_curve_error(double error_px) { curve_error_px = std::max(curve_error_px, error_px); }
 
-    // What the panels ask for at an instant, and nothing else.
-    Instant instant_at(double time_s) const;
+    // What the panels ask for at an instant, and nothing else; attitude and herpolhode in the space
+    // axes shown.
+    Instant instant_at(const FilmMoment& moment) const;
+
+    // A co-precessing camera, the lamp that goes with it, and the plane as it sees it, turn about L
+    // together; the same picture comes of axes that turn while they stand still. From space axes
+    // to those; they coincide at the film's start.
+    bool turns() const { return turn_rate_rad_s != 0.0; }
+    Eigen::Quaterniond turned_from_space(double time_s) const;
 
     // A rate that |ω| does not exceed, rad/s: from the energy at the start and what gravity can
     // add.
@@ -114,7 +125,9 @@ struct StageData {
     std::vector<LiveValue> live_values(const Instant& instant) const;
 
  private:
+    void make_construction();
     void make_panels();
+    void check_fades() const;
 };
 
 }  // namespace poinsot

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "construction/timed_path.h"
@@ -235,12 +236,9 @@ class TopDrawer {
 
 void make_top_panel(Panel& panel) {
     panel.asks = {.attitude = false, .herpolhode = false, .euler_angles = true};
-    const CameraSpec& spec = panel.stage->scene.camera;
     std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
     points.emplace_back(0.0, 0.0, vertical_length);
-    aim(panel, framed(panel.box, direction_of(spec.azimuth_deg, spec.elevation_deg),
-                      Eigen::Vector3d::UnitZ(), field_of(panel), points,
-                      0.7 * label_size * panel.type_px + 24.0 * panel.px));
+    aim_around(panel, std::move(points), 0.7 * label_size * panel.type_px + 24.0 * panel.px);
 
     const HeavyTop& top = *panel.stage->motion.motion().heavy_top();
     const auto& gravity = std::get<GravityTorque>(panel.stage->motion.motion().problem().torque);

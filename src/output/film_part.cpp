@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "error/error.h"
+#include "output/chapters.h"
 #include "output/video_encoder.h"
 
 extern "C" {
@@ -165,7 +166,7 @@ void copy_packets(const AtomicFile& from, libav::Muxer& to, std::int64_t n_packe
 
 // Copies the first frames of a part into a file with its index in front.
 void copy_to_whole(const AtomicFile& part, const AtomicFile& whole, std::int64_t n_frames,
-                   const Retell& retell) {
+                   std::span<const FilmChapter> chapters, const Retell& retell) {
     const fs::path& path = whole.path();
     PartReader reader(part);
     if (!reader.valid())
@@ -181,6 +182,7 @@ void copy_to_whole(const AtomicFile& part, const AtomicFile& whole, std::int64_t
     const std::string text = reader.text(kMetadataKey);
     av_dict_set(&muxer.context()->metadata, kMetadataKey,
                 (retell ? retell(text, n_frames) : text).c_str(), 0);
+    add_chapters(*muxer.context(), chapters, {reader.rate().num, reader.rate().den});
     libav::Options options;
     options.set("movflags", "faststart+use_metadata_tags");
     options.set("video_track_timescale", fmt::format("{}", stream->time_base.den));
@@ -275,7 +277,7 @@ std::uint64_t FilmPart::n_bytes() const {
 void FilmPart::finish(std::int64_t n_frames) {
     muxer_->write_trailer();
     AtomicFile whole(plan_.path);
-    copy_to_whole(file_, whole, n_frames, {});
+    copy_to_whole(file_, whole, n_frames, plan_.chapters, {});
     whole.commit();
     muxer_.reset();
     file_.discard();
@@ -292,7 +294,8 @@ std::int64_t recover_film(const fs::path& path, const Retell& retell) {
     if (n_frames == 0)
         throw InputError(fmt::format("no frame of {} had been finished", path.string()));
     AtomicFile whole(path);
-    copy_to_whole(part, whole, n_frames, retell);
+    // What is left aside does not say the chapters.
+    copy_to_whole(part, whole, n_frames, {}, retell);
     whole.commit();
     part.discard();
     return n_frames;

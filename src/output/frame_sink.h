@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "image/image.h"
 
@@ -21,16 +22,24 @@ struct FrameRate {
     }
 };
 
+// A named section, in frames of the output counted from its first.
+struct FilmChapter {
+    std::string title;
+    std::int64_t first_frame = 0;
+    std::int64_t end_frame = 0;  // one past its last
+};
+
 // What every output needs to know before its first frame.
 struct OutputPlan {
     std::filesystem::path path;  // final name; "####" in a PNG name is the frame number
     int width_px = 0, height_px = 0;
     FrameRate rate;
-    std::int64_t first_frame = 0;     // number of the first frame written, for sequences
-    std::int64_t n_frames = 0;        // how many will come
-    std::string quality = "lecture";  // draft, lecture, print, reference
-    int encoder_threads = 0;          // 0: chosen by the sink
-    std::string metadata;             // text carried in the file
+    std::int64_t first_frame = 0;       // number of the first frame written, for sequences
+    std::int64_t n_frames = 0;          // how many will come
+    std::string quality = "lecture";    // draft, lecture, print, reference
+    int encoder_threads = 0;            // 0: chosen by the sink
+    std::string metadata;               // text carried in the file
+    std::vector<FilmChapter> chapters;  // where the container can, in order
     // Go on from what an interrupted run with the same plan has left aside, and leave it aside when
     // interrupted again. Formats that cannot start from the first frame.
     bool resume = false;

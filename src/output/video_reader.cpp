@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <span>
+
 #include "error/error.h"
 #include "image/png.h"
 #include "output/libav.h"
@@ -107,6 +109,14 @@ void VideoReader::Impl::describe() {
     const AVDictionaryEntry* entry = nullptr;
     while ((entry = av_dict_get(demuxer->metadata, "", entry, AV_DICT_IGNORE_SUFFIX)))
         info.texts[entry->key] = entry->value;
+    // Chapters' times, in whole frames.
+    const AVRational frame_s = av_inv_q(stream->avg_frame_rate);
+    for (const AVChapter* chapter : std::span(demuxer->chapters, demuxer->nb_chapters)) {
+        const AVDictionaryEntry* title = av_dict_get(chapter->metadata, "title", nullptr, 0);
+        info.chapters.push_back({title == nullptr ? "" : title->value,
+                                 av_rescale_q(chapter->start, chapter->time_base, frame_s),
+                                 av_rescale_q(chapter->end, chapter->time_base, frame_s)});
+    }
 }
 
 std::int64_t VideoReader::Impl::count_packets() {

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "image/image.h"
 #include "output/frame_sink.h"
@@ -21,6 +22,7 @@ struct VideoInfo {
     std::string container, codec, pixel_format;
     std::string range, matrix, primaries, transfer, chroma_location;
     std::map<std::string, std::string> texts;
+    std::vector<FilmChapter> chapters;
 };
 
 // Move-only.

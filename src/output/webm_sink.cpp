@@ -8,6 +8,7 @@
 #include "error/error.h"
 #include "image/alpha.h"
 #include "image/atomic_file.h"
+#include "output/chapters.h"
 #include "output/formats.h"
 #include "output/video_encoder.h"
 #include "output/yuv.h"
@@ -94,6 +95,7 @@ class WebmSink : public FrameSink {
         stream->avg_frame_rate = as_rational(plan_.rate);
         if (alpha) av_dict_set(&stream->metadata, "alpha_mode", "1", 0);
         av_dict_set(&muxer_->context()->metadata, "poinsot", plan_.metadata.c_str(), 0);
+        add_chapters(*muxer_->context(), plan_.chapters, plan_.rate);
         libav::Options options;
         // The index in front lets players seek while they load.
         options.set("cues_to_front", "1");

@@ -10,7 +10,9 @@
 namespace poinsot {
 namespace {
 
-bool shows(const Cone& cone) { return cone.opacity > 0.0 && cone.length > 0.0; }
+bool shows(const Cone& cone) {
+    return cone.opacity > 0.0 && cone.presence > 0.0 && cone.length > 0.0;
+}
 
 // Unit vectors across the axis, the first as near to the reference as can be.
 struct ConeAxes {
@@ -72,7 +74,7 @@ void add_cone(Constants& constants, const Projection& p, const Cone& cone) {
     constants.add(turning * down, cone.n_rulings);
     constants.add(axes.first / axes.tangent, cone.phase_rad);
     constants.add(axes.second / axes.tangent);
-    constants.add(axes.axis);
+    constants.add(axes.axis, cone.presence);
     constants.add4(linear_from_srgb(cone.colour, cone.opacity));
 }
 

@@ -148,10 +148,9 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve) {
     constants.add(curve.width_px, curve.hidden == HiddenStyle::absent ? -1.0 : curve.hidden_opacity,
                   own, curve.on_plane);
     const Quadric* surface = own < 0 ? nullptr : &scene.quadrics[static_cast<std::size_t>(own)];
-    constants.add(
-        period, dash_px / (dash_px + gap_px),
-        surface == nullptr ? 0.0 : surface->limb_cosine(),
-        surface == nullptr ? 0.0 : scene.view->ellipsoids[static_cast<std::size_t>(own)].opacity);
+    constants.add(period, dash_px / (dash_px + gap_px),
+                  surface == nullptr ? 0.0 : surface->limb_cosine(),
+                  surface == nullptr ? 0.0 : surface->hiding);
     if (occluded) scene.add_solids(constants);
     // Each curve lies a step before all that were drawn earlier, so that the depth buffer need not
     // be emptied for every picture. Steps are powers of two and depths lie between 1/2 and 1: what

@@ -34,7 +34,7 @@ void EllipsoidPass::draw(const ViewScene& scene) {
     order_.clear();
     for (int k = 0; k < scene.n_quadrics(); ++k) {
         const auto i = static_cast<std::size_t>(k);
-        if (scene.quadrics[i].seen && scene.view->ellipsoids[i].opacity > 0.0) order_.push_back(k);
+        if (scene.quadrics[i].seen && is_present(scene.view->ellipsoids[i])) order_.push_back(k);
     }
     const auto quadric = [&](int k) -> const Quadric& {
         return scene.quadrics[static_cast<std::size_t>(k)];
@@ -75,8 +75,8 @@ void EllipsoidPass::draw_group(const ViewScene& scene, const int* members, int n
         constants.add(q.gy, shape.ruling_px > 0.0 ? shape.ruling_opacity : 0.0);
         constants.add(q.to_u_row(0), shape.n_meridians);
         constants.add(q.to_u_row(1), shape.n_parallels);
-        constants.add(q.to_u_row(2));
-        constants.add4(linear_from_srgb(shape.colour, 1.0));
+        constants.add(q.to_u_row(2), shape.presence);
+        constants.add4(linear_from_srgb(shape.colour, shape.opacity));
         constants.add4(linear_from_srgb(shape.line_colour, shape.section_px));
         box.add({q.outline.box.left, q.outline.box.top});
         box.add({q.outline.box.right, q.outline.box.bottom});

@@ -42,7 +42,9 @@ Quadric::Quadric(const Ellipsoid& ellipsoid, const Projection& projection)
     : axes(thickened(ellipsoid.half_axes)),
       to_u(axes.inverse()),
       centre(ellipsoid.centre),
-      depth(projection.depth(centre)) {
+      depth(projection.depth(centre)),
+      presence(ellipsoid.presence),
+      hiding(ellipsoid.opacity * ellipsoid.presence) {
     const Projection& view = projection;
     const bool before_eye = !view.perspective || depth > view.near_depth;
     anchor_px = before_eye ? view.pixel(centre) : view.centre_px;

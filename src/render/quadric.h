@@ -25,6 +25,8 @@ struct Quadric {
     Eigen::Vector2d narrow =
         Eigen::Vector2d::UnitX();  // direction in which the outline is narrowest
     double narrow_bend = -1.0;     // second derivative of |d|² - |m|² along it
+    double presence = 1.0;         // of the ellipsoid
+    double hiding = 1.0;           // its opacity to what lies behind it, as far as it is present
     double narrow_px = 1e9;        // least half width of the outline
     double wide_px = 1e9;          // greatest half width
     bool seen = true;
@@ -39,5 +41,9 @@ struct Quadric {
     // The cosine of the angle between normal and line of sight a tenth of a pixel within the limb.
     double limb_cosine() const;
 };
+
+inline bool is_present(const Ellipsoid& ellipsoid) {
+    return ellipsoid.opacity > 0.0 && ellipsoid.presence > 0.0;
+}
 
 }  // namespace poinsot

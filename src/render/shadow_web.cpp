@@ -29,6 +29,7 @@ struct Shade {
     double reach(const Eigen::Vector3d& direction) const;
 
     const Plane& plane;
+    double presence = 1.0;        // of the ellipsoid
     Eigen::Matrix3d to_u;         // u = to_u (X - centre), where the ellipsoid is the unit sphere
     Eigen::Vector3d centre;       // of the ellipsoid
     Eigen::Vector3d hub;          // the point of the plane nearest to it
@@ -40,7 +41,12 @@ struct Shade {
 };
 
 Shade::Shade(const Plane& on, const Quadric& caster, const Light& light)
-    : plane(on), to_u(caster.to_u), centre(caster.centre), key(light.key), sky(light.sky) {
+    : plane(on),
+      presence(caster.presence),
+      to_u(caster.to_u),
+      centre(caster.centre),
+      key(light.key),
+      sky(light.sky) {
     const double height = plane.normal.dot(centre - plane.centre);
     const Eigen::Vector3d up = (height < 0.0 ? -1.0 : 1.0) * plane.normal;
     const Eigen::Vector3d lean = caster.axes.transpose() * up;
@@ -84,8 +90,9 @@ double Shade::darkness(const Eigen::Vector3d& point) const {
     const double taken = (key * key_taken + sky * sky_taken) / std::max(key + sky, 1e-6);
 
     const double r = (point - plane.centre).norm() / plane.radius;
-    return std::max(taken * plane.opacity * (1.0 - smoothstep(plane.fade_from, 1.0, r)) - unseen,
-                    0.0);
+    return std::max(
+        presence * taken * plane.opacity * (1.0 - smoothstep(plane.fade_from, 1.0, r)) - unseen,
+        0.0);
 }
 
 double Shade::reach(const Eigen::Vector3d& direction) const {

@@ -30,7 +30,7 @@ void ViewScene::prepare(const Drawing& whole, const View& shown) {
         quadrics.emplace_back(ellipsoid, projection);
     casters.clear();
     for (std::size_t k = 0; k < quadrics.size(); ++k)
-        if (shown.ellipsoids[k].casts_shadow && shown.ellipsoids[k].opacity > 0.0)
+        if (shown.ellipsoids[k].casts_shadow && is_present(shown.ellipsoids[k]))
             casters.push_back(quadrics[k]);
     maps.clear();
     before_solids.clear();
@@ -72,7 +72,7 @@ void ViewScene::add_quadric(Constants& constants, std::size_t ellipsoid) const {
     const bool narrow = q.narrow_px < narrow_below_px;
     constants.add(q.d0, q.anchor_px.x());
     constants.add(q.dx, q.anchor_px.y());
-    constants.add(q.dy, view->ellipsoids[ellipsoid].opacity);
+    constants.add(q.dy, q.hiding);
     constants.add(q.m0, q.narrow.x());
     constants.add(q.mx, q.narrow.y());
     constants.add(q.my, narrow ? q.narrow_bend : 0.0);

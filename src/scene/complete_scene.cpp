@@ -1,5 +1,5 @@
-// From what was read to a whole scene: torque, method, film and grid; the mechanics' refusals get
-// the place of the key that they concern.
+// From what was read to a whole scene: torque, method and grid; the mechanics' refusals get the
+// place of the key that they concern.
 #include <fmt/format.h>
 
 #include <array>
@@ -105,23 +105,6 @@ void check_motion(const SceneDraft& draft) {
     check_method_of(draft, "beside", *scene.beside);
 }
 
-// [film]
-
-// A scene cannot ask for more frames than a disk holds.
-void check_film(const Scene& scene) {
-    const FilmSpec& film = scene.film;
-    constexpr double most_frames = 1e7;
-    const double duration_s = film.duration_s.value_or(default_film_s * film.speed);
-    const double n_frames = duration_s / film.speed * static_cast<double>(film.fps_numerator) /
-                            static_cast<double>(film.fps_denominator);
-    if (!(n_frames <= most_frames) || !std::isfinite(film.start_s + duration_s)) {
-        refuse(scene, "film.duration_s",
-               fmt::format("the film would have {:.3g} frames; a film has at most {:.0g}, so "
-                           "shorten film.duration_s or raise film.speed",
-                           n_frames, most_frames));
-    }
-}
-
 // [grid] and [[panels]]
 
 // A grid that was not given has as many equal cells as the panels reach.
@@ -167,7 +150,9 @@ Scene complete_scene(SceneDraft draft) {
     complete_start(draft);
     complete_torque(draft);
     check_motion(draft);
-    check_film(draft.scene);
+    complete_camera(draft);
+    complete_timeline(draft);
+    complete_film(draft);
     complete_grid(draft);
     return std::move(draft.scene);
 }

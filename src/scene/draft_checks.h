@@ -53,5 +53,8 @@ void complete_object_body(SceneDraft& draft);  // [body] object
 void complete_mesh_body(SceneDraft& draft);    // [body] mesh
 void complete_look(SceneDraft& draft);         // [object], once the body is complete
 void complete_start(SceneDraft& draft);
+void complete_film(SceneDraft& draft);
+void complete_camera(SceneDraft& draft);
+void complete_timeline(SceneDraft& draft);
 
 }  // namespace poinsot

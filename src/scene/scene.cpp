@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scene/film_clock.h"
 #include "scene/scene_error.h"
 
 namespace poinsot {
@@ -36,10 +37,8 @@ MotionProblem problem_of(const Scene& scene) {
     problem.torque = scene.torque;
     problem.method = scene.method;
 
-    const FilmSpec& film = scene.film;
-    const double duration_s = film.duration_s.value_or(default_film_s * film.speed);
-    problem.first_time_s = std::min(0.0, film.start_s);
-    problem.last_time_s = std::max(0.0, film.start_s + duration_s);
+    problem.first_time_s = std::min(0.0, scene.film.start_s);
+    problem.last_time_s = std::max(0.0, film_end_time_s(scene));
     // A history's last piece lasts at most a quarter of the fastest turn that ω can make about L,
     // (π/2)·I_min/L ≤ (π/2)/|ω|.
     const double rate = problem.start.omega_body.stableNorm();

@@ -69,17 +69,20 @@ struct StartSpec {
     std::optional<TopStart> top;
 };
 
-// Length of a film whose scene does not say its duration, in seconds of film.
+// Length of a film whose scene does not say how long it lasts, in seconds of film.
 constexpr double default_film_s = 10.0;
 
-// [film]: which instants become video frames. Frame k shows start_s + k·speed/fps.
+// [film]: which instants become video frames. Frame k shows second k/fps of the film; which instant
+// of the motion that is, see FilmClock.
 struct FilmSpec {
     double start_s = 0.0;
-    std::optional<double>
-        duration_s;  // of the motion shown; absent: chosen from the motion's periods
+    std::optional<double> duration_s;  // of the motion shown; absent: what length_s shows
+    std::optional<double> length_s;    // of the film
+    std::string loop;          // "p/q", "period", or empty: the film does not run into itself
+    std::string loop_changes;  // of loop_values(); empty: the one that need change least
     std::int64_t fps_numerator = 30, fps_denominator = 1;
     int width_px = 1920, height_px = 1080;
-    double speed = 1.0;  // seconds of motion a second of film
+    double speed = 1.0;  // seconds of motion a second of film, until a keyframe changes it
     std::string quality = "lecture";
 };
 
@@ -87,11 +90,47 @@ struct FilmSpec {
 struct CameraSpec {
     double azimuth_deg = -40.0;
     double elevation_deg = 14.0;
-    double distance = 5.2;    // in units of the largest half-axis, from the target
-    double field_deg = 28.0;  // vertical
-    std::optional<Eigen::Vector3d>
-        target;                    // picture axes; absent: chosen to frame the construction
+    double distance = 5.2;                  // in units of the largest half-axis, from the target
+    double field_deg = 28.0;                // vertical
+    std::optional<Eigen::Vector3d> target;  // picture axes; absent: what look_at names
+    std::string look_at = "middle";         // of camera_aims()
+    std::string view;              // of camera_views(), which set what is not said otherwise
     std::string motion = "fixed";  // fixed, co-precessing
+};
+
+// [trail]: how much of the paths of the contact point is shown, and how.
+struct TrailSpec {
+    std::string polhode = "whole";       // of trail_kinds()
+    std::string herpolhode = "history";  // likewise
+    std::optional<double> length_s;      // of a fading trail; absent: one polhode period
+    bool direction_marks = false;        // chevrons that show which way it runs
+};
+
+// [[keyframes]]: what has been reached at a second of the film. Where a keyframe does not say a
+// value, it does not bend that value's way.
+struct KeyframeSpec {
+    double at_s = 0.0;              // of the film
+    std::string easing = "smooth";  // how the values go here from the keyframe before
+    std::string view;               // sets what of the camera is not said otherwise
+    std::optional<double> azimuth_deg, elevation_deg, distance, field_deg;
+    std::optional<Eigen::Vector3d> target;
+    std::string look_at;
+    std::optional<double> speed;
+};
+
+// [[fades]]: elements, overlays or panels that come, go or grow pale.
+struct FadeSpec {
+    double at_s = 0.0;  // of the film, when it begins
+    double over_s = 1.0;
+    std::string easing = "smooth";
+    std::vector<std::string> elements;
+    double opacity = 1.0;  // in the end
+};
+
+// [[chapters]]: named sections of the film, each up to the next.
+struct ChapterSpec {
+    double at_s = 0.0;  // of the film
+    std::string title;
 };
 
 // [[panels]]: one view of the motion, in cells of the grid.
@@ -123,6 +162,10 @@ struct Scene {
     std::optional<MethodChoice> beside;  // a second method, shown beside the first as a ghost
     FilmSpec film;
     CameraSpec camera;
+    TrailSpec trail;
+    std::vector<KeyframeSpec> keyframes;  // in order of at_s
+    std::vector<FadeSpec> fades;          // likewise
+    std::vector<ChapterSpec> chapters;    // likewise
     std::vector<std::string> show;  // elements by name; empty: the defaults for this kind of motion
     GridSpec grid;
     std::vector<PanelSpec> panels;  // empty: the space panel alone

@@ -5,8 +5,11 @@
 #include <array>
 #include <limits>
 
+#include "scene/camera_views.h"
+#include "scene/easing.h"
 #include "scene/frame_rate.h"
 #include "scene/given_value.h"
+#include "scene/loop_text.h"
 #include "scene/scene_draft.h"
 #include "scene/scene_error.h"
 #include "scene/toml_text.h"
@@ -21,7 +24,34 @@ using Given = BodySpec::Given;
 constexpr std::array<std::string_view, 5> torque_kinds{"none", "gravity", "constant_body",
                                                        "constant_space", "dissipation"};
 constexpr std::array<std::string_view, 2> camera_motions{"fixed", "co-precessing"};
+constexpr std::array<std::string_view, 3> trail_kinds{"whole", "history", "fading"};
 constexpr int most_pixels = 16384;  // largest framebuffer
+constexpr double most_film_s = 1e7;
+
+// A second of the film.
+double film_second(const GivenValue& given) { return given.number_between(0.0, most_film_s); }
+
+// The name of a row of a table, which is refused at its own place if there is none.
+template <typename Find>
+std::string name_in_table(const GivenValue& given, Find find) {
+    std::string name = given.text();
+    try {
+        find(name);
+    } catch (const InputError& error) {
+        throw SceneError(given.value().where, error.what());
+    }
+    return name;
+}
+
+std::string easing_name(const GivenValue& given) { return name_in_table(given, easing_named); }
+std::string view_name(const GivenValue& given) { return name_in_table(given, camera_view_named); }
+
+void read_loop(const GivenValue& given, SceneDraft& draft) {
+    draft.scene.film.loop = given.text();
+    if (draft.scene.film.loop == "period" || loop_ratio_of(draft.scene.film.loop)) return;
+    given.refuse(fmt::format("\"{}\"", echo(draft.scene.film.loop)),
+                 "give turns over periods, each 1 to 1000, as in \"5/3\", or \"period\"");
+}
 
 // fps as a number, or as a ratio in a string.
 void read_fps(const GivenValue& given, SceneDraft& draft) {
@@ -101,6 +131,14 @@ std::string optional_text(const std::optional<Value>& value) {
 
 std::string text_unless_empty(const std::string& text) {
     return text.empty() ? "" : toml_text(std::string_view(text));
+}
+
+// The item that a value belongs to.
+KeyframeSpec& keyframe(const GivenValue& given, SceneDraft& draft) {
+    return draft.scene.keyframes.at(given.item());
+}
+FadeSpec& fade(const GivenValue& given, SceneDraft& draft) {
+    return draft.scene.fades.at(given.item());
 }
 
 std::string attitude_text(const Scene& scene) {
@@ -327,6 +365,25 @@ const SceneKey table[] = {
      "stretch of the motion that is shown; default: ten seconds of film",
      [](const GivenValue& g, SceneDraft& d) { d.scene.film.duration_s = g.positive(); },
      [](const Scene& s, size_t) { return optional_text(s.film.duration_s); }},
+    {"film.length_s", "a number", "s", "20.0",
+     "length of the film instead, in seconds of film: keyframes and fades count those",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.film.length_s = g.positive(); },
+     [](const Scene& s, size_t) { return optional_text(s.film.length_s); }},
+    {"film.loop", "a string", "", R"("5/3")",
+     "\"p/q\": start so that the herpolhode closes after q polhode periods with p turns about L, "
+     "and show that; \"period\": one polhode period, for a co-precessing camera; default: no loop",
+     read_loop,
+     [](const Scene& s,
+        size_t) { return s.film.loop.empty() ? "" : toml_text(std::string_view(s.film.loop)); }},
+    {"film.loop_changes", "a string", "", R"("omega_2")",
+     "component of start.omega_rad_s that the loop may change; default: the one that has to change "
+     "least",
+     [](const GivenValue& g, SceneDraft& d) {
+         d.scene.film.loop_changes = g.one_of(loop_values());
+     },
+     [](const Scene& s, size_t) {
+         return s.film.loop_changes.empty() ? "" : toml_text(std::string_view(s.film.loop_changes));
+     }},
     {"film.fps", "a number or a ratio in a string", "1/s", R"("30000/1001")",
      "video frames a second; 29.97 means 30000/1001; default 30", read_fps,
      [](const Scene& s, size_t) {
@@ -353,9 +410,9 @@ const SceneKey table[] = {
          d.scene.camera.azimuth_deg = g.number_between(-3600.0, 3600.0);
      },
      [](const Scene& s, size_t) { return toml_text(s.camera.azimuth_deg); }},
-    {"camera.elevation_deg", "a number", "degrees", "14.0", "its height above the plane, -89 to 89",
+    {"camera.elevation_deg", "a number", "degrees", "14.0", "its height above the plane, -90 to 90",
      [](const GivenValue& g, SceneDraft& d) {
-         d.scene.camera.elevation_deg = g.number_between(-89.0, 89.0);
+         d.scene.camera.elevation_deg = g.number_between(-90.0, 90.0);
      },
      [](const Scene& s, size_t) { return toml_text(s.camera.elevation_deg); }},
     {"camera.distance", "a number", "largest half-axes", "5.2",
@@ -370,13 +427,121 @@ const SceneKey table[] = {
      },
      [](const Scene& s, size_t) { return toml_text(s.camera.field_deg); }},
     {"camera.target", "three numbers", "largest half-axes", "[0.0, 0.0, -0.2]",
-     "the point it looks at, in picture axes; default: the construction's middle",
+     "the point it looks at, in picture axes; default: what look_at names",
      [](const GivenValue& g, SceneDraft& d) { d.scene.camera.target = g.vector(); },
      [](const Scene& s, size_t) { return optional_text(s.camera.target); }},
+    {"camera.look_at", "a string", "", R"("foot")",
+     "middle of the construction, centre of the body, or foot of L on the plane; default middle",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.camera.look_at = g.one_of(camera_aims()); },
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.camera.look_at)); }},
+    {"camera.view", "a string", "", R"("contact")",
+     "a view by name for all of the camera that is not said otherwise, see `poinsot list views`",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.camera.view = view_name(g); },
+     [](const Scene& s, size_t) {
+         return s.camera.view.empty() ? "" : toml_text(std::string_view(s.camera.view));
+     }},
     {"camera.motion", "a string", "", R"("fixed")",
-     "fixed, or co-precessing: turning with the herpolhode's mean advance; default fixed",
+     "fixed, or co-precessing: turning about L with the herpolhode's mean advance, so that every "
+     "polhode period looks like the last; default fixed",
      [](const GivenValue& g, SceneDraft& d) { d.scene.camera.motion = g.one_of(camera_motions); },
      [](const Scene& s, size_t) { return toml_text(std::string_view(s.camera.motion)); }},
+
+    // How much of the contact point's paths is shown.
+    {"trail.polhode", "a string", "", R"("fading")",
+     "whole, history (since the film began) or fading (what trail.length_s holds); default whole",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.trail.polhode = g.one_of(trail_kinds); },
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.trail.polhode)); }},
+    {"trail.herpolhode", "a string", "", R"("fading")",
+     "whole (of the film), history or fading; default history",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.trail.herpolhode = g.one_of(trail_kinds); },
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.trail.herpolhode)); }},
+    {"trail.length_s", "a number", "s", "4.0",
+     "length of a fading trail, in seconds of motion; default: one polhode period",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.trail.length_s = g.positive(); },
+     [](const Scene& s, size_t) { return optional_text(s.trail.length_s); }},
+    {"trail.direction_marks", "true or false", "", "true",
+     "small chevrons along both paths, for the sense of the motion; default false",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.trail.direction_marks = g.boolean(); },
+     [](const Scene& s, size_t) { return toml_text(s.trail.direction_marks); }},
+
+    // The film told in its own seconds: the camera's ways and the motion's speed, …
+    {"keyframes[].at_s", "a number", "s", "3.0", "second of the film at which this is reached",
+     [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).at_s = film_second(g); },
+     [](const Scene& s, size_t i) { return toml_text(s.keyframes.at(i).at_s); }},
+    {"keyframes[].easing", "a string", "", R"("smooth")",
+     "how values go here from the keyframe before that says them, see `poinsot list easings`; "
+     "default smooth",
+     [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).easing = easing_name(g); },
+     [](const Scene& s, size_t i) {
+         return toml_text(std::string_view(s.keyframes.at(i).easing));
+     }},
+    {"keyframes[].view", "a string", "", R"("front")",
+     "a view by name for all of the camera that this keyframe does not say otherwise",
+     [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).view = view_name(g); },
+     [](const Scene& s, size_t i) { return text_unless_empty(s.keyframes.at(i).view); }},
+    {"keyframes[].azimuth_deg", "a number", "degrees", "30.0", "as in [camera]; it may go past 360",
+     [](const GivenValue& g, SceneDraft& d) {
+         keyframe(g, d).azimuth_deg = g.number_between(-36000.0, 36000.0);
+     },
+     [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).azimuth_deg); }},
+    {"keyframes[].elevation_deg", "a number", "degrees", "35.0", "as in [camera]",
+     [](const GivenValue& g, SceneDraft& d) {
+         keyframe(g, d).elevation_deg = g.number_between(-90.0, 90.0);
+     },
+     [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).elevation_deg); }},
+    {"keyframes[].distance", "a number", "largest half-axes", "4.0", "as in [camera]",
+     [](const GivenValue& g, SceneDraft& d) {
+         keyframe(g, d).distance = g.number_between(0.01, 10000.0);
+     },
+     [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).distance); }},
+    {"keyframes[].field_deg", "a number", "degrees", "20.0", "as in [camera]",
+     [](const GivenValue& g, SceneDraft& d) {
+         keyframe(g, d).field_deg = g.number_between(0.1, 150.0);
+     },
+     [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).field_deg); }},
+    {"keyframes[].target", "three numbers", "largest half-axes", "[0.0, 0.0, 0.5]",
+     "as in [camera]",
+     [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).target = g.vector(); },
+     [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).target); }},
+    {"keyframes[].look_at", "a string", "", R"("centre")", "as in [camera]",
+     [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).look_at = g.one_of(camera_aims()); },
+     [](const Scene& s, size_t i) { return text_unless_empty(s.keyframes.at(i).look_at); }},
+    {"keyframes[].speed", "a number", "", "0.2",
+     "seconds of motion a second of film; 0 stops the motion",
+     [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).speed = g.number_between(0.0, 1e12); },
+     [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).speed); }},
+
+    // … what comes and goes, …
+    {"fades[].at_s", "a number", "s", "2.0", "second of the film at which it begins",
+     [](const GivenValue& g, SceneDraft& d) { fade(g, d).at_s = film_second(g); },
+     [](const Scene& s, size_t i) { return toml_text(s.fades.at(i).at_s); }},
+    {"fades[].over_s", "a number", "s", "1.0", "how long it takes, in seconds of film; default 1",
+     [](const GivenValue& g, SceneDraft& d) { fade(g, d).over_s = film_second(g); },
+     [](const Scene& s, size_t i) { return toml_text(s.fades.at(i).over_s); }},
+    {"fades[].easing", "a string", "", R"("smooth")",
+     "how it goes, see `poinsot list easings`; default smooth",
+     [](const GivenValue& g, SceneDraft& d) { fade(g, d).easing = easing_name(g); },
+     [](const Scene& s, size_t i) { return toml_text(std::string_view(s.fades.at(i).easing)); }},
+    {"fades[].elements", "a list of strings", "", R"(["plane", "momentum"])",
+     "elements, overlays or kinds of panels; those that come in are not seen before",
+     [](const GivenValue& g, SceneDraft& d) { fade(g, d).elements = g.texts(); },
+     [](const Scene& s, size_t i) {
+         return toml_text(std::span<const std::string>(s.fades.at(i).elements));
+     }},
+    {"fades[].opacity", "a number", "", "1.0",
+     "in the end, 0 to 1: 1 to come in (the default), 0 to go, less than 1 to grow pale",
+     [](const GivenValue& g, SceneDraft& d) { fade(g, d).opacity = g.number_between(0.0, 1.0); },
+     [](const Scene& s, size_t i) { return toml_text(s.fades.at(i).opacity); }},
+
+    // … and what its sections are called.
+    {"chapters[].at_s", "a number", "s", "0.0", "second of the film at which the section begins",
+     [](const GivenValue& g, SceneDraft& d) {
+         d.scene.chapters.at(g.item()).at_s = film_second(g);
+     },
+     [](const Scene& s, size_t i) { return toml_text(s.chapters.at(i).at_s); }},
+    {"chapters[].title", "a string", "", R"("The invariable plane")", "its name",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.chapters.at(g.item()).title = g.text(); },
+     [](const Scene& s, size_t i) { return toml_text(std::string_view(s.chapters.at(i).title)); }},
 
     // Several views of one motion, in the cells of a grid.
     {"grid.columns", "a list of numbers", "", "[2.0, 1.0]",
@@ -424,6 +589,12 @@ const SceneArray arrays[] = {
      [](const Scene& s) { return s.body.masses_as_given.size(); }},
     {"panels", [](SceneDraft& d) { d.scene.panels.emplace_back(); },
      [](const Scene& s) { return s.panels.size(); }},
+    {"keyframes", [](SceneDraft& d) { d.scene.keyframes.emplace_back(); },
+     [](const Scene& s) { return s.keyframes.size(); }},
+    {"fades", [](SceneDraft& d) { d.scene.fades.emplace_back(); },
+     [](const Scene& s) { return s.fades.size(); }},
+    {"chapters", [](SceneDraft& d) { d.scene.chapters.emplace_back(); },
+     [](const Scene& s) { return s.chapters.size(); }},
 };
 
 }  // namespace

@@ -57,6 +57,44 @@ TEST(EllipsoidPicture, SphereCoversTheAreaOfItsDisc) {
     }
 }
 
+TEST(EllipsoidPicture, GoesWithItsPresence) {
+    // With its lines, its shadow, and what it hides: at 0 the picture is the one without it.
+    CurveGeometry circle, on_plane;
+    circle.id = 9'000'001, on_plane.id = 9'000'002;
+    for (int k = 0; k < 64; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / 64.0;
+        circle.points.emplace_back(std::cos(angle), 0.7 * std::sin(angle), 0.0);
+        on_plane.points.emplace_back(0.5 * std::cos(angle), 0.5 * std::sin(angle), -0.8);
+    }
+    circle.closed = on_plane.closed = true;
+    const auto picture = [&](double presence) {
+        Drawing drawing = lecture_drawing(160, 120, circle, on_plane);
+        drawing.views[0].ellipsoids[0].presence = presence;
+        return renderer().render(drawing);
+    };
+    Drawing none = lecture_drawing(160, 120, circle, on_plane);
+    none.views[0].ellipsoids.clear();
+    // But for arrows where they cross its outline, in the width of a pixel.
+    const Image without = renderer().render(none);
+    const Image gone = picture(0.0);
+    int n_others = 0;
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x)
+            n_others += std::abs(gone.at(x, y).g - without.at(x, y).g) > 2 ? 1 : 0;
+    EXPECT_LE(n_others, 20);
+
+    // And it goes evenly: no step of a fiftieth changes a pixel by more than a tenth of the range.
+    Image before = picture(0.0);
+    for (int k = 1; k <= 50; ++k) {
+        const Image now = picture(k / 50.0);
+        int largest = 0;
+        for (std::size_t i = 0; i < now.bytes().size(); ++i)
+            largest = std::max(largest, std::abs(now.bytes()[i] - before.bytes()[i]));
+        EXPECT_LE(largest, 25) << k;
+        before = now;
+    }
+}
+
 TEST(EllipsoidPicture, OutlineAgreesWithSixtyFourSamplesAPixel) {
     for (const bool orthographic : {true, false}) {
         Drawing drawing = flat_drawing(200, 150, 3.0);

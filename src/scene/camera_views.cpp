@@ -1,0 +1,44 @@
+#include "scene/camera_views.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <vector>
+
+#include "error/error.h"
+#include "error/nearest.h"
+#include "scene/scene.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> aims{"middle", "centre", "foot"};
+
+const std::array<CameraView, 6> table{{
+    {"lecture", "the usual view, a little from above", CameraSpec{}.azimuth_deg,
+     CameraSpec{}.elevation_deg, CameraSpec{}.distance, CameraSpec{}.field_deg, "middle"},
+    {"front", "from the front, level with the centre", -90.0, 3.0, 5.4, 28.0, "middle"},
+    {"side", "from the side, level with the centre", 0.0, 3.0, 5.4, 28.0, "middle"},
+    {"high", "from above the shoulder: the plane is seen wide", -40.0, 42.0, 6.4, 28.0, "middle"},
+    {"top", "down along L: the herpolhode in true shape", -90.0, 90.0, 7.2, 28.0, "centre"},
+    {"contact", "near the plane, where they touch", -40.0, 9.0, 3.3, 28.0, "foot"},
+}};
+
+}  // namespace
+
+std::span<const CameraView> camera_views() { return table; }
+
+const CameraView& camera_view_named(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const CameraView& view : table) {
+        if (view.name == name) return view;
+        names.push_back(view.name);
+    }
+    throw InputError(fmt::format("unknown camera view \"{}\"{}; choose from: {}", printable(name),
+                                 did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
+std::span<const std::string_view> camera_aims() { return aims; }
+
+}  // namespace poinsot

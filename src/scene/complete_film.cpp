@@ -1,0 +1,233 @@
+// [film], [camera] and what is told along the film: keyframes, fades and chapters.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "scene/camera_views.h"
+#include "scene/draft_checks.h"
+#include "scene/film_clock.h"
+
+namespace poinsot {
+
+namespace {
+
+std::string item_name(std::string_view array, std::size_t i) {
+    return fmt::format("{}[{}]", array, i);
+}
+
+// Each item has these keys.
+void need(const SceneDraft& draft, std::string_view array, std::size_t n_items,
+          std::initializer_list<std::string_view> keys) {
+    for (std::size_t i = 0; i < n_items; ++i) {
+        for (const std::string_view key : keys) {
+            const std::string name = fmt::format("{}.{}", item_name(array, i), key);
+            if (draft.has(name)) continue;
+            refuse(draft.scene, item_name(array, i), fmt::format("{} is missing; give it", name));
+        }
+    }
+}
+
+// Items stand in order of time.
+template <typename Item>
+void need_order(const Scene& scene, std::string_view array, const std::vector<Item>& items) {
+    for (std::size_t i = 1; i < items.size(); ++i) {
+        if (items[i].at_s >= items[i - 1].at_s) continue;
+        refuse(scene, item_name(array, i) + ".at_s",
+               fmt::format("{}.at_s is {}, before the {} s of {}; put them in order of time",
+                           item_name(array, i), items[i].at_s, items[i - 1].at_s,
+                           item_name(array, i - 1)));
+    }
+}
+
+// A view's values for what a keyframe does not say itself.
+void apply_view(KeyframeSpec& key) {
+    if (key.view.empty()) return;
+    const CameraView& view = camera_view_named(key.view);
+    if (!key.azimuth_deg) key.azimuth_deg = view.azimuth_deg;
+    if (!key.elevation_deg) key.elevation_deg = view.elevation_deg;
+    if (!key.distance) key.distance = view.distance;
+    if (!key.field_deg) key.field_deg = view.field_deg;
+    if (!key.target && key.look_at.empty()) key.look_at = view.look_at;
+}
+
+// What a keyframe says, by name, so that none is said twice at one instant.
+std::vector<std::string_view> values_of(const KeyframeSpec& key) {
+    std::vector<std::string_view> names;
+    if (key.azimuth_deg) names.emplace_back("azimuth_deg");
+    if (key.elevation_deg) names.emplace_back("elevation_deg");
+    if (key.distance) names.emplace_back("distance");
+    if (key.field_deg) names.emplace_back("field_deg");
+    if (key.target || !key.look_at.empty()) names.emplace_back("target");
+    if (key.speed) names.emplace_back("speed");
+    return names;
+}
+
+bool holds(const std::vector<std::string_view>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void check_keyframes(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    need(draft, "keyframes", scene.keyframes.size(), {"at_s"});
+    need_order(scene, "keyframes", scene.keyframes);
+    for (std::size_t i = 0; i < scene.keyframes.size(); ++i) {
+        KeyframeSpec& key = scene.keyframes[i];
+        if (key.target && draft.has(item_name("keyframes", i) + ".look_at")) {
+            refuse(scene, item_name("keyframes", i) + ".target",
+                   fmt::format("{0}.target contradicts {0}.look_at; give one of them",
+                               item_name("keyframes", i)));
+        }
+        apply_view(key);
+        const auto names = values_of(key);
+        if (names.empty()) {
+            refuse(scene, item_name("keyframes", i),
+                   fmt::format("{} says nothing; give a view, a value of the camera, or the speed",
+                               item_name("keyframes", i)));
+        }
+        for (std::size_t j = 0; j < i; ++j) {
+            if (scene.keyframes[j].at_s != key.at_s) continue;
+            for (const std::string_view name : values_of(scene.keyframes[j])) {
+                if (!holds(names, name)) continue;
+                refuse(scene, item_name("keyframes", i) + ".at_s",
+                       fmt::format("{} and {} both say the {} at {} s; leave one of them",
+                                   item_name("keyframes", j), item_name("keyframes", i), name,
+                                   key.at_s));
+            }
+        }
+    }
+}
+
+void check_fades(const SceneDraft& draft) {
+    const Scene& scene = draft.scene;
+    need(draft, "fades", scene.fades.size(), {"at_s", "elements"});
+    need_order(scene, "fades", scene.fades);
+    for (std::size_t i = 0; i < scene.fades.size(); ++i) {
+        const std::string item = item_name("fades", i);
+        if (scene.fades[i].elements.empty()) {
+            refuse(scene, item + ".elements",
+                   fmt::format("{}.elements is empty; name what fades, as in [\"plane\"]", item));
+        }
+        for (const std::string& name : scene.fades[i].elements) {
+            for (std::size_t j = 0; j < i; ++j) {
+                const FadeSpec& before = scene.fades[j];
+                const bool same = std::find(before.elements.begin(), before.elements.end(), name) !=
+                                  before.elements.end();
+                const double end_s = before.at_s + before.over_s;
+                if (!same || end_s <= scene.fades[i].at_s) continue;
+                refuse(scene, item + ".at_s",
+                       fmt::format("{} begins at {} s, while {} still fades \"{}\" until {} s; let "
+                                   "one end before the next",
+                                   item, scene.fades[i].at_s, item_name("fades", j), echo(name),
+                                   end_s));
+            }
+        }
+    }
+}
+
+void check_chapters(const SceneDraft& draft) {
+    const Scene& scene = draft.scene;
+    need(draft, "chapters", scene.chapters.size(), {"at_s", "title"});
+    need_order(scene, "chapters", scene.chapters);
+    const double length_s = FilmClock(scene).length_s().value_or(0.0);
+    for (std::size_t i = 0; i < scene.chapters.size(); ++i) {
+        const std::string item = item_name("chapters", i);
+        const double at_s = scene.chapters[i].at_s;
+        if (i > 0 && scene.chapters[i - 1].at_s == at_s) {
+            refuse(scene, item + ".at_s",
+                   fmt::format("{} begins with {}, at {} s; let each last a while", item,
+                               item_name("chapters", i - 1), at_s));
+        }
+        // How long a loop lasts is known with its motion.
+        if (scene.film.loop.empty() && at_s >= length_s) {
+            refuse(scene, item + ".at_s",
+                   fmt::format("{}.at_s is {}, but the film ends at {:.6g} s; begin it earlier",
+                               item, at_s, length_s));
+        }
+    }
+}
+
+// A loop needs a motion that has a polhode.
+void check_loop(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    FilmSpec& film = scene.film;
+    const bool turns = scene.camera.motion == "co-precessing";
+    const bool is_free = std::holds_alternative<NoTorque>(scene.torque);
+    if (turns && !is_free) {
+        refuse(scene, "camera.motion",
+               "camera.motion is \"co-precessing\", but under a torque there is no herpolhode to "
+               "turn with; set it to \"fixed\"");
+    }
+    if (!film.loop.empty() && !is_free) {
+        refuse(scene, "film.loop",
+               "film.loop needs a torque-free body: under a torque no herpolhode closes; leave it "
+               "out");
+    }
+    if (film.loop == "period" && !turns) {
+        refuse(scene, "film.loop",
+               "film.loop is \"period\", but after one polhode period only a co-precessing camera "
+               "sees the same picture; set camera.motion to that, or give turns over periods");
+    }
+    if (!film.loop_changes.empty() && (film.loop.empty() || film.loop == "period")) {
+        refuse(scene, "film.loop_changes",
+               "film.loop_changes belongs to a loop of turns over periods; give film.loop, as in "
+               "loop = \"5/3\"");
+    }
+    if (turns && film.loop.empty() && !film.duration_s && !film.length_s) film.loop = "period";
+}
+
+}  // namespace
+
+void complete_camera(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    CameraSpec& camera = scene.camera;
+    if (camera.target && draft.has("camera.look_at") && camera.look_at != CameraSpec{}.look_at) {
+        refuse(scene, "camera.target",
+               "camera.target contradicts camera.look_at; give one of them");
+    }
+    if (camera.view.empty()) return;
+    const CameraView& view = camera_view_named(camera.view);
+    if (!draft.has("camera.azimuth_deg")) camera.azimuth_deg = view.azimuth_deg;
+    if (!draft.has("camera.elevation_deg")) camera.elevation_deg = view.elevation_deg;
+    if (!draft.has("camera.distance")) camera.distance = view.distance;
+    if (!draft.has("camera.field_deg")) camera.field_deg = view.field_deg;
+    if (!draft.has("camera.look_at")) camera.look_at = view.look_at;
+}
+
+void complete_timeline(SceneDraft& draft) {
+    check_loop(draft);
+    check_keyframes(draft);
+    check_fades(draft);
+}
+
+// A scene cannot ask for more frames than a disk holds.
+void complete_film(SceneDraft& draft) {
+    const Scene& scene = draft.scene;
+    const FilmSpec& film = scene.film;
+    const std::array<std::vector<std::string>, 2> ways{{{"film.duration_s"}, {"film.length_s"}}};
+    refuse_mixed(scene, ways, "give the stretch of the motion or the length of the film, not both");
+
+    const std::optional<double> length_s = FilmClock(scene).length_s();
+    if (!length_s) {
+        refuse(scene, "film.duration_s",
+               fmt::format("the speed falls to 0 before {:g} s of the motion have passed; raise it "
+                           "again, or give film.length_s instead of film.duration_s",
+                           *film.duration_s));
+    }
+    constexpr double most_frames = 1e7;
+    const double n_frames = *length_s * static_cast<double>(film.fps_numerator) /
+                            static_cast<double>(film.fps_denominator);
+    if (!(n_frames <= most_frames) || !std::isfinite(film_end_time_s(scene))) {
+        refuse(scene, film.length_s ? "film.length_s" : "film.duration_s",
+               fmt::format("the film would have {:.3g} frames; a film has at most {:.0g}, so "
+                           "shorten {} or raise film.speed",
+                           n_frames, most_frames,
+                           film.length_s ? "film.length_s" : "film.duration_s"));
+    }
+    check_chapters(draft);
+}
+
+}  // namespace poinsot

@@ -1,0 +1,44 @@
+#include "scene/easing.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <vector>
+
+#include "error/error.h"
+#include "error/nearest.h"
+
+namespace poinsot {
+
+namespace {
+
+const std::array<Easing, 6> table{{
+    {"linear", "evenly", [](double u) { return u; }, [](double u) { return 0.5 * u * u; }},
+    {"smooth", "begins and ends at rest", [](double u) { return u * u * (3.0 - 2.0 * u); },
+     [](double u) { return u * u * u * (1.0 - 0.5 * u); }},
+    {"smoother", "begins and ends at rest, without a jolt",
+     [](double u) { return u * u * u * (10.0 + u * (6.0 * u - 15.0)); },
+     [](double u) { return u * u * u * u * (2.5 + u * (u - 3.0)); }},
+    {"in", "begins at rest", [](double u) { return u * u; },
+     [](double u) { return u * u * u / 3.0; }},
+    {"out", "ends at rest", [](double u) { return u * (2.0 - u); },
+     [](double u) { return u * u * (1.0 - u / 3.0); }},
+    {"hold", "stays, and jumps at the end", [](double u) { return u < 1.0 ? 0.0 : 1.0; },
+     [](double) { return 0.0; }},
+}};
+
+}  // namespace
+
+std::span<const Easing> easings() { return table; }
+
+const Easing& easing_named(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const Easing& easing : table) {
+        if (easing.name == name) return easing;
+        names.push_back(easing.name);
+    }
+    throw InputError(fmt::format("unknown easing \"{}\"{}; choose from: {}", printable(name),
+                                 did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
+}  // namespace poinsot

@@ -1,0 +1,35 @@
+#include "scene/loop_text.h"
+
+#include <array>
+#include <charconv>
+#include <numeric>
+
+namespace poinsot {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> values{"omega_1", "omega_2", "omega_3"};
+constexpr int most = 1000;
+
+}  // namespace
+
+std::optional<LoopRatio> loop_ratio_of(std::string_view text) {
+    LoopRatio ratio;
+    const char* const end = text.data() + text.size();
+    const auto [slash, no_turns] = std::from_chars(text.data(), end, ratio.turns);
+    if (no_turns != std::errc{}) return std::nullopt;
+    if (slash != end) {
+        if (*slash != '/') return std::nullopt;
+        const auto [last, no_periods] = std::from_chars(slash + 1, end, ratio.periods);
+        if (no_periods != std::errc{} || last != end) return std::nullopt;
+    }
+    if (ratio.turns < 1 || ratio.turns > most || ratio.periods < 1 || ratio.periods > most) {
+        return std::nullopt;
+    }
+    const int common = std::gcd(ratio.turns, ratio.periods);
+    return LoopRatio{ratio.turns / common, ratio.periods / common};
+}
+
+std::span<const std::string_view> loop_values() { return values; }
+
+}  // namespace poinsot
