@@ -181,6 +181,7 @@ class PlotMaker {
             left_px = std::max(left_px, PlotFrame::numbers_px(*panel_, places.back().y));
         }
         std::vector<PlottedChart> charts;
+        charts.reserve(places.size());
         for (const Place& place : places) charts.push_back(chart_of(place, left_px));
         return charts;
     }
