@@ -27,18 +27,22 @@ SIZES = ["1280x720", "1920x1080", "3840x2160"]
 QUALITIES = ["draft", "lecture", "print", "reference"]
 
 
+class Failed(Exception):
+    """A process did not end with 0; its last words."""
+
+
 class Run:
     """One process run to its end: wall and CPU seconds, peak memory in MiB, what it printed."""
 
     def __init__(self, command, **environment):
         before = time.perf_counter()
-        child = subprocess.Popen([str(c) for c in command], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+        child = subprocess.Popen([str(c) for c in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                  env={**os.environ, **environment})
         self.out = child.stdout.read().decode()
         _, status, usage = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
         if child.returncode != 0:
-            sys.exit(f"{' '.join(map(str, command))} ended with {child.returncode}")
+            raise Failed((self.out.strip().splitlines() or [f"{command[0]} ended with {child.returncode}"])[-1])
         self.wall_s = time.perf_counter() - before
         self.cpu_s = usage.ru_utime + usage.ru_stime
         self.peak_mib = usage.ru_maxrss / 1024
@@ -148,7 +152,12 @@ class Bench:
         for size in SIZES:
             cells = []
             for quality in QUALITIES:
-                row = self.phase("film", size, quality, self.n_frames(size, quality))
+                try:
+                    row = self.phase("film", size, quality, self.n_frames(size, quality))
+                except Failed as failure:
+                    cells.append("–")
+                    print(f"{size} {quality}: {failure}", file=sys.stderr)
+                    continue
                 self.found["films"][f"{size} {quality}"] = row
                 cells.append(f"{1e3 / row['wall_ms']:.1f} ({row['cpu_ms']:.0f})")
             n = self.n_frames(size, "lecture")
@@ -175,20 +184,25 @@ class Bench:
         from matplotlib import pyplot
         figure, axes = pyplot.subplots(figsize=(8, 4.5), dpi=100)
         for quality in QUALITIES + ["png"]:
-            rows = [self.found["films"][f"{size} {quality}"] for size in SIZES]
-            pixels = [eval(size.replace("x", "*")) / 1e6 for size in SIZES]
-            axes.plot(pixels, [1e3 / row["wall_ms"] for row in rows], "o-",
+            sizes = [size for size in SIZES if f"{size} {quality}" in self.found["films"]]
+            axes.plot([megapixels(size) for size in sizes],
+                      [1e3 / self.found["films"][f"{size} {quality}"]["wall_ms"] for size in sizes], "o-",
                       label="PNG sequence" if quality == "png" else f"MP4, {quality}")
         axes.axhline(30, color="0.6", linestyle=":", label="as fast as it plays")
         axes.set(xscale="log", yscale="log", xlabel="megapixels a frame", ylabel="frames a second",
                  title=f"{pathlib.Path(self.options.scene).stem}, {os.cpu_count()} processors, no GPU")
-        axes.set_xticks(pixels, ["720p", "1080p", "2160p"])
+        axes.set_xticks([megapixels(size) for size in SIZES], ["720p", "1080p", "2160p"])
         axes.minorticks_off()
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)
         figure.tight_layout()
         figure.savefig(file)
         print(f"\nplot: {file}")
+
+
+def megapixels(size):
+    width, height = map(int, size.split("x"))
+    return width * height / 1e6
 
 
 def machine():
@@ -221,6 +235,8 @@ def main():
             bench.plot(options.plot)
         if options.json:
             pathlib.Path(options.json).write_text(json.dumps({"machine": machine(), **bench.found}, indent=1))
+    except Failed as failure:
+        sys.exit(f"film_bench: {failure}")
     finally:
         shutil.rmtree(bench.scratch, ignore_errors=True)
     print(f"\nload at the end: {os.getloadavg()[0]:.1f}; the script's own CPU: "
