@@ -1,4 +1,6 @@
 // Entry: hands over to the command line; the only catch, the only exit codes.
+#include <malloc.h>
+
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -19,6 +21,9 @@ int main(int argc, char** argv) {
     // A closed pipe and a limit on file sizes are errors of a write, with a sentence, not deaths.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+    // Large buffers go back to the system when they are freed: a film's encoder is made anew every
+    // few seconds, and memory must not grow with the film.
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
     try {
         return poinsot::run_program(argc, argv);
     } catch (const poinsot::InputError& error) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 
 #include "error/error.h"
 #include "image/alpha.h"
@@ -86,8 +87,8 @@ class Mp4Sink : public FrameSink {
           converter_(plan.width_px),
           frame_(make_yuv_frame(AV_PIX_FMT_YUV420P, plan.width_px, plan.height_px)),
           packet_(libav::make_packet()),
-          encoder_(settings_, plan.path),
-          part_(plan, encoder_.context(), description_of(settings_, plan, encoder_.context()),
+          encoder_(std::in_place, settings_, plan.path),
+          part_(plan, encoder_->context(), description_of(settings_, plan, encoder_->context()),
                 kChunkFrames),
           n_written_(part_.n_frames_kept()) {}
 
@@ -104,28 +105,29 @@ class Mp4Sink : public FrameSink {
                             frame_->linesize[1], frame_->linesize[2]});
         frame_->pts = n_written_++;
         ++n_in_chunk_;
-        encoder_.send(*frame_);
+        encoder_->send(*frame_);
         take_packets();
     }
 
     void finish() override {
         check_any_frame(n_written_, plan_);
-        encoder_.send_end();
+        encoder_->send_end();
         take_packets();
         part_.finish(n_written_);
     }
 
  private:
     void start_chunk() {
-        encoder_.send_end();
+        encoder_->send_end();
         take_packets();
-        encoder_ = VideoEncoder(settings_, plan_.path);
+        encoder_.reset();  // first, so that there are never two
+        encoder_.emplace(settings_, plan_.path);
         n_in_chunk_ = 0;
         check_room(plan_.path, part_.n_bytes(), n_written_, plan_.n_frames);
     }
 
     void take_packets() {
-        while (encoder_.receive(*packet_)) part_.write(packet_.get());
+        while (encoder_->receive(*packet_)) part_.write(packet_.get());
     }
 
     OutputPlan plan_;
@@ -134,7 +136,7 @@ class Mp4Sink : public FrameSink {
     libav::Frame frame_;
     libav::Packet packet_;
     Image flat_;
-    VideoEncoder encoder_;
+    std::optional<VideoEncoder> encoder_;
     FilmPart part_;
     std::int64_t n_written_;
     std::int64_t n_in_chunk_ = 0;

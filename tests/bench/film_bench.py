@@ -130,7 +130,7 @@ class Bench:
     def floor(self):
         print("\n### 1920×1080 to MP4 against its floor: drawing alone and encoding alone, same frames, same run\n")
         print("| settings | draw, CPU ms | encode, CPU ms | film, wall ms | wall over (draw + encode)/2 | frames/s | "
-              "encoder alone, frames/s | share | memory above the encoder's, MiB |\n" + "|---|" * 9)
+              "encoder alone, frames/s | share | memory above the encoder's, MiB |\n|" + "---|" * 9)
         n = self.options.frames
         self.found["floor"] = {}
         for settings in ("lecture", "veryfast", "medium"):

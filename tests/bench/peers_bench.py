@@ -66,7 +66,7 @@ def main():
         for preset in options.presets.split(","):
             ours = poinsot(options.build, options.size, preset, options.frames)
             print(f"\n| preset {preset} | frames/s | CPU, ms a frame | MiB | poinsot: times as fast | CPU over ours | "
-                  "memory, ours over theirs |\n" + "|---|" * 7)
+                  "memory, ours over theirs |\n|" + "---|" * 7)
             print(f"| poinsot | {ours['fps']:.1f} | {ours['cpu_ms']:.0f} | {ours['mib']:.0f} | | | |")
             for name, script, environment, share in PEERS:
                 n = max(4, round(share * options.frames))

@@ -21,7 +21,8 @@ SETTINGS = [("veryfast", ""), ("faster", ""), ("fast", ""), ("medium", ""), ("sl
             ("superfast", FLAT + ":trellis=1"), ("veryfast", FLAT), ("veryfast", FLAT + ":trellis=1"),
             ("veryfast", "psy=0:aq-mode=1:trellis=1"), ("veryfast", FLAT + ":trellis=1:bframes=5"),
             ("veryfast", FLAT + ":trellis=1:rc-lookahead=30"), ("veryfast", FLAT + ":trellis=1:subme=4"),
-            ("faster", FLAT + ":trellis=1"), ("fast", FLAT), ("medium", FLAT + ":rc-lookahead=20")]
+            ("faster", FLAT + ":trellis=1"), ("fast", FLAT), ("fast", "ref=1:psy=0:rc-lookahead=20"), ("medium", "ref=1:psy=0:rc-lookahead=15"),
+            ("medium", FLAT + ":rc-lookahead=20")]
 CRFS = [16, 18, 20]
 
 
