@@ -29,7 +29,7 @@ int for_each_scene(const Options& options, const std::function<int(const Options
         try {
             worst = std::max(worst, job(own));
         } catch (const InputError& error) {
-            fmt::print(stderr, "{}\n", error.what());
+            fmt::print(stderr, "{}\n", printable(error.what()));
             worst = std::max(worst, 2);
         }
     }
