@@ -212,7 +212,8 @@ void StageData::make_panels() {
         panel.box = box_of(spec, columns, rows);
         const double share = line_scale(panel.box, options);
         panel.px = px * share;
-        panel.type_px = std::max(px * std::max(share, least_type_share), least_type_px);
+        panel.type_px =
+            std::max(px * std::max(share, least_type_share), least_type_px * options.samples);
         Drawer header;
         if (specs.size() > 1)
             header = header_of(panel, spec.title.value_or(std::string(kind.title)));

@@ -18,6 +18,7 @@ struct StageData;
 struct StageOptions {
     int width_px = 1920;
     int height_px = 1080;
+    int samples = 1;          // of these a side go into one pixel of the picture that is looked at
     double line_scale = 0.0;  // pixels for a line of "one pixel at 1080 rows"; 0: height_px / 1080
     double first_time_s = 0.0;  // the instants that are drawn lie between these; histories begin
     double last_time_s = 0.0;   // with the first and are made up to the last

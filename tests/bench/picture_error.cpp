@@ -61,6 +61,7 @@ void run(const std::string& scene, const std::string& size) {
         StageOptions options;
         options.width_px = large.scene.film.width_px;
         options.height_px = large.scene.film.height_px;
+        options.samples = samples;
         options.first_time_s = plan.time_of(0);
         options.last_time_s = time_s;
         const Stage stage(large.scene, large.motion, options);
