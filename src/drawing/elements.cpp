@@ -37,12 +37,11 @@ bool has_beside(const StageData& stage) { return stage.beside.has_value(); }
 
 const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
 
-// Far enough for the herpolhode; in a panel above another one, so near that the rim towards us is
-// seen and the panel has no hard edge.
+// Far enough for the herpolhode, and so near that the rim towards us is seen: the panel has no hard
+// edge, and the plane is faint where the caption stands.
 double plane_radius(const Panel& panel) {
     const double wanted = std::max(2.4, 2.2 * picture_of(panel).herpolhode_radius);
     const double bottom_px = panel.box.y_px + panel.box.height_px;
-    if (bottom_px >= panel.stage->options.height_px) return wanted;
 
     View view;
     view.x_px = panel.box.x_px, view.y_px = panel.box.y_px;

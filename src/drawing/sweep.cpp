@@ -63,6 +63,9 @@ std::vector<Eigen::Vector3d> swept_points(const ConstructionPicture& picture, do
         circles.push_back(circle_of(tip + beyond * tip.stableNormalized()));
     }
 
+    // As much of the plane as the shadow and the herpolhode need.
+    circles.emplace_back(std::max(1.25, 1.2 * picture.herpolhode_radius), -picture.plane_distance);
+
     std::vector<Eigen::Vector3d> points{{0.0, 0.0, momentum_length + beyond}};
     constexpr int n_around = 8;
     for (const Circle& circle : circles) {

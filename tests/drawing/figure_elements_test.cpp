@@ -1,0 +1,124 @@
+// The elements that explain the construction stand where its definitions put them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drawing/elements.h"
+#include "drawing/panel.h"
+#include "drawing/plot_frame.h"
+#include "drawing/plot_quantity.h"
+#include "error/error.h"
+#include "scenes_by_hand.h"
+
+namespace poinsot {
+namespace {
+
+const Eigen::Vector3d moments{1.0, 1.8, 2.6};
+const Eigen::Vector3d omega{1.3, 0.9, 0.8};
+
+// A scene that shows these elements alone, and no title, caption or clock.
+Scene showing(const std::vector<std::string>& show) {
+    Scene scene = free_scene(moments, omega, "space");
+    scene.show = show;
+    return scene;
+}
+
+// F(ρ) = ρ·Iρ of a point in picture lengths, where the largest half-axis 1/√I_min is 1.
+double form(const Eigen::Matrix3d& axes, const Eigen::Vector3d& point) {
+    return moments.dot((axes.transpose() * point).cwiseAbs2()) / moments.minCoeff();
+}
+
+TEST(FigureElements, RadiusEndsOnTheEllipsoidAndTheGradientStandsAlongL) {
+    const StagedScene staged(showing({"ellipsoid", "radius", "gradient", "tangent", "axes"}), 10.0);
+    for (const double t : {0.0, 2.7, 9.1}) {
+        const View view = staged.stage.at(t).views.front();
+        ASSERT_EQ(view.arrows.size(), 5u);
+        Eigen::Matrix3d axes;
+        for (int i = 0; i < 3; ++i) {
+            axes.col(i) = view.arrows[static_cast<std::size_t>(i)].tip.normalized();
+        }
+        const Eigen::Vector3d rho = view.arrows[3].tip;
+        EXPECT_NEAR(form(axes, rho), 1.0, 1e-14);
+        // ∇F = 2Iρ, from ρ on, along the vertical L.
+        const Arrow& gradient = view.arrows[4];
+        EXPECT_EQ(gradient.tail, rho);
+        const Eigen::Vector3d along = (gradient.tip - gradient.tail).normalized();
+        const Eigen::Vector3d expected =
+            (axes * moments.cwiseProduct(axes.transpose() * rho)).normalized();
+        EXPECT_LT((along - expected).norm(), 1e-14);  // measured 5e-16
+        EXPECT_EQ(view.planes.front().centre, rho);
+        EXPECT_EQ(view.planes.front().normal, Eigen::Vector3d::UnitZ());
+    }
+}
+
+TEST(FigureElements, HalfAxesHaveTheirLengths) {
+    const StagedScene staged(showing({"ellipsoid", "half-axes"}), 10.0);
+    const View view = staged.stage.at(3.3).views.front();
+    ASSERT_EQ(view.dots.size(), 3u);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(view.dots[static_cast<std::size_t>(i)].at.norm(),
+                    std::sqrt(moments.minCoeff() / moments[i]), 1e-15);
+    }
+}
+
+TEST(FigureElements, DimensionLineSpansThePlanesDistance) {
+    const StagedScene staged(showing({"plane", "distance"}), 10.0);
+    const View view = staged.stage.at(0.0).views.front();
+    ASSERT_EQ(view.arrows.size(), 2u);
+    const double T2 = moments.dot(omega.cwiseAbs2());
+    const double L = moments.cwiseProduct(omega).norm();
+    const double expected = std::sqrt(T2) / L * std::sqrt(moments.minCoeff());
+    EXPECT_NEAR((view.arrows[0].tip - view.arrows[1].tip).norm(), expected, 1e-15);
+    EXPECT_NEAR(view.arrows[1].tip.z(), view.planes.front().centre.z(), 1e-15);
+}
+
+TEST(FigureElements, PrecessionNeedsTwoEqualMoments) {
+    EXPECT_THROW(StagedScene(showing({"precession"}), 10.0), InputError);
+    Scene scene = free_scene({1.0, 1.0, 1.8}, {1.5, 0.0, 1.5}, "space");
+    scene.show = {"precession"};
+    EXPECT_EQ(StagedScene(scene, 10.0).stage.at(1.0).views.front().arrows.size(), 2u);
+}
+
+TEST(FigureElements, BodyStaysWithinItsEllipsoid) {
+    const StagedScene staged(showing({"ellipsoid", "body"}), 10.0);
+    const View view = staged.stage.at(1.9).views.front();
+    ASSERT_EQ(view.meshes.size(), 1u);
+    const Eigen::Matrix3d to_unit = view.ellipsoids.front().half_axes.inverse();
+    for (const Eigen::Vector3f& p : view.meshes[0].geometry->positions) {
+        EXPECT_LT((to_unit * (view.meshes[0].placement * p.cast<double>())).norm(), 1.0);
+    }
+}
+
+TEST(PlotQuantities, ThinPlateWobblesTwiceAsFastAsItSpins) {
+    // I₃ = 2I₁ and a small tilt: φ̇ = 2ω₃/cos θ and φ̇ + ψ̇ = φ̇ − ω₃.
+    Scene scene = free_scene({1.0, 1.0, 2.0}, {1e-3, 0.0, 5.0}, "plot");
+    scene.panels[0].quantity = "turns";
+    const Motion motion(problem_of(scene));
+    const StageData stage(
+        scene, motion,
+        {.width_px = 640, .height_px = 360, .first_time_s = 0.0, .last_time_s = 10.0}, nullptr);
+    Instant instant;
+    instant.time_s = 6.283185307179586;
+    const PlotValues values = plot_quantity_of(stage, "turns").values(stage, instant);
+    // cos θ = 1 − 5e-9 for tan θ = 1e-3·1/(2·5).
+    EXPECT_NEAR(values[0], 10.0, 1e-7);
+    EXPECT_NEAR(values[1], 5.0, 1e-7);
+    Scene asymmetric = free_scene(moments, omega, "plot");
+    asymmetric.panels[0].quantity = "turns";
+    EXPECT_THROW(StagedScene(asymmetric, 1.0), InputError);
+}
+
+TEST(TimeUnits, TicksAreRoundNumbersOfTheUnit) {
+    const TimeUnit unit = time_unit_of(610.0 * 86400.0);
+    EXPECT_EQ(unit.name, "d");
+    const Axis axis = time_axis(0.0, 610.0 * 86400.0, unit, 7);
+    ASSERT_GE(axis.ticks.size(), 3u);
+    EXPECT_EQ(axis.ticks[1].label, "100");
+    EXPECT_EQ(axis.ticks[1].value, 100.0 * 86400.0);
+    EXPECT_EQ(time_unit_of(12.0).name, "s");
+    EXPECT_EQ(time_unit_of(0.01).name, "ms");
+    EXPECT_EQ(time_unit_of(86400.0).name, "h");
+}
+
+}  // namespace
+}  // namespace poinsot
