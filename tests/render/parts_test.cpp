@@ -59,10 +59,12 @@ TEST(Parts, MakeThePictureThatIsDrawnWhole) {
             }
         }
         const Difference difference = difference_of(at_once, pieced);
-        // Coordinates counted from another corner round otherwise. Measured: 1 level in 40 of
+        // Coordinates counted from another corner round otherwise. Measured: 1 level in 12 of
         // 522,240 pixels.
+        RecordProperty(std::string(theme) + "_largest", difference.largest);
+        RecordProperty(std::string(theme) + "_pixels", difference.n_pixels);
         EXPECT_LE(difference.largest, 2) << theme;
-        EXPECT_LT(difference.n_pixels, 500) << theme;
+        EXPECT_LT(difference.n_pixels, 200) << theme;
     }
 }
 
@@ -129,7 +131,7 @@ TEST(TransparentPicture, LaidOnAGroundIsThePictureDrawnOnThatGround) {
             }
         }
         // Both are dithered by half a level and alpha is rounded. Premultiplied colours would be
-        // off by 60 levels on the plane.
+        // too dark by most of a half-covered pixel's light.
         EXPECT_LE(worst, 3.0) << ground;
         EXPECT_LT(sum / (640.0 * 360.0), 0.8) << ground;
     }
@@ -192,7 +194,7 @@ TEST(WholePicture, HasSmootherEdgesThanFourSamplesAPixel) {
     }
     RecordProperty("analytic", std::to_string(of_analytic));
     RecordProperty("four_samples", std::to_string(of_samples));
-    EXPECT_LT(of_analytic, of_samples);
+    EXPECT_LT(of_analytic, of_samples);  // measured 7.3 and 20.3
 }
 
 }  // namespace
