@@ -102,7 +102,7 @@ struct Film {
     std::int64_t n_frames;
 
     void draw(std::int64_t frame, Image& image) const {
-        pictures.draw(plan.time_of(frame % plan.n_frames), image);
+        pictures.draw(plan.moment_of(frame % plan.n_frames), image);
     }
 };
 
@@ -125,7 +125,7 @@ int run(const std::string& phase, const std::string& scene, const std::string& s
     std::vector<std::string> overrides{"film.size=" + size};
     if (is_quality(settings)) overrides.push_back("film.quality=" + settings);
     const Session session = session_of(load_scene(scene, overrides));
-    const FilmPlan plan = film_plan(session.scene, session.motion);
+    const FilmPlan plan = film_plan(session);
     Easel easel{Options{}};
     PictureMaker pictures(session, easel, {plan.time_of(0), plan.last_time_s()});
     const Film film{pictures, plan, n_frames};

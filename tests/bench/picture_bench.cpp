@@ -32,17 +32,17 @@ class Film {
  public:
     explicit Film(const std::vector<std::string>& overrides)
         : session_(session_of(load_scene(scene_file, overrides))),
-          plan_(film_plan(session_.scene, session_.motion)),
+          plan_(film_plan(session_)),
           easel_(Options{}),
           pictures_(session_, easel_, {plan_.time_of(0), plan_.last_time_s()}) {
         for (int k = 0; k < 3; ++k) draw();
     }
-    void draw() { pictures_.draw(next_time(), image_); }
-    Drawing drawing() { return pictures_.stage().at(next_time()); }
+    void draw() { pictures_.draw(next_moment(), image_); }
+    Drawing drawing() { return pictures_.stage().at(next_moment()); }
     const Image& image() const { return image_; }
 
  private:
-    double next_time() { return plan_.time_of(n_drawn_++ % plan_.n_frames); }
+    FilmMoment next_moment() { return plan_.moment_of(n_drawn_++ % plan_.n_frames); }
 
     Session session_;
     FilmPlan plan_;

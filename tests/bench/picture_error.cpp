@@ -50,7 +50,7 @@ struct Sum {
 void run(const std::string& scene, const std::string& size) {
     const std::vector<std::string> overrides{"film.size=" + size, "title=", "caption="};
     const Session session = session_of(load_scene(scene, overrides));
-    const FilmPlan plan = film_plan(session.scene, session.motion);
+    const FilmPlan plan = film_plan(session);
     const double time_s = plan.time_of(plan.n_frames / 2);
     Easel easel{Options{}};
     const auto drawn = [&](int samples) {
