@@ -105,7 +105,7 @@ void fit_film(Scene& scene, double loop_s) {
 std::optional<Loop> resolve_loop(Scene& scene) {
     if (scene.film.loop.empty()) return std::nullopt;
     const auto ratio = loop_ratio_of(scene.film.loop);
-    const auto loop = ratio ? std::optional(closed(scene, *ratio)) : one_period(scene);
+    auto loop = ratio ? std::optional(closed(scene, *ratio)) : one_period(scene);
     if (loop) {
         fit_film(scene, loop->loop_s);
         note_jumps(scene);
