@@ -70,11 +70,15 @@ TEST(EllipsoidPicture, GoesWithItsPresence) {
     const auto picture = [&](double presence) {
         Drawing drawing = lecture_drawing(160, 120, circle, on_plane);
         drawing.views[0].ellipsoids[0].presence = presence;
+        // Marks within it stand behind the curves on it, whatever is left of it.
+        drawing.views[0].arrows.clear();
+        drawing.views[0].dots.clear();
         return renderer().render(drawing);
     };
     Drawing none = lecture_drawing(160, 120, circle, on_plane);
     none.views[0].ellipsoids.clear();
-    // But for arrows where they cross its outline, in the width of a pixel.
+    none.views[0].arrows.clear();
+    none.views[0].dots.clear();
     const Image without = renderer().render(none);
     const Image gone = picture(0.0);
     int n_others = 0;
