@@ -94,6 +94,8 @@ std::vector<Defect> drawing_defects(std::size_t n_curves) {
         {"herpolhode one frame late", [](Drawing& d, const Stage& stage) {
              Drawing before = stage.at(kTime_s - kFrame_s);
              herpolhode_of(d.views[0])->last = herpolhode_of(before.views[0])->last;
+             // With the contact point, which lies over the curve's end.
+             d.views[0].dots = before.views[0].dots;
          }}};
     for (std::size_t i = 0; i < n_curves; ++i)
         defects.push_back(
