@@ -28,8 +28,7 @@ class EglContext final : public NativeContext {
           loader_(library_.function<GLADapiproc(const char*)>("eglGetProcAddress")),
           make_current_(
               library_.function<unsigned(EglDisplay, void*, void*, EglHandle)>("eglMakeCurrent")),
-          destroy_(library_.function<unsigned(EglDisplay, EglHandle)>("eglDestroyContext")),
-          terminate_(library_.function<unsigned(EglDisplay)>("eglTerminate")) {
+          destroy_(library_.function<unsigned(EglDisplay, EglHandle)>("eglDestroyContext")) {
         using GetDisplay = EglDisplay(unsigned, void*, const EglInt*);
         auto* get_display = reinterpret_cast<GetDisplay*>(loader_("eglGetPlatformDisplayEXT"));
         auto* initialize =
@@ -58,17 +57,17 @@ class EglContext final : public NativeContext {
     GLADloadfunc loader() const override { return loader_; }
 
  private:
+    // The display stays for the life of the process, as its library does: to end it would unload
+    // the driver under what Mesa still keeps of it. Opened again, it is the same one.
     void close() {
         make_current_(display_, nullptr, nullptr, nullptr);
         if (context_ != nullptr) destroy_(display_, context_);
-        terminate_(display_);
     }
 
     SharedLibrary library_;
     GLADloadfunc loader_;
     unsigned (*make_current_)(EglDisplay, void*, void*, EglHandle);
     unsigned (*destroy_)(EglDisplay, EglHandle);
-    unsigned (*terminate_)(EglDisplay);
     EglDisplay display_ = nullptr;
     EglHandle context_ = nullptr;
 };
