@@ -22,14 +22,30 @@ namespace poinsot {
 
 namespace {
 
-// output/<scene>.mp4, whose folder is made when it is missing; a folder that the user names is
-// theirs to make.
-std::filesystem::path output_path(const Options& options, const Scene& scene) {
-    if (!options.output.empty()) return options.output;
-    std::error_code ignored;
-    std::filesystem::create_directory("output", ignored);
-    return std::filesystem::path("output") / (scene.name + ".mp4");
-}
+// Where a film goes: output/<scene>.mp4 unless the user says. That folder is made when it is
+// missing and goes again if nothing came to lie in it; a folder that the user names is theirs to
+// make.
+class OutputPlace {
+ public:
+    OutputPlace(const Options& options, const Scene& scene) : path_(options.output) {
+        if (!path_.empty()) return;
+        std::error_code ignored;
+        made_ = std::filesystem::create_directory("output", ignored);
+        path_ = std::filesystem::path("output") / (scene.name + ".mp4");
+    }
+    ~OutputPlace() {
+        std::error_code not_empty;
+        if (made_) std::filesystem::remove("output", not_empty);
+    }
+    OutputPlace(const OutputPlace&) = delete;
+    OutputPlace& operator=(const OutputPlace&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+ private:
+    std::filesystem::path path_;
+    bool made_ = false;
+};
 
 // What an interrupted run has left is gone on from, and the user is told.
 void note_kept(const OutputPlan& plan, std::int64_t n_kept, bool quiet) {
@@ -65,7 +81,8 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
     }
 
     OutputPlan plan;
-    plan.path = output_path(options, session.scene);
+    const OutputPlace place(options, session.scene);
+    plan.path = place.path();
     plan.width_px = session.scene.film.width_px;
     plan.height_px = session.scene.film.height_px;
     plan.rate = film.rate;
