@@ -121,7 +121,8 @@ void main() {
 
     float weight = constant(15).z;
 #if N_QUADRICS + N_FLATS + N_MESHES > 0
-    weight = layer_weight(constant(15).z, visibility(view, pixel, depth, -1.0, -1.0), constant(11).w);
+    weight = layer_weight(constant(15).z, visibility(view, pixel, depth, -1.0, -1.0), constant(11).w,
+                          covered * constant(16).a);
 #endif
     fragment = vec4(shade, 1.0) * (covered * constant(16).a * weight);
 }

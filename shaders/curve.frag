@@ -65,7 +65,7 @@ void main() {
         float change = max(abs(depths.w - depths.z) / run_px, constant(7).z);
         float front = clamp(0.5 + mix(depths.z, depths.w, t) / change, 0.0, 1.0);
         seen.y = 1.0 - (1.0 - seen.y) * (1.0 - (1.0 - front) * constant(7).w);
-        seen.x *= front;
+        seen.x *= 1.0 - (1.0 - front) * hold(constant(7).w);
     }
 #endif
     float per_px = abs(along.w - along.z) / run_px;

@@ -16,6 +16,10 @@ float in_front(float ahead, float pixel) {
     return clamp(0.5 + ahead / clamp(slope, 0.25 * pixel, 8.0 * pixel), 0.0, 1.0);
 }
 
+// How far an ellipsoid of this opacity puts what it hides behind what lies on it: one that fades
+// away lets go of it, so that at last all stands as if it were not there.
+float hold(float opacity) { return clamp(4.0 * opacity, 0.0, 1.0); }
+
 // x: share of the point that nothing hides; y: opacity of what hides the rest. Solids that the
 // point belongs to (by number; -1: none) are left out.
 vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own_flat) {
@@ -29,7 +33,7 @@ vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own
         // Things that lie on the front surface itself are not hidden by it.
         float hidden = outline_coverage(at, s) * (1.0 - in_front(front - depth + 0.75 * unit, unit));
         if (own_quadric == float(i)) hidden = 0.0;
-        clear *= 1.0 - hidden;
+        clear *= 1.0 - hidden * hold(constant(at + 2).w);
         transmitted *= 1.0 - hidden * constant(at + 2).w;
     }
     for (int i = 0; i < N_FLATS; ++i) {
@@ -68,7 +72,9 @@ vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own
     return vec2(clear, 1.0 - transmitted);
 }
 
-// Weight of a point in a layer of things (0: hidden, 1: visible), given how much of it is seen.
-float layer_weight(float layer, vec2 seen, float hidden_opacity) {
-    return layer > 0.5 ? seen.x : (1.0 - seen.x) * max(hidden_opacity, 1.0 - seen.y);
+// Weight of a point in a layer of things (0: hidden, 1: visible), given how much of it is seen and
+// the share of the pixel that it covers: both layers, one over the other, make up the whole.
+float layer_weight(float layer, vec2 seen, float hidden_opacity, float covered) {
+    if (layer > 0.5) return seen.x;
+    return (1.0 - seen.x) * max(hidden_opacity, 1.0 - seen.y) / max(1.0 - covered * seen.x, 1e-3);
 }

@@ -58,7 +58,8 @@ TEST(EllipsoidPicture, SphereCoversTheAreaOfItsDisc) {
 }
 
 TEST(EllipsoidPicture, GoesWithItsPresence) {
-    // With its lines, its shadow, and what it hides: at 0 the picture is the one without it.
+    // With its lines, its shadow, and what it hides, arrows and dots within it too: at 0 the
+    // picture is the one without it.
     CurveGeometry circle, on_plane;
     circle.id = 9'000'001, on_plane.id = 9'000'002;
     for (int k = 0; k < 64; ++k) {
@@ -70,15 +71,10 @@ TEST(EllipsoidPicture, GoesWithItsPresence) {
     const auto picture = [&](double presence) {
         Drawing drawing = lecture_drawing(160, 120, circle, on_plane);
         drawing.views[0].ellipsoids[0].presence = presence;
-        // Marks within it stand behind the curves on it, whatever is left of it.
-        drawing.views[0].arrows.clear();
-        drawing.views[0].dots.clear();
         return renderer().render(drawing);
     };
     Drawing none = lecture_drawing(160, 120, circle, on_plane);
     none.views[0].ellipsoids.clear();
-    none.views[0].arrows.clear();
-    none.views[0].dots.clear();
     const Image without = renderer().render(none);
     const Image gone = picture(0.0);
     int n_others = 0;
