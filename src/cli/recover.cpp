@@ -4,10 +4,13 @@
 #include <array>
 #include <filesystem>
 
+#include "cli/chapters.h"
 #include "cli/command.h"
 #include "cli/record.h"
+#include "error/error.h"
 #include "error/nearest.h"
-#include "output/film_part.h"
+#include "output/frame_sink.h"
+#include "scene/load_scene.h"
 
 namespace poinsot {
 
@@ -21,9 +24,35 @@ std::string retold(const std::string& metadata, std::int64_t n_frames) {
     return to_text(record);
 }
 
+// The chapters beside a film that ends early, as render writes them beside a whole one.
+void write_chapters_beside(const std::filesystem::path& path) {
+    const Record record = read_record(path);
+    // The record's scene is read as a file of its name in this folder would be.
+    const Session session = session_of(
+        parse_scene(record.scene_toml, record.scene_name + ".toml", {}, OutsideFiles::refused));
+    if (session.scene.chapters.empty() || !record.frames) return;
+    const FilmPlan film = film_plan(session);
+    const auto [first, last] = *record.frames;
+    OutputPlan plan;
+    plan.path = path;
+    plan.rate = film.rate;
+    plan.first_frame = first;
+    plan.n_frames = last - first + 1;
+    plan.chapters = chapters_of(session.scene, film, first, last);
+    write_chapters(plan, film);
+}
+
 int run(const Options& options) {
     const std::filesystem::path film = options.arguments.at(0);
     const std::int64_t n_frames = recover_film(film, retold);
+    try {
+        write_chapters_beside(film);
+    } catch (const InputError& error) {
+        // The film is there; only what stands beside it needs the scene's files.
+        if (!options.quiet)
+            fmt::print(stderr, "note: no {}: {}\n", printable(chapters_path(film).string()),
+                       printable(error.what()));
+    }
     if (!options.quiet)
         fmt::print(stderr, "{}: the first {} frames\n", printable(film.string()), n_frames);
     return 0;

@@ -48,8 +48,13 @@ class OutputPlace {
 };
 
 // What an interrupted run has left is gone on from, and the user is told.
-void note_kept(const OutputPlan& plan, std::int64_t n_kept, bool quiet) {
+void note_kept(const OutputPlan& plan, std::int64_t n_kept, bool film, bool quiet) {
     if (quiet || n_kept == 0) return;
+    if (n_kept == plan.n_frames && film) {
+        fmt::print(stderr, "note: an interrupted run has drawn all frames of {}\n",
+                   printable(plan.path.string()));
+        return;
+    }
     if (n_kept == plan.n_frames) {
         fmt::print(stderr,
                    "note: all {} frames of {} are there, of this very scene; remove them to have "
@@ -111,7 +116,7 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
     plan.metadata = to_text(record);
     plan.resume = true;
     AsyncSink sink(format.open(plan));
-    note_kept(plan, sink.n_frames_kept(), options.quiet);
+    note_kept(plan, sink.n_frames_kept(), format.film, options.quiet);
     Progress progress(session.scene.name, plan.n_frames, options.quiet);
     for (std::int64_t frame = first + sink.n_frames_kept(); frame <= last; ++frame) {
         stop_if_interrupted();

@@ -77,21 +77,26 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(followed(path)) {
         return;
     }
     aside_ = aside_path_of(path_);
-    open_aside(false);
+    open_aside();
 }
 
 AtomicFile::AtomicFile(const fs::path& path, const fs::path& aside, bool keep_contents)
-    : path_(followed(path)), aside_(aside) {
+    : path_(followed(path)), aside_(aside), keeps_(keep_contents) {
     check_place(path_);
-    open_aside(keep_contents);
+    open_aside();
 }
 
-AtomicFile::~AtomicFile() { discard(); }
+AtomicFile::~AtomicFile() {
+    // Whatever goes wrong after an interrupted run, what it has left is not lost.
+    if (keeps_ && has_contents()) aside_.clear();
+    discard();
+}
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
       aside_(std::exchange(other.aside_, {})),
-      descriptor_(std::exchange(other.descriptor_, -1)) {}
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      keeps_(other.keeps_) {}
 
 AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
     if (this == &other) return *this;
@@ -99,10 +104,11 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
     path_ = std::move(other.path_);
     aside_ = std::exchange(other.aside_, {});
     descriptor_ = std::exchange(other.descriptor_, -1);
+    keeps_ = other.keeps_;
     return *this;
 }
 
-void AtomicFile::open_aside(bool keep_contents) {
+void AtomicFile::open_aside() {
     while (descriptor_ < 0) {
         const int opened = ::open(aside_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
         if (opened < 0) throw_write_error(path_, errno);
@@ -118,11 +124,16 @@ void AtomicFile::open_aside(bool keep_contents) {
         else
             ::close(opened);
     }
-    if (!keep_contents && ftruncate(descriptor_, 0) != 0) {
+    if (!keeps_ && ftruncate(descriptor_, 0) != 0) {
         const int error_number = errno;
         discard();
         throw_write_error(path_, error_number);
     }
+}
+
+bool AtomicFile::has_contents() const {
+    struct stat status {};
+    return descriptor_ >= 0 && fstat(descriptor_, &status) == 0 && status.st_size > 0;
 }
 
 void AtomicFile::write(std::span<const std::uint8_t> bytes) {

@@ -29,10 +29,11 @@ class AtomicFile {
     // that of a folder, or if another run holds the file.
     explicit AtomicFile(const std::filesystem::path& path);
     // The same with a file aside of the caller's naming, in the same folder.
-    // keep_contents leaves what a killed run has written, for the caller to go on from.
+    // keep_contents leaves what a killed run has written, for the caller to go on from, and unless
+    // it is discarded leaves it again.
     AtomicFile(const std::filesystem::path& path, const std::filesystem::path& aside,
                bool keep_contents = false);
-    ~AtomicFile();  // removes what is aside, unless committed or released
+    ~AtomicFile();  // removes what is aside, unless it was committed or released or is kept
     AtomicFile(AtomicFile&& other) noexcept;
     AtomicFile& operator=(AtomicFile&& other) noexcept;
 
@@ -50,7 +51,7 @@ class AtomicFile {
     // Syncs, closes and leaves the contents aside for a later run to find.
     void release();
 
-    // Removes what is aside and closes, as the destructor does.
+    // Removes what is aside and closes.
     void discard() noexcept;
 
     // Takes the place of another file aside of the same output, which is closed and forgotten.
@@ -58,11 +59,13 @@ class AtomicFile {
     void replace(AtomicFile& other);
 
  private:
-    void open_aside(bool keep_contents);
+    void open_aside();
+    bool has_contents() const;
 
     std::filesystem::path path_;
     std::filesystem::path aside_;
     int descriptor_ = -1;
+    bool keeps_ = false;
 };
 
 }  // namespace poinsot

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "output/frame_sink.h"
 #include "output/libav.h"
@@ -11,5 +14,13 @@ namespace poinsot {
 // Before the header is written. Throws EnvironmentError if memory has run out.
 void add_chapters(AVFormatContext& context, std::span<const FilmChapter> chapters,
                   const FrameRate& rate);
+
+// Chapters as a text that a film under way carries, and back; what is no such text has none.
+std::string chapters_text(std::span<const FilmChapter> chapters);
+std::vector<FilmChapter> parse_chapters(std::string_view text);
+
+// Those of a film that ends after n_frames.
+std::vector<FilmChapter> first_chapters(std::span<const FilmChapter> chapters,
+                                        std::int64_t n_frames);
 
 }  // namespace poinsot

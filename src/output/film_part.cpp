@@ -12,6 +12,7 @@
 
 #include "error/error.h"
 #include "output/chapters.h"
+#include "output/formats.h"
 #include "output/video_encoder.h"
 
 extern "C" {
@@ -25,14 +26,12 @@ namespace {
 namespace fs = std::filesystem;
 using libav::checked;
 
-// Names of what the container carries: the plan's text, and, aside only, the encoder's settings and
-// the frame rate, which fragments do not say.
+// Names of what the container carries: the plan's text, and, aside only, the encoder's settings,
+// the chapters, and the frame rate, which fragments do not say.
 constexpr const char* kMetadataKey = "poinsot";
 constexpr const char* kSettingsKey = "poinsot_settings";
 constexpr const char* kRateKey = "poinsot_rate";
-// Length of a fragment, in film: what a kill can take beyond the encoder's own delay.
-constexpr int kFragment_us = 250000;
-
+constexpr const char* kChaptersKey = "poinsot_chapters";
 std::string text_of(const AVDictionary* dictionary, const char* key) {
     const AVDictionaryEntry* entry = av_dict_get(dictionary, key, nullptr, 0);
     return entry ? entry->value : "";
@@ -166,7 +165,7 @@ void copy_packets(const AtomicFile& from, libav::Muxer& to, std::int64_t n_packe
 
 // Copies the first frames of a part into a file with its index in front.
 void copy_to_whole(const AtomicFile& part, const AtomicFile& whole, std::int64_t n_frames,
-                   std::span<const FilmChapter> chapters, const Retell& retell) {
+                   const Retell& retell) {
     const fs::path& path = whole.path();
     PartReader reader(part);
     if (!reader.valid())
@@ -182,7 +181,9 @@ void copy_to_whole(const AtomicFile& part, const AtomicFile& whole, std::int64_t
     const std::string text = reader.text(kMetadataKey);
     av_dict_set(&muxer.context()->metadata, kMetadataKey,
                 (retell ? retell(text, n_frames) : text).c_str(), 0);
-    add_chapters(*muxer.context(), chapters, {reader.rate().num, reader.rate().den});
+    const auto chapters = parse_chapters(reader.text(kChaptersKey));
+    add_chapters(*muxer.context(), first_chapters(chapters, n_frames),
+                 {reader.rate().num, reader.rate().den});
     libav::Options options;
     options.set("movflags", "faststart+use_metadata_tags");
     options.set("video_track_timescale", fmt::format("{}", stream->time_base.den));
@@ -214,13 +215,18 @@ FilmPart::FilmPart(const OutputPlan& plan, const AVCodecContext& encoder,
 FilmPart::~FilmPart() {
     // FFmpeg's buffers go before the file does.
     muxer_.reset();
+    bool worth_keeping = false;
     try {
-        if (plan_.resume && file_.descriptor() >= 0 && n_frames_without_gap(file_, 1) > 0)
-            file_.release();
+        worth_keeping =
+            plan_.resume && file_.descriptor() >= 0 && n_frames_without_gap(file_, 1) > 0;
     } catch (const Error&) {
-        // What cannot be read back is not worth keeping.
-        file_.discard();
+        // What cannot be read back is not.
+        worth_keeping = false;
     }
+    if (worth_keeping)
+        file_.release();
+    else
+        file_.discard();
 }
 
 std::unique_ptr<libav::Muxer> FilmPart::open_muxer(const AtomicFile& file,
@@ -236,9 +242,11 @@ std::unique_ptr<libav::Muxer> FilmPart::open_muxer(const AtomicFile& file,
     av_dict_set(&muxer->context()->metadata, kSettingsKey, settings.c_str(), 0);
     av_dict_set(&muxer->context()->metadata, kRateKey,
                 fmt::format("{}/{}", plan_.rate.numerator, plan_.rate.denominator).c_str(), 0);
+    av_dict_set(&muxer->context()->metadata, kChaptersKey, chapters_text(plan_.chapters).c_str(),
+                0);
     libav::Options options;
-    options.set("movflags", "frag_keyframe+empty_moov+default_base_moof+use_metadata_tags");
-    options.set("frag_duration", fmt::format("{}", kFragment_us));
+    // A fragment a frame: a kill takes nothing that the encoder has given out.
+    options.set("movflags", "frag_every_frame+empty_moov+default_base_moof+use_metadata_tags");
     muxer->write_header(options);
     return muxer;
 }
@@ -277,13 +285,13 @@ std::uint64_t FilmPart::n_bytes() const {
 void FilmPart::finish(std::int64_t n_frames) {
     muxer_->write_trailer();
     AtomicFile whole(plan_.path);
-    copy_to_whole(file_, whole, n_frames, plan_.chapters, {});
+    copy_to_whole(file_, whole, n_frames, {});
     whole.commit();
     muxer_.reset();
     file_.discard();
 }
 
-std::int64_t recover_film(const fs::path& path, const Retell& retell) {
+std::int64_t recover_mp4(const fs::path& path, const Retell& retell) {
     const fs::path part_path = film_part_path(path);
     std::error_code ignored;
     if (!fs::exists(part_path, ignored))
@@ -294,8 +302,7 @@ std::int64_t recover_film(const fs::path& path, const Retell& retell) {
     if (n_frames == 0)
         throw InputError(fmt::format("no frame of {} had been finished", path.string()));
     AtomicFile whole(path);
-    // What is left aside does not say the chapters.
-    copy_to_whole(part, whole, n_frames, {}, retell);
+    copy_to_whole(part, whole, n_frames, retell);
     whole.commit();
     part.discard();
     return n_frames;

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -51,13 +50,5 @@ class FilmPart {
 
 // Where the film under way to a final name lies.
 std::filesystem::path film_part_path(const std::filesystem::path& path);
-
-// The text that a film of so many frames carries, from that of the whole film.
-using Retell = std::function<std::string(const std::string& metadata, std::int64_t n_frames)>;
-
-// Makes a film of what a killed run has left aside, as far as it goes without a gap, under the
-// final name, and returns its number of frames. The rest aside is removed. Throws: InputError if
-// nothing was left; EnvironmentError.
-std::int64_t recover_film(const std::filesystem::path& path, const Retell& retell = {});
 
 }  // namespace poinsot

@@ -14,14 +14,16 @@ namespace {
 
 // The two PNG rows share a suffix: a file name with '#' in it asks for the first.
 constexpr std::array<OutputFormat, 7> kFormats = {{
-    {"mp4", ".mp4", "film, H.264; plays everywhere, no transparency", true, false, open_mp4},
-    {"webm", ".webm", "film, VP9; small, keeps transparency", true, true, open_webm},
-    {"gif", ".gif", "film of 255 colours, for pages that take no other", true, true, open_gif},
+    {"mp4", ".mp4", "film, H.264; plays everywhere, no transparency", true, false, open_mp4,
+     recover_mp4},
+    {"webm", ".webm", "film, VP9; small, keeps transparency", true, true, open_webm, recover_webm},
+    {"gif", ".gif", "film of 255 colours, for pages that take no other", true, true, open_gif,
+     recover_gif},
     {"png-sequence", ".png", "numbered pictures; #### in the name is the frame", false, true,
-     open_png_sequence},
-    {"png", ".png", "one picture", false, true, open_png_still},
-    {"md5", ".md5", "the hash of every frame, a line each", false, true, open_md5},
-    {"null", "", "nothing: frames are drawn and dropped", false, true, open_null},
+     open_png_sequence, nullptr},
+    {"png", ".png", "one picture", false, true, open_png_still, nullptr},
+    {"md5", ".md5", "the hash of every frame, a line each", false, true, open_md5, nullptr},
+    {"null", "", "nothing: frames are drawn and dropped", false, true, open_null, nullptr},
 }};
 
 std::string known_suffixes() {
@@ -54,6 +56,15 @@ const OutputFormat& format_for(const std::filesystem::path& path) {
         "{}: no output is known by {}; the known are {}", path.string(),
         suffix.empty() ? "a name without suffix" : fmt::format("the suffix \"{}\"", suffix),
         known_suffixes()));
+}
+
+std::int64_t recover_film(const std::filesystem::path& path, const Retell& retell) {
+    const OutputFormat& format = format_for(path);
+    if (format.recover == nullptr)
+        throw InputError(
+            fmt::format("{}: is no film, so nothing of it lies aside; run the same command again",
+                        path.string()));
+    return format.recover(path, retell);
 }
 
 }  // namespace poinsot

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -56,6 +57,9 @@ class FrameSink {
     virtual void finish() = 0;  // flushes, syncs and renames; throws EnvironmentError
 };
 
+// The text that a film of so many frames carries, from that of the whole film.
+using Retell = std::function<std::string(const std::string& metadata, std::int64_t n_frames)>;
+
 // A row of the table of formats.
 struct OutputFormat {
     std::string_view name;     // "mp4"
@@ -66,6 +70,8 @@ struct OutputFormat {
     // Throws InputError for what the format cannot hold (odd sizes, rate 0), EnvironmentError for
     // what the machine refuses.
     std::unique_ptr<FrameSink> (*open)(const OutputPlan& plan);
+    // As recover_film; null where nothing unfinished is left, or is whole as it is.
+    std::int64_t (*recover)(const std::filesystem::path& path, const Retell& retell);
 };
 
 std::span<const OutputFormat> output_formats();
@@ -73,5 +79,10 @@ std::span<const OutputFormat> output_formats();
 // The format that a file name asks for: by suffix, a "####" PNG name being a sequence. Throws
 // InputError listing the known.
 const OutputFormat& format_for(const std::filesystem::path& path);
+
+// Makes a film of what an interrupted run has left aside, as far as it goes without a gap, under
+// the final name, and returns its number of frames. The rest aside is removed. Throws: InputError
+// if nothing was left, or for what is no film; EnvironmentError, and then leaves what was aside.
+std::int64_t recover_film(const std::filesystem::path& path, const Retell& retell = {});
 
 }  // namespace poinsot

@@ -1,4 +1,5 @@
-// GIF: 255 colours chosen from all frames, so frames wait aside until the last has come.
+// GIF: 255 colours chosen from all frames, so frames wait aside until the last has come. A killed
+// run loses none of them.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,7 +11,9 @@
 #include "image/atomic_file.h"
 #include "image/png.h"
 #include "output/formats.h"
+#include "output/frame_log.h"
 #include "output/palette.h"
+#include "output/room.h"
 #include "output/video_encoder.h"
 
 namespace poinsot {
@@ -36,13 +39,85 @@ void append_comment(AtomicFile& file, const std::string& text) {
     file.write(bytes);
 }
 
+EncoderSettings settings_for(const OutputPlan& plan) {
+    EncoderSettings settings;
+    settings.codec = "gif";
+    settings.pixel_format = AV_PIX_FMT_PAL8;
+    settings.width_px = plan.width_px;
+    settings.height_px = plan.height_px;
+    settings.rate = plan.rate;
+    return settings;
+}
+
+libav::Frame indexed_frame(const OutputPlan& plan) {
+    libav::Frame frame = libav::make_frame();
+    frame->format = AV_PIX_FMT_PAL8;
+    frame->width = plan.width_px;
+    frame->height = plan.height_px;
+    libav::checked(av_frame_get_buffer(frame.get(), 0), plan.path, "video frame");
+    return frame;
+}
+
+void set_palette(AVFrame& frame, const std::vector<Rgba8>& palette) {
+    auto* entries = reinterpret_cast<std::uint32_t*>(frame.data[1]);
+    std::fill_n(entries, AVPALETTE_COUNT, 0xff000000u);
+    for (std::size_t i = 0; i < palette.size(); ++i)
+        entries[i] = 0xff000000u | static_cast<std::uint32_t>(palette[i].r) << 16 |
+                     static_cast<std::uint32_t>(palette[i].g) << 8 | palette[i].b;
+    entries[kTransparentIndex] = 0;
+}
+
+void take_packets(VideoEncoder& encoder, libav::Muxer& muxer, AVPacket* packet) {
+    while (encoder.receive(*packet)) muxer.write(packet, encoder.context().time_base);
+}
+
+// Puts the film together from the frames in the log, whose colours have been counted.
+void write_whole(FrameLog& log, const ColourCount& count, const OutputPlan& plan) {
+    AtomicFile file(plan.path);
+    const std::vector<Rgba8> palette = palette_for(count, kTransparentIndex);
+    Ditherer ditherer(palette, kTransparentIndex);
+    VideoEncoder encoder(settings_for(plan), plan.path);
+    libav::Muxer muxer("gif", file.descriptor(), plan.path, file.aside());
+    libav::checked(avcodec_parameters_from_context(muxer.stream()->codecpar, &encoder.context()),
+                   plan.path, "stream parameters");
+    muxer.stream()->time_base = encoder.context().time_base;
+    libav::Options options;
+    muxer.write_header(options);
+    const libav::Frame frame = indexed_frame(plan);
+    const libav::Packet packet = libav::make_packet();
+    for (std::int64_t k = 0; k < log.n_entries(); ++k) {
+        libav::checked(av_frame_make_writable(frame.get()), plan.path, "video frame");
+        set_palette(*frame, palette);
+        ditherer.apply(decode_png(log.read(k), plan.path.string()), frame->data[0],
+                       frame->linesize[0]);
+        frame->pts = k;
+        encoder.send(*frame);
+        take_packets(encoder, muxer, packet.get());
+    }
+    encoder.send_end();
+    take_packets(encoder, muxer, packet.get());
+    muxer.write_trailer();
+    if (!plan.metadata.empty()) append_comment(file, plan.metadata);
+    file.commit();
+}
+
+ColourCount colours_of(FrameLog& log) {
+    ColourCount count;
+    for (std::int64_t k = 0; k < log.n_entries(); ++k)
+        count.add(decode_png(log.read(k), log.plan().path.string()));
+    return count;
+}
+
 class GifSink : public FrameSink {
  public:
     explicit GifSink(const OutputPlan& plan)
         : plan_(plan),
-          file_(plan.path),
-          waiting_(plan.path, aside_path_of(plan.path, ".frames")),
+          log_(plan, "PNG frames of holes and opaque pixels", 1),
+          n_kept_(log_.n_entries()),
+          count_(colours_of(log_)),
           spooler_(PngOptions{.texts = {}, .pixels_per_metre = 0, .deflate_level = 1}) {}
+
+    std::int64_t n_frames_kept() const override { return n_kept_; }
 
     void write(const Image& frame) override {
         check_frame(frame, plan_);
@@ -51,17 +126,15 @@ class GifSink : public FrameSink {
         if (!opaque) flatten_keeping_holes(frame);
         const Image& shown = opaque ? frame : flat_;
         count_.add(shown);
-        const auto bytes = spooler_.encode(shown);
-        waiting_.write(bytes);
-        sizes_.push_back(bytes.size());
+        log_.append(spooler_.encode(shown));
+        if (log_.n_entries() == n_kept_ + 1)
+            check_room(plan_.path, log_.n_bytes(), log_.n_entries(), plan_.n_frames);
     }
 
     void finish() override {
-        check_any_frame(static_cast<std::int64_t>(sizes_.size()), plan_);
-        encode_all();
-        if (!plan_.metadata.empty()) append_comment(file_, plan_.metadata);
-        file_.commit();
-        waiting_.discard();
+        check_any_frame(log_.n_entries(), plan_);
+        write_whole(log_, count_, plan_);
+        log_.discard();
     }
 
  private:
@@ -71,85 +144,12 @@ class GifSink : public FrameSink {
             flat_.bytes()[i] = frame.bytes()[i] < kHoleBelowAlpha ? 0 : 255;
     }
 
-    EncoderSettings settings() const {
-        EncoderSettings settings;
-        settings.codec = "gif";
-        settings.pixel_format = AV_PIX_FMT_PAL8;
-        settings.width_px = plan_.width_px;
-        settings.height_px = plan_.height_px;
-        settings.rate = plan_.rate;
-        return settings;
-    }
-
-    void encode_all() {
-        const std::vector<Rgba8> palette = palette_for(count_, kTransparentIndex);
-        Ditherer ditherer(palette, kTransparentIndex);
-        VideoEncoder encoder(settings(), plan_.path);
-        libav::Muxer muxer("gif", file_.descriptor(), plan_.path, file_.aside());
-        libav::checked(
-            avcodec_parameters_from_context(muxer.stream()->codecpar, &encoder.context()),
-            plan_.path, "stream parameters");
-        muxer.stream()->time_base = encoder.context().time_base;
-        libav::Options options;
-        muxer.write_header(options);
-        const libav::Frame frame = indexed_frame();
-        if (::lseek(waiting_.descriptor(), 0, SEEK_SET) != 0) throw_write_error(plan_.path, errno);
-        for (std::size_t k = 0; k < sizes_.size(); ++k) {
-            libav::checked(av_frame_make_writable(frame.get()), plan_.path, "video frame");
-            set_palette(*frame, palette);
-            ditherer.apply(next_waiting(sizes_[k]), frame->data[0], frame->linesize[0]);
-            frame->pts = static_cast<std::int64_t>(k);
-            encoder.send(*frame);
-            take_packets(encoder, muxer);
-        }
-        encoder.send_end();
-        take_packets(encoder, muxer);
-        muxer.write_trailer();
-    }
-
-    libav::Frame indexed_frame() const {
-        libav::Frame frame = libav::make_frame();
-        frame->format = AV_PIX_FMT_PAL8;
-        frame->width = plan_.width_px;
-        frame->height = plan_.height_px;
-        libav::checked(av_frame_get_buffer(frame.get(), 0), plan_.path, "video frame");
-        return frame;
-    }
-
-    static void set_palette(AVFrame& frame, const std::vector<Rgba8>& palette) {
-        auto* entries = reinterpret_cast<std::uint32_t*>(frame.data[1]);
-        std::fill_n(entries, AVPALETTE_COUNT, 0xff000000u);
-        for (std::size_t i = 0; i < palette.size(); ++i)
-            entries[i] = 0xff000000u | static_cast<std::uint32_t>(palette[i].r) << 16 |
-                         static_cast<std::uint32_t>(palette[i].g) << 8 | palette[i].b;
-        entries[kTransparentIndex] = 0;
-    }
-
-    Image next_waiting(std::size_t size) {
-        buffer_.resize(size);
-        std::size_t done = 0;
-        while (done < size) {
-            const ssize_t n = ::read(waiting_.descriptor(), buffer_.data() + done, size - done);
-            if (n < 0 && errno == EINTR) continue;
-            if (n <= 0) throw_write_error(plan_.path, n < 0 ? errno : EIO);
-            done += static_cast<std::size_t>(n);
-        }
-        return decode_png(buffer_, plan_.path.string());
-    }
-
-    void take_packets(VideoEncoder& encoder, libav::Muxer& muxer) {
-        while (encoder.receive(*packet_)) muxer.write(packet_.get(), encoder.context().time_base);
-    }
-
     OutputPlan plan_;
-    AtomicFile file_;
-    AtomicFile waiting_;  // the frames so far, as PNG files one after another; never committed
-    PngEncoder spooler_;
+    FrameLog log_;  // the frames so far, as PNG files
+    std::int64_t n_kept_;
     ColourCount count_;
-    std::vector<std::size_t> sizes_;
-    std::vector<std::uint8_t> buffer_;
+    PngEncoder spooler_;
     Image flat_;
-    libav::Packet packet_ = libav::make_packet();
 };
 
 }  // namespace
@@ -166,6 +166,16 @@ std::unique_ptr<FrameSink> open_gif(const OutputPlan& plan) {
         throw InputError("a GIF is at most 65535 pixels wide and high");
     silence_libav();
     return std::make_unique<GifSink>(plan);
+}
+
+std::int64_t recover_gif(const std::filesystem::path& path, const Retell& retell) {
+    silence_libav();
+    FrameLog log = FrameLog::left_of(path);
+    OutputPlan plan = log.plan();
+    if (retell) plan.metadata = retell(plan.metadata, plan.n_frames);
+    write_whole(log, colours_of(log), plan);
+    log.discard();
+    return plan.n_frames;
 }
 
 }  // namespace poinsot

@@ -1,21 +1,30 @@
-// VP9 in WebM: smaller than H.264, and with transparency. No chunks: a WebM film starts again from
-// its first frame.
+// VP9 in WebM: smaller than H.264, and with transparency. Encoded in chunks that know nothing of
+// each other, as MP4 is; the packets wait aside until the last has come.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
 
 #include "error/error.h"
 #include "image/alpha.h"
 #include "image/atomic_file.h"
 #include "output/chapters.h"
 #include "output/formats.h"
+#include "output/frame_log.h"
+#include "output/room.h"
 #include "output/video_encoder.h"
 #include "output/yuv.h"
 
 namespace poinsot {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 // What a quality name asks of libvpx. Speed 8 exists in its realtime mode only.
 struct Quality {
@@ -32,6 +41,9 @@ constexpr std::array<Quality, 4> kQualities = {{
 // As with x264, the bytes depend on the number of threads.
 constexpr int kThreads = 2;
 
+// Frames between two starts of the encoder; libvpx sets a key frame every 128 anyway.
+constexpr std::int64_t kChunkFrames = 120;
+
 EncoderSettings settings_for(const OutputPlan& plan, bool alpha) {
     const Quality& quality = quality_named(kQualities, plan.quality);
     EncoderSettings settings;
@@ -47,19 +59,115 @@ EncoderSettings settings_for(const OutputPlan& plan, bool alpha) {
                         {"crf", quality.crf},
                         {"b", "0"},
                         {"row-mt", "1"},
+                        {"lag-in-frames", "16"},
                         {"auto-alt-ref", alpha ? "0" : "1"}};
     return settings;
+}
+
+// What the packets depend on besides the plan's size and rate, and the library that makes them.
+std::string description_of(const EncoderSettings& settings) {
+    std::string text =
+        fmt::format("{} {} threads={}", settings.codec, av_version_info(), settings.n_threads);
+    for (const auto& [key, value] : settings.options)
+        if (std::string_view(key) != "auto-alt-ref") text += fmt::format(" {}={}", key, value);
+    return text;
+}
+
+// A packet as an entry of the log: whether a player may begin with it, the length of what comes
+// beside it (the alpha plane's packet, as FFmpeg hands it to Matroska), that, and the packet.
+constexpr std::size_t kEntryHead = 5;
+
+void pack(const AVPacket& packet, std::vector<std::uint8_t>& entry) {
+    std::size_t n_beside = 0;
+    const std::uint8_t* const beside =
+        av_packet_get_side_data(&packet, AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, &n_beside);
+    entry.assign({static_cast<std::uint8_t>(packet.flags & AV_PKT_FLAG_KEY)});
+    for (int i = 0; i < 4; ++i) entry.push_back(static_cast<std::uint8_t>(n_beside >> 8 * i));
+    if (beside != nullptr) entry.insert(entry.end(), beside, beside + n_beside);
+    entry.insert(entry.end(), packet.data, packet.data + packet.size);
+}
+
+std::size_t n_beside_of(std::span<const std::uint8_t> entry) {
+    std::size_t n_beside = 0;
+    for (std::size_t i = 0; i < 4; ++i) n_beside |= std::size_t{entry[i + 1]} << 8 * i;
+    return n_beside;
+}
+
+void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::path& path) {
+    const std::size_t n_beside = n_beside_of(entry);
+    const auto data = entry.subspan(kEntryHead + n_beside);
+    libav::checked(av_new_packet(&packet, static_cast<int>(data.size())), path, "packet");
+    std::copy(data.begin(), data.end(), packet.data);
+    packet.flags |= entry[0] & AV_PKT_FLAG_KEY;
+    if (n_beside == 0) return;
+    std::uint8_t* const beside =
+        av_packet_new_side_data(&packet, AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, n_beside);
+    if (beside == nullptr) throw EnvironmentError("no memory for a video packet");
+    std::copy_n(entry.data() + kEntryHead, n_beside, beside);
+}
+
+bool has_alpha(FrameLog& log) { return log.n_entries() > 0 && n_beside_of(log.read(0)) > 0; }
+
+void describe_stream(AVStream& stream, const OutputPlan& plan, bool alpha) {
+    AVCodecParameters& parameters = *stream.codecpar;
+    parameters.codec_type = AVMEDIA_TYPE_VIDEO;
+    parameters.codec_id = AV_CODEC_ID_VP9;
+    parameters.format = alpha ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
+    parameters.width = plan.width_px;
+    parameters.height = plan.height_px;
+    parameters.sample_aspect_ratio = {1, 1};
+    parameters.field_order = AV_FIELD_PROGRESSIVE;
+    parameters.color_range = AVCOL_RANGE_MPEG;
+    parameters.color_space = AVCOL_SPC_BT709;
+    parameters.color_primaries = AVCOL_PRI_BT709;
+    parameters.color_trc = AVCOL_TRC_BT709;
+    parameters.chroma_location = AVCHROMA_LOC_LEFT;
+    stream.time_base = av_inv_q(as_rational(plan.rate));
+    stream.avg_frame_rate = as_rational(plan.rate);
+    if (alpha) av_dict_set(&stream.metadata, "alpha_mode", "1", 0);
+}
+
+// Puts the film together from what the log holds. VP9's packets come in the order shown.
+void write_whole(FrameLog& log, const OutputPlan& plan) {
+    AtomicFile file(plan.path);
+    libav::Muxer muxer("webm", file.descriptor(), plan.path, file.aside());
+    describe_stream(*muxer.stream(), plan, has_alpha(log));
+    av_dict_set(&muxer.context()->metadata, "poinsot", plan.metadata.c_str(), 0);
+    add_chapters(*muxer.context(), plan.chapters, plan.rate);
+    libav::Options options;
+    // The index in front lets players seek while they load.
+    options.set("cues_to_front", "1");
+    muxer.write_header(options);
+    const libav::Packet packet = libav::make_packet();
+    for (std::int64_t k = 0; k < log.n_entries(); ++k) {
+        unpack(log.read(k), *packet, plan.path);
+        packet->pts = packet->dts = k;
+        packet->duration = 1;
+        muxer.write(packet.get(), av_inv_q(as_rational(plan.rate)));
+    }
+    muxer.write_trailer();
+    file.commit();
 }
 
 // Whether the film carries alpha is known from its first frame.
 class WebmSink : public FrameSink {
  public:
     explicit WebmSink(const OutputPlan& plan)
-        : plan_(plan), converter_(plan.width_px), packet_(libav::make_packet()), file_(plan.path) {}
+        : plan_(plan),
+          converter_(plan.width_px),
+          packet_(libav::make_packet()),
+          log_(plan, description_of(settings_for(plan, false)), kChunkFrames),
+          n_kept_(log_.n_entries()),
+          alpha_(has_alpha(log_)),
+          n_written_(n_kept_) {}
+
+    std::int64_t n_frames_kept() const override { return n_kept_; }
 
     void write(const Image& frame) override {
         check_frame(frame, plan_);
-        if (!encoder_) start(!is_opaque(frame));
+        if (n_written_ == 0) alpha_ = !is_opaque(frame);
+        if (n_written_ % kChunkFrames == 0) end_chunk();
+        if (!encoder_) start_chunk();
         libav::checked(av_frame_make_writable(frame_.get()), plan_.path, "video frame");
         const bool flattened = !alpha_ && !is_opaque(frame);
         if (flattened) flatten_on_white(frame, flat_);
@@ -74,51 +182,48 @@ class WebmSink : public FrameSink {
 
     void finish() override {
         check_any_frame(n_written_, plan_);
-        encoder_->send_end();
-        take_packets();
-        muxer_->write_trailer();
-        file_.commit();
+        end_chunk();
+        write_whole(log_, plan_);
+        log_.discard();
     }
 
  private:
-    void start(bool alpha) {
-        alpha_ = alpha;
-        frame_ = make_yuv_frame(alpha ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P, plan_.width_px,
-                                plan_.height_px);
-        encoder_ = std::make_unique<VideoEncoder>(settings_for(plan_, alpha), plan_.path);
-        muxer_ =
-            std::make_unique<libav::Muxer>("webm", file_.descriptor(), plan_.path, file_.aside());
-        AVStream* stream = muxer_->stream();
-        libav::checked(avcodec_parameters_from_context(stream->codecpar, &encoder_->context()),
-                       plan_.path, "stream parameters");
-        stream->time_base = encoder_->context().time_base;
-        stream->avg_frame_rate = as_rational(plan_.rate);
-        if (alpha) av_dict_set(&stream->metadata, "alpha_mode", "1", 0);
-        av_dict_set(&muxer_->context()->metadata, "poinsot", plan_.metadata.c_str(), 0);
-        add_chapters(*muxer_->context(), plan_.chapters, plan_.rate);
-        libav::Options options;
-        // The index in front lets players seek while they load.
-        options.set("cues_to_front", "1");
-        muxer_->write_header(options);
+    void start_chunk() {
+        encoder_.emplace(settings_for(plan_, alpha_), plan_.path);
+        if (!frame_)
+            frame_ = make_yuv_frame(alpha_ ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P,
+                                    plan_.width_px, plan_.height_px);
+    }
+
+    void end_chunk() {
+        if (!encoder_) return;
+        encoder_->send_end();
+        take_packets();
+        encoder_.reset();
+        if (log_.n_entries() != n_written_)
+            throw EnvironmentError(fmt::format("cannot write {}: the encoder has dropped a frame",
+                                               plan_.path.string()));
+        check_room(plan_.path, log_.n_bytes(), n_written_, plan_.n_frames);
     }
 
     void take_packets() {
         while (encoder_->receive(*packet_)) {
-            packet_->duration = 1;
-            muxer_->write(packet_.get(), encoder_->context().time_base);
+            pack(*packet_, entry_);
+            log_.append(entry_);
         }
     }
 
     OutputPlan plan_;
     YuvConverter converter_;
     libav::Packet packet_;
-    AtomicFile file_;
+    FrameLog log_;
+    std::int64_t n_kept_;
+    bool alpha_;
+    std::int64_t n_written_;
     libav::Frame frame_;
-    std::unique_ptr<VideoEncoder> encoder_;
-    std::unique_ptr<libav::Muxer> muxer_;
+    std::optional<VideoEncoder> encoder_;
+    std::vector<std::uint8_t> entry_;
     Image flat_;
-    bool alpha_ = false;
-    std::int64_t n_written_ = 0;
 };
 
 }  // namespace
@@ -128,6 +233,16 @@ std::unique_ptr<FrameSink> open_webm(const OutputPlan& plan) {
     quality_named(kQualities, plan.quality);
     silence_libav();
     return std::make_unique<WebmSink>(plan);
+}
+
+std::int64_t recover_webm(const fs::path& path, const Retell& retell) {
+    silence_libav();
+    FrameLog log = FrameLog::left_of(path);
+    OutputPlan plan = log.plan();
+    if (retell) plan.metadata = retell(plan.metadata, plan.n_frames);
+    write_whole(log, plan);
+    log.discard();
+    return plan.n_frames;
 }
 
 }  // namespace poinsot

@@ -190,6 +190,34 @@ TEST(Recover, GivesTheFramesThatWereDrawnAndRenderGoesOn) {
     EXPECT_EQ(text_of(folder.path() / "a.mp4"), text_of(folder.path() / "whole.mp4"));
 }
 
+TEST(Recover, WritesTheChaptersThatAreThere) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket +
+                                   "[[chapters]]\nat_s = 0\ntitle = \"One\"\n"
+                                   "[[chapters]]\nat_s = 3\ntitle = \"Two\"\n"
+                                   "[[chapters]]\nat_s = 50\ntitle = \"Three\"\n");
+    // Interrupted when some 250 frames lie aside: the second chapter has begun with frame 90.
+    const std::string script =
+        "cd '" + folder.path().string() +
+        "' && '" POINSOT_PROGRAM
+        "' render scene.toml -o a.webm --size 96x54 --set film.duration_s=60 -q & pid=$!\n"
+        "while [ \"$(stat -c %s '" +
+        folder.path().string() +
+        "/.a.webm.part.frames' 2>/dev/null || echo 0)\" -lt 40000 ]; do sleep 0.01; done\n"
+        "kill -INT $pid; wait $pid";
+    ASSERT_NE(std::system(script.c_str()), 0);
+    ASSERT_EQ(run_program_in(folder, "recover a.webm").code, 0);
+    const VideoInfo info = VideoReader(folder.path() / "a.webm").info();
+    ASSERT_EQ(info.chapters.size(), 2u);
+    EXPECT_EQ(info.chapters[1].title, "Two");
+    EXPECT_EQ(info.chapters[1].end_frame, info.n_frames);
+    const std::string beside = text_of(folder.path() / "a.chapters.json");
+    EXPECT_NE(beside.find("\"last_frame\": " + std::to_string(info.n_frames - 1)),
+              std::string::npos)
+        << beside;
+    EXPECT_EQ(beside.find("Three"), std::string::npos);
+}
+
 TEST(List, EveryListHasRows) {
     const ScratchFolder folder;
     const ProgramRun lists = run_program_in(folder, "list");

@@ -84,6 +84,14 @@ TEST(AtomicFile, ReleasedContentsAreThereForTheNextRun) {
         AtomicFile file(folder / "a.mp4", folder / ".a.part", true);
         EXPECT_EQ(text_of(folder / ".a.part"), "kept");
     }
+    // Kept again unless discarded, so that an error while going on loses nothing.
+    {
+        AtomicFile file(folder / "a.mp4", folder / ".a.part", true);
+        EXPECT_EQ(text_of(folder / ".a.part"), "kept");
+        file.discard();
+    }
+    EXPECT_TRUE(folder.contents().empty());
+    { const AtomicFile without_contents(folder / "a.mp4", folder / ".a.part", true); }
     EXPECT_TRUE(folder.contents().empty());
 }
 

@@ -1,0 +1,198 @@
+#include "output/frame_log.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <limits>
+#include <string_view>
+
+#include "error/error.h"
+#include "output/chapters.h"
+
+extern "C" {
+#include <libavutil/crc.h>
+}
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A block is its size and its CRC-32 (IEEE 802.3), four bytes each, the least first, and its
+// contents. The first says what film this is; the others are the entries.
+constexpr std::size_t kBlockHead = 8;
+
+std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
+    return av_crc(av_crc_get_table(AV_CRC_32_IEEE_LE), ~0u, bytes.data(), bytes.size());
+}
+
+void put_u32(std::uint8_t* at, std::uint32_t value) {
+    for (int i = 0; i < 4; ++i) at[i] = static_cast<std::uint8_t>(value >> 8 * i);
+}
+
+std::uint32_t get_u32(const std::uint8_t* at) {
+    std::uint32_t value = 0;
+    for (int i = 0; i < 4; ++i) value |= static_cast<std::uint32_t>(at[i]) << 8 * i;
+    return value;
+}
+
+// The plan and the settings as text: numbers, then the texts, whose lengths stand among the
+// numbers.
+std::string head_of(const OutputPlan& plan, const std::string& settings) {
+    return fmt::format("{} {} {} {} {} {} {}\n{}{}{}", plan.width_px, plan.height_px,
+                       plan.rate.numerator, plan.rate.denominator, plan.first_frame,
+                       settings.size(), plan.metadata.size(), settings, plan.metadata,
+                       chapters_text(plan.chapters));
+}
+
+// Reads the plan back; false for what head_of does not write.
+bool read_head(std::string_view head, OutputPlan& plan) {
+    std::array<std::int64_t, 7> numbers{};
+    for (std::int64_t& number : numbers) {
+        const auto [end, error] = std::from_chars(head.data(), head.data() + head.size(), number);
+        if (error != std::errc{} || number < 0 || end == head.data() + head.size()) return false;
+        head.remove_prefix(static_cast<std::size_t>(end - head.data()) + 1);
+    }
+    const auto n_settings = static_cast<std::size_t>(numbers[5]);
+    const auto n_metadata = static_cast<std::size_t>(numbers[6]);
+    constexpr std::int64_t largest = std::numeric_limits<int>::max();
+    if (n_settings > head.size() || n_metadata > head.size() - n_settings ||
+        *std::max_element(numbers.begin(), numbers.begin() + 4) > largest)
+        return false;
+    plan.width_px = static_cast<int>(numbers[0]);
+    plan.height_px = static_cast<int>(numbers[1]);
+    plan.rate = {numbers[2], numbers[3]};
+    plan.first_frame = numbers[4];
+    plan.metadata = head.substr(n_settings, n_metadata);
+    plan.chapters = parse_chapters(head.substr(n_settings + n_metadata));
+    return true;
+}
+
+std::span<const std::uint8_t> bytes_of(std::string_view text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+}  // namespace
+
+fs::path frame_log_path(const fs::path& film) { return aside_path_of(film, ".part.frames"); }
+
+FrameLog::FrameLog(const OutputPlan& plan, const std::string& settings, std::int64_t n_chunk_frames)
+    : plan_(plan), file_(plan.path, frame_log_path(plan.path), plan.resume) {
+    const std::string head = head_of(plan, settings);
+    if (plan.resume && scan() == head) {
+        const bool all_there = n_entries() == plan.n_frames;
+        keep_first(all_there ? n_entries() : n_entries() - n_entries() % n_chunk_frames);
+        return;
+    }
+    head_end_ = 0;
+    keep_first(0);
+    append_block(bytes_of(head));
+    head_end_ = end_;
+}
+
+FrameLog FrameLog::left_of(const fs::path& film) {
+    std::error_code ignored;
+    if (!fs::exists(frame_log_path(film), ignored))
+        throw InputError(fmt::format("there is no unfinished film of {}", film.string()));
+    return FrameLog(film);
+}
+
+FrameLog::FrameLog(const fs::path& film) : file_(film, frame_log_path(film), true) {
+    const std::string head = scan();
+    if (n_entries() == 0 || !read_head(head, plan_))
+        throw InputError(fmt::format("no frame of {} had been finished", film.string()));
+    plan_.path = film;
+    plan_.n_frames = n_entries();
+    plan_.chapters = first_chapters(plan_.chapters, plan_.n_frames);
+    plan_.resume = true;
+}
+
+FrameLog::~FrameLog() {
+    if (plan_.resume && file_.descriptor() >= 0 && !entries_.empty())
+        file_.release();
+    else
+        file_.discard();
+}
+
+// Finds the blocks that are whole and returns the first one's text.
+std::string FrameLog::scan() {
+    std::string head;
+    Entry block{};
+    while (read_block(end_, block)) {
+        const bool is_head = end_ == 0;
+        end_ = block.at + block.size;
+        if (is_head) {
+            head.assign(buffer_.begin(), buffer_.end());
+            head_end_ = end_;
+        } else {
+            entries_.push_back(block);
+        }
+    }
+    return head;
+}
+
+// Reads the block that begins at a place into the buffer; false if there is no whole one.
+bool FrameLog::read_block(std::int64_t at, Entry& block) {
+    const auto read_fully = [this](std::int64_t from, std::span<std::uint8_t> bytes) {
+        for (std::size_t done = 0; done < bytes.size();) {
+            const ssize_t n = ::pread(file_.descriptor(), bytes.data() + done, bytes.size() - done,
+                                      from + static_cast<std::int64_t>(done));
+            if (n < 0 && errno == EINTR) continue;
+            if (n < 0) throw_write_error(file_.path(), errno);
+            if (n == 0) return false;
+            done += static_cast<std::size_t>(n);
+        }
+        return true;
+    };
+    std::array<std::uint8_t, kBlockHead> head{};
+    struct stat status {};
+    if (fstat(file_.descriptor(), &status) != 0) throw_write_error(file_.path(), errno);
+    if (!read_fully(at, head)) return false;
+    block = {at + static_cast<std::int64_t>(kBlockHead), get_u32(head.data())};
+    if (block.size > status.st_size - block.at) return false;
+    buffer_.resize(block.size);
+    return read_fully(block.at, buffer_) && checksum(buffer_) == get_u32(head.data() + 4);
+}
+
+void FrameLog::keep_first(std::int64_t n_entries) {
+    entries_.resize(static_cast<std::size_t>(n_entries));
+    end_ = entries_.empty() ? head_end_ : entries_.back().at + entries_.back().size;
+    if (ftruncate(file_.descriptor(), end_) != 0 || ::lseek(file_.descriptor(), end_, SEEK_SET) < 0)
+        throw_write_error(file_.path(), errno);
+}
+
+void FrameLog::append_block(std::span<const std::uint8_t> contents) {
+    if (contents.size() > std::numeric_limits<std::uint32_t>::max())
+        throw EnvironmentError(
+            fmt::format("cannot write {}: a frame takes more than 4 GB", file_.path().string()));
+    buffer_.resize(kBlockHead + contents.size());
+    put_u32(buffer_.data(), static_cast<std::uint32_t>(contents.size()));
+    put_u32(buffer_.data() + 4, checksum(contents));
+    std::copy(contents.begin(), contents.end(), buffer_.begin() + kBlockHead);
+    file_.write(buffer_);
+    end_ += static_cast<std::int64_t>(buffer_.size());
+}
+
+void FrameLog::append(std::span<const std::uint8_t> entry) {
+    const std::int64_t at = end_ + static_cast<std::int64_t>(kBlockHead);
+    append_block(entry);
+    entries_.push_back({at, static_cast<std::uint32_t>(entry.size())});
+}
+
+std::span<const std::uint8_t> FrameLog::read(std::int64_t k) {
+    const Entry& wanted = entries_.at(static_cast<std::size_t>(k));
+    Entry found{};
+    if (!read_block(wanted.at - static_cast<std::int64_t>(kBlockHead), found) ||
+        found.size != wanted.size)
+        throw EnvironmentError(fmt::format("cannot write {}: what lies aside cannot be read back",
+                                           file_.path().string()));
+    return buffer_;
+}
+
+}  // namespace poinsot
