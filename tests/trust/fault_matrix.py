@@ -3,7 +3,7 @@
 
 A run must end with the right file (the bytes of an undisturbed run), or with exit code 3 (2 where the scene could not be read),
 one line, and nothing under the final name. Exit code 1 if any case does otherwise.
-Usage: fault_matrix.py POINSOT [FAILING_NEW.so] [--kills N] [--seed N] [--runs N] [--only CASE…]
+Usage: fault_matrix.py POINSOT [FAILING_NEW.so [QUOTA.so]] [--kills N] [--seed N] [--runs N] [--only CASE…]
 """
 import argparse
 import hashlib
@@ -105,7 +105,7 @@ class Matrix:
 
     def full_disk(self):
         for name in KINDS:
-            for size in ("4k", "12k", "40k"):
+            for size in ("4k", "12k", "40k", "100k"):
                 place, kept = self.fresh(), self.fresh()
                 # A mount of the process's own; what is left is copied out before it vanishes.
                 script = 'mount -t tmpfs -o size=$1 none "$2" || exit 99; shift; p=$1; k=$2; shift 2; "$@"; s=$?; cp -a "$p"/. "$k"; exit $s'
@@ -134,6 +134,21 @@ class Matrix:
                 place = self.fresh()
                 done = self.run(["bash", "-c", f'ulimit -f {n_kib}; exec "$@"', "bash", *self.command(name, place)])
                 self.judge("ulimit -f", name, place, done)
+
+    def quota(self, library):
+        """A user's quota on the disk: bytes, and, with none left, files. The write that passes it comes through in part."""
+        if library is None:
+            return
+        for name in KINDS:
+            size = sum(p.stat().st_size for p in (self.folder / f"right_{name}").iterdir())
+            for n_bytes in (0, 1, 1000, size // 2, size - 1):
+                place = self.fresh()
+                environment = dict(os.environ, LD_PRELOAD=library, POINSOT_QUOTA=str(n_bytes),
+                                   POINSOT_QUOTA_FOLDER=str(place))
+                done = self.run(self.command(name, place), env=environment)
+                self.judge("quota", name, place, done)
+                if done.returncode != 3 or b"quota" not in done.stderr:
+                    self.say("quota", name, False, f"exit {done.returncode}, said {done.stderr[-200:]!r}")
 
     def closed_folders(self):
         for name in KINDS:
@@ -202,7 +217,8 @@ class Matrix:
     def kills(self, n_kills, seed):
         """kill -9 at random moments, then the same command again; in every fifth round it may finish."""
         dice = random.Random(seed)
-        for name, frames in (("a.mp4", LONG_FRAMES), ("a_####.png", 150)):
+        for name, frames, share in (("a.mp4", LONG_FRAMES, 1), ("a.webm", LONG_FRAMES, 0.4), ("a.gif", 400, 0.4),
+                                    ("a_####.png", 150, 0.2)):
             right = self.fresh()
             command = self.command(name, right)
             command[command.index("--frames") + 1] = f"0-{frames - 1}"
@@ -213,7 +229,7 @@ class Matrix:
             n_done, n_early, n_resumed = 0, 0, 0
             place = self.fresh()
             again = [part.replace(str(right), str(place)) for part in command if part != "-q"]
-            while n_done < (n_kills if name == "a.mp4" else n_kills // 5):
+            while n_done < n_kills * share:
                 process = subprocess.Popen(again, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
                 try:
                     process.wait(dice.uniform(0.0, 0.6 * whole_s))
@@ -223,7 +239,7 @@ class Matrix:
                     process.wait()
                     n_done += 1
                 found = self.contents(place)
-                if process.returncode != 0 and name == "a.mp4" and found:
+                if process.returncode != 0 and "#" not in name and found:
                     self.say("kill -9", name, False, "something under the final name")
                 if any(expected.get(n) != h for n, h in found.items()):
                     self.say("kill -9", name, False, "a file that is not as it should be")
@@ -235,7 +251,9 @@ class Matrix:
                              "the bytes of an uninterrupted run" if same else f"exit {done.returncode} {done.stderr[-200:]}")
                     shutil.rmtree(place)
                     place.mkdir()
-            self.say("kill -9", name, True, f"{n_done} kills; {n_resumed} finishing runs went on from what was left")
+            # What counts as kept must have been used.
+            self.say("kill -9", name, n_resumed > 0,
+                     f"{n_done} kills; {n_resumed} finishing runs went on from what was left")
 
     def failing_calls(self, n_runs):
         """libfiu: reads, writes, opens and syncs of the C library that fail at random."""
@@ -288,6 +306,7 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("program")
     arguments.add_argument("failing_new", nargs="?")
+    arguments.add_argument("quota", nargs="?")
     arguments.add_argument("--kills", type=int, default=50)
     arguments.add_argument("--seed", type=int, default=1)
     arguments.add_argument("--runs", type=int, default=6, help="of each kind under each of libfiu's faults")
@@ -296,6 +315,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="poinsot-faults-") as folder:
         matrix = Matrix(chosen.program, pathlib.Path(folder))
         cases = {"full_disk": matrix.full_disk, "full_device": matrix.full_device, "limit": matrix.small_limit,
+                 "quota": lambda: matrix.quota(chosen.quota),
                  "folders": matrix.closed_folders, "pipe": matrix.broken_pipe, "second_run": matrix.second_run,
                  "room": matrix.room, "kills": lambda: matrix.kills(chosen.kills, chosen.seed),
                  "libfiu": lambda: matrix.failing_calls(chosen.runs),
