@@ -1,12 +1,14 @@
 // poinsot compare REF NEW: two pictures, or two folders of them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
 
 #include "cli/command.h"
 #include "cli/json_text.h"
+#include "cli/record.h"
 #include "error/error.h"
 #include "error/nearest.h"
 #include "image/atomic_file.h"
@@ -117,6 +119,27 @@ void print_lines(const std::vector<ComparedPicture>& pictures) {
     fmt::print("{} compared, {} failed, {} the same\n", pictures.size(), n_failed, n_same);
 }
 
+bool is_native(const fs::path& picture) {
+    try {
+        return !read_record(picture).portable;
+    } catch (const InputError&) {
+        return false;  // drawn by another program
+    }
+}
+
+// Where pictures differ that another processor may have drawn otherwise, that may be all there is.
+void note_native(const std::vector<ComparedPicture>& pictures) {
+    const auto n_native = std::count_if(pictures.begin(), pictures.end(), [](const auto& p) {
+        return p.outcome == Outcome::pixels && (is_native(p.expected) || is_native(p.actual));
+    });
+    if (n_native > 0)
+        fmt::print(stderr,
+                   "note: {} of the pairs that differ drawn for one processor alone; draw them "
+                   "with --portable, or compare with --profile native\n",
+                   n_native == 1 ? "a pair that differs is"
+                                 : fmt::format("{} pairs that differ are", n_native));
+}
+
 int run(const Options& options) {
     const fs::path expected = options.arguments.at(0), actual = options.arguments.at(1);
     const CompareChoices& choices = options.compare;
@@ -149,11 +172,13 @@ int run(const Options& options) {
     } else {
         print_lines(pictures);
     }
+    if (choices.profile == "portable" && !options.quiet) note_native(pictures);
     return all_pass(pictures) ? 0 : 1;
 }
 
-constexpr std::array<std::string_view, 8> options_taken{
-    "profile", "max-differing", "max-over", "over-levels", "json", "report", "junit", "diff"};
+constexpr std::array<std::string_view, 9> options_taken{"profile",     "max-differing", "max-over",
+                                                        "over-levels", "json",          "report",
+                                                        "junit",       "diff",          "quiet"};
 
 }  // namespace
 

@@ -20,6 +20,7 @@ std::string json_of(const Record& record) {
     add("version", json_string(record.version));
     add("scene", json_string(record.scene_name));
     add("scene_sha256", json_string(record.scene_hash));
+    if (!record.mesh_hash.empty()) add("mesh_sha256", json_string(record.mesh_hash));
     add("method", json_string(record.method));
     add("bounds", json_string(record.bounds));
     add("profile", json_string(record.portable ? "portable" : "native"));

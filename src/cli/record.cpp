@@ -79,13 +79,30 @@ double number(const std::string& text, const std::string& name) {
 
 }  // namespace
 
+std::string mesh_hash_of(const Scene& scene) {
+    if (scene.body.mesh.empty() && scene.object.mesh.empty()) return "";
+    Sha256 hash;
+    const auto add = [&hash](const auto* items, std::size_t n_items) {
+        hash.add({reinterpret_cast<const std::uint8_t*>(items), n_items * sizeof *items});
+    };
+    for (const BodySurface& surface : scene.surfaces) {
+        for (const Eigen::Vector3d& vertex : surface.mesh.vertices) add(vertex.data(), 3);
+        for (const auto& triangle : surface.mesh.triangles) add(triangle.data(), triangle.size());
+    }
+    add(scene.body.inertia.moments_kg_m2().data(), 3);
+    const Eigen::Matrix3d axes = scene.body.inertia.body_from_principal();
+    add(axes.data(), 9);
+    return hash.finish();
+}
+
 Record record_of(const Session& session, const PictureMaker& pictures, bool portable) {
     const ContextInfo& context = pictures.context_info();
     Record record;
     record.version = POINSOT_VERSION;
     record.scene_name = session.scene.name;
     record.scene_toml = to_toml(session.scene);
-    record.scene_hash = sha256_of(record.scene_toml);
+    record.mesh_hash = mesh_hash_of(session.scene);
+    record.scene_hash = sha256_of(record.scene_toml + record.mesh_hash);
     record.method = method_in_words(session.motion);
     record.bounds = in_words(pictures.bound(), session.scene.accuracy_px);
     record.portable = portable;
@@ -104,6 +121,7 @@ std::string to_text(const Record& record) {
     };
     add("scene", record.scene_name);
     add("scene-sha256", record.scene_hash);
+    if (!record.mesh_hash.empty()) add("mesh-sha256", record.mesh_hash);
     add("method", record.method);
     add("bounds", record.bounds);
     add("profile", record.portable ? "portable" : "native");
@@ -140,7 +158,8 @@ Record parse_record(std::string_view text, const std::string& name) {
     record.scene_toml = text.substr(blank + 2);
     record.scene_name = field(fields, "scene", name);
     record.scene_hash = field(fields, "scene-sha256", name);
-    if (record.scene_hash != sha256_of(record.scene_toml))
+    if (fields.contains("mesh-sha256")) record.mesh_hash = field(fields, "mesh-sha256", name);
+    if (record.scene_hash != sha256_of(record.scene_toml + record.mesh_hash))
         refuse(name, "holds another scene than its hash says");
     record.method = field(fields, "method", name);
     record.bounds = field(fields, "bounds", name);

@@ -17,7 +17,8 @@ namespace poinsot {
 struct Record {
     std::string version;     // of poinsot
     std::string scene_name;  // the scene file's stem
-    std::string scene_hash;  // SHA-256 of scene_toml
+    std::string scene_hash;  // SHA-256 of scene_toml, mesh_hash after it
+    std::string mesh_hash;   // SHA-256 of what came from a mesh file; empty without one
     std::string method;      // of the motion
     std::string bounds;      // what was promised of motion and picture
     bool portable = false;   // profile
@@ -32,6 +33,9 @@ struct Record {
 
     bool operator==(const Record&) const = default;
 };
+
+// SHA-256 of the surfaces and the inertia that a scene has from a mesh file; empty without one.
+std::string mesh_hash_of(const Scene& scene);
 
 // The record of pictures of a session, without time or frames.
 Record record_of(const Session& session, const PictureMaker& pictures, bool portable);

@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/jobs.h"
+#include "cli/output_place.h"
 #include "cli/picture.h"
 #include "cli/progress.h"
 #include "cli/record.h"
@@ -21,31 +22,6 @@
 namespace poinsot {
 
 namespace {
-
-// Where a film goes: output/<scene>.mp4 unless the user says. That folder is made when it is
-// missing and goes again if nothing came to lie in it; a folder that the user names is theirs to
-// make.
-class OutputPlace {
- public:
-    OutputPlace(const Options& options, const Scene& scene) : path_(options.output) {
-        if (!path_.empty()) return;
-        std::error_code ignored;
-        made_ = std::filesystem::create_directory("output", ignored);
-        path_ = std::filesystem::path("output") / (scene.name + ".mp4");
-    }
-    ~OutputPlace() {
-        std::error_code not_empty;
-        if (made_) std::filesystem::remove("output", not_empty);
-    }
-    OutputPlace(const OutputPlace&) = delete;
-    OutputPlace& operator=(const OutputPlace&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
- private:
-    std::filesystem::path path_;
-    bool made_ = false;
-};
 
 // What an interrupted run has left is gone on from, and the user is told.
 void note_kept(const OutputPlan& plan, std::int64_t n_kept, bool film, bool quiet) {
@@ -86,7 +62,7 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
     }
 
     OutputPlan plan;
-    const OutputPlace place(options, session.scene);
+    const OutputPlace place(options, session.scene, ".mp4");
     plan.path = place.path();
     plan.width_px = session.scene.film.width_px;
     plan.height_px = session.scene.film.height_px;

@@ -87,6 +87,10 @@ int run(const Options& given) {
         parse_scene(record.scene_toml, record.scene_name + ".toml", {},
                     options.allow_outside ? OutsideFiles::allowed : OutsideFiles::refused);
     scene.notes.clear();
+    if (mesh_hash_of(scene) != record.mesh_hash)
+        throw InputError(fmt::format(
+            "{}: {} is not the mesh it was drawn with; put that one back", printable(file.string()),
+            printable(scene.body.mesh.empty() ? scene.object.mesh : scene.body.mesh)));
     options.portable = record.portable;
     options.time_s = record.time_s.value_or(0.0);
     const Session session = session_of(std::move(scene), {&*options.time_s, 1});

@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/jobs.h"
+#include "cli/output_place.h"
 #include "cli/picture.h"
 #include "cli/print_size.h"
 #include "cli/record.h"
@@ -32,12 +33,8 @@ int make_still(const Session& session, const Options& options, Easel& easel) {
         throw InputError("--time is not a finite number; give an instant in seconds");
     }
 
-    std::filesystem::path path = options.output;
-    if (path.empty()) {
-        std::error_code ignored;
-        std::filesystem::create_directory("output", ignored);
-        path = std::filesystem::path("output") / (session.scene.name + ".png");
-    }
+    const OutputPlace place(options, session.scene, ".png");
+    const std::filesystem::path& path = place.path();
     if (path.extension() != ".png") {
         throw InputError(fmt::format("{}: a still is a PNG; end its name in .png", path.string()));
     }

@@ -1,0 +1,28 @@
+// Where a picture or film goes unless the user says.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "cli/options.h"
+#include "scene/scene.h"
+
+namespace poinsot {
+
+// output/<scene> with a suffix, or what the user has said. That folder is made when it is missing
+// and goes again if nothing came to lie in it; a folder that the user names is theirs to make.
+class OutputPlace {
+ public:
+    OutputPlace(const Options& options, const Scene& scene, std::string_view suffix);
+    ~OutputPlace();
+    OutputPlace(const OutputPlace&) = delete;
+    OutputPlace& operator=(const OutputPlace&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+ private:
+    std::filesystem::path path_;
+    bool made_ = false;
+};
+
+}  // namespace poinsot

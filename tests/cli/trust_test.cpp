@@ -1,0 +1,251 @@
+// Pictures that regress are caught and those that do not are not: records, comparing, baselines.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "cli/program_run.h"
+#include "image/png.h"
+#include "places.h"
+
+namespace poinsot::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string racket = R"(
+title = "Racket"
+[body]
+moments_kg_m2 = [3.0, 2.0, 1.0]
+[start]
+omega_rad_s = [0.01, 2.0, 0.01]
+[film]
+size = [128, 72]
+duration_s = 0.5
+)";
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+bool is_one_line(const std::string& text) {
+    return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1;
+}
+
+// What a file says of itself under a key.
+std::string said(const std::string& explained, const std::string& key) {
+    const std::size_t at = explained.find("\n" + key + ": ");
+    if (at == std::string::npos) return "";
+    const std::size_t from = at + key.size() + 3;
+    return explained.substr(from, explained.find('\n', from) - from);
+}
+
+class Pictures : public ::testing::Test {
+ protected:
+    Pictures() {
+        folder_.write("scene.toml", racket);
+        for (const char* name : {"ref", "new"}) fs::create_directory(folder_.path() / name);
+    }
+
+    ProgramRun run(const std::string& arguments) const {
+        return run_program_in(folder_, arguments);
+    }
+    // A picture of the scene, from its record the same again.
+    void draw(const std::string& file, const std::string& options) const {
+        const ProgramRun drawn = run("still scene.toml -q -o " + file + " " + options);
+        ASSERT_EQ(drawn.code, 0) << drawn.err;
+    }
+    ProgramRun approve(const std::string& arguments) const {
+        return run("approve --results new --baselines ref " + arguments);
+    }
+
+    ScratchFolder folder_;
+};
+
+TEST_F(Pictures, EveryOutputSaysHowItWasMadeAndIsMadeAgain) {
+    struct Case {
+        std::string name, command, profile;
+    };
+    for (const auto& [name, command, profile] :
+         {Case{"a.png", "still scene.toml --time 0.3 --portable", "portable"},
+          Case{"n.png", "still scene.toml --time 0.3", "native"},
+          Case{"a.mp4", "render scene.toml", "native"},
+          Case{"a.webm", "render scene.toml --portable", "portable"},
+          Case{"a.gif", "render scene.toml --frames 2-5", "native"},
+          Case{"a_####.png", "render scene.toml --portable", "portable"}}) {
+        ASSERT_EQ(run(command + " -q -o " + name).code, 0) << name;
+        const std::string file = name == "a_####.png" ? "a_0007.png" : name;
+        const std::string explained = run("explain " + file).out;
+        EXPECT_EQ(said(explained, "scene"), "scene");
+        EXPECT_EQ(said(explained, "scene-sha256").size(), 64u);
+        EXPECT_EQ(said(explained, "method"), "exact");
+        EXPECT_TRUE(contains(said(explained, "bounds"), "px"));
+        EXPECT_TRUE(contains(said(explained, "renderer"), "llvmpipe"));
+        EXPECT_FALSE(said(explained, "mesa").empty());
+        EXPECT_EQ(said(explained, "profile"), profile);
+        EXPECT_TRUE(contains(explained, "omega_rad_s = [0.01, 2.0, 0.01]")) << explained;
+        const std::string again = "again_0007" + fs::path(file).extension().string();
+        ASSERT_EQ(run("rerender -q " + file + " -o " + again).code, 0) << file;
+        EXPECT_TRUE(text_of(folder_.path() / file) == text_of(folder_.path() / again)) << file;
+        fs::remove(folder_.path() / again);
+    }
+}
+
+TEST_F(Pictures, ComparedSayWhyTheyDiffer) {
+    draw("a.png", "--portable --time 0.1");
+    draw("b.png", "--portable --time 0.11");
+    draw("c.png", "--portable --time 0.1 --size 130x72");
+    EXPECT_EQ(run("compare a.png a.png").code, 0);
+    const ProgramRun pixels = run("compare a.png b.png --diff d.png");
+    EXPECT_EQ(pixels.code, 1);
+    EXPECT_TRUE(contains(pixels.out, "pixels: b: ")) << pixels.out;
+    EXPECT_EQ(pixels.err, "");
+    // Expected, difference and actual side by side.
+    EXPECT_GE(read_png(folder_.path() / "d.png").width(), 3 * 128);
+    const ProgramRun size = run("compare a.png c.png");
+    EXPECT_EQ(size.code, 1);
+    EXPECT_TRUE(contains(size.out, "size: c: ")) << size.out;
+    const ProgramRun missing = run("compare a.png none.png");
+    EXPECT_EQ(missing.code, 1);
+    EXPECT_TRUE(contains(missing.out, "missing: none: ")) << missing.out;
+    folder_.write("broken.png", text_of(folder_.path() / "a.png").substr(0, 500));
+    const ProgramRun broken = run("compare a.png broken.png");
+    EXPECT_EQ(broken.code, 2);
+    EXPECT_TRUE(is_one_line(broken.err)) << broken.err;
+}
+
+TEST_F(Pictures, InFoldersAreComparedInOnePass) {
+    draw("ref/same.png", "--portable --time 0.1");
+    fs::copy(folder_.path() / "ref/same.png", folder_.path() / "new/same.png");
+    fs::copy(folder_.path() / "ref/same.png", folder_.path() / "ref/gone.png");
+    fs::copy(folder_.path() / "ref/same.png", folder_.path() / "ref/turned.png");
+    draw("new/turned.png", "--portable --time 0.3");
+    const ProgramRun compared = run("compare ref new --json --report page.html --junit tests.xml");
+    EXPECT_EQ(compared.code, 1);
+    // Worst first, in the JSON, the page and the test results.
+    for (const std::string& text : {compared.out, text_of(folder_.path() / "page.html"),
+                                    text_of(folder_.path() / "tests.xml")})
+        EXPECT_LT(text.find("gone"), text.find("turned"));
+    const std::string xml = text_of(folder_.path() / "tests.xml");
+    EXPECT_TRUE(contains(xml, R"(tests="3" failures="2" errors="0")")) << xml;
+}
+
+// Another processor may draw a native picture otherwise, so that is said where pictures differ.
+TEST_F(Pictures, ComparedWithoutPortableAreTold) {
+    draw("a.png", "--time 0.1");
+    draw("b.png", "--portable --time 0.3");
+    const ProgramRun told = run("compare a.png b.png");
+    EXPECT_EQ(told.code, 1);
+    EXPECT_TRUE(is_one_line(told.err) && contains(told.err, "--portable")) << told.err;
+    EXPECT_EQ(run("compare a.png b.png --quiet").err, "");
+    EXPECT_EQ(run("compare a.png b.png --profile native").err, "");
+    EXPECT_EQ(run("compare a.png a.png").err, "");
+}
+
+TEST_F(Pictures, AreBaselinesOnlyIfPortable) {
+    draw("new/a.png", "--time 0.1");
+    const ProgramRun refused = approve("a");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(is_one_line(refused.err) && contains(refused.err, "--portable")) << refused.err;
+    EXPECT_FALSE(fs::exists(folder_.path() / "ref/a.png"));
+    EXPECT_EQ(approve("a --any-renderer").code, 0);
+    EXPECT_TRUE(fs::exists(folder_.path() / "ref/a.png"));
+}
+
+TEST_F(Pictures, AreTakenWithHashesRendererAndReason) {
+    draw("new/a.png", "--portable --time 0.1");
+    ASSERT_EQ(approve("a").code, 0);
+    const std::string manifest = text_of(folder_.path() / "ref/manifest.toml");
+    const std::string explained = run("explain new/a.png").out;
+    EXPECT_TRUE(contains(manifest, said(explained, "scene-sha256")));
+    EXPECT_TRUE(contains(manifest, said(explained, "renderer")));
+    EXPECT_TRUE(contains(manifest, "mesa = \"" + said(explained, "mesa") + "\""));
+    EXPECT_TRUE(text_of(folder_.path() / "ref/a.png") == text_of(folder_.path() / "new/a.png"));
+    EXPECT_EQ(approve("a").out, "a: as it was\n");
+
+    // Another picture needs a reason; nothing is touched without one.
+    draw("new/a.png", "--portable --time 0.2");
+    const ProgramRun why = approve("a");
+    EXPECT_EQ(why.code, 2);
+    EXPECT_TRUE(is_one_line(why.err) && contains(why.err, "--why")) << why.err;
+    EXPECT_EQ(text_of(folder_.path() / "ref/manifest.toml"), manifest);
+    EXPECT_EQ(approve("a --why 'later'").code, 0);
+    EXPECT_TRUE(contains(text_of(folder_.path() / "ref/manifest.toml"), "why = \"later\""));
+    EXPECT_EQ(run("compare ref new").code, 0);
+}
+
+TEST_F(Pictures, OfAnotherRendererAreRefusedUnlessTold) {
+    draw("new/a.png", "--portable --time 0.1");
+    draw("new/b.png", "--portable --time 0.2");
+    ASSERT_EQ(approve("a").code, 0);
+    std::string manifest = text_of(folder_.path() / "ref/manifest.toml");
+    const std::string mesa = "mesa = \"";
+    manifest.insert(manifest.find(mesa) + mesa.size(), "9");
+    folder_.write("ref/manifest.toml", manifest);
+    const ProgramRun refused = approve("b");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(is_one_line(refused.err) && contains(refused.err, "--any-renderer")) << refused.err;
+    EXPECT_EQ(approve("b --any-renderer").code, 0);
+}
+
+TEST_F(Pictures, StayInTheirFolder) {
+    draw("a.png", "--portable --time 0.1");
+    for (const char* name : {"../a", "/etc/passwd", "b/../../a"}) {
+        const ProgramRun refused = approve(name);
+        EXPECT_EQ(refused.code, 2) << name;
+        EXPECT_TRUE(is_one_line(refused.err)) << refused.err;
+    }
+    EXPECT_FALSE(fs::exists(folder_.path() / "ref/manifest.toml"));
+}
+
+// A tetrahedron; its first corner may stick out further.
+std::string tetrahedron(double x_m) {
+    return "v " + std::to_string(x_m) +
+           " 0 0\nv 0 1 0\nv 0 0 2\nv 0 0 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n";
+}
+
+// What a scene says is the same when a mesh that it names has another content; what it means is
+// not.
+TEST_F(Pictures, NoticeAMeshThatHasChanged) {
+    folder_.write("part.obj", tetrahedron(1.0));
+    folder_.write("scene.toml",
+                  "title = \"Part\"\n[body]\nmesh = \"part.obj\"\nmass_kg = 1.0\n[start]\n"
+                  "omega_rad_s = [0.1, 2.0, 0.1]\n[film]\nsize = [96, 54]\nduration_s = 0.5\n");
+    draw("a.png", "--portable --time 0.1");
+    const std::string film = "render scene.toml -q --portable -o f_##.png";
+    ASSERT_EQ(run(film).code, 0);
+    EXPECT_EQ(run("rerender -q a.png -o b.png").code, 0);
+    EXPECT_TRUE(text_of(folder_.path() / "a.png") == text_of(folder_.path() / "b.png"));
+    const std::string hash = said(run("explain a.png").out, "scene-sha256");
+    const std::string frame = text_of(folder_.path() / "f_03.png");
+
+    folder_.write("part.obj", tetrahedron(1.5));
+    const ProgramRun refused = run("rerender -q a.png -o c.png");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(is_one_line(refused.err) && contains(refused.err, "part.obj")) << refused.err;
+    EXPECT_FALSE(fs::exists(folder_.path() / "c.png"));
+    draw("a.png", "--portable --time 0.1");
+    EXPECT_NE(said(run("explain a.png").out, "scene-sha256"), hash);
+    // A sequence that is there is not gone on with, but drawn anew.
+    ASSERT_EQ(run(film).code, 0);
+    EXPECT_FALSE(text_of(folder_.path() / "f_03.png") == frame);
+}
+
+TEST_F(Pictures, RefusedLeaveNoEmptyFolder) {
+    for (const std::string options : {"--size 65x49", "--frames 0-99999"}) {
+        EXPECT_EQ(run("render scene.toml " + options).code, 2) << options;
+        EXPECT_FALSE(fs::exists(folder_.path() / "output")) << options;
+    }
+    EXPECT_EQ(run("still scene.toml --depth 9").code, 2);
+    EXPECT_FALSE(fs::exists(folder_.path() / "output"));
+    // One that was there stays.
+    fs::create_directory(folder_.path() / "output");
+    EXPECT_EQ(run("render scene.toml --size 65x49").code, 2);
+    EXPECT_TRUE(fs::exists(folder_.path() / "output"));
+    EXPECT_EQ(run("render scene.toml -q").code, 0);
+    EXPECT_TRUE(fs::exists(folder_.path() / "output/scene.mp4"));
+}
+
+}  // namespace
+}  // namespace poinsot::testing
