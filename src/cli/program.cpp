@@ -130,7 +130,8 @@ const auto option_table = std::to_array<OptionRow>({
     {"time",
      [](CLI::App& app, Options& o) {
          app.add_option("--time", o.time_s,
-                        "instant of the motion in seconds; the film's last if not given");
+                        "instant of the motion in seconds; if not given, film.still_s of the scene, or "
+                        "the film's last");
      }},
     {"times",
      [](CLI::App& app, Options& o) {

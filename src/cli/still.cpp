@@ -26,8 +26,9 @@ namespace poinsot {
 int make_still(const Session& session, const Options& options, Easel& easel) {
     print_notes(session.scene, options.quiet);
     const FilmPlan film = film_plan(session);
-    const FilmMoment moment = options.time_s ? moment_of_time(film.clock, *options.time_s)
-                                             : film.moment_of(film.n_frames - 1);
+    const auto asked_s = options.time_s ? options.time_s : session.scene.film.still_s;
+    const FilmMoment moment =
+        asked_s ? moment_of_time(film.clock, *asked_s) : film.moment_of(film.n_frames - 1);
     const double time_s = moment.time_s;
     if (!std::isfinite(time_s)) {
         throw InputError("--time is not a finite number; give an instant in seconds");
@@ -89,8 +90,8 @@ int run(const Options& options) {
 }
 
 constexpr auto options_taken = std::to_array<std::string_view>(
-    {"output", "set", "size", "width-mm", "height-mm", "dpi", "type-pt", "depth", "theme", "time",
-     "quiet", "backend", "portable", "allow-outside"});
+    {"output", "set", "size", "width-mm", "height-mm", "dpi", "type-pt", "depth", "quality",
+     "theme", "time", "quiet", "backend", "portable", "allow-outside"});
 
 }  // namespace
 

@@ -37,8 +37,9 @@ MotionProblem problem_of(const Scene& scene) {
     problem.torque = scene.torque;
     problem.method = scene.method;
 
-    problem.first_time_s = std::min(0.0, scene.film.start_s);
-    problem.last_time_s = std::max(0.0, film_end_time_s(scene));
+    const double still_s = scene.film.still_s.value_or(scene.film.start_s);
+    problem.first_time_s = std::min({0.0, scene.film.start_s, still_s});
+    problem.last_time_s = std::max({0.0, film_end_time_s(scene), still_s});
     // A history's last piece lasts at most a quarter of the fastest turn that ω can make about L,
     // (π/2)·I_min/L ≤ (π/2)/|ω|.
     const double rate = problem.start.omega_body.stableNorm();

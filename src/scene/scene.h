@@ -78,6 +78,7 @@ struct FilmSpec {
     double start_s = 0.0;
     std::optional<double> duration_s;  // of the motion shown; absent: what length_s shows
     std::optional<double> length_s;    // of the film
+    std::optional<double> still_s;     // instant of the motion that stands for it in a still
     std::string loop;          // "p/q", "period", or empty: the film does not run into itself
     std::string loop_changes;  // of loop_values(); empty: the one that need change least
     std::int64_t fps_numerator = 30, fps_denominator = 1;

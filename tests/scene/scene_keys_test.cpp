@@ -251,6 +251,8 @@ const std::map<std::string, Claim> claims{
     {"camera.motion",
      {with("camera", "motion = \"co-precessing\""),
       [](const Scene& s) { return s.camera.motion == "co-precessing"; }}},
+    {"film.still_s",
+     {with("film", "still_s = 9.5"), [](const Scene& s) { return s.film.still_s == 9.5; }}},
     {"film.length_s",
      {with("film", "length_s = 20"), [](const Scene& s) { return s.film.length_s == 20.0; }}},
     {"film.loop",

@@ -1,0 +1,46 @@
+// The rows of the table of scene keys, section by section, and what they write values with.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "scene/given_value.h"
+#include "scene/scene_error.h"
+#include "scene/scene_keys.h"
+#include "scene/toml_text.h"
+
+namespace poinsot {
+
+// In the order in which they are listed and written.
+std::span<const SceneKey> picture_keys();
+std::span<const SceneKey> body_keys();
+std::span<const SceneKey> motion_keys();
+std::span<const SceneKey> film_keys();
+std::span<const SceneKey> camera_keys();
+std::span<const SceneKey> told_keys();
+std::span<const SceneKey> panel_keys();
+
+// Texts of values that only some scenes say.
+template <typename Value>
+std::string optional_text(const std::optional<Value>& value) {
+    return value ? toml_text(*value) : "";
+}
+
+inline std::string text_unless_empty(const std::string& text) {
+    return text.empty() ? "" : toml_text(std::string_view(text));
+}
+
+// The name of a row of a table, which is refused at its own place if there is none.
+template <typename Find>
+std::string name_in_table(const GivenValue& given, Find find) {
+    std::string name = given.text();
+    try {
+        find(name);
+    } catch (const InputError& error) {
+        throw SceneError(given.value().where, error.what());
+    }
+    return name;
+}
+
+}  // namespace poinsot

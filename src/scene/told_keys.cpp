@@ -1,0 +1,120 @@
+// Keys of the film as it is told: keyframes, fades and chapters.
+#include <string>
+
+#include "scene/camera_views.h"
+#include "scene/easing.h"
+#include "scene/given_value.h"
+#include "scene/scene_draft.h"
+#include "scene/scene_key_rows.h"
+#include "scene/toml_text.h"
+
+namespace poinsot {
+
+namespace {
+
+using std::size_t;
+
+constexpr double most_film_s = 1e7;
+
+// A second of the film.
+double film_second(const GivenValue& given) { return given.number_between(0.0, most_film_s); }
+
+// The item that a value belongs to.
+KeyframeSpec& keyframe(const GivenValue& given, SceneDraft& draft) {
+    return draft.scene.keyframes.at(given.item());
+}
+FadeSpec& fade(const GivenValue& given, SceneDraft& draft) {
+    return draft.scene.fades.at(given.item());
+}
+
+const SceneKey told_rows[] = {
+    // The film told in its own seconds: the camera's ways and the motion's speed, …
+    {"keyframes[].at_s", "a number", "s", "3.0", "second of the film at which this is reached",
+     [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).at_s = film_second(g); },
+     [](const Scene& s, size_t i) { return toml_text(s.keyframes.at(i).at_s); }},
+    {"keyframes[].easing", "a string", "", R"("smooth")",
+     "how values go here from the keyframe before that says them, see `poinsot list easings`; "
+     "default smooth",
+     [](const GivenValue& g, SceneDraft& d) {
+         keyframe(g, d).easing = name_in_table(g, easing_named);
+     },
+     [](const Scene& s, size_t i) {
+         return toml_text(std::string_view(s.keyframes.at(i).easing));
+     }},
+    {"keyframes[].view", "a string", "", R"("front")",
+     "a view by name for all of the camera that this keyframe does not say otherwise; the "
+     "camera of space, object and top moves, the other panels keep theirs",
+     [](const GivenValue& g, SceneDraft& d) {
+         keyframe(g, d).view = name_in_table(g, camera_view_named);
+     },
+     [](const Scene& s, size_t i) { return text_unless_empty(s.keyframes.at(i).view); }},
+    {"keyframes[].azimuth_deg", "a number", "degrees", "30.0", "as in [camera]; it may go past 360",
+     [](const GivenValue& g, SceneDraft& d) {
+         keyframe(g, d).azimuth_deg = g.number_between(-36000.0, 36000.0);
+     },
+     [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).azimuth_deg); }},
+    {"keyframes[].elevation_deg", "a number", "degrees", "35.0", "as in [camera]",
+     [](const GivenValue& g, SceneDraft& d) {
+         keyframe(g, d).elevation_deg = g.number_between(-90.0, 90.0);
+     },
+     [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).elevation_deg); }},
+    {"keyframes[].distance", "a number", "largest half-axes", "4.0", "as in [camera]",
+     [](const GivenValue& g, SceneDraft& d) {
+         keyframe(g, d).distance = g.number_between(0.01, 10000.0);
+     },
+     [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).distance); }},
+    {"keyframes[].field_deg", "a number", "degrees", "20.0", "as in [camera]",
+     [](const GivenValue& g, SceneDraft& d) {
+         keyframe(g, d).field_deg = g.number_between(0.1, 150.0);
+     },
+     [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).field_deg); }},
+    {"keyframes[].target", "three numbers", "largest half-axes", "[0.0, 0.0, 0.5]",
+     "as in [camera]",
+     [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).target = g.vector(); },
+     [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).target); }},
+    {"keyframes[].look_at", "a string", "", R"("centre")", "as in [camera]",
+     [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).look_at = g.one_of(camera_aims()); },
+     [](const Scene& s, size_t i) { return text_unless_empty(s.keyframes.at(i).look_at); }},
+    {"keyframes[].speed", "a number", "", "0.2",
+     "seconds of motion a second of film; 0 stops the motion",
+     [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).speed = g.number_between(0.0, 1e12); },
+     [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).speed); }},
+
+    // … what comes and goes, …
+    {"fades[].at_s", "a number", "s", "2.0", "second of the film at which it begins",
+     [](const GivenValue& g, SceneDraft& d) { fade(g, d).at_s = film_second(g); },
+     [](const Scene& s, size_t i) { return toml_text(s.fades.at(i).at_s); }},
+    {"fades[].over_s", "a number", "s", "1.0", "how long it takes, in seconds of film; default 1",
+     [](const GivenValue& g, SceneDraft& d) { fade(g, d).over_s = film_second(g); },
+     [](const Scene& s, size_t i) { return toml_text(s.fades.at(i).over_s); }},
+    {"fades[].easing", "a string", "", R"("smooth")",
+     "how it goes, see `poinsot list easings`; default smooth",
+     [](const GivenValue& g, SceneDraft& d) { fade(g, d).easing = name_in_table(g, easing_named); },
+     [](const Scene& s, size_t i) { return toml_text(std::string_view(s.fades.at(i).easing)); }},
+    {"fades[].elements", "a list of strings", "", R"(["plane", "momentum"])",
+     "elements, overlays or kinds of panels; those that come in are not seen before",
+     [](const GivenValue& g, SceneDraft& d) { fade(g, d).elements = g.texts(); },
+     [](const Scene& s, size_t i) {
+         return toml_text(std::span<const std::string>(s.fades.at(i).elements));
+     }},
+    {"fades[].opacity", "a number", "", "1.0",
+     "in the end, 0 to 1: 1 to come in (the default), 0 to go, less than 1 to grow pale",
+     [](const GivenValue& g, SceneDraft& d) { fade(g, d).opacity = g.number_between(0.0, 1.0); },
+     [](const Scene& s, size_t i) { return toml_text(s.fades.at(i).opacity); }},
+
+    // … and what its sections are called.
+    {"chapters[].at_s", "a number", "s", "0.0", "second of the film at which the section begins",
+     [](const GivenValue& g, SceneDraft& d) {
+         d.scene.chapters.at(g.item()).at_s = film_second(g);
+     },
+     [](const Scene& s, size_t i) { return toml_text(s.chapters.at(i).at_s); }},
+    {"chapters[].title", "a string", "", R"("The invariable plane")", "its name",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.chapters.at(g.item()).title = g.text(); },
+     [](const Scene& s, size_t i) { return toml_text(std::string_view(s.chapters.at(i).title)); }},
+};
+
+}  // namespace
+
+std::span<const SceneKey> told_keys() { return told_rows; }
+
+}  // namespace poinsot
