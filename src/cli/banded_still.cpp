@@ -40,9 +40,12 @@ void place(const DeepImage& part, int x, DeepImage& band) {
 
 template <typename Picture>
 void write_bands(PictureMaker& pictures, const Drawing& whole, PngBandWriter& file) {
+    const int most_side_px = pictures.context_info().largest_picture_px;
     const int width = pictures.width_px();
     const int height = pictures.height_px();
-    const int part_width = std::min(width, widest_part_px);
+    const int samples_a_side = static_cast<int>(std::lround(std::sqrt(pictures.samples_a_pixel())));
+    const int part_width =
+        std::min({width, widest_part_px, most_side_px / samples_a_side / step_px * step_px});
     const int n_rows =
         std::max(step_px, static_cast<int>(band_pixels / pictures.samples_a_pixel() / width) /
                               step_px * step_px);
@@ -70,10 +73,6 @@ bool wants_bands(const PictureMaker& pictures) {
 
 void write_in_bands(PictureMaker& pictures, const FilmMoment& moment,
                     const std::filesystem::path& path, const PngOptions& png, int bit_depth) {
-    if (bit_depth == 16 && pictures.samples_a_pixel() > 1)
-        throw InputError(
-            "--depth 16 goes with --quality draft or lecture, whose pictures are not averaged from "
-            "several samples of 8 bits");
     const Drawing whole = pictures.stage().at(moment);
     const bool opaque = whole.background.alpha >= 1.0;
     PngBandWriter file(path, pictures.width_px(), pictures.height_px(), opaque, png, bit_depth);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cassert>
-
 #include "cli/print_size.h"
 #include "cli/quality.h"
 #include "error/error.h"
@@ -106,8 +104,11 @@ void PictureMaker::draw_part(const Drawing& whole, const PixelArea& area, Image&
 }
 
 void PictureMaker::draw_part(const Drawing& whole, const PixelArea& area, DeepImage& image) {
-    assert(samples_ == 1);
-    renderer_->render_into(part_of(whole, area), image);
+    if (samples_ == 1) return renderer_->render_into(part_of(whole, area), image);
+    const PixelArea drawn{samples_ * area.x_px, samples_ * area.y_px, samples_ * area.width_px,
+                          samples_ * area.height_px};
+    renderer_->render_into(part_of(whole, drawn), deep_large_);
+    downsample_into(deep_large_, samples_, image);
 }
 
 }  // namespace poinsot

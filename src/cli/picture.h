@@ -83,8 +83,7 @@ class PictureMaker {
     // The picture of a moment of the film, drawn into an image whose memory is reused.
     void draw(const FilmMoment& moment, Image& image);
 
-    // An area of a picture that the stage has made, in pixels of the picture made. 16 bits a
-    // component need pictures of one sample a pixel.
+    // An area of a picture that the stage has made, in pixels of the picture made.
     void draw_part(const Drawing& whole, const PixelArea& area, Image& image);
     void draw_part(const Drawing& whole, const PixelArea& area, DeepImage& image);
 
@@ -105,6 +104,7 @@ class PictureMaker {
     std::optional<Renderer> own_renderer_;
     Renderer* renderer_;
     Image large_;
+    DeepImage deep_large_;
 };
 
 }  // namespace poinsot

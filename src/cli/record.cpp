@@ -183,9 +183,7 @@ Record parse_record(std::string_view text, const std::string& name) {
 Record read_record(const std::filesystem::path& file) {
     std::string text;
     if (file.extension() == ".png") {
-        PngInfo info;
-        read_png(file, &info);
-        text = info.texts[kMetadataName];
+        text = read_png_info(file).texts[kMetadataName];
     } else {
         text = film_metadata(file);
     }

@@ -6,19 +6,37 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace poinsot {
 
 namespace {
 
-// Linear light of every sRGB level (IEC 61966-2-1).
+// IEC 61966-2-1, both ways; values from 0 to 1.
+double linear_from_srgb(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+double srgb_from_linear(double light) {
+    return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
+}
+
+// Linear light of every level of 16 bits.
+const std::vector<double>& deep_linear_levels() {
+    static const std::vector<double> levels = [] {
+        std::vector<double> table(65536);
+        for (std::size_t k = 0; k < table.size(); ++k)
+            table[k] = linear_from_srgb(static_cast<double>(k) / 65535.0);
+        return table;
+    }();
+    return levels;
+}
+
+// Linear light of every sRGB level.
 const std::array<float, 256>& linear_levels() {
     static const std::array<float, 256> levels = [] {
         std::array<float, 256> table{};
         for (std::size_t i = 0; i < table.size(); ++i) {
-            const double encoded = static_cast<double>(i) / 255.0;
-            table[i] = static_cast<float>(
-                encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+            table[i] = static_cast<float>(linear_from_srgb(static_cast<double>(i) / 255.0));
         }
         return table;
     }();
@@ -125,6 +143,35 @@ Image downsampled(const Image& image, int factor) {
     Image small;
     downsample_into(image, factor, small);
     return small;
+}
+
+void downsample_into(const DeepImage& image, int factor, DeepImage& small) {
+    assert(factor >= 1 && image.width() % factor == 0 && image.height() % factor == 0);
+    const int width = image.width() / factor, height = image.height() / factor;
+    if (small.width() != width || small.height() != height) small = DeepImage(width, height);
+    const std::vector<double>& linear = deep_linear_levels();
+    const auto stride = std::size_t{4} * static_cast<std::size_t>(image.width());
+    const auto n = static_cast<std::size_t>(factor);
+    std::size_t to = 0;
+    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
+        for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x, to += 4) {
+            // Sums of light over the block, each pixel weighted by its alpha.
+            std::array<double, 3> light{};
+            double alpha = 0.0;
+            for (std::size_t k = 0; k < n * n; ++k) {
+                const std::uint16_t* pixel = image.samples().data() + (n * y + k / n) * stride +
+                                             std::size_t{4} * (n * x + k % n);
+                for (std::size_t c = 0; c < 3; ++c) light[c] += linear[pixel[c]] * pixel[3];
+                alpha += pixel[3];
+            }
+            std::uint16_t* out = small.samples().data() + to;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double mean = alpha > 0.0 ? light[c] / alpha : 0.0;
+                out[c] = static_cast<std::uint16_t>(std::lround(65535.0 * srgb_from_linear(mean)));
+            }
+            out[3] = static_cast<std::uint16_t>(std::lround(alpha / static_cast<double>(n * n)));
+        }
+    }
 }
 
 }  // namespace poinsot

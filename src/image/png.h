@@ -25,10 +25,12 @@ struct PngInfo {
     double pixels_per_metre = 0;  // 0: not said, or not square
 };
 
-// The largest picture that is read: refused before any memory is taken.
+// The largest side of a picture that is drawn and written at once.
 inline constexpr int kLargestPngSide_px = 16384;
-// The largest that is written band by band.
+// The largest of one written band by band, and of any that is read.
 inline constexpr int kLargestBandedPngSide_px = 65536;
+// The most pixels that are read into memory: 1 GiB. More are refused before any is taken.
+inline constexpr std::int64_t kMostPngPixels = std::int64_t{1} << 28;
 
 // Makes PNG files in memory, keeping its buffers between pictures: for sequences. Move-only.
 class PngEncoder {
@@ -59,11 +61,15 @@ void write_png(const std::filesystem::path& path, const Image& image,
 
 // Any PNG as 8-bit RGBA: palettes and greys expanded, 16 bits rounded to 8, samples otherwise as
 // stored. `name` stands in messages.
-// Throws: InputError for what is not a whole PNG, or is larger than 16384 px a side.
+// Throws: InputError for what is not a whole PNG, or has more than kMostPngPixels.
 Image decode_png(std::span<const std::uint8_t> file, const std::string& name,
                  PngInfo* info = nullptr);
 
 // Throws: InputError as decode_png, and for a missing file; EnvironmentError if it cannot be read.
 Image read_png(const std::filesystem::path& path, PngInfo* info = nullptr);
+
+// What a PNG file says before its pixels, which are not decoded: of a picture of any size.
+// Throws: as read_png.
+PngInfo read_png_info(const std::filesystem::path& path);
 
 }  // namespace poinsot

@@ -56,7 +56,7 @@ void on_read(png_structp png, png_bytep to, std::size_t size) {
 bool read_header(Source& source) {
     if (setjmp(png_jmpbuf(source.png))) return false;
     png_set_read_fn(source.png, &source, on_read);
-    png_set_user_limits(source.png, kLargestPngSide_px, kLargestPngSide_px);
+    png_set_user_limits(source.png, kLargestBandedPngSide_px, kLargestBandedPngSide_px);
     png_set_chunk_malloc_max(source.png, kLargestChunk_bytes);
     png_set_crc_action(source.png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_read_info(source.png, source.info);
@@ -116,15 +116,18 @@ std::uint32_t u32_at(std::span<const std::uint8_t> bytes, std::size_t offset) {
 }
 
 // The signature and the size, before libpng is asked for anything.
-void check_start(std::span<const std::uint8_t> file, const std::string& name) {
+void check_start(std::span<const std::uint8_t> file, const std::string& name, bool with_pixels) {
     constexpr std::size_t header_end = 33;
     if (file.size() < 8 || png_sig_cmp(file.data(), 0, 8) != 0)
         throw InputError(fmt::format("{} is not a PNG picture", name));
     if (file.size() < header_end) throw InputError(fmt::format("{} is cut short", name));
     const std::uint32_t width = u32_at(file, 16), height = u32_at(file, 20);
-    if (width > kLargestPngSide_px || height > kLargestPngSide_px)
+    if (width > kLargestBandedPngSide_px || height > kLargestBandedPngSide_px)
         throw InputError(fmt::format("{} is {}×{} pixels; at most {} a side are read", name, width,
-                                     height, kLargestPngSide_px));
+                                     height, kLargestBandedPngSide_px));
+    if (with_pixels && std::int64_t{width} * height > kMostPngPixels)
+        throw InputError(fmt::format("{} is {}×{} pixels; at most {} million of them are read",
+                                     name, width, height, kMostPngPixels / 1'000'000));
 }
 
 // libpng takes memory for a chunk by the length that it claims, before reading it.
@@ -145,38 +148,23 @@ void check_chunks(std::span<const std::uint8_t> file, const std::string& name) {
     }
 }
 
-}  // namespace
+[[noreturn]] void refuse(const Source& source, const std::string& name) {
+    throw InputError(fmt::format("{} is a broken PNG picture: {}", name, source.message.data()));
+}
 
-Image decode_png(std::span<const std::uint8_t> file, const std::string& name, PngInfo* info) {
-    check_start(file, name);
+// Reads all that stands before the pixels.
+void begin(std::span<const std::uint8_t> file, const std::string& name, bool with_pixels,
+           Source& source) {
+    check_start(file, name, with_pixels);
     check_chunks(file, name);
-    Source source;
     source.file = file;
     source.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
     if (source.png) source.info = png_create_info_struct(source.png);
     if (!source.info) throw EnvironmentError("no memory to read a PNG picture");
-    const auto refuse = [&] {
-        throw InputError(
-            fmt::format("{} is a broken PNG picture: {}", name, source.message.data()));
-    };
-    if (!read_header(source)) refuse();
-
-    // A short file cannot hold a large picture; nothing is allocated on its word alone.
-    const std::size_t height = png_get_image_height(source.png, source.info);
-    if (png_get_rowbytes(source.png, source.info) * height / kLargestDeflateRatio > file.size())
-        throw InputError(fmt::format("{} is cut short", name));
-    if (!choose_rgba(source)) refuse();
-    Image image(static_cast<int>(png_get_image_width(source.png, source.info)),
-                static_cast<int>(height));
-    std::vector<png_bytep> rows(height);
-    for (std::size_t y = 0; y < height; ++y)
-        rows[y] = image.bytes().data() + 4 * y * static_cast<std::size_t>(image.width());
-    if (!read_pixels(source, rows.data())) refuse();
-    if (info) *info = info_of(source);
-    return image;
+    if (!read_header(source)) refuse(source, name);
 }
 
-Image read_png(const fs::path& path, PngInfo* info) {
+std::vector<std::uint8_t> read_file(const fs::path& path) {
     const auto fail = [&](int error_number) {
         throw EnvironmentError(fmt::format("cannot read {}: {}", path.string(),
                                            std::generic_category().message(error_number)));
@@ -199,7 +187,39 @@ Image read_png(const fs::path& path, PngInfo* info) {
     stream.read(reinterpret_cast<char*>(file.data()), static_cast<std::streamsize>(size));
     if (stream.bad()) fail(errno);
     file.resize(static_cast<std::size_t>(stream.gcount()));
-    return decode_png(file, path.string(), info);
+    return file;
+}
+
+}  // namespace
+
+Image decode_png(std::span<const std::uint8_t> file, const std::string& name, PngInfo* info) {
+    Source source;
+    begin(file, name, true, source);
+
+    // A short file cannot hold a large picture; nothing is allocated on its word alone.
+    const std::size_t height = png_get_image_height(source.png, source.info);
+    if (png_get_rowbytes(source.png, source.info) * height / kLargestDeflateRatio > file.size())
+        throw InputError(fmt::format("{} is cut short", name));
+    if (!choose_rgba(source)) refuse(source, name);
+    Image image(static_cast<int>(png_get_image_width(source.png, source.info)),
+                static_cast<int>(height));
+    std::vector<png_bytep> rows(height);
+    for (std::size_t y = 0; y < height; ++y)
+        rows[y] = image.bytes().data() + 4 * y * static_cast<std::size_t>(image.width());
+    if (!read_pixels(source, rows.data())) refuse(source, name);
+    if (info) *info = info_of(source);
+    return image;
+}
+
+Image read_png(const fs::path& path, PngInfo* info) {
+    return decode_png(read_file(path), path.string(), info);
+}
+
+PngInfo read_png_info(const fs::path& path) {
+    const std::vector<std::uint8_t> file = read_file(path);
+    Source source;
+    begin(file, path.string(), false, source);
+    return info_of(source);
 }
 
 }  // namespace poinsot

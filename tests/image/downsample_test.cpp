@@ -39,5 +39,24 @@ TEST(Downsample, TransparentPixelsLendNoColour) {
     EXPECT_EQ(downsampled(image, 2).at(0, 0), (Rgba8{200, 50, 10, 128}));
 }
 
+TEST(Downsample, DeepPicturesMixInLinearLightToo) {
+    DeepImage image(2, 2);
+    const auto set = [&](std::size_t pixel, std::uint16_t level, std::uint16_t alpha) {
+        for (std::size_t c = 0; c < 3; ++c) image.samples()[4 * pixel + c] = level;
+        image.samples()[4 * pixel + 3] = alpha;
+    };
+    const auto mean = [&] {
+        DeepImage small;
+        downsample_into(image, 2, small);
+        return std::pair{small.samples()[0], small.samples()[3]};
+    };
+    // Half the light: 1.055·0.5^(1/2.4) − 0.055 = 0.735357, of 65535.
+    set(0, 65535, 65535), set(1, 0, 65535), set(2, 0, 65535), set(3, 65535, 65535);
+    EXPECT_EQ(mean(), (std::pair<std::uint16_t, std::uint16_t>{48192, 65535}));
+    // What is not there lends no colour.
+    set(0, 12345, 65535), set(1, 12345, 65535), set(2, 0, 0), set(3, 0, 0);
+    EXPECT_EQ(mean(), (std::pair<std::uint16_t, std::uint16_t>{12345, 32768}));
+}
+
 }  // namespace
 }  // namespace poinsot

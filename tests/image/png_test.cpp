@@ -13,6 +13,7 @@
 #include "error/error.h"
 #include "image/atomic_file.h"
 #include "image/faults.h"
+#include "image/png_bands.h"
 #include "image/synthetic.h"
 
 namespace poinsot {
@@ -214,8 +215,21 @@ TEST(PngReading, HugeSizesAreRefusedBeforeMemoryIsTaken) {
         return changed;
     };
     EXPECT_EQ(refusal([&] { decode_png(with_size(0x40, 1), "a.png"); }),
-              "a.png is 16385×16385 pixels; at most 16384 a side are read");
+              "a.png is 16385×16385 pixels; at most 268 million of them are read");
     EXPECT_EQ(refusal([&] { decode_png(with_size(0x40, 0), "a.png"); }), "a.png is cut short");
+}
+
+TEST(PngReading, LongPicturesAreReadAndLargeOnesSayWhatTheyAre) {
+    const TemporaryFolder folder;
+    const auto path = folder / "long.png";
+    Image image(20'000, 2);
+    image.set(19'999, 1, {1, 2, 3, 4});
+    PngBandWriter writer(path, image.width(), image.height(), false, {.texts = {{"made", "so"}}},
+                         8);
+    writer.write(image);
+    writer.finish();
+    EXPECT_EQ(read_png(path).at(19'999, 1), (Rgba8{1, 2, 3, 4}));
+    EXPECT_EQ(read_png_info(path).texts.at("made"), "so");
 }
 
 // libpng would take the memory that a chunk claims before it reads it.
