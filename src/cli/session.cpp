@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "cli/print_size.h"
+#include "drawing/overlay.h"
 #include "drawing/reach.h"
 #include "error/error.h"
 #include "error/nearest.h"
@@ -80,6 +81,10 @@ void set_size_on_paper(const Options& options, Scene& scene) {
             "out");
     scene.film.width_px = paper->width_px;
     scene.film.height_px = paper->height_px;
+    // The figure keeps the scene's shape; title and caption add the rows that their points take.
+    if (options.print.width_mm && !options.print.height_mm) {
+        scene.film.height_px += rows_added_by_type(scene, paper->width_px, paper->line_scale);
+    }
 }
 
 }  // namespace

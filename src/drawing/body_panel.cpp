@@ -18,6 +18,10 @@ namespace {
 
 constexpr int the_ellipsoid = 0;
 
+// Length of L here: shorter than in space, where it has to stand out of a body that turns, so that
+// the ellipsoid fills its panel.
+constexpr double body_momentum_length = 1.2;
+
 // Angle between neighbouring polhodes on the ellipse through the lowest and the highest axis, as an
 // ellipse's parameter.
 constexpr double family_spacing_rad = 0.13;
@@ -170,7 +174,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
         const Eigen::Vector3d rho =
             -(principal_from_body(panel) * polhode.at(chi)) * picture.picture_per_rho;
         points.push_back(omega_tip(rho));
-        points.emplace_back(moments.cwiseProduct(rho).stableNormalized() * momentum_length);
+        points.emplace_back(moments.cwiseProduct(rho).stableNormalized() * body_momentum_length);
     }
     return points;
 }
@@ -179,7 +183,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
 
 void make_body_panel(Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
-    const double margin = 0.6 * label_size * panel.type_px + 30.0 * panel.px;
+    const double margin = 0.6 * label_size * panel.type_px + 18.0 * panel.px;
     aim(panel, framed(panel.box, principal_view_direction(panel), Eigen::Vector3d::UnitZ(),
                       field_of(panel), points_to_frame(panel), margin));
     light_from_camera(panel);
@@ -220,7 +224,7 @@ void make_body_panel(Panel& panel) {
         const Eigen::Vector3d rho = -contact_in_principal_axes(panel, instant);
         const Eigen::Vector3d momentum =
             picture.construction.inertia().moments_kg_m2().cwiseProduct(rho).stableNormalized();
-        add_arrow(momentum * momentum_length, theme.momentum, 1.15, momentum_type);
+        add_arrow(momentum * body_momentum_length, theme.momentum, 1.15, momentum_type);
         add_arrow(omega_tip(rho), theme.omega, 1.15, omega_type, omega_label_turn_rad);
         sheet.view.dots.push_back(dot_at(panel, rho, theme.omega));
         sheet.view.dots.push_back(dot_at(panel, -rho, theme.contact));

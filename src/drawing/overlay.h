@@ -12,12 +12,21 @@ namespace poinsot {
 // has text for.
 std::vector<Drawer> make_overlays(StageData& stage);
 
-// Rows at the top and at the bottom of the picture that the overlays take.
+// Rows at the top and at the bottom of the picture that the overlays take, and where the title
+// ends.
 struct OverlayBands {
     int top_px = 0;
     int bottom_px = 0;
+    double title_right_px = 0.0;
 };
 OverlayBands overlay_bands(StageData& stage);
+
+// What the overlays of a picture so wide take more than on a screen, where a line of "one pixel at
+// 1080 rows" is `px` pixels wide: type that has its size in points takes more of a narrow page.
+int rows_added_by_type(const Scene& scene, int width_px, double px);
+
+// Between the overlays and the picture's sides, pixels at 1080 rows.
+constexpr double overlay_margin = 40.0;
 
 // Whether a name in `show` is one of these.
 bool is_overlay(std::string_view name);

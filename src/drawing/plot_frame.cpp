@@ -160,6 +160,26 @@ Dot PlotFrame::dot(const Panel& panel, const Eigen::Vector3d& at, const Colour& 
     return mark;
 }
 
+namespace {
+
+// Of the ticks along a height, every how-many-th has room for its number.
+std::size_t label_stride(const Axis& axis, double height_px, double least_px) {
+    if (axis.ticks.size() < 2) return 1;
+    const double apart_px =
+        height_px * (axis.ticks[1].value - axis.ticks[0].value) / (axis.last - axis.first);
+    const double n = std::ceil(least_px / std::max(apart_px, 1e-9));
+    return static_cast<std::size_t>(std::clamp(n, 1.0, static_cast<double>(axis.ticks.size())));
+}
+
+// The first tick of those: 0 is among them where it is a tick.
+std::size_t first_label(const Axis& axis, std::size_t stride) {
+    for (std::size_t i = 0; i < axis.ticks.size(); ++i)
+        if (axis.ticks[i].value == 0.0) return i % stride;
+    return 0;
+}
+
+}  // namespace
+
 PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const Axis& y,
                      std::string_view x_title, std::string_view y_title, double left_px,
                      double right_px)
@@ -178,8 +198,11 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     area_.right = std::max(area_.right, area_.left + 1.0);
     area_.top = std::max(area_.top, area_.bottom + 1.0);
 
-    // Numbers and grid of the values.
-    for (const Tick& tick : y.ticks) {
+    // Numbers and grid of the values, as many as have room.
+    const std::size_t stride = label_stride(y, area_.height(), 1.1 * number_px);
+    const std::size_t first = first_label(y, stride);
+    for (std::size_t i = first; i < y.ticks.size(); i += stride) {
+        const Tick& tick = y.ticks[i];
         const double height = at(x.first, tick.value).y();
         Curve rule =
             line(panel, {area_.left, height, 0.0}, {area_.right, height, 0.0}, theme.rule, 1.0);

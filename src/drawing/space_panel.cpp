@@ -32,8 +32,12 @@ Camera framing_camera(const Panel& panel, const CameraPose& pose) {
     const double gap = 14.0 * panel.px;
     Margins margins{gap, gap, gap + panel.header_px, gap};
     const StageOptions& picture = panel.stage->options;
-    if (panel.box.height_px == picture.height_px)
-        margins.bottom_px += overlay_bands(*panel.stage).bottom_px;
+    if (panel.box.height_px == picture.height_px) {
+        const OverlayBands bands = overlay_bands(*panel.stage);
+        margins.bottom_px += bands.bottom_px;
+        // L stands in the middle: a title that comes near it goes above it, others beside it.
+        if (bands.title_right_px > 0.38 * picture.width_px) margins.top_px += bands.top_px;
+    }
     margins.bottom_px = std::min(margins.bottom_px, 0.4 * panel.box.height_px);
     Camera camera = framed(panel.box, towards_eye, up_of(pose.azimuth_deg, pose.elevation_deg),
                            field_rad, points, margins);

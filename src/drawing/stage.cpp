@@ -77,10 +77,13 @@ Drawer header_of(Panel& panel, std::string_view text) {
     const SetType type =
         panel.stage->type_case.set(text, {.size_px = size, .mode = TypeMode::text});
     panel.header_px = 1.7 * size;
-    return [&panel, type, size](const Instant&, Sheet& sheet) {
+    // In the first column it stands below the title.
+    const double left =
+        panel.box.x_px == 0 ? overlay_margin * panel.stage->px : panel.box.x_px + 0.7 * size;
+    return [&panel, type, size, left](const Instant&, Sheet& sheet) {
         Label label;
         label.mask = type.mask;
-        label.top_left_px = {std::round(panel.box.x_px + 0.7 * size) + type.left_px,
+        label.top_left_px = {std::round(left) + type.left_px,
                              std::round(panel.box.y_px + 0.4 * size + size) - type.baseline_px};
         label.colour = panel.stage->theme->text;
         label.halo_colour = panel.stage->theme->halo;
@@ -88,6 +91,22 @@ Drawer header_of(Panel& panel, std::string_view text) {
         label.opacity = 0.75;
         if (type.mask->width > 0) sheet.view.labels.push_back(label);
     };
+}
+
+// Refuses cells in which nothing can be seen.
+void check_room(const Scene& scene, const PanelBox& box, std::size_t panel) {
+    constexpr int least_px = 8;
+    if (scene.panels.size() < 2 || std::min(box.width_px, box.height_px) >= least_px) return;
+    throw SceneError(scene.location_of(fmt::format("panels[{}]", panel)),
+                     fmt::format("panels[{}] gets {}x{} pixels of the picture, title and caption "
+                                 "taken off; a panel needs {} a side: make the picture larger, or "
+                                 "the grid coarser",
+                                 panel, box.width_px, box.height_px, least_px));
+}
+
+bool says_camera(const KeyframeSpec& key) {
+    return key.azimuth_deg || key.elevation_deg || key.distance || key.field_deg || key.target ||
+           !key.look_at.empty();
 }
 
 // Drawn with radii up to half the picture's height: the sagitta r(1 − cos(π/n)) stays below half
@@ -155,6 +174,7 @@ StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOpti
     }
     overlays = make_overlays(*this);
     check_fades();
+    check_keyframes();
 }
 
 void StageData::make_construction() {
@@ -179,6 +199,20 @@ void StageData::check_fades() const {
                 fmt::format("nothing shown is called \"{}\"{}; here fade: {}", echo(name),
                             did_you_mean(name, known), fmt::join(known, ", ")));
         }
+    }
+}
+
+void StageData::check_keyframes() const {
+    const auto moves = [](const Panel& panel) { return panel.camera_at != nullptr; };
+    if (!timeline.camera_moves() || std::any_of(panels.begin(), panels.end(), moves)) return;
+    for (std::size_t i = 0; i < scene.keyframes.size(); ++i) {
+        if (!says_camera(scene.keyframes[i])) continue;
+        throw SceneError(
+            scene.location_of(fmt::format("keyframes[{}]", i)),
+            fmt::format("keyframes[{}] moves the camera, but every panel here is seen "
+                        "from where it always is; add a panel \"space\", \"object\" or "
+                        "\"top\", or leave the camera out",
+                        i));
     }
 }
 
@@ -210,6 +244,7 @@ void StageData::make_panels() {
         panel.spec = spec;
         panel.light = theme->light;
         panel.box = box_of(spec, columns, rows);
+        check_room(scene, panel.box, static_cast<std::size_t>(&spec - specs.data()));
         const double share = line_scale(panel.box, options);
         panel.px = px * share;
         panel.type_px =
@@ -283,7 +318,7 @@ double StageData::quickest_rate_rad_s() const {
     return rate;
 }
 
-std::vector<LiveValue> StageData::live_values(const Instant& instant) const {
+std::vector<LiveValue> StageData::live_values(const Instant& instant) {
     const Eigen::Vector3d& omega = instant.state.omega_body;
     return {{"time_s", instant.time_s},           {"time_h", instant.time_s / 3600.0},
             {"time_d", instant.time_s / 86400.0}, {"omega_1_rad_s", omega[0]},

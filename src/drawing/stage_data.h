@@ -122,12 +122,13 @@ struct StageData {
     double quickest_rate_rad_s() const;
 
     // The numbers that captions may name, at an instant.
-    std::vector<LiveValue> live_values(const Instant& instant) const;
+    static std::vector<LiveValue> live_values(const Instant& instant);
 
  private:
     void make_construction();
     void make_panels();
     void check_fades() const;
+    void check_keyframes() const;
 };
 
 }  // namespace poinsot

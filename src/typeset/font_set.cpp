@@ -40,13 +40,13 @@ TypeBox FontSet::set_text(const TextRun& run, TextFamily family, double size_px)
     };
     FontFile& face = text(family, run.face);
     for (const LabelCharacter& character : run.characters) {
-        FontFile* font = face.glyph(character.code) ? &face : &math();
-        if (font != &face && !font->glyph(character.code)) {
-            fail_missing_glyph(character.code, character.column);
-        }
+        // A space that no line breaks at is as wide as one where it may.
+        const char32_t code = character.code == U'\u00A0' ? U' ' : character.code;
+        FontFile* font = face.glyph(code) ? &face : &math();
+        if (font != &face && !font->glyph(code)) fail_missing_glyph(code, character.column);
         if (font != part_font) flush();
         part_font = font;
-        part.push_back(character.code);
+        part.push_back(code);
     }
     flush();
     return box;

@@ -115,7 +115,15 @@ INSTANTIATE_TEST_SUITE_P(
                "set beside.method to one of"),
         motion("beside_with_no_panel_for_it",
                "[beside]\nmethod = \"euler\"\n[[panels]]\nkind = \"plan\"\n",
-               "no panel here shows a second motion")),
+               "no panel here shows a second motion"),
+        motion("keyframe_where_no_camera_moves",
+               "[[keyframes]]\nat_s = 1.0\nelevation_deg = 50.0\n[[panels]]\nkind = \"plan\"\n",
+               "scene.toml:6:1: keyframes[0] moves the camera, but every panel here is seen from"),
+        Case{"panels_too_small",
+             good +
+                 "[grid]\ncolumns = [1.0, 0.01]\n[[panels]]\nkind = \"space\"\n[[panels]]\nkind = "
+                 "\"body\"\ncolumn = 1\n",
+             "still scene.toml -o a.png --size 320x180", 2, "scene.toml:10:1: panels[1] gets 3x"}),
     [](const auto& tested) { return tested.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(

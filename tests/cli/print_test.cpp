@@ -125,6 +125,43 @@ TEST(PrintedStill, InBandsIsThePictureDrawnAtOnce) {
     EXPECT_EQ(text_of(folder.path() / "deep.png").at(24), 16);
 }
 
+TEST(PrintedStill, OfSixteenBitsIsAveragedLikeOneOfEight) {
+    const ScratchFolder folder;
+    const std::string common =
+        "still '" + scene("generic") +
+        "' --time 3 --width-mm 30 --dpi 300 --theme print --quality print -q ";
+    ASSERT_EQ(run_program_in(folder, common + "-o shallow.png").code, 0);
+    const ProgramRun run = run_program_in(folder, common + "--depth 16 -o deep.png");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const Image shallow = read_png(folder.path() / "shallow.png");
+    const Image deep = read_png(folder.path() / "deep.png");
+    ASSERT_EQ(deep.width(), shallow.width());
+    int largest = 0;
+    for (int y = 0; y < deep.height(); ++y)
+        for (int x = 0; x < deep.width(); ++x)
+            largest = std::max(largest, std::abs(deep.at(x, y).g - shallow.at(x, y).g));
+    EXPECT_LE(largest, 1);
+}
+
+TEST(PrintedStill, FigureKeepsItsShapeBesideTypeThatHasItsPoints) {
+    // Title and caption take more of a narrow page than of a screen: the page grows by that much.
+    const ScratchFolder folder;
+    const auto rows = [&](const std::string& more) {
+        const ProgramRun run =
+            run_program_in(folder, "still '" + scene("four_views") +
+                                       "' --time 1 --width-mm 85 --dpi 150 -q -o a.png " + more);
+        EXPECT_EQ(run.code, 0) << run.err;
+        return read_png(folder.path() / "a.png").height();
+    };
+    const int bare = rows("--set 'title=\"\"' --set 'caption=\"\"'");
+    EXPECT_NEAR(bare, 85.0 / 25.4 * 150.0 * 9.0 / 16.0, 30.0);  // the clock's own row is left
+    // A title of 10 pt, and at 85 mm two lines of caption for one.
+    const double pt_px = 150.0 / 72.0;
+    EXPECT_GT(rows(""), bare + 10.0 * pt_px);
+    EXPECT_LT(rows(""), bare + 60.0 * pt_px);
+    EXPECT_NEAR(rows("--height-mm 50"), 50.0 / 25.4 * 150.0, 1.0);
+}
+
 TEST(PrintedStill, IsDrawnAgainFromItsRecord) {
     const ScratchFolder folder;
     const ProgramRun run = run_program_in(
@@ -139,9 +176,8 @@ TEST(PrintedStill, IsDrawnAgainFromItsRecord) {
 TEST(PrintedStill, RefusalsAreOneLineAndLeaveNothing) {
     const ScratchFolder folder;
     const std::string still = "still '" + scene("generic") + "' -o a.png ";
-    for (const char* wrong :
-         {"--width-mm 85 --size 100x100", "--depth 12", "--width-mm 90000 --dpi 1200",
-          "--depth 16 --set film.quality=print", "--theme drak"}) {
+    for (const char* wrong : {"--width-mm 85 --size 100x100", "--depth 12",
+                              "--width-mm 90000 --dpi 1200", "--theme drak"}) {
         const ProgramRun run = run_program_in(folder, still + wrong);
         EXPECT_EQ(run.code, 2) << wrong << ": " << run.err;
         EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;

@@ -71,8 +71,8 @@ TEST(LectureScenes, TennisRacketTurnsOverMoreThanOnceInItsFilm) {
 
 TEST(LectureScenes, CaptionsGiveTheRateOfPrecession) {
     for (const auto& [name, rate, in_caption] :
-         {std::tuple{"symmetric_oblate", 1.2, "= 1.2$ rad/s"},
-          std::tuple{"symmetric_prolate", -1.2, "= -1.2$ rad/s"}}) {
+         {std::tuple{"symmetric_oblate", 1.2, "= 1.2$~rad/s"},
+          std::tuple{"symmetric_prolate", -1.2, "= -1.2$~rad/s"}}) {
         const Scene scene = lecture(name);
         const Eigen::Vector3d I = scene.body.inertia.moments_kg_m2();
         EXPECT_EQ(I[0], I[1]);
