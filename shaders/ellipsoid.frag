@@ -6,16 +6,21 @@
 #include "coverage.glsl"
 #include "quadric.glsl"
 #include "lines.glsl"
-//   0: towards the key light; its strength   1: towards the middle of the sky; its strength
+//   0: towards the key light; its strength   1: w: the sky's strength
 //   2: least depth that is drawn, 1 if perspective, 1/focal length in px
 // then for each member, after the seven of quadric.glsl:
 //   7, 8: change of u with the pixel x, y at unit depth (orthographic: as is); w: ruling width px,
 //         opacity of the rulings
-//   9, 10, 11: rows of the map from view axes to the sphere's; w: meridians, parallels, presence
+//   9, 10: towards the key light and the sky, mapped into the sphere's axes; w: meridians, parallels
+//   11: 1/squares of the half axes; presence. These three in the scale of d.
 //   12: colour, linear; opacity   13: colour of the lines, linear; width px of the principal sections
 const int first_member = 3;
 const int member_size = 14;
-in vec3 sight;
+noperspective in vec3 sight;
+#if !RIM
+noperspective in vec3 direction;
+noperspective in vec3 moment;
+#endif
 out vec4 fragment;
 
 const float pi = 3.14159265358979;
@@ -36,24 +41,26 @@ float arcsine(float x) {
     return x < 0.0 ? -angle : angle;
 }
 
-// The three principal sections at the point u, which changes by ux, uy with the pixel.
-float sections(vec3 u, vec3 square, float width_px) {
+// The three principal sections at the point u, which changes with the pixel by the roots of
+// `square` times that of stretch_square.
+float sections(vec3 u_square, vec3 square, float stretch_square, float width_px) {
     // The nearest: the least u²/square, found by products.
-    vec3 n = u * u;
     vec3 d = max(square, 1e-12);
-    vec2 least = n.x * d.y < n.y * d.x ? vec2(n.x, d.x) : vec2(n.y, d.y);
-    least = n.z * least.y < least.x * d.z ? vec2(n.z, d.z) : least;
-    return line_coverage(sqrt(least.x / least.y), width_px);
+    vec2 least = u_square.x * d.y < u_square.y * d.x ? vec2(u_square.x, d.x) : vec2(u_square.y, d.y);
+    least = u_square.z * least.y < least.x * d.z ? vec2(u_square.z, d.z) : least;
+    return line_coverage(sqrt(least.x / (stretch_square * least.y)), width_px);
 }
 
-// Meridians and parallels about the third axis; longitudes from the first.
-float rulings(vec3 u, vec3 ux, vec3 uy, float width_px, float n_meridians, float n_parallels) {
-    float rim_square = max(u.x * u.x + u.y * u.y, 1e-9);
+// Meridians and parallels about the third axis; longitudes from the first. ux, uy: change of u with
+// the pixel, over the root of stretch_square.
+float rulings(vec3 u, vec3 u_square, vec3 ux, vec3 uy, float stretch_square, float width_px, float n_meridians,
+              float n_parallels) {
+    float rim_square = max(u_square.x + u_square.y, 1e-9);
     vec2 turn = u.x * vec2(ux.y, uy.y) - u.y * vec2(ux.x, uy.x);
     float per_longitude = n_meridians / (2.0 * pi);
     float per_latitude = (n_parallels + 1.0) / pi;
-    float longitude_square = dot(turn, turn) * (per_longitude * per_longitude);
-    float latitude_square = (ux.z * ux.z + uy.z * uy.z) * (per_latitude * per_latitude);
+    float longitude_square = dot(turn, turn) * (stretch_square * (per_longitude * per_longitude));
+    float latitude_square = (ux.z * ux.z + uy.z * uy.z) * (stretch_square * (per_latitude * per_latitude));
     float meridians = ruled_apart(angle_of(u.xy) * per_longitude,
                                   rim_square * inversesqrt(max(longitude_square, 1e-20)), width_px);
     float parallels = ruled_apart((arcsine(u.z) + 0.5 * pi) * per_latitude,
@@ -61,63 +68,81 @@ float rulings(vec3 u, vec3 ux, vec3 uy, float width_px, float n_meridians, float
     return max(n_meridians > 0.5 ? meridians : 0.0, n_parallels > 0.5 ? parallels : 0.0);
 }
 
-// Entry (side -1: the outer surface) or exit (side +1: the inner one) of the line of sight.
-Layer surface(int at, Sight s, float per_root, float side, vec3 to_eye) {
+// What all surfaces met by one line of sight share.
+struct Gaze {
+    float per_length;   // 1/length of the line's direction in view axes
+    float per_halfway;  // 1/square of the vector halfway between eye and key light
+};
+
+Gaze gaze_of() {
+    Gaze g;
+    g.per_length = inversesqrt(dot(sight, sight));
+    g.per_halfway = 1.0 / max(2.0 - 2.0 * g.per_length * dot(sight, constant(0).xyz), 1e-6);
+    return g;
+}
+
+// Entry (side -1: the outer surface) or exit (side +1: the inner one) of the line of sight. slide:
+// d/root. The normal enters in products with directions alone; those are products of u with the
+// same directions mapped into the sphere's axes, and with the line of sight it is the root.
+Layer surface(int at, Sight s, vec3 slide, float side, Gaze gaze) {
 #if RIM
     vec3 u = sphere_point(s, side);
 #else
     vec3 u = s.nearest + (side * s.root * s.per_square) * s.d;
 #endif
+    vec3 u_square = u * u;
     Layer layer;
     layer.depth = depth_of(at, u);
 
-    // How the point slides over the sphere as the pixel changes; u·d is the root.
+    // How the point slides over the sphere as the pixel changes, at unit depth; u·d is the root.
+    vec3 gx = constant(at + 7).xyz;
+    vec3 gy = constant(at + 8).xyz;
+    vec3 ux = gx - slide * (side * dot(u, gx));
+    vec3 uy = gy - slide * (side * dot(u, gy));
     float stretch = constant(2).y > 0.5 ? layer.depth : 1.0;
-    vec3 gx = stretch * constant(at + 7).xyz;
-    vec3 gy = stretch * constant(at + 8).xyz;
-    vec3 slide = s.d * (side * per_root);
-    vec3 ux = gx - slide * dot(u, gx);
-    vec3 uy = gy - slide * dot(u, gy);
 #if MEMBERS > 1
-    layer.depth_change = vec2(dot(constant(at + 6).xyz, ux), dot(constant(at + 6).xyz, uy));
+    layer.depth_change = stretch * vec2(dot(constant(at + 6).xyz, ux), dot(constant(at + 6).xyz, uy));
 #endif
+    float stretch_square = stretch * stretch;
+    float lines = sections(u_square, ux * ux + uy * uy, stretch_square, constant(at + 13).w);
+    if (side < 0.0 || MEMBERS > 1)
+        lines = max(lines, constant(at + 8).w * rulings(u, u_square, ux, uy, stretch_square,
+                                                        constant(at + 7).w, constant(at + 9).w, constant(at + 10).w));
 
-    vec3 outward = u.x * constant(at + 9).xyz + u.y * constant(at + 10).xyz + u.z * constant(at + 11).xyz;
-    vec3 n = outward * (-side * inversesqrt(dot(outward, outward)));
-    float facing = clamp(dot(n, to_eye), 0.0, 1.0);
+    float per_normal = inversesqrt(dot(u_square, constant(at + 11).xyz));
+    float facing = min(s.root * per_normal * gaze.per_length, 1.0);
     float limb = 1.0 - facing;
     limb *= limb * limb;
-
-    vec3 square = ux * ux + uy * uy;
-    float lines = sections(u, square, constant(at + 13).w);
-    if (side < 0.0 || MEMBERS > 1)
-        lines = max(lines, constant(at + 8).w * rulings(u, ux, uy, constant(at + 7).w,
-                                                        constant(at + 9).w, constant(at + 10).w));
 
     // Key light wrapped a little round the edge, sky from above, weak light from the ground.
     float key_strength = constant(0).w;
     float sky_strength = constant(1).w;
-    float key = max(0.8 * dot(n, constant(0).xyz) + 0.2, 0.0);
-    float up = 0.5 + 0.5 * dot(n, constant(1).xyz);
+    float outward = -side * per_normal;
+    float to_key = outward * dot(u, constant(at + 9).xyz);
+    float key = max(0.8 * to_key + 0.2, 0.0);
+    float up = 0.5 + (0.5 * outward) * dot(u, constant(at + 10).xyz);
     float lit = key_strength * key * key * (1.5 - 0.5 * key) + sky_strength * (0.42 + 0.58 * up * up) + 0.06;
-    layer.colour = mix(constant(at + 12).rgb, constant(at + 13).rgb, lines) * lit;
 
     float opacity = constant(at + 12).w;
     float alpha;
     if (side < 0.0) {
-        vec3 halfway = constant(0).xyz + to_eye;
-        float glint = max(dot(n, halfway), 0.0);
-        float g2 = glint * glint / dot(halfway, halfway), g4 = g2 * g2, g8 = g4 * g4, g16 = g8 * g8, g32 = g16 * g16;
+        float glint = max(to_key + facing, 0.0);
+        float g2 = glint * glint * gaze.per_halfway, g4 = g2 * g2, g8 = g4 * g4, g16 = g8 * g8, g32 = g16 * g16;
         float gloss = 0.05 * g16 + 0.16 * g32 * g32;
-        layer.colour += key_strength * gloss * (1.0 - lines) + sky_strength * 0.30 * limb * up;
+        layer.colour = mix(constant(at + 12).rgb, constant(at + 13).rgb, lines) * lit +
+                       (key_strength * gloss * (1.0 - lines) + sky_strength * 0.30 * limb * up);
         alpha = opacity + (1.0 - opacity) * 0.8 * limb;
         alpha = mix(alpha, max(alpha, 0.92), lines);
     } else {
-        layer.colour *= 0.62;
+        layer.colour = mix(constant(at + 12).rgb, constant(at + 13).rgb, lines) * (0.62 * lit);
         alpha = opacity * (0.55 + 0.3 * limb);
         alpha = mix(alpha, max(alpha, 0.85), lines);
     }
-    layer.alpha = layer.depth > constant(2).x ? alpha * constant(at + 11).w : 0.0;
+    alpha *= constant(at + 11).w;
+#if RIM
+    alpha = layer.depth > constant(2).x ? alpha : 0.0;
+#endif
+    layer.alpha = alpha;
     return layer;
 }
 
@@ -137,12 +162,16 @@ float before(Layer a, Layer b) {
 
 void main() {
     vec2 pixel = gl_FragCoord.xy;
-    vec3 to_eye = -sight * inversesqrt(dot(sight, sight));
+    Gaze gaze = gaze_of();
 #if MEMBERS == 1
+#if RIM
     Sight s = sight_of(first_member, pixel);
-    float per_root = 1.0 / s.root;
-    Layer front = surface(first_member, s, per_root, -1.0, to_eye);
-    Layer back = surface(first_member, s, per_root, 1.0, to_eye);
+#else
+    Sight s = sight_along(direction, moment);
+#endif
+    vec3 slide = s.d * (1.0 / s.root);
+    Layer front = surface(first_member, s, slide, -1.0, gaze);
+    Layer back = surface(first_member, s, slide, 1.0, gaze);
     float behind = (1.0 - front.alpha) * back.alpha;
     fragment = vec4(front.colour * front.alpha + back.colour * behind, front.alpha + behind);
 #if RIM
@@ -153,9 +182,9 @@ void main() {
     for (int k = 0; k < MEMBERS; ++k) {
         int at = first_member + k * member_size;
         Sight s = sight_of(at, pixel);
-        float per_root = 1.0 / s.root;
-        layers[2 * k] = surface(at, s, per_root, -1.0, to_eye);
-        layers[2 * k + 1] = surface(at, s, per_root, 1.0, to_eye);
+        vec3 slide = s.d * (1.0 / s.root);
+        layers[2 * k] = surface(at, s, slide, -1.0, gaze);
+        layers[2 * k + 1] = surface(at, s, slide, 1.0, gaze);
         cover(layers[2 * k], layers[2 * k + 1], outline_coverage(at, s));
     }
     vec4 sum = vec4(0.0);

@@ -4,11 +4,20 @@ uniform vec2 corners[34];
 uniform vec4 constants[N_FLAT];
 uniform vec3 sights[3];  // at pixel 0, and its change with x and y
 flat out vec4 flat_constants[N_FLAT];
-out vec3 sight;
+noperspective out vec3 sight;
+#if !RIM
+noperspective out vec3 direction;  // of the line of sight, and its moment, as quadric.glsl has them
+noperspective out vec3 moment;
+#endif
 
 void main() {
     for (int i = 0; i < N_FLAT; ++i) flat_constants[i] = constants[i];
     vec2 pixel = corners[gl_VertexID];
     sight = sights[0] + pixel.x * sights[1] + pixel.y * sights[2];
+#if !RIM
+    vec2 p = pixel - vec2(constants[3].w, constants[4].w);
+    direction = constants[3].xyz + p.x * constants[4].xyz + p.y * constants[5].xyz;
+    moment = constants[6].xyz + p.x * constants[7].xyz + p.y * constants[8].xyz;
+#endif
     gl_Position = clip_from_pixel(pixel);
 }

@@ -20,17 +20,22 @@ struct Sight {
     vec3 nearest;        // point of the line nearest to the centre
 };
 
-Sight sight_of(int at, vec2 pixel) {
-    vec2 p = pixel - vec2(constant(at).w, constant(at + 1).w);
+Sight sight_along(vec3 d, vec3 m) {
     Sight s;
-    s.d = constant(at).xyz + p.x * constant(at + 1).xyz + p.y * constant(at + 2).xyz;
-    s.m = constant(at + 3).xyz + p.x * constant(at + 4).xyz + p.y * constant(at + 5).xyz;
+    s.d = d;
+    s.m = m;
     s.square = max(dot(s.d, s.d), 1e-30);
     s.per_square = 1.0 / s.square;
     s.discriminant = s.square - dot(s.m, s.m);
     s.root = sqrt(max(s.discriminant, 1e-7 * s.square));
     s.nearest = s.per_square * cross(s.d, s.m);
     return s;
+}
+
+Sight sight_of(int at, vec2 pixel) {
+    vec2 p = pixel - vec2(constant(at).w, constant(at + 1).w);
+    return sight_along(constant(at).xyz + p.x * constant(at + 1).xyz + p.y * constant(at + 2).xyz,
+                       constant(at + 3).xyz + p.x * constant(at + 4).xyz + p.y * constant(at + 5).xyz);
 }
 
 // Share of the pixel inside the outline.

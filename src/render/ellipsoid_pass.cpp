@@ -10,7 +10,7 @@ namespace poinsot {
 EllipsoidPass::Variant::Variant(int n_members, bool rim)
     : program("ellipsoid.frag", 3 + 14 * n_members,
               {"MEMBERS " + std::to_string(n_members), rim ? "RIM 1" : "RIM 0"}, "ellipsoid.vert",
-              1),
+              rim ? 1 : 3),
       sights(program.at("sights")) {}
 
 void EllipsoidPass::Variant::use(const Projection& p) const {
@@ -73,9 +73,12 @@ void EllipsoidPass::draw_group(const ViewScene& scene, const int* members, int n
         scene.add_quadric(constants, i);
         constants.add(q.gx, shape.ruling_px);
         constants.add(q.gy, shape.ruling_px > 0.0 ? shape.ruling_opacity : 0.0);
-        constants.add(q.to_u_row(0), shape.n_meridians);
-        constants.add(q.to_u_row(1), shape.n_parallels);
-        constants.add(q.to_u_row(2), shape.presence);
+        // The normal is u over the half axes; what it is multiplied with takes the scale of d.
+        const double scale = 1.0 / (q.to_u * p.ray(q.anchor_px)).norm();
+        constants.add(scale * (q.to_u * scene.view->light.towards.normalized()), shape.n_meridians);
+        constants.add(scale * (q.to_u * scene.up()), shape.n_parallels);
+        const Eigen::Vector3d half_axes = q.axes.colwise().norm();
+        constants.add(scale * scale * half_axes.cwiseAbs2().cwiseInverse(), shape.presence);
         constants.add4(linear_from_srgb(shape.colour, shape.opacity));
         constants.add4(linear_from_srgb(shape.line_colour, shape.section_px));
         box.add({q.outline.box.left, q.outline.box.top});

@@ -57,12 +57,13 @@ void ViewScene::add_view(Constants& constants, const Eigen::Vector2d& corner_px)
     constants.add(p.forward);
 }
 
+Eigen::Vector3d ViewScene::up() const {
+    return view->planes.empty() ? view->camera.up.normalized() : view->planes.front().normal;
+}
+
 void ViewScene::add_light(Constants& constants) const {
     constants.add(view->light.towards.normalized(), view->light.key);
-    // The sky is above the plane that the body stands on, or at the top of the picture.
-    const Eigen::Vector3d up =
-        view->planes.empty() ? view->camera.up.normalized() : view->planes.front().normal;
-    constants.add(up, view->light.sky);
+    constants.add(up(), view->light.sky);
 }
 
 void ViewScene::add_quadric(Constants& constants, std::size_t ellipsoid) const {

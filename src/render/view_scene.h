@@ -47,6 +47,9 @@ struct ViewScene {
     // Of the solids that hide others.
     Solids solids() const;
     int n_quadrics() const;
+    // Towards the middle of the sky: above the plane that the body stands on, or at the top of the
+    // picture. Unit.
+    Eigen::Vector3d up() const;
 
     // Constants as shaders/view.glsl (5), quadric.glsl (7) and occlusion.glsl count them, and two
     // for the light: towards it, and its strength, first the key light, then the sky. corner_px: of
