@@ -130,7 +130,7 @@ Residuals measure(const Family& family, int first, int last) {
         const double piece_s =
             std::ldexp(std::round(family.duration_s * (i % 4 == 3 ? -16 : 16)), -6);
         if (family.amplifies) {
-            compare<Quad>(problem, piece_s, worst);
+            compare<DoubleDouble>(problem, piece_s, worst);
         } else {
             compare<Wide>(problem, piece_s, worst);
         }

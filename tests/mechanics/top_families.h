@@ -21,7 +21,7 @@ struct Family {
     std::string_view name;
     HeavyTopProblem (*draw)(Random& random);
     double duration_s;
-    bool amplifies;  // so much that the oracle needs 113 bits
+    bool amplifies;  // so much that the oracle needs more than long double's 64 bits
 };
 
 std::span<const Family> all();
