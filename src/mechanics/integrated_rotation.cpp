@@ -109,6 +109,13 @@ void IntegratedRotation::cover(Branch& branch, const MethodStart& start, double 
     StepNode node;
     node.step_s = start.step_s;
     node.state = start.state;
+    // All the room at once, which costs nothing until it is written to: a vector that doubles has
+    // the system clear twice the memory, in every run anew.
+    constexpr auto most = static_cast<double>(max_kept_states);
+    const double n_expected = end_s == 0.0          ? 1.0
+                              : method_->takes_step ? end_s / start.step_s + 2.0
+                                                    : most;
+    branch.kept.reserve(static_cast<std::size_t>(std::min(n_expected, most)));
     branch.kept.push_back(node);
     std::int64_t stride = 1;
     while (std::abs(node.time_s) < std::abs(end_s)) {
