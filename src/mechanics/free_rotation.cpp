@@ -18,6 +18,10 @@ using Eigen::Vector3d;
 
 using VectorDD = std::array<DoubleDouble, 3>;
 
+// The two phases of a motion.
+constexpr int series_phase = 0;
+constexpr int mean_turn = 1;
+
 // A quaternion in double-double.
 struct QuaternionDD {
     DoubleDouble w;
@@ -116,6 +120,13 @@ EulerAngles euler_angles(const Quaterniond& q) {
     return angles;
 }
 
+// The rotor turned on by the mean turn.
+void turn_on(SeriesPoint& point, SinCos mean) {
+    const double re = point.re;
+    point.re = mean.cos * re - mean.sin * point.im;
+    point.im = mean.sin * re + mean.cos * point.im;
+}
+
 }  // namespace
 
 FreeRotation::FreeRotation(const InertiaTensor& inertia, const RotationState& start, Tier tier)
@@ -189,8 +200,6 @@ void FreeRotation::set_rates(const JacobiSolution& j, double start_time_s) {
         turn = sqrt(square_sum);
     }
     turn = turn / WideDouble(pi_dd);
-    turn_rate_ = TwoWordRate(turn.over_power_of_two(exponent));
-
     // v = πu/2K in quarter turns is u/K; on the separatrix u/ln 2 is wanted.
     WideDouble phase;
     WideDouble phase_start;
@@ -201,19 +210,21 @@ void FreeRotation::set_rates(const JacobiSolution& j, double start_time_s) {
         phase = j.rate / j.quarter_period;
         phase_start = ldexp(j.start_phase, 1);
     }
-    phase_rate_ = TwoWordRate(phase.over_power_of_two(exponent));
-    phase_start_ = phase_start.double_double();
-    if (start_time_s == 0.0) return;
-
-    // The start's own time is taken off the phases, whole revolutions apart.
-    const WideDouble t = start_time_s;
-    const auto reduced = [](const WideDouble& x) {
-        const DoubleDouble value = x.double_double();
-        return DoubleDouble(std::fmod(value.hi, 4.0)) + std::fmod(value.lo, 4.0);
-    };
-    turn_start_ = -reduced(turn * t);
-    phase_start_ = regime_ == Regime::separatrix ? (phase_start - phase * t).double_double()
-                                                 : phase_start_ - reduced(phase * t);
+    DoubleDouble phase_at_0 = phase_start.double_double();
+    DoubleDouble turn_at_0;
+    if (start_time_s != 0.0) {
+        // The start's own time is taken off the phases, whole revolutions apart.
+        const WideDouble t = start_time_s;
+        const auto reduced = [](const WideDouble& x) {
+            const DoubleDouble value = x.double_double();
+            return DoubleDouble(std::fmod(value.hi, 4.0)) + std::fmod(value.lo, 4.0);
+        };
+        turn_at_0 = -reduced(turn * t);
+        phase_at_0 = regime_ == Regime::separatrix ? (phase_start - phase * t).double_double()
+                                                   : phase_at_0 - reduced(phase * t);
+    }
+    phases_.set(series_phase, phase.over_power_of_two(exponent), phase_at_0);
+    phases_.set(mean_turn, turn.over_power_of_two(exponent), turn_at_0);
 }
 
 void FreeRotation::set_output(const JacobiSolution& j, const InertiaTensor& inertia,
@@ -268,50 +279,51 @@ double FreeRotation::scaled_time(double time_s) const {
     return time;
 }
 
-template <bool two_words>
-SeriesPoint FreeRotation::series_point(double time) const {
-    // Beyond 2^44 units the phases could pass 2^50 quarter turns.
-    const bool distant =
-        std::abs(time) * (std::abs(turn_rate_.value.hi) + phase_rate_.value.hi) > 0x1p49;
-    const DoubleDouble halves = split(time);
-    const auto reduce = [&](const TwoWordRate& rate, DoubleDouble start) {
-        if (distant) [[unlikely]] {
-            return distant_quarter_turns(time, rate, start);
-        }
-        if constexpr (two_words) return quarter_turns(time, halves, rate, start);
-        return quarter_turns_one_word(time, rate, start);
-    };
-
-    SeriesPoint point{};
-    DoubleDouble turn_start = turn_start_;
-    if (series_ == Series::trigonometric) {
-        point = trigonometric_.at(reduce(phase_rate_, phase_start_));
-    } else if (series_ == Series::hyperbolic) {
-        const QuarterTurns phase = reduce(phase_rate_, phase_start_);
-        const HyperbolicSeries::Place place = HyperbolicSeries::place(phase);
-        point = hyperbolic_.at(phase, place);
-        turn_start = turn_start + hyperbolic_.phase_per_period * place.periods;
-    } else {
-        // Past |u| = 1400 nothing is left of the approach to the middle axis.
-        const double near = phase_rate_.value.hi * time + phase_start_.hi;
-        const DoubleDouble x = std::abs(near) > 2000.0 ? DoubleDouble(std::copysign(2000.0, near))
-                                                       : phase_rate_.value * time + phase_start_;
-        point = hyperbolic_.at_separatrix(abs(x), x.hi < 0.0 ? -1.0 : 1.0);
-    }
-    const QuarterTurns turn = reduce(turn_rate_, turn_start);
-    const SinCos mean = turned(sin_cos_of_rest(turn.rest), turn.whole);
-    const double re = point.re;
-    point.re = mean.cos * re - mean.sin * point.im;
-    point.im = mean.sin * re + mean.cos * point.im;
+// The point functions are inlined, which spares writing a SeriesPoint word by word to memory and
+// reading it back in pairs: that stalls.
+[[gnu::always_inline]] inline SeriesPoint FreeRotation::trigonometric_point(double time) const {
+    const QuarterTurnPair turns =
+        tier_ == Tier::exact ? phases_.at(time) : phases_.at_in_one_word(time);
+    SeriesPoint point = trigonometric_.at(sin_cos(turns[series_phase]));
+    turn_on(point, sin_cos(turns[mean_turn]));
     return point;
 }
 
-void FreeRotation::permanent_attitude(double time, MotionSample& out) const {
-    const DoubleDouble halves = split(time);
-    const bool distant = std::abs(time) * turn_rate_.value.hi > 0x1p49;
-    const QuarterTurns turn = distant ? distant_quarter_turns(time, turn_rate_, turn_start_)
-                                      : quarter_turns(time, halves, turn_rate_, turn_start_);
-    const SinCos half = turned(sin_cos_of_rest(turn.rest), turn.whole);
+[[gnu::always_inline]] inline SeriesPoint FreeRotation::hyperbolic_point(double time) const {
+    const QuarterTurnPair turns =
+        tier_ == Tier::exact ? phases_.at(time) : phases_.at_in_one_word(time);
+    const QuarterTurns phase = turns[series_phase];
+    const HyperbolicSeries::Place place = HyperbolicSeries::place(phase);
+    SeriesPoint point = hyperbolic_.at(phase, place);
+    const QuarterTurns turn =
+        moved_on(turns[mean_turn], hyperbolic_.phase_per_period * place.periods);
+    turn_on(point, sin_cos(turn));
+    return point;
+}
+
+[[gnu::always_inline]] inline SeriesPoint FreeRotation::separatrix_point(double time) const {
+    // Past |u| = 1400 nothing is left of the approach to the middle axis.
+    const DoubleDouble rate = phases_.rate(series_phase);
+    const DoubleDouble start = phases_.start(series_phase);
+    const double near = rate.hi * time + start.hi;
+    const DoubleDouble x =
+        std::abs(near) > 2000.0 ? DoubleDouble(std::copysign(2000.0, near)) : rate * time + start;
+    SeriesPoint point = hyperbolic_.at_separatrix(abs(x), x.hi < 0.0 ? -1.0 : 1.0);
+    const QuarterTurns turn = phases_.at(time)[mean_turn];
+    turn_on(point, sin_cos(turn));
+    return point;
+}
+
+// Permanent rotation, and rest.
+void FreeRotation::steady(double time, Quantities wanted, MotionSample& out) const {
+    out.state.omega_body = omega_start_body_;
+    if (!wanted.attitude && !wanted.euler_angles) return;
+    if (series_ == Series::none) {
+        out.state.space_from_body.coeffs() = attitude_from_turn_.col(3);
+        return;
+    }
+    const QuarterTurns turn = phases_.at(time)[mean_turn];
+    const SinCos half = sin_cos(turn);
     const Vector3d along = omega_start_body_.stableNormalized();
     const Eigen::Vector4d rotation(half.sin * along[0], half.sin * along[1], half.sin * along[2],
                                    half.cos);
@@ -322,41 +334,36 @@ void FreeRotation::evaluate(double time_s, Quantities wanted, MotionSample& out)
     out.state.time_s = time_s;
     const double time = scaled_time(time_s);
     if (series_ == Series::none || series_ == Series::permanent) {
-        out.state.omega_body = omega_start_body_;
-        if (!wanted.attitude && !wanted.euler_angles) return;
-        if (series_ == Series::permanent) {
-            permanent_attitude(time, out);
-        } else {
-            out.state.space_from_body.coeffs() = attitude_from_turn_.col(3);
-        }
+        steady(time, wanted, out);
         return;
     }
-
-    const SeriesPoint p =
-        tier_ == Tier::exact ? series_point<true>(time) : series_point<false>(time);
-    const Vector3d n(p.n_a, p.n_b, p.n_c);
+    const SeriesPoint p = series_ == Series::trigonometric ? trigonometric_point(time)
+                          : series_ == Series::hyperbolic  ? hyperbolic_point(time)
+                                                           : separatrix_point(time);
+    const double per_weight = 1.0 / p.weight;
+    const Vector3d n(p.a * per_weight, p.b * per_weight, p.c * per_weight);
     const Vector3d omega = n.cwiseProduct(omega_per_direction_);
     out.state.omega_body = body_from_axes_ * omega;
 
     // P = (1 + n_a, 0, n_c, −n_b) takes the momentum's direction to a; the rotor turns about a.
-    const double p0 = 1.0 + p.n_a;
+    const double p0 = p.weight + p.a;
+    const double tilt2 = p0 * p0 + p.b * p.b + p.c * p.c;
     const double rotor2 = p.re * p.re + p.im * p.im;
-    const double scale = 1.0 / std::sqrt(rotor2 * (p0 * p0 + p.n_b * p.n_b + p.n_c * p.n_c));
+    const double scale = 1.0 / std::sqrt(rotor2 * tilt2);
     if (wanted.attitude || wanted.euler_angles) {
         const double re = p.re * scale;
         const double im = p.im * scale;
-        const Eigen::Vector4d turn(im * p0, re * p.n_c + im * p.n_b, im * p.n_c - re * p.n_b,
-                                   re * p0);
+        const Eigen::Vector4d turn(im * p0, re * p.c + im * p.b, im * p.c - re * p.b, re * p0);
         out.state.space_from_body.coeffs() = attitude_from_turn_ * turn;
     }
     if (wanted.herpolhode) {
         // h = ω_i(L² − 2T·I_i)/L² has no component along L: in the turned axes none along a.
         const Vector3d h = n.cwiseProduct(herpolhode_per_direction_);
-        const double per_p0 = 2.0 * rotor2 * scale * scale;
-        const double h_a = h[0] * per_p0;
-        const double h_b = h[1] - h_a * p.n_b;
-        const double h_c = h[2] - h_a * p.n_c;
-        const double per_rotor2 = 2.0 * p0 * scale * scale;
+        const double scale2 = scale * scale;
+        const double h_a = h[0] * (2.0 * p.weight * rotor2 * scale2);
+        const double h_b = h[1] - h_a * p.b;
+        const double h_c = h[2] - h_a * p.c;
+        const double per_rotor2 = tilt2 * scale2;
         const double cosine = (p.re * p.re - p.im * p.im) * per_rotor2;
         const double sine = 2.0 * p.re * p.im * per_rotor2;
         out.herpolhode_space = plane_space_.col(0) * (cosine * h_b - sine * h_c) +

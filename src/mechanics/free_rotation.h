@@ -56,11 +56,12 @@ class FreeRotation {
     const FreeRotationConstants& constants() const { return constants_; }
 
  private:
-    template <bool two_words>
-    SeriesPoint series_point(double time) const;
     double scaled_time(double time_s) const;
     void evaluate(double time_s, Quantities wanted, MotionSample& out) const;
-    void permanent_attitude(double time, MotionSample& out) const;
+    void steady(double time, Quantities wanted, MotionSample& out) const;
+    SeriesPoint trigonometric_point(double time) const;
+    SeriesPoint hyperbolic_point(double time) const;
+    SeriesPoint separatrix_point(double time) const;
     void set_constants(const JacobiSolution& solution, const InertiaTensor& inertia,
                        const RotationState& start);
     void set_rates(const JacobiSolution& solution, double start_time_s);
@@ -75,10 +76,7 @@ class FreeRotation {
 
     // Times are taken in units of 2^−n s near 1/|ω|, so that no product over- or underflows.
     double time_scale_ = 1.0;
-    TwoWordRate phase_rate_;  // v or u: see the series
-    DoubleDouble phase_start_;
-    TwoWordRate turn_rate_;  // Ω/2, quarter turns
-    DoubleDouble turn_start_;
+    PhasePair phases_;  // v or u, see the series (u/ln 2 on the separatrix), and Ωt/2
     TrigonometricSeries trigonometric_;
     HyperbolicSeries hyperbolic_;
 

@@ -31,18 +31,6 @@ struct ThetaZeros {
 
 DoubleDouble ratio(const WideDouble& x, const WideDouble& y) { return (x / y).double_double(); }
 
-template <std::size_t size>
-std::array<double, size> rounded(const std::array<DoubleDouble, size>& x) {
-    std::array<double, size> result{};
-    for (std::size_t i = 0; i < size; ++i) result[i] = x[i].rounded();
-    return result;
-}
-
-std::array<DoubleDouble, 4> scaled(std::array<DoubleDouble, 4> p, DoubleDouble factor) {
-    for (DoubleDouble& x : p) x = x * factor;
-    return p;
-}
-
 // q, ρ and ρ′ of the trigonometric series; all zero for a symmetric body.
 struct TrigonometricNomes {
     DoubleDouble q;
@@ -182,12 +170,15 @@ TrigonometricSeries trigonometric_series(const JacobiSolution& j) {
     // dn = (θ₄/θ₃)(0)·θ₃/θ₄, sn = (θ₃/θ₂)(0)·θ₁/θ₄, cn = (θ₄/θ₂)(0)·θ₂/θ₄ (DLMF 22.2).
     TrigonometricSeries series;
     const auto& [A, B, C] = j.amplitude;
-    series.denominator = rounded(even(-q[1], q[4], -q[9]));
-    series.a =
-        rounded(scaled(even(q[1], q[4], q[9]), ratio(A, j.momentum) * zero.four / zero.three));
-    series.b = rounded(scaled(theta_1, ratio(B, j.momentum) * zero.three / zero.two));
-    series.c = rounded(
-        scaled(theta_2, ratio(C, j.momentum) * static_cast<double>(j.s) * zero.four / zero.two));
+    const auto set = [&](int row, const std::array<DoubleDouble, 4>& p, DoubleDouble factor) {
+        for (int n = 0; n < 4; ++n) {
+            series.factors(row, n) = (p[static_cast<std::size_t>(n)] * factor).rounded();
+        }
+    };
+    set(0, even(-q[1], q[4], -q[9]), 1.0);
+    set(1, even(q[1], q[4], q[9]), ratio(A, j.momentum) * zero.four / zero.three);
+    set(2, theta_1, ratio(B, j.momentum) * zero.three / zero.two);
+    set(3, theta_2, ratio(C, j.momentum) * static_cast<double>(j.s) * zero.four / zero.two);
 
     // Real part 1 − (ρ+ρ′)cos 2v + …, imaginary part sin v cos v·(−2(ρ−ρ′) + …).
     const DoubleDouble& rho = nomes.rho;
@@ -199,14 +190,12 @@ TrigonometricSeries trigonometric_series(const JacobiSolution& j) {
     const DoubleDouble p1 = (rho + other) * -0.5;
     const DoubleDouble p2 = (rho2 + other2) * 0.5;
     const DoubleDouble p3 = (rho3 + other3) * -0.5;
-    series.theta_re = rounded(even(p1, p2, p3));
+    set(4, even(p1, p2, p3), 1.0);
     const DoubleDouble d1 = rho - other;
     const DoubleDouble d2 = rho2 - other2;
     const DoubleDouble d3 = rho3 - other3;
-    const std::array<DoubleDouble, 3> imaginary{d2 * 4.0 - d1 * 2.0 - d3 * 6.0,
-                                                d3 * 32.0 - d2 * 8.0, d3 * -32.0};
-    series.theta_im = rounded(imaginary);
-    for (double& x : series.theta_im) x *= -j.s;
+    set(5, {d2 * 4.0 - d1 * 2.0 - d3 * 6.0, d3 * 32.0 - d2 * 8.0, d3 * -32.0, 0.0},
+        static_cast<double>(-j.s));
     return series;
 }
 

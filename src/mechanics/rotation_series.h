@@ -7,6 +7,7 @@
 // argument of a theta function Θ of periods 2K and 4iK′ that vanishes at u = −iβ.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 
@@ -15,35 +16,32 @@
 
 namespace poinsot {
 
-// Direction of the momentum along a, b, c, and the turn about it as a rotor ∝ exp(iψ/2).
+// Direction of the momentum along a, b, c times a weight, which spares a division before the
+// quaternion's length is known, and the turn about it as a rotor ∝ exp(iψ/2).
 struct SeriesPoint {
-    double n_a;
-    double n_b;
-    double n_c;
+    double weight;
+    double a;
+    double b;
+    double c;
     double re;
     double im;
 };
 
 // Theta functions of v = πu/2K as polynomials in x = sin²v; a symmetric body is the case q = 0.
 struct TrigonometricSeries {
-    std::array<double, 4> a{}, b{}, c{}, denominator{};
+    // Row by row what a SeriesPoint holds, with sin v taken out of b, cos v out of c and both out
+    // of im; column n has the factors of xⁿ. The rotor is
     // Θ = 1 − ρe^{2iv} − ρ′e^{−2iv} + q⁴(ρ²e^{4iv} + ρ′²e^{−4iv}) − …, conjugated for s = +1;
     // ρ = e^{−πβ/K}, ρ′ = q⁴/ρ.
-    std::array<double, 4> theta_re{};
-    std::array<double, 3> theta_im{};
+    using Values = Eigen::Array<double, 6, 1>;
+    Eigen::Array<double, 6, 4> factors = Eigen::Array<double, 6, 4>::Zero();
 
-    // phase is v.
-    SeriesPoint at(QuarterTurns phase) const {
-        const SinCos v = turned(sin_cos_of_rest(phase.rest), phase.whole);
+    SeriesPoint at(SinCos v) const {
         const double x = v.sin * v.sin;
         const double x2 = x * x;
-        const auto cubic = [=](const std::array<double, 4>& p) {
-            return (p[0] + p[1] * x) + (p[2] + p[3] * x) * x2;
-        };
-        const double scale = 1.0 / cubic(denominator);
-        return {cubic(a) * scale, v.sin * (cubic(b) * scale), v.cos * (cubic(c) * scale),
-                cubic(theta_re),
-                v.sin * v.cos * (theta_im[0] + (theta_im[1] + theta_im[2] * x) * x)};
+        const Values p =
+            (factors.col(0) + factors.col(1) * x) + (factors.col(2) + factors.col(3) * x) * x2;
+        return {p[0], p[1], v.sin * p[2], v.cos * p[3], p[4], v.sin * v.cos * p[5]};
     }
 };
 
@@ -112,7 +110,7 @@ struct HyperbolicSeries {
         // sn's and cn's series over 1 − X and 1 − Y, with XY = q′.
         const auto zero_near = [this](double z) { return z * (zero_1 + z * (q4 - q9 * z)); };
         const auto zero_far = [this](double z) { return z * (zero_2 + q6 * z); };
-        const double scale = 1.0 / (1.0 + near_sum(X) + far_sum(Y));
+        const double weight = 1.0 + near_sum(X) + far_sum(Y);
         const double dn = E * (1.0 + (near_sum(Y) + far_sum(X)));
         const double sn = one_less_E * (1.0 + E) * (zero_0 + (zero_near(Y) + zero_far(X)));
         const double cn = E * (one_less_F * (1.0 + F)) * (zero_0 + (zero_near(X) + zero_far(Y)));
@@ -123,8 +121,12 @@ struct HyperbolicSeries {
         const auto in_E = [=](const std::array<double, 4>& p) {
             return E_seen * (p[0] + E_seen * (p[1] + E_seen * (p[2] + E_seen * p[3])));
         };
-        return {a * (dn * scale), parity * side * (b * (sn * scale)), parity * (c * (cn * scale)),
-                in_F(cos_F) + in_E(cos_E), side * (in_F(sin_F) + in_E(sin_E))};
+        return {weight,
+                a * dn,
+                parity * side * (b * sn),
+                parity * (c * cn),
+                in_F(cos_F) + in_E(cos_E),
+                side * (in_F(sin_F) + in_E(sin_E))};
     }
 };
 

@@ -6,21 +6,39 @@
 
 namespace poinsot {
 
-QuarterTurns distant_quarter_turns(double time, const TwoWordRate& rate, DoubleDouble start) {
+void PhasePair::set(int i, DoubleDouble rate, DoubleDouble start) {
+    const DoubleDouble halves = split(rate.hi);
+    rate_[i] = rate.hi;
+    rate_low_[i] = rate.lo;
+    rate_high_[i] = halves.hi;
+    rate_rest_[i] = halves.lo;
+    start_[i] = start.hi;
+    start_low_[i] = start.lo;
+    far_ = 0x1p49 / rate_.abs().sum();
+}
+
+QuarterTurnPair PhasePair::at_distant(double time) const {
     int exponent = 0;
     const double significand = std::frexp(time, &exponent);
-    const DoubleDouble product = two_product(significand, rate.value.hi);
-    const double high = std::ldexp(product.hi, exponent);
-    if (!std::isfinite(high)) {
-        throw InputError("omega t overflows at this time; choose a time nearer the start");
+    QuarterTurnPair turns;
+    for (int i = 0; i < 2; ++i) {
+        const DoubleDouble product = two_product(significand, rate_[i]);
+        const double high = std::ldexp(product.hi, exponent);
+        if (!std::isfinite(high)) {
+            throw InputError("omega t overflows at this time; choose a time nearer the start");
+        }
+        // Whole revolutions come off each word exactly.
+        const double low = std::fmod(std::ldexp(product.lo, exponent), 4.0) +
+                           std::fmod(time * rate_low_[i], 4.0) + start_low_[i];
+        const DoubleDouble phase = two_sum(std::fmod(high, 4.0), start_[i]) + DoubleDouble(low);
+        const double whole = std::nearbyint(phase.hi);
+        const DoubleDouble rest = phase - whole;
+        turns.whole[static_cast<std::size_t>(i)] =
+            static_cast<unsigned>(static_cast<int>(whole)) & 3U;
+        turns.rest[i] = rest.hi;
+        turns.rest_low[i] = rest.lo;
     }
-    // Whole revolutions come off each word exactly.
-    const double low = std::fmod(std::ldexp(product.lo, exponent), 4.0) +
-                       std::fmod(time * rate.value.lo, 4.0) + start.lo;
-    const DoubleDouble phase = two_sum(std::fmod(high, 4.0), start.hi) + DoubleDouble(low);
-    const double whole = std::nearbyint(phase.hi);
-    const DoubleDouble rest = phase - whole;
-    return {static_cast<unsigned>(static_cast<int>(whole)) & 3U, rest.hi, rest.lo};
+    return turns;
 }
 
 PowerOfHalf power_of_half(double y, double y_low) {
