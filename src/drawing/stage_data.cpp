@@ -1,0 +1,164 @@
+#include "drawing/stage_data.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "drawing/overlay.h"
+#include "drawing/panel.h"
+#include "mechanics/free_rotation.h"
+#include "scene/film_clock.h"
+#include "scene/scene_error.h"
+
+namespace poinsot {
+
+namespace {
+
+// Identifiers only name uploads; which number a geometry gets never reaches a pixel.
+std::uint64_t next_geometry_id() {
+    static std::atomic<std::uint64_t> counter{0};
+    return ++counter;
+}
+
+// Drawn with radii up to half the picture's height: the sagitta r(1 − cos(π/n)) stays below half
+// of accuracy_px.
+CurveGeometry circle_of_radius_1(const StageOptions& options, double accuracy_px) {
+    CurveGeometry circle;
+    circle.closed = true;
+    const double least = std::numbers::pi / std::sqrt(2.0 * accuracy_px / options.height_px);
+    const int n_points = static_cast<int>(std::clamp(std::ceil(least), 512.0, 65536.0));
+    for (int k = 0; k < n_points; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / n_points;
+        circle.points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    }
+    return circle;
+}
+
+}  // namespace
+
+ConstructionPicture::ConstructionPicture(const InertiaTensor& inertia, const RotationState& start)
+    : construction(inertia, start),
+      polhode(inertia, start.omega_body),
+      cones(rolling_cones(inertia, start.omega_body)) {
+    picture_per_rho = 1.0 / construction.half_axes().maxCoeff();
+    half_axes = construction.half_axes() * picture_per_rho;
+    plane_distance = construction.plane_distance() * picture_per_rho;
+    herpolhode_radius = polhode.annulus().outer * picture_per_rho;
+    picture_from_space =
+        Eigen::Quaterniond::FromTwoVectors(construction.vertical_space(), Eigen::Vector3d::UnitZ());
+}
+
+Eigen::Quaterniond ConstructionPicture::picture_from_body(const Instant& instant) const {
+    return picture_from_space * instant.state.space_from_body;
+}
+
+Eigen::Matrix3d ConstructionPicture::principal_axes(const Instant& instant) const {
+    return picture_from_body(instant).toRotationMatrix() *
+           construction.inertia().body_from_principal();
+}
+
+Eigen::Vector3d ConstructionPicture::contact(const Instant& instant) const {
+    return picture_from_space * construction.contact_space(instant.state) * picture_per_rho;
+}
+
+StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOptions& options_,
+                     const Motion* beside_)
+    : scene(scene_),
+      motion(motion_),
+      options(options_),
+      theme(at_scene_key(scene_, "theme", [&] { return &theme_named(scene_.theme); })) {
+    if (beside_ != nullptr) beside.emplace(*beside_);
+    px = options.line_scale > 0.0 ? options.line_scale : options.height_px / 1080.0;
+    film_first_s = std::min(scene.film.start_s, options.first_time_s);
+    film_last_s = std::max(film_end_time_s(scene), options.last_time_s);
+    unit_circle = keep(circle_of_radius_1(options, scene.accuracy_px));
+    unit_segment = keep({.points = {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}});
+    make_construction();
+    timeline = Timeline(scene, rolling ? rolling->plane_distance : 0.0);
+    // Curves are subdivided to half of accuracy_px; those that could not be note it.
+    note_curve_error(0.5 * scene.accuracy_px);
+    make_panels();
+    if (beside && !shows_beside) {
+        throw SceneError(scene.location_of("beside"),
+                         "no panel here shows a second motion; add a panel \"space\", \"body\", "
+                         "\"momentum\" or \"plot\"");
+    }
+    overlays = make_overlays(*this);
+    check_fades();
+    check_keyframes();
+}
+
+void StageData::make_construction() {
+    const MotionProblem& problem = motion.motion().problem();
+    if (!std::holds_alternative<NoTorque>(problem.torque) || problem.start.omega_body.isZero(0.0)) {
+        return;
+    }
+    rolling.emplace(problem.inertia, problem.start);
+    const FreeRotationConstants constants =
+        FreeRotation(problem.inertia, problem.start).constants();
+    polhode_period_s = constants.polhode_period_s;
+    if (scene.camera.motion == "co-precessing") turn_rate_rad_s = constants.mean_advance_rate_rad_s;
+}
+
+StageData::~StageData() = default;
+
+const CurveGeometry* StageData::keep(CurveGeometry geometry) {
+    geometry.id = next_geometry_id();
+    return &curves.emplace_back(std::move(geometry));
+}
+
+const MeshGeometry* StageData::keep(MeshGeometry geometry) {
+    geometry.id = next_geometry_id();
+    return &meshes.emplace_back(std::move(geometry));
+}
+
+Instant StageData::instant_at(const FilmMoment& moment) const {
+    const MotionSample sample = motion.sample(moment.time_s, asks);
+    Instant instant{moment.time_s, sample.state,  sample.herpolhode_space,
+                    sample.euler,  moment.film_s, {}};
+    if (shows_beside) {
+        constexpr Quantities whole_state{
+            .attitude = true, .herpolhode = false, .euler_angles = false};
+        instant.beside = beside->sample(moment.time_s, whole_state).state;
+    }
+    if (turns()) {
+        const Eigen::Quaterniond turn = turned_from_space(moment.time_s);
+        instant.state.space_from_body = turn * instant.state.space_from_body;
+        instant.herpolhode_space = turn * instant.herpolhode_space;
+        if (instant.beside) {
+            instant.beside->space_from_body = turn * instant.beside->space_from_body;
+        }
+    }
+    return instant;
+}
+
+Eigen::Quaterniond StageData::turned_from_space(double time_s) const {
+    const double angle_rad = turn_rate_rad_s * (time_s - scene.film.start_s);
+    return Eigen::Quaterniond(
+        Eigen::AngleAxisd(-angle_rad, rolling->construction.vertical_space()));
+}
+
+double StageData::quickest_rate_rad_s() const {
+    const MotionProblem& problem = motion.motion().problem();
+    const double I_least = problem.inertia.moments_kg_m2().minCoeff();
+    const Eigen::Vector3d omega =
+        problem.inertia.body_from_principal().transpose() * problem.start.omega_body;
+    // In units of the least moment, so that T neither overflows nor vanishes.
+    const Eigen::Vector3d weights = (problem.inertia.moments_kg_m2() / I_least).cwiseSqrt();
+    double rate = weights.cwiseProduct(omega).stableNorm();
+    if (const auto* gravity = std::get_if<GravityTorque>(&problem.torque)) {
+        rate = std::hypot(rate, 2.0 * std::sqrt(std::abs(gravity->mgl_N_m) / I_least));
+    }
+    return rate;
+}
+
+std::vector<LiveValue> StageData::live_values(const Instant& instant) {
+    const Eigen::Vector3d& omega = instant.state.omega_body;
+    return {{"time_s", instant.time_s},           {"time_h", instant.time_s / 3600.0},
+            {"time_d", instant.time_s / 86400.0}, {"omega_1_rad_s", omega[0]},
+            {"omega_2_rad_s", omega[1]},          {"omega_3_rad_s", omega[2]}};
+}
+
+}  // namespace poinsot
