@@ -39,7 +39,9 @@ int checked(int result, const std::filesystem::path& path, std::string_view what
 class Options {
  public:
     Options() = default;
-    ~Options() { av_dict_free(&dictionary_); }
+    ~Options() {
+        if (dictionary_ != nullptr) av_dict_free(&dictionary_);
+    }
     Options(const Options&) = delete;
     Options& operator=(const Options&) = delete;
 

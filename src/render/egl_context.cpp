@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "render/native_context.h"
-#include "render/shared_library.h"
+#include "error/shared_library.h"
 
 namespace poinsot {
 namespace {
