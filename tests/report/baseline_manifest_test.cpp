@@ -1,0 +1,67 @@
+// The list of baselines: what is written is what is read, and nothing else is.
+#include "report/baseline_manifest.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "error/error.h"
+#include "image/faults.h"
+
+namespace poinsot {
+namespace {
+
+const BaselineManifest kTwo = {
+    {"turn", {"12ab", "34cd", "llvmpipe (LLVM 15.0.6, 128 bits)", "22.3.6", "0.1.0", "first"}},
+    {"folder/a \"name\" = { }, # \\", {"", "", "a\nb", "\x1b[31m\x7f", "ω", "why = \"x\""}}};
+
+std::string message_of(const std::string& text) {
+    try {
+        parse_manifest(text, "list.toml");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(BaselineManifest, ComesBackWhateverItsNames) {
+    EXPECT_EQ(parse_manifest(to_text(kTwo), "list.toml"), kTwo);
+    EXPECT_TRUE(parse_manifest("", "list.toml").empty());
+    EXPECT_TRUE(parse_manifest("# a comment\n\n", "list.toml").empty());
+}
+
+// One line each, sorted: a change of one picture is a change of one line.
+TEST(BaselineManifest, HasALineForEach) {
+    const std::string before = to_text(kTwo);
+    BaselineManifest changed = kTwo;
+    changed["turn"].why = "later";
+    const std::string after = to_text(changed);
+    EXPECT_EQ(std::count(before.begin(), before.end(), '\n'), 3);
+    EXPECT_LT(before.find("\"folder/"), before.find("\"turn\""));
+    EXPECT_EQ(before.substr(0, before.find("\"turn\"")), after.substr(0, after.find("\"turn\"")));
+}
+
+TEST(BaselineManifest, RefusesOtherLinesByNumber) {
+    const std::string line = to_text({{"turn", kTwo.at("turn")}});
+    const std::string good = line.substr(line.find('\n') + 1);
+    EXPECT_EQ(message_of(good + good).rfind("list.toml:2: this picture stands", 0), 0u);
+    // A line that is cut anywhere, or goes on, is none.
+    for (std::size_t n = 1; n + 1 < good.size(); ++n)
+        EXPECT_EQ(message_of("\n" + good.substr(0, n)).rfind("list.toml:2: not a line", 0), 0u)
+            << good.substr(0, n);
+    EXPECT_NE(message_of(good.substr(0, good.size() - 1) + " x\n"), "");
+    EXPECT_NE(message_of("\"a\" = { pixels = \"\\u0100\" }\n"), "");
+}
+
+TEST(BaselineManifest, IsAFileBesideThePictures) {
+    const TemporaryFolder folder;
+    EXPECT_TRUE(read_manifest(folder.path()).empty());
+    write_manifest(folder.path(), kTwo);
+    EXPECT_EQ(folder.contents(), std::vector<std::string>{kManifestName});
+    EXPECT_EQ(read_manifest(folder.path()), kTwo);
+    std::ofstream(folder / kManifestName) << "nonsense\n";
+    EXPECT_THROW(read_manifest(folder.path()), InputError);
+}
+
+}  // namespace
+}  // namespace poinsot

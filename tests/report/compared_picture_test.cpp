@@ -1,0 +1,153 @@
+// Folders of pictures compared in one pass, and what reports make of the outcomes.
+#include "report/compared_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "error/error.h"
+#include "image/faults.h"
+#include "image/png.h"
+#include "image/synthetic.h"
+#include "report/html_report.h"
+#include "report/junit.h"
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A name that would be markup, and a script's end, if it were not escaped.
+const std::string kHostile = "a<b> & \"c\" 'd' </script>\x1b[31m";
+const std::string kHostileFile = "a<b> & \"c\" 'd' <script>\x1b[31m";
+
+class Folders : public ::testing::Test {
+ protected:
+    Folders() {
+        for (const char* name : {"ref", "new"}) fs::create_directories(folder_ / name / "sub");
+        put("ref/same", 0), put("new/same", 0);
+        put("ref/gone", 0);
+        put("ref/a_little", 0), put("new/a_little", 1);
+        put("ref/a_lot", 0), put("new/a_lot", 9);
+        put("ref/sub/wide", 0);
+        write_png(folder_ / "new/sub/wide.png", synthetic_frame(40, 36, 0));
+        put("new/extra", 0);
+        put("ref/broken", 0);
+        std::ofstream(folder_ / "new/broken.png") << "no PNG";
+        // What is hidden or of another kind is left alone.
+        put("ref/.hidden", 0);
+        std::ofstream(folder_ / "ref/notes.txt") << "text";
+    }
+    void put(const std::string& name, int k) const {
+        write_png(folder_ / (name + ".png"), synthetic_frame(64, 36, k));
+    }
+    std::vector<ComparedPicture> compared(CompareLimits limits = CompareLimits::exact()) const {
+        return compare_folders(folder_ / "ref", folder_ / "new", limits);
+    }
+    static std::vector<std::string> names_of(const std::vector<ComparedPicture>& pictures) {
+        std::vector<std::string> names;
+        for (const ComparedPicture& picture : pictures) names.push_back(picture.name);
+        return names;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(Folders, GiveEachPictureItsOutcome) {
+    const std::map<std::string, Outcome> expected = {
+        {"same", Outcome::same},        {"gone", Outcome::missing},  {"a_little", Outcome::pixels},
+        {"a_lot", Outcome::pixels},     {"sub/wide", Outcome::size}, {"extra", Outcome::unexpected},
+        {"broken", Outcome::unreadable}};
+    const auto pictures = compared();
+    EXPECT_EQ(pictures.size(), expected.size());
+    for (const ComparedPicture& picture : pictures) {
+        EXPECT_EQ(picture.outcome, expected.at(picture.name)) << picture.name;
+        EXPECT_EQ(picture.passes(), picture.name == "same") << picture.name;
+        EXPECT_EQ(picture.reason.empty(), picture.name == "same") << picture.name;
+        EXPECT_EQ(picture.reason.find('\n'), std::string::npos);
+    }
+    EXPECT_FALSE(all_pass(pictures));
+}
+
+TEST_F(Folders, AreSortedBySeverity) {
+    auto pictures = compared();
+    sort_by_severity(pictures);
+    EXPECT_EQ(names_of(pictures), (std::vector<std::string>{"broken", "gone", "sub/wide", "a_lot",
+                                                            "a_little", "extra", "same"}));
+    // The order does not depend on that found.
+    std::reverse(pictures.begin(), pictures.end());
+    sort_by_severity(pictures);
+    EXPECT_EQ(names_of(pictures).front(), "broken");
+    EXPECT_EQ(names_of(pictures).at(3), "a_lot");
+}
+
+TEST_F(Folders, PassWithinLimits) {
+    const CompareLimits anything{1, 255, 1, true};
+    for (const ComparedPicture& picture : compared(anything))
+        if (picture.name == "a_lot") {
+            EXPECT_EQ(picture.outcome, Outcome::within_limits);
+            EXPECT_TRUE(picture.passes());
+        }
+}
+
+TEST_F(Folders, WithoutPicturesAreRefused) {
+    const TemporaryFolder empty;
+    EXPECT_THROW(compare_folders(empty.path(), empty.path(), {}), InputError);
+    EXPECT_THROW(compare_folders(empty / "none", folder_ / "new", {}), InputError);
+}
+
+TEST_F(Folders, BecomeTestResults) {
+    auto pictures = compared();
+    sort_by_severity(pictures);
+    const std::string xml = junit_xml("new <compared>", pictures);
+    EXPECT_NE(xml.find(R"(name="new &lt;compared&gt;" tests="7" failures="5" errors="1")"),
+              std::string::npos)
+        << xml;
+    EXPECT_NE(xml.find(R"(name="broken"><error type="unreadable")"), std::string::npos);
+    EXPECT_NE(xml.find(R"(name="gone"><failure type="missing")"), std::string::npos);
+    EXPECT_NE(xml.find(R"(name="same"/>)"), std::string::npos);
+}
+
+TEST_F(Folders, NamesOfAnyKindStayText) {
+    put("ref/" + kHostileFile, 0), put("new/" + kHostileFile, 3);
+    ComparedPicture picture =
+        compare_files(kHostile, folder_ / ("ref/" + kHostileFile + ".png"),
+                      folder_ / ("new/" + kHostileFile + ".png"), CompareLimits::exact());
+    ASSERT_EQ(picture.outcome, Outcome::pixels);
+    picture.reason += kHostile;
+    const std::string xml = junit_xml(kHostile, {&picture, 1});
+    const std::string page = html_report(kHostile, {&picture, 1});
+    const std::string bare = html_report("title", {&picture, 0});
+    for (const std::string* text : {&xml, &page}) {
+        EXPECT_EQ(text->find("<b>"), std::string::npos);
+        EXPECT_EQ(text->find('\x1b'), std::string::npos);
+    }
+    // As many elements of each kind as a page without pictures has.
+    const auto count = [](const std::string& text, const std::string& part) {
+        int n = 0;
+        for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++n;
+        return n;
+    };
+    for (const char* tag : {"<script", "</script", "<title", "<body"})
+        EXPECT_EQ(count(page, tag), count(bare, tag)) << tag;
+}
+
+// The page asks nothing of a network: pictures are part of it, of those alone that are shown.
+TEST_F(Folders, BecomeAPageThatIsWhole) {
+    auto pictures = compared();
+    const std::string page = html_report("title", pictures);
+    // Expected and actual of a_little, a_lot and wide, and their differences; gone, extra, and
+    // broken's two.
+    int n_embedded = 0;
+    for (std::size_t at = 0; (at = page.find("data:image/png;base64,", at)) != std::string::npos;
+         ++at)
+        ++n_embedded;
+    EXPECT_EQ(n_embedded, 3 * 3 + 1 + 1 + 2);
+    for (const char* fetches : {"http://", "https://", "src=\"/", "url(", "@import", "fetch("})
+        EXPECT_EQ(page.find(fetches), std::string::npos) << fetches;
+    fs::remove(folder_ / "ref/a_lot.png");
+    EXPECT_THROW(html_report("title", pictures), Error);
+}
+
+}  // namespace
+}  // namespace poinsot
