@@ -30,11 +30,20 @@ double nearness_to_view(const Eigen::Vector2d& at_px, const View& view) {
 
 }  // namespace
 
+TypesetMask TypeCase::set_legible(std::string_view text, const TypeStyle& style) const {
+    if (style.size_px >= least_legible_px || !(style.size_px > 0.0))
+        return typesetter_.set(text, style);
+    TypeStyle legible = style;
+    legible.size_px = least_legible_px;
+    typesetter_.measure(text, legible);
+    return {};
+}
+
 SetType TypeCase::set(std::string_view text, const TypeStyle& style) {
     const auto key = std::make_tuple(std::string(text), style.size_px, static_cast<int>(style.mode),
                                      style.max_width_px);
     if (const auto found = known_.find(key); found != known_.end()) return found->second;
-    TypesetMask set = typesetter_.set(text, style);
+    TypesetMask set = set_legible(text, style);
     SetType type{nullptr, set.left_px, set.baseline_px};
     type.mask = &masks_.emplace_back(mask_of(std::move(set)));
     known_.emplace(key, type);
@@ -42,7 +51,7 @@ SetType TypeCase::set(std::string_view text, const TypeStyle& style) {
 }
 
 SetType TypeCase::set_live(std::string_view text, const TypeStyle& style, View& view) const {
-    TypesetMask set = typesetter_.set(text, style);
+    TypesetMask set = set_legible(text, style);
     SetType type{nullptr, set.left_px, set.baseline_px};
     type.mask = &view.live_masks.emplace_back(mask_of(std::move(set)));
     return type;
@@ -78,7 +87,8 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
                 const Eigen::Vector2d sum = 1.25 * (boxes[i].half + boxes[j].half);
                 const Eigen::Vector2d between = boxes[j].centre - boxes[i].centre;
                 const double nearness = between.cwiseQuotient(sum).norm();
-                if (nearness >= 1.0) continue;
+                // Of two that are left out it is no number.
+                if (!(nearness < 1.0)) continue;
                 const Eigen::Vector2d push =
                     0.5 * (1.0 - nearness) * between.cwiseQuotient(sum).cwiseProduct(sum) /
                     std::max(nearness, 1e-3) * wishes[i].opacity * wishes[j].opacity;
@@ -90,6 +100,7 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
 
     const double margin = halo_px + 2.0;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (wishes[i].type.mask->width == 0) continue;
         Eigen::Vector2d corner = boxes[i].centre - boxes[i].half;
         const auto keep = [&](double value, double from, double size, double box) {
             return std::max(from + margin, std::min(value, from + size - box - margin));

@@ -24,7 +24,11 @@ struct SetType {
     double baseline_px = 0.0;
 };
 
-// Sets type once a string and size, and keeps the masks for the stage's life.
+// Type of fewer pixels an em is left out: its small letters would be one pixel high.
+inline constexpr double least_legible_px = 3.0;
+
+// Sets type once a string and size, and keeps the masks for the stage's life. What is too small to
+// be read gets an empty mask; what cannot be set is refused at any size.
 class TypeCase {
  public:
     SetType set(std::string_view text, const TypeStyle& style);
@@ -33,6 +37,8 @@ class TypeCase {
     SetType set_live(std::string_view text, const TypeStyle& style, View& view) const;
 
  private:
+    TypesetMask set_legible(std::string_view text, const TypeStyle& style) const;
+
     Typesetter typesetter_;
     std::deque<GlyphMask> masks_;
     std::map<std::tuple<std::string, double, int, double>, SetType> known_;
