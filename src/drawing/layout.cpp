@@ -63,6 +63,13 @@ double line_scale(const PanelBox& box, const StageOptions& options) {
 constexpr double least_type_share = 0.72;
 constexpr double least_type_px = 0.36;  // a label of 12 px
 
+// A picture in which six such labels would not stand one above another is for its shapes alone:
+// type shrinks with it until it is left out.
+bool has_type(const StageOptions& options) {
+    constexpr int least_side_px = 72;
+    return std::min(options.width_px, options.height_px) >= least_side_px * options.samples;
+}
+
 // The name of a panel in its upper left corner.
 Drawer header_of(Panel& panel, std::string_view text) {
     const double size = 24.0 * panel.type_px;
@@ -161,8 +168,9 @@ void StageData::make_panels() {
         check_room(scene, panel.box, static_cast<std::size_t>(&spec - specs.data()));
         const double share = line_scale(panel.box, options);
         panel.px = px * share;
-        panel.type_px =
-            std::max(px * std::max(share, least_type_share), least_type_px * options.samples);
+        panel.type_px = has_type(options) ? std::max(px * std::max(share, least_type_share),
+                                                     least_type_px * options.samples)
+                                          : px * share;
         Drawer header;
         if (specs.size() > 1)
             header = header_of(panel, spec.title.value_or(std::string(kind.title)));

@@ -6,6 +6,7 @@
 
 #include "cli/program_run.h"
 #include "image/png.h"
+#include "places.h"
 
 namespace poinsot::testing {
 namespace {
@@ -38,6 +39,19 @@ TEST(ManyScenes, AreNumberedInTheirOrderAndDrawnAsEachAlone) {
         EXPECT_EQ(image_of(folder, "0" + std::to_string(number++) + ".png"), image_of(folder, one));
     }
     EXPECT_NE(image_of(folder, "00.png"), image_of(folder, "01.png"));
+}
+
+// Down to the least size there is: type that has no room is left out, and nothing is refused for
+// it.
+TEST(ManyScenes, AreDrawnHoweverSmall) {
+    const ScratchFolder folder;
+    const std::string scenes = "'" + (source_folder() / "scenes").string() + "'/*.toml";
+    for (const char* size : {"64x36", "16x16", "200x16"}) {
+        const ProgramRun run = run_program_in(
+            folder, "still " + scenes + " -q -o '####.png' --size " + std::string(size));
+        EXPECT_EQ(run.code, 0) << size << ": " << run.err;
+    }
+    EXPECT_FALSE(image_of(folder, "0030.png").empty());
 }
 
 TEST(ManyScenes, ABadOneIsSaidAndTheOthersAreMade) {
