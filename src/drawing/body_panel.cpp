@@ -18,9 +18,10 @@ namespace {
 
 constexpr int the_ellipsoid = 0;
 
-// Length of L here: shorter than in space, where it has to stand out of a body that turns, so that
-// the ellipsoid fills its panel.
-constexpr double body_momentum_length = 1.2;
+// L and ω are shorter here than in space, where they have to stand out of a body that turns, so
+// that the ellipsoid fills its panel; L still reaches beyond an ω beside it.
+constexpr double body_momentum_length = 1.3;
+constexpr double omega_share = 0.88;
 
 // Angle between neighbouring polhodes on the ellipse through the lowest and the highest axis, as an
 // ellipse's parameter.
@@ -153,7 +154,8 @@ Drawer make_beside(Panel& panel) {
     const SetType type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
     return [&panel, path, type](const Instant& instant, Sheet& sheet) {
         add_ghost_path(path, instant, sheet);
-        add_ghost_arrow(panel, omega_tip(rho_of(panel, *instant.beside)), type, sheet);
+        add_ghost_arrow(panel, omega_share * omega_tip(rho_of(panel, *instant.beside)), type,
+                        sheet);
     };
 }
 
@@ -173,7 +175,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
             polhode.first_chi_rad() + (polhode.last_chi_rad() - polhode.first_chi_rad()) * k / n;
         const Eigen::Vector3d rho =
             -(principal_from_body(panel) * polhode.at(chi)) * picture.picture_per_rho;
-        points.push_back(omega_tip(rho));
+        points.emplace_back(omega_share * omega_tip(rho));
         points.emplace_back(moments.cwiseProduct(rho).stableNormalized() * body_momentum_length);
     }
     return points;
@@ -225,7 +227,8 @@ void make_body_panel(Panel& panel) {
         const Eigen::Vector3d momentum =
             picture.construction.inertia().moments_kg_m2().cwiseProduct(rho).stableNormalized();
         add_arrow(momentum * body_momentum_length, theme.momentum, 1.15, momentum_type);
-        add_arrow(omega_tip(rho), theme.omega, 1.15, omega_type, omega_label_turn_rad);
+        add_arrow(omega_share * omega_tip(rho), theme.omega, 1.15, omega_type,
+                  omega_label_turn_rad);
         sheet.view.dots.push_back(dot_at(panel, rho, theme.omega));
         sheet.view.dots.push_back(dot_at(panel, -rho, theme.contact));
         beside(instant, sheet);

@@ -62,6 +62,7 @@ double line_scale(const PanelBox& box, const StageOptions& options) {
 }
 constexpr double least_type_share = 0.72;
 constexpr double least_type_px = 0.36;  // a label of 12 px
+constexpr double header_share = 0.85;
 
 // A picture in which six such labels would not stand one above another is for its shapes alone:
 // type shrinks with it until it is left out.
@@ -72,7 +73,10 @@ bool has_type(const StageOptions& options) {
 
 // The name of a panel in its upper left corner.
 Drawer header_of(Panel& panel, std::string_view text) {
-    const double size = 24.0 * panel.type_px;
+    // One size for all, whatever their panels have.
+    const StageData& stage = *panel.stage;
+    const double size =
+        24.0 * std::max(header_share * stage.px, least_type_px * stage.options.samples);
     const SetType type =
         panel.stage->type_case.set(text, {.size_px = size, .mode = TypeMode::text});
     panel.header_px = 1.7 * size;
