@@ -185,7 +185,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
 
 void make_body_panel(Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
-    const double margin = 0.6 * label_size * panel.type_px + 18.0 * panel.px;
+    const double margin = 0.6 * label_size * panel.type_px + 26.0 * panel.px;
     aim(panel, framed(panel.box, principal_view_direction(panel), Eigen::Vector3d::UnitZ(),
                       field_of(panel), points_to_frame(panel), margin));
     light_from_camera(panel);

@@ -14,6 +14,7 @@
 #include "drawing/framing.h"
 #include "drawing/ghost.h"
 #include "drawing/marks.h"
+#include "drawing/overlay.h"
 #include "drawing/plot_frame.h"
 
 namespace poinsot {
@@ -86,7 +87,9 @@ std::vector<Label> legend_of(const Panel& panel) {
         {"L_1^2/I_1 + L_2^2/I_2 + L_3^2/I_3 = 2T", theme.energy},
     }};
     std::vector<Label> legend;
-    const double left = 0.6 * chart_margin * panel.px;
+    // In the first column it stands below the title.
+    const double left =
+        panel.box.x_px == 0 ? overlay_margin * panel.stage->px : 0.6 * chart_margin * panel.px;
     double bottom = 0.5 * chart_margin * panel.px;
     for (const auto& [text, colour] : rows) {
         const SetType type = set_label(panel, text, 0.72);
@@ -94,6 +97,18 @@ std::vector<Label> legend_of(const Panel& panel) {
         bottom += type.mask->height + 10.0 * panel.px;
     }
     return legend;
+}
+
+// Rows that the legend keeps for itself: none where it leaves the middle of the panel free.
+double legend_rows(const Panel& panel, const std::vector<Label>& legend) {
+    double top = panel.box.y_px + panel.box.height_px;
+    double right = panel.box.x_px;
+    for (const Label& label : legend) {
+        top = std::min(top, label.top_left_px.y());
+        right = std::max(right, label.top_left_px.x() + label.mask->width);
+    }
+    const bool in_the_way = right - panel.box.x_px > 0.35 * panel.box.width_px;
+    return in_the_way ? panel.box.y_px + panel.box.height_px - top : 0.0;
 }
 
 }  // namespace
@@ -109,8 +124,11 @@ void make_momentum_panel(Panel& panel) {
     const Eigen::Vector3d axis_lengths = framed_axes.cwiseMax(1.0).array() + axis_overhang;
     for (int i = 0; i < 3; ++i) points.emplace_back(axis_lengths[i] * Eigen::Vector3d::Unit(i));
     const double margin = 0.6 * label_size * panel.type_px + 30.0 * panel.px;
+    const std::vector<Label> legend = legend_of(panel);
+    const Margins margins{margin, margin, margin + panel.header_px,
+                          std::max(margin, legend_rows(panel, legend))};
     aim(panel, framed(panel.box, principal_view_direction(panel), Eigen::Vector3d::UnitZ(),
-                      field_of(panel), points, margin));
+                      field_of(panel), points, margins));
     light_from_camera(panel);
 
     Ellipsoid sphere = ellipsoid_of(panel);
@@ -139,7 +157,6 @@ void make_momentum_panel(Panel& panel) {
         axis_types[i] = set_label(panel, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
     }
     const SetType momentum_type = set_label(panel, "\\mathbf{L}");
-    const std::vector<Label> legend = legend_of(panel);
     const Drawer beside = make_beside(panel);
     panel.draw = [&panel, sphere, energy, curves, axis_lengths, axis_types, momentum_type, legend,
                   beside](const Instant& instant, Sheet& sheet) {
