@@ -452,6 +452,36 @@ TEST(Layout, PanelsLeaveTheTitleAndTheCaptionTheirRoom) {
     }
 }
 
+TEST(Layout, NumbersOfAChartKeepOffEachOtherAtAnyHeight) {
+    for (const int height : {90, 120, 180, 400}) {
+        Scene scene = free_scene(generic_moments, generic_omega, "plot");
+        scene.film.width_px = 640;
+        scene.film.height_px = height;
+        const StagedScene staged(scene, 1.0);
+        const Drawing drawing = staged.stage.at(1.0);
+        // Those of the values end on one line, to a pixel of rounding.
+        const std::vector<Label>& labels = view_of(drawing).labels;
+        const auto right = [](const Label& label) {
+            return label.top_left_px.x() + label.mask->width;
+        };
+        int n_pairs = 0;
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                if (std::abs(right(labels[i]) - right(labels[j])) > 1.0) continue;
+                const bool above = labels[i].top_left_px.y() < labels[j].top_left_px.y();
+                const Label& upper = above ? labels[i] : labels[j];
+                const Label& lower = above ? labels[j] : labels[i];
+                EXPECT_LE(upper.top_left_px.y() + upper.mask->height, lower.top_left_px.y() + 1.0)
+                    << height;
+                ++n_pairs;
+            }
+        }
+        if (height >= 180) {
+            EXPECT_GT(n_pairs, 0) << height;
+        }
+    }
+}
+
 TEST(Layout, LabelsStayInsideTheirPanelAtAnySize) {
     for (const PanelKind& kind : panel_kinds()) {
         Scene scene =

@@ -3,7 +3,7 @@
 
 Usage: gallery.py POINSOT            (or: cmake --build build/release --target gallery)
 Draws scenes/*.toml in one process, in the portable profile, into tests/golden/gallery, brings each below 40 kB by a palette
-(pngquant, Debian package of that name), and writes the table between the README's gallery marks. A picture's caption is its
+(pngquant, Debian package of that name), draws the README's first picture, and writes the table between its gallery marks. A picture's caption is its
 scene's title and the first line of its file.
 """
 import pathlib
@@ -46,6 +46,11 @@ def draw(program, names):
                 sys.exit(f"{small}: {small.stat().st_size} bytes, more than {MOST_BYTES}; take fewer colours")
 
 
+def draw_first(program):
+    subprocess.run([program, "still", str(ROOT / "scenes" / "generic.toml"), "--portable", "--size", "1280x720", "-q", "-o",
+                    str(GALLERY.parent / "readme" / "generic.png")], check=True)
+
+
 def cell(name):
     text = (ROOT / "scenes" / f"{name}.toml").read_text()
     title = re.search(r'^title = "(.*)"$', text, re.M).group(1)
@@ -69,4 +74,5 @@ if __name__ == "__main__":
     if not shutil.which("pngquant"):
         sys.exit("gallery.py: pngquant is missing; apt-get install pngquant")
     draw(sys.argv[1], scenes_in_order())
+    draw_first(sys.argv[1])
     write_table(scenes_in_order())
