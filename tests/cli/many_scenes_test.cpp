@@ -18,7 +18,7 @@ moments_kg_m2 = [3.0, 2.0, 1.0]
 [start]
 omega_rad_s = [0.3, 2.0, 0.1]
 [film]
-size = [96, 54]
+size = [192, 108]
 duration_s = 0.1
 )";
 }
