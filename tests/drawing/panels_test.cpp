@@ -453,8 +453,10 @@ TEST(Layout, PanelsLeaveTheTitleAndTheCaptionTheirRoom) {
 }
 
 TEST(Layout, NumbersOfAChartKeepOffEachOtherAtAnyHeight) {
-    for (const int height : {90, 120, 180, 400}) {
-        Scene scene = free_scene(generic_moments, generic_omega, "plot");
+    // Three charts above each other.
+    for (const int height : {100, 180, 240, 400}) {
+        Scene scene = top_scene({.theta_rad = 0.7, .omega3_rad_s = 5.0}, "plot");
+        scene.panels[0].quantity = "euler_angles";
         scene.film.width_px = 640;
         scene.film.height_px = height;
         const StagedScene staged(scene, 1.0);
@@ -476,9 +478,7 @@ TEST(Layout, NumbersOfAChartKeepOffEachOtherAtAnyHeight) {
                 ++n_pairs;
             }
         }
-        if (height >= 180) {
-            EXPECT_GT(n_pairs, 0) << height;
-        }
+        EXPECT_TRUE(n_pairs > 0 || height < 400);
     }
 }
 
