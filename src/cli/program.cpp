@@ -97,7 +97,7 @@ const auto option_table = std::to_array<OptionRow>({
      }},
     {"theme",
      [](CLI::App& app, Options& o) {
-         add_override(app, o, "--theme", "theme", "light, dark, print, colour-blind, transparent");
+         add_override(app, o, "--theme", "theme", "light, dark, print, colour-blind, transparent or transparent-dark");
      }},
     {"width-mm",
      [](CLI::App& app, Options& o) {

@@ -95,8 +95,9 @@ Drawer make_half_axes(Panel& panel) {
             line.hidden_opacity = 0.75;
             sheet.view.curves.push_back(line);
             sheet.view.dots.push_back(dot_at(panel, end, colour, 5.0));
-            wish_beside_line(panel, Eigen::Vector3d::Zero(), end, 0.6,
-                             types[static_cast<std::size_t>(i)], panel.stage->theme->text, sheet);
+            // At its end: beside its middle it would crowd with the name of ρ.
+            wish_beside(panel, end, Eigen::Vector3d::Zero(), types[static_cast<std::size_t>(i)],
+                        panel.stage->theme->text, sheet);
         }
     };
 }

@@ -158,16 +158,25 @@ const Theme colour_blind{
     .rule = hex(0x6f7c8a),
 };
 
-// The light theme's quantities on whatever lies below the picture.
-Theme transparent_of(Theme theme) {
-    theme.name = "transparent";
-    theme.summary = "the light theme on no ground, for slides and pages";
+// A theme's quantities on whatever lies below the picture.
+Theme transparent_of(Theme theme, std::string_view name, std::string_view summary,
+                     const Colour& halo) {
+    theme.name = name;
+    theme.summary = summary;
     theme.background.alpha = 0.0;
-    theme.halo = hex(0xffffff);
+    theme.halo = halo;
     return theme;
 }
 
-const std::array<Theme, 5> table{light, dark, print, colour_blind, transparent_of(light)};
+const std::array<Theme, 6> table{
+    light,
+    dark,
+    print,
+    colour_blind,
+    transparent_of(light, "transparent", "the light theme on no ground, for slides and pages",
+                   hex(0xffffff)),
+    transparent_of(dark, "transparent-dark", "the dark theme on no ground, for dark slides",
+                   hex(0x000000))};
 
 }  // namespace
 

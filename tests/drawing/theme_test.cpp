@@ -203,7 +203,10 @@ TEST(ColourBlindTheme, EveryPairIsFartherApartThanInTheOthers) {
         }
 }
 
-TEST(TransparentTheme, HasNoGround) { EXPECT_EQ(theme_named("transparent").background.alpha, 0.0); }
+TEST(TransparentTheme, HasNoGround) {
+    EXPECT_EQ(theme_named("transparent").background.alpha, 0.0);
+    EXPECT_EQ(theme_named("transparent-dark").background.alpha, 0.0);
+}
 
 TEST(Themes, UnknownNameIsAnsweredWithTheNearest) {
     try {

@@ -2,9 +2,10 @@
 """Every scene in every theme, on sheets to be looked at before the golden pictures are renewed.
 
 Usage: sheets.py POINSOT FOLDER [SCENE...]      all scenes, or those named (stems)
-A scene's sheet has six pictures of 900 pixels: the five themes at 1920 × 1080, then the still for paper (print theme,
+A scene's sheet has seven pictures of 900 pixels: the themes at 1920 × 1080, then the still for paper (print theme,
 85 mm at 600 dpi). `NAME.film.png` has four frames of its film, at 0, 1/3, 2/3 and the end. The pictures themselves stay in
-FOLDER/THEME/. `transparent` is laid on a mid grey, where wrong alpha shows. Takes about four minutes. Needs Pillow (python3-pil).
+FOLDER/THEME/. `transparent` is laid on a mid grey, where wrong alpha shows, `transparent-dark` on a dark blue. Takes about four
+minutes. Needs Pillow (python3-pil).
 """
 import json
 import pathlib
@@ -14,10 +15,11 @@ import sys
 from PIL import Image, ImageDraw
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
-THEMES = ["light", "dark", "print", "colour-blind", "transparent"]
+THEMES = ["light", "dark", "print", "colour-blind", "transparent", "transparent-dark"]
 PAPER = ["--theme", "print", "--width-mm", "85", "--dpi", "600"]
 WIDTH = 900           # pixels of a picture on a sheet
-GROUND = (150, 150, 150)
+GROUNDS = {"transparent-dark": (38, 50, 70)}
+MID_GREY = (150, 150, 150)
 
 
 def stills(program, names, folder, options):
@@ -52,7 +54,7 @@ def sheet(pictures, out):
     for title, path in pictures:
         picture = Image.open(path).convert("RGBA")
         height = round(picture.height * WIDTH / picture.width)
-        ground = Image.new("RGBA", (WIDTH, height), GROUND + (255,))
+        ground = Image.new("RGBA", (WIDTH, height), GROUNDS.get(title, MID_GREY) + (255,))
         ground.alpha_composite(picture.resize((WIDTH, height), Image.LANCZOS))
         ImageDraw.Draw(ground).text((6, 4), title, fill=(255, 0, 160))
         opened.append(ground.convert("RGB"))
