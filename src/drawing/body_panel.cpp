@@ -132,7 +132,7 @@ std::vector<Curve> motion_of(Panel& panel) {
     const Polhode& polhode = panel.stage->rolling->polhode;
     if (polhode.kind() == Polhode::Kind::point) return curves;
     Curve curve = curve_of(panel, keep_polhode(panel, polhode), panel.stage->theme->polhode, 4.6);
-    curve.hidden_opacity = 0.55;
+    curve.hidden_opacity = 0.72;
     add_with_mirror_image(curve, curves);
     return curves;
 }

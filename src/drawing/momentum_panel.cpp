@@ -146,7 +146,7 @@ void make_momentum_panel(Panel& panel) {
         Curve curve = curve_of(panel, panel.stage->keep(meeting_curve(panel)),
                                panel.stage->theme->polhode, 4.6);
         curve.on_surface = the_sphere;
-        curve.hidden_opacity = 0.55;
+        curve.hidden_opacity = 0.72;
         curves.push_back(curve);
         curve.placement.linear() = -Eigen::Matrix3d::Identity();
         curves.push_back(curve);

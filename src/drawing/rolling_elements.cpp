@@ -117,7 +117,7 @@ Drawer make_polhode(Panel& panel) {
     curve.width_px = 4.0 * panel.px;
     curve.colour = panel.stage->theme->polhode;
     curve.on_surface = the_ellipsoid;
-    curve.hidden_opacity = 0.55;
+    curve.hidden_opacity = 0.72;
     std::optional<DirectionMarks> marks;
     if (wants_marks(panel)) {
         marks.emplace(panel, *curve.geometry, mark_spacing,
@@ -154,7 +154,7 @@ Drawer make_herpolhode(Panel& panel) {
     curve.colour = panel.stage->theme->herpolhode;
     set_dashes(panel, panel.stage->theme->herpolhode_dashes, curve);
     curve.on_plane = the_plane;
-    curve.hidden_opacity = 0.55;
+    curve.hidden_opacity = 0.72;
     std::optional<DirectionMarks> marks;
     if (wants_marks(panel)) marks.emplace(panel, *curve.geometry, mark_spacing, false);
     return [curve, trail = std::move(timed.trail), marks](const Instant& instant, Sheet& sheet) {
