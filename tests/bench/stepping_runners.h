@@ -1,0 +1,35 @@
+// Ways to step a free motion through the video frames of a span, each with a ladder of settings
+// from coarse to fine: the methods of our table and what a user of Boost.odeint writes.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/free_bodies.h"
+#include "mechanics/motion.h"
+
+namespace poinsot::bench {
+
+// (x, y, z, w) at every frame.
+using Attitudes = std::vector<Eigen::Vector4d>;
+
+struct Runner {
+    std::string name;
+    double longest_run_s = 0.3;  // processor time of a run after which no finer setting is tried
+    std::function<std::optional<std::string>(int rung)> setting;  // empty past the ladder's end
+    std::function<Attitudes(int rung)> run;
+};
+
+Attitudes attitudes_of(const Motion& motion, const std::vector<double>& times_s);
+
+// The largest angle between two attitudes at a frame, in rad; infinite if one is not finite.
+double worst_error(const Attitudes& a, const Attitudes& b);
+
+// All of them, for this body and these times from 0 on; frames_a_period says how dense they are.
+std::vector<Runner> runners_for(const FreeBody& body, const std::vector<double>& times_s,
+                                std::size_t frames_a_period);
+
+}  // namespace poinsot::bench
