@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drawing/framing.h"
+#include "drawing/ghost.h"
 #include "drawing/marks.h"
 #include "drawing/object_shapes.h"
 
@@ -62,6 +63,35 @@ class ArrowScale {
     double momentum_most_ = 0.0;
 };
 
+// The body as the motion beside turns it, in thin lines: the edges of a box, the principal axes as
+// far as the body reaches, and ω. Nothing without one.
+Drawer make_ghost_body(Panel& panel, const BodyShape& shape, const ArrowScale& arrows) {
+    if (!panel.stage->beside) return [](const Instant&, Sheet&) {};
+    panel.shows_beside = true;
+    const Colour& grey = panel.stage->theme->ghost;
+    std::vector<Curve> lines = shape.edges;
+    for (Curve& line : lines) line.colour = grey;
+    const Eigen::Matrix3d& axes = panel.stage->scene.body.inertia.body_from_principal();
+    for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector3d end = axes.col(i) * (shape.extents[i] + 0.22);
+        lines.push_back(line_between(panel, Eigen::Vector3d::Zero(), end, grey, 1.6));
+    }
+    for (Curve& line : lines) line.hidden_opacity = 0.45;
+    const SetType type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
+    return [&panel, lines, arrows, type](const Instant& instant, Sheet& sheet) {
+        Instant beside = instant;
+        beside.state = *instant.beside;
+        Eigen::Affine3d turned = Eigen::Affine3d::Identity();
+        turned.linear() =
+            (picture_from_space(*panel.stage) * beside.state.space_from_body).toRotationMatrix();
+        for (Curve line : lines) {
+            line.placement = turned * line.placement;
+            sheet.view.curves.push_back(line);
+        }
+        if (arrows.turns()) add_ghost_arrow(panel, arrows.omega_tip(beside), type, sheet);
+    };
+}
+
 }  // namespace
 
 void make_object_panel(Panel& panel) {
@@ -81,7 +111,8 @@ void make_object_panel(Panel& panel) {
     }
     const SetType omega_type = set_label(panel, "\\boldsymbol{\\omega}");
     const SetType momentum_type = set_label(panel, "\\mathbf{L}");
-    panel.draw = [&panel, shape, arrows, axis_types, omega_type, momentum_type](
+    const Drawer ghost = make_ghost_body(panel, shape, arrows);
+    panel.draw = [&panel, shape, arrows, axis_types, omega_type, momentum_type, ghost](
                      const Instant& instant, Sheet& sheet) {
         const Theme& theme = *panel.stage->theme;
         const Eigen::Matrix3d attitude =
@@ -99,6 +130,7 @@ void make_object_panel(Panel& panel) {
             edge.placement = turned * edge.placement;
             sheet.view.curves.push_back(edge);
         }
+        ghost(instant, sheet);
         const auto add_arrow = [&](const Eigen::Vector3d& tip, const Colour& colour, double weight,
                                    const SetType& type, double turn_rad = 0.0) {
             sheet.view.arrows.push_back(arrow_to(panel, tip, colour, weight));

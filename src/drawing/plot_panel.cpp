@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "construction/adaptive_curve.h"
-#include "drawing/plot_frame.h"
 #include "drawing/plot_quantity.h"
+#include "drawing/plot_record.h"
+#include "drawing/plotted_chart.h"
 
 namespace poinsot {
 
@@ -24,61 +23,6 @@ constexpr double curve_width = 3.4;
 // Lines of the motion beside are thinner, and paler.
 constexpr double beside_width = 2.0;
 constexpr double beside_opacity = 0.6;
-
-// Values over the film of one motion, asked for once an instant however many curves need it.
-class Record {
- public:
-    Record(const StageData& stage, const CountedMotion& motion, const PlotQuantity& quantity)
-        : stage_(&stage), motion_(&motion), quantity_(&quantity) {}
-
-    const PlotValues& at(double time_s) {
-        const auto [entry, is_new] = known_.try_emplace(time_s);
-        if (is_new) entry->second = quantity_->values(*stage_, instant(time_s));
-        return entry->second;
-    }
-
-    // Least and greatest of the values known so far, of the curves first to last.
-    std::pair<double, double> range(std::size_t first, std::size_t last) const {
-        double least = INFINITY;
-        double most = -INFINITY;
-        for (const auto& [time, values] : known_) {
-            for (std::size_t i = first; i <= last; ++i) {
-                least = std::min(least, values[i]);
-                most = std::max(most, values[i]);
-            }
-        }
-        return {least, most};
-    }
-
- private:
-    Instant instant(double time_s) const {
-        const MotionSample sample = motion_->sample(time_s, quantity_->asks);
-        return {time_s, sample.state, sample.herpolhode_space, sample.euler, {}};
-    }
-
-    const StageData* stage_;
-    const CountedMotion* motion_;
-    const PlotQuantity* quantity_;
-    std::map<double, PlotValues> known_;
-};
-
-// So many pieces of the film that no curve turns by more than about half a turn within one; no more
-// than a plot of this width can show.
-int n_pieces_of(const StageData& stage, double width_px) {
-    const double n_turns = (stage.film_last_s - stage.film_first_s) *
-                           (2.0 * stage.quickest_rate_rad_s()) / std::numbers::pi;
-    return static_cast<int>(std::clamp(n_turns, 16.0, std::max(16.0, 2.0 * width_px)));
-}
-
-// The range that shows both motions, but of the one beside no more than the first one's range again
-// on either side: one that blows up leaves the chart instead of flattening it.
-std::pair<double, double> common_range(const PlotQuantity& quantity,
-                                       std::pair<double, double> first,
-                                       std::pair<double, double> beside) {
-    const double most_added = quantity.decades ? INFINITY : first.second - first.first;
-    return {std::min(first.first, std::max(beside.first, first.first - most_added)),
-            std::max(first.second, std::min(beside.second, first.second + most_added))};
-}
 
 // The range that an axis shows: a little more than the values.
 Axis axis_for(const PlotQuantity& quantity, std::pair<double, double> range, int most_ticks) {
@@ -102,44 +46,6 @@ double dash_of(LineStyle style, const Panel& panel) {
             return 1.15 * curve_width * panel.px;
         default:
             return 0.0;
-    }
-}
-
-// A curve of the plot, with the number that its dot follows.
-struct PlottedCurve {
-    Curve curve;
-    std::size_t value = 0;
-    Label name;
-};
-
-// One chart with its curves.
-struct PlottedChart {
-    PlotFrame chart;
-    std::vector<PlottedCurve> curves;
-    std::vector<Curve> beside;
-};
-
-// Names beside the ends of their curves, moved apart where the ends lie close.
-void place_names(PlottedChart& plotted, const Panel& panel) {
-    std::vector<PlottedCurve*> order;
-    for (PlottedCurve& curve : plotted.curves) order.push_back(&curve);
-    std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) {
-        return a->name.top_left_px.y() < b->name.top_left_px.y();
-    });
-    // Downwards, then back up from the lower end of the panel.
-    const double gap = 3.0 * panel.px;
-    double free_from = panel.box.y_px;
-    for (PlottedCurve* curve : order) {
-        double& y = curve->name.top_left_px.y();
-        y = std::max(y, free_from);
-        free_from = y + curve->name.mask->height + gap;
-    }
-    double free_to = panel.box.y_px + panel.box.height_px - plotted.chart.area().bottom +
-                     0.5 * chart_name_size * panel.type_px;
-    for (auto curve = order.rbegin(); curve != order.rend(); ++curve) {
-        double& y = (*curve)->name.top_left_px.y();
-        y = std::min(y, free_to - (*curve)->name.mask->height);
-        free_to = y - gap;
     }
 }
 
@@ -249,17 +155,19 @@ class PlotMaker {
         PlottedChart plotted{
             PlotFrame(*panel_, place.region, x, place.y, x_title, y_title, left_px, names_px),
             {},
+            {},
+            {},
             {}};
         for (std::size_t i = place.first_curve; i <= place.last_curve; ++i) {
             add_curve(plotted, i);
             if (beside_) add_curve_beside(plotted, i);
         }
-        place_names(plotted, *panel_);
+        place_names(plotted, names_, *panel_);
         return plotted;
     }
 
     // One curve of a record over the film, in the chart's pixels.
-    CurveGeometry sampled(const PlotFrame& chart, Record& record, std::size_t i) {
+    CurveGeometry sampled(const PlotFrame& chart, PlotRecord& record, std::size_t i) {
         StageData& stage = *panel_->stage;
         const auto point = [&](double t) { return chart.at(t, record.at(t)[i]); };
         CurveGeometry geometry;
@@ -298,9 +206,7 @@ class PlotMaker {
         PlottedCurve curve;
         curve.value = i;
         curve.curve = line_of(quantity_->curves[i], curve_width);
-        const Eigen::Vector3d end = geometry.points.back();
-        curve.name = chart_label(*panel_, names_[i], chart.area().right + 12.0 * panel_->px,
-                                 end.y(), Anchor::left_middle, curve.curve.colour);
+        curve.end_y = geometry.points.back().y();
         curve.curve.geometry = panel_->stage->keep(std::move(geometry));
         plotted.curves.push_back(curve);
     }
@@ -323,32 +229,12 @@ class PlotMaker {
 
     Panel* panel_;
     const PlotQuantity* quantity_;
-    Record record_;
-    std::optional<Record> beside_;
+    PlotRecord record_;
+    std::optional<PlotRecord> beside_;
     int n_pieces_ = 16;
     std::vector<SetType> names_;
     double widest_name_ = 0.0;
 };
-
-void draw_chart(const Panel& panel, const PlottedChart& plotted, double time_s,
-                const PlotValues& values, Sheet& sheet) {
-    plotted.chart.draw(sheet);
-    const ChartArea& area = plotted.chart.area();
-    const double across = plotted.chart.at(time_s, 0.0).x();
-    Curve cursor = PlotFrame::line(panel, {across, area.bottom, 0.0}, {across, area.top, 0.0},
-                                   panel.stage->theme->text, 1.6);
-    cursor.opacity = 0.55;
-    sheet.view.curves.push_back(cursor);
-    sheet.view.curves.insert(sheet.view.curves.end(), plotted.beside.begin(), plotted.beside.end());
-    for (const PlottedCurve& curve : plotted.curves) {
-        sheet.view.curves.push_back(curve.curve);
-        sheet.view.labels.push_back(curve.name);
-    }
-    for (const PlottedCurve& curve : plotted.curves) {
-        sheet.view.dots.push_back(PlotFrame::dot(
-            panel, plotted.chart.at(time_s, values[curve.value]), curve.curve.colour, 6.5));
-    }
-}
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 
 #include "construction/timed_path.h"
 #include "drawing/framing.h"
+#include "drawing/ghost.h"
 #include "drawing/marks.h"
 #include "mesh/solid_meshes.h"
 
@@ -101,6 +102,27 @@ Locus locus_of(Panel& panel) {
     locus.curve.on_surface = the_sphere;
     locus.curve.hidden_opacity = 0.4;
     return locus;
+}
+
+// e3 of the motion beside and its path on the sphere. Nothing without one.
+Drawer make_ghost_axis(Panel& panel) {
+    const StageData& stage = *panel.stage;
+    if (!stage.beside) return [](const Instant&, Sheet&) {};
+    panel.shows_beside = true;
+    // A stepped motion has no Euler angles: e3 in body axes, from the first one's at one instant.
+    const MotionSample sample = stage.motion.sample(
+        stage.options.first_time_s, {.attitude = true, .herpolhode = false, .euler_angles = true});
+    const Eigen::Vector3d e3_body =
+        sample.state.space_from_body.conjugate() * axes_of(sample.euler).col(2);
+    const auto axis_of = [e3_body](const RotationState& state) {
+        return Eigen::Vector3d(state.space_from_body * e3_body);
+    };
+    const GhostPath path = ghost_path(panel, axis_of, 3.2);
+    const SetType type = set_ghost_label(panel, "\\mathbf{e}_3");
+    return [&panel, path, axis_of, type](const Instant& instant, Sheet& sheet) {
+        add_ghost_path(path, instant, sheet);
+        add_ghost_arrow(panel, axis_of(*instant.beside), type, sheet);
+    };
 }
 
 // A circle of latitude on the sphere at an angle from the upward vertical.
@@ -248,8 +270,9 @@ void make_top_panel(Panel& panel) {
     const MeshGeometry* body = keep_top(*panel.stage);
     const std::vector<Curve> spokes = spokes_of(panel);
     const Names names = names_of(panel);
-    panel.draw = [&panel, hangs, stand, locus, body, spokes, names](const Instant& instant,
-                                                                    Sheet& sheet) {
+    const Drawer ghost = make_ghost_axis(panel);
+    panel.draw = [&panel, hangs, stand, locus, body, spokes, names, ghost](const Instant& instant,
+                                                                           Sheet& sheet) {
         sheet.view.ellipsoids.push_back(stand.sphere);
         sheet.view.curves = stand.curves;
         for (const Arrow& arrow : stand.arrows) sheet.view.arrows.push_back(arrow);
@@ -260,6 +283,7 @@ void make_top_panel(Panel& panel) {
         drawer.angles(names);
         sheet.view.curves.push_back(locus.curve);
         sheet.view.curves.back().last = locus.path.index_at(instant.time_s);
+        ghost(instant, sheet);
         sheet.view.dots.push_back(
             dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->contact, 5.0));
         sheet.view.dots.push_back(
