@@ -16,7 +16,7 @@ void place_names(PlottedChart& plotted, const std::vector<SetType>& types, const
     const ChartArea& area = plotted.chart.area();
     const double margin = 0.3 * chart_name_size * panel.type_px;
     const std::vector<double> middles =
-        spread_apart(ends, heights, 5.0 * panel.px, area.bottom - margin, area.top + margin);
+        spread_apart(ends, heights, 8.0 * panel.px, area.bottom - margin, area.top + margin);
     const double left = area.right + 12.0 * panel.px;
     for (std::size_t i = 0; i < plotted.curves.size(); ++i) {
         const PlottedCurve& curve = plotted.curves[i];

@@ -83,7 +83,7 @@ StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOpti
     if (beside && !shows_beside) {
         throw SceneError(scene.location_of("beside"),
                          "no panel here shows a second motion; add a panel \"space\", \"body\", "
-                         "\"momentum\" or \"plot\"");
+                         "\"object\", \"top\", \"momentum\" or \"plot\"");
     }
     overlays = make_overlays(*this);
     check_fades();

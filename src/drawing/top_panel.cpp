@@ -118,7 +118,7 @@ Drawer make_ghost_axis(Panel& panel) {
         return Eigen::Vector3d(state.space_from_body * e3_body);
     };
     const GhostPath path = ghost_path(panel, axis_of, 3.2);
-    const SetType type = set_ghost_label(panel, "\\mathbf{e}_3");
+    const SetType type = set_ghost_label(panel, "\\mathbf{e}");
     return [&panel, path, axis_of, type](const Instant& instant, Sheet& sheet) {
         add_ghost_path(path, instant, sheet);
         add_ghost_arrow(panel, axis_of(*instant.beside), type, sheet);

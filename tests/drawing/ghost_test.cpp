@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "drawing/panel.h"
 #include "error/error.h"
 #include "scenes_by_hand.h"
@@ -108,6 +110,41 @@ TEST(Ghost, PlotHasASecondSetOfCurves) {
     const StagedBeside both(free_scene(moments, omega, "plot"), euler);
     EXPECT_EQ(both.stage.at(1.0).views[0].curves.size(),
               alone.stage.at(1.0).views[0].curves.size() + 3);
+}
+
+// The last curve of the ghost's colour in the only view.
+const Curve& last_grey_curve(const StagedBeside& staged, const Drawing& drawing) {
+    const Colour& grey = staged.stage.data().theme->ghost;
+    const auto& curves = drawing.views[0].curves;
+    return *std::find_if(curves.rbegin(), curves.rend(),
+                         [&grey](const Curve& curve) { return curve.colour == grey; });
+}
+
+TEST(Ghost, BodyOfTheObjectPanelTurnsAsTheMethodBesideHasIt) {
+    const StagedBeside staged(free_scene(moments, omega, "object"), euler);
+    const Drawing drawing = staged.stage.at(3.3);
+    // The third principal axis is the last of its lines.
+    const Curve& axis = last_grey_curve(staged, drawing);
+    const Eigen::Vector3d end = axis.placement * axis.geometry->points.back();
+    const Eigen::Vector3d e3 = staged.stage.data().rolling->picture_from_space *
+                               (staged.beside.at(3.3).space_from_body * Eigen::Vector3d::UnitZ());
+    EXPECT_LE((end.normalized() - e3).norm(), 1e-14);
+}
+
+TEST(Ghost, AxisOfATopStandsWhereTheMethodBesideHasIt) {
+    Scene scene = top_scene({.theta_rad = 0.7, .omega3_rad_s = 8.0}, "top");
+    const StagedBeside staged(scene, {"rk4", 0.2, {}, {}});
+    const Drawing drawing = staged.stage.at(6.0);
+    const Eigen::Vector3d e3 = staged.beside.at(6.0).space_from_body * Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d exact_e3 =
+        staged.motion.at(6.0).space_from_body * Eigen::Vector3d::UnitZ();
+    EXPECT_GT((e3 - exact_e3).norm(), 1e-3);  // such a step drifts
+    const auto& arrows = drawing.views[0].arrows;
+    const auto tip_is_there = [&e3](const Arrow& arrow) { return (arrow.tip - e3).norm() < 1e-14; };
+    EXPECT_TRUE(std::any_of(arrows.begin(), arrows.end(), tip_is_there));
+    // Its path has come that far too, but for less than a piece of it.
+    const Curve& path = last_grey_curve(staged, drawing);
+    EXPECT_LE((path.geometry->points[static_cast<std::size_t>(path.last)] - e3).norm(), 0.2);
 }
 
 TEST(Ghost, WithoutAMotionBesideThereIsNone) {
