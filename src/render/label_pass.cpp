@@ -1,5 +1,7 @@
 #include "render/label_pass.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,6 @@ namespace poinsot {
 namespace {
 
 constexpr int first_side_px = 1024;
-constexpr int largest_side_px = 8192;
 // Between slots, so that filtering does not mix them.
 constexpr int gap_px = 1;
 
@@ -100,14 +101,16 @@ LabelPass::Key LabelPass::key_of(const Label& label) {
     return {label.mask->id, static_cast<int>(std::lround(64.0 * std::max(label.halo_px, 0.0)))};
 }
 
-void LabelPass::empty_texture(int side_px) {
+void LabelPass::empty_texture(int width_px, int height_px) {
     slots_.clear();
     shelf_x_ = shelf_y_ = shelf_height_ = 0;
-    if (side_px == side_px_) return;
-    side_px_ = side_px;
+    if (width_px == width_px_ && height_px == height_px_) return;
+    width_px_ = width_px;
+    height_px_ = height_px;
     texture_ = GlTexture::make();
     glBindTexture(GL_TEXTURE_2D, texture_.id());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, side_px, side_px, 0, GL_RG, GL_UNSIGNED_BYTE, nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, width_px, height_px, 0, GL_RG, GL_UNSIGNED_BYTE,
+                 nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
@@ -115,20 +118,25 @@ void LabelPass::empty_texture(int side_px) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-bool LabelPass::place(const Label& label) {
-    const Key key = key_of(label);
-    if (slots_.contains(key)) return true;
+LabelPass::Slot LabelPass::slot_of(const Label& label) {
     Slot slot;
     slot.margin = static_cast<int>(std::ceil(std::max(label.halo_px, 0.0))) + 1;
     slot.width = label.mask->width + 2 * slot.margin;
     slot.height = label.mask->height + 2 * slot.margin;
+    return slot;
+}
+
+bool LabelPass::place(const Label& label) {
+    const Key key = key_of(label);
+    if (slots_.contains(key)) return true;
+    Slot slot = slot_of(label);
     // Shelves from the top, filled from the left.
-    if (shelf_x_ + slot.width > side_px_) {
+    if (shelf_x_ + slot.width > width_px_) {
         shelf_x_ = 0;
         shelf_y_ += shelf_height_ + gap_px;
         shelf_height_ = 0;
     }
-    if (slot.width > side_px_ || shelf_y_ + slot.height > side_px_) return false;
+    if (slot.width > width_px_ || shelf_y_ + slot.height > height_px_) return false;
     slot.x = shelf_x_;
     slot.y = shelf_y_;
     shelf_x_ += slot.width + gap_px;
@@ -149,19 +157,28 @@ void LabelPass::begin_picture(const Drawing& drawing) {
                 if (shows(label) && !place(label)) return false;
         return true;
     };
-    const bool any = std::any_of(drawing.views.begin(), drawing.views.end(),
-                                 [](const View& view) { return !view.labels.empty(); });
-    if (!any) return;
-    if (side_px_ == 0) empty_texture(first_side_px);
+    int widest_px = 0;
+    for (const View& view : drawing.views)
+        for (const Label& label : view.labels)
+            if (shows(label)) widest_px = std::max(widest_px, slot_of(label).width);
+    if (widest_px == 0) return;
+    GLint largest_side_px = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_side_px);
+    // As wide as the widest label asks for: a caption's picture is wide, and not high.
+    int width_px = std::max(width_px_, first_side_px);
+    while (width_px < widest_px && width_px < largest_side_px) width_px *= 2;
+    const int first_height_px = std::max(height_px_, first_side_px);
+    if (width_px != width_px_) empty_texture(width_px, first_height_px);
     if (place_all()) return;
     // Full: forget the masks of earlier pictures, then grow.
-    for (int side = side_px_; side <= largest_side_px; side *= 2) {
-        empty_texture(side);
+    for (int height_px = first_height_px; height_px <= largest_side_px; height_px *= 2) {
+        empty_texture(width_px, height_px);
         if (place_all()) return;
     }
     throw InputError(
-        "the labels of one picture do not fit into a texture of 8192x8192 pixels; "
-        "make them fewer or smaller");
+        fmt::format("the labels of one picture do not fit into a texture of {0}x{0} pixels; "
+                    "make them fewer or smaller",
+                    largest_side_px));
 }
 
 void LabelPass::draw(const ViewScene& scene,
@@ -172,7 +189,7 @@ void LabelPass::draw(const ViewScene& scene,
         const Eigen::Vector2d to_texel =
             Eigen::Vector2d(slot.x + slot.margin, slot.y + slot.margin) - label.top_left_px;
         Constants constants;
-        constants.add(to_texel.x(), to_texel.y(), 1.0 / side_px_, 1.0 / side_px_);
+        constants.add(to_texel.x(), to_texel.y(), 1.0 / width_px_, 1.0 / height_px_);
         constants.add4(linear_from_srgb(label.colour, label.opacity));
         constants.add4(linear_from_srgb(label.halo_colour, 1.0));
         glActiveTexture(GL_TEXTURE0);

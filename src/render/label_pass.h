@@ -57,12 +57,14 @@ class LabelPass {
         }
     };
     static Key key_of(const Label& label);
+    // Its size, not its place.
+    static Slot slot_of(const Label& label);
     bool place(const Label& label);
-    void empty_texture(int side_px);
+    void empty_texture(int width_px, int height_px);
 
     PolygonProgram program_;
     GlTexture texture_;
-    int side_px_ = 0;
+    int width_px_ = 0, height_px_ = 0;
     int shelf_x_ = 0, shelf_y_ = 0, shelf_height_ = 0;
     std::unordered_map<Key, Slot, KeyHash> slots_;
 };

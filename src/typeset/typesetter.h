@@ -11,7 +11,7 @@
 
 namespace poinsot {
 
-constexpr int kMaskSideLimit_px = 8192;
+constexpr int kMaskSideLimit_px = 16384;
 
 enum class TypeMode {
     math,  // a label: one formula, set in display style

@@ -219,5 +219,23 @@ TEST(LabelPicture, DrawsMoreMasksThanTheTextureHolds) {
     EXPECT_NEAR(covered_px(renderer().render(drawing)), 10000.0, 1.0);
 }
 
+TEST(LabelPicture, ShowsTheEndOfACaptionOf12000Pixels) {
+    // A caption of a 2160p picture drawn 4 × 4 samples a pixel; its last seven columns are ink.
+    constexpr int width = 12000;
+    GlyphMask mask = block(9950, width, 3);
+    for (std::size_t k = 0; k < mask.coverage.size(); ++k)
+        mask.coverage[k] = k % width >= width - 7 ? 255 : 0;
+    Drawing drawing = flat_drawing(40, 30, 30.0);
+    Label label;
+    label.mask = &mask;
+    label.top_left_px = {20.0 - width, 7.0};
+    drawing.views[0].labels = {label};
+    const Image image = renderer().render(drawing);
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 40; ++x)
+            EXPECT_EQ(image.at(x, y).a, x >= 13 && x < 20 && y >= 7 && y < 10 ? 255 : 0)
+                << x << "," << y;
+}
+
 }  // namespace
 }  // namespace poinsot::testing
