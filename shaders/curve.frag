@@ -41,9 +41,10 @@ void main() {
     vec2 pixel = gl_FragCoord.xy;
     vec2 own = from_segment(pixel, ends.xy, ends.zw);
     float reach = 0.5 * constant(6).x;
-    if (own.x > reach + 0.75) discard;
-    if (from_segment(pixel, neighbours.xy, ends.xy).x <= own.x && neighbours.xy != ends.xy) discard;
-    if (from_segment(pixel, ends.zw, neighbours.zw).x < own.x && neighbours.zw != ends.zw) discard;
+    // What is none of this segment's fails the depth test, which is cheaper here than to discard it.
+    bool none = own.x > reach + 0.75 ||
+                (from_segment(pixel, neighbours.xy, ends.xy).x <= own.x && neighbours.xy != ends.xy) ||
+                (from_segment(pixel, ends.zw, neighbours.zw).x < own.x && neighbours.zw != ends.zw);
 
     // Both edges of the stroke count, so that a line thinner than a pixel is pale, not broken.
     vec2 nearest = mix(ends.xy, ends.zw, own.y);
@@ -79,5 +80,5 @@ void main() {
     fragment = vec4(constant(5).rgb, 1.0) * alpha;
     // Where the curve meets itself only the fuller coverage counts: depth orders the fragments of
     // one curve by it, and any curve before those drawn earlier.
-    gl_FragDepth = constant(FADE).z + constant(FADE).w * (1.0 - covered);
+    gl_FragDepth = none ? 1.0 : constant(FADE).z + constant(FADE).w * (1.0 - covered);
 }
