@@ -17,21 +17,23 @@ namespace poinsot {
 
 namespace {
 
-// What a quality name asks of x264. Measured on a lecture scene, 1920×1080, against the preset
-// medium at crf 18 (3.09 MB for 150 frames, SSIM 0.99385): "lecture" takes 0.4 of its CPU time for
-// its size and likeness. psy would add the grain that drawings lack; aq-mode 2 moves bits to the
-// thin lines. A short lookahead bounds memory and what a kill can take, which stays under a second
-// from 24 frames a second on: 10 frames instead of 20 make a print film 1 % smaller and its SSIM
-// 0.00015 less; without the queue of 4 before a lookahead thread of its own the film is the same.
+// What a quality name asks of x264: points of the front that tests/bench/x264_search.py finds. At
+// the likeness of the preset medium at crf 18 (SSIM 0.9969, default scene, 1920×1080) and with
+// their presets' lookahead, "lecture" takes 0.46 of its CPU time and 1.11 of its size, "print" 0.67
+// and 0.99, "reference" 1.31 and 0.93. psy would add the grain that drawings lack; aq-mode 2 spends
+// a tenth more than aq-mode 1 for the same likeness. A short lookahead bounds memory and what a
+// kill can take, which stays under a second from 24 frames a second on: 10 frames instead of 20
+// make a print film 1 % smaller and its SSIM 0.00015 less; without the queue of 4 before a
+// lookahead thread of its own the film is the same.
 struct Quality {
     std::string_view name;
     const char *preset, *crf, *x264;
 };
 constexpr std::array<Quality, 4> kQualities = {{
     {"draft", "ultrafast", "23", "psy=0:sync-lookahead=0"},
-    {"lecture", "veryfast", "18.5", "psy=0:aq-mode=2:trellis=1:sync-lookahead=0"},
-    {"print", "medium", "17", "psy=0:aq-mode=2:rc-lookahead=10:sync-lookahead=0"},
-    {"reference", "slow", "14", "psy=0:aq-mode=2:rc-lookahead=10:sync-lookahead=0"},
+    {"lecture", "veryfast", "18", "psy=0:aq-mode=1:trellis=1:sync-lookahead=0"},
+    {"print", "fast", "17", "psy=0:aq-mode=1:rc-lookahead=10:sync-lookahead=0"},
+    {"reference", "slow", "14", "psy=0:aq-mode=1:rc-lookahead=10:sync-lookahead=0"},
 }};
 
 // x264 decides otherwise with another number of threads, so the number must not come from the

@@ -5,7 +5,8 @@
 
 PEERS_FOLDER holds mktraj.py and peer_NAME.py, each of which draws the motion of scenes/generic.toml's body (ellipsoid,
 plane, both curves, arrows, text) and encodes it by x264 at crf 18. Whichever of them can run here is run; poinsot makes
-its film of the default scene with the same size, number of frames, preset and crf. Not part of CI.
+its film of the default scene with the same size, number of frames, preset and crf. --quick leaves out the preset medium
+and takes 20 frames, a minute of each peer at most. Not part of CI.
 """
 import argparse
 import datetime
@@ -57,7 +58,10 @@ def main():
     parser.add_argument("--size", default="1920x1080")
     parser.add_argument("--presets", default="medium,veryfast")
     parser.add_argument("--limit-s", type=float, default=300, help="seconds that one peer may take")
+    parser.add_argument("--quick", action="store_true", help="20 frames, preset veryfast alone, 60 s a peer at most")
     options = parser.parse_args()
+    if options.quick:
+        options.frames, options.presets, options.limit_s = 20, "veryfast", 60
     print(f"{datetime.date.today()}, {os.cpu_count()} processors, load {os.getloadavg()[0]:.1f}; {options.size}, x264 crf 18")
     with tempfile.TemporaryDirectory(prefix="poinsot-peers-") as scratch:
         csv = pathlib.Path(scratch) / "motion.csv"
