@@ -4,9 +4,9 @@
     tests/bench/film_bench.py [--build build/release] [--scene scenes/generic.toml] [--quick]
                               [--plot films.png] [--json films.json]
 
-Prints Markdown. CPU time is that of all threads; every figure is the median of --repeat runs. --quick takes about four
-minutes on two idle cores: it leaves out the repeats, three quarters of each film's frames, and the film of 3,000 frames
-for one of 600. Build the targets
+Prints Markdown. CPU time is that of all threads; every figure is the median of --repeat runs. --quick takes a
+few minutes on two idle cores: it leaves out the repeats, three quarters of each film's frames, and the film of 3,000
+frames for one of 600. Build the targets
 poinsot, film_phases, picture_error and bench_picture first. The plot needs python3-matplotlib.
 """
 import argparse
