@@ -2,8 +2,8 @@
 #include <array>
 #include <cstdint>
 
-#include "render/native_context.h"
 #include "error/shared_library.h"
+#include "render/native_context.h"
 
 namespace poinsot {
 namespace {
