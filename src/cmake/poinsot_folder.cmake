@@ -37,6 +37,6 @@ function(poinsot_tests name)
         COMPILE_DEFINITIONS "POINSOT_SOURCE_DIR=\"${CMAKE_SOURCE_DIR}\"")
     target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
     include(GoogleTest)
-    gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120
+    gtest_discover_tests(test_${name} NO_PRETTY_VALUES TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120
         PROPERTIES ENVIRONMENT "${POINSOT_TEST_ENVIRONMENT}")
 endfunction()

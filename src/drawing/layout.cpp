@@ -26,16 +26,18 @@ std::vector<PanelSpec> panels_of(const StageData& stage) {
     return {alone};
 }
 
-// Boundaries of the columns or rows in pixels, by their relative sizes; whole, and the last one is
-// the end of the room that they share.
-std::vector<int> boundaries(const std::vector<double>& sizes, int from_px, int total_px) {
+// Boundaries of the columns or rows in pixels, by their relative sizes; whole, also in the picture
+// that is looked at (`step_px`), and the last one is the end of the room that they share.
+std::vector<int> boundaries(const std::vector<double>& sizes, int from_px, int total_px,
+                            int step_px) {
     double sum = 0.0;
     for (const double size : sizes) sum += size;
     std::vector<int> edges{from_px};
     double at = 0.0;
     for (const double size : sizes) {
         at += size;
-        edges.push_back(from_px + static_cast<int>(std::lround(at / sum * total_px)));
+        edges.push_back(from_px +
+                        step_px * static_cast<int>(std::lround(at / sum * total_px / step_px)));
     }
     return edges;
 }
@@ -83,11 +85,12 @@ Drawer header_of(Panel& panel, std::string_view text) {
     // In the first column it stands below the title.
     const double left =
         panel.box.x_px == 0 ? overlay_margin * panel.stage->px : panel.box.x_px + 0.7 * size;
-    return [&panel, type, size, left](const Instant&, Sheet& sheet) {
+    return [&panel, &stage, type, size, left](const Instant&, Sheet& sheet) {
         Label label;
         label.mask = type.mask;
-        label.top_left_px = {std::round(left) + type.left_px,
-                             std::round(panel.box.y_px + 0.4 * size + size) - type.baseline_px};
+        label.top_left_px = {
+            stage.at_whole_pixel(left) + type.left_px,
+            stage.at_whole_pixel(panel.box.y_px + 0.4 * size + size) - type.baseline_px};
         label.colour = panel.stage->theme->text;
         label.halo_colour = panel.stage->theme->halo;
         label.halo_px = 2.0 * panel.px;
@@ -151,8 +154,10 @@ void StageData::make_panels() {
         room.y_px = bands.top_px;
         room.height_px = std::max(1, options.height_px - bands.top_px - bands.bottom_px);
     }
-    const std::vector<int> columns = boundaries(scene.grid.columns, room.x_px, room.width_px);
-    const std::vector<int> rows = boundaries(scene.grid.rows, room.y_px, room.height_px);
+    const std::vector<int> columns =
+        boundaries(scene.grid.columns, room.x_px, room.width_px, options.samples);
+    const std::vector<int> rows =
+        boundaries(scene.grid.rows, room.y_px, room.height_px, options.samples);
     for (const PanelSpec& spec : specs) {
         const PanelKind& kind = at_scene_key(
             scene, "panels", [&]() -> const PanelKind& { return panel_kind_named(spec.kind); });

@@ -13,14 +13,14 @@ namespace poinsot {
 
 namespace {
 
-// Running text at a corner of the picture; its pen starts at whole pixels.
+// Running text at a corner of the picture; its pen starts between pixels.
 void add_text(const StageData& stage, const SetType& type, double pen_x, double baseline_y,
               Sheet& sheet) {
     if (type.mask->width == 0) return;
     Label label;
     label.mask = type.mask;
-    label.top_left_px = {std::round(pen_x) + type.left_px,
-                         std::round(baseline_y) - type.baseline_px};
+    label.top_left_px = {stage.at_whole_pixel(pen_x) + type.left_px,
+                         stage.at_whole_pixel(baseline_y) - type.baseline_px};
     label.colour = stage.theme->text;
     label.halo_colour = stage.theme->halo;
     label.halo_px = 2.0 * stage.px;
@@ -30,6 +30,11 @@ void add_text(const StageData& stage, const SetType& type, double pen_x, double 
 // px: of a line of one pixel at 1080 rows.
 double margin(double px) { return overlay_margin * px; }
 double margin(const StageData& stage) { return margin(stage.px); }
+
+// The room that a length of type takes, to whole pixels of the picture that is looked at.
+double room_for(const StageData& stage, int length_px) {
+    return stage.options.samples * std::ceil(1.0 * length_px / stage.options.samples);
+}
 
 constexpr double title_size = 40.0;
 constexpr double caption_size = 26.0;
@@ -48,15 +53,17 @@ Drawer make_title(StageData& stage) {
         return stage.type_case.set(stage.scene.title, text_style(stage, title_size));
     });
     return [&stage, type](const Instant&, Sheet& sheet) {
-        add_text(stage, type, margin(stage), margin(stage) + type.baseline_px, sheet);
+        add_text(stage, type, margin(stage), margin(stage) + room_for(stage, type.baseline_px),
+                 sheet);
     };
 }
 
 Drawer make_caption(StageData& stage) {
     const TypeStyle style = text_style(stage, caption_size);
     const auto place = [&stage](const SetType& type, Sheet& sheet) {
-        const double top = stage.options.height_px - margin(stage) - type.mask->height;
-        add_text(stage, type, margin(stage), top + type.baseline_px, sheet);
+        const double below = room_for(stage, type.mask->height - type.baseline_px);
+        add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
+                 sheet);
     };
     // Set once here in any case, so that a caption that does not parse is refused before the first
     // frame.
@@ -140,7 +147,14 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, TypeCase
 }
 
 OverlayBands overlay_bands(StageData& stage) {
-    return overlay_bands(stage.scene, stage.options.width_px, stage.px, stage.type_case);
+    // Of the picture that is looked at, so that samples do not move its panels.
+    const int n = stage.options.samples;
+    OverlayBands bands =
+        overlay_bands(stage.scene, stage.options.width_px / n, stage.px / n, stage.type_case);
+    bands.top_px *= n;
+    bands.bottom_px *= n;
+    bands.title_right_px *= n;
+    return bands;
 }
 
 int rows_added_by_type(const Scene& scene, int width_px, double px) {

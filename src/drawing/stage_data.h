@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -106,6 +107,12 @@ struct StageData {
 
     // Notes how far a curve's polyline was measured to be from the curve, in pixels.
     void note_curve_error(double error_px) { curve_error_px = std::max(curve_error_px, error_px); }
+
+    // The nearest place between pixels of the picture that is looked at: what stands there stands
+    // there however many samples a pixel has.
+    double at_whole_pixel(double at_px) const {
+        return options.samples * std::round(at_px / options.samples);
+    }
 
     // What the panels ask for at an instant, and nothing else; attitude and herpolhode in the space
     // axes shown.

@@ -1,0 +1,77 @@
+// Samples within a pixel refine a picture and move nothing in it.
+#include <gtest/gtest.h>
+
+#include "drawing/panel.h"
+#include "scenes_by_hand.h"
+
+namespace poinsot {
+namespace {
+
+struct Place {
+    int x_px = 0, y_px = 0, width_px = 0, height_px = 0;
+    Camera camera;
+};
+
+// Where the views of a picture stand.
+std::vector<Place> places(const Scene& scene, int samples) {
+    const Motion motion(problem_of(scene));
+    const Stage stage(scene, motion,
+                      {.width_px = scene.film.width_px * samples,
+                       .height_px = scene.film.height_px * samples,
+                       .samples = samples,
+                       .last_time_s = 3.0});
+    const Drawing drawing = stage.at(1.0);
+    std::vector<Place> all;
+    for (const View& view : drawing.views)
+        all.push_back({view.x_px, view.y_px, view.width_px, view.height_px, view.camera});
+    return all;
+}
+
+Scene with_type(std::vector<std::string> kinds) {
+    Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, kinds.front());
+    scene.title = "Where things stand";
+    scene.caption = "$I$ = (1, 2, 2.9) kg m$^2$";
+    scene.panels.clear();
+    for (const std::string& kind : kinds) {
+        PanelSpec spec;
+        spec.kind = kind;
+        spec.column = static_cast<int>(scene.panels.size());
+        scene.panels.push_back(spec);
+    }
+    scene.grid.columns.assign(kinds.size(), 1.0);
+    return scene;
+}
+
+TEST(Samples, LeavePanelsAndCamerasWhereTheyAre) {
+    const std::vector<std::vector<std::string>> pictures{
+        {"space"}, {"plan"}, {"space", "body", "plot"}};
+    for (const std::vector<std::string>& kinds : pictures) {
+        // 643 pixels are no multiple of the columns; the heights of type round otherwise at each.
+        for (const int width_px : {640, 643, 960}) {
+            Scene scene = with_type(kinds);
+            scene.film.width_px = width_px;
+            scene.film.height_px = 9 * width_px / 16;
+            const std::vector<Place> alone = places(scene, 1);
+            for (const int n : {2, 3, 4}) {
+                const std::vector<Place> fine = places(scene, n);
+                ASSERT_EQ(fine.size(), alone.size());
+                for (std::size_t k = 0; k < fine.size(); ++k) {
+                    const Place &a = alone[k], &b = fine[k];
+                    EXPECT_EQ(b.x_px, n * a.x_px) << kinds[0] << width_px;
+                    EXPECT_EQ(b.y_px, n * a.y_px) << kinds[0] << width_px;
+                    EXPECT_EQ(b.width_px, n * a.width_px) << kinds[0] << width_px;
+                    EXPECT_EQ(b.height_px, n * a.height_px) << kinds[0] << width_px;
+                    // Charts and type are drawn in pixels, of which there are more. What is seen by
+                    // the eye is framed to rounding.
+                    if (a.camera.orthographic) continue;
+                    EXPECT_LT((b.camera.eye - a.camera.eye).norm(), 1e-9 * a.camera.eye.norm());
+                    EXPECT_LT((b.camera.target - a.camera.target).norm(),
+                              1e-9 * a.camera.eye.norm());
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace poinsot
