@@ -18,28 +18,28 @@ const std::array<Quality, 4> table{{
      10.0,
      1,
      "coarse curves, fastest encoder: to try a camera",
-     {5.0, 6.07, 2.1, 9.6, 0.9884}},
+     {3.7, 2.94, 2.7, 8.9, 0.9912}},
     {"lecture",
      1.0,
      1,
      "curves within accuracy_px, analytic edges: the default",
-     {5.8, 6.06, 5.9, 5.2, 0.9913}},
+     {3.9, 2.80, 6.6, 4.2, 0.9925}},
     {"print",
      0.5,
      2,
      "2 × 2 samples a pixel on top of analytic edges, small files",
-     {28.9, 2.33, 13.3, 5.9, 0.9929}},
+     {19.4, 1.39, 11.6, 4.5, 0.9936}},
     {"reference",
      0.1,
      4,
      "4 × 4 samples a pixel: what the others are measured against",
-     {78.7, 0.61, 22.5, 8.0, 0.9950}},
+     {54.5, 0.51, 20.7, 5.9, 0.9953}},
 }};
 
 }  // namespace
 
 const std::string_view figures_source =
-    "measured 2026-11-21 on an AMD EPYC, 2 cores, processor time; `poinsot tradeoff "
+    "measured 2026-11-22 on an AMD EPYC, 2 cores, processor time; `poinsot tradeoff "
     "scenes/generic.toml` measures them again for src/cli/quality.cpp";
 
 std::span<const Quality> qualities() { return table; }
