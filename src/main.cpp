@@ -1,10 +1,12 @@
 // Entry: hands over to the command line; the only catch, the only exit codes.
 #include <malloc.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 #include "cli/program.h"
 #include "error/error.h"
@@ -12,8 +14,14 @@
 
 namespace {
 
-// A message may quote names and texts from anywhere; a terminal must not obey them.
-void say(const char* message) { std::fprintf(stderr, "%s\n", poinsot::printable(message).c_str()); }
+// A message may quote names and texts from anywhere; a terminal must not obey them. It is the last
+// chance to be heard: where the stream fails, the file below it is tried.
+void say(const char* message) {
+    const std::string line = poinsot::printable(message) + "\n";
+    if (std::fputs(line.c_str(), stderr) == EOF &&
+        write(STDERR_FILENO, line.data(), line.size()) < 0)
+        std::perror("poinsot");
+}
 
 }  // namespace
 
