@@ -94,11 +94,15 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
     AsyncSink sink(format.open(plan));
     note_kept(plan, sink.n_frames_kept(), format.film, options.quiet);
     Progress progress(session.scene.name, plan.n_frames, options.quiet);
-    for (std::int64_t frame = first + sink.n_frames_kept(); frame <= last; ++frame) {
+    // The first picture is drawn whole, the second keeps what stands still, the third has it.
+    constexpr std::int64_t n_to_compile = 3;
+    const std::int64_t first_drawn = first + sink.n_frames_kept();
+    for (std::int64_t frame = first_drawn; frame <= last; ++frame) {
         stop_if_interrupted();
         Image image = sink.spare();
         pictures.draw(film.moment_of(frame), image);
         sink.write_moved(std::move(image));
+        if (frame == first_drawn + n_to_compile - 1) easel.context().shaders_are_compiled();
         progress.at(frame - first + 1);
     }
     sink.finish();

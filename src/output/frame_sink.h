@@ -46,6 +46,9 @@ struct OutputPlan {
     bool resume = false;
 };
 
+// Called on the thread that writes, once a frame.
+using WasRead = std::function<void()>;
+
 // write() in frame order, then finish(); a sink destroyed unfinished leaves nothing under the final
 // name. From one thread at a time.
 class FrameSink {
@@ -54,6 +57,11 @@ class FrameSink {
     // How many frames an interrupted run has left: write() starts with the one after them.
     virtual std::int64_t n_frames_kept() const { return 0; }
     virtual void write(const Image& frame) = 0;  // throws EnvironmentError
+    // The same, telling as soon as the picture is not needed any more.
+    virtual void write_telling(const Image& frame, const WasRead& was_read) {
+        write(frame);
+        was_read();
+    }
     virtual void finish() = 0;  // flushes, syncs and renames; throws EnvironmentError
 };
 

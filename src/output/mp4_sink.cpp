@@ -99,6 +99,10 @@ class Mp4Sink : public FrameSink {
     std::int64_t n_frames_kept() const override { return part_.n_frames_kept(); }
 
     void write(const Image& frame) override {
+        write_telling(frame, [] {});
+    }
+
+    void write_telling(const Image& frame, const WasRead& was_read) override {
         check_frame(frame, plan_);
         if (n_in_chunk_ == kChunkFrames) start_chunk();
         libav::checked(av_frame_make_writable(frame_.get()), plan_.path, "video frame");
@@ -107,6 +111,7 @@ class Mp4Sink : public FrameSink {
         converter_.convert(opaque ? frame : flat_,
                            {frame_->data[0], frame_->data[1], frame_->data[2], frame_->linesize[0],
                             frame_->linesize[1], frame_->linesize[2]});
+        was_read();
         frame_->pts = n_written_++;
         ++n_in_chunk_;
         encoder_->send(*frame_);

@@ -18,16 +18,19 @@ struct FrameWorkers::Impl {
     };
 
     void run(std::size_t worker);
+    void give_back(Image& frame);
+    void wait_for_room(std::unique_lock<std::mutex>& lock);
     void rethrow() const {
         if (error) std::rethrow_exception(error);
     }
 
     Work work;
-    std::size_t n_waiting_at_most = 0;
+    std::size_t n_unread_at_most = 1;
 
     std::mutex mutex;  // guards all below
     std::condition_variable frame_came, frame_left;
     std::deque<Job> waiting;
+    std::size_t n_unread = 0;  // of those put
     std::vector<Image> spares;
     std::int64_t n_put = 0, n_done = 0;
     bool stopping = false;
@@ -43,30 +46,45 @@ void FrameWorkers::Impl::run(std::size_t worker) {
         if (stopping) return;
         Job job = std::move(waiting.front());
         waiting.pop_front();
-        frame_left.notify_all();
         // After a failure the rest is dropped, so that nobody waits for ever.
         const bool dropped = static_cast<bool>(error);
         lock.unlock();
+        bool is_read = false;
+        const auto was_read = [&] {
+            if (!std::exchange(is_read, true)) give_back(job.frame);
+        };
         std::exception_ptr failure;
         try {
-            if (!dropped) work(worker, job.number, job.frame);
+            if (!dropped) work(worker, job.number, job.frame, was_read);
         } catch (...) {
             failure = std::current_exception();
         }
+        was_read();
         lock.lock();
         if (failure && !error) error = failure;
         ++n_done;
-        if (spares.size() < n_waiting_at_most) spares.push_back(std::move(job.frame));
         frame_left.notify_all();
     }
 }
 
-FrameWorkers::FrameWorkers(std::size_t n_workers, std::size_t n_waiting, Work work)
+void FrameWorkers::Impl::give_back(Image& frame) {
+    const std::lock_guard lock(mutex);
+    --n_unread;
+    if (spares.size() < n_unread_at_most) spares.push_back(std::move(frame));
+    frame_left.notify_all();
+}
+
+void FrameWorkers::Impl::wait_for_room(std::unique_lock<std::mutex>& lock) {
+    frame_left.wait(lock, [&] { return error || n_unread < n_unread_at_most; });
+    rethrow();
+}
+
+FrameWorkers::FrameWorkers(std::size_t n_workers, std::size_t n_pictures, Work work)
     : impl_(std::make_unique<Impl>()) {
     impl_->work = std::move(work);
-    impl_->n_waiting_at_most = std::max<std::size_t>(n_waiting, 1);
+    impl_->n_unread_at_most = std::max<std::size_t>(n_pictures, 1);
     // So that giving a frame back, outside of any try, asks for no memory.
-    impl_->spares.reserve(impl_->n_waiting_at_most);
+    impl_->spares.reserve(impl_->n_unread_at_most);
     for (std::size_t i = 0; i < std::max<std::size_t>(n_workers, 1); ++i)
         impl_->threads.emplace_back([impl = impl_.get(), i] { impl->run(i); });
 }
@@ -81,7 +99,8 @@ FrameWorkers::~FrameWorkers() {
 }
 
 Image FrameWorkers::spare() {
-    const std::lock_guard lock(impl_->mutex);
+    std::unique_lock lock(impl_->mutex);
+    impl_->wait_for_room(lock);
     if (impl_->spares.empty()) return {};
     Image image = std::move(impl_->spares.back());
     impl_->spares.pop_back();
@@ -90,9 +109,8 @@ Image FrameWorkers::spare() {
 
 void FrameWorkers::put(Image&& frame) {
     std::unique_lock lock(impl_->mutex);
-    impl_->frame_left.wait(
-        lock, [&] { return impl_->error || impl_->waiting.size() < impl_->n_waiting_at_most; });
-    impl_->rethrow();
+    impl_->wait_for_room(lock);
+    ++impl_->n_unread;
     impl_->waiting.push_back({impl_->n_put++, std::move(frame)});
     impl_->frame_came.notify_one();
 }
@@ -103,11 +121,13 @@ void FrameWorkers::drain() {
     impl_->rethrow();
 }
 
-AsyncSink::AsyncSink(std::unique_ptr<FrameSink> sink, std::size_t n_waiting)
+AsyncSink::AsyncSink(std::unique_ptr<FrameSink> sink, std::size_t n_pictures)
     : sink_(std::move(sink)),
       workers_(std::make_unique<FrameWorkers>(
-          1, n_waiting,
-          [this](std::size_t, std::int64_t, const Image& frame) { sink_->write(frame); })) {}
+          1, n_pictures,
+          [this](std::size_t, std::int64_t, const Image& frame, const WasRead& was_read) {
+              sink_->write_telling(frame, was_read);
+          })) {}
 
 AsyncSink::~AsyncSink() { workers_.reset(); }
 

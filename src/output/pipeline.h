@@ -11,22 +11,25 @@
 
 namespace poinsot {
 
-// Hands numbered frames to threads, at most n_waiting at a time. Used from one thread.
+// Hands numbered frames to threads. Used from one thread.
 class FrameWorkers {
  public:
     // Called with the worker's index, the frame's number and the frame; one worker sees the frames
-    // in order, several share them.
-    using Work = std::function<void(std::size_t worker, std::int64_t number, const Image& frame)>;
+    // in order, several share them. May say that the frame is read before all is done with it.
+    using Work = std::function<void(std::size_t worker, std::int64_t number, const Image& frame,
+                                    const WasRead& was_read)>;
 
-    FrameWorkers(std::size_t n_workers, std::size_t n_waiting, Work work);
+    // At most n_pictures at a time are not read yet, that of spare() among them.
+    FrameWorkers(std::size_t n_workers, std::size_t n_pictures, Work work);
     ~FrameWorkers();  // drops what waits
     FrameWorkers(const FrameWorkers&) = delete;
     FrameWorkers& operator=(const FrameWorkers&) = delete;
 
-    // A picture whose memory may be used for the next frame; empty at first.
+    // A picture whose memory may be used for the next frame; empty at first. Waits while there are
+    // as many as there may be. Throws what any worker threw, from then on at every call.
     Image spare();
 
-    // Waits while the queue is full. Throws what any worker threw, from then on at every call.
+    // Waits and throws as spare does.
     void put(Image&& frame);
 
     // Waits until every frame is done. Throws as put does.
@@ -38,10 +41,11 @@ class FrameWorkers {
 };
 
 // A sink on a thread of its own; the same bytes as without it. Its errors arrive at the next call
-// of write() or at finish(). Destroyed unfinished, it leaves what the sink leaves.
+// of write() or at finish(). Destroyed unfinished, it leaves what the sink leaves. Two pictures,
+// one drawn while the other waits, do: encoders have queues of their own, and more leave the cache.
 class AsyncSink : public FrameSink {
  public:
-    explicit AsyncSink(std::unique_ptr<FrameSink> sink, std::size_t n_waiting = 4);
+    explicit AsyncSink(std::unique_ptr<FrameSink> sink, std::size_t n_pictures = 2);
     ~AsyncSink() override;
 
     std::int64_t n_frames_kept() const override;

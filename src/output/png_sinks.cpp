@@ -34,8 +34,8 @@ class PngSequenceSink : public FrameSink {
           n_kept_(plan.resume ? count_kept() : 0) {
         for (PngEncoder& encoder : encoders_) encoder = PngEncoder(options_for(plan));
         workers_ = std::make_unique<FrameWorkers>(
-            encoders_.size(), kWaiting,
-            [this](std::size_t worker, std::int64_t number, const Image& frame) {
+            encoders_.size(), kPictures,
+            [this](std::size_t worker, std::int64_t number, const Image& frame, const WasRead&) {
                 write_one(encoders_[worker], number, frame);
             });
     }
@@ -55,7 +55,7 @@ class PngSequenceSink : public FrameSink {
 
  private:
     static constexpr int kThreads = 2;
-    static constexpr std::size_t kWaiting = 4;
+    static constexpr std::size_t kPictures = 4;
 
     void write_one(PngEncoder& encoder, std::int64_t number, const Image& frame) const {
         const auto contents = encoder.encode(frame);

@@ -164,6 +164,10 @@ class WebmSink : public FrameSink {
     std::int64_t n_frames_kept() const override { return n_kept_; }
 
     void write(const Image& frame) override {
+        write_telling(frame, [] {});
+    }
+
+    void write_telling(const Image& frame, const WasRead& was_read) override {
         check_frame(frame, plan_);
         if (n_written_ == 0) alpha_ = !is_opaque(frame);
         if (n_written_ % kChunkFrames == 0) end_chunk();
@@ -175,6 +179,7 @@ class WebmSink : public FrameSink {
                            {frame_->data[0], frame_->data[1], frame_->data[2], frame_->linesize[0],
                             frame_->linesize[1], frame_->linesize[2]});
         if (alpha_) copy_alpha(frame, frame_->data[3], frame_->linesize[3]);
+        was_read();
         frame_->pts = n_written_++;
         encoder_->send(*frame_);
         take_packets();

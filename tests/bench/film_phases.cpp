@@ -141,8 +141,8 @@ int run(const std::string& phase, const std::string& scene, const std::string& s
 
     silence_libav();
     // Shaders are compiled and what stands still is drawn before the clock starts.
-    Image image;
-    for (std::int64_t k = 0; k < 3; ++k) film.draw(k, image);
+    for (Image image; const std::int64_t k : {0, 1, 2}) film.draw(k, image);
+    easel.context().shaders_are_compiled();
     std::vector<Image> frames;
     if (phase == "encode") {
         frames.resize(static_cast<std::size_t>(n_frames));
@@ -153,6 +153,7 @@ int run(const std::string& phase, const std::string& scene, const std::string& s
     const double cpu_before_s = process_cpu_s();
     const auto started = Clock::now();
     if (phase == "render") {
+        Image image;
         for (std::int64_t k = 0; k < n_frames; ++k) film.draw(k, image);
     } else if (phase == "encode") {
         const auto sink = open_sink(output, settings);
