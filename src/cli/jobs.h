@@ -5,11 +5,13 @@
 #include "cli/options.h"
 #include "cli/picture.h"
 #include "cli/session.h"
+#include "cli/still_writer.h"
 
 namespace poinsot {
 
-// One picture, at options.time_s. Returns the exit code. Throws InputError, EnvironmentError.
-int make_still(const Session& session, const Options& options, Easel& easel);
+// One picture, at options.time_s, which the writer may still have in hand. Returns the exit code.
+// Throws InputError, EnvironmentError, and what the writer throws of an earlier one.
+int make_still(const Session& session, const Options& options, Easel& easel, StillWriter& writer);
 
 // A film or sequence, all of it or options.frames.
 int make_film(const Session& session, const Options& options, Easel& easel);

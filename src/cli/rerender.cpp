@@ -99,9 +99,11 @@ int run(const Options& given) {
     options.print.type_pt = record.type_pt;
     options.print.bit_depth = record.bit_depth;
     Easel easel(options);
-    const int code = record.time_s ? make_still(session, options, easel)
+    StillWriter writer;
+    const int code = record.time_s ? make_still(session, options, easel, writer)
                      : is_picture  ? redraw_frame(file, record, session, options, easel)
                                    : make_film(session, options, easel);
+    writer.finish();
     if (!options.quiet) note_differences(record, read_record(output));
     return code;
 }

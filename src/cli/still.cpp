@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <utility>
 
 #include "cli/banded_still.h"
 #include "cli/command.h"
@@ -23,7 +25,7 @@
 
 namespace poinsot {
 
-int make_still(const Session& session, const Options& options, Easel& easel) {
+int make_still(const Session& session, const Options& options, Easel& easel, StillWriter& writer) {
     print_notes(session.scene, options.quiet);
     const FilmPlan film = film_plan(session);
     const auto asked_s = options.time_s ? options.time_s : session.scene.film.still_s;
@@ -59,17 +61,20 @@ int make_still(const Session& session, const Options& options, Easel& easel) {
     }
     record.bit_depth = options.print.bit_depth;
     png.texts[kMetadataName] = to_text(record);
+    std::string words;
+    if (!options.quiet) {
+        words = fmt::format("{}\n{}\n", printable(path.string()),
+                            in_words(pictures.bound(), session.scene.accuracy_px));
+    }
     if (record.bit_depth == 16 || wants_bands(pictures)) {
+        writer.finish();
         watch_for_interrupts();
         write_in_bands(pictures, moment, path, png, record.bit_depth);
+        fmt::print(stderr, "{}", words);
     } else {
         Image image;
         pictures.draw(moment, image);
-        write_png(path, image, png);
-    }
-    if (!options.quiet) {
-        fmt::print(stderr, "{}\n{}\n", printable(path.string()),
-                   in_words(pictures.bound(), session.scene.accuracy_px));
+        writer.write(path, std::move(image), std::move(png), std::move(words));
     }
     return 0;
 }
@@ -79,14 +84,17 @@ namespace {
 int run(const Options& options) {
     Easel easel(options);
     const bool alone = options.arguments.size() == 1;
-    return for_each_scene(options, [&easel, alone](const Options& own) {
+    StillWriter writer;
+    const int code = for_each_scene(options, [&](const Options& own) {
         const Session session = open_session(own);
         constexpr std::int64_t small_px = 1 << 24;
         if (alone &&
             std::int64_t{session.scene.film.width_px} * session.scene.film.height_px <= small_px)
             easel.compile_quickly();
-        return make_still(session, own, easel);
+        return make_still(session, own, easel, writer);
     });
+    writer.finish();
+    return code;
 }
 
 constexpr auto options_taken = std::to_array<std::string_view>(

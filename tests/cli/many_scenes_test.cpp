@@ -1,6 +1,7 @@
 // Several scenes on one command line.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -67,6 +68,37 @@ TEST(ManyScenes, ABadOneIsSaidAndTheOthersAreMade) {
     EXPECT_EQ(folder.listing().find("0001.png"), std::string::npos);
     EXPECT_FALSE(image_of(folder, "0000.png").empty());
     EXPECT_FALSE(image_of(folder, "0002.png").empty());
+}
+
+// One is written while the next is drawn.
+TEST(ManyScenes, AreSaidInTheirOrderEachOnceItIsThere) {
+    const ScratchFolder folder;
+    for (const char* name : {"a", "b", "c"}) folder.write(name + std::string(".toml"), scene(name));
+    const ProgramRun run = run_program_in(folder, "still a.toml b.toml c.toml -o '####.png'");
+    EXPECT_EQ(run.code, 0) << run.err;
+    std::size_t at = 0;
+    for (const char* name : {"0000.png\n", "0001.png\n", "0002.png\n"}) {
+        at = run.err.find(name, at);
+        ASSERT_NE(at, std::string::npos) << name << " in " << run.err;
+    }
+}
+
+TEST(ManyScenes, OneThatCannotBeWrittenEndsThemAllAndIsSaidOnce) {
+    for (const char* taken : {"0001.png", "0002.png"}) {
+        const ScratchFolder folder;
+        for (const char* name : {"a", "b", "c"})
+            folder.write(name + std::string(".toml"), scene(name));
+        std::filesystem::create_directories(folder.path() / taken / "full");
+        const ProgramRun run =
+            run_program_in(folder, "still a.toml b.toml c.toml -q -o '####.png'");
+        EXPECT_EQ(run.code, 3) << run.err;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+        EXPECT_NE(run.err.find(taken), std::string::npos) << run.err;
+        EXPECT_FALSE(image_of(folder, "0000.png").empty());
+        EXPECT_EQ(std::filesystem::exists(folder.path() / "0002.png"),
+                  std::string(taken) == "0002.png");
+        EXPECT_EQ(folder.listing().find("0003"), std::string::npos);
+    }
 }
 
 TEST(ManyScenes, FilmsAreNumberedToo) {
