@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -82,17 +83,18 @@ int make_still(const Session& session, const Options& options, Easel& easel, Sti
 namespace {
 
 int run(const Options& options) {
-    Easel easel(options);
     const bool alone = options.arguments.size() == 1;
     StillWriter writer;
+    std::optional<Easel> easel(options);
     const int code = for_each_scene(options, [&](const Options& own) {
         const Session session = open_session(own);
         constexpr std::int64_t small_px = 1 << 24;
         if (alone &&
             std::int64_t{session.scene.film.width_px} * session.scene.film.height_px <= small_px)
-            easel.compile_quickly();
-        return make_still(session, own, easel, writer);
+            easel->compile_quickly();
+        return make_still(session, own, *easel, writer);
     });
+    easel.reset();  // which takes as long as compressing half a picture
     writer.finish();
     return code;
 }
