@@ -2,6 +2,7 @@
 // belongs to the nearest, so that a translucent curve has even opacity.
 #include "constants.glsl"
 #include "coverage.glsl"
+#include "stroke.glsl"
 #include "view.glsl"
 #include "quadric.glsl"
 #define SOLIDS 8
@@ -20,23 +21,6 @@ flat in vec4 along;
 flat in vec4 depths;
 out vec4 fragment;
 
-// x: distance from a segment; y: how far along it the nearest point lies, 0…1.
-vec2 from_segment(vec2 p, vec2 a, vec2 b) {
-    vec2 run = b - a;
-    float square = dot(run, run);
-    float t = dot(p - a, run);
-    if (t <= 0.0 || square < 1e-12) return vec2(length(p - a), 0.0);
-    if (t >= square) return vec2(length(p - b), 1.0);
-    return vec2(abs(run.x * (p.y - a.y) - run.y * (p.x - a.x)) * inversesqrt(square), t / square);
-}
-
-// Dashes that fill a share of their period, their ends a pixel soft.
-float dashed(float length_along, float period, float share, float per_px) {
-    float phase = abs(fract(length_along / period) - 0.5);
-    float edge_px = (0.5 * share - phase) * period / max(per_px, 1e-12);
-    return clamp(edge_px + 0.5, 0.0, 1.0);
-}
-
 void main() {
     vec2 pixel = gl_FragCoord.xy;
     vec2 own = from_segment(pixel, ends.xy, ends.zw);
@@ -46,14 +30,8 @@ void main() {
                 (from_segment(pixel, neighbours.xy, ends.xy).x <= own.x && neighbours.xy != ends.xy) ||
                 (from_segment(pixel, ends.zw, neighbours.zw).x < own.x && neighbours.zw != ends.zw);
 
-    // Both edges of the stroke count, so that a line thinner than a pixel is pale, not broken.
-    vec2 nearest = mix(ends.xy, ends.zw, own.y);
-    vec2 away = own.x > 1e-4 ? (pixel - nearest) / own.x : vec2(1.0, 0.0);
-    float covered = edge_coverage(reach - own.x, away) + edge_coverage(reach + own.x, away) - 1.0;
-
-    // Perspective-correct place along the segment.
-    float t = own.y;
-    if (constant(0).w > 0.5) t = t * depths.x / max(mix(depths.y, depths.x, t), 1e-12);
+    float covered = stroke_coverage(pixel, ends, own, constant(6).x);
+    float t = along_segment(own.y, depths.xy, constant(0).w > 0.5);
     float depth = mix(depths.x, depths.y, t);
     float length_along = mix(along.z, along.w, t);
     float run_px = max(length(ends.zw - ends.xy), 1e-3);

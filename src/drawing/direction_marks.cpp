@@ -106,6 +106,7 @@ void DirectionMarks::add_to(Sheet& sheet, Curve curve, bool grows) const {
         arms.last = 1e300;
         arms.width_px = stroke_share * curve.width_px;
         arms.dash_px = arms.fade_points = 0.0;
+        arms.lasting = false;
         const double size = reach_px * panel_->px * unit;
         arms.placement.linear() << forward, axes.col(2).cross(forward), axes.col(2);
         arms.placement.linear() *= size;

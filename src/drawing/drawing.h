@@ -130,9 +130,10 @@ struct Curve {
     double fade_points =
         0.0;  // opacity falls linearly to 0 over this many points behind `last`; 0: full history
     Occlusion occlusion = Occlusion::by_solids;
-    int on_surface = -1;  // index of the ellipsoid of this view that it lies on: visible where the
-                          // surface faces us
-    int on_plane = -1;    // index of the plane it lies on
+    int on_surface = -1;   // index of the ellipsoid of this view that it lies on: visible where the
+                           // surface faces us
+    int on_plane = -1;     // index of the plane it lies on
+    bool lasting = false;  // whether nothing of it but `last` changes from picture to picture
 };
 
 // A straight arrow with a shaded round shaft and a conical head; proportions are kept at any length

@@ -60,6 +60,7 @@ GhostPath ghost_path(Panel& panel,
     ghost.curve =
         curve_of(panel, stage.keep(std::move(geometry)), panel.stage->theme->ghost, width_px);
     ghost.curve.hidden_opacity = 0.45;
+    ghost.curve.lasting = true;
     ghost.path.points.clear();
     return ghost;
 }

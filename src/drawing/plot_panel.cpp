@@ -197,6 +197,7 @@ class PlotMaker {
         curve.width_px = width_px * panel_->px;
         curve.dash_px = dash_of(kind.style, *panel_);
         curve.occlusion = Occlusion::none;
+        curve.lasting = true;
         return curve;
     }
 

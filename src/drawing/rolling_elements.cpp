@@ -129,6 +129,7 @@ Drawer make_polhode(Panel& panel) {
         ShownStretch stretch{0.0, curve.last, 0.0, false};
         if (trail) stretch = trail->at(instant.time_s);
         stretch.apply_to(shown);
+        shown.lasting = false;  // it turns with the body
         sheet.view.curves.push_back(shown);
         if (marks) marks->add_to(sheet, shown, stretch.grows);
     };

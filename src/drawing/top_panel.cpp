@@ -101,6 +101,7 @@ Locus locus_of(Panel& panel) {
                            stage.theme->axes[2], 4.0);
     locus.curve.on_surface = the_sphere;
     locus.curve.hidden_opacity = 0.4;
+    locus.curve.lasting = true;
     return locus;
 }
 

@@ -43,7 +43,7 @@ ShownStretch Trail::at(double time_s) const {
     const double most_s = period_s_.value_or(endless);
     if (kind_ == "whole" || (loops_ && kind_ == "history")) {
         const double whole_end_s = period_s_ ? first_time_s_ + *period_s_ : last_time_s_;
-        return {times_.index_at(first_time_s_), times_.index_at(whole_end_s), 0.0, false};
+        return {times_.index_at(first_time_s_), times_.index_at(whole_end_s), 0.0, false, true};
     }
 
     const double run_s = loops_ ? most_s : std::max(0.0, time_s - first_time_s_);
@@ -51,7 +51,7 @@ ShownStretch Trail::at(double time_s) const {
     const double shown_s = std::min(wanted_s, run_s);
     const bool all = !period_s_ && shown_s >= run_s;
     ShownStretch stretch{times_.index_at(all ? first_time_s_ : end_s - shown_s),
-                         times_.index_at(end_s), 0.0, true};
+                         times_.index_at(end_s), 0.0, true, all && kind_ != "fading"};
     // A trail that is still growing fades at the pace of a whole one.
     if (kind_ == "fading" && shown_s > 0.0 && wanted_s < endless) {
         stretch.fade_points = (stretch.last - stretch.first) * (wanted_s / shown_s);

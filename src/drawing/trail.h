@@ -18,9 +18,11 @@ struct ShownStretch {
     double last = 0.0;
     double fade_points = 0.0;  // as in Curve
     bool grows = false;        // whether its end is where the contact point is
+    bool lasting = false;      // as in Curve, where the points stand still
 
     void apply_to(Curve& curve) const {
         curve.first = first, curve.last = last, curve.fade_points = fade_points;
+        curve.lasting = lasting;
     }
 };
 

@@ -71,7 +71,16 @@ void Canvas::begin_still() {
 
 void Canvas::begin_still_on_top() { restore({{0, 0, width_px_, height_px_}}); }
 
-void Canvas::keep_still(bool transparent) { read_all(picture_, still_image_, transparent); }
+void Canvas::keep_still(bool transparent, std::size_t n_tiles) {
+    read_all(picture_, still_image_, transparent);
+    kept_stamps_.assign(n_tiles, 0);
+}
+
+void Canvas::keep_tile(const TileMask& marks, std::size_t tile, std::uint64_t stamp,
+                       const Image& image) {
+    copy(marks.rect(tile), image, still_image_);
+    kept_stamps_[tile] = stamp;
+}
 
 void Canvas::begin_over_still(TileMask& marks) { restore(marks.rects()); }
 
@@ -116,11 +125,11 @@ void Canvas::read_over_still(TileMask& marks, Image& image, bool transparent) {
         image = Image(width_px_, height_px_);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.id());
     // Between the rectangles, which come row by row, lies what stands still.
-    int left = 0, top = 0, bottom = std::min(TileMask::side_px, height_px_);
+    int left = 0, top = 0, bottom = std::min(marks.side_px(), height_px_);
     for (const PixelRect& rect : marks.rects()) {
         while (top < rect.top) {
             copy_still({left, top, width_px_, bottom}, image);
-            left = 0, top = bottom, bottom = std::min(top + TileMask::side_px, height_px_);
+            left = 0, top = bottom, bottom = std::min(top + marks.side_px(), height_px_);
         }
         copy_still({left, top, rect.left, bottom}, image);
         left = rect.right;
@@ -131,13 +140,17 @@ void Canvas::read_over_still(TileMask& marks, Image& image, bool transparent) {
 }
 
 void Canvas::copy_still(const PixelRect& rect, Image& image) const {
+    copy(rect, still_image_, image);
+}
+
+void Canvas::copy(const PixelRect& rect, const Image& from, Image& to) const {
     const auto row_size = 4 * static_cast<std::size_t>(width_px_);
     const std::size_t n = 4 * static_cast<std::size_t>(std::max(rect.width(), 0));
     if (n == 0) return;
     for (int y = rect.top; y < rect.bottom; ++y) {
         const std::size_t first =
             static_cast<std::size_t>(y) * row_size + 4 * static_cast<std::size_t>(rect.left);
-        std::memcpy(image.bytes().data() + first, still_image_.bytes().data() + first, n);
+        std::memcpy(to.bytes().data() + first, from.bytes().data() + first, n);
     }
 }
 

@@ -27,9 +27,15 @@ class Canvas {
     // stands still on top of it. The latter is not restored where something moves.
     void begin_still();
     void begin_still_on_top();
-    void keep_still(bool transparent);
+    void keep_still(bool transparent, std::size_t n_tiles);
     // What follows is drawn over what stands still, on the marked tiles only.
     void begin_over_still(TileMask& marks);
+
+    // The still picture also keeps tiles that show what lasts, and nothing that moves. Each tile
+    // has the stamp it was kept with; 0: what stands still alone.
+    std::uint64_t kept_stamp(std::size_t tile) const { return kept_stamps_[tile]; }
+    void keep_tile(const TileMask& marks, std::size_t tile, std::uint64_t stamp,
+                   const Image& image);
 
     // The picture: all of it, or the marked tiles over what stands still.
     void read_whole(Image& image, bool transparent);
@@ -49,11 +55,13 @@ class Canvas {
     void restore(const std::vector<PixelRect>& rects) const;
     void read(const PixelRect& rect, Image& image, bool transparent);
     void copy_still(const PixelRect& rect, Image& image) const;
+    void copy(const PixelRect& rect, const Image& from, Image& to) const;
     void read_all(const Layer& layer, Image& image, bool transparent);
 
     Encoder encoder_;
     Layer still_, picture_;
     Image still_image_;
+    std::vector<std::uint64_t> kept_stamps_;
     std::vector<std::uint16_t> scratch_;
     int width_px_ = 0, height_px_ = 0;
 };

@@ -80,6 +80,7 @@ Program::Program(std::string_view vertex, std::string_view fragment,
     use();
     glUniform1i(at("texture_0"), 0);
     glUniform1i(at("texture_1"), 1);
+    glUniform1i(at("texture_2"), 2);
 }
 
 namespace {

@@ -12,6 +12,7 @@ namespace poinsot {
 // A rectangle of pixels, not necessarily whole ones.
 struct PixelBox {
     double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300;
+    bool operator==(const PixelBox&) const = default;
     bool empty() const { return !(left < right && top < bottom); }
     void add(const Eigen::Vector2d& point, double margin = 0.0);
     PixelBox within(const PixelBox& other) const;

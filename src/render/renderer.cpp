@@ -15,6 +15,7 @@
 #include "render/curve_pass.h"
 #include "render/ellipsoid_pass.h"
 #include "render/label_pass.h"
+#include "render/lasting_curve_pass.h"
 #include "render/mesh_pass.h"
 #include "render/plane_pass.h"
 #include "render/view_scene.h"
@@ -30,12 +31,8 @@ struct StillView {
     std::vector<Plane> planes;
 };
 
-bool same(const PixelBox& a, const PixelBox& b) {
-    return a.left == b.left && a.top == b.top && a.right == b.right && a.bottom == b.bottom;
-}
-
 bool same(const StillView& a, const StillView& b) {
-    return same(a.box, b.box) && a.camera == b.camera && a.background == b.background &&
+    return a.box == b.box && a.camera == b.camera && a.background == b.background &&
            a.planes == b.planes;
 }
 
@@ -46,6 +43,8 @@ struct Renderer::Impl {
 
     void render(const Drawing& drawing, Image& image);
     void render(const Drawing& drawing, DeepImage& image);
+
+    PictureCounts counts() const;
 
     int largest_picture_px;
 
@@ -58,6 +57,7 @@ struct Renderer::Impl {
     void keep_still(const Drawing& drawing);
     void draw_views(bool only_marked);
     void mark_labels();
+    void mark_all();
     void mark_moving(const ViewScene& scene);
     void draw_moving(const ViewScene& scene, bool only_marked);
     void draw_planes(const ViewScene& scene, bool before_solids);
@@ -68,7 +68,9 @@ struct Renderer::Impl {
     PlanePass plane_;
     ShadowPass shadow_;
     EllipsoidPass ellipsoid_;
+    CurveStore curves_;
     CurvePass curve_;
+    LastingCurvePass lasting_;
     ArrowPass arrow_;
     ConePass cone_;
     LabelPass label_;
@@ -77,7 +79,8 @@ struct Renderer::Impl {
 
     std::vector<ViewScene> scenes_;
     std::vector<bool> overlaps_;  // whether what stands still in a view covers an earlier one
-    TileMask marks_;
+    TileMask moving_, marks_;     // where something moves; what is drawn anew
+    std::vector<std::uint64_t> stamps_;  // as Canvas keeps them
     Background still_background_;
     int still_background_top_px_ = 0;
     std::vector<StillView> still_views_;
@@ -170,15 +173,17 @@ void Renderer::Impl::keep_still(const Drawing& drawing) {
 
 void Renderer::Impl::mark_moving(const ViewScene& scene) {
     const PixelBox& box = scene.projection.box;
-    shadow_.mark(scene, marks_);
+    shadow_.mark(scene, moving_);
     for (std::size_t k = 0; k < scene.maps.size(); ++k)
-        if (scene.before_solids[k]) marks_.mark(disc_polygon(scene, k), box);
+        if (scene.before_solids[k]) moving_.mark(disc_polygon(scene, k), box);
     for (const Quadric& q : scene.quadrics)
-        if (q.seen) marks_.mark(q.outline, box);
-    for (const Curve& curve : scene.view->curves) curve_.mark(scene, curve, marks_);
-    arrow_.mark(scene, marks_);
-    cone_.mark(scene, marks_);
-    mesh_.mark(scene, marks_);
+        if (q.seen) moving_.mark(q.outline, box);
+    for (const Curve& curve : scene.view->curves)
+        if (!LastingCurvePass::keeps(curve)) CurvePass::mark(scene, curve, curves_, moving_);
+    lasting_.mark(scene, moving_);
+    arrow_.mark(scene, moving_);
+    cone_.mark(scene, moving_);
+    mesh_.mark(scene, moving_);
 }
 
 // Those that do not stand as they stood when what stands still was kept.
@@ -186,10 +191,26 @@ void Renderer::Impl::mark_labels() {
     const auto mark_missing = [this](const auto& labels, const auto& others) {
         for (const PlacedLabel& label : labels)
             if (std::find(others.begin(), others.end(), label) == others.end())
-                marks_.mark(label.box);
+                moving_.mark(label.box);
     };
     mark_missing(labels_, still_labels_);
     mark_missing(still_labels_, labels_);
+}
+
+// What must be drawn anew: where something moves, and where what lasts looks otherwise than when it
+// was kept.
+void Renderer::Impl::mark_all() {
+    moving_.clear();
+    for (std::size_t k = 0; k < scenes_.size(); ++k) {
+        if (overlaps_[k]) moving_.mark(scenes_[k].projection.box);
+        mark_moving(scenes_[k]);
+    }
+    mark_labels();
+    stamps_.assign(moving_.n_tiles(), 0);
+    lasting_.add_stamps(stamps_);
+    marks_ = moving_;
+    for (std::size_t k = 0; k < stamps_.size(); ++k)
+        if (stamps_[k] != canvas_.kept_stamp(k)) marks_.mark(k);
 }
 
 void Renderer::Impl::draw_moving(const ViewScene& scene, bool only_marked) {
@@ -204,7 +225,12 @@ void Renderer::Impl::draw_moving(const ViewScene& scene, bool only_marked) {
     cone_.draw(scene);
     arrow_.order(scene);
     arrow_.draw(scene, ArrowPass::Layer::hidden);
-    for (const Curve& curve : scene.view->curves) curve_.draw(scene, curve);
+    for (const Curve& curve : scene.view->curves) {
+        if (LastingCurvePass::keeps(curve))
+            lasting_.draw(scene, curve, only_marked ? &marks_ : nullptr);
+        else
+            curve_.draw(scene, curve, curves_);
+    }
     glBindVertexArray(empty_.id());
     arrow_.draw(scene, ArrowPass::Layer::visible);
     glDisable(GL_SCISSOR_TEST);
@@ -229,12 +255,19 @@ void Renderer::Impl::draw_views(bool only_marked) {
     }
 }
 
+PictureCounts Renderer::Impl::counts() const {
+    std::int64_t n_tiles = 0;
+    for (std::size_t k = 0; k < marks_.n_tiles(); ++k) n_tiles += marks_.is_marked(k) ? 1 : 0;
+    return {curves_.n_points_uploaded(), lasting_.n_segments_drawn(), n_tiles};
+}
+
 // Whether what stands still is what stood still in the picture before.
 bool Renderer::Impl::begin(const Drawing& drawing) {
     check_size(drawing);
     bool known = true;
     if (canvas_.resize(drawing.width_px, drawing.height_px)) {
         known = false;
+        moving_.resize(drawing.width_px, drawing.height_px);
         marks_.resize(drawing.width_px, drawing.height_px);
     }
     prepare(drawing);
@@ -243,19 +276,23 @@ bool Renderer::Impl::begin(const Drawing& drawing) {
     glDisable(GL_DEPTH_TEST);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    curve_.begin_picture();
+    curves_.begin_picture();
+    lasting_.begin_picture();
     label_.begin_picture(drawing);
     mesh_.begin_picture();
     for (ViewScene& scene : scenes_) {
         mesh_.prepare(scene);
         ShadowPass::prepare(scene);
+        lasting_.prepare(scene, curves_);
     }
+    lasting_.end_preparation();
     return known;
 }
 
 void Renderer::Impl::render(const Drawing& drawing, DeepImage& image) {
     begin(drawing);
     still_is_kept_ = false;
+    marks_.fill();
     canvas_.begin_whole();
     draw_still(drawing);
     draw_views(false);
@@ -271,6 +308,7 @@ void Renderer::Impl::render(const Drawing& drawing, Image& image) {
     // What stood still in the picture before will likely stand still in the next, and is kept.
     if (!known) {
         still_is_kept_ = false;
+        marks_.fill();
         canvas_.begin_whole();
         draw_still(drawing);
         draw_views(false);
@@ -283,18 +321,16 @@ void Renderer::Impl::render(const Drawing& drawing, Image& image) {
                    labels_before.end();
         });
         keep_still(drawing);
-        canvas_.keep_still(transparent);
+        canvas_.keep_still(transparent, marks_.n_tiles());
         still_is_kept_ = true;
     }
-    marks_.clear();
-    for (std::size_t k = 0; k < scenes_.size(); ++k) {
-        if (overlaps_[k]) marks_.mark(scenes_[k].projection.box);
-        mark_moving(scenes_[k]);
-    }
-    mark_labels();
+    mark_all();
     canvas_.begin_over_still(marks_);
     draw_views(true);
     canvas_.read_over_still(marks_, image, transparent);
+    for (std::size_t k = 0; k < stamps_.size(); ++k)
+        if (marks_.is_marked(k) && !moving_.is_marked(k))
+            canvas_.keep_tile(marks_, k, stamps_[k], image);
 }
 
 Renderer::Renderer(const OffscreenContext& context)
@@ -308,6 +344,8 @@ Image Renderer::render(const Drawing& drawing) {
     impl_->render(drawing, image);
     return image;
 }
+
+PictureCounts Renderer::counts() const { return impl_->counts(); }
 
 void Renderer::render_into(const Drawing& drawing, Image& image) { impl_->render(drawing, image); }
 

@@ -8,8 +8,8 @@ namespace poinsot {
 void TileMask::resize(int width_px, int height_px) {
     width_px_ = width_px;
     height_px_ = height_px;
-    n_columns_ = (width_px + side_px - 1) / side_px;
-    n_rows_ = (height_px + side_px - 1) / side_px;
+    n_columns_ = (width_px + side_px_ - 1) / side_px_;
+    n_rows_ = (height_px + side_px_ - 1) / side_px_;
     marks_.assign(static_cast<std::size_t>(n_columns_) * static_cast<std::size_t>(n_rows_), 0);
 }
 
@@ -21,8 +21,8 @@ TileMask::Tiles TileMask::tiles_of(const PixelBox& box) const {
     if (box.empty() || box.right < 0.0 || box.bottom < 0.0 || box.left >= width_px_ ||
         box.top >= height_px_)
         return {};
-    const auto tile = [](double px, int n) {
-        return static_cast<int>(std::clamp(std::floor(px / side_px), 0.0, n - 1.0));
+    const auto tile = [this](double px, int n) {
+        return static_cast<int>(std::clamp(std::floor(px / side_px_), 0.0, n - 1.0));
     };
     return {tile(box.left, n_columns_), tile(box.top, n_rows_), tile(box.right, n_columns_),
             tile(box.bottom, n_rows_)};
@@ -49,10 +49,10 @@ bool TileMask::touches(const PixelBox& box) const {
 void TileMask::mark(const PixelPolygon& polygon, const PixelBox& limits) {
     const PixelBox box = polygon.box.within(limits);
     if (box.empty()) return;
-    const int first = static_cast<int>(std::floor(std::max(box.top, 0.0) / side_px));
-    for (int row = first; row * side_px < std::min<double>(box.bottom, height_px_); ++row) {
+    const int first = static_cast<int>(std::floor(std::max(box.top, 0.0) / side_px_));
+    for (int row = first; row * side_px_ < std::min<double>(box.bottom, height_px_); ++row) {
         // Where the row's upper and lower edges, and the corners between them, lie.
-        const double top = row * side_px, bottom = top + side_px;
+        const double top = row * side_px_, bottom = top + side_px_;
         PixelBox part;
         for (int k = 0; k < polygon.n_corners; ++k) {
             const auto corner = [&](int i) {
@@ -72,6 +72,36 @@ void TileMask::mark(const PixelPolygon& polygon, const PixelBox& limits) {
     }
 }
 
+PixelRect TileMask::rect(std::size_t tile) const {
+    const int column = static_cast<int>(tile) % n_columns_,
+              row = static_cast<int>(tile) / n_columns_;
+    return {column * side_px_, row * side_px_, std::min((column + 1) * side_px_, width_px_),
+            std::min((row + 1) * side_px_, height_px_)};
+}
+
+void TileMask::add_rects(const TileMask* within, std::vector<PixelRect>& rects) const {
+    for (int row = 0; row < n_rows_; ++row) {
+        const std::uint8_t* marks =
+            marks_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(n_columns_);
+        const std::uint8_t* coarse = nullptr;
+        const int ratio = within == nullptr ? 1 : within->side_px_ / side_px_;
+        if (within != nullptr)
+            coarse = within->marks_.data() + static_cast<std::size_t>(row / ratio) *
+                                                 static_cast<std::size_t>(within->n_columns_);
+        const auto wanted = [&](int column) {
+            return marks[column] != 0 && (coarse == nullptr || coarse[column / ratio] != 0);
+        };
+        for (int column = 0; column < n_columns_; ++column) {
+            if (!wanted(column)) continue;
+            int end = column + 1;
+            while (end < n_columns_ && wanted(end)) ++end;
+            rects.push_back({column * side_px_, row * side_px_, std::min(end * side_px_, width_px_),
+                             std::min((row + 1) * side_px_, height_px_)});
+            column = end;
+        }
+    }
+}
+
 const std::vector<PixelRect>& TileMask::rects() {
     // A gap this narrow costs less than another rectangle.
     constexpr int bridged_tiles = 2;
@@ -79,8 +109,8 @@ const std::vector<PixelRect>& TileMask::rects() {
     for (int row = 0; row < n_rows_; ++row) {
         const std::uint8_t* marks =
             marks_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(n_columns_);
-        const int top = row * side_px;
-        const int bottom = std::min(top + side_px, height_px_);
+        const int top = row * side_px_;
+        const int bottom = std::min(top + side_px_, height_px_);
         for (int column = 0; column < n_columns_;) {
             if (marks[column] == 0) {
                 ++column;
@@ -89,7 +119,7 @@ const std::vector<PixelRect>& TileMask::rects() {
             int end = column + 1;
             for (int k = end; k < n_columns_ && k <= end + bridged_tiles; ++k)
                 if (marks[k] != 0) end = k + 1;
-            rects_.push_back({column * side_px, top, std::min(end * side_px, width_px_), bottom});
+            rects_.push_back({column * side_px_, top, std::min(end * side_px_, width_px_), bottom});
             column = end;
         }
     }

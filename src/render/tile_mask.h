@@ -1,6 +1,7 @@
 // The squares of the picture that something may be drawn on.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,7 +18,9 @@ struct PixelRect {
 
 class TileMask {
  public:
-    static constexpr int side_px = 32;
+    // Squares of this side; a mask within another one has a divisor of its side.
+    explicit TileMask(int side_px = 32) : side_px_(side_px) {}
+    int side_px() const { return side_px_; }
 
     void resize(int width_px, int height_px);
     void clear();
@@ -26,12 +29,21 @@ class TileMask {
     // Only what lies within `limits` as well.
     void mark(const PixelPolygon& polygon, const PixelBox& limits);
 
+    // Tiles one by one, row by row.
+    std::size_t n_tiles() const { return marks_.size(); }
+    bool is_marked(std::size_t tile) const { return marks_[tile] != 0; }
+    void mark(std::size_t tile) { marks_[tile] = 1; }
+    PixelRect rect(std::size_t tile) const;
+
     // Whether any tile that the box lies on is marked.
     bool touches(const PixelBox& box) const;
 
     // The marked tiles as rectangles, row by row, neighbours joined; of no use after the next
     // call of a function that is not const.
     const std::vector<PixelRect>& rects();
+    // The same, none of them reaching beyond what is marked, and only those that lie on marked
+    // tiles of a coarser mask of the same picture, if one is given.
+    void add_rects(const TileMask* within, std::vector<PixelRect>& rects) const;
 
  private:
     // First and last column and row of the tiles that a box lies on; empty if it lies on none.
@@ -40,6 +52,7 @@ class TileMask {
     };
     Tiles tiles_of(const PixelBox& box) const;
 
+    int side_px_;
     int width_px_ = 0, height_px_ = 0;
     int n_columns_ = 0, n_rows_ = 0;
     std::vector<std::uint8_t> marks_;

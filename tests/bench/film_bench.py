@@ -100,7 +100,7 @@ class Bench:
         print(f"| {cpu['draw/all']:.1f} | " +
               " | ".join(f"{cpu['draw/all'] - cpu['draw/without_' + e]:.1f}" for e in ELEMENTS) + " |")
         for title, prefix in (("stage", "stage/"), ("size", "pixels/"), ("accuracy_px of the curves", "points/accuracy_px_"),
-                              ("panels", "panels/")):
+                              ("frame of a film of an hour", "history/frame_"), ("panels", "panels/")):
             names = [name for name in cpu if name.startswith(prefix)]
             print(f"\n| {title} | " + " | ".join(name.removeprefix(prefix) for name in names) + " |")
             print("|---|" + "---|" * len(names))

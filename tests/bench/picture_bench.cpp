@@ -30,8 +30,9 @@ std::string show(const std::string& but) {
 // A film whose frames are drawn one after the other.
 class Film {
  public:
-    explicit Film(const std::vector<std::string>& overrides)
-        : session_(session_of(load_scene(scene_file, overrides))),
+    explicit Film(const std::vector<std::string>& overrides, std::int64_t first = 100)
+        : n_drawn_(first),
+          session_(session_of(load_scene(scene_file, overrides))),
           plan_(film_plan(session_)),
           easel_(Options{}),
           pictures_(session_, easel_, {plan_.time_of(0), plan_.last_time_s()}) {
@@ -40,21 +41,31 @@ class Film {
     void draw() { pictures_.draw(next_moment(), image_); }
     Drawing drawing() { return pictures_.stage().at(next_moment()); }
     const Image& image() const { return image_; }
+    PictureCounts counts() { return easel_.renderer().counts(); }
 
  private:
     FilmMoment next_moment() { return plan_.moment_of(n_drawn_++ % plan_.n_frames); }
 
+    std::int64_t n_drawn_;
     Session session_;
     FilmPlan plan_;
     Easel easel_;
     PictureMaker pictures_;
     Image image_;
-    std::int64_t n_drawn_ = 100;
 };
 
 void draw(benchmark::State& state, const std::vector<std::string>& overrides) {
     Film film(overrides);
     for ([[maybe_unused]] auto _ : state) film.draw();
+}
+
+// From a frame on, of a film of an hour: the herpolhode is that long. segments: drawn a frame.
+void draw_late(benchmark::State& state, std::int64_t frame) {
+    Film film({"film.duration_s=3600"}, frame);
+    for ([[maybe_unused]] auto _ : state) film.draw();
+    const PictureCounts counts = film.counts();
+    state.counters["segments"] = static_cast<double>(counts.n_lasting_segments);
+    state.counters["tiles"] = static_cast<double>(counts.n_tiles);
 }
 
 void make_drawing(benchmark::State& state) {
@@ -116,6 +127,8 @@ int main(int argc, char** argv) {
     for (const char* accuracy : {"10", "1", "0.1", "0.01"})
         add(std::string("points/accuracy_px_") + accuracy, draw,
             std::vector<std::string>{std::string("accuracy_px=") + accuracy});
+    for (const std::int64_t frame : {10, 100, 1000, 10'000, 100'000})
+        add("history/frame_" + std::to_string(frame), draw_late, frame);
     for (int n = 1; n <= 4; ++n)
         add("panels/" + std::to_string(n), draw, std::vector<std::string>{panels(n)});
     benchmark::Initialize(&argc, argv);

@@ -1,0 +1,59 @@
+// Distances and dashes of strokes. Needs coverage.glsl.
+
+// x: distance from a segment; y: how far along it the nearest point lies, 0…1.
+vec2 from_segment(vec2 p, vec2 a, vec2 b) {
+    vec2 run = b - a;
+    float square = dot(run, run);
+    float t = dot(p - a, run);
+    if (t <= 0.0 || square < 1e-12) return vec2(length(p - a), 0.0);
+    if (t >= square) return vec2(length(p - b), 1.0);
+    return vec2(abs(run.x * (p.y - a.y) - run.y * (p.x - a.x)) * inversesqrt(square), t / square);
+}
+
+// Share of a pixel that a stroke covers. ends: of the segment; own: what from_segment says. Both
+// edges count, so that a line thinner than a pixel is pale, not broken.
+float stroke_coverage(vec2 pixel, vec4 ends, vec2 own, float width_px) {
+    float reach = 0.5 * width_px;
+    vec2 nearest = mix(ends.xy, ends.zw, own.y);
+    vec2 away = own.x > 1e-4 ? (pixel - nearest) / own.x : vec2(1.0, 0.0);
+    return edge_coverage(reach - own.x, away) + edge_coverage(reach + own.x, away) - 1.0;
+}
+
+// The share t of a segment's picture as a share of the segment. depths: at both ends.
+float along_segment(float t, vec2 depths, bool perspective) {
+    return perspective ? t * depths.x / max(mix(depths.y, depths.x, t), 1e-12) : t;
+}
+
+// Dashes that fill a share of their period, their ends a pixel soft.
+float dashed(float length_along, float period, float share, float per_px) {
+    float phase = abs(fract(length_along / period) - 0.5);
+    float edge_px = (0.5 * share - phase) * period / max(per_px, 1e-12);
+    return clamp(edge_px + 0.5, 0.0, 1.0);
+}
+
+// What a segment of a curve that lasts leaves at a pixel.
+struct Trace {
+    float covered;  // share of the pixel
+    float depth;
+    float front;    // share in which the surface that the curve lies on faces the eye
+    float away_px;  // from the segment
+};
+
+// ends: of the segment px; depths, facing, lengths: at both ends; limb: least step of facing.
+Trace trace_of(vec2 pixel, vec4 ends, vec2 depths, vec2 facing, vec2 lengths, bool perspective, float width_px,
+               vec2 dashes, float limb) {
+    Trace trace;
+    vec2 own = from_segment(pixel, ends.xy, ends.zw);
+    float t = along_segment(own.y, depths, perspective);
+    float run_px = max(length(ends.zw - ends.xy), 1e-3);
+    trace.covered = max(stroke_coverage(pixel, ends, own, width_px), 0.0);
+    if (dashes.x > 0.0) {
+        float per_px = abs(lengths.y - lengths.x) / run_px;
+        trace.covered *= dashed(mix(lengths.x, lengths.y, t), dashes.x, dashes.y, per_px);
+    }
+    trace.depth = mix(depths.x, depths.y, t);
+    float change = max(abs(facing.y - facing.x) / run_px, max(limb, 1e-6));
+    trace.front = clamp(0.5 + mix(facing.x, facing.y, t) / change, 0.0, 1.0);
+    trace.away_px = own.x;
+    return trace;
+}
