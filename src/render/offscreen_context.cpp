@@ -49,8 +49,10 @@ std::string text_of(GLenum name) {
     return text == nullptr ? "" : text;
 }
 
-// Drops the pages of a library that are as its file has them; they are read again where needed.
+// Drops the pages of a library that are as its file has them; they are read again where needed. The
+// program itself, which has no name here, keeps them, and with them a debugger's breakpoints.
 int forget_pages(dl_phdr_info* library, std::size_t, void*) {
+    if (std::string_view(library->dlpi_name).empty()) return 0;
     const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
     for (const ElfW(Phdr) & part : std::span(library->dlpi_phdr, library->dlpi_phnum)) {
         if (part.p_type != PT_LOAD || (part.p_flags & PF_W) != 0) continue;
