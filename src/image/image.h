@@ -26,7 +26,10 @@ class Image {
     int height() const { return height_; }
     bool empty() const { return bytes_.empty(); }
 
-    std::span<std::uint8_t> bytes() { return bytes_; }
+    std::span<std::uint8_t> bytes() {
+        content_ = 0;
+        return bytes_;
+    }
     std::span<const std::uint8_t> bytes() const { return bytes_; }
 
     Rgba8 at(int x, int y) const {
@@ -34,11 +37,19 @@ class Image {
         return {p[0], p[1], p[2], p[3]};
     }
     void set(int x, int y, Rgba8 c) {
+        content_ = 0;
         std::uint8_t* p = bytes_.data() + offset(x, y);
         p[0] = c.r, p[1] = c.g, p[2] = c.b, p[3] = c.a;
     }
 
-    bool operator==(const Image&) const = default;
+    // A number that whoever wrote the picture gave it, so that he knows it again while nothing else
+    // was written to it; 0: none. Copies have the number, too.
+    std::uint64_t content() const { return content_; }
+    void set_content(std::uint64_t content) { content_ = content; }
+
+    bool operator==(const Image& other) const {
+        return width_ == other.width_ && height_ == other.height_ && bytes_ == other.bytes_;
+    }
 
  private:
     std::size_t offset(int x, int y) const {
@@ -47,6 +58,7 @@ class Image {
     }
     int width_ = 0;
     int height_ = 0;
+    std::uint64_t content_ = 0;
     std::vector<std::uint8_t> bytes_;
 };
 

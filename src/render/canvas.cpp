@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "drawing/identity.h"
 #include "error/error.h"
 
 namespace poinsot {
@@ -74,15 +75,22 @@ void Canvas::begin_still_on_top() { restore({{0, 0, width_px_, height_px_}}); }
 void Canvas::keep_still(bool transparent, std::size_t n_tiles) {
     read_all(picture_, still_image_, transparent);
     kept_stamps_.assign(n_tiles, 0);
+    kept_at_.assign(n_tiles, 0);
+    for (Written& written : written_) written.content = 0;
 }
 
 void Canvas::keep_tile(const TileMask& marks, std::size_t tile, std::uint64_t stamp,
                        const Image& image) {
     copy(marks.rect(tile), image, still_image_);
     kept_stamps_[tile] = stamp;
+    kept_at_[tile] = n_pictures_;
 }
 
-void Canvas::begin_over_still(TileMask& marks) { restore(marks.rects()); }
+void Canvas::begin_over_still(const TileMask& marks) {
+    rects_.clear();
+    marks.add_rects(nullptr, rects_);
+    restore(rects_);
+}
 
 void Canvas::restore(const std::vector<PixelRect>& rects) const {
     glDisable(GL_SCISSOR_TEST);
@@ -120,27 +128,39 @@ void Canvas::read_whole(DeepImage& image, bool transparent) {
     }
 }
 
-void Canvas::read_over_still(TileMask& marks, Image& image, bool transparent) {
+void Canvas::read_over_still(const TileMask& marks, Image& image, bool transparent) {
     if (image.width() != width_px_ || image.height() != height_px_)
         image = Image(width_px_, height_px_);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.id());
-    // Between the rectangles, which come row by row, lies what stands still.
-    int left = 0, top = 0, bottom = std::min(marks.side_px(), height_px_);
-    for (const PixelRect& rect : marks.rects()) {
-        while (top < rect.top) {
-            copy_still({left, top, width_px_, bottom}, image);
-            left = 0, top = bottom, bottom = std::min(top + marks.side_px(), height_px_);
-        }
-        copy_still({left, top, rect.left, bottom}, image);
-        left = rect.right;
-        read(rect, image, transparent);
-    }
-    copy_still({left, top, width_px_, bottom}, image);
-    copy_still({0, bottom, width_px_, height_px_}, image);
-}
+    // What stands still is copied to where the image shows something else, or is not known.
+    const auto before = std::find_if(written_.begin(), written_.end(), [&](const Written& w) {
+        return w.content != 0 && w.content == image.content();
+    });
+    copied_ = marks;
+    copied_.clear();
+    for (std::size_t k = 0; k < marks.n_tiles(); ++k)
+        if (!marks.is_marked(k) && (before == written_.end() || before->marks.is_marked(k) ||
+                                    kept_at_[k] > before->picture))
+            copied_.mark(k);
+    rects_.clear();
+    copied_.add_rects(nullptr, rects_);
+    for (const PixelRect& rect : rects_) copy(rect, still_image_, image);
 
-void Canvas::copy_still(const PixelRect& rect, Image& image) const {
-    copy(rect, still_image_, image);
+    rects_.clear();
+    marks.add_rects(nullptr, rects_);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.id());
+    for (PixelRect rect : rects_) {
+        const int bottom = rect.bottom;
+        const int most_rows = band_px * width_px_ / rect.width();
+        for (int top = rect.top; top < bottom; top += most_rows)
+            read({rect.left, top, rect.right, std::min(top + most_rows, bottom)}, image,
+                 transparent);
+    }
+
+    Written& written = written_[++n_pictures_ % written_.size()];
+    written.content = next_identity();
+    written.picture = n_pictures_;
+    written.marks = marks;
+    image.set_content(written.content);
 }
 
 void Canvas::copy(const PixelRect& rect, const Image& from, Image& to) const {

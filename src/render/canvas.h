@@ -1,6 +1,7 @@
 // The picture under way: what stands still, kept from one picture to the next, and what moves.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -29,7 +30,7 @@ class Canvas {
     void begin_still_on_top();
     void keep_still(bool transparent, std::size_t n_tiles);
     // What follows is drawn over what stands still, on the marked tiles only.
-    void begin_over_still(TileMask& marks);
+    void begin_over_still(const TileMask& marks);
 
     // The still picture also keeps tiles that show what lasts, and nothing that moves. Each tile
     // has the stamp it was kept with; 0: what stands still alone.
@@ -40,7 +41,8 @@ class Canvas {
     // The picture: all of it, or the marked tiles over what stands still.
     void read_whole(Image& image, bool transparent);
     void read_whole(DeepImage& image, bool transparent);
-    void read_over_still(TileMask& marks, Image& image, bool transparent);
+    // Of an image that still is as it was after one of the last calls only what differs is written.
+    void read_over_still(const TileMask& marks, Image& image, bool transparent);
 
  private:
     struct Layer {
@@ -54,14 +56,24 @@ class Canvas {
     // Puts what stands still into these parts of the picture, and binds it.
     void restore(const std::vector<PixelRect>& rects) const;
     void read(const PixelRect& rect, Image& image, bool transparent);
-    void copy_still(const PixelRect& rect, Image& image) const;
     void copy(const PixelRect& rect, const Image& from, Image& to) const;
     void read_all(const Layer& layer, Image& image, bool transparent);
 
     Encoder encoder_;
     Layer still_, picture_;
     Image still_image_;
-    std::vector<std::uint64_t> kept_stamps_;
+    // Of each tile of the still picture: its stamp, and the number of the picture it came with.
+    std::vector<std::uint64_t> kept_stamps_, kept_at_;
+    // What images were given: the number that knows them, where they differ from the still picture,
+    // and the number of their picture. The oldest is replaced.
+    struct Written {
+        std::uint64_t content = 0, picture = 0;
+        TileMask marks;
+    };
+    std::array<Written, 8> written_;
+    std::uint64_t n_pictures_ = 0;
+    TileMask copied_;
+    std::vector<PixelRect> rects_;
     std::vector<std::uint16_t> scratch_;
     int width_px_ = 0, height_px_ = 0;
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/rectangles.h"
+
 namespace poinsot {
 namespace {
 
@@ -52,19 +54,6 @@ std::vector<CurveStretch> stretches_of(const CurveGeometry& geometry) {
 
 }  // namespace
 
-void fill_rectangle_elements(int n_rectangles) {
-    std::vector<std::uint32_t> indices;
-    indices.reserve(6 * static_cast<std::size_t>(n_rectangles));
-    for (int k = 0; k < n_rectangles; ++k) {
-        const auto corner = static_cast<std::uint32_t>(4 * k);
-        indices.insert(indices.end(), {corner, corner + 1, corner + 2,  //
-                                       corner + 2, corner + 1, corner + 3});
-    }
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(),
-                 GL_STATIC_DRAW);
-}
-
 CurveStore::CurveStore() : vertex_array_(GlVertexArray::make()), indices_(GlBuffer::make()) {}
 
 void CurveStore::begin_picture() {
@@ -91,7 +80,7 @@ void CurveStore::bind_rectangles(int n_rectangles) {
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
     if (n_rectangles <= n_rectangles_) return;
     n_rectangles_ = std::max(n_rectangles, 2 * n_rectangles_);
-    fill_rectangle_elements(n_rectangles_);
+    fill_rectangle_elements(static_cast<std::size_t>(n_rectangles_));
 }
 
 }  // namespace poinsot

@@ -50,7 +50,4 @@ class CurveStore {
     std::int64_t n_points_uploaded_ = 0;
 };
 
-// Makes elements for rectangles of four corners each, and leaves them bound to the vertex array.
-void fill_rectangle_elements(int n_rectangles);
-
 }  // namespace poinsot

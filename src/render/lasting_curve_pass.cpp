@@ -38,17 +38,7 @@ LastingCurvePass::Over::Over(const Solids& solids)
     : ConstantProgram("rectangles.vert", "traced.frag", 12 + solids.n_constants(), 0,
                       solids.defines()) {}
 
-LastingCurvePass::LastingCurvePass()
-    : trace_("trace.frag", 7, {}),
-      vertex_array_(GlVertexArray::make()),
-      corners_(GlBuffer::make()),
-      indices_(GlBuffer::make()) {
-    glBindVertexArray(vertex_array_.id());
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-    glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
-    glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(Eigen::Vector2f), nullptr);
-}
+LastingCurvePass::LastingCurvePass() : trace_("trace.frag", 7, {}) {}
 
 bool LastingCurvePass::keeps(const Curve& curve) {
     return curve.lasting && shows(curve) && !curve.geometry->closed && !(curve.fade_points > 0.0) &&
@@ -190,28 +180,7 @@ void LastingCurvePass::draw(const ViewScene& scene, const Curve& curve, const Ti
     glBindTexture(GL_TEXTURE_2D, shown->layer->coverage().id());
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, shown->layer->points().id());
-    draw_rectangles(rects_);
-}
-
-void LastingCurvePass::draw_rectangles(const std::vector<PixelRect>& rects) {
-    std::vector<Eigen::Vector2f> corners;
-    corners.reserve(4 * rects.size());
-    for (const PixelRect& r : rects) {
-        for (const int y : {r.top, r.bottom})
-            for (const int x : {r.left, r.right})
-                corners.emplace_back(static_cast<float>(x), static_cast<float>(y));
-    }
-    const auto n = static_cast<int>(rects.size());
-    glBindVertexArray(vertex_array_.id());
-    if (n > n_rectangles_) {
-        n_rectangles_ = std::max(n, 2 * n_rectangles_);
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-        fill_rectangle_elements(n_rectangles_);
-    }
-    glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Eigen::Vector2f)),
-                 corners.data(), GL_STREAM_DRAW);
-    glDrawElements(GL_TRIANGLES, 6 * n, GL_UNSIGNED_INT, nullptr);
+    rectangles_.draw(rects_);
 }
 
 void LastingCurvePass::mark(const ViewScene& scene, TileMask& marks) const {

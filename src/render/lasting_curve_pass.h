@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/curve_layer.h"
+#include "render/rectangles.h"
 #include "render/stroke.h"
 
 namespace poinsot {
@@ -59,16 +60,13 @@ class LastingCurvePass {
     CurveLayer& layer_of(const TraceKey& key);
     void grow(const Shown& shown, int end_segment, CurveStore& store);
     Constants constants_of(const Shown& shown) const;
-    void draw_rectangles(const std::vector<PixelRect>& rects);
 
     struct Over : ConstantProgram {
         explicit Over(const Solids& solids);
     };
     StrokeProgram trace_;
     BySolids<Over> over_;
-    GlVertexArray vertex_array_;
-    GlBuffer corners_, indices_;
-    int n_rectangles_ = 0;
+    Rectangles rectangles_;
 
     std::vector<std::unique_ptr<CurveLayer>> layers_;
     std::vector<Shown> shown_;

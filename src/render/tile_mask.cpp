@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace poinsot {
-
 void TileMask::resize(int width_px, int height_px) {
     width_px_ = width_px;
     height_px_ = height_px;
@@ -80,50 +80,40 @@ PixelRect TileMask::rect(std::size_t tile) const {
 }
 
 void TileMask::add_rects(const TileMask* within, std::vector<PixelRect>& rects) const {
+    const int ratio = within == nullptr ? 1 : within->side_px_ / side_px_;
+    const auto row_of = [](const TileMask& mask, int row) {
+        return mask.marks_.data() +
+               static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.n_columns_);
+    };
+    std::vector<std::size_t> above, here;  // rectangles that end with the row before, and with this
     for (int row = 0; row < n_rows_; ++row) {
-        const std::uint8_t* marks =
-            marks_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(n_columns_);
-        const std::uint8_t* coarse = nullptr;
-        const int ratio = within == nullptr ? 1 : within->side_px_ / side_px_;
-        if (within != nullptr)
-            coarse = within->marks_.data() + static_cast<std::size_t>(row / ratio) *
-                                                 static_cast<std::size_t>(within->n_columns_);
+        const std::uint8_t* marks = row_of(*this, row);
+        const std::uint8_t* coarse = within == nullptr ? nullptr : row_of(*within, row / ratio);
         const auto wanted = [&](int column) {
             return marks[column] != 0 && (coarse == nullptr || coarse[column / ratio] != 0);
         };
+        const int top = row * side_px_, bottom = std::min(top + side_px_, height_px_);
+        here.clear();
+        std::size_t k = 0;
         for (int column = 0; column < n_columns_; ++column) {
             if (!wanted(column)) continue;
             int end = column + 1;
             while (end < n_columns_ && wanted(end)) ++end;
-            rects.push_back({column * side_px_, row * side_px_, std::min(end * side_px_, width_px_),
-                             std::min((row + 1) * side_px_, height_px_)});
-            column = end;
-        }
-    }
-}
-
-const std::vector<PixelRect>& TileMask::rects() {
-    // A gap this narrow costs less than another rectangle.
-    constexpr int bridged_tiles = 2;
-    rects_.clear();
-    for (int row = 0; row < n_rows_; ++row) {
-        const std::uint8_t* marks =
-            marks_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(n_columns_);
-        const int top = row * side_px_;
-        const int bottom = std::min(top + side_px_, height_px_);
-        for (int column = 0; column < n_columns_;) {
-            if (marks[column] == 0) {
-                ++column;
-                continue;
+            const PixelRect rect{column * side_px_, top, std::min(end * side_px_, width_px_),
+                                 bottom};
+            while (k < above.size() && rects[above[k]].left < rect.left) ++k;
+            if (k < above.size() && rects[above[k]].left == rect.left &&
+                rects[above[k]].right == rect.right) {
+                rects[above[k]].bottom = bottom;
+                here.push_back(above[k]);
+            } else {
+                here.push_back(rects.size());
+                rects.push_back(rect);
             }
-            int end = column + 1;
-            for (int k = end; k < n_columns_ && k <= end + bridged_tiles; ++k)
-                if (marks[k] != 0) end = k + 1;
-            rects_.push_back({column * side_px_, top, std::min(end * side_px_, width_px_), bottom});
             column = end;
         }
+        std::swap(above, here);
     }
-    return rects_;
 }
 
 }  // namespace poinsot

@@ -19,7 +19,7 @@ struct PixelRect {
 class TileMask {
  public:
     // Squares of this side; a mask within another one has a divisor of its side.
-    explicit TileMask(int side_px = 32) : side_px_(side_px) {}
+    explicit TileMask(int side_px = 16) : side_px_(side_px) {}
     int side_px() const { return side_px_; }
 
     void resize(int width_px, int height_px);
@@ -38,11 +38,8 @@ class TileMask {
     // Whether any tile that the box lies on is marked.
     bool touches(const PixelBox& box) const;
 
-    // The marked tiles as rectangles, row by row, neighbours joined; of no use after the next
-    // call of a function that is not const.
-    const std::vector<PixelRect>& rects();
-    // The same, none of them reaching beyond what is marked, and only those that lie on marked
-    // tiles of a coarser mask of the same picture, if one is given.
+    // Adds the marked tiles as rectangles, neighbours joined; only those that lie on marked tiles
+    // of a coarser mask of the same picture, if one is given.
     void add_rects(const TileMask* within, std::vector<PixelRect>& rects) const;
 
  private:
@@ -56,7 +53,6 @@ class TileMask {
     int width_px_ = 0, height_px_ = 0;
     int n_columns_ = 0, n_rows_ = 0;
     std::vector<std::uint8_t> marks_;
-    std::vector<PixelRect> rects_;
 };
 
 }  // namespace poinsot

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -31,6 +32,16 @@ const CurveGeometry& plane_curve() {
     return curve;
 }
 
+// One that goes on, for it does not close.
+const CurveGeometry& plane_path() {
+    static const CurveGeometry curve = curve_of(9203, 200, false, [](double t) {
+        const double angle = 8.0 * std::numbers::pi * t;
+        const double r = 1.0 - 0.5 * t;
+        return Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), -0.8);
+    });
+    return curve;
+}
+
 Drawing lecture(int width_px = 320, int height_px = 180) {
     return lecture_drawing(width_px, height_px, surface_curve(), plane_curve());
 }
@@ -55,6 +66,32 @@ TEST(Renderer, DrawsAFrameOfAFilmAsItDrawsItAlone) {
     for (int k = 0; k < 6; ++k) {
         Renderer alone(context());
         EXPECT_TRUE(alone.render(frame(k)) == film[static_cast<std::size_t>(k)]) << k;
+    }
+}
+
+TEST(Renderer, WritesAFrameIntoAnyImageAsItDrawsItAlone) {
+    const auto frame = [](int k) {
+        Drawing drawing = lecture();
+        drawing.views[0].ellipsoids[0].centre.x() = 0.1 * (k % 5);
+        drawing.views[0].curves[1].last = 3.0 * k;
+        drawing.views[0].curves[1].geometry = &plane_path();
+        drawing.views[0].curves[1].lasting = true;
+        return drawing;
+    };
+    // Two in turn, as a film has them, one with spots of another's making, a copy, one of another
+    // size.
+    Renderer film(context());
+    Image first, second, third;
+    for (int k = 0; k < 24; ++k) {
+        Image& image = k % 2 == 0 ? first : second;
+        if (k == 12) image.set(3, 4, {1, 2, 3, 4});
+        if (k == 14) std::fill_n(image.bytes().begin(), 9000, std::uint8_t{7});
+        if (k == 16) image = third;
+        if (k == 18) image = Image(8, 8);
+        film.render_into(frame(k), image);
+        if (k == 10) third = image;
+        Renderer alone(context());
+        EXPECT_TRUE(alone.render(frame(k)) == image) << k;
     }
 }
 
