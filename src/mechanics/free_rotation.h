@@ -4,7 +4,7 @@
 // Against the doubles given, ω is good to 7e-16 of its norm, the attitude to 1.2e-15 rad and the
 // herpolhode to 2e-15 of its length, in every regime and up to 1e15 rad of turning; the error then
 // grows by 5e-32 a radian. How far those doubles themselves decide the motion is another matter:
-// see attitude_conditioning_rad.
+// see attitude_conditioning.h.
 #pragma once
 
 #include <Eigen/Core>
@@ -76,6 +76,8 @@ class FreeRotation {
 
     // Times are taken in units of 2^−n s near 1/|ω|, so that no product over- or underflows.
     double time_scale_ = 1.0;
+    static constexpr int series_phase = 0;
+    static constexpr int mean_turn = 1;
     PhasePair phases_;  // v or u, see the series (u/ln 2 on the separatrix), and Ωt/2
     TrigonometricSeries trigonometric_;
     HyperbolicSeries hyperbolic_;
@@ -88,11 +90,5 @@ class FreeRotation {
     Eigen::Matrix4d attitude_from_turn_ = Eigen::Matrix4d::Identity();  // (x, y, z, w) by rows
     FreeRotationConstants constants_;
 };
-
-// How far the attitude at time_s moves, in rad, when one principal moment or one component of ω
-// changes by one unit in its last place: the largest of the six. What the numbers given cannot
-// tell.
-double attitude_conditioning_rad(const InertiaTensor& inertia, const RotationState& start,
-                                 double time_s);
 
 }  // namespace poinsot

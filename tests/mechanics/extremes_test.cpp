@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "error/error.h"
+#include "mechanics/attitude_conditioning.h"
 #include "mechanics/free_rotation.h"
 #include "mechanics/free_rotation_oracle.h"
 

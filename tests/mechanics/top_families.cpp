@@ -79,14 +79,14 @@ HeavyTopProblem near_separatrix(Random& random) {
 }
 
 constexpr std::array families{
-    Family{"generic", generic_top, 20.0, false},
-    Family{"near the vertical", near_vertical, 12.0, true},
-    Family{"near the bottom", near_bottom, 20.0, false},
-    Family{"from exactly vertical", from_vertical, 15.0, true},
-    Family{"planar and spherical pendulums", pendulum, 15.0, true},
-    Family{"weak gravity, extreme shapes", weak_gravity, 15.0, false},
-    Family{"near steady precession", near_steady, 15.0, false},
-    Family{"near the separatrix", near_separatrix, 12.0, true},
+    Family{"heavy top, generic", generic_top, 20.0, false},
+    Family{"heavy top, near the vertical", near_vertical, 12.0, true},
+    Family{"heavy top, near the bottom", near_bottom, 20.0, false},
+    Family{"heavy top, from exactly vertical", from_vertical, 15.0, true},
+    Family{"heavy top, planar and spherical pendulums", pendulum, 15.0, true},
+    Family{"heavy top, weak gravity, extreme shapes", weak_gravity, 15.0, false},
+    Family{"heavy top, near steady precession", near_steady, 15.0, false},
+    Family{"heavy top, near the separatrix", near_separatrix, 12.0, true},
 };
 
 template <typename Real>
