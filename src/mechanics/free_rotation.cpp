@@ -41,7 +41,7 @@ Vector3d principal(const InertiaTensor& inertia, const Vector3d& omega_body) {
     VectorDD w;
     for (int i = 0; i < 3; ++i) w[static_cast<std::size_t>(i)] = omega_body[i];
     const VectorDD result = times(inertia.body_from_principal().transpose(), w);
-    return {result[0].rounded(), result[1].rounded(), result[2].rounded()};
+    return rounded(result);
 }
 
 // √(x² + y²).
@@ -50,25 +50,27 @@ WideDouble length(const WideDouble& x, const WideDouble& y) { return sqrt(square
 }  // namespace
 
 FreeRotation::FreeRotation(const InertiaTensor& inertia, const RotationState& start, Tier tier)
-    : tier_(tier), omega_start_body_(start.omega_body) {
+    : tier_(tier), start_(start) {
     check_start(start.omega_body, start.space_from_body, start.time_s);
     const Vector3d omega = principal(inertia, start.omega_body);
     const JacobiSolution solution = solve_free_rotation(inertia.moments_kg_m2(), omega);
     regime_ = solution.regime;
     set_constants(solution, inertia, start);
-    set_output(solution, inertia, start);
-    if (regime_ == Regime::at_rest) return;
-
-    set_rates(solution, start.time_s);
+    DoubleDouble kappa = 1.0;
     if (regime_ == Regime::permanent) {
         series_ = Series::permanent;
-    } else if (suits_trigonometric(solution)) {
+        steady_axis_body_ = start.omega_body.stableNormalized();
+    } else if (regime_ != Regime::at_rest && suits_trigonometric(solution)) {
         series_ = Series::trigonometric;
         trigonometric_ = trigonometric_series(solution);
-    } else {
+        kappa = trigonometric_.kappa;
+    } else if (regime_ != Regime::at_rest) {
         series_ = regime_ == Regime::separatrix ? Series::separatrix : Series::hyperbolic;
         hyperbolic_ = hyperbolic_series(solution);
+        kappa = hyperbolic_.kappa;
     }
+    set_output(solution, inertia, start, kappa);
+    if (regime_ != Regime::at_rest) set_rates(solution, start.time_s);
 }
 
 void FreeRotation::set_constants(const JacobiSolution& j, const InertiaTensor& inertia,
@@ -110,13 +112,13 @@ void FreeRotation::set_constants(const JacobiSolution& j, const InertiaTensor& i
 
 void FreeRotation::set_rates(const JacobiSolution& j, double start_time_s) {
     const int exponent =
-        std::clamp(WideDouble(omega_start_body_.cwiseAbs().maxCoeff()).exponent(), -1022, 1023);
+        std::clamp(WideDouble(start_.omega_body.cwiseAbs().maxCoeff()).exponent(), -1022, 1023);
     time_scale_ = std::ldexp(1.0, exponent);
     // Permanent: |ω|/2 in quarter turns is |ω|/π a second; otherwise Ω/2.
     WideDouble turn = j.mean_turn_rate;
     if (regime_ == Regime::permanent) {
         WideDouble square_sum;
-        for (const double w : omega_start_body_) square_sum = square_sum + square(WideDouble(w));
+        for (const double w : start_.omega_body) square_sum = square_sum + square(WideDouble(w));
         turn = sqrt(square_sum);
     }
     turn = turn / WideDouble(pi_dd);
@@ -148,44 +150,43 @@ void FreeRotation::set_rates(const JacobiSolution& j, double start_time_s) {
 }
 
 void FreeRotation::set_output(const JacobiSolution& j, const InertiaTensor& inertia,
-                              const RotationState& start) {
+                              const RotationState& start, DoubleDouble kappa) {
     const QuaternionDD attitude = unit(start.space_from_body);
+    start_.space_from_body = rounded(attitude);
     QuaternionDD axes_at_start{1.0, {0.0, 0.0, 0.0}};
-    if (regime_ == Regime::at_rest || regime_ == Regime::permanent) {
-        body_from_axes_.setIdentity();
-    } else {
-        Matrix3d principal_from_axes = Matrix3d::Zero();
-        for (int i = 0; i < 3; ++i) {
-            const auto n = static_cast<std::size_t>(i);
-            principal_from_axes(j.axis[n], i) = j.sign[n];
-            omega_per_direction_[i] = (j.momentum / j.moments[n]).rounded();
-            herpolhode_per_direction_[i] = (j.delta[n] / (j.moments[n] * j.momentum)).rounded();
+    Matrix3d body_from_axes = Matrix3d::Identity();  // a, b, c
+    DoubleDouble turn_scale = 1.0;
+    if (regime_ != Regime::at_rest && regime_ != Regime::permanent) {
+        for (std::size_t n = 0; n < 3; ++n) {
+            const Vector3d axis = j.sign[n] * inertia.body_from_principal().col(j.axis[n]);
+            body_from_axes.col(static_cast<int>(n)) = axis;
+            omega_from_direction_.set(n, (j.momentum / j.moments[n]).rounded() * axis);
         }
-        body_from_axes_ = inertia.body_from_principal() * principal_from_axes;
+        const auto herpolhode = [&](std::size_t n) {
+            return (j.delta[n] / (j.moments[n] * j.momentum)).rounded();
+        };
+        herpolhode_a_ = herpolhode(0);
+        herpolhode_bc_ = Pair{herpolhode(1), herpolhode(2)};
         const auto [re, im] = start_rotor(j);
         axes_at_start = conjugate(QuaternionDD{re, {im, 0.0, 0.0}} * start_turn(j));
+        if (tier_ == Tier::fast) turn_scale = DoubleDouble(1.0) / sqrt(kappa * 2.0);
     }
 
     // The attitude is linear in the turn: start ∘ (a, b, c → body) ∘ (axes at the start) ∘ turn.
-    for (int k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < 4; ++k) {
         QuaternionDD turn{0.0, {0.0, 0.0, 0.0}};
-        (k == 3 ? turn.w : turn.v[static_cast<std::size_t>(k)]) = 1.0;
+        (k == 0 ? turn.w : turn.v[k - 1]) = turn_scale;
         const QuaternionDD inner = axes_at_start * turn;
-        const QuaternionDD outer =
-            attitude * QuaternionDD{inner.w, times(body_from_axes_, inner.v)};
-        for (int i = 0; i < 3; ++i) {
-            attitude_from_turn_(i, k) = outer.v[static_cast<std::size_t>(i)].rounded();
-        }
-        attitude_from_turn_(3, k) = outer.w.rounded();
+        const QuaternionDD outer = attitude * QuaternionDD{inner.w, times(body_from_axes, inner.v)};
+        attitude_from_turn_.set(k, rounded(outer));
     }
-    // The two directions of the invariable plane that b and c have when a is along L.
-    for (int k = 0; k < 2; ++k) {
-        const VectorDD direction{0.0, k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0};
+    // The two directions of the invariable plane that b and c have when a is along L, over κ.
+    for (std::size_t k = 0; k < 2; ++k) {
+        VectorDD direction{0.0, 0.0, 0.0};
+        direction[k + 1] = DoubleDouble(1.0) / kappa;
         const VectorDD in_space =
-            rotated(attitude, times(body_from_axes_, rotated(axes_at_start, direction)));
-        for (int i = 0; i < 3; ++i) {
-            plane_space_(i, k) = in_space[static_cast<std::size_t>(i)].rounded();
-        }
+            rotated(attitude, times(body_from_axes, rotated(axes_at_start, direction)));
+        plane_space_.set(k, rounded(in_space));
     }
 }
 

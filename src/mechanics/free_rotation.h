@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "mechanics/column_pairs.h"
 #include "mechanics/inertia.h"
 #include "mechanics/regime.h"
 #include "mechanics/rotation_series.h"
@@ -44,7 +45,7 @@ class FreeRotation {
     // Throws InputError if ω t overflows.
     RotationState at(double time_s) const;
     // Euler angles are those of the attitude, z-x-z, φ and ψ in (−π, π], not unwrapped.
-    MotionSample sample(double time_s, Quantities wanted) const;
+    MotionSample sample(double time_s, const Quantities& wanted) const;
 
     Regime regime() const { return regime_; }
     Tier tier() const { return tier_; }
@@ -56,19 +57,28 @@ class FreeRotation {
     const FreeRotationConstants& constants() const { return constants_; }
 
  private:
+    enum class Series { none, permanent, trigonometric, hyperbolic, separatrix };
+
     double scaled_time(double time_s) const;
-    void evaluate(double time_s, Quantities wanted, MotionSample& out) const;
-    void steady(double time, Quantities wanted, MotionSample& out) const;
+    void evaluate(double time_s, const Quantities& wanted, MotionSample& out) const;
+    void steady(double time, const Quantities& wanted, MotionSample& out) const;
+    template <Tier tier>
     SeriesPoint trigonometric_point(double time) const;
+    template <Tier tier>
     SeriesPoint hyperbolic_point(double time) const;
+    template <Tier tier>
     SeriesPoint separatrix_point(double time) const;
+    template <Series series, Tier tier>
+    void evaluate_series(double time, const Quantities& wanted, MotionSample& out) const;
+    template <Tier tier>
+    void evaluate_in(double time, const Quantities& wanted, MotionSample& out) const;
+    template <Tier tier>
+    void finish(const SeriesPoint& point, const Quantities& wanted, MotionSample& out) const;
     void set_constants(const JacobiSolution& solution, const InertiaTensor& inertia,
                        const RotationState& start);
     void set_rates(const JacobiSolution& solution, double start_time_s);
     void set_output(const JacobiSolution& solution, const InertiaTensor& inertia,
-                    const RotationState& start);
-
-    enum class Series { none, permanent, trigonometric, hyperbolic, separatrix };
+                    const RotationState& start, DoubleDouble kappa);
 
     Regime regime_ = Regime::at_rest;
     Tier tier_ = Tier::exact;
@@ -82,12 +92,14 @@ class FreeRotation {
     TrigonometricSeries trigonometric_;
     HyperbolicSeries hyperbolic_;
 
-    Eigen::Vector3d omega_start_body_ = Eigen::Vector3d::Zero();
-    Eigen::Vector3d omega_per_direction_ = Eigen::Vector3d::Zero();       // L/I, signed, of a, b, c
-    Eigen::Matrix3d body_from_axes_ = Eigen::Matrix3d::Identity();        // a, b, c in body axes
-    Eigen::Vector3d herpolhode_per_direction_ = Eigen::Vector3d::Zero();  // (L² − 2TI)/(I L)
-    Eigen::Matrix<double, 3, 2> plane_space_ = Eigen::Matrix<double, 3, 2>::Zero();
-    Eigen::Matrix4d attitude_from_turn_ = Eigen::Matrix4d::Identity();  // (x, y, z, w) by rows
+    RotationState start_;  // as given, the attitude of unit length
+    Eigen::Vector3d steady_axis_body_ = Eigen::Vector3d::Zero();  // ω/|ω| of permanent rotation
+    // What the output is linear in.
+    ThreeRows<3> omega_from_direction_;  // of the momentum, along a, b, c: (L/I)·(the axis)
+    QuaternionRows attitude_from_turn_;  // fast: over √2κ, which normalises
+    ThreeRows<2> plane_space_;           // the invariable plane's two directions over κ
+    double herpolhode_a_ = 0.0;          // (L² − 2TI)/(I L) of a
+    Pair herpolhode_bc_{0.0, 0.0};       // and of b, c
     FreeRotationConstants constants_;
 };
 

@@ -26,7 +26,8 @@ RotationState Motion::at(double time_s) const {
     return std::visit([=](const auto& solution) { return solution.at(time_s); }, solution_);
 }
 
-MotionSample Motion::sample(double time_s, Quantities wanted) const {
+MotionSample Motion::sample(double time_s, const Quantities& wanted) const {
+    if (const FreeRotation* free = free_rotation()) return free->sample(time_s, wanted);
     return std::visit([=](const auto& solution) { return solution.sample(time_s, wanted); },
                       solution_);
 }

@@ -23,7 +23,7 @@ class Motion {
     explicit Motion(const MotionProblem& problem);
 
     RotationState at(double time_s) const;
-    MotionSample sample(double time_s, Quantities wanted) const;
+    MotionSample sample(double time_s, const Quantities& wanted) const;
 
     Regime regime() const;
 

@@ -18,6 +18,13 @@ struct QuaternionDD {
     VectorDD v;
 };
 
+inline Eigen::Vector3d rounded(const VectorDD& v) {
+    return {v[0].rounded(), v[1].rounded(), v[2].rounded()};
+}
+inline Eigen::Quaterniond rounded(const QuaternionDD& q) {
+    return {q.w.rounded(), q.v[0].rounded(), q.v[1].rounded(), q.v[2].rounded()};
+}
+
 inline VectorDD cross(const VectorDD& a, const VectorDD& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

@@ -170,15 +170,17 @@ TrigonometricSeries trigonometric_series(const JacobiSolution& j) {
     // dn = (θ₄/θ₃)(0)·θ₃/θ₄, sn = (θ₃/θ₂)(0)·θ₁/θ₄, cn = (θ₄/θ₂)(0)·θ₂/θ₄ (DLMF 22.2).
     TrigonometricSeries series;
     const auto& [A, B, C] = j.amplitude;
-    const auto set = [&](int row, const std::array<DoubleDouble, 4>& p, DoubleDouble factor) {
-        for (int n = 0; n < 4; ++n) {
-            series.factors(row, n) = (p[static_cast<std::size_t>(n)] * factor).rounded();
-        }
+    using Coefficients = std::array<DoubleDouble, 4>;
+    const auto set = [](std::array<Pair, 4>& pairs, int place, const Coefficients& p,
+                        DoubleDouble factor) {
+        for (std::size_t n = 0; n < 4; ++n) pairs[n][place] = (p[n] * factor).rounded();
     };
-    set(0, even(-q[1], q[4], -q[9]), 1.0);
-    set(1, even(q[1], q[4], q[9]), ratio(A, j.momentum) * zero.four / zero.three);
-    set(2, theta_1, ratio(B, j.momentum) * zero.three / zero.two);
-    set(3, theta_2, ratio(C, j.momentum) * static_cast<double>(j.s) * zero.four / zero.two);
+    const DoubleDouble A_over_L = ratio(A, j.momentum);
+    set(series.weight_a, 0, even(-q[1], q[4], -q[9]), 1.0);
+    set(series.weight_a, 1, even(q[1], q[4], q[9]), A_over_L * zero.four / zero.three);
+    set(series.b_c, 0, theta_1, ratio(B, j.momentum) * zero.three / zero.two);
+    set(series.b_c, 1, theta_2,
+        ratio(C, j.momentum) * static_cast<double>(j.s) * zero.four / zero.two);
 
     // Real part 1 − (ρ+ρ′)cos 2v + …, imaginary part sin v cos v·(−2(ρ−ρ′) + …).
     const DoubleDouble& rho = nomes.rho;
@@ -190,12 +192,15 @@ TrigonometricSeries trigonometric_series(const JacobiSolution& j) {
     const DoubleDouble p1 = (rho + other) * -0.5;
     const DoubleDouble p2 = (rho2 + other2) * 0.5;
     const DoubleDouble p3 = (rho3 + other3) * -0.5;
-    set(4, even(p1, p2, p3), 1.0);
+    set(series.rotor, 0, even(p1, p2, p3), 1.0);
     const DoubleDouble d1 = rho - other;
     const DoubleDouble d2 = rho2 - other2;
     const DoubleDouble d3 = rho3 - other3;
-    set(5, {d2 * 4.0 - d1 * 2.0 - d3 * 6.0, d3 * 32.0 - d2 * 8.0, d3 * -32.0, 0.0},
+    set(series.rotor, 1, {d2 * 4.0 - d1 * 2.0 - d3 * 6.0, d3 * 32.0 - d2 * 8.0, d3 * -32.0, 0.0},
         static_cast<double>(-j.s));
+    // At u = 0 Θ is real.
+    const DoubleDouble theta = (p1 + p2 + p3) * 2.0 + 1.0;
+    series.kappa = theta * theta / (zero.four * (A_over_L + 1.0));
     return series;
 }
 
@@ -209,7 +214,7 @@ HyperbolicSeries hyperbolic_series(const JacobiSolution& j) {
 
     HyperbolicSeries series;
     if (!j.quarter_period.is_zero()) {
-        const DoubleDouble exponent = -log_of_root_nome(j) / ln2_dd;
+        const DoubleDouble exponent = ldexp(-log_of_root_nome(j) / ln2_dd, 7);
         series.exponent_high = split(exponent.hi).hi;
         series.exponent_low = (exponent - series.exponent_high).rounded();
         series.phase_per_period =
@@ -224,23 +229,28 @@ HyperbolicSeries hyperbolic_series(const JacobiSolution& j) {
     series.a = (ratio(A, j.momentum) * two / zero.three).rounded();
     series.b = (ratio(B, j.momentum) * zero.three / zero.four).rounded();
     series.c = (ratio(C, j.momentum) * two / zero.four).rounded() * j.s;
-    series.q1 = q[1].rounded();
-    series.q2 = q[2].rounded();
-    series.q4 = q[4].rounded();
-    series.q6 = q[6].rounded();
-    series.q9 = q[9].rounded();
-    series.zero_0 = (DoubleDouble(1.0) - q[2] + q[6]).rounded();
-    series.zero_1 = (q[5] - q[1]).rounded();
-    series.zero_2 = (q[6] - q[2]).rounded();
+    series.q1 = both(q[1].rounded());
+    series.q2 = both(q[2].rounded());
+    series.q4 = both(q[4].rounded());
+    series.q6 = both(q[6].rounded());
+    series.q9 = both(q[9].rounded());
+    series.zero_0 = both((DoubleDouble(1.0) - q[2] + q[6]).rounded());
+    series.zero_1 = both((q[5] - q[1]).rounded());
+    series.zero_2 = both((q[6] - q[2]).rounded());
+    series.is_short = root.hi < 0x1p-15;
 
     const auto multiples = odd_multiples<5>(nomes.delta);
+    DoubleDouble theta;  // half of Θ at u = 0
+    for (int n = 0; n <= 4; ++n)
+        theta = theta + multiples[static_cast<std::size_t>(n)].cos * Q[n * n + n];
+    series.kappa = theta * theta * 2.0 / (zero.two * (ratio(A, j.momentum) + 1.0));
     for (int n = 0; n <= 4; ++n) {
         const auto i = static_cast<std::size_t>(n);
-        series.cos_F[i] = (multiples[i].cos * Q[n * n]).rounded();
-        series.sin_F[i] = (multiples[i].sin * Q[n * n]).rounded() * j.s;
+        series.in_F[i] = Pair{(multiples[i].cos * Q[n * n]).rounded(),
+                              (multiples[i].sin * Q[n * n]).rounded() * j.s};
         if (n == 4) break;
-        series.cos_E[i] = (multiples[i].cos * Q[n * n + n]).rounded();
-        series.sin_E[i] = (multiples[i].sin * Q[n * n + n]).rounded() * -j.s;
+        series.in_E[i] = Pair{(multiples[i].cos * Q[n * n + n]).rounded(),
+                              (multiples[i].sin * Q[n * n + n]).rounded() * -j.s};
     }
     return series;
 }

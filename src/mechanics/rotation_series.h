@@ -19,46 +19,50 @@ namespace poinsot {
 // Direction of the momentum along a, b, c times a weight, which spares a division before the
 // quaternion's length is known, and the turn about it as a rotor ∝ exp(iψ/2).
 struct SeriesPoint {
-    double weight;
-    double a;
-    double b;
-    double c;
-    double re;
-    double im;
+    Pair weight_a;
+    Pair b_c;
+    Pair rotor;  // (re, im), of squared length κ·(weight + a), κ a constant of the motion
 };
 
 // Theta functions of v = πu/2K as polynomials in x = sin²v; a symmetric body is the case q = 0.
 struct TrigonometricSeries {
-    // Row by row what a SeriesPoint holds, with sin v taken out of b, cos v out of c and both out
+    // Pair by pair what a SeriesPoint holds, with sin v taken out of b, cos v out of c and both out
     // of im; column n has the factors of xⁿ. The rotor is
     // Θ = 1 − ρe^{2iv} − ρ′e^{−2iv} + q⁴(ρ²e^{4iv} + ρ′²e^{−4iv}) − …, conjugated for s = +1;
     // ρ = e^{−πβ/K}, ρ′ = q⁴/ρ.
-    using Values = Eigen::Array<double, 6, 1>;
-    Eigen::Array<double, 6, 4> factors = Eigen::Array<double, 6, 4>::Zero();
+    using Polynomial = std::array<Pair, 4>;
+    Polynomial weight_a{}, b_c{}, rotor{};
+    DoubleDouble kappa = 1.0;  // |Θ|² over weight + a
 
-    SeriesPoint at(SinCos v) const {
-        const double x = v.sin * v.sin;
-        const double x2 = x * x;
-        const Values p =
-            (factors.col(0) + factors.col(1) * x) + (factors.col(2) + factors.col(3) * x) * x2;
-        return {p[0], p[1], v.sin * p[2], v.cos * p[3], p[4], v.sin * v.cos * p[5]};
+    // At (sin v, cos v).
+    SeriesPoint at(Pair sin_cos) const {
+        const Pair sin = both(sin_cos[0]);
+        const Pair x = sin * sin;
+        const Pair x2 = x * x;
+        const auto sum = [=](const Polynomial& p) {
+            return (p[0] + p[1] * x) + (p[2] + p[3] * x) * x2;
+        };
+        return {sum(weight_a), sum(b_c) * sin_cos, sum(rotor) * Pair{1.0, sin_cos[0] * sin_cos[1]}};
     }
 };
 
 // Theta functions in X = E² and Y = F², where E = exp(−π|r|/2K′), F = exp(−π(K − |r|)/2K′) = Q/E,
 // and r is u less its nearest multiple of 2K.
 struct HyperbolicSeries {
-    double exponent_high = 0.0;  // −log₂ of E at r = K, in two words, the first of 26 bits
+    double exponent_high = 0.0;  // −128 log₂ of E at r = K, in two words, the first of 26 bits
     double exponent_low = 0.0;
     double root_nome_up = 0.0;      // 2^512 Q, Q = √q′: a normal number even where Q is not
     double phase_per_period = 0.0;  // quarter turns that Θ's argument gains in 2K, conjugated too
     double a = 0.0, b = 0.0, c = 0.0;
-    double q1 = 0.0, q2 = 0.0, q4 = 0.0, q6 = 0.0, q9 = 0.0;  // powers of q′
-    double zero_0 = 1.0, zero_1 = 0.0, zero_2 = 0.0;
-    // Θ ∝ Σ Qⁿ²Fⁿ e^{∓i(2n+1)δ} + Σ Qⁿ²⁺ⁿEⁿ⁺¹ e^{±i(2n+1)δ}, conjugated for s = +1; δ =
-    // πF(φ,k′)/4K′.
-    std::array<double, 5> cos_F{}, sin_F{};
-    std::array<double, 4> cos_E{}, sin_E{};
+    // Powers of q′, and the factors of the series over 1 − X and 1 − Y, each twice.
+    Pair q1{}, q2{}, q4{}, q6{}, q9{};
+    Pair zero_0 = both(1.0), zero_1{}, zero_2{};
+    // Θ ∝ Σ Qⁿ²Fⁿ e^{∓i(2n+1)δ} + Σ Qⁿ²⁺ⁿEⁿ⁺¹ e^{±i(2n+1)δ}, conjugated for s = +1, as (re, im);
+    // δ = πF(φ,k′)/4K′.
+    std::array<Pair, 5> in_F{};
+    std::array<Pair, 4> in_E{};
+    bool is_short = false;     // Q⁴ is nothing beside 1
+    DoubleDouble kappa = 1.0;  // |Θ|² over weight + a
 
     // What the phase, u in units of K, says of r: the side of the nearest even multiple of K it is
     // on, whether that is an odd multiple of 2K, and r/2K.
@@ -70,63 +74,83 @@ struct HyperbolicSeries {
     };
     static Place place(const QuarterTurns& phase) {
         const bool odd = (phase.whole & 1U) != 0;
-        const double sign = std::copysign(1.0, phase.rest);
+        const double sign = std::copysign(1.0, phase.rest.hi);
         const double flip = (phase.whole & 2U) != 0 ? -1.0 : 1.0;
-        if (odd) return {-sign, -sign * flip, 0.5 * (phase.rest - sign), true};
-        return {sign, flip, 0.5 * phase.rest, false};
+        if (odd) return {-sign, -sign * flip, 0.5 * (phase.rest.hi - sign), true};
+        return {sign, flip, 0.5 * phase.rest.hi, false};
     }
 
-    SeriesPoint at(const QuarterTurns& phase, const Place& place) const {
+    template <Tier tier>
+    [[gnu::always_inline]] SeriesPoint at(const QuarterTurns& phase, const Place& place) const {
         // The larger of E and F is the exponential of the distance to the nearest multiple of K, so
         // that 1 − X and 1 − Y keep their relative accuracy at the zeros of sn and cn.
-        const double h = std::abs(phase.rest);
-        const double h_low = std::copysign(1.0, phase.rest) * phase.rest_low;
-        const DoubleDouble halves = split(h);
-        const PowerOfHalf near = power_of_half(
-            halves.hi * exponent_high,
-            halves.hi * exponent_low + (halves.lo + h_low) * (exponent_high + exponent_low));
-        const double far = 0x1p-512 * (root_nome_up / near.power);
+        const DoubleDouble h = abs(phase.rest);
+        PowersOfHalf near;
+        if constexpr (tier == Tier::fast) {
+            near = powers_of_half(h.hi * (exponent_high + exponent_low), 0.0, root_nome_up);
+        } else {
+            const DoubleDouble halves = split(h.hi);
+            near = powers_of_half(
+                halves.hi * exponent_high,
+                halves.hi * exponent_low + (halves.lo + h.lo) * (exponent_high + exponent_low),
+                root_nome_up);
+        }
         return place.nearer_odd
-                   ? sum(far, near.power, 1.0 - far, near.complement, place.side, place.parity)
-                   : sum(near.power, far, near.complement, 1.0 - far, place.side, place.parity);
+                   ? sum(swapped(near.powers), swapped(near.complements), place.side, place.parity)
+                   : sum(near.powers, near.complements, place.side, place.parity);
     }
 
-    // On the separatrix u is not reduced; x is |u|/ln 2.
-    SeriesPoint at_separatrix(DoubleDouble x, double side) const {
-        const PowerOfHalf near = power_of_half(x.hi, x.lo);
-        return sum(near.power, 0.0, near.complement, 1.0, side, 1.0);
+    // On the separatrix u is not reduced; E and 1 − E are given.
+    SeriesPoint at_separatrix(double E, double one_less_E, double side) const {
+        return sum_short(Pair{E, 0.0}, Pair{one_less_E, 1.0}, side, 1.0);
     }
 
  private:
-    SeriesPoint sum(double E, double F, double one_less_E, double one_less_F, double side,
-                    double parity) const {
-        // Beside 1, what is below 2^−60 is nothing; as zero it makes no slow subnormal numbers.
-        const double E_seen = E > 0x1p-60 ? E : 0.0;
-        const double F_seen = F > 0x1p-60 ? F : 0.0;
-        const double X = E_seen * E_seen;
-        const double Y = F_seen * F_seen;
-        const auto near_sum = [this](double z) { return z * (1.0 + z * (q2 + q6 * z)); };
-        const auto far_sum = [this](double z) { return z * (q1 + z * (q4 + q9 * z)); };
+    // At (E, F) with (1 − E, 1 − F).
+    [[gnu::always_inline]] SeriesPoint sum(Pair powers, Pair complements, double side,
+                                           double parity) const {
+        if (is_short) return sum_short(powers, complements, side, parity);
+        const Pair seen = visible(powers);
+        const Pair z = seen * seen;
+        const Pair other = swapped(z);
+        const Pair q6_z = q6 * z;
+        const Pair q9_other = q9 * other;
+        const Pair weight_dn =
+            1.0 + (z * (1.0 + z * (q2 + q6_z)) + other * (q1 + other * (q4 + q9_other)));
         // sn's and cn's series over 1 − X and 1 − Y, with XY = q′.
-        const auto zero_near = [this](double z) { return z * (zero_1 + z * (q4 - q9 * z)); };
-        const auto zero_far = [this](double z) { return z * (zero_2 + q6 * z); };
-        const double weight = 1.0 + near_sum(X) + far_sum(Y);
-        const double dn = E * (1.0 + (near_sum(Y) + far_sum(X)));
-        const double sn = one_less_E * (1.0 + E) * (zero_0 + (zero_near(Y) + zero_far(X)));
-        const double cn = E * (one_less_F * (1.0 + F)) * (zero_0 + (zero_near(X) + zero_far(Y)));
+        const Pair over_zero =
+            zero_0 + (other * (zero_1 + other * (q4 - q9_other)) + z * (zero_2 + q6_z));
+        const Pair E = both(seen[0]);
+        const Pair F = both(seen[1]);
+        const Pair X = both(z[0]);
+        const Pair Y = both(z[1]);
+        const Pair rotor = ((in_F[0] + F * in_F[1]) + Y * ((in_F[2] + F * in_F[3]) + Y * in_F[4])) +
+                           E * ((in_E[0] + E * in_E[1]) + X * (in_E[2] + E * in_E[3]));
+        return joined(powers, complements, weight_dn, over_zero, rotor, side, parity);
+    }
+    [[gnu::always_inline]] SeriesPoint sum_short(Pair powers, Pair complements, double side,
+                                                 double parity) const {
+        const Pair seen = visible(powers);
+        const Pair z = seen * seen;
+        const Pair other = swapped(z);
+        const Pair q1_other = q1 * other;
+        const Pair E = both(seen[0]);
+        const Pair F = both(seen[1]);
+        const Pair rotor = (in_F[0] + F * in_F[1]) + E * (in_E[0] + E * in_E[1]);
+        return joined(powers, complements, 1.0 + (z + q1_other), 1.0 - q1_other, rotor, side,
+                      parity);
+    }
 
-        const auto in_F = [=](const std::array<double, 5>& p) {
-            return p[0] + F_seen * (p[1] + F_seen * (p[2] + F_seen * (p[3] + F_seen * p[4])));
-        };
-        const auto in_E = [=](const std::array<double, 4>& p) {
-            return E_seen * (p[0] + E_seen * (p[1] + E_seen * (p[2] + E_seen * p[3])));
-        };
-        return {weight,
-                a * dn,
-                parity * side * (b * sn),
-                parity * (c * cn),
-                in_F(cos_F) + in_E(cos_E),
-                side * (in_F(sin_F) + in_E(sin_E))};
+    // Beside 1, what is below 2^−60 is nothing; as zero it makes no slow subnormal numbers.
+    static Pair visible(Pair powers) { return powers > 0x1p-60 ? powers : both(0.0); }
+
+    // dn's, sn's and cn's outer factors.
+    [[gnu::always_inline]] SeriesPoint joined(Pair powers, Pair complements, Pair weight_dn,
+                                              Pair over_zero, Pair rotor, double side,
+                                              double parity) const {
+        const Pair sn_cn = complements * (1.0 + powers) * over_zero;
+        return {weight_dn * Pair{1.0, a * powers[0]},
+                sn_cn * Pair{parity * side * b, parity * (c * powers[0])}, rotor * Pair{1.0, side}};
     }
 };
 

@@ -6,6 +6,92 @@
 
 namespace poinsot {
 
+namespace {
+
+struct SinCosDD {
+    DoubleDouble sin;
+    DoubleDouble cos;
+};
+
+// Of 1/256 of a turn, by their power series.
+constexpr SinCosDD of_smallest_turn() {
+    constexpr DoubleDouble pi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
+    const DoubleDouble x = pi * (1.0 / 128.0);
+    SinCosDD sum;
+    DoubleDouble term = 1.0;  // x^k/k!
+    for (int k = 0; k <= 16; ++k) {
+        DoubleDouble& part = k % 2 == 0 ? sum.cos : sum.sin;
+        part = k % 4 < 2 ? part + term : part - term;
+        term = term * x / (k + 1.0);
+    }
+    return sum;
+}
+
+// Each entry of the first octant from the one before it, which loses five of 106 bits; the others
+// by symmetry.
+constexpr TurnTable make_turn_table() {
+    TurnTable table{};
+    const auto set = [&table](unsigned n, DoubleDouble sin, DoubleDouble cos) {
+        table.rounded[n % 256] = Pair{sin.hi, cos.hi};
+        table.left[n % 256] = Pair{sin.lo, cos.lo};
+    };
+    const SinCosDD step = of_smallest_turn();
+    SinCosDD z{0.0, 1.0};
+    for (unsigned n = 0; n <= 32; ++n) {
+        set(n, z.sin, z.cos);
+        set(64 - n, z.cos, z.sin);
+        set(64 + n, z.cos, -z.sin);
+        set(128 - n, z.sin, -z.cos);
+        set(128 + n, -z.sin, -z.cos);
+        set(192 - n, -z.cos, -z.sin);
+        set(192 + n, -z.cos, z.sin);
+        set(256 - n, -z.sin, z.cos);
+        z = {z.sin * step.cos + z.cos * step.sin, z.cos * step.cos - z.sin * step.sin};
+    }
+    set(0, 0.0, 1.0);
+    table.sin_factors = {both(0x1.921fb54442d18p+0), both(-0x1.4abbce624643cp-1),
+                         both(0x1.466b534b32bfdp-4)};
+    table.cos_factors = {both(-0x1.3bd3cc9be45dep+0), both(0x1.03c1f081a4e2ep-2),
+                         both(-0x1.55d3541c9225cp-6)};
+    return table;
+}
+
+// 2^(±1/128) by the power series of exp.
+constexpr DoubleDouble smallest_power(double sign) {
+    constexpr DoubleDouble ln2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
+    const DoubleDouble x = ln2 * (sign / 128.0);
+    DoubleDouble sum = 1.0;
+    DoubleDouble term = 1.0;  // x^k/k!
+    for (int k = 1; k <= 12; ++k) {
+        term = term * x / static_cast<double>(k);
+        sum = sum + term;
+    }
+    return sum;
+}
+
+constexpr PowerTable make_power_table() {
+    PowerTable table{};
+    const DoubleDouble step_down = smallest_power(-1.0);
+    const DoubleDouble step_up = smallest_power(1.0);
+    DoubleDouble down = 1.0;
+    DoubleDouble up = 1.0;
+    for (std::size_t j = 0; j < 128; ++j) {
+        table.powers[j] = Pair{down.hi, up.hi};
+        table.complements[j] = (DoubleDouble(1.0) - down).rounded();
+        down = down * step_down;
+        up = up * step_up;
+    }
+    table.factors = {both(-0x1.62e42fefa39efp-8), both(0x1.ebfbdff82c3f9p-17),
+                     both(-0x1.c6b08d704a2a2p-26), both(0x1.3b2abd4dfa444p-35),
+                     both(-0x1.5d87fe76d60cbp-45)};
+    return table;
+}
+
+}  // namespace
+
+constinit const PowerTable power_table = make_power_table();
+constinit const TurnTable turn_table = make_turn_table();
+
 void PhasePair::set(int i, DoubleDouble rate, DoubleDouble start) {
     const DoubleDouble halves = split(rate.hi);
     rate_[i] = rate.hi;
@@ -14,7 +100,7 @@ void PhasePair::set(int i, DoubleDouble rate, DoubleDouble start) {
     rate_rest_[i] = halves.lo;
     start_[i] = start.hi;
     start_low_[i] = start.lo;
-    far_ = 0x1p49 / rate_.abs().sum();
+    far_ = 0x1p49 / (std::abs(rate_[0]) + std::abs(rate_[1]));
 }
 
 QuarterTurnPair PhasePair::at_distant(double time) const {
@@ -39,42 +125,6 @@ QuarterTurnPair PhasePair::at_distant(double time) const {
         turns.rest_low[i] = rest.lo;
     }
     return turns;
-}
-
-PowerOfHalf power_of_half(double y, double y_low) {
-    // 2^(−j/16) and 1 − 2^(−j/16).
-    static constexpr std::array<double, 16> power{
-        0x1.0000000000000p+0, 0x1.ea4afa2a490dap-1, 0x1.d5818dcfba487p-1, 0x1.c199bdd85529cp-1,
-        0x1.ae89f995ad3adp-1, 0x1.9c49182a3f090p-1, 0x1.8ace5422aa0dbp-1, 0x1.7a11473eb0187p-1,
-        0x1.6a09e667f3bcdp-1, 0x1.5ab07dd485429p-1, 0x1.4bfdad5362a27p-1, 0x1.3dea64c123422p-1,
-        0x1.306fe0a31b715p-1, 0x1.2387a6e756238p-1, 0x1.172b83c7d517bp-1, 0x1.0b5586cf9890fp-1};
-    static constexpr std::array<double, 16> complement{
-        0x0.0000000000000p+0, 0x1.5b505d5b6f268p-5, 0x1.53f391822dbc7p-4, 0x1.f332113d56b1fp-4,
-        0x1.45d819a94b14bp-3, 0x1.8edb9f5703dc0p-3, 0x1.d4c6af7557c93p-3, 0x1.0bdd71829fcf2p-2,
-        0x1.2bec333018867p-2, 0x1.4a9f0456f57adp-2, 0x1.6804a5593abb2p-2, 0x1.842b367db97bcp-2,
-        0x1.9f203eb9c91d6p-2, 0x1.b8f0b23153b8fp-2, 0x1.d1a8f87055d0ap-2, 0x1.e954f260cede1p-2};
-
-    // Only the separatrix goes this far: through the subnormal numbers to zero.
-    if (y > 1000.0) [[unlikely]] {
-        return {y > 1100.0 ? 0.0 : 0x1p-600 * power_of_half(y - 600.0, y_low).power, 1.0};
-    }
-    const double shifted = 16.0 * y + rounding_shift;
-    const auto n = static_cast<unsigned>(std::bit_cast<std::uint64_t>(shifted)) & 0x3fffU;
-    const double z = (y - 0.0625 * (shifted - rounding_shift)) + y_low;
-    // 2^−z − 1 for |z| ≤ 1/32, minimax to 2^−60 relative.
-    const double z2 = z * z;
-    const double p = -0x1.62e42fefa39efp-1 * z +
-                     z2 * ((0x1.ebfbdff82c594p-3 + -0x1.c6b08d704a0c5p-5 * z) +
-                           ((0x1.3b2ab6fb09802p-7 + -0x1.5d87fe77f4a15p-10 * z) +
-                            (0x1.430a4993f002cp-13 + -0x1.ffcde873dcc9ep-17 * z) * z2) *
-                               z2);
-    const unsigned j = n & 15U;
-    const double fraction = power[j] + power[j] * p;
-    const unsigned halvings = n >> 4U;
-    if (halvings == 0) return {fraction, complement[j] - power[j] * p};
-    const double scale = std::bit_cast<double>((std::uint64_t{1023} - halvings) << 52U);
-    const double e = fraction * scale;
-    return {e, 1.0 - e};
 }
 
 }  // namespace poinsot

@@ -3,13 +3,14 @@
 // digits are the same on every machine.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
 #include "mechanics/double_double.h"
+#include "mechanics/double_pair.h"
+#include "mechanics/rotation_state.h"
 
 namespace poinsot {
 
@@ -17,28 +18,41 @@ namespace poinsot {
 // 1e-16, however small.
 struct QuarterTurns {
     unsigned whole = 0;
-    double rest = 0.0;
-    double rest_low = 0.0;  // what rounding left of the rest
+    DoubleDouble rest;
 };
 
 // Adding this and taking it off rounds a double below 2^51 to an integer whose low bits it shows.
 inline constexpr double rounding_shift = 0x1.8p52;
+// The same for 64ths and doubles below 2^45.
+inline constexpr double rounding_shift_to_64ths = 0x1.8p46;
 inline unsigned low_bits(double shifted) {
     return static_cast<unsigned>(std::bit_cast<std::uint64_t>(shifted));
 }
 
-// Two phases side by side: one instruction does for both.
-using Pair = Eigen::Array2d;
-
+// Two phases side by side; the rest is the sum of two words, of which the second is not always the
+// smaller.
 struct QuarterTurnPair {
+    std::array<unsigned, 2> whole{};
     Pair rest{0.0, 0.0};
     Pair rest_low{0.0, 0.0};
-    std::array<unsigned, 2> whole{};
 
     QuarterTurns operator[](int i) const {
-        return {whole[static_cast<std::size_t>(i)], rest[i], rest_low[i]};
+        return {whole[static_cast<std::size_t>(i)], two_sum(rest[i], rest_low[i])};
     }
 };
+
+// Two phases in 256ths of a turn: a whole number modulo 256 and a rest, in quarter turns, of at
+// most 1/128.
+struct FineTurnPair {
+    std::array<unsigned, 2> whole{};
+    Pair rest{0.0, 0.0};
+};
+[[gnu::always_inline]] inline FineTurnPair fine(const QuarterTurnPair& turns) {
+    const Pair shifted = (turns.rest + turns.rest_low) + rounding_shift_to_64ths;
+    return {{(64 * turns.whole[0] + low_bits(shifted[0])) & 255U,
+             (64 * turns.whole[1] + low_bits(shifted[1])) & 255U},
+            (turns.rest - (shifted - rounding_shift_to_64ths)) + turns.rest_low};
+}
 
 // Two phases in quarter turns that grow with time: start + time·rate, each number in two words.
 class PhasePair {
@@ -47,43 +61,51 @@ class PhasePair {
     DoubleDouble rate(int i) const { return {rate_[i], rate_low_[i]}; }
     DoubleDouble start(int i) const { return {start_[i], start_low_[i]}; }
 
-    // With the product to 106 bits (Dekker). Throws InputError if time·rate overflows.
-    QuarterTurnPair at(double time) const {
-        if (!(std::abs(time) < far_)) [[unlikely]] {
-            const QuarterTurnPair turns = at_distant(time);
-            return {turns.rest, turns.rest_low, turns.whole};
+    // Exact: with the product to 106 bits (Dekker). Fast: in one word, so that the error grows by
+    // one rounding of the product. Throws InputError if time·rate overflows.
+    template <Tier tier>
+    [[gnu::always_inline]] QuarterTurnPair at(double time) const {
+        if (!(std::abs(time) < far_)) [[unlikely]]
+            return at_distant(time);
+        if constexpr (tier == Tier::fast) {
+            const Pair product = time * rate_;
+            const Pair rest = time * rate_low_ + start_;
+            const Pair shifted = (product + rest) + rounding_shift;
+            return {quarters(shifted), (product - (shifted - rounding_shift)) + rest, both(0.0)};
+        } else {
+            const DoubleDouble t = split(time);
+            const Pair product = time * rate_;
+            const Pair error =
+                ((t.hi * rate_high_ - product) + t.hi * rate_rest_ + t.lo * rate_high_) +
+                t.lo * rate_rest_;
+            // product + start in two words (Knuth).
+            const Pair sum = product + start_;
+            const Pair start_part = sum - product;
+            const Pair sum_low = (product - (sum - start_part)) + (start_ - start_part);
+            const Pair shifted = sum + rounding_shift;
+            return {quarters(shifted), sum - (shifted - rounding_shift),
+                    sum_low + (error + (time * rate_low_ + start_low_))};
         }
-        const DoubleDouble t = split(time);
-        const Pair product = time * rate_;
-        const Pair error = ((t.hi * rate_high_ - product) + t.hi * rate_rest_ + t.lo * rate_high_) +
-                           t.lo * rate_rest_;
-        // product + start in two words (Knuth).
-        const Pair sum = product + start_;
-        const Pair start_part = sum - product;
-        const Pair sum_low = (product - (sum - start_part)) + (start_ - start_part);
-        const Pair low = sum_low + (error + (time * rate_low_ + start_low_));
-        const Pair shifted = sum + rounding_shift;
-        const Pair high = sum - (shifted - rounding_shift);
-        const Pair rest = high + low;
-        const Pair low_part = rest - high;
-        const Pair rest_low = (high - (rest - low_part)) + (low - low_part);
-        return {rest, rest_low, {low_bits(shifted[0]) & 3U, low_bits(shifted[1]) & 3U}};
     }
 
-    // The same in one word: the error grows by one rounding of the phase.
-    QuarterTurnPair at_in_one_word(double time) const {
-        if (!(std::abs(time) < far_)) [[unlikely]] {
-            const QuarterTurnPair turns = at_distant(time);
-            return {turns.rest, turns.rest_low, turns.whole};
-        }
-        const Pair phase = time * rate_ + start_;
-        const Pair shifted = phase + rounding_shift;
-        const Pair rest = phase - (shifted - rounding_shift);
-        return {rest, Pair::Zero(), {low_bits(shifted[0]) & 3U, low_bits(shifted[1]) & 3U}};
+    // The same in 256ths of a turn.
+    template <Tier tier>
+    FineTurnPair fine_at(double time) const {
+        if constexpr (tier == Tier::exact) return fine(at<tier>(time));
+        if (!(std::abs(time) < 0x1p-5 * far_)) [[unlikely]]
+            return fine(at<tier>(time));
+        const Pair product = time * rate_;
+        const Pair rest = time * rate_low_ + start_;
+        const Pair shifted = (product + rest) + rounding_shift_to_64ths;
+        return {{low_bits(shifted[0]) & 255U, low_bits(shifted[1]) & 255U},
+                (product - (shifted - rounding_shift_to_64ths)) + rest};
     }
 
  private:
     QuarterTurnPair at_distant(double time) const;
+    static std::array<unsigned, 2> quarters(Pair shifted) {
+        return {low_bits(shifted[0]) & 3U, low_bits(shifted[1]) & 3U};
+    }
 
     Pair rate_{0.0, 0.0}, rate_low_{0.0, 0.0};
     Pair rate_high_{0.0, 0.0}, rate_rest_{0.0, 0.0};  // the first word's halves
@@ -91,65 +113,100 @@ class PhasePair {
     double far_ = 0.0;  // from here on a phase could pass 2^49 quarter turns
 };
 
-// The phase moved on by |turns| < 2^50.
-inline QuarterTurns moved_on(const QuarterTurns& phase, double turns) {
-    const DoubleDouble sum = two_sum(phase.rest, turns);
-    const double shifted = sum.hi + rounding_shift;
-    const DoubleDouble rest = two_sum(sum.hi - (shifted - rounding_shift), sum.lo + phase.rest_low);
-    return {(phase.whole + low_bits(shifted)) & 3U, rest.hi, rest.lo};
+// What sine and cosine are made of: those of n/256 of a turn, rounded, and what rounding left; and
+// the factors of the rest h of at most 1/128 (+ 2^−18) quarter turns in
+//     sin = h (s₀ + s₁h² + s₂h⁴),   cos − 1 = h² (c₀ + c₁h² + c₂h⁴),
+// minimax to 2^−55.4 and 2^−61 relative, each twice, as Pairs are read from memory.
+struct TurnTable {
+    std::array<Pair, 256> rounded;
+    std::array<Pair, 256> left;
+    std::array<Pair, 3> sin_factors;
+    std::array<Pair, 3> cos_factors;
+};
+extern const TurnTable turn_table;
+
+// The sines and the cosines of two phases; exact: to 0.6 units of 2^−53, fast: to 1.1.
+struct SinCosPair {
+    Pair sin;
+    Pair cos;
+};
+template <Tier tier>
+[[gnu::always_inline]] inline SinCosPair sin_cos(const FineTurnPair& turns) {
+    const auto& [s0, s1, s2] = turn_table.sin_factors;
+    const auto& [c0, c1, c2] = turn_table.cos_factors;
+    const Pair& h = turns.rest;
+    const Pair t = h * h;
+    const Pair small_sin = h * s0 + (h * t) * (s1 + t * s2);
+    const Pair small_cos = t * c0 + (t * t) * (c1 + t * c2);  // less 1
+
+    const auto [i, j] = turns.whole;
+    const Pair sin = firsts(turn_table.rounded[i], turn_table.rounded[j]);
+    const Pair cos = seconds(turn_table.rounded[i], turn_table.rounded[j]);
+    Pair more_sin = sin * small_cos + cos * small_sin;
+    Pair more_cos = cos * small_cos - sin * small_sin;
+    if constexpr (tier == Tier::exact) {
+        more_sin += firsts(turn_table.left[i], turn_table.left[j]);
+        more_cos += seconds(turn_table.left[i], turn_table.left[j]);
+    }
+    return {sin + more_sin, cos + more_cos};
 }
 
-struct SinCos {
-    double sin;
-    double cos;
-};
-
-// (sin, cos) of h quarter turns, |h| ≤ ½ (+ 2^−12), side by side: (πh/2, 1) + (h, −1)·h²·(minimax
-// polynomials in h²), sin to 2^−58 relative, cos to 2^−62 absolute.
-inline Pair sin_cos_of_rest(double h) {
-    // Pairs are read whole from memory: written word by word first, they would stall.
-    alignas(16) static constexpr double table[11][2] = {
-        {-0x1.4abbce625be41p-1, 0x1.3bd3cc9be45dep+0},
-        {0x1.466bc677586edp-4, -0x1.03c1f081b5abap-2},
-        {-0x1.32d2cce2d3d6bp-8, 0x1.55d3c7e3ca4ecp-6},
-        {0x1.50782fc8c2f21p-13, -0x1.e1f506850a02ap-11},
-        {-0x1.e3006234d2c99p-19, 0x1.a6d1edad34e2ap-16},
-        {0x1.e3ee5254720b9p-25, -0x1.f9cd1a5d80e8ep-22},
-        {0.0, 0x1.b2a13325e4906p-28},
-        {0x1.921fb54442d18p+0, 0.0},
-        {0.0, 1.0},
-        {1.0, 0.0},
-        {0.0, -1.0}};
-    const auto row = [](int n) { return Eigen::Map<const Pair, Eigen::Aligned16>(&table[n][0]); };
+// (sin, cos) of one phase moved on by |turns| ≤ 1 quarter turns.
+template <Tier tier>
+[[gnu::always_inline]] inline Pair sin_cos(const QuarterTurns& phase, double turns = 0.0) {
+    DoubleDouble rest = phase.rest.hi + turns;
+    if constexpr (tier == Tier::exact) {
+        rest = two_sum(phase.rest.hi, turns);
+        rest.lo += phase.rest.lo;
+    }
+    const double shifted = rest.hi + rounding_shift_to_64ths;
+    const double h = (rest.hi - (shifted - rounding_shift_to_64ths)) + rest.lo;
     const double t = h * h;
-    const double t2 = t * t;
-    const double t4 = t2 * t2;
-    const Pair sum = (row(0) + row(1) * t) + (row(2) + row(3) * t) * t2 +
-                     ((row(4) + row(5) * t) + row(6) * t2) * t4;
-    return (row(7) * h + row(8)) + ((row(9) * h + row(10)) * t) * sum;
+    const auto& [s0, s1, s2] = turn_table.sin_factors;
+    const auto& [c0, c1, c2] = turn_table.cos_factors;
+    const double sin = h * s0[0] + (h * t) * (s1[0] + t * s2[0]);
+    const double cos = t * c0[0] + (t * t) * (c1[0] + t * c2[0]);  // less 1
+
+    const unsigned i = (64 * phase.whole + low_bits(shifted)) & 255U;
+    const Pair entry = turn_table.rounded[i];
+    Pair more = both(cos) * entry + second_negated(both(sin)) * swapped(entry);
+    if constexpr (tier == Tier::exact) more += turn_table.left[i];
+    return entry + more;
 }
 
-// Turned on by whole quarter turns: each of sin and cos times 0, 1 or −1, and the other one.
-inline SinCos turned(const Pair& sin_cos, unsigned whole) {
-    alignas(16) static constexpr double same[4][2] = {
-        {1.0, 1.0}, {0.0, 0.0}, {-1.0, -1.0}, {0.0, 0.0}};
-    alignas(16) static constexpr double other[4][2] = {
-        {0.0, 0.0}, {1.0, -1.0}, {0.0, 0.0}, {-1.0, 1.0}};
-    using Row = Eigen::Map<const Pair, Eigen::Aligned16>;
-    const Pair result = sin_cos * Row(&same[whole][0]) + sin_cos.reverse() * Row(&other[whole][0]);
-    return {result[0], result[1]};
-}
-inline SinCos sin_cos(const QuarterTurns& phase) {
-    return turned(sin_cos_of_rest(phase.rest), phase.whole);
-}
-
-// e = 2^−y and 1 − e, both to a few 1e-16 relative.
-struct PowerOfHalf {
-    double power;
-    double complement;
+// What powers of two are made of: (2^(−j/128), 2^(j/128)), 1 − 2^(−j/128) and the factors of z … z⁵
+// in 2^(−z/128) − 1, |z| ≤ ½, minimax to 2^−56 relative.
+struct PowerTable {
+    std::array<Pair, 128> powers;
+    std::array<double, 128> complements;
+    std::array<Pair, 5> factors;
 };
+extern const PowerTable power_table;
 
-// 2^−(y + y_low) for y ≥ 0.
-PowerOfHalf power_of_half(double y, double y_low);
+// (2^(−y/128), factor·2^(y/128)) and 1 less each to a few 1e-16 relative, y = y_high + y_low; the
+// factor is given over 2^−512. Precondition: 0 ≤ y ≤ 128,000, and the second is at most ½.
+struct PowersOfHalf {
+    Pair powers;
+    Pair complements;
+};
+[[gnu::always_inline]] inline PowersOfHalf powers_of_half(double y_high, double y_low,
+                                                          double factor_up) {
+    const double shifted = y_high + rounding_shift;
+    const double rest = (y_high - (shifted - rounding_shift)) + y_low;
+    const unsigned j = low_bits(shifted) & 127U;
+    const std::uint64_t halvings = low_bits(shifted) >> 7U;
+
+    const auto& [p1, p2, p3, p4, p5] = power_table.factors;
+    const Pair z = second_negated(both(rest));
+    const Pair t = both(rest * rest);
+    const Pair p = z * p1 + t * ((p2 + z * p3) + t * (p4 + z * p5));
+    const Pair more = power_table.powers[j] * p;
+    // 2^−halvings and 2^(halvings − 512).
+    const double scale = std::bit_cast<double>((1023 - halvings) << 52U);
+    const double scale_up = std::bit_cast<double>((511 + halvings) << 52U);
+    const Pair powers = (power_table.powers[j] + more) * Pair{scale, scale_up * factor_up};
+    const double complement = (1.0 - scale) + scale * (power_table.complements[j] - more[0]);
+    return {powers, Pair{complement, 1.0 - powers[1]}};
+}
 
 }  // namespace poinsot
