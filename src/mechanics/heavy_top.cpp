@@ -43,53 +43,6 @@ Complex unit_phase(DoubleDouble phase) {
             std::sin(rest.hi) + rest.lo * std::cos(rest.hi)};
 }
 
-// Fourier or hyperbolic functions of the odd and the even multiples of the argument.
-struct Multiples {
-    double odd_cos[TopFactor::max_terms];
-    double odd_sin[TopFactor::max_terms];
-    double even_cos[TopFactor::max_terms];
-    double even_sin[TopFactor::max_terms];
-};
-
-// Multiples by Chebyshev's recurrence, which keeps the sines' relative accuracy at their zero.
-// curvature is −1 for cos and sin, +1 for cosh and sinh.
-Multiples multiples_of(double cosine, double sine, double curvature) {
-    const double double_cos = 1.0 + 2.0 * curvature * sine * sine;
-    Multiples m{};
-    m.even_cos[0] = 1.0;
-    m.odd_cos[0] = cosine;
-    m.odd_sin[0] = sine;
-    m.even_cos[1] = double_cos;
-    m.even_sin[1] = 2.0 * sine * cosine;
-    m.odd_cos[1] = 2.0 * double_cos * cosine - cosine;
-    m.odd_sin[1] = 2.0 * double_cos * sine + sine;
-    for (int n = 2; n < TopFactor::max_terms; ++n) {
-        m.even_cos[n] = 2.0 * double_cos * m.even_cos[n - 1] - m.even_cos[n - 2];
-        m.even_sin[n] = 2.0 * double_cos * m.even_sin[n - 1] - m.even_sin[n - 2];
-        m.odd_cos[n] = 2.0 * double_cos * m.odd_cos[n - 1] - m.odd_cos[n - 2];
-        m.odd_sin[n] = 2.0 * double_cos * m.odd_sin[n - 1] - m.odd_sin[n - 2];
-    }
-    return m;
-}
-
-struct SeriesValue {
-    Complex value;
-    Complex slope;  // derivative by the argument
-};
-
-SeriesValue sum_series(const std::array<double, TopFactor::max_terms>& re,
-                       const std::array<double, TopFactor::max_terms>& im, const double* cosine,
-                       const double* sine, int first, double curvature, int n_terms) {
-    SeriesValue sum{};
-    for (int n = n_terms - 1; n >= 0; --n) {
-        const auto i = static_cast<std::size_t>(n);
-        const double multiple = 2.0 * n + first;
-        sum.value += Complex(re[i] * cosine[n], im[i] * sine[n]);
-        sum.slope += multiple * Complex(curvature * re[i] * sine[n], im[i] * cosine[n]);
-    }
-    return sum;
-}
-
 }  // namespace
 
 // The phase of the nutation, reduced to the nearest turning point.
@@ -323,46 +276,6 @@ double HeavyTop::effective_potential_J(double theta_rad) const {
     const double centrifugal =
         across == 0.0 ? 0.0 : across * across / (2.0 * moment_transverse_ * sine * sine);
     return centrifugal + p_psi * p_psi / (2.0 * moment_axial_) + mgl_ * std::cos(theta_rad);
-}
-
-RotationState start_of(const HeavyTopProblem& problem) {
-    RotationState state;
-    const double half = 0.5 * problem.theta_rad;
-    state.space_from_body = Eigen::Quaterniond(std::cos(half), std::sin(half), 0.0, 0.0);
-    state.omega_body =
-        Eigen::Vector3d(problem.theta_dot_rad_s,
-                        problem.phi_dot_rad_s * std::sin(problem.theta_rad), problem.omega3_rad_s);
-    return state;
-}
-
-std::string_view name_of(TopRegime regime) {
-    switch (regime) {
-        case TopRegime::sleeping:
-            return "sleeping";
-        case TopRegime::sleeping_unstable:
-            return "sleeping, unstable";
-        case TopRegime::hanging:
-            return "hanging";
-        case TopRegime::steady_slow:
-            return "steady precession, slow";
-        case TopRegime::steady_fast:
-            return "steady precession, fast";
-        case TopRegime::wavy:
-            return "wavy nutation";
-        case TopRegime::cusp:
-            return "cuspidal nutation";
-        case TopRegime::looping:
-            return "looping nutation";
-        case TopRegime::through_vertical:
-            return "through the vertical";
-        case TopRegime::planar_pendulum:
-            return "planar pendulum";
-        case TopRegime::separatrix:
-            return "separatrix";
-        case TopRegime::no_gravity:
-            return "without gravity";
-    }
-    return "";
 }
 
 }  // namespace poinsot

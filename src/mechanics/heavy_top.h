@@ -135,7 +135,7 @@ class HeavyTop {
     TopNutation nutation_;
     Eigen::Quaterniond body_from_top_ = Eigen::Quaterniond::Identity();
 
-    friend struct TopSetup;  // heavy_top_setup.cpp: the 113-bit solution
+    friend struct TopSetup;  // heavy_top_setup.h: the 113-bit solution
 };
 
 }  // namespace poinsot

@@ -14,6 +14,7 @@ namespace poinsot::top_setup {
 using Real = boost::multiprecision::cpp_bin_float_quad;
 
 inline Real square(const Real& x) { return x * x; }
+inline int sign_of(const Real& x) { return x < 0 ? -1 : 1; }
 
 // The start with e3 along the symmetry axis, and β ≥ 0 after a possible reversal.
 struct TopAtStart {

@@ -1,8 +1,9 @@
-// The constants that an evaluation of Lagrange's top needs; computed once by heavy_top_setup.cpp
-// and used by heavy_top.cpp alone.
+// The constants that an evaluation of Lagrange's top needs, computed once by heavy_top_setup.cpp
+// and used by heavy_top.cpp alone, and the sums that it takes.
 #pragma once
 
 #include <array>
+#include <complex>
 
 #include "mechanics/double_double.h"
 
@@ -43,5 +44,28 @@ struct TopSeries {
     double nome = 0.0;            // complementary, of the hyperbolic series
     TopFactor factor[2];
 };
+
+// Fourier or hyperbolic functions of the odd and the even multiples of the argument.
+struct Multiples {
+    double odd_cos[TopFactor::max_terms];
+    double odd_sin[TopFactor::max_terms];
+    double even_cos[TopFactor::max_terms];
+    double even_sin[TopFactor::max_terms];
+};
+
+// Multiples by Chebyshev's recurrence, which keeps the sines' relative accuracy at their zero.
+// curvature is −1 for cos and sin, +1 for cosh and sinh.
+Multiples multiples_of(double cosine, double sine, double curvature);
+
+// A factor's series and its derivative by the argument.
+struct SeriesValue {
+    std::complex<double> value;
+    std::complex<double> slope;
+};
+
+// The series of Σ re·cosine + i·im·sine over the odd (first = 1) or even (0) multiples.
+SeriesValue sum_series(const std::array<double, TopFactor::max_terms>& re,
+                       const std::array<double, TopFactor::max_terms>& im, const double* cosine,
+                       const double* sine, int first, double curvature, int n_terms);
 
 }  // namespace poinsot
