@@ -13,12 +13,15 @@
 //   7: period of the dashes in lengths of the curve (0: solid; below 0: dashed only where hidden),
 //      share of it that is drawn; for the ellipsoid it lies on, the step of facing at the limb and
 //      the opacity
-//   then the solids, and after them, where it fades: transparent and opaque point; the depth that
-//   marks this curve
+//   then the solids, and after them
+//   FADE: where it fades: transparent and opaque point; the depth that marks this curve
+//   FADE + 1: corner of the layer of what is kept of the curve px; 1 if there is one
 flat in vec4 ends;
 flat in vec4 neighbours;
 flat in vec4 along;
 flat in vec4 depths;
+uniform sampler2D texture_2;  // of that layer, as trace.frag has it: (1 - coverage)/2
+uniform sampler2D texture_3;  // depth of the point, share in which it faces the eye
 out vec4 fragment;
 
 void main() {
@@ -33,23 +36,40 @@ void main() {
     float covered = stroke_coverage(pixel, ends, own, constant(6).x);
     float t = along_segment(own.y, depths.xy, constant(0).w > 0.5);
     float depth = mix(depths.x, depths.y, t);
-    float length_along = mix(along.z, along.w, t);
     float run_px = max(length(ends.zw - ends.xy), 1e-3);
+    float change = max(abs(depths.w - depths.z) / run_px, max(constant(7).z, 1e-6));
+    float front = clamp(0.5 + mix(depths.z, depths.w, t) / change, 0.0, 1.0);
+    float period = constant(7).x;
+    float drawn = 1.0;
+    if (period != 0.0) {
+        float per_px = abs(along.w - along.z) / run_px;
+        drawn = dashed(mix(along.z, along.w, t), abs(period), constant(7).y, per_px);
+    }
+
+    // What trace.frag has kept of the segments before, where it covers more.
+    if (constant(FADE + 1).z > 0.5) {
+        ivec2 texel = ivec2(pixel - constant(FADE + 1).xy);
+        float stored = texelFetch(texture_2, texel, 0).x;
+        float kept_covered = max(1.0 - 2.0 * stored, 0.0);
+        if (stored < 1.0 && !(covered * drawn > kept_covered)) {
+            vec2 kept = texelFetch(texture_3, texel, 0).xy;
+            none = false;
+            covered = kept_covered;
+            drawn = 1.0;
+            depth = kept.x;
+            front = kept.y;
+        }
+    }
 
     vec2 seen = vec2(1.0, 0.0);
 #if N_QUADRICS + N_FLATS + N_MESHES > 0
     vec4 view[5] = vec4[5](constant(0), constant(1), constant(2), constant(3), constant(4));
     seen = visibility(view, pixel, depth, constant(6).z, constant(6).w);
     if (constant(6).z >= 0.0) {
-        float change = max(abs(depths.w - depths.z) / run_px, constant(7).z);
-        float front = clamp(0.5 + mix(depths.z, depths.w, t) / change, 0.0, 1.0);
         seen.y = 1.0 - (1.0 - seen.y) * (1.0 - (1.0 - front) * constant(7).w);
         seen.x *= 1.0 - (1.0 - front) * hold(constant(7).w);
     }
 #endif
-    float per_px = abs(along.w - along.z) / run_px;
-    float period = constant(7).x;
-    float drawn = period == 0.0 ? 1.0 : dashed(length_along, abs(period), constant(7).y, per_px);
     float visible = period < 0.0 ? 1.0 : drawn;
     float hidden = constant(6).y < 0.0 ? 0.0 : drawn * max(constant(6).y, 1.0 - seen.y);
     float alpha = constant(5).a * covered * mix(hidden, visible, seen.x);

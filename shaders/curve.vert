@@ -1,5 +1,6 @@
 // One segment of a curve as a rectangle about it, four corners a segment. The points lie in a
-// buffer texture that is filled once; only the range shown changes.
+// buffer texture that is filled once; only the range shown changes. Or rectangles given by their
+// corners, for what is kept of a curve and one segment more.
 #include "clip.glsl"
 #include "view.glsl"
 uniform samplerBuffer texture_0;  // xyz: point; w: length of the curve up to it
@@ -11,6 +12,8 @@ uniform vec4 stroke[8];
 //   4, 5, 6: rows of the map to the sphere of the ellipsoid the curve lies on
 //   7: eye, or direction towards it, in the sphere's axes; 1 if perspective
 uniform bool on_ellipsoid;
+uniform bool in_rectangles;
+//   then the buffer holds the rectangles, and 0: the segment px; 1: depths at both ends, how they face the eye; 2: lengths up to them
 uniform vec4 constants[N_FLAT];
 flat out vec4 flat_constants[N_FLAT];
 flat out vec4 ends;        // this segment, px: from, to
@@ -51,6 +54,16 @@ vec2 direction_of(vec2 a, vec2 b, vec2 otherwise) {
 
 void main() {
     for (int i = 0; i < N_FLAT; ++i) flat_constants[i] = constants[i];
+    if (in_rectangles) {
+        ends = stroke[0];
+        neighbours = stroke[0];
+        depths = stroke[1];
+        along = vec4(0.0, 0.0, stroke[2].xy);
+        vec4 box = texelFetch(texture_0, gl_VertexID >> 2);
+        gl_Position = clip_from_pixel(vec2((gl_VertexID & 1) == 0 ? box.x : box.z,
+                                           (gl_VertexID & 2) == 0 ? box.y : box.w));
+        return;
+    }
     vec4 view[5] = vec4[5](constants[0], constants[1], constants[2], constants[3], constants[4]);
     int segment = gl_VertexID >> 2;
     vec4 p[4];

@@ -30,30 +30,3 @@ float dashed(float length_along, float period, float share, float per_px) {
     float edge_px = (0.5 * share - phase) * period / max(per_px, 1e-12);
     return clamp(edge_px + 0.5, 0.0, 1.0);
 }
-
-// What a segment of a curve that lasts leaves at a pixel.
-struct Trace {
-    float covered;  // share of the pixel
-    float depth;
-    float front;    // share in which the surface that the curve lies on faces the eye
-    float away_px;  // from the segment
-};
-
-// ends: of the segment px; depths, facing, lengths: at both ends; limb: least step of facing.
-Trace trace_of(vec2 pixel, vec4 ends, vec2 depths, vec2 facing, vec2 lengths, bool perspective, float width_px,
-               vec2 dashes, float limb) {
-    Trace trace;
-    vec2 own = from_segment(pixel, ends.xy, ends.zw);
-    float t = along_segment(own.y, depths, perspective);
-    float run_px = max(length(ends.zw - ends.xy), 1e-3);
-    trace.covered = max(stroke_coverage(pixel, ends, own, width_px), 0.0);
-    if (dashes.x > 0.0) {
-        float per_px = abs(lengths.y - lengths.x) / run_px;
-        trace.covered *= dashed(mix(lengths.x, lengths.y, t), dashes.x, dashes.y, per_px);
-    }
-    trace.depth = mix(depths.x, depths.y, t);
-    float change = max(abs(facing.y - facing.x) / run_px, max(limb, 1e-6));
-    trace.front = clamp(0.5 + mix(facing.x, facing.y, t) / change, 0.0, 1.0);
-    trace.away_px = own.x;
-    return trace;
-}

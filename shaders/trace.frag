@@ -14,8 +14,16 @@ flat in vec4 depths;
 out vec2 kept;
 
 void main() {
-    Trace trace = trace_of(gl_FragCoord.xy + constant(5).xy, ends, depths.xy, depths.zw, along.zw,
-                           constant(0).w > 0.5, constant(5).z, constant(6).xy, constant(5).w);
-    kept = vec2(trace.depth, trace.front);
-    gl_FragDepth = trace.away_px > constant(6).z ? 1.0 : 0.5 - 0.5 * trace.covered;
+    vec2 pixel = gl_FragCoord.xy + constant(5).xy;
+    vec2 own = from_segment(pixel, ends.xy, ends.zw);
+    float covered = max(stroke_coverage(pixel, ends, own, constant(5).z), 0.0);
+    float t = along_segment(own.y, depths.xy, constant(0).w > 0.5);
+    float run_px = max(length(ends.zw - ends.xy), 1e-3);
+    if (constant(6).x > 0.0) {
+        float per_px = abs(along.w - along.z) / run_px;
+        covered *= dashed(mix(along.z, along.w, t), constant(6).x, constant(6).y, per_px);
+    }
+    float change = max(abs(depths.w - depths.z) / run_px, max(constant(5).w, 1e-6));
+    kept = vec2(mix(depths.x, depths.y, t), clamp(0.5 + mix(depths.z, depths.w, t) / change, 0.0, 1.0));
+    gl_FragDepth = own.x > constant(6).z ? 1.0 : 0.5 - 0.5 * covered;
 }

@@ -19,6 +19,19 @@ GlTexture make_texture(GLint format, GLenum components, int width_px, int height
 
 }  // namespace
 
+KeptTextures::KeptTextures(int width_px, int height_px, bool with_surface)
+    : points(with_surface ? make_texture(GL_RG32F, GL_RG, width_px, height_px)
+                          : make_texture(GL_R32F, GL_RED, width_px, height_px)),
+      coverage(make_texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, width_px, height_px)) {}
+
+void KeptTextures::bind() const {
+    glActiveTexture(GL_TEXTURE2);
+    glBindTexture(GL_TEXTURE_2D, coverage.id());
+    glActiveTexture(GL_TEXTURE3);
+    glBindTexture(GL_TEXTURE_2D, points.id());
+    glActiveTexture(GL_TEXTURE0);
+}
+
 TraceKey::TraceKey(const ViewScene& scene, const Curve& curve, const Dashes& shown_dashes)
     : geometry(curve.geometry->id),
       camera(scene.view->camera),
@@ -49,13 +62,13 @@ void CurveLayer::resize(int width_px, int height_px, bool with_surface) {
     width_px_ = std::max(width_px, width_px_);
     height_px_ = std::max(height_px, height_px_);
     with_surface_ = with_surface;
-    points_ = with_surface ? make_texture(GL_RG32F, GL_RG, width_px_, height_px_)
-                           : make_texture(GL_R32F, GL_RED, width_px_, height_px_);
-    coverage_ = make_texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, width_px_, height_px_);
+    textures_ = KeptTextures(width_px_, height_px_, with_surface);
     framebuffer_ = GlFramebuffer::make();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, points_.id(), 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, coverage_.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                           textures_.points.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
+                           textures_.coverage.id(), 0);
     if (glGetError() != GL_NO_ERROR ||
         glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw EnvironmentError("OpenGL has no room for a curve's layer of " +

@@ -27,6 +27,16 @@ struct TraceKey {
     bool operator==(const TraceKey& other) const;
 };
 
+// What shaders/trace.frag writes and curve.frag reads.
+struct KeptTextures {
+    GlTexture points, coverage;
+    KeptTextures() = default;
+    // with_surface: whether the curve lies on an ellipsoid.
+    KeptTextures(int width_px, int height_px, bool with_surface);
+    // Binds them for curve.frag.
+    void bind() const;
+};
+
 // Coverage and depth of the whole segments of a curve, from its first on, in a layer that lies
 // over the part of the picture that the curve can reach. It grows with the curve.
 class CurveLayer {
@@ -49,8 +59,7 @@ class CurveLayer {
     std::uint64_t serial() const { return serial_; }
     // Where it lies in the picture: a corner at a tile's corner, and as much as was needed.
     const PixelRect& rect() const { return rect_; }
-    const GlTexture& points() const { return points_; }
-    const GlTexture& coverage() const { return coverage_; }
+    const KeptTextures& textures() const { return textures_; }
     // The small squares of the picture that something is kept on.
     const TileMask& cells() const { return cells_; }
     // For each tile of the picture the number of the picture in which it last changed; 0 where
@@ -65,7 +74,7 @@ class CurveLayer {
     TraceKey key_;
     std::uint64_t serial_ = 0;
     PixelRect rect_;
-    GlTexture points_, coverage_;
+    KeptTextures textures_;
     GlFramebuffer framebuffer_;
     int width_px_ = 0, height_px_ = 0;  // of the textures
     bool with_surface_ = false;

@@ -13,18 +13,17 @@ std::vector<std::string> with(std::vector<std::string> defines, const std::strin
 }  // namespace
 
 CurvePass::Stroke::Stroke(const Solids& solids)
-    : StrokeProgram("curve.frag", 9 + solids.n_constants(),
+    : StrokeProgram("curve.frag", 10 + solids.n_constants(),
                     with(solids.defines(), "FADE " + std::to_string(8 + solids.n_constants()))) {}
 
-void CurvePass::draw(const ViewScene& scene, const Curve& curve, CurveStore& store) {
-    if (!shows(curve)) return;
-    const ShownRange range = range_of(curve);
+const CurvePass::Stroke& CurvePass::program_for(const ViewScene& scene, const Curve& curve) {
     // A curve drawn in full needs no solids.
-    const bool occluded = curve.occlusion == Occlusion::by_solids;
-    const Stroke& made = occluded ? strokes_.of(scene.solids()) : strokes_.of(Solids{});
-    const Quadric* surface = surface_of(scene, curve);
-    const Dashes dashes = dashes_of(scene, curve, store.of(*curve.geometry).length);
+    return strokes_.of(curve.occlusion == Occlusion::by_solids ? scene.solids() : Solids{});
+}
 
+Constants CurvePass::constants_of(const ViewScene& scene, const Curve& curve, const Dashes& dashes,
+                                  const CurveLayer* layer) {
+    const Quadric* surface = surface_of(scene, curve);
     Constants constants;
     scene.add_view(constants);
     constants.add4(linear_from_srgb(curve.colour, curve.opacity));
@@ -32,7 +31,7 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve, CurveStore& sto
                   surface == nullptr ? -1.0 : curve.on_surface, curve.on_plane);
     constants.add(dashes.period, dashes.share, surface == nullptr ? 0.0 : surface->limb_cosine(),
                   surface == nullptr ? 0.0 : surface->hiding);
-    if (occluded) scene.add_solids(constants);
+    if (curve.occlusion == Occlusion::by_solids) scene.add_solids(constants);
     // Each curve lies a step before all that were drawn earlier, so that the depth buffer need not
     // be emptied for every picture. Steps are powers of two and depths lie between 1/2 and 1: what
     // is compared is rounded alike in whatever step it is drawn.
@@ -43,12 +42,34 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve, CurveStore& sto
         glEnable(GL_SCISSOR_TEST);
         n_drawn_ = 1;
     }
-    constants.add(range.last - curve.fade_points, range.last, 1.0 - n_drawn_ * depth_step,
-                  0.9 * depth_step);
+    const double last = range_of(curve).last;
+    constants.add(last - curve.fade_points, last, 1.0 - n_drawn_ * depth_step, 0.9 * depth_step);
+    if (layer == nullptr)
+        constants.add(0.0, 0.0, 0.0, 0.0);
+    else
+        constants.add(layer->rect().left, layer->rect().top, 1.0, 0.0);
+    return constants;
+}
 
+void CurvePass::draw(const ViewScene& scene, const Curve& curve, CurveStore& store) {
+    if (!shows(curve)) return;
+    const Dashes dashes = dashes_of(scene, curve, store.of(*curve.geometry).length);
+    const Constants constants = constants_of(scene, curve, dashes, nullptr);
+    none_.bind();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
-    made.draw(scene, curve, range, curve.width_px, constants, store);
+    program_for(scene, curve).draw(scene, curve, range_of(curve), curve.width_px, constants, store);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void CurvePass::draw_kept(const ViewScene& scene, const Curve& curve, const Dashes& dashes,
+                          const StrokeEnds& ends, const CurveLayer& layer,
+                          const std::vector<PixelRect>& rects, CurveStore& store) {
+    const Constants constants = constants_of(scene, curve, dashes, &layer);
+    layer.textures().bind();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    program_for(scene, curve).draw(scene, ends, rects, constants, store);
     glDisable(GL_DEPTH_TEST);
 }
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "render/rectangles.h"
-
 namespace poinsot {
 namespace {
 
@@ -75,12 +73,39 @@ const StoredCurve& CurveStore::of(const CurveGeometry& geometry) {
     return stored;
 }
 
-void CurveStore::bind_rectangles(int n_rectangles) {
+void CurveStore::bind_elements(int n_rectangles) {
     glBindVertexArray(vertex_array_.id());
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
     if (n_rectangles <= n_rectangles_) return;
     n_rectangles_ = std::max(n_rectangles, 2 * n_rectangles_);
-    fill_rectangle_elements(static_cast<std::size_t>(n_rectangles_));
+    std::vector<std::uint32_t> indices;
+    indices.reserve(6 * static_cast<std::size_t>(n_rectangles_));
+    for (int k = 0; k < n_rectangles_; ++k) {
+        const auto corner = static_cast<std::uint32_t>(4 * k);
+        indices.insert(indices.end(), {corner, corner + 1, corner + 2,  //
+                                       corner + 2, corner + 1, corner + 3});
+    }
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(),
+                 GL_STATIC_DRAW);
+}
+
+void CurveStore::bind_rectangles(const std::vector<PixelRect>& rects) {
+    corners_px_.clear();
+    for (const PixelRect& r : rects)
+        corners_px_.push_back(Eigen::Vector4i(r.left, r.top, r.right, r.bottom).cast<float>());
+    if (!corners_) {
+        corners_ = GlBuffer::make();
+        corners_texture_ = GlTexture::make();
+    }
+    glBindBuffer(GL_TEXTURE_BUFFER, corners_.id());
+    glBufferData(GL_TEXTURE_BUFFER,
+                 static_cast<GLsizeiptr>(corners_px_.size() * sizeof(Eigen::Vector4f)),
+                 corners_px_.data(), GL_STREAM_DRAW);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_BUFFER, corners_texture_.id());
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, corners_.id());
+    bind_elements(static_cast<int>(rects.size()));
 }
 
 }  // namespace poinsot

@@ -7,6 +7,7 @@
 
 #include "drawing/drawing.h"
 #include "render/gl_handles.h"
+#include "render/tile_mask.h"
 
 namespace poinsot {
 
@@ -36,7 +37,10 @@ class CurveStore {
     // The geometry's points, uploaded if they were not seen before.
     const StoredCurve& of(const CurveGeometry& geometry);
     // Binds elements for this many rectangles in a row, four corners each.
-    void bind_rectangles(int n_rectangles);
+    void bind_elements(int n_rectangles);
+
+    // Binds these rectangles where the programs of curves look for points, and elements for them.
+    void bind_rectangles(const std::vector<PixelRect>& rects);
 
     // Points uploaded for the picture under way.
     std::int64_t n_points_uploaded() const { return n_points_uploaded_; }
@@ -45,6 +49,9 @@ class CurveStore {
     GlVertexArray vertex_array_;
     GlBuffer indices_;
     int n_rectangles_ = 0;
+    GlBuffer corners_;
+    GlTexture corners_texture_;
+    std::vector<Eigen::Vector4f> corners_px_;
     std::unordered_map<std::uint64_t, StoredCurve> curves_;
     std::uint64_t picture_ = 0;
     std::int64_t n_points_uploaded_ = 0;

@@ -1,10 +1,6 @@
 #include "render/lasting_curve_pass.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "render/colour.h"
-
 namespace poinsot {
 namespace {
 
@@ -32,13 +28,27 @@ double facing_of(const Quadric* surface, const Eigen::Vector3d& point, bool pers
     return (u.dot(surface->eye_u) - w) / std::max((surface->eye_u - w * u).norm(), 1e-20);
 }
 
+// lengths: of the curve up to the first and the second point of the segment.
+StrokeEnds ends_of(const ViewScene& scene, const Curve& curve, const SeenSegment& segment,
+                   const float* lengths) {
+    constexpr double far_px = -1e5;
+    if (!segment.seen) return {{far_px, far_px}, {far_px, far_px}};
+    const Projection& p = scene.projection;
+    const Quadric* surface = surface_of(scene, curve);
+    const auto length_to = [&](double share) {
+        return lengths[0] + share * (static_cast<double>(lengths[1]) - lengths[0]);
+    };
+    return {segment.start_px,
+            segment.end_px,
+            p.depth(segment.start),
+            p.depth(segment.end),
+            facing_of(surface, segment.start, p.perspective),
+            facing_of(surface, segment.end, p.perspective),
+            length_to(segment.from),
+            length_to(segment.to)};
+}
+
 }  // namespace
-
-LastingCurvePass::Over::Over(const Solids& solids)
-    : ConstantProgram("rectangles.vert", "traced.frag", 12 + solids.n_constants(), 0,
-                      solids.defines()) {}
-
-LastingCurvePass::LastingCurvePass() : trace_("trace.frag", 7, {}) {}
 
 bool LastingCurvePass::keeps(const Curve& curve) {
     return curve.lasting && shows(curve) && !curve.geometry->closed && !(curve.fade_points > 0.0) &&
@@ -73,17 +83,14 @@ void LastingCurvePass::prepare(const ViewScene& scene, CurveStore& store) {
         if (!keeps(curve)) continue;
         const ShownRange range = range_of(curve);
         const StoredCurve& stored = store.of(*curve.geometry);
-        Shown shown{&scene, &curve, nullptr, {}, dashes_of(scene, curve, stored.length)};
+        Shown shown{&scene, &curve, nullptr, {}, {}, dashes_of(scene, curve, stored.length)};
 
         // The last segment, which may be cut, is drawn for each picture; those before it are kept.
         const int last = range.end_segment - 1;
         shown.last = seen_segment(scene.projection, curve, last, std::max(range.first - last, 0.0),
                                   range.last - last);
-        const double from = stored.lengths[static_cast<std::size_t>(last)];
-        const double to = stored.lengths[static_cast<std::size_t>(last) + 1];
-        shown.length_from = from + shown.last.from * (to - from);
-        shown.length_to = from + shown.last.to * (to - from);
-
+        shown.ends =
+            ends_of(scene, curve, shown.last, &stored.lengths[static_cast<std::size_t>(last)]);
         const TraceKey key(scene, curve, shown.dashes);
         shown.layer = &layer_of(key);
         if (!shown.layer->holds(key) || shown.layer->end_segment() > last)
@@ -115,7 +122,8 @@ void LastingCurvePass::grow(const Shown& shown, int end_segment, CurveStore& sto
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
-    trace_.draw(*shown.scene, curve, range, curve.width_px + 2.0 * beside_px, constants, store);
+    if (!trace_) trace_.emplace("trace.frag", 7, std::vector<std::string>{});
+    trace_->draw(*shown.scene, curve, range, curve.width_px + 2.0 * beside_px, constants, store);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
 }
@@ -132,36 +140,8 @@ void LastingCurvePass::end_preparation() {
     looks_since_ = picture_;
 }
 
-Constants LastingCurvePass::constants_of(const Shown& shown) const {
-    const ViewScene& scene = *shown.scene;
-    const Curve& curve = *shown.curve;
-    const Quadric* surface = surface_of(scene, curve);
-    Constants constants;
-    scene.add_view(constants);
-    constants.add4(linear_from_srgb(curve.colour, curve.opacity));
-    constants.add(curve.width_px, curve.hidden == HiddenStyle::absent ? -1.0 : curve.hidden_opacity,
-                  surface == nullptr ? -1.0 : curve.on_surface, curve.on_plane);
-    constants.add(shown.dashes.period, shown.dashes.share,
-                  surface == nullptr ? 0.0 : surface->limb_cosine(),
-                  surface == nullptr ? 0.0 : surface->hiding);
-    constants.add(shown.layer->rect().left, shown.layer->rect().top, 0.0, 0.0);
-    const SeenSegment& last = shown.last;
-    if (!last.seen) {
-        constexpr double far_px = -1e5;
-        constants.add(far_px, far_px, far_px, far_px);
-        constants.add(1.0, 1.0, 0.0, 0.0);
-        constants.add(1.0, 1.0, 0.0, 0.0);
-        return constants;
-    }
-    const Projection& p = scene.projection;
-    constants.add(last.start_px.x(), last.start_px.y(), last.end_px.x(), last.end_px.y());
-    constants.add(p.depth(last.start), p.depth(last.end), shown.length_from, shown.length_to);
-    constants.add(facing_of(surface, last.start, p.perspective),
-                  facing_of(surface, last.end, p.perspective), 0.0, 0.0);
-    return constants;
-}
-
-void LastingCurvePass::draw(const ViewScene& scene, const Curve& curve, const TileMask* within) {
+void LastingCurvePass::draw(const ViewScene& scene, const Curve& curve, const TileMask* within,
+                            CurvePass& pass, CurveStore& store) {
     const auto shown = std::find_if(shown_.begin(), shown_.end(),
                                     [&](const Shown& s) { return s.curve == &curve; });
     if (shown == shown_.end()) return;
@@ -169,18 +149,8 @@ void LastingCurvePass::draw(const ViewScene& scene, const Curve& curve, const Ti
     mark_stroke(shown->last, curve.width_px, scene.projection.box, cells_);
     rects_.clear();
     cells_.add_rects(within, rects_);
-    if (rects_.empty()) return;
-
-    const bool occluded = curve.occlusion == Occlusion::by_solids;
-    const Over& over = over_.of(occluded ? scene.solids() : Solids{});
-    Constants constants = constants_of(*shown);
-    if (occluded) scene.add_solids(constants);
-    over.use(constants, *scene.drawing);
-    glActiveTexture(GL_TEXTURE2);
-    glBindTexture(GL_TEXTURE_2D, shown->layer->coverage().id());
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, shown->layer->points().id());
-    rectangles_.draw(rects_);
+    if (!rects_.empty())
+        pass.draw_kept(scene, curve, shown->dashes, shown->ends, *shown->layer, rects_, store);
 }
 
 void LastingCurvePass::mark(const ViewScene& scene, TileMask& marks) const {

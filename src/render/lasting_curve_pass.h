@@ -4,18 +4,17 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "render/curve_layer.h"
-#include "render/rectangles.h"
+#include "render/curve_pass.h"
 #include "render/stroke.h"
 
 namespace poinsot {
 
 class LastingCurvePass {
  public:
-    LastingCurvePass();
-
     // Whether the curve is kept: it says that it lasts, and nothing of it changes but its end.
     static bool keeps(const Curve& curve);
 
@@ -28,7 +27,8 @@ class LastingCurvePass {
 
     // Precondition: the curve was prepared for this picture. within: where the picture is drawn;
     // null: everywhere.
-    void draw(const ViewScene& scene, const Curve& curve, const TileMask* within);
+    void draw(const ViewScene& scene, const Curve& curve, const TileMask* within, CurvePass& pass,
+              CurveStore& store);
     // Marks the tiles of the last segments, which are not kept.
     void mark(const ViewScene& scene, TileMask& marks) const;
     // For each tile of the picture a number that changes when what is kept there looks otherwise,
@@ -54,20 +54,13 @@ class LastingCurvePass {
         const Curve* curve;
         CurveLayer* layer;
         SeenSegment last;  // the segment that is not kept
+        StrokeEnds ends;   // the same for the shader
         Dashes dashes;
-        double length_from = 0.0, length_to = 0.0;  // of the curve, up to its ends
     };
     CurveLayer& layer_of(const TraceKey& key);
     void grow(const Shown& shown, int end_segment, CurveStore& store);
-    Constants constants_of(const Shown& shown) const;
 
-    struct Over : ConstantProgram {
-        explicit Over(const Solids& solids);
-    };
-    StrokeProgram trace_;
-    BySolids<Over> over_;
-    Rectangles rectangles_;
-
+    std::optional<StrokeProgram> trace_;  // made when a curve is first kept
     std::vector<std::unique_ptr<CurveLayer>> layers_;
     std::vector<Shown> shown_;
     std::vector<Look> looks_;

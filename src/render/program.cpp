@@ -81,6 +81,7 @@ Program::Program(std::string_view vertex, std::string_view fragment,
     glUniform1i(at("texture_0"), 0);
     glUniform1i(at("texture_1"), 1);
     glUniform1i(at("texture_2"), 2);
+    glUniform1i(at("texture_3"), 3);
 }
 
 namespace {

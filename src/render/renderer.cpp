@@ -227,7 +227,7 @@ void Renderer::Impl::draw_moving(const ViewScene& scene, bool only_marked) {
     arrow_.draw(scene, ArrowPass::Layer::hidden);
     for (const Curve& curve : scene.view->curves) {
         if (LastingCurvePass::keeps(curve))
-            lasting_.draw(scene, curve, only_marked ? &marks_ : nullptr);
+            lasting_.draw(scene, curve, only_marked ? &marks_ : nullptr, curve_, curves_);
         else
             curve_.draw(scene, curve, curves_);
     }

@@ -56,7 +56,8 @@ StrokeProgram::StrokeProgram(std::string_view fragment, int n_constants,
       n_points_(at("n_points")),
       closed_(at("closed")),
       stroke_(at("stroke")),
-      on_ellipsoid_(at("on_ellipsoid")) {}
+      on_ellipsoid_(at("on_ellipsoid")),
+      in_rectangles_(at("in_rectangles")) {}
 
 void StrokeProgram::draw(const ViewScene& scene, const Curve& curve, const ShownRange& range,
                          double width_px, const Constants& constants, CurveStore& store) const {
@@ -83,10 +84,25 @@ void StrokeProgram::draw(const ViewScene& scene, const Curve& curve, const Shown
     glUniform1i(closed_, curve.geometry->closed ? 1 : 0);
     glUniform4fv(stroke_, stroke.size(), stroke.from(0));
     glUniform1i(on_ellipsoid_, surface == nullptr ? 0 : 1);
+    glUniform1i(in_rectangles_, 0);
     const int n_segments = range.end_segment - range.first_segment;
-    store.bind_rectangles(n_segments);
+    store.bind_elements(n_segments);
     glDrawElementsBaseVertex(GL_TRIANGLES, 6 * n_segments, GL_UNSIGNED_INT, nullptr,
                              4 * range.first_segment);
+}
+
+void StrokeProgram::draw(const ViewScene& scene, const StrokeEnds& ends,
+                         const std::vector<PixelRect>& rects, const Constants& constants,
+                         CurveStore& store) const {
+    Constants stroke;
+    stroke.add(ends.from_px.x(), ends.from_px.y(), ends.to_px.x(), ends.to_px.y());
+    stroke.add(ends.depth_from, ends.depth_to, ends.facing_from, ends.facing_to);
+    stroke.add(ends.length_from, ends.length_to, 0.0, 0.0);
+    use(constants, *scene.drawing);
+    glUniform4fv(stroke_, stroke.size(), stroke.from(0));
+    glUniform1i(in_rectangles_, 1);
+    store.bind_rectangles(rects);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * rects.size()), GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace poinsot

@@ -34,6 +34,14 @@ Dashes dashes_of(const ViewScene& scene, const Curve& curve, double length);
 // The ellipsoid that the curve lies on, if it hides things; null if none.
 const Quadric* surface_of(const ViewScene& scene, const Curve& curve);
 
+// A segment as it is handed to the shader.
+struct StrokeEnds {
+    Eigen::Vector2d from_px, to_px;
+    double depth_from = 1.0, depth_to = 1.0;
+    double facing_from = 1.0, facing_to = 1.0;
+    double length_from = 0.0, length_to = 0.0;
+};
+
 // One that draws segments through shaders/curve.vert.
 class StrokeProgram : public ConstantProgram {
  public:
@@ -43,9 +51,12 @@ class StrokeProgram : public ConstantProgram {
     // Draws the segments of a range, in rectangles for a stroke of this width.
     void draw(const ViewScene& scene, const Curve& curve, const ShownRange& range, double width_px,
               const Constants& constants, CurveStore& store) const;
+    // Draws rectangles for this segment and what is kept of the others.
+    void draw(const ViewScene& scene, const StrokeEnds& ends, const std::vector<PixelRect>& rects,
+              const Constants& constants, CurveStore& store) const;
 
  private:
-    GLint n_points_, closed_, stroke_, on_ellipsoid_;
+    GLint n_points_, closed_, stroke_, on_ellipsoid_, in_rectangles_;
 };
 
 }  // namespace poinsot

@@ -93,6 +93,28 @@ TEST(LastingCurve, FollowsEveryChangeOfWhatItDependsOn) {
     again("gone");
 }
 
+TEST(LastingCurve, StaysBetweenThingsThatMove) {
+    // Two dots that move, and all widths of the gap between them, through which the curve runs.
+    const CurveGeometry line = curve_of(
+        9304, 40, false, [](double t) { return Eigen::Vector3d(-60.0 + 120.0 * t, 0.3, 0.0); });
+    for (int gap_px = 20; gap_px <= 110; gap_px += 15) {
+        Renderer film(context());
+        for (int k = 0; k < 4; ++k) {
+            Drawing drawing = flat_drawing(256, 128, 128.0);
+            Curve curve;
+            curve.geometry = &line;
+            curve.lasting = true;
+            drawing.views[0].curves.push_back(curve);
+            for (const double side : {-0.5, 0.5}) {
+                Dot dot;
+                dot.at = {side * gap_px, 0.5 * k, 0.0};
+                drawing.views[0].dots.push_back(dot);
+            }
+            EXPECT_TRUE(is_drawn_as_alone(film, drawing)) << gap_px << " " << k;
+        }
+    }
+}
+
 TEST(LastingCurve, LooksAsOneThatIsDrawnAnew) {
     // Where it meets itself it is the fuller coverage; drawn anew, both mix there.
     Drawing drawing = frame_of(38.5);

@@ -19,7 +19,7 @@ TEST(Shaders, AllOfThemAreProgramsOrIncluded) {
         "background.vert", "background.frag", "plane.frag",     "polygon.vert", "shadow.vert",
         "shadow.frag",     "ellipsoid.vert",  "ellipsoid.frag", "cone.frag",    "curve.vert",
         "curve.frag",      "arrow.frag",      "dot.frag",       "label.frag",   "mesh.vert",
-        "mesh.frag",       "layer.frag",      "trace.frag",     "traced.frag",  "rectangles.vert"};
+        "mesh.frag",       "layer.frag",      "trace.frag"};
     for (const ShaderSource& source : shader_sources())
         for (const ShaderSource& other : shader_sources())
             if (other.text.find("#include \"" + std::string(source.name)) != std::string_view::npos)
@@ -39,9 +39,7 @@ TEST(Shaders, CompileForAnyNumberOfSolids) {
                 EXPECT_NO_THROW(PolygonProgram("arrow.frag", 17 + n, defines));
                 EXPECT_NO_THROW(PolygonProgram("dot.frag", 9 + n, defines));
                 defines.push_back("FADE " + std::to_string(8 + n));
-                EXPECT_NO_THROW(ConstantProgram("curve.vert", "curve.frag", 9 + n, 4, defines));
-                EXPECT_NO_THROW(
-                    ConstantProgram("rectangles.vert", "traced.frag", 12 + n, 0, solids.defines()));
+                EXPECT_NO_THROW(ConstantProgram("curve.vert", "curve.frag", 10 + n, 4, defines));
                 for (const int n_cones : {1, 2, 4}) {
                     defines = solids.defines();
                     defines.push_back("MEMBERS " + std::to_string(n_cones));
