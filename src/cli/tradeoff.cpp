@@ -81,14 +81,18 @@ std::string advice(const Session& session, const Tradeoff& t) {
                       any->ns_a_frame * 1e-6 / std::max(draft, 1e-9) * 100.0);
 }
 
+std::string drift(double value) {
+    return std::isfinite(value) ? fmt::format("{:.2e}", value) : "-";
+}
+
 void print_table(const Session& session, const Tradeoff& t) {
     fmt::print("motion: {} frames, against {}\n", t.motion.n_frames, t.motion.truth);
     fmt::print("  {:12} {:18} {:>11} {:>9} {:>10} {:>10} {:>10} {:>10}\n", "method", "setting",
                "ns/frame", "evals", "angle/rad", "T drift", "L drift", "px");
     for (const MotionTrade& r : t.motion.rows) {
-        fmt::print("{} {:12} {:18} {:11.0f} {:9.1f} {:10.2e} {:10.2e} {:10.2e} {:10.2e}\n",
+        fmt::print("{} {:12} {:18} {:11.0f} {:9.1f} {:10.2e} {:>10} {:>10} {:10.2e}\n",
                    r.on_front ? "*" : " ", r.method, r.setting, r.ns_a_frame, r.evaluations_a_frame,
-                   r.attitude_rad, r.energy, r.momentum, r.displacement_px);
+                   r.attitude_rad, drift(r.energy), drift(r.momentum), r.displacement_px);
     }
     fmt::print("picture: {}×{}, against {}\n", t.picture.width_px, t.picture.height_px,
                t.picture.reference);
@@ -175,7 +179,7 @@ std::string json_of(const Session& session, const Tradeoff& t) {
 }
 
 // The exact motion is its own truth here; it is drawn at the worst that accuracy_table finds.
-constexpr double least_error = 1.2e-15;
+constexpr double least_error = 1.1e-15;
 
 Chart motion_chart(const Session& session, const Tradeoff& t) {
     Chart chart;
@@ -189,7 +193,7 @@ Chart motion_chart(const Session& session, const Tradeoff& t) {
             chart.series.push_back({row.method, {}});
         }
         chart.series.back().points.push_back(
-            {row.ns_a_frame, std::max(row.attitude_rad, least_error), row.on_front});
+            {row.ns_a_frame, std::max(row.attitude_rad, least_error), row.on_front, ""});
     }
     return chart;
 }
@@ -199,8 +203,17 @@ Chart picture_chart(const Tradeoff& t) {
     chart.title = "Settings of the picture against its error";
     chart.x_label = "processor time a frame / ms";
     chart.y_label = "error of the picture / levels";
+    // A line for each number of samples, along it the tolerance of curves.
+    int samples = 0;
     for (const PictureTrade& row : t.picture.rows) {
-        chart.series.push_back({row.label, {{row.ms_a_frame, row.rms_levels, row.on_front}}});
+        if (row.samples != samples) {
+            samples = row.samples;
+            chart.series.push_back(
+                {samples == 1 ? "analytic edges alone" : fmt::format("{0} × {0} samples", samples),
+                 {}});
+        }
+        const std::string name = row.quality.empty() ? "" : "\\textbf{" + row.quality + "}";
+        chart.series.back().points.push_back({row.ms_a_frame, row.rms_levels, row.on_front, name});
     }
     return chart;
 }
@@ -211,8 +224,8 @@ Chart film_chart(const Tradeoff& t) {
     chart.x_label = "processor time a frame / ms";
     chart.y_label = "one less the structural similarity";
     for (const FilmTrade& row : t.film.rows) {
-        chart.series.push_back(
-            {"\\textbf{" + row.quality + "}", {{row.ms_a_frame, row.unlikeness, row.on_front}}});
+        chart.series.push_back({"\\textbf{" + row.quality + "}",
+                                {{row.ms_a_frame, row.unlikeness, row.on_front, ""}}});
     }
     return chart;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,9 @@ struct MotionTrade {
     double ns_a_frame = 0.0;
     double evaluations_a_frame = 0.0;
     double attitude_rad = 0.0;
-    double energy = 0.0;    // relative drift of T
-    double momentum = 0.0;  // relative drift of L
+    // Relative drifts of T and L; not a number under a torque, which changes both.
+    double energy = std::numeric_limits<double>::quiet_NaN();
+    double momentum = std::numeric_limits<double>::quiet_NaN();
     double displacement_px = 0.0;
     bool on_front = false;
 };
@@ -49,7 +51,7 @@ MotionTrades trade_motion(const Session& session, const FilmPlan& film, double p
 struct PictureTrade {
     std::string setting;
     std::string quality;  // the name of --quality that it is, or empty
-    std::string label;    // beside its point, or empty
+    int samples = 1;      // a side of a pixel
     double ms_a_frame = 0.0;
     double rms_levels = 0.0;  // against the reference picture
     double largest_levels = 0.0;

@@ -33,17 +33,6 @@ std::string quality_of(const Setting& setting) {
     return "";
 }
 
-// Beside its point in the plot: a quality, or a number of samples that no quality has; other
-// tolerances of curves lie beside those and have no name.
-std::string label_of(const Setting& setting) {
-    const std::string quality = quality_of(setting);
-    if (!quality.empty()) return "\\textbf{" + quality + "}";
-    const bool has_name =
-        std::any_of(qualities().begin(), qualities().end(),
-                    [&setting](const Quality& row) { return row.samples == setting.samples; });
-    return has_name ? "" : fmt::format("{0} × {0} samples", setting.samples);
-}
-
 struct Difference {
     double rms = 0.0;
     double largest = 0.0;
@@ -96,7 +85,7 @@ PictureTrades trade_picture(const Session& session, const Options& options, cons
                         setting.samples == 1 ? std::string("analytic edges alone")
                                              : fmt::format("{0} × {0} samples", setting.samples));
         row.quality = quality_of(setting);
-        row.label = label_of(setting);
+        row.samples = setting.samples;
         Image image;
         double sum = 0.0;
         for (std::size_t i = 0; i < moments.size(); ++i) {

@@ -26,6 +26,16 @@ constexpr std::array<Colour, 6> hues{{{0.04, 0.37, 0.65},
                                       {0.54, 0.35, 0.00},
                                       {0.18, 0.53, 0.77}}};
 
+// 1, 2 and 5 times every power of ten from one to another.
+std::vector<double> one_two_five(double first_decade, double last_decade) {
+    std::vector<double> values;
+    for (double d = first_decade; d < last_decade; d += 1.0) {
+        for (const double digit : {1.0, 2.0, 5.0}) values.push_back(digit * std::pow(10.0, d));
+    }
+    values.push_back(std::pow(10.0, last_decade));
+    return values;
+}
+
 }  // namespace
 
 void mark_pareto_front(std::vector<ChartSeries>& series) {
@@ -64,11 +74,43 @@ ChartSheet::Axis ChartSheet::axis_of(const Chart& chart, double ChartPoint::*coo
         }
     }
     if (!(most > 0.0)) throw InputError("the chart has no point that can be shown");
-    // Whole decades around all points, at least one.
+    // Whole decades around all points, at least one; within two, from 1, 2 or 5 to such a number.
     Axis axis;
     axis.first_decade = std::floor(std::log10(least));
     axis.last_decade = std::max(axis.first_decade + 1.0, std::ceil(std::log10(most)));
+    if (axis.last_decade - axis.first_decade > 2.01) return axis;
+    const std::vector<double> steps = one_two_five(axis.first_decade, axis.last_decade);
+    const auto first = std::find_if(steps.rbegin(), steps.rend(),
+                                    [=](double step) { return step <= 0.95 * least; });
+    const auto last =
+        std::find_if(steps.begin(), steps.end(), [=](double step) { return step >= 1.05 * most; });
+    if (first != steps.rend()) axis.first_decade = std::log10(*first);
+    if (last != steps.end()) axis.last_decade = std::log10(*last);
     return axis;
+}
+
+std::vector<double> ChartSheet::Axis::ticks() const {
+    std::vector<double> values;
+    if (is_narrow()) {
+        for (const double value : one_two_five(std::floor(first_decade), std::ceil(last_decade))) {
+            const double decade = std::log10(value);
+            if (decade > first_decade - 1e-9 && decade < last_decade + 1e-9) {
+                values.push_back(value);
+            }
+        }
+        return values;
+    }
+    // At most nine numbers an axis.
+    const double stride = std::max(1.0, std::ceil((last_decade - first_decade) / 8.0));
+    for (double d = first_decade; d <= last_decade; d += stride) {
+        values.push_back(std::pow(10.0, d));
+    }
+    return values;
+}
+
+std::string ChartSheet::tick_text(const Axis& axis, double value) {
+    if (axis.is_narrow()) return fmt::format("${:g}$", value);
+    return fmt::format("$10^{{{:.0f}}}$", std::log10(value));
 }
 
 ChartSheet::ChartSheet(const Chart& chart, const Theme& theme, int width_px, int height_px)
@@ -116,21 +158,15 @@ void ChartSheet::add_type(const std::string& text, double size_px, double x_px, 
 
 void ChartSheet::add_axes(const Chart& chart) {
     const Colour& grid = theme_->grid;
-    // At most nine numbers an axis.
-    const auto stride = [](const Axis& axis) {
-        return std::max(1.0, std::ceil((axis.last_decade - axis.first_decade) / 8.0));
-    };
-    for (double d = x_.first_decade; d <= x_.last_decade; d += stride(x_)) {
-        const double x = x_.at(std::pow(10.0, d));
+    for (const double value : x_.ticks()) {
+        const double x = x_.at(value);
         add_line({{x, y_.first_px, 0.0}, {x, y_.last_px, 0.0}}, 0.8, grid, 0.0);
-        add_type(fmt::format("$10^{{{:.0f}}}$", d), 24.0, x, y_.first_px + 14.0 * px_, 0.5, 0.0,
-                 theme_->text);
+        add_type(tick_text(x_, value), 24.0, x, y_.first_px + 14.0 * px_, 0.5, 0.0, theme_->text);
     }
-    for (double d = y_.first_decade; d <= y_.last_decade; d += stride(y_)) {
-        const double y = y_.at(std::pow(10.0, d));
+    for (const double value : y_.ticks()) {
+        const double y = y_.at(value);
         add_line({{x_.first_px, y, 0.0}, {x_.last_px, y, 0.0}}, 0.8, grid, 0.0);
-        add_type(fmt::format("$10^{{{:.0f}}}$", d), 24.0, x_.first_px - 14.0 * px_, y, 1.0, 0.5,
-                 theme_->text);
+        add_type(tick_text(y_, value), 24.0, x_.first_px - 14.0 * px_, y, 1.0, 0.5, theme_->text);
     }
     add_line({{x_.first_px, y_.last_px, 0.0},
               {x_.first_px, y_.first_px, 0.0},
@@ -161,18 +197,29 @@ void ChartSheet::add_series(const Chart& chart) {
             dot.rim_px = 2.5 * px_;
             dot.occlusion = Occlusion::none;
             dots_.push_back(dot);
+            wish_name(point.name, line.back(), {-0.6, 1.0}, colour);
         }
         if (line.empty()) continue;
-        LabelWish wish;
-        wish.type = type_case_.set(series.name, {.size_px = 26.0 * px_, .mode = TypeMode::text});
-        wish.anchor_px = line.back().head<2>();
-        // After a line's end; a single point has its name above it, for its like lie beside it.
-        wish.away = line.size() > 1 ? Eigen::Vector2d(1.0, 0.25) : Eigen::Vector2d(0.0, -1.0);
-        wish.gap_px = 12.0 * px_;
-        wish.colour = colour;
-        if (wish.type.mask->width > 0) wishes_.push_back(wish);
+        // After a line's end, on that side; a single point has its name above it, for its like lie
+        // beside it.
+        const double side = line.back().x() < line.front().x() ? -1.0 : 1.0;
+        wish_name(series.name, line.back(),
+                  line.size() > 1 ? Eigen::Vector2d(side, 0.25) : Eigen::Vector2d(0.0, -1.0),
+                  colour);
         if (line.size() > 1) add_line(std::move(line), 3.0, colour, dash);
     }
+}
+
+void ChartSheet::wish_name(const std::string& name, const Eigen::Vector3d& beside,
+                           const Eigen::Vector2d& away, const Colour& colour) {
+    if (name.empty()) return;
+    LabelWish wish;
+    wish.type = type_case_.set(name, {.size_px = 26.0 * px_, .mode = TypeMode::text});
+    wish.anchor_px = beside.head<2>();
+    wish.away = away;
+    wish.gap_px = 12.0 * px_;
+    wish.colour = colour;
+    if (wish.type.mask->width > 0) wishes_.push_back(wish);
 }
 
 Drawing ChartSheet::drawing() const {

@@ -15,6 +15,7 @@ namespace poinsot {
 struct ChartPoint {
     double x = 1.0, y = 1.0;  // positive and finite; others are left out
     bool marked = false;      // on the Pareto front
+    std::string name{};       // a caption below it and left, where a front has no points
 };
 
 struct ChartSeries {
@@ -45,6 +46,9 @@ class ChartSheet {
         double first_decade = 0.0, last_decade = 1.0;
         double first_px = 0.0, last_px = 1.0;
         double at(double value) const;
+        bool is_narrow() const { return last_decade - first_decade < 1.99; }
+        // Where the grid's lines stand.
+        std::vector<double> ticks() const;
     };
 
     void add_line(std::vector<Eigen::Vector3d> points, double width_px, const Colour& colour,
@@ -54,6 +58,9 @@ class ChartSheet {
     void add_axes(const Chart& chart);
     void add_series(const Chart& chart);
     static Axis axis_of(const Chart& chart, double ChartPoint::*coordinate);
+    static std::string tick_text(const Axis& axis, double value);
+    void wish_name(const std::string& name, const Eigen::Vector3d& beside,
+                   const Eigen::Vector2d& away, const Colour& colour);
 
     const Theme* theme_;
     int width_px_, height_px_;

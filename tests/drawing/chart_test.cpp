@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "error/error.h"
 
 namespace poinsot {
@@ -35,6 +37,23 @@ TEST(Chart, StandsDecadesAtEqualDistances) {
     }
     // Less y stands lower in the picture, where the view's y is less.
     EXPECT_LT(dots[0].at.y(), dots[2].at.y());
+}
+
+TEST(Chart, SpansOneTwoOrFiveWhereAllLiesWithinTwoDecades) {
+    // From 2 to 20: the middle of the axis is their geometric mean.
+    const Chart chart{
+        "t", "x", "y", {{"s", {{2.5, 3.0}, {std::sqrt(40.0), 6.0}, {15.0, 12.0, true, "name"}}}}};
+    const ChartSheet sheet(chart, theme_named("light"), 960, 540);
+    const Drawing drawing = sheet.drawing();
+    const View& view = drawing.views.at(0);
+    ASSERT_EQ(view.dots.size(), 3u);
+    const double left = view.curves.front().geometry->points.front().x();  // the line of 2
+    const double right = view.curves.at(3).geometry->points.front().x();   // 5, 10, 20
+    EXPECT_NEAR(view.dots[1].at.x(), 0.5 * (left + right), 1e-9);
+    EXPECT_LT(left, view.dots[0].at.x());
+    EXPECT_LT(view.dots[2].at.x(), right);
+    // Four numbers an axis, title and captions, and the names of series and point.
+    EXPECT_EQ(view.labels.size(), 4u + 4u + 3u + 2u);
 }
 
 TEST(Chart, RefusesToShowNothing) {
