@@ -104,23 +104,34 @@ void PhasePair::set(int i, DoubleDouble rate, DoubleDouble start) {
 }
 
 QuarterTurnPair PhasePair::at_distant(double time) const {
-    int exponent = 0;
-    const double significand = std::frexp(time, &exponent);
+    const bool far = !(std::abs(time) < 0x1p12 * far_);
     QuarterTurnPair turns;
     for (int i = 0; i < 2; ++i) {
-        const DoubleDouble product = two_product(significand, rate_[i]);
-        const double high = std::ldexp(product.hi, exponent);
-        if (!std::isfinite(high)) {
-            throw InputError("omega t overflows at this time; choose a time nearer the start");
+        DoubleDouble product;
+        double low = 0.0;
+        if (far) {
+            // Whole revolutions come off each word exactly.
+            int exponent = 0;
+            product = two_product(std::frexp(time, &exponent), rate_[i]);
+            const double high = std::ldexp(product.hi, exponent);
+            if (!std::isfinite(high)) {
+                throw InputError("omega t overflows at this time; choose a time nearer the start");
+            }
+            product.hi = std::fmod(high, 4.0);
+            low = std::fmod(std::ldexp(product.lo, exponent), 4.0) +
+                  std::fmod(time * rate_low_[i], 4.0);
+        } else {
+            // Up to 2^61 quarter turns an integer holds the first word's.
+            product = two_product(time, rate_[i]);
+            const auto whole = static_cast<std::int64_t>(product.hi);
+            low = product.lo + time * rate_low_[i];
+            product.hi = (product.hi - static_cast<double>(whole)) + static_cast<double>(whole % 4);
         }
-        // Whole revolutions come off each word exactly.
-        const double low = std::fmod(std::ldexp(product.lo, exponent), 4.0) +
-                           std::fmod(time * rate_low_[i], 4.0) + start_low_[i];
-        const DoubleDouble phase = two_sum(std::fmod(high, 4.0), start_[i]) + DoubleDouble(low);
-        const double whole = std::nearbyint(phase.hi);
-        const DoubleDouble rest = phase - whole;
-        turns.whole[static_cast<std::size_t>(i)] =
-            static_cast<unsigned>(static_cast<int>(whole)) & 3U;
+        const DoubleDouble phase =
+            two_sum(product.hi, start_[i]) + DoubleDouble(low + start_low_[i]);
+        const double shifted = phase.hi + rounding_shift;
+        const DoubleDouble rest = phase - (shifted - rounding_shift);
+        turns.whole[static_cast<std::size_t>(i)] = low_bits(shifted) & 3U;
         turns.rest[i] = rest.hi;
         turns.rest_low[i] = rest.lo;
     }
