@@ -11,7 +11,7 @@
 namespace poinsot {
 namespace {
 
-constexpr int first_side_px = 1024;
+constexpr int first_width_px = 1024, first_height_px = 256;
 // Between slots, so that filtering does not mix them.
 constexpr int gap_px = 1;
 
@@ -165,13 +165,13 @@ void LabelPass::begin_picture(const Drawing& drawing) {
     GLint largest_side_px = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_side_px);
     // As wide as the widest label asks for: a caption's picture is wide, and not high.
-    int width_px = std::max(width_px_, first_side_px);
+    int width_px = std::max(width_px_, first_width_px);
     while (width_px < widest_px && width_px < largest_side_px) width_px *= 2;
-    const int first_height_px = std::max(height_px_, first_side_px);
-    if (width_px != width_px_) empty_texture(width_px, first_height_px);
+    const int least_height_px = std::max(height_px_, first_height_px);
+    if (width_px != width_px_) empty_texture(width_px, least_height_px);
     if (place_all()) return;
     // Full: forget the masks of earlier pictures, then grow.
-    for (int height_px = first_height_px; height_px <= largest_side_px; height_px *= 2) {
+    for (int height_px = least_height_px; height_px <= largest_side_px; height_px *= 2) {
         empty_texture(width_px, height_px);
         if (place_all()) return;
     }
