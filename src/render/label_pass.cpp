@@ -12,11 +12,14 @@ namespace poinsot {
 namespace {
 
 constexpr int first_width_px = 1024, first_height_px = 256;
-// Between slots, so that filtering does not mix them.
-constexpr int gap_px = 1;
+
+// About the mask, empty but for the halo.
+int margin_px(const Label& label) {
+    return static_cast<int>(std::ceil(std::max(label.halo_px, 0.0))) + 1;
+}
 
 PixelBox box_of(const Label& label) {
-    const double margin = std::ceil(std::max(label.halo_px, 0.0)) + 1.0;
+    const double margin = margin_px(label);
     PixelBox box;
     box.add(label.top_left_px, margin);
     box.add(label.top_left_px + Eigen::Vector2d(label.mask->width, label.mask->height), margin);
@@ -120,7 +123,9 @@ void LabelPass::empty_texture(int width_px, int height_px) {
 
 LabelPass::Slot LabelPass::slot_of(const Label& label) {
     Slot slot;
-    slot.margin = static_cast<int>(std::ceil(std::max(label.halo_px, 0.0))) + 1;
+    // An empty frame more than is drawn: filtering reaches half a texel beyond that, and what lies
+    // there may be left from masks of earlier pictures.
+    slot.margin = margin_px(label) + 1;
     slot.width = label.mask->width + 2 * slot.margin;
     slot.height = label.mask->height + 2 * slot.margin;
     return slot;
@@ -133,13 +138,13 @@ bool LabelPass::place(const Label& label) {
     // Shelves from the top, filled from the left.
     if (shelf_x_ + slot.width > width_px_) {
         shelf_x_ = 0;
-        shelf_y_ += shelf_height_ + gap_px;
+        shelf_y_ += shelf_height_;
         shelf_height_ = 0;
     }
     if (slot.width > width_px_ || shelf_y_ + slot.height > height_px_) return false;
     slot.x = shelf_x_;
     slot.y = shelf_y_;
-    shelf_x_ += slot.width + gap_px;
+    shelf_x_ += slot.width;
     shelf_height_ = std::max(shelf_height_, slot.height);
     const std::vector<std::uint8_t> texels = with_halo(*label.mask, label.halo_px, slot.margin);
     glBindTexture(GL_TEXTURE_2D, texture_.id());
@@ -186,8 +191,10 @@ void LabelPass::draw(const ViewScene& scene,
     for (const Label& label : scene.view->labels) {
         if (!shows(label) || !wanted(PlacedLabel(label))) continue;
         const Slot& slot = slots_.at(key_of(label));
+        // In 256ths of a pixel, exact in the shader wherever in the texture the mask lies.
+        const Eigen::Vector2d corner = (256.0 * label.top_left_px).array().round() / 256.0;
         const Eigen::Vector2d to_texel =
-            Eigen::Vector2d(slot.x + slot.margin, slot.y + slot.margin) - label.top_left_px;
+            Eigen::Vector2d(slot.x + slot.margin, slot.y + slot.margin) - corner;
         Constants constants;
         constants.add(to_texel.x(), to_texel.y(), 1.0 / width_px_, 1.0 / height_px_);
         constants.add4(linear_from_srgb(label.colour, label.opacity));

@@ -219,6 +219,31 @@ TEST(LabelPicture, DrawsMoreMasksThanTheTextureHolds) {
     EXPECT_NEAR(covered_px(renderer().render(drawing)), 10000.0, 1.0);
 }
 
+TEST(LabelPicture, HasTheBytesOfAPictureDrawnAlone) {
+    // Labels of full masks have been where these come to lie in the texture, at all their edges.
+    std::vector<GlyphMask> masks, letters;
+    for (std::uint64_t k = 0; k < 61; ++k) masks.push_back(block(10'000 + k, 200, 60));
+    for (std::uint64_t k = 0; k < 60; ++k)
+        letters.push_back(block(10'100 + k, 11, 7 + static_cast<int>(k % 9)));
+    const auto drawing_of = [](const GlyphMask& mask, double halo_px, double shift_px) {
+        Drawing drawing = flat_drawing(40, 40, 40.0);
+        Label label;
+        label.mask = &mask;
+        label.top_left_px = {11.0 + shift_px, 9.0 - 0.7 * shift_px};
+        label.halo_px = halo_px;
+        drawing.views[0].labels = {label};
+        return drawing;
+    };
+    Renderer film(context());
+    for (const GlyphMask& mask : masks) film.render(drawing_of(mask, 2.0, 0.3));
+    for (std::size_t k = 0; k < letters.size(); ++k) {
+        const Drawing drawing =
+            drawing_of(letters[k], k % 3 == 0 ? 1.7 : 0.0, 0.0137 * static_cast<double>(k));
+        Renderer alone(context());
+        ASSERT_EQ(n_different(alone.render(drawing), film.render(drawing)), 0u) << k;
+    }
+}
+
 TEST(LabelPicture, ShowsTheEndOfACaptionOf12000Pixels) {
     // A caption of a 2160p picture drawn 4 × 4 samples a pixel; its last seven columns are ink.
     constexpr int width = 12000;
