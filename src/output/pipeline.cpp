@@ -17,6 +17,15 @@ struct FrameWorkers::Impl {
         Image frame;
     };
 
+    // Here, for it goes too when a later thread cannot be started.
+    ~Impl() {
+        {
+            const std::lock_guard lock(mutex);
+            stopping = true;
+        }
+        frame_came.notify_all();
+    }
+
     void run(std::size_t worker);
     void give_back(Image& frame);
     void wait_for_room(std::unique_lock<std::mutex>& lock);
@@ -36,7 +45,7 @@ struct FrameWorkers::Impl {
     bool stopping = false;
     std::exception_ptr error;
 
-    std::vector<std::jthread> threads;
+    std::vector<std::jthread> threads;  // joined before anything else goes
 };
 
 void FrameWorkers::Impl::run(std::size_t worker) {
@@ -89,14 +98,7 @@ FrameWorkers::FrameWorkers(std::size_t n_workers, std::size_t n_pictures, Work w
         impl_->threads.emplace_back([impl = impl_.get(), i] { impl->run(i); });
 }
 
-FrameWorkers::~FrameWorkers() {
-    {
-        const std::lock_guard lock(impl_->mutex);
-        impl_->stopping = true;
-    }
-    impl_->frame_came.notify_all();
-    // The threads are joined with Impl, whose first member to go they are.
-}
+FrameWorkers::~FrameWorkers() = default;
 
 Image FrameWorkers::spare() {
     std::unique_lock lock(impl_->mutex);
