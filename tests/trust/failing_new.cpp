@@ -2,8 +2,10 @@
 // operator new fails, and those after it as well. Libraries get their memory: what LLVM or FFmpeg
 // do without is not ours to mend.
 #include <dlfcn.h>
+#include <execinfo.h>
 #include <link.h>
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
@@ -50,6 +52,32 @@ bool in_program(const void* address) {
     return at >= range.from && at < range.to;
 }
 
+// Whether this is one of the standard library's templates that the program shares with all that it
+// loads: LLVM's strings grow in the program's own code.
+bool in_shared_template(const void* address) {
+    Dl_info info{};
+    void* found = nullptr;
+    if (dladdr1(address, &info, &found, RTLD_DL_SYMENT) == 0 || found == nullptr) return false;
+    const auto* symbol = static_cast<const ElfW(Sym)*>(found);
+    const auto from = reinterpret_cast<std::uintptr_t>(info.dli_saddr);
+    return reinterpret_cast<std::uintptr_t>(address) < from + symbol->st_size;
+}
+
+// Whether the program asks. caller: of operator new.
+bool program_asks(const void* caller) {
+    if (!in_program(caller)) return false;
+    if (!in_shared_template(caller)) return true;
+    std::array<void*, 16> frames{};
+    const int n = backtrace(frames.data(), static_cast<int>(frames.size()));
+    bool is_above = false;
+    for (int i = 0; i < n; ++i) {
+        const void* const frame = frames[static_cast<std::size_t>(i)];
+        is_above = is_above || frame == caller;
+        if (is_above && !(in_program(frame) && in_shared_template(frame))) return in_program(frame);
+    }
+    return false;
+}
+
 // Nothing fails before main: what is made there is made when the program starts or not at all.
 std::atomic<bool> in_main{false};
 int (*program_main)(int, char**, char**) = nullptr;
@@ -60,7 +88,7 @@ int main_marked(int argc, char** argv, char** environment) {
 }
 
 void* allocate(std::size_t size, const void* caller) {
-    if (in_main && limit() != 0 && in_program(caller)) {
+    if (in_main && limit() != 0 && program_asks(caller)) {
         const long n = ++n_asked;
         if (limit() > 0 && n >= limit()) return nullptr;
     }
