@@ -3,11 +3,13 @@
 
 check:  one scene against its baseline in tests/golden/scenes. With the renderer that drew the baselines no pixel may differ;
         with another, the caps of `poinsot compare --profile native` hold. On failure a report is left and named.
+together: all scenes three times over in one process, in an order that says nothing: each has the bytes that it has alone.
 renew:  takes the pictures of all scenes as baselines, after you have looked at them; --why says what changed them.
 sheet:  all baselines on one picture, to be looked at.
-Usage: golden.py check POINSOT NAME FOLDER | golden.py renew POINSOT "WHY" [FOLDER] | golden.py sheet POINSOT OUT.png
+Usage: golden.py check POINSOT NAME FOLDER | golden.py together POINSOT | golden.py renew POINSOT "WHY" [FOLDER] | golden.py sheet POINSOT OUT.png
 """
 import pathlib
+import random
 import re
 import subprocess
 import sys
@@ -59,6 +61,22 @@ def check(program, name, folder):
     return 1
 
 
+def together(program):
+    with tempfile.TemporaryDirectory() as scratch:
+        alone, beside_others = pathlib.Path(scratch, "alone"), pathlib.Path(scratch, "together")
+        alone.mkdir()
+        beside_others.mkdir()
+        names = 3 * sorted(scene.stem for scene in SCENES.glob("*.toml"))
+        random.Random(1).shuffle(names)
+        subprocess.run([program, "still", *(str(SCENES / f"{name}.toml") for name in names), "--portable", "--size", SIZE,
+                        "-q", "-o", str(beside_others / "###.png")], check=True)
+        expected = {name: draw(program, name, alone).read_bytes() for name in set(names)}
+        wrong = [f"{number}: {name}" for number, name in enumerate(names)
+                 if (beside_others / f"{number:03}.png").read_bytes() != expected[name]]
+    print(f"{len(names)} pictures drawn after others, {len(wrong)} unlike those drawn alone", *wrong, sep="\n")
+    return 1 if wrong else 0
+
+
 def renew(program, why, folder=None):
     with tempfile.TemporaryDirectory() as scratch:
         results = pathlib.Path(folder or scratch)
@@ -94,4 +112,4 @@ def sheet(program, out):
 
 
 if __name__ == "__main__":
-    sys.exit({"check": check, "renew": renew, "sheet": sheet}[sys.argv[1]](*sys.argv[2:]))
+    sys.exit({"check": check, "together": together, "renew": renew, "sheet": sheet}[sys.argv[1]](*sys.argv[2:]))
