@@ -2,6 +2,8 @@
 // record.
 #pragma once
 
+#include <cstdint>
+
 #include "cli/options.h"
 #include "cli/picture.h"
 #include "cli/session.h"
@@ -9,9 +11,26 @@
 
 namespace poinsot {
 
-// One picture, at options.time_s, which the writer may still have in hand. Returns the exit code.
-// Throws InputError, EnvironmentError, and what the writer throws of an earlier one.
-int make_still(const Session& session, const Options& options, Easel& easel, StillWriter& writer);
+// One picture, at options.time_s or where the scene says, ready to be drawn. Any thread may make
+// it.
+class Still {
+ public:
+    // Throws InputError.
+    Still(Session&& session, const Options& options);
+    Still(const Still&) = delete;
+    Still& operator=(const Still&) = delete;
+
+    std::int64_t n_pixels() const;
+    // Draws it; the writer may still have it in hand. Throws InputError, EnvironmentError, and what
+    // the writer throws of an earlier one.
+    void draw(Easel& easel, StillWriter& writer);
+
+ private:
+    Session session_;
+    Options options_;
+    FilmMoment moment_;
+    Staging staging_;
+};
 
 // A film or sequence, all of it or options.frames.
 int make_film(const Session& session, const Options& options, Easel& easel);

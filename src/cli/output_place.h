@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
 #include "cli/options.h"
 #include "scene/scene.h"
@@ -15,8 +16,9 @@ class OutputPlace {
  public:
     OutputPlace(const Options& options, const Scene& scene, std::string_view suffix);
     ~OutputPlace();
-    OutputPlace(const OutputPlace&) = delete;
-    OutputPlace& operator=(const OutputPlace&) = delete;
+    OutputPlace(OutputPlace&& other) noexcept
+        : path_(std::move(other.path_)), made_(std::exchange(other.made_, false)) {}
+    OutputPlace& operator=(OutputPlace&&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
 

@@ -70,45 +70,50 @@ Renderer& Easel::renderer() {
     return *renderer_;
 }
 
+Staging::Staging(const Session& session, const PictureSpan& span, const PictureSetting& setting)
+    : samples(setting.samples),
+      stage(stage_of(session, span, setting)),
+      bound(bound_of(session, stage, samples)) {}
+
+Staging::Staging(const Session& session, const PictureSpan& span, const PrintChoices& print)
+    : Staging(session, span, setting_of(session.scene, print)) {}
+
+PictureMaker::PictureMaker(Staging staging, Easel& easel)
+    : staging_(std::move(staging)), context_(&easel.context()), renderer_(&easel.renderer()) {}
+
 PictureMaker::PictureMaker(const Session& session, Easel& easel, const PictureSpan& span)
-    : samples_(setting_of(session.scene, easel.print()).samples),
-      stage_(stage_of(session, span, setting_of(session.scene, easel.print()))),
-      bound_(bound_of(session, stage_, samples_)),
-      context_(&easel.context()),
-      renderer_(&easel.renderer()) {}
+    : PictureMaker(Staging(session, span, easel.print()), easel) {}
 
 PictureMaker::PictureMaker(const Session& session, const OffscreenContext& context,
                            const PictureSpan& span, const PictureSetting& setting)
-    : samples_(setting.samples),
-      stage_(stage_of(session, span, setting)),
-      bound_(bound_of(session, stage_, samples_)),
+    : staging_(session, span, setting),
       context_(&context),
       own_renderer_(context),
       renderer_(&*own_renderer_) {}
 
 void PictureMaker::draw(const FilmMoment& moment, Image& image) {
-    if (samples_ == 1) {
-        renderer_->render_into(stage_.at(moment), image);
+    if (staging_.samples == 1) {
+        renderer_->render_into(stage().at(moment), image);
         return;
     }
-    renderer_->render_into(stage_.at(moment), large_);
-    downsample_into(large_, samples_, image);
+    renderer_->render_into(stage().at(moment), large_);
+    downsample_into(large_, staging_.samples, image);
 }
 
 void PictureMaker::draw_part(const Drawing& whole, const PixelArea& area, Image& image) {
-    const PixelArea drawn{samples_ * area.x_px, samples_ * area.y_px, samples_ * area.width_px,
-                          samples_ * area.height_px};
-    if (samples_ == 1) return renderer_->render_into(part_of(whole, drawn), image);
+    const PixelArea drawn{staging_.samples * area.x_px, staging_.samples * area.y_px,
+                          staging_.samples * area.width_px, staging_.samples * area.height_px};
+    if (staging_.samples == 1) return renderer_->render_into(part_of(whole, drawn), image);
     renderer_->render_into(part_of(whole, drawn), large_);
-    image = downsampled(large_, samples_);
+    image = downsampled(large_, staging_.samples);
 }
 
 void PictureMaker::draw_part(const Drawing& whole, const PixelArea& area, DeepImage& image) {
-    if (samples_ == 1) return renderer_->render_into(part_of(whole, area), image);
-    const PixelArea drawn{samples_ * area.x_px, samples_ * area.y_px, samples_ * area.width_px,
-                          samples_ * area.height_px};
+    if (staging_.samples == 1) return renderer_->render_into(part_of(whole, area), image);
+    const PixelArea drawn{staging_.samples * area.x_px, staging_.samples * area.y_px,
+                          staging_.samples * area.width_px, staging_.samples * area.height_px};
     renderer_->render_into(part_of(whole, drawn), deep_large_);
-    downsample_into(deep_large_, samples_, image);
+    downsample_into(deep_large_, staging_.samples, image);
 }
 
 }  // namespace poinsot

@@ -70,8 +70,22 @@ PictureBound bound_of(const Session& session, const Stage& stage, int samples);
 // "within 0.05 px of the truth (motion 1.6e-11 px, curves 0.05 px; 0.1 px asked)"
 std::string in_words(const PictureBound& bound, double accuracy_px);
 
+// All that the pictures of a session need but the context: what takes the time of a small one, and
+// may be made by another thread than theirs. The session must outlive it.
+struct Staging {
+    // As finely as the scene's quality says.
+    Staging(const Session& session, const PictureSpan& span, const PrintChoices& print);
+    Staging(const Session& session, const PictureSpan& span, const PictureSetting& setting);
+
+    int samples;
+    Stage stage;
+    PictureBound bound;
+};
+
 class PictureMaker {
  public:
+    // A scene that has no picture is refused before a context is opened.
+    PictureMaker(Staging staging, Easel& easel);
     // As finely as the scene's quality says.
     PictureMaker(const Session& session, Easel& easel, const PictureSpan& span);
     // On a context that outlives it.
@@ -87,19 +101,16 @@ class PictureMaker {
     void draw_part(const Drawing& whole, const PixelArea& area, Image& image);
     void draw_part(const Drawing& whole, const PixelArea& area, DeepImage& image);
 
-    int width_px() const { return stage_.data().options.width_px / samples_; }
-    int height_px() const { return stage_.data().options.height_px / samples_; }
-    int samples_a_pixel() const { return samples_ * samples_; }
+    int width_px() const { return stage().data().options.width_px / staging_.samples; }
+    int height_px() const { return stage().data().options.height_px / staging_.samples; }
+    int samples_a_pixel() const { return staging_.samples * staging_.samples; }
 
     const ContextInfo& context_info() const { return context_->info(); }
-    const Stage& stage() const { return stage_; }
-    const PictureBound& bound() const { return bound_; }
+    const Stage& stage() const { return staging_.stage; }
+    const PictureBound& bound() const { return staging_.bound; }
 
  private:
-    // The stage is made first: a scene that has no picture is refused before a context is opened.
-    int samples_;
-    Stage stage_;
-    PictureBound bound_;
+    Staging staging_;
     const OffscreenContext* context_;
     std::optional<Renderer> own_renderer_;
     Renderer* renderer_;

@@ -47,8 +47,8 @@ void note_differences(const Record& then, const Record& now) {
 }
 
 // One frame of a sequence carries the record of the whole, whose histories it shows.
-int redraw_frame(const std::filesystem::path& file, const Record& record, const Session& session,
-                 const Options& options, Easel& easel) {
+void redraw_frame(const std::filesystem::path& file, const Record& record, const Session& session,
+                  const Options& options, Easel& easel) {
     const auto frame = frame_of_name(file);
     const auto [first, last] = *record.frames;
     if (!frame || *frame < first || *frame > last)
@@ -66,7 +66,6 @@ int redraw_frame(const std::filesystem::path& file, const Record& record, const 
     PngOptions png;
     png.texts[kMetadataName] = to_text(again);
     write_png(options.output, image, png);
-    return 0;
 }
 
 int run(const Options& given) {
@@ -93,17 +92,22 @@ int run(const Options& given) {
             printable(scene.body.mesh.empty() ? scene.object.mesh : scene.body.mesh)));
     options.portable = record.portable;
     options.time_s = record.time_s.value_or(0.0);
-    const Session session = session_of(std::move(scene), {&*options.time_s, 1});
+    Session session = session_of(std::move(scene), {&*options.time_s, 1});
     options.frames = record.frames;
     options.print.dpi = record.dpi;
     options.print.type_pt = record.type_pt;
     options.print.bit_depth = record.bit_depth;
     Easel easel(options);
-    StillWriter writer;
-    const int code = record.time_s ? make_still(session, options, easel, writer)
-                     : is_picture  ? redraw_frame(file, record, session, options, easel)
-                                   : make_film(session, options, easel);
-    writer.finish();
+    int code = 0;
+    if (record.time_s) {
+        StillWriter writer;
+        Still(std::move(session), options).draw(easel, writer);
+        writer.finish();
+    } else if (is_picture) {
+        redraw_frame(file, record, session, options, easel);
+    } else {
+        code = make_film(session, options, easel);
+    }
     if (!options.quiet) note_differences(record, read_record(output));
     return code;
 }

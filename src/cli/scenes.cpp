@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <string>
 
 #include "error/error.h"
 #include "error/nearest.h"
@@ -12,27 +14,38 @@
 
 namespace poinsot {
 
-int for_each_scene(const Options& options, const std::function<int(const Options&)>& job) {
-    if (options.arguments.size() == 1) return job(options);
+std::vector<Options> options_by_scene(const Options& options) {
+    if (options.arguments.size() == 1) return {options};
     if (!options.output.empty() && !has_frame_number(options.output))
         throw InputError(fmt::format(
             "{}: {} scenes cannot go to one name; put #### into it for the scene's number, or "
             "leave -o out to name each after its scene",
             printable(options.output), options.arguments.size()));
-    int worst = 0;
-    std::int64_t number = 0;
+    std::vector<Options> each;
     for (const std::string& scene : options.arguments) {
-        Options own = options;
+        Options& own = each.emplace_back(options);
         own.arguments = {scene};
-        if (!options.output.empty()) own.output = frame_name(options.output, number).string();
-        ++number;
-        try {
-            worst = std::max(worst, job(own));
-        } catch (const InputError& error) {
-            fmt::print(stderr, "{}\n", printable(error.what()));
-            worst = std::max(worst, 2);
-        }
+        if (!options.output.empty())
+            own.output =
+                frame_name(options.output, static_cast<std::int64_t>(each.size()) - 1).string();
     }
+    return each;
+}
+
+int code_of_one(const std::function<int()>& job) {
+    try {
+        return job();
+    } catch (const InputError& error) {
+        fmt::print(stderr, "{}\n", printable(error.what()));
+        return 2;
+    }
+}
+
+int for_each_scene(const Options& options, const std::function<int(const Options&)>& job) {
+    const std::vector<Options> each = options_by_scene(options);
+    if (each.size() == 1) return job(each.front());
+    int worst = 0;
+    for (const Options& own : each) worst = std::max(worst, code_of_one([&] { return job(own); }));
     return worst;
 }
 

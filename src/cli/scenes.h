@@ -2,18 +2,24 @@
 // does not keep the others from being made.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <string>
+#include <vector>
 
 #include "cli/options.h"
 
 namespace poinsot {
 
-// `job` is called for each scene that the options name, with options that name it alone: with one
-// scene as they are; with several, the first #### of the output counts the scenes from 0. Returns
-// the largest exit code; a scene that is refused is said on stderr and counts as 2. Throws
-// InputError if several scenes would be written to one name.
+// The options for each scene that they name, with which they name it alone: with one scene as they
+// are; with several, the first #### of the output counts the scenes from 0. Throws InputError if
+// several scenes would be written to one name.
+std::vector<Options> options_by_scene(const Options& options);
+
+// The exit code of a job over one of several scenes: one that is refused is said on stderr and
+// counts as 2.
+int code_of_one(const std::function<int()>& job);
+
+// `job` is called for each scene in turn. Returns the largest exit code. Throws what the job throws
+// of a scene alone, and InputError as options_by_scene does.
 int for_each_scene(const Options& options, const std::function<int(const Options&)>& job);
 
 }  // namespace poinsot

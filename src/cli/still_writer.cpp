@@ -7,19 +7,20 @@
 
 namespace poinsot {
 
-void StillWriter::write(const std::filesystem::path& path, Image&& picture, PngOptions&& png,
+void StillWriter::write(OutputPlace&& place, Image&& picture, PngOptions&& png,
                         std::string&& words) {
     finish();
     words_ = std::move(words);
+    place_.emplace(std::move(place));
     // Where no thread can be had, finish() writes.
-    written_ = std::async([path, picture = std::move(picture), png = std::move(png)] {
-        write_png(path, picture, png);
-    });
+    written_ = std::async([path = place_->path(), picture = std::move(picture),
+                           png = std::move(png)] { write_png(path, picture, png); });
 }
 
 void StillWriter::finish() {
     if (!written_.valid()) return;
     written_.get();
+    place_.reset();
     fmt::print(stderr, "{}", words_);
 }
 

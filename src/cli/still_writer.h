@@ -2,10 +2,11 @@
 // long as drawing a small one.
 #pragma once
 
-#include <filesystem>
 #include <future>
+#include <optional>
 #include <string>
 
+#include "cli/output_place.h"
 #include "image/image.h"
 #include "image/png.h"
 
@@ -17,13 +18,13 @@ class StillWriter {
  public:
     // Returns while the picture is being written; words are said on stderr once it is there. Throws
     // what the one before threw.
-    void write(const std::filesystem::path& path, Image&& picture, PngOptions&& png,
-               std::string&& words);
+    void write(OutputPlace&& place, Image&& picture, PngOptions&& png, std::string&& words);
 
     // Waits for the last, and says its words. Throws EnvironmentError as write_png does.
     void finish();
 
  private:
+    std::optional<OutputPlace> place_;  // until the picture lies there
     std::future<void> written_;
     std::string words_;
 };

@@ -101,6 +101,18 @@ TEST(ManyScenes, OneThatCannotBeWrittenEndsThemAllAndIsSaidOnce) {
     }
 }
 
+TEST(ManyScenes, WithoutANameLieInAFolderMadeForThem) {
+    for (const std::string command : {"still a.toml", "still a.toml b.toml"}) {
+        const ScratchFolder folder;
+        for (const char* name : {"a", "b"}) folder.write(name + std::string(".toml"), scene(name));
+        const ProgramRun run = run_program_in(folder, command + " -q");
+        EXPECT_EQ(run.code, 0) << command << ": " << run.err;
+        EXPECT_FALSE(image_of(folder, "output/a.png").empty()) << command;
+        EXPECT_EQ(std::filesystem::exists(folder.path() / "output/b.png"),
+                  command.find('b') != std::string::npos);
+    }
+}
+
 TEST(ManyScenes, FilmsAreNumberedToo) {
     const ScratchFolder folder;
     folder.write("a.toml", scene("a"));
