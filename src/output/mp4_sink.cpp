@@ -23,15 +23,16 @@ namespace {
 // and 0.99, "reference" 1.31 and 0.93. psy would add the grain that drawings lack; aq-mode 2 spends
 // a tenth more than aq-mode 1 for the same likeness. A short lookahead bounds memory and what a
 // kill can take, which stays under a second from 24 frames a second on: 10 frames instead of 20
-// make a print film 1 % smaller and its SSIM 0.00015 less; without the queue of 4 before a
-// lookahead thread of its own the film is the same.
+// make a print film 1 % smaller and its SSIM 0.00015 less. A lookahead thread of its own, before
+// which sync-lookahead frames wait (4 by default), changes no byte: with 2 a lecture film takes 6 %
+// less time and 20 MiB more, those below and above it gain nothing.
 struct Quality {
     std::string_view name;
     const char *preset, *crf, *x264;
 };
 constexpr std::array<Quality, 4> kQualities = {{
     {"draft", "ultrafast", "23", "psy=0:sync-lookahead=0"},
-    {"lecture", "veryfast", "18", "psy=0:aq-mode=1:trellis=1:sync-lookahead=0"},
+    {"lecture", "veryfast", "18", "psy=0:aq-mode=1:trellis=1:sync-lookahead=2"},
     {"print", "fast", "17", "psy=0:aq-mode=1:rc-lookahead=10:sync-lookahead=0"},
     {"reference", "slow", "14", "psy=0:aq-mode=1:rc-lookahead=10:sync-lookahead=0"},
 }};
