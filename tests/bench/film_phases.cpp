@@ -3,6 +3,7 @@
 // once, as `poinsot render` does it). SETTINGS: a quality's name, or a preset of x264 taken as it
 // is at crf 18. film_bench.py puts the parts together.
 #include <fmt/format.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -185,6 +186,8 @@ int main(int argc, char** argv) {
         std::fputs("film_phases render|encode|film SCENE WxH QUALITY|PRESET N\n", stderr);
         return 2;
     }
+    // As the program does.
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
     try {
         return run(argv[1], argv[2], argv[3], argv[4], std::stol(argv[5]));
     } catch (const std::exception& error) {
