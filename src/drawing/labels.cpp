@@ -30,6 +30,15 @@ double nearness_to_view(const Eigen::Vector2d& at_px, const View& view) {
 
 }  // namespace
 
+TypeBox type_box(const SetType& type, int samples) {
+    const auto down = [samples](double px) { return samples * std::floor(px / samples); };
+    const auto up = [samples](double px) { return samples * std::ceil(px / samples); };
+    const double left = down(type.left_px), ascent = up(type.baseline_px);
+    return {{up(type.left_px + type.mask->width) - left,
+             up(type.mask->height - type.baseline_px) + ascent},
+            {type.left_px - left, ascent - type.baseline_px}};
+}
+
 TypesetMask TypeCase::set_legible(std::string_view text, const TypeStyle& style) const {
     if (style.size_px >= least_legible_px || !(style.size_px > 0.0))
         return typesetter_.set(text, style);
@@ -58,14 +67,14 @@ SetType TypeCase::set_live(std::string_view text, const TypeStyle& style, View& 
 }
 
 void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,
-                  View& view) {
+                  View& view, int samples) {
     struct Box {
         Eigen::Vector2d centre;
         Eigen::Vector2d half;
     };
     std::vector<Box> boxes;
     for (const LabelWish& wish : wishes) {
-        const Eigen::Vector2d half{0.5 * wish.type.mask->width, 0.5 * wish.type.mask->height};
+        const Eigen::Vector2d half = 0.5 * type_box(wish.type, samples).size_px;
         // The box touches the anchor's neighbourhood as an ellipse would: smooth in the direction.
         // A vanishing direction (an arrow pointing at the eye) fades into "to the right". No
         // function of the direction alone is continuous there: the box comes nearer to the anchor
@@ -109,7 +118,7 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
         corner.y() = keep(corner.y(), view.y_px, view.height_px, 2.0 * boxes[i].half.y());
         Label label;
         label.mask = wishes[i].type.mask;
-        label.top_left_px = corner;
+        label.top_left_px = corner + type_box(wishes[i].type, samples).mask_px;
         label.colour = wishes[i].colour;
         label.halo_colour = halo;
         label.halo_px = halo_px;

@@ -24,6 +24,14 @@ struct SetType {
     double baseline_px = 0.0;
 };
 
+// The room that set type takes: its ink's box in whole pixels of the picture that is looked at, so
+// that what is placed by it stands there however many samples a pixel has (samples × samples).
+struct TypeBox {
+    Eigen::Vector2d size_px = Eigen::Vector2d::Zero();
+    Eigen::Vector2d mask_px = Eigen::Vector2d::Zero();  // the mask's upper left corner in it
+};
+TypeBox type_box(const SetType& type, int samples);
+
 // Type of fewer pixels an em is left out: its small letters would be one pixel high.
 inline constexpr double least_legible_px = 3.0;
 
@@ -56,9 +64,9 @@ struct LabelWish {
     double opacity = 1.0;
 };
 
-// Adds the wishes as labels of the view: each at its place, then pushed apart where they would
-// cover each other, then kept inside the view.
+// Adds the wishes as labels of the view, of a picture with so many samples to a pixel's side: each
+// at its place, then pushed apart where they would cover each other, then kept inside the view.
 void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,
-                  View& view);
+                  View& view, int samples = 1);
 
 }  // namespace poinsot

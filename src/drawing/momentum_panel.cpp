@@ -94,7 +94,7 @@ std::vector<Label> legend_of(const Panel& panel) {
     for (const auto& [text, colour] : rows) {
         const SetType type = set_label(panel, text, 0.72);
         legend.push_back(chart_label(panel, type, left, bottom, Anchor::bottom_left, colour));
-        bottom += type.mask->height + 10.0 * panel.px;
+        bottom += type_box(type, panel.stage->options.samples).size_px.y() + 10.0 * panel.px;
     }
     return legend;
 }
@@ -107,6 +107,9 @@ double legend_rows(const Panel& panel, const std::vector<Label>& legend) {
         top = std::min(top, label.top_left_px.y());
         right = std::max(right, label.top_left_px.x() + label.mask->width);
     }
+    // Whole rows of the picture that is looked at.
+    const int samples = panel.stage->options.samples;
+    top = samples * std::floor(top / samples);
     const bool in_the_way = right - panel.box.x_px > 0.35 * panel.box.width_px;
     return in_the_way ? panel.box.y_px + panel.box.height_px - top : 0.0;
 }

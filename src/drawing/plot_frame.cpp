@@ -117,8 +117,9 @@ SetType set_chart_type(const Panel& panel, std::string_view text, TypeMode mode,
 
 Label chart_label(const Panel& panel, const SetType& type, double x, double y, Anchor anchor,
                   const Colour& colour) {
-    const double width = type.mask->width;
-    const double height = type.mask->height;
+    const StageData& stage = *panel.stage;
+    const TypeBox box = type_box(type, stage.options.samples);
+    const double width = box.size_px.x(), height = box.size_px.y();
     Eigen::Vector2d corner(panel.box.x_px + x, panel.box.y_px + panel.box.height_px - y);
     switch (anchor) {
         case Anchor::left_middle:
@@ -139,9 +140,11 @@ Label chart_label(const Panel& panel, const SetType& type, double x, double y, A
     }
     Label label;
     label.mask = type.mask;
-    label.top_left_px = {std::round(corner.x()), std::round(corner.y())};
+    label.top_left_px =
+        Eigen::Vector2d(stage.at_whole_pixel(corner.x()), stage.at_whole_pixel(corner.y())) +
+        box.mask_px;
     label.colour = colour;
-    label.halo_colour = panel.stage->theme->halo;
+    label.halo_colour = stage.theme->halo;
     label.halo_px = 2.0 * panel.px;
     return label;
 }
@@ -188,13 +191,15 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     const double gap = 9.0 * panel.type_px;
     const double tick_px = 7.0 * panel.px;
     const double number_px = chart_number_size * panel.type_px;
+    const StageData& stage = *panel.stage;
+    const auto box_of = [&](const SetType& type) { return type_box(type, stage.options.samples); };
 
     // Room for numbers at the left, for one row of them below, for a title above.
     area_.left += left_px;
     area_.right -= right_px;
     if (!x_title.empty()) area_.bottom += tick_px + gap + 0.75 * number_px;
     const SetType y_type = set_chart_type(panel, y_title, TypeMode::text, chart_title_size);
-    if (y_type.mask->height > 0) area_.top -= y_type.mask->height + 1.6 * gap;
+    if (y_type.mask->height > 0) area_.top -= box_of(y_type).size_px.y() + 1.6 * gap;
     area_.right = std::max(area_.right, area_.left + 1.0);
     area_.top = std::max(area_.top, area_.bottom + 1.0);
 
@@ -228,29 +233,31 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
         const SetType type = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
         Label number = chart_label(panel, type, across, 0.0, Anchor::top_centre, theme.text);
         number.top_left_px.y() =
-            std::round(panel.box.y_px + panel.box.height_px - baseline) - type.baseline_px;
+            stage.at_whole_pixel(panel.box.y_px + panel.box.height_px - baseline) -
+            type.baseline_px;
         labels_.push_back(number);
-        free_from = across + 0.5 * type.mask->width;
+        free_from = across + 0.5 * box_of(type).size_px.x();
     }
     if (x_title.empty()) return;
     // The title stands at the end of the numbers; a number in its place gives way.
     const SetType type = set_chart_type(panel, x_title, TypeMode::text, chart_title_size);
     Label title = chart_label(panel, type, region.right, 0.0, Anchor::bottom_right, theme.text);
     title.top_left_px.y() =
-        std::round(panel.box.y_px + panel.box.height_px - baseline) - type.baseline_px;
+        stage.at_whole_pixel(panel.box.y_px + panel.box.height_px - baseline) - type.baseline_px;
     if (title.top_left_px.x() - panel.box.x_px < free_from + gap) {
-        title.top_left_px.x() =
-            std::min(region.right - type.mask->width, area_.right + gap) + panel.box.x_px;
+        const TypeBox box = box_of(type);
+        title.top_left_px.x() = std::min(region.right - box.size_px.x(), area_.right + gap) +
+                                panel.box.x_px + box.mask_px.x();
         if (title.top_left_px.x() - panel.box.x_px < free_from + gap) labels_.pop_back();
     }
     labels_.push_back(title);
 }
 
 double PlotFrame::numbers_px(const Panel& panel, const Axis& y) {
-    int widest = 0;
+    double widest = 0.0;
     for (const Tick& tick : y.ticks) {
         const SetType type = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
-        widest = std::max(widest, type.mask->width);
+        widest = std::max(widest, type_box(type, panel.stage->options.samples).size_px.x());
     }
     return widest + 9.0 * panel.type_px + 7.0 * panel.px;
 }

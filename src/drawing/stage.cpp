@@ -45,7 +45,8 @@ Drawing Stage::at(const FilmMoment& moment) const {
             view.background.alpha = 0.0;
         }
         panel.draw(instant, sheet);
-        place_labels(sheet.wishes, data_->theme->halo, 3.0 * panel.px, view);
+        place_labels(sheet.wishes, data_->theme->halo, 3.0 * panel.px, view,
+                     data_->options.samples);
         drawing.views.push_back(std::move(view));
     }
 

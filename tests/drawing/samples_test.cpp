@@ -73,5 +73,55 @@ TEST(Samples, LeavePanelsAndCamerasWhereTheyAre) {
     }
 }
 
+// Ends of the lines of all flat views, and where their type stands, in pixels of the picture that
+// is looked at.
+struct Sheet2d {
+    std::vector<Eigen::Vector2d> ends, type;
+};
+
+Sheet2d flat_parts(const Scene& scene, int samples) {
+    const Motion motion(problem_of(scene));
+    const Stage stage(scene, motion,
+                      {.width_px = scene.film.width_px * samples,
+                       .height_px = scene.film.height_px * samples,
+                       .samples = samples,
+                       .last_time_s = 3.0});
+    const Drawing drawing = stage.at(1.0);
+    Sheet2d sheet;
+    for (const View& view : drawing.views) {
+        if (!view.camera.orthographic) continue;
+        for (const Curve& curve : view.curves)
+            for (const Eigen::Vector3d& point :
+                 {curve.geometry->points.front(), curve.geometry->points.back()})
+                sheet.ends.emplace_back((curve.placement * point).head<2>() / samples);
+        for (const Label& label : view.labels) sheet.type.emplace_back(label.top_left_px / samples);
+    }
+    return sheet;
+}
+
+TEST(Samples, LeaveChartsWhereTheyAre) {
+    for (const int width_px : {640, 643, 960}) {
+        Scene scene = with_type({"space", "plot"});
+        scene.film.width_px = width_px;
+        scene.film.height_px = 9 * width_px / 16;
+        const Sheet2d alone = flat_parts(scene, 1);
+        ASSERT_GT(alone.ends.size(), 20u);
+        ASSERT_GT(alone.type.size(), 8u);
+        for (const int n : {2, 3, 4}) {
+            const Sheet2d fine = flat_parts(scene, n);
+            ASSERT_EQ(fine.ends.size(), alone.ends.size());
+            ASSERT_EQ(fine.type.size(), alone.type.size());
+            for (std::size_t k = 0; k < fine.ends.size(); ++k)
+                EXPECT_LT((fine.ends[k] - alone.ends[k]).norm(), 1e-6) << width_px << " " << n;
+            // The ink's box is finer, and lies within that of whole pixels.
+            for (std::size_t k = 0; k < fine.type.size(); ++k) {
+                const Eigen::Vector2d inside = fine.type[k] - alone.type[k];
+                EXPECT_GE(inside.minCoeff(), 0.0) << width_px << " " << n << " " << k;
+                EXPECT_LT(inside.maxCoeff(), 1.0) << width_px << " " << n << " " << k;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace poinsot
