@@ -118,7 +118,7 @@ int draw_all(const std::vector<Options>& scenes, Easel& easel, StillWriter& writ
     int worst = 0;
     std::future<std::unique_ptr<Still>> next = begin(0);
     for (std::size_t k = 0; k < scenes.size(); ++k) {
-        std::future<std::unique_ptr<Still>> still = std::move(next);
+        std::future<std::unique_ptr<Still>> still = std::exchange(next, {});
         still.wait();
         if (k + 1 < scenes.size()) next = begin(k + 1);
         worst = std::max(worst, code_of_one([&] {
