@@ -36,7 +36,8 @@ TypeBox type_box(const SetType& type, int samples) {
     const double left = down(type.left_px), ascent = up(type.baseline_px);
     return {{up(type.left_px + type.mask->width) - left,
              up(type.mask->height - type.baseline_px) + ascent},
-            {type.left_px - left, ascent - type.baseline_px}};
+            {type.left_px - left, ascent - type.baseline_px},
+            ascent};
 }
 
 TypesetMask TypeCase::set_legible(std::string_view text, const TypeStyle& style) const {

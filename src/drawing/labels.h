@@ -29,6 +29,7 @@ struct SetType {
 struct TypeBox {
     Eigen::Vector2d size_px = Eigen::Vector2d::Zero();
     Eigen::Vector2d mask_px = Eigen::Vector2d::Zero();  // the mask's upper left corner in it
+    double baseline_px = 0.0;                           // from its upper side
 };
 TypeBox type_box(const SetType& type, int samples);
 

@@ -94,7 +94,7 @@ std::vector<Label> legend_of(const Panel& panel) {
     for (const auto& [text, colour] : rows) {
         const SetType type = set_label(panel, text, 0.72);
         legend.push_back(chart_label(panel, type, left, bottom, Anchor::bottom_left, colour));
-        bottom += type_box(type, panel.stage->options.samples).size_px.y() + 10.0 * panel.px;
+        bottom += panel.stage->room_of(type).size_px.y() + 10.0 * panel.px;
     }
     return legend;
 }

@@ -31,11 +31,6 @@ void add_text(const StageData& stage, const SetType& type, double pen_x, double 
 double margin(double px) { return overlay_margin * px; }
 double margin(const StageData& stage) { return margin(stage.px); }
 
-// The room that a length of type takes, to whole pixels of the picture that is looked at.
-double room_for(const StageData& stage, int length_px) {
-    return stage.options.samples * std::ceil(1.0 * length_px / stage.options.samples);
-}
-
 constexpr double title_size = 40.0;
 constexpr double caption_size = 26.0;
 
@@ -53,7 +48,7 @@ Drawer make_title(StageData& stage) {
         return stage.type_case.set(stage.scene.title, text_style(stage, title_size));
     });
     return [&stage, type](const Instant&, Sheet& sheet) {
-        add_text(stage, type, margin(stage), margin(stage) + room_for(stage, type.baseline_px),
+        add_text(stage, type, margin(stage), margin(stage) + stage.room_of(type).baseline_px,
                  sheet);
     };
 }
@@ -61,7 +56,8 @@ Drawer make_title(StageData& stage) {
 Drawer make_caption(StageData& stage) {
     const TypeStyle style = text_style(stage, caption_size);
     const auto place = [&stage](const SetType& type, Sheet& sheet) {
-        const double below = room_for(stage, type.mask->height - type.baseline_px);
+        const TypeBox box = stage.room_of(type);
+        const double below = box.size_px.y() - box.baseline_px;
         add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
                  sheet);
     };

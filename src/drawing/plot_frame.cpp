@@ -118,7 +118,7 @@ SetType set_chart_type(const Panel& panel, std::string_view text, TypeMode mode,
 Label chart_label(const Panel& panel, const SetType& type, double x, double y, Anchor anchor,
                   const Colour& colour) {
     const StageData& stage = *panel.stage;
-    const TypeBox box = type_box(type, stage.options.samples);
+    const TypeBox box = stage.room_of(type);
     const double width = box.size_px.x(), height = box.size_px.y();
     Eigen::Vector2d corner(panel.box.x_px + x, panel.box.y_px + panel.box.height_px - y);
     switch (anchor) {
@@ -192,14 +192,13 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     const double tick_px = 7.0 * panel.px;
     const double number_px = chart_number_size * panel.type_px;
     const StageData& stage = *panel.stage;
-    const auto box_of = [&](const SetType& type) { return type_box(type, stage.options.samples); };
 
     // Room for numbers at the left, for one row of them below, for a title above.
     area_.left += left_px;
     area_.right -= right_px;
     if (!x_title.empty()) area_.bottom += tick_px + gap + 0.75 * number_px;
     const SetType y_type = set_chart_type(panel, y_title, TypeMode::text, chart_title_size);
-    if (y_type.mask->height > 0) area_.top -= box_of(y_type).size_px.y() + 1.6 * gap;
+    if (y_type.mask->height > 0) area_.top -= stage.room_of(y_type).size_px.y() + 1.6 * gap;
     area_.right = std::max(area_.right, area_.left + 1.0);
     area_.top = std::max(area_.top, area_.bottom + 1.0);
 
@@ -236,7 +235,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
             stage.at_whole_pixel(panel.box.y_px + panel.box.height_px - baseline) -
             type.baseline_px;
         labels_.push_back(number);
-        free_from = across + 0.5 * box_of(type).size_px.x();
+        free_from = across + 0.5 * stage.room_of(type).size_px.x();
     }
     if (x_title.empty()) return;
     // The title stands at the end of the numbers; a number in its place gives way.
@@ -245,7 +244,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     title.top_left_px.y() =
         stage.at_whole_pixel(panel.box.y_px + panel.box.height_px - baseline) - type.baseline_px;
     if (title.top_left_px.x() - panel.box.x_px < free_from + gap) {
-        const TypeBox box = box_of(type);
+        const TypeBox box = stage.room_of(type);
         title.top_left_px.x() = std::min(region.right - box.size_px.x(), area_.right + gap) +
                                 panel.box.x_px + box.mask_px.x();
         if (title.top_left_px.x() - panel.box.x_px < free_from + gap) labels_.pop_back();
@@ -257,7 +256,7 @@ double PlotFrame::numbers_px(const Panel& panel, const Axis& y) {
     double widest = 0.0;
     for (const Tick& tick : y.ticks) {
         const SetType type = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
-        widest = std::max(widest, type_box(type, panel.stage->options.samples).size_px.x());
+        widest = std::max(widest, panel.stage->room_of(type).size_px.x());
     }
     return widest + 9.0 * panel.type_px + 7.0 * panel.px;
 }

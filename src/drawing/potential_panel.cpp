@@ -108,7 +108,7 @@ void make_potential_panel(Panel& panel) {
     const SetType potential_type =
         set_chart_type(panel, "V_{\\mathrm{eff}}", TypeMode::math, chart_name_size);
     const auto width_of = [&](const SetType& type) {
-        return type_box(type, panel.stage->options.samples).size_px.x();
+        return panel.stage->room_of(type).size_px.x();
     };
     const double margin = chart_margin * panel.px;
     const ChartArea region{margin, 0.5 * margin, panel.box.width_px - margin,

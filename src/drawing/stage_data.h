@@ -114,6 +114,8 @@ struct StageData {
         return options.samples * std::round(at_px / options.samples);
     }
 
+    TypeBox room_of(const SetType& type) const { return type_box(type, options.samples); }
+
     // What the panels ask for at an instant, and nothing else; attitude and herpolhode in the space
     // axes shown.
     Instant instant_at(const FilmMoment& moment) const;

@@ -1,29 +1,11 @@
 // The free motion at an instant: what FreeRotation's setup is for.
 #include <cmath>
-#include <numbers>
 
 #include "error/error.h"
+#include "mechanics/euler_angles.h"
 #include "mechanics/free_rotation.h"
 
 namespace poinsot {
-
-namespace {
-
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
-
-EulerAngles euler_angles(const Quaterniond& q) {
-    // R = Rz(φ)Rx(θ)Rz(ψ): w, z = cos(θ/2)·cos, sin((φ+ψ)/2); x, y = sin(θ/2)·cos, sin((φ−ψ)/2).
-    const double half_sum = std::atan2(q.z(), q.w());
-    const double half_difference = std::atan2(q.y(), q.x());
-    EulerAngles angles;
-    angles.theta_rad = 2.0 * std::atan2(std::hypot(q.x(), q.y()), std::hypot(q.w(), q.z()));
-    angles.phi_rad = std::remainder(half_sum + half_difference, 2.0 * std::numbers::pi);
-    angles.psi_rad = std::remainder(half_sum - half_difference, 2.0 * std::numbers::pi);
-    return angles;
-}
-
-}  // namespace
 
 // The scaled time, refused where ω t overflows.
 inline double FreeRotation::scaled_time(double time_s) const {
@@ -118,7 +100,7 @@ void FreeRotation::steady(double time, const Quantities& wanted, MotionSample& o
     Pair half{0.0, 1.0};  // (sin, cos) of half the turn
     if (series_ != Series::none)
         half = sin_cos<Tier::exact>(phases_.at<Tier::exact>(time)[mean_turn]);
-    const Vector3d turn = half[0] * steady_axis_body_;
+    const Eigen::Vector3d turn = half[0] * steady_axis_body_;
     attitude_from_turn_.product(Pair{half[1], turn[0]}, Pair{turn[1], turn[2]}, 1.0,
                                 out.state.space_from_body);
 }
@@ -180,8 +162,8 @@ MotionSample FreeRotation::sample(double time_s, const Quantities& wanted) const
     MotionSample out;
     evaluate(time_s, wanted, out);
     if (wanted.euler_angles) {
-        out.euler = euler_angles(out.state.space_from_body);
-        if (!wanted.attitude) out.state.space_from_body = Quaterniond::Identity();
+        out.euler = euler_angles_of(out.state.space_from_body);
+        if (!wanted.attitude) out.state.space_from_body = Eigen::Quaterniond::Identity();
     }
     return out;
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "error/error.h"
+#include "mechanics/euler_angles.h"
 
 namespace poinsot {
 
@@ -38,17 +39,6 @@ void require_finite(const RotationState& start) {
             "the attitude at the start is not a rotation; give a quaternion other than "
             "zero");
     }
-}
-
-// The z-x-z angles of an attitude; φ−ψ is taken as zero where θ is 0 and φ+ψ where it is π.
-EulerAngles euler_angles_of(const Eigen::Quaterniond& q) {
-    const double sum = q.w() == 0.0 && q.z() == 0.0 ? 0.0 : std::atan2(q.z(), q.w());
-    const double difference = q.x() == 0.0 && q.y() == 0.0 ? 0.0 : std::atan2(q.y(), q.x());
-    EulerAngles angles;
-    angles.theta_rad = 2.0 * std::atan2(std::hypot(q.x(), q.y()), std::hypot(q.w(), q.z()));
-    angles.phi_rad = std::remainder(sum + difference, 2.0 * std::numbers::pi);
-    angles.psi_rad = std::remainder(sum - difference, 2.0 * std::numbers::pi);
-    return angles;
 }
 
 }  // namespace

@@ -125,6 +125,18 @@ struct TurnTable {
 };
 extern const TurnTable turn_table;
 
+// sin and cos − 1 of the rest, of one phase or of two at once; factors: of a Number each.
+template <class Number>
+struct RestTurn {
+    Number sin, cos_less_1;
+    [[gnu::always_inline]] RestTurn(const Number& h, const std::array<Number, 3>& s,
+                                    const std::array<Number, 3>& c) {
+        const Number t = h * h;
+        sin = h * s[0] + (h * t) * (s[1] + t * s[2]);
+        cos_less_1 = t * c[0] + (t * t) * (c[1] + t * c[2]);
+    }
+};
+
 // The sines and the cosines of two phases; exact: to 0.6 units of 2^−53, fast: to 1.1.
 struct SinCosPair {
     Pair sin;
@@ -132,18 +144,12 @@ struct SinCosPair {
 };
 template <Tier tier>
 [[gnu::always_inline]] inline SinCosPair sin_cos(const FineTurnPair& turns) {
-    const auto& [s0, s1, s2] = turn_table.sin_factors;
-    const auto& [c0, c1, c2] = turn_table.cos_factors;
-    const Pair& h = turns.rest;
-    const Pair t = h * h;
-    const Pair small_sin = h * s0 + (h * t) * (s1 + t * s2);
-    const Pair small_cos = t * c0 + (t * t) * (c1 + t * c2);  // less 1
-
+    const RestTurn<Pair> rest(turns.rest, turn_table.sin_factors, turn_table.cos_factors);
     const auto [i, j] = turns.whole;
     const Pair sin = firsts(turn_table.rounded[i], turn_table.rounded[j]);
     const Pair cos = seconds(turn_table.rounded[i], turn_table.rounded[j]);
-    Pair more_sin = sin * small_cos + cos * small_sin;
-    Pair more_cos = cos * small_cos - sin * small_sin;
+    Pair more_sin = sin * rest.cos_less_1 + cos * rest.sin;
+    Pair more_cos = cos * rest.cos_less_1 - sin * rest.sin;
     if constexpr (tier == Tier::exact) {
         more_sin += firsts(turn_table.left[i], turn_table.left[j]);
         more_cos += seconds(turn_table.left[i], turn_table.left[j]);
@@ -161,15 +167,13 @@ template <Tier tier>
     }
     const double shifted = rest.hi + rounding_shift_to_64ths;
     const double h = (rest.hi - (shifted - rounding_shift_to_64ths)) + rest.lo;
-    const double t = h * h;
     const auto& [s0, s1, s2] = turn_table.sin_factors;
     const auto& [c0, c1, c2] = turn_table.cos_factors;
-    const double sin = h * s0[0] + (h * t) * (s1[0] + t * s2[0]);
-    const double cos = t * c0[0] + (t * t) * (c1[0] + t * c2[0]);  // less 1
+    const RestTurn<double> small(h, {s0[0], s1[0], s2[0]}, {c0[0], c1[0], c2[0]});
 
     const unsigned i = (64 * phase.whole + low_bits(shifted)) & 255U;
     const Pair entry = turn_table.rounded[i];
-    Pair more = both(cos) * entry + second_negated(both(sin)) * swapped(entry);
+    Pair more = both(small.cos_less_1) * entry + second_negated(both(small.sin)) * swapped(entry);
     if constexpr (tier == Tier::exact) more += turn_table.left[i];
     return entry + more;
 }

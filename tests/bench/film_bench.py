@@ -227,6 +227,11 @@ def main():
     options = parser.parse_args()
     if options.quick:
         options.frames, options.repeat = 60, 1
+    if options.plot:
+        try:
+            import matplotlib  # noqa: F401, before the minutes that lead to the plot
+        except ModuleNotFoundError:
+            parser.error("--plot needs matplotlib: apt install python3-matplotlib, and run with /usr/bin/python3")
     bench = Bench(options)
     print(machine())
     parts = ["picture", "parts", "first_picture", "folder", "floor", "films", "memory"]

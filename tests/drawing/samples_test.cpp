@@ -12,17 +12,26 @@ struct Place {
     Camera camera;
 };
 
+// A picture drawn with so many samples to a pixel's side, and what it is made from.
+struct Sampled {
+    Sampled(const Scene& scene, int samples)
+        : motion(problem_of(scene)),
+          stage(scene, motion,
+                {.width_px = scene.film.width_px * samples,
+                 .height_px = scene.film.height_px * samples,
+                 .samples = samples,
+                 .last_time_s = 3.0}),
+          drawing(stage.at(1.0)) {}
+    Motion motion;
+    Stage stage;
+    Drawing drawing;
+};
+
 // Where the views of a picture stand.
 std::vector<Place> places(const Scene& scene, int samples) {
-    const Motion motion(problem_of(scene));
-    const Stage stage(scene, motion,
-                      {.width_px = scene.film.width_px * samples,
-                       .height_px = scene.film.height_px * samples,
-                       .samples = samples,
-                       .last_time_s = 3.0});
-    const Drawing drawing = stage.at(1.0);
+    const Sampled picture(scene, samples);
     std::vector<Place> all;
-    for (const View& view : drawing.views)
+    for (const View& view : picture.drawing.views)
         all.push_back({view.x_px, view.y_px, view.width_px, view.height_px, view.camera});
     return all;
 }
@@ -80,15 +89,9 @@ struct Sheet2d {
 };
 
 Sheet2d flat_parts(const Scene& scene, int samples) {
-    const Motion motion(problem_of(scene));
-    const Stage stage(scene, motion,
-                      {.width_px = scene.film.width_px * samples,
-                       .height_px = scene.film.height_px * samples,
-                       .samples = samples,
-                       .last_time_s = 3.0});
-    const Drawing drawing = stage.at(1.0);
+    const Sampled picture(scene, samples);
     Sheet2d sheet;
-    for (const View& view : drawing.views) {
+    for (const View& view : picture.drawing.views) {
         if (!view.camera.orthographic) continue;
         for (const Curve& curve : view.curves)
             for (const Eigen::Vector3d& point :
