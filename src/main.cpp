@@ -10,7 +10,7 @@
 
 #include "cli/program.h"
 #include "error/error.h"
-#include "error/nearest.h"
+#include "text/printable.h"
 
 namespace {
 

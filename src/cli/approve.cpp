@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "cli/record.h"
 #include "error/error.h"
-#include "error/nearest.h"
-#include "image/atomic_file.h"
+#include "image/pixel_hash.h"
 #include "image/png.h"
-#include "image/sha256.h"
+#include "production/record.h"
 #include "report/baseline_manifest.h"
 #include "report/compared_picture.h"
+#include "system/atomic_file.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

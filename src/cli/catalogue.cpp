@@ -6,8 +6,7 @@
 #include <array>
 #include <filesystem>
 
-#include "cli/quality.h"
-#include "drawing/elements.h"
+#include "drawing/elements/elements.h"
 #include "drawing/panel.h"
 #include "drawing/theme.h"
 #include "error/error.h"
@@ -15,6 +14,7 @@
 #include "mechanics/solids.h"
 #include "mesh/named_objects.h"
 #include "output/frame_sink.h"
+#include "production/quality.h"
 #include "scene/camera_views.h"
 #include "scene/easing.h"
 #include "scene/load_scene.h"

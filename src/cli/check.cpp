@@ -8,16 +8,17 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "cli/json_text.h"
-#include "cli/picture.h"
-#include "cli/plan.h"
-#include "cli/session.h"
-#include "construction/motion_errors.h"
+#include "cli/requests.h"
 #include "construction/poinsot_construction.h"
 #include "construction/polhode.h"
 #include "drawing/stage.h"
-#include "error/nearest.h"
-#include "mechanics/free_rotation.h"
+#include "mechanics/free/free_rotation.h"
+#include "mechanics/motion_errors.h"
+#include "production/picture.h"
+#include "production/plan.h"
+#include "production/session.h"
+#include "text/json_text.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -172,7 +173,7 @@ void add_beside(const Session& session, const FilmPlan& film, std::vector<Fact>&
 }
 
 int run(const Options& options) {
-    const Session session = open_session(options);
+    const Session session = open_session(scene_request_of(options));
     print_notes(session.scene, options.quiet);
     const MotionProblem& problem = session.motion.problem();
 

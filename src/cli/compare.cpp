@@ -7,15 +7,15 @@
 #include <filesystem>
 
 #include "cli/command.h"
-#include "cli/json_text.h"
-#include "cli/record.h"
 #include "error/error.h"
-#include "error/nearest.h"
-#include "image/atomic_file.h"
 #include "image/png.h"
+#include "production/record.h"
 #include "report/compared_picture.h"
 #include "report/html_report.h"
 #include "report/junit.h"
+#include "system/atomic_file.h"
+#include "text/json_text.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

@@ -4,10 +4,10 @@
 #include <array>
 
 #include "cli/command.h"
-#include "cli/json_text.h"
 #include "error/error.h"
 #include "output/codecs.h"
 #include "render/renderer.h"
+#include "text/json_text.h"
 #include "typeset/font_search.h"
 
 namespace poinsot {

@@ -4,9 +4,9 @@
 #include <array>
 
 #include "cli/command.h"
-#include "cli/json_text.h"
-#include "cli/record.h"
-#include "error/nearest.h"
+#include "production/record.h"
+#include "text/json_text.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

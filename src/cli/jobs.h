@@ -5,9 +5,9 @@
 #include <cstdint>
 
 #include "cli/options.h"
-#include "cli/picture.h"
-#include "cli/session.h"
-#include "cli/still_writer.h"
+#include "production/picture.h"
+#include "production/session.h"
+#include "production/still_writer.h"
 
 namespace poinsot {
 

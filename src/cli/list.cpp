@@ -9,9 +9,10 @@
 
 #include "cli/catalogue.h"
 #include "cli/command.h"
-#include "cli/json_text.h"
 #include "error/error.h"
-#include "error/nearest.h"
+#include "text/json_text.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "production/print_size.h"
+
 namespace poinsot {
 
 // What compare allows to differ, and what it writes.
@@ -24,14 +26,6 @@ struct ApproveChoices {
     std::string why;
     bool any_renderer = false;
     bool all = false;
-};
-
-// A still's size on paper.
-struct PrintChoices {
-    std::optional<double> width_mm, height_mm;  // --width-mm, --height-mm
-    std::optional<double> dpi;                  // --dpi
-    std::optional<double> type_pt;              // --type-pt, of labels
-    int bit_depth = 8;                          // --depth
 };
 
 struct Options {

@@ -12,7 +12,8 @@
 
 #include "cli/command.h"
 #include "error/error.h"
-#include "error/nearest.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

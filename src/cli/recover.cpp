@@ -4,13 +4,13 @@
 #include <array>
 #include <filesystem>
 
-#include "cli/chapters.h"
 #include "cli/command.h"
-#include "cli/record.h"
 #include "error/error.h"
-#include "error/nearest.h"
 #include "output/frame_sink.h"
+#include "production/chapters.h"
+#include "production/record.h"
 #include "scene/load_scene.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

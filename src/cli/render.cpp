@@ -5,19 +5,20 @@
 #include <array>
 #include <filesystem>
 
-#include "cli/chapters.h"
 #include "cli/command.h"
-#include "cli/interrupt.h"
 #include "cli/jobs.h"
-#include "cli/output_place.h"
-#include "cli/picture.h"
 #include "cli/progress.h"
-#include "cli/record.h"
+#include "cli/requests.h"
 #include "cli/scenes.h"
-#include "cli/session.h"
 #include "error/error.h"
-#include "error/nearest.h"
 #include "output/pipeline.h"
+#include "production/chapters.h"
+#include "production/output_place.h"
+#include "production/picture.h"
+#include "production/record.h"
+#include "production/session.h"
+#include "system/interrupt.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -62,7 +63,7 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
     }
 
     OutputPlan plan;
-    const OutputPlace place(options, session.scene, ".mp4");
+    const OutputPlace place(options.output, session.scene, ".mp4");
     plan.path = place.path();
     plan.width_px = session.scene.film.width_px;
     plan.height_px = session.scene.film.height_px;
@@ -119,9 +120,10 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
 namespace {
 
 int run(const Options& options) {
-    Easel easel(options);
-    return for_each_scene(
-        options, [&easel](const Options& own) { return make_film(open_session(own), own, easel); });
+    Easel easel(context_choice_of(options), options.print);
+    return for_each_scene(options, [&easel](const Options& own) {
+        return make_film(open_session(scene_request_of(own)), own, easel);
+    });
 }
 
 constexpr auto options_taken =

@@ -10,13 +10,14 @@
 
 #include "cli/command.h"
 #include "cli/jobs.h"
-#include "cli/picture.h"
-#include "cli/record.h"
+#include "cli/requests.h"
 #include "error/error.h"
-#include "error/nearest.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
+#include "production/picture.h"
+#include "production/record.h"
 #include "scene/load_scene.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -97,7 +98,7 @@ int run(const Options& given) {
     options.print.dpi = record.dpi;
     options.print.type_pt = record.type_pt;
     options.print.bit_depth = record.bit_depth;
-    Easel easel(options);
+    Easel easel(context_choice_of(options), options.print);
     int code = 0;
     if (record.time_s) {
         StillWriter writer;

@@ -6,14 +6,15 @@
 #include <string>
 
 #include "cli/command.h"
-#include "cli/session.h"
+#include "cli/requests.h"
+#include "production/session.h"
 
 namespace poinsot {
 
 namespace {
 
 int run(const Options& options) {
-    const Session session = open_session(options, Purpose::numbers);
+    const Session session = open_session(scene_request_of(options), Purpose::numbers);
     print_notes(session.scene, options.quiet);
     const bool top = session.motion.regime() == Regime::heavy_top;
 

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "error/error.h"
-#include "error/nearest.h"
 #include "output/frame_name.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

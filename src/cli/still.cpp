@@ -13,20 +13,21 @@
 #include <utility>
 #include <vector>
 
-#include "cli/banded_still.h"
 #include "cli/command.h"
-#include "cli/interrupt.h"
 #include "cli/jobs.h"
-#include "cli/output_place.h"
-#include "cli/picture.h"
-#include "cli/print_size.h"
-#include "cli/record.h"
+#include "cli/requests.h"
 #include "cli/scenes.h"
-#include "cli/session.h"
 #include "error/error.h"
-#include "error/nearest.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
+#include "production/banded_still.h"
+#include "production/output_place.h"
+#include "production/picture.h"
+#include "production/print_size.h"
+#include "production/record.h"
+#include "production/session.h"
+#include "system/interrupt.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -71,7 +72,7 @@ std::int64_t Still::n_pixels() const {
 
 void Still::draw(Easel& easel, StillWriter& writer) {
     print_notes(session_.scene, options_.quiet);
-    OutputPlace place(options_, session_.scene, ".png");
+    OutputPlace place(options_.output, session_.scene, ".png");
     PictureMaker pictures(std::move(staging_), easel);
     Record record = record_of(session_, pictures, options_.portable);
     record.time_s = moment_.time_s;
@@ -104,7 +105,7 @@ void Still::draw(Easel& easel, StillWriter& writer) {
 namespace {
 
 std::unique_ptr<Still> still_of(const Options& options) {
-    return std::make_unique<Still>(open_session(options), options);
+    return std::make_unique<Still>(open_session(scene_request_of(options)), options);
 }
 
 // Each scene is read and staged while the one before it is drawn.
@@ -139,7 +140,7 @@ void draw_alone(const Options& options, Easel& easel, StillWriter& writer) {
 int run(const Options& options) {
     const std::vector<Options> scenes = options_by_scene(options);
     StillWriter writer;
-    std::optional<Easel> easel(options);
+    std::optional<Easel> easel(std::in_place, context_choice_of(options), options.print);
     int code = 0;
     if (scenes.size() == 1)
         draw_alone(options, *easel, writer);

@@ -1,5 +1,5 @@
 // poinsot tradeoff SCENE: measures speed against accuracy for a scene, on this machine.
-#include "cli/tradeoff.h"
+#include "lab/tradeoff.h"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,13 @@
 #include <thread>
 
 #include "cli/command.h"
-#include "cli/json_text.h"
-#include "cli/picture.h"
-#include "drawing/chart.h"
+#include "cli/requests.h"
+#include "drawing/charts/chart.h"
 #include "drawing/reach.h"
-#include "image/atomic_file.h"
 #include "image/png.h"
+#include "production/picture.h"
+#include "system/atomic_file.h"
+#include "text/json_text.h"
 
 namespace poinsot {
 
@@ -232,7 +233,7 @@ Chart film_chart(const Tradeoff& t) {
 
 void write_chart(const Chart& chart, const Options& options, const fs::path& path) {
     const ChartSheet sheet(chart, theme_named("light"), 1600, 1000);
-    const OffscreenContext context = make_context(options);
+    const OffscreenContext context = make_context(context_choice_of(options));
     Renderer renderer(context);
     write_png(path, renderer.render(sheet.drawing()));
 }
@@ -244,14 +245,14 @@ void write_text(const fs::path& path, const std::string& text) {
 }
 
 int run(const Options& options) {
-    const Session session = open_session(options, Purpose::numbers);
+    const Session session = open_session(scene_request_of(options), Purpose::numbers);
     print_notes(session.scene, options.quiet);
     const FilmPlan film = film_plan(session);
 
     Tradeoff t;
     t.motion = trade_motion(session, film, pixels_per_radian(session.scene));
-    t.picture = trade_picture(session, options, film);
-    t.film = trade_film(session, options, film);
+    t.picture = trade_picture(session, context_choice_of(options), film);
+    t.film = trade_film(session, context_choice_of(options), film);
 
     std::string prefix = options.output;
     if (prefix.empty()) {

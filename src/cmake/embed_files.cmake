@@ -1,5 +1,5 @@
 # Writes a C++ table of files (file name → text): the function FUNCTION() of HEADER, which returns a vector of TYPE.
-# Usage: cmake -DOUTPUT=… "-DFILES=…" -DHEADER=render/shader_sources.h -DTYPE=ShaderSource -DFUNCTION=shader_sources -P embed_files.cmake
+# Usage: cmake -DOUTPUT=… "-DFILES=…" -DHEADER=render/passes/shader_sources.h -DTYPE=ShaderSource -DFUNCTION=shader_sources -P embed_files.cmake
 set(rows "")
 foreach(file IN LISTS FILES)
     get_filename_component(name ${file} NAME)

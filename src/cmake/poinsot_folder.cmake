@@ -1,9 +1,9 @@
-# One CMake target a folder: every .cpp of the folder, nothing to register by hand.
+# One CMake target a folder: every .cpp of the folder and its rooms, nothing to register by hand.
 
-# poinsot_folder(NAME [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from ./*.cpp.
+# poinsot_folder(NAME [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from ./**.cpp.
 function(poinsot_folder name)
     cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
-    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     if(NOT sources)
         add_library(poinsot_${name} INTERFACE)
         target_link_libraries(poinsot_${name} INTERFACE poinsot_options ${arg_PUBLIC} ${arg_PRIVATE})

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "error/error.h"
-#include "mechanics/bracketed_root.h"
-#include "mechanics/free_rotation.h"
+#include "mechanics/free/free_rotation.h"
+#include "numerics/bracketed_root.h"
 
 namespace poinsot {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "drawing/projection.h"
+#include "shapes/projection.h"
 
 namespace poinsot {
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "drawing/fade.h"
-#include "drawing/overlay.h"
 #include "drawing/panel.h"
 #include "drawing/stage_data.h"
-#include "error/nearest.h"
+#include "drawing/type/overlay.h"
 #include "scene/scene_error.h"
+#include "text/nearest.h"
 
 namespace poinsot {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "drawing/projection.h"
+#include "shapes/projection.h"
 
 namespace poinsot {
 

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "drawing/labels.h"
 #include "drawing/panel.h"
 #include "drawing/stage_data.h"
+#include "drawing/type/labels.h"
 #include "scene/film_clock.h"
 
 namespace poinsot {

@@ -4,10 +4,10 @@
 #include <Eigen/Geometry>
 #include <memory>
 
-#include "drawing/drawing.h"
 #include "mechanics/motion.h"
 #include "scene/film_clock.h"
 #include "scene/scene.h"
+#include "shapes/views.h"
 
 namespace poinsot {
 

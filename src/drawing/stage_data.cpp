@@ -6,9 +6,9 @@
 #include <numbers>
 #include <utility>
 
-#include "drawing/overlay.h"
 #include "drawing/panel.h"
-#include "mechanics/free_rotation.h"
+#include "drawing/type/overlay.h"
+#include "mechanics/free/free_rotation.h"
 #include "scene/film_clock.h"
 #include "scene/scene_error.h"
 

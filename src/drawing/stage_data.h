@@ -14,13 +14,13 @@
 
 #include "construction/poinsot_construction.h"
 #include "construction/polhode.h"
-#include "drawing/drawing.h"
 #include "drawing/evaluations.h"
-#include "drawing/labels.h"
-#include "drawing/live_text.h"
 #include "drawing/stage.h"
 #include "drawing/theme.h"
 #include "drawing/timeline.h"
+#include "drawing/type/labels.h"
+#include "drawing/type/live_text.h"
+#include "shapes/views.h"
 
 namespace poinsot {
 

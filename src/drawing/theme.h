@@ -4,7 +4,8 @@
 #include <span>
 #include <string_view>
 
-#include "drawing/drawing.h"
+#include "shapes/camera.h"
+#include "shapes/colour.h"
 
 namespace poinsot {
 

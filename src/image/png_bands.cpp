@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "error/error.h"
-#include "image/atomic_file.h"
 #include "image/png_chunks.h"
+#include "system/atomic_file.h"
 
 namespace poinsot {
 

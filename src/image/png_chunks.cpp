@@ -8,7 +8,7 @@
 #include <string>
 
 #include "error/error.h"
-#include "error/nearest.h"
+#include "text/printable.h"
 
 namespace poinsot::png {
 

@@ -8,9 +8,9 @@
 
 #include "error/error.h"
 #include "image/alpha.h"
-#include "image/atomic_file.h"
 #include "image/png.h"
 #include "image/png_chunks.h"
+#include "system/atomic_file.h"
 
 namespace poinsot {
 

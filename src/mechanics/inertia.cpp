@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "error/error.h"
-#include "mechanics/symmetric_eigen.h"
+#include "numerics/symmetric_eigen.h"
 
 namespace poinsot {
 

@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "error/error.h"
-#include "error/nearest.h"
-#include "mechanics/heavy_top.h"
-#include "mechanics/integrators.h"
+#include "mechanics/stepped/integrators.h"
+#include "mechanics/top/heavy_top.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

@@ -4,12 +4,12 @@
 #include <Eigen/Core>
 #include <variant>
 
-#include "mechanics/free_rotation.h"
-#include "mechanics/heavy_top.h"
-#include "mechanics/integrated_rotation.h"
+#include "mechanics/free/free_rotation.h"
 #include "mechanics/motion_problem.h"
 #include "mechanics/regime.h"
 #include "mechanics/rotation_state.h"
+#include "mechanics/stepped/integrated_rotation.h"
+#include "mechanics/top/heavy_top.h"
 
 namespace poinsot {
 

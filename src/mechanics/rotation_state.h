@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "numerics/tier.h"
+
 namespace poinsot {
 
 // Attitude and angular velocity at one instant.
@@ -14,12 +16,7 @@ struct RotationState {
     Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();  // rad/s, body axes
 };
 
-// How a closed form carries its phases. exact: in two words, so that no digit is lost with time.
-// fast: in one word, cheaper, with an error that grows by the rounding of a product: by at most
-// 2π·2^−53 = 7e-16 rad a turn for the turning about L and as much for that along the polhode, which
-// is at most half as fast where the other is fastest. Over families of bodies it grows by 2e-16 in
-// the mean and 7e-16 at most.
-enum class Tier { exact, fast };
+// The growth of the fast tier's error, see Tier.
 inline constexpr double fast_tier_rad_a_turn = 1.05e-15;
 
 // z-x-z Euler angles R = Rz(φ) Rx(θ) Rz(ψ), φ and ψ unwrapped (continuous in time).

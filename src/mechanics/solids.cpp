@@ -9,8 +9,9 @@
 #include <string>
 
 #include "error/error.h"
-#include "error/nearest.h"
-#include "mechanics/symmetric_eigen.h"
+#include "numerics/symmetric_eigen.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "error/error.h"
-#include "error/nearest.h"
 #include "mesh/mesh_reader.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

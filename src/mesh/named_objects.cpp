@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "error/error.h"
-#include "error/nearest.h"
 #include "mesh/object_makers.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

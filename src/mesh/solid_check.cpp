@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "error/error.h"
-#include "error/nearest.h"
 #include "mesh/mass_properties.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

@@ -9,9 +9,10 @@
 #include <utility>
 
 #include "error/error.h"
-#include "error/nearest.h"
 #include "mesh/circle.h"
 #include "mesh/mass_properties.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "error/error.h"
-#include "error/nearest.h"
 #include "mesh/mesh_reader.h"
 #include "mesh/mesh_text.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

@@ -8,9 +8,9 @@
 #include <memory>
 #include <string>
 
-#include "image/atomic_file.h"
 #include "output/frame_sink.h"
 #include "output/libav.h"
+#include "system/atomic_file.h"
 
 namespace poinsot {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "image/atomic_file.h"
 #include "output/frame_sink.h"
+#include "system/atomic_file.h"
 
 namespace poinsot {
 

@@ -8,13 +8,13 @@
 
 #include "error/error.h"
 #include "image/alpha.h"
-#include "image/atomic_file.h"
 #include "image/png.h"
 #include "output/formats.h"
 #include "output/frame_log.h"
 #include "output/palette.h"
-#include "output/room.h"
 #include "output/video_encoder.h"
+#include "system/atomic_file.h"
+#include "system/room.h"
 
 namespace poinsot {
 

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "error/error.h"
-#include "image/atomic_file.h"
+#include "system/atomic_file.h"
 
 namespace poinsot::libav {
 

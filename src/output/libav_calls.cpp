@@ -16,7 +16,7 @@ extern "C" {
 
 #include <cstdint>
 
-#include "error/shared_library.h"
+#include "system/shared_library.h"
 
 namespace {
 

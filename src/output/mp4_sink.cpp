@@ -9,9 +9,9 @@
 #include "image/alpha.h"
 #include "output/film_part.h"
 #include "output/formats.h"
-#include "output/room.h"
 #include "output/video_encoder.h"
 #include "output/yuv.h"
+#include "system/room.h"
 
 namespace poinsot {
 

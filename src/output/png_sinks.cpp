@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "error/error.h"
-#include "image/atomic_file.h"
 #include "image/png.h"
 #include "output/formats.h"
 #include "output/frame_name.h"
 #include "output/pipeline.h"
-#include "output/room.h"
+#include "system/atomic_file.h"
+#include "system/room.h"
 
 namespace poinsot {
 

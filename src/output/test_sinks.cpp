@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "error/error.h"
-#include "image/atomic_file.h"
 #include "output/formats.h"
+#include "system/atomic_file.h"
 
 extern "C" {
 #include <libavutil/md5.h>

@@ -12,13 +12,13 @@
 
 #include "error/error.h"
 #include "image/alpha.h"
-#include "image/atomic_file.h"
 #include "output/chapters.h"
 #include "output/formats.h"
 #include "output/frame_log.h"
-#include "output/room.h"
 #include "output/video_encoder.h"
 #include "output/yuv.h"
+#include "system/atomic_file.h"
+#include "system/room.h"
 
 namespace poinsot {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "drawing/drawing.h"
+#include "shapes/views.h"
 
 namespace poinsot {
 

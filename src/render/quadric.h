@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "drawing/drawing.h"
 #include "render/projection.h"
+#include "shapes/views.h"
 
 namespace poinsot {
 

@@ -9,15 +9,15 @@
 #include <utility>
 
 #include "error/error.h"
-#include "render/arrow_pass.h"
-#include "render/canvas.h"
-#include "render/cone_pass.h"
-#include "render/curve_pass.h"
-#include "render/ellipsoid_pass.h"
-#include "render/label_pass.h"
-#include "render/lasting_curve_pass.h"
-#include "render/mesh_pass.h"
-#include "render/plane_pass.h"
+#include "render/keep/canvas.h"
+#include "render/keep/lasting_curve_pass.h"
+#include "render/passes/arrow_pass.h"
+#include "render/passes/cone_pass.h"
+#include "render/passes/curve_pass.h"
+#include "render/passes/ellipsoid_pass.h"
+#include "render/passes/label_pass.h"
+#include "render/passes/mesh_pass.h"
+#include "render/passes/plane_pass.h"
 #include "render/view_scene.h"
 
 namespace poinsot {

@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "drawing/drawing.h"
 #include "render/projection.h"
 #include "render/quadric.h"
 #include "render/tile_mask.h"
+#include "shapes/views.h"
 
 namespace poinsot {
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "drawing/drawing.h"
-#include "render/constants.h"
+#include "render/passes/constants.h"
 #include "render/projection.h"
 #include "render/quadric.h"
 #include "render/shadow_web.h"
+#include "shapes/views.h"
 
 namespace poinsot {
 

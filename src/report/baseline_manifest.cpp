@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "error/error.h"
-#include "error/nearest.h"
-#include "image/atomic_file.h"
+#include "system/atomic_file.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

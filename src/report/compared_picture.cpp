@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "error/error.h"
-#include "error/nearest.h"
 #include "image/png.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

@@ -10,8 +10,8 @@
 
 #include "error/error.h"
 #include "image/png.h"
-#include "report/escape.h"
 #include "report/report_page.h"
+#include "text/markup.h"
 
 namespace poinsot {
 

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "error/error.h"
-#include "error/nearest.h"
 #include "scene/scene.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

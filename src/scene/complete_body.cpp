@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "error/nearest.h"
 #include "scene/draft_checks.h"
+#include "text/nearest.h"
 
 namespace poinsot {
 

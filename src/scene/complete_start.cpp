@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "mechanics/heavy_top.h"
+#include "mechanics/top/heavy_top.h"
 #include "scene/draft_checks.h"
 
 namespace poinsot {

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "error/error.h"
-#include "error/nearest.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "scene/scene_error.h"
-#include "scene/utf8.h"
+#include "text/utf8.h"
 
 namespace poinsot {
 

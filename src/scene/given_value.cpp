@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "error/nearest.h"
 #include "scene/scene_error.h"
-#include "scene/utf8.h"
+#include "text/nearest.h"
+#include "text/utf8.h"
 
 namespace poinsot {
 

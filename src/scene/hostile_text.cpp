@@ -6,7 +6,7 @@
 
 #include "scene/scene_error.h"
 #include "scene/toml_document.h"
-#include "scene/utf8.h"
+#include "text/utf8.h"
 
 namespace poinsot {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "error/nearest.h"
 #include "scene/scene_error.h"
 #include "scene/scene_keys.h"
+#include "text/nearest.h"
 
 namespace poinsot {
 

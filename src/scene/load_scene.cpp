@@ -10,12 +10,12 @@
 #include <system_error>
 #include <vector>
 
-#include "error/nearest.h"
 #include "scene/given_value.h"
 #include "scene/scene_draft.h"
 #include "scene/scene_error.h"
 #include "scene/scene_keys.h"
 #include "scene/toml_document.h"
+#include "text/nearest.h"
 
 namespace poinsot {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "error/nearest.h"
+#include "text/nearest.h"
 
 namespace poinsot {
 namespace {

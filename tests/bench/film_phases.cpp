@@ -16,14 +16,14 @@
 #include <string>
 #include <vector>
 
-#include "cli/measure.h"
-#include "cli/picture.h"
-#include "cli/quality.h"
-#include "cli/session.h"
 #include "error/error.h"
+#include "lab/measure.h"
 #include "output/pipeline.h"
 #include "output/video_encoder.h"
 #include "output/yuv.h"
+#include "production/picture.h"
+#include "production/quality.h"
+#include "production/session.h"
 #include "scene/load_scene.h"
 
 namespace {
@@ -127,7 +127,7 @@ int run(const std::string& phase, const std::string& scene, const std::string& s
     if (is_quality(settings)) overrides.push_back("film.quality=" + settings);
     const Session session = session_of(load_scene(scene, overrides));
     const FilmPlan plan = film_plan(session);
-    Easel easel{Options{}};
+    Easel easel;
     PictureMaker pictures(session, easel, {plan.time_of(0), plan.last_time_s()});
     const Film film{pictures, plan, n_frames};
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bench/free_bodies.h"
-#include "mechanics/free_rotation.h"
+#include "mechanics/free/free_rotation.h"
 
 namespace {
 

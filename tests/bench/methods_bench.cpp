@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/heavy_top.h"
-#include "mechanics/integrated_rotation.h"
 #include "mechanics/motion.h"
+#include "mechanics/stepped/integrated_rotation.h"
+#include "mechanics/top/heavy_top.h"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/picture.h"
-#include "cli/session.h"
 #include "image/png.h"
 #include "output/yuv.h"
+#include "production/picture.h"
+#include "production/session.h"
 #include "scene/load_scene.h"
 
 namespace {
@@ -34,7 +34,6 @@ class Film {
         : n_drawn_(first),
           session_(session_of(load_scene(scene_file, overrides))),
           plan_(film_plan(session_)),
-          easel_(Options{}),
           pictures_(session_, easel_, {plan_.time_of(0), plan_.last_time_s()}) {
         for (int k = 0; k < 3; ++k) draw();
     }

@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "cli/picture.h"
-#include "cli/session.h"
 #include "drawing/stage.h"
+#include "production/picture.h"
+#include "production/session.h"
 #include "scene/load_scene.h"
 
 namespace {
@@ -52,7 +52,7 @@ void run(const std::string& scene, const std::string& size) {
     const Session session = session_of(load_scene(scene, overrides));
     const FilmPlan plan = film_plan(session);
     const double time_s = plan.time_of(plan.n_frames / 2);
-    Easel easel{Options{}};
+    Easel easel;
     const auto drawn = [&](int samples) {
         Session large = session;
         large.scene.film.width_px *= samples;

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <string>
 
-#include "cli/print_size.h"
 #include "cli/program_run.h"
 #include "error/error.h"
 #include "image/png.h"
 #include "places.h"
+#include "production/print_size.h"
 
 namespace poinsot::testing {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "error/error.h"
-#include "mechanics/free_rotation.h"
+#include "mechanics/free/free_rotation.h"
 
 namespace poinsot {
 

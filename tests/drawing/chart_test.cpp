@@ -1,4 +1,4 @@
-#include "drawing/chart.h"
+#include "drawing/charts/chart.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "drawing/elements.h"
+#include "drawing/charts/plot_frame.h"
+#include "drawing/charts/plot_quantity.h"
+#include "drawing/elements/elements.h"
 #include "drawing/panel.h"
-#include "drawing/plot_frame.h"
-#include "drawing/plot_quantity.h"
 #include "error/error.h"
 #include "scenes_by_hand.h"
 

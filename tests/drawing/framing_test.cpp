@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "drawing/projection.h"
+#include "shapes/projection.h"
 
 namespace poinsot {
 namespace {

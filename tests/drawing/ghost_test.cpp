@@ -1,5 +1,5 @@
 // The motion beside is drawn as its method computes it, and nothing of it where there is none.
-#include "drawing/ghost.h"
+#include "drawing/elements/ghost.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "drawing/labels.h"
+#include "drawing/type/labels.h"
 
 #include <gtest/gtest.h>
 

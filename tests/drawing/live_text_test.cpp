@@ -1,4 +1,4 @@
-#include "drawing/live_text.h"
+#include "drawing/type/live_text.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "drawing/object_shapes.h"
+#include "drawing/elements/object_shapes.h"
 #include "drawing/panel.h"
 #include "error/error.h"
-#include "mechanics/heavy_top.h"
+#include "mechanics/top/heavy_top.h"
 #include "scenes_by_hand.h"
 
 namespace poinsot {

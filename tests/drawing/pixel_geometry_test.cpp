@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "drawing/projection.h"
 #include "places.h"
 #include "scene/load_scene.h"
 #include "scenes_by_hand.h"
+#include "shapes/projection.h"
 
 namespace poinsot {
 namespace {

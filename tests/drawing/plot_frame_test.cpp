@@ -1,4 +1,4 @@
-#include "drawing/plot_frame.h"
+#include "drawing/charts/plot_frame.h"
 
 #include <gtest/gtest.h>
 

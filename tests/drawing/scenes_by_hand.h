@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "drawing/drawing.h"
 #include "drawing/stage.h"
 #include "drawing/stage_data.h"
-#include "mechanics/heavy_top.h"
 #include "mechanics/motion.h"
+#include "mechanics/top/heavy_top.h"
 #include "scene/scene.h"
+#include "shapes/views.h"
 
 namespace poinsot {
 

@@ -1,5 +1,5 @@
 // Names at the ends of curves keep off each other and stay near what they name.
-#include "drawing/spread_apart.h"
+#include "drawing/type/spread_apart.h"
 
 #include <gtest/gtest.h>
 

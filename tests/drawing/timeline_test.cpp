@@ -8,10 +8,10 @@
 
 #include "construction/herpolhode.h"
 #include "drawing/panel.h"
-#include "drawing/projection.h"
 #include "scene/camera_views.h"
 #include "scene/scene_error.h"
 #include "scenes_by_hand.h"
+#include "shapes/projection.h"
 
 namespace poinsot {
 

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "error/error.h"
-#include "image/faults.h"
 #include "image/synthetic.h"
+#include "system/faults.h"
 
 namespace poinsot {
 namespace {

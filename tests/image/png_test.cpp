@@ -11,10 +11,10 @@
 #include <functional>
 
 #include "error/error.h"
-#include "image/atomic_file.h"
-#include "image/faults.h"
 #include "image/png_bands.h"
 #include "image/synthetic.h"
+#include "system/atomic_file.h"
+#include "system/faults.h"
 
 namespace poinsot {
 namespace {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "error/error.h"
-#include "mechanics/attitude_conditioning.h"
-#include "mechanics/free_rotation.h"
+#include "mechanics/free/attitude_conditioning.h"
+#include "mechanics/free/free_rotation.h"
 #include "mechanics/free_rotation_oracle.h"
 
 namespace poinsot {

@@ -9,7 +9,7 @@
 #include <ostream>
 #include <vector>
 
-#include "mechanics/free_rotation.h"
+#include "mechanics/free/free_rotation.h"
 #include "mechanics/free_rotation_oracle.h"
 
 namespace poinsot::families {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/double_double.h"
-#include "mechanics/heavy_top.h"
+#include "mechanics/top/heavy_top.h"
+#include "numerics/double_double.h"
 
 namespace poinsot::tops {
 

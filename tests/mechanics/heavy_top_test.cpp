@@ -1,6 +1,6 @@
 // Lagrange's top against 40-digit references, an independent Taylor integration of Euler's
 // equations in long double, closed forms and its own invariants.
-#include "mechanics/heavy_top.h"
+#include "mechanics/top/heavy_top.h"
 
 #include <gtest/gtest.h>
 

@@ -11,10 +11,10 @@
 #include <string>
 
 #include "error/error.h"
-#include "mechanics/heavy_top.h"
-#include "mechanics/integrated_rotation.h"
-#include "mechanics/integrators.h"
 #include "mechanics/motion.h"
+#include "mechanics/stepped/integrated_rotation.h"
+#include "mechanics/stepped/integrators.h"
+#include "mechanics/top/heavy_top.h"
 
 namespace poinsot {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "mechanics/heavy_top.h"
+#include "mechanics/top/heavy_top.h"
 
 namespace poinsot::tops {
 

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "error/error.h"
-#include "image/faults.h"
 #include "image/png.h"
 #include "image/synthetic.h"
 #include "output/frame_sink.h"
 #include "output/video_reader.h"
+#include "system/faults.h"
 
 namespace poinsot {
 

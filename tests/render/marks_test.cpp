@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "pictures.h"
-#include "render/label_pass.h"
+#include "render/passes/label_pass.h"
 
 namespace poinsot::testing {
 namespace {

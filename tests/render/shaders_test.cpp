@@ -7,8 +7,8 @@
 
 #include "error/error.h"
 #include "pictures.h"
-#include "render/program.h"
-#include "render/shader_sources.h"
+#include "render/passes/program.h"
+#include "render/passes/shader_sources.h"
 
 namespace poinsot::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "error/error.h"
-#include "image/faults.h"
+#include "system/faults.h"
 
 namespace poinsot {
 namespace {

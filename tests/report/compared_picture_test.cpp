@@ -6,11 +6,11 @@
 #include <fstream>
 
 #include "error/error.h"
-#include "image/faults.h"
 #include "image/png.h"
 #include "image/synthetic.h"
 #include "report/html_report.h"
 #include "report/junit.h"
+#include "system/faults.h"
 
 namespace poinsot {
 namespace {

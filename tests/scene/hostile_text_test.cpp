@@ -4,8 +4,8 @@
 #include <string>
 
 #include "scene/toml_document.h"
-#include "scene/utf8.h"
 #include "scene_text.h"
+#include "text/utf8.h"
 
 namespace poinsot {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "mechanics/free_rotation.h"
+#include "mechanics/free/free_rotation.h"
 #include "places.h"
 #include "scene/film_clock.h"
 #include "scene/load_scene.h"

@@ -18,12 +18,12 @@
 #include <string>
 #include <vector>
 
-#include "cli/session.h"
 #include "drawing/stage.h"
 #include "error/error.h"
 #include "image/compare.h"
 #include "image/png.h"
 #include "places.h"
+#include "production/session.h"
 #include "render/renderer.h"
 #include "scene/load_scene.h"
 

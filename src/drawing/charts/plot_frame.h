@@ -1,0 +1,104 @@
+// Charts in a panel: axes with numbers that a reader can divide, and where values land. A chart's
+// view is orthographic with one unit a pixel, x right, y up, the origin in the panel's lower left
+// corner.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drawing/panel.h"
+#include "drawing/type/time_unit.h"
+
+namespace poinsot {
+
+struct Tick {
+    double value = 0.0;
+    std::string label;  // a formula
+};
+
+// The range of values along one side of a chart.
+struct Axis {
+    double first = 0.0, last = 1.0;
+    int exponent = 0;  // the ticks' numbers count powers of ten of this exponent
+    std::vector<Tick> ticks;
+};
+
+// Ticks at multiples of 1, 2 or 5 times a power of ten within [first, last]: at most `most_ticks`
+// and one more, but three at least. A range that is empty or not finite is widened about its
+// middle.
+Axis linear_axis(double first, double last, int most_ticks);
+
+// An axis of seconds whose ticks stand at round numbers of a unit and are told in it.
+Axis time_axis(double first_s, double last_s, const TimeUnit& unit, int most_ticks);
+
+// For values that are logarithms to base 10: ticks at whole powers.
+Axis decade_axis(double first, double last, int most_ticks);
+
+// "$\omega$ / (rad/s)", with the axis's power of ten: "$\omega$ / ($10^{-8}$ rad/s)". A quantity
+// without a unit gets its power alone.
+std::string axis_title(std::string_view quantity, std::string_view unit, int exponent);
+
+// A rectangle of the panel in its own pixels, y up.
+struct ChartArea {
+    double left = 0.0, bottom = 0.0, right = 0.0, top = 0.0;
+    double width() const { return right - left; }
+    double height() const { return top - bottom; }
+};
+
+// Sides of a chart's labels that touch the point they are given.
+enum class Anchor { left_middle, right_middle, top_centre, bottom_left, bottom_right };
+
+// The panel with its camera, in which a chart lies.
+class PlotFrame {
+ public:
+    // Lays the axes out in a region of the panel: what is left of it after numbers and titles is
+    // the area. `left_px`: room for the numbers of y (see numbers_px); `right_px`: for names at the
+    // ends of curves. An empty title of x leaves out the numbers below the axis too.
+    PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const Axis& y,
+              std::string_view x_title, std::string_view y_title, double left_px, double right_px);
+
+    // Width that the numbers of an axis take at the left of a frame.
+    static double numbers_px(const Panel& panel, const Axis& y);
+
+    const ChartArea& area() const { return area_; }
+    const Axis& x() const { return x_; }
+    const Axis& y() const { return y_; }
+
+    // Where a value lands, in the view's axes.
+    Eigen::Vector3d at(double x, double y) const;
+
+    // Axes, grid and titles.
+    void draw(Sheet& sheet) const;
+
+    // A line across the view that nothing hides.
+    static Curve line(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                      const Colour& colour, double width_px);
+    // A dot that nothing hides.
+    static Dot dot(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour,
+                   double radius_px);
+
+ private:
+    ChartArea area_;
+    Axis x_, y_;
+    std::vector<Curve> lines_;
+    std::vector<Label> labels_;
+};
+
+// Aims the panel's camera at its pixels.
+void aim_at_pixels(Panel& panel);
+
+// Type for a chart: numbers are set smaller than names.
+SetType set_chart_type(const Panel& panel, std::string_view text, TypeMode mode, double size_px);
+
+// Type at a point of the chart's view.
+Label chart_label(const Panel& panel, const SetType& type, double x, double y, Anchor anchor,
+                  const Colour& colour);
+
+constexpr double chart_margin = 40.0;       // px at the sides, half of it above and below
+constexpr double chart_number_size = 23.0;  // px per em at 1080 rows
+constexpr double chart_title_size = 26.0;
+constexpr double chart_name_size = 31.0;
+
+}  // namespace poinsot

@@ -1,0 +1,152 @@
+#include "drawing/charts/plot_quantity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "error/error.h"
+#include "text/nearest.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+template <int axis>
+Colour axis_colour(const Theme& theme) {
+    return theme.axes[axis];
+}
+template <int angle>
+Colour angle_colour(const Theme& theme) {
+    return theme.angles[angle];
+}
+Colour energy_colour(const Theme& theme) { return theme.energy; }
+Colour potential_colour(const Theme& theme) { return theme.potential; }
+Colour omega_colour(const Theme& theme) { return theme.omega; }
+Colour momentum_colour(const Theme& theme) { return theme.momentum; }
+Colour contact_colour(const Theme& theme) { return theme.herpolhode; }
+Colour plane_colour(const Theme& theme) { return theme.polhode; }
+
+Colour body_cone_colour(const Theme& theme) { return theme.body_cone; }
+Colour space_cone_colour(const Theme& theme) { return theme.space_cone; }
+
+bool any_motion(const StageData&) { return true; }
+bool is_heavy_top(const StageData& stage) { return stage.motion.motion().heavy_top() != nullptr; }
+bool rolls(const StageData& stage) { return stage.rolling.has_value(); }
+bool has_cones(const StageData& stage) { return rolls(stage) && stage.rolling->cones; }
+
+constexpr Quantities attitude{.attitude = true, .herpolhode = false, .euler_angles = false};
+constexpr Quantities euler_angles{.attitude = false, .herpolhode = false, .euler_angles = true};
+
+constexpr PlotCurve omega_curves[] = {
+    {"\\omega_1", axis_colour<0>, LineStyle::solid},
+    {"\\omega_2", axis_colour<1>, LineStyle::dashed},
+    {"\\omega_3", axis_colour<2>, LineStyle::dotted},
+};
+// Components along the principal axes.
+PlotValues omega_values(const StageData& stage, const Instant& instant) {
+    const Eigen::Vector3d omega =
+        stage.motion.motion().problem().inertia.body_from_principal().transpose() *
+        instant.state.omega_body;
+    return {omega[0], omega[1], omega[2]};
+}
+
+constexpr PlotCurve euler_curves[] = {
+    {"\\theta", angle_colour<0>, LineStyle::solid},
+    {"\\varphi", angle_colour<1>, LineStyle::solid},
+    {"\\psi", angle_colour<2>, LineStyle::solid},
+};
+PlotValues euler_values(const StageData&, const Instant& instant) {
+    return {instant.euler.theta_rad, instant.euler.phi_rad, instant.euler.psi_rad};
+}
+
+constexpr PlotCurve energy_curves[] = {
+    {"T", energy_colour, LineStyle::solid},
+    {"V", potential_colour, LineStyle::dashed},
+    {"E", momentum_colour, LineStyle::dotted},
+};
+PlotValues energy_values(const StageData& stage, const Instant& instant) {
+    const MotionProblem& problem = stage.motion.motion().problem();
+    const Eigen::Vector3d& omega = instant.state.omega_body;
+    const double kinetic = 0.5 * omega.dot(problem.inertia.matrix_body() * omega);
+    double potential = 0.0;
+    if (const auto* gravity = std::get_if<GravityTorque>(&problem.torque)) {
+        const Eigen::Vector3d arm = instant.state.space_from_body * gravity->arm_body;
+        potential = gravity->mgl_N_m * arm.z();
+    }
+    return {kinetic, potential, kinetic + potential};
+}
+
+constexpr PlotCurve turn_curves[] = {
+    {"\\mathrm{wobble}", space_cone_colour, LineStyle::solid},
+    {"\\mathrm{spin}", body_cone_colour, LineStyle::dashed},
+};
+// Turns since t = 0, seen along L: of the axis of symmetry, φ = L t/I₁, and of marks on the body
+// about it, φ + ψ with ψ = −Ω t; φ − ψ where the axis hangs down. Source: Landau & Lifshitz §35.
+PlotValues turn_values(const StageData& stage, const Instant& instant) {
+    const MotionProblem& problem = stage.motion.motion().problem();
+    const RollingCones& cones = *stage.rolling->cones;
+    const double spin_rad_s = problem.inertia.body_from_principal()
+                                  .col(cones.symmetry_axis)
+                                  .dot(problem.start.omega_body);
+    const double turns = instant.time_s / (2.0 * std::numbers::pi);
+    const double psi_dot = -std::copysign(1.0, spin_rad_s) * cones.body_precession_rad_s;
+    return {cones.space_precession_rad_s * turns, (cones.space_precession_rad_s + psi_dot) * turns};
+}
+
+constexpr PlotCurve residual_curves[] = {
+    {"\\Delta T", energy_colour, LineStyle::solid},
+    {"\\Delta\\mathbf{L}", momentum_colour, LineStyle::dashed},
+    {"\\mathrm{gap}", contact_colour, LineStyle::dotted},
+    {"\\mathrm{slip}", omega_colour, LineStyle::solid},
+    {"|q|-1", plane_colour, LineStyle::dashed},
+};
+PlotValues residual_values(const StageData& stage, const Instant& instant) {
+    const RollingResiduals r = stage.rolling->construction.residuals(instant.state);
+    // What a double cannot resolve beside 1 is drawn on the axis's floor.
+    const auto decade = [](double x) { return std::log10(std::max(x, 1e-17)); };
+    return {decade(r.energy), decade(r.momentum),
+            decade(std::max(r.contact_plane_gap, r.tangency_gap)), decade(r.slip),
+            decade(r.unit_quaternion)};
+}
+
+constexpr PlotQuantity table[] = {
+    {"omega", "ω1, ω2, ω3 along the principal axes", "$\\omega_i$", "rad/s", false, false, true,
+     omega_alone, any_motion, "", omega_curves, omega_values},
+    {"euler_angles", "θ, φ, ψ of a heavy top", "", "rad", true, false, false, euler_angles,
+     is_heavy_top, "a heavy symmetric top", euler_curves, euler_values},
+    {"energy", "kinetic energy T, potential V and their sum E", "energy", "J", false, false, true,
+     attitude, any_motion, "", energy_curves, energy_values},
+    {"turns", "turns of a symmetric body's axis about L (wobble) and of marks on it (spin)",
+     "turns", "", false, false, true, omega_alone, has_cones,
+     "a torque-free body with exactly two equal moments", turn_curves, turn_values},
+    {"residuals", "how far T, L, the contact and the attitude are from what is conserved",
+     "relative residual", "", false, true, false, attitude, rolls, "a torque-free body that turns",
+     residual_curves, residual_values},
+};
+
+}  // namespace
+
+std::span<const PlotQuantity> plot_quantities() { return table; }
+
+const PlotQuantity& plot_quantity_of(const StageData& stage, std::string_view name) {
+    if (name.empty()) name = is_heavy_top(stage) ? "euler_angles" : "omega";
+    std::vector<std::string_view> names;
+    for (const PlotQuantity& row : table) {
+        names.push_back(row.name);
+        if (row.name != name) continue;
+        if (!row.possible(stage)) {
+            throw InputError(fmt::format("a plot of \"{}\" needs {}; choose another quantity",
+                                         row.name, row.needs));
+        }
+        return row;
+    }
+    throw InputError(fmt::format("unknown quantity \"{}\"{}; choose from: {}", printable(name),
+                                 did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
+}  // namespace poinsot

@@ -1,0 +1,46 @@
+#include "drawing/charts/plot_record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace poinsot {
+
+const PlotValues& PlotRecord::at(double time_s) {
+    const auto [entry, is_new] = known_.try_emplace(time_s);
+    if (is_new) entry->second = quantity_->values(*stage_, instant(time_s));
+    return entry->second;
+}
+
+std::pair<double, double> PlotRecord::range(std::size_t first, std::size_t last) const {
+    double least = INFINITY;
+    double most = -INFINITY;
+    for (const auto& [time, values] : known_) {
+        for (std::size_t i = first; i <= last; ++i) {
+            least = std::min(least, values[i]);
+            most = std::max(most, values[i]);
+        }
+    }
+    return {least, most};
+}
+
+Instant PlotRecord::instant(double time_s) const {
+    const MotionSample sample = motion_->sample(time_s, quantity_->asks);
+    return {time_s, sample.state, sample.herpolhode_space, sample.euler, {}};
+}
+
+int n_pieces_of(const StageData& stage, double width_px) {
+    const double n_turns = (stage.film_last_s - stage.film_first_s) *
+                           (2.0 * stage.quickest_rate_rad_s()) / std::numbers::pi;
+    return static_cast<int>(std::clamp(n_turns, 16.0, std::max(16.0, 2.0 * width_px)));
+}
+
+std::pair<double, double> common_range(const PlotQuantity& quantity,
+                                       std::pair<double, double> first,
+                                       std::pair<double, double> beside) {
+    const double most_added = quantity.decades ? INFINITY : first.second - first.first;
+    return {std::min(first.first, std::max(beside.first, first.first - most_added)),
+            std::max(first.second, std::min(beside.second, first.second + most_added))};
+}
+
+}  // namespace poinsot

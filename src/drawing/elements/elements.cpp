@@ -1,0 +1,167 @@
+#include "drawing/elements/elements.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "drawing/elements/figure_elements.h"
+#include "drawing/elements/ghost.h"
+#include "drawing/elements/rolling_elements.h"
+#include "drawing/marks.h"
+#include "error/error.h"
+#include "text/nearest.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+bool always(const StageData&) { return true; }
+bool never(const StageData&) { return false; }
+bool has_cones(const StageData& stage) { return stage.rolling->cones.has_value(); }
+bool has_curves(const StageData& stage) {
+    return stage.rolling->polhode.kind() != Polhode::Kind::point;
+}
+bool has_beside(const StageData& stage) { return stage.beside.has_value(); }
+
+const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
+
+Drawer make_ellipsoid(Panel& panel) {
+    const Ellipsoid ellipsoid = ellipsoid_of(panel);
+    return [&panel, ellipsoid](const Instant& instant, Sheet& sheet) {
+        sheet.view.ellipsoids.push_back(ellipsoid);
+        sheet.view.ellipsoids.back().half_axes =
+            picture_of(panel).principal_axes(instant) * picture_of(panel).half_axes.asDiagonal();
+    };
+}
+
+Drawer make_momentum(Panel& panel) {
+    const Arrow arrow =
+        arrow_to(panel, {0.0, 0.0, momentum_length}, panel.stage->theme->momentum, 1.15);
+    const SetType type = set_label(panel, "\\mathbf{L}");
+    return [&panel, arrow, type](const Instant&, Sheet& sheet) {
+        sheet.view.arrows.push_back(arrow);
+        wish_at_tip(panel, arrow, type, sheet);
+    };
+}
+
+Drawer make_omega(Panel& panel) {
+    const SetType type = set_label(panel, "\\boldsymbol{\\omega}");
+    return [&panel, type](const Instant& instant, Sheet& sheet) {
+        const Arrow arrow = arrow_to(panel, omega_tip(-picture_of(panel).contact(instant)),
+                                     panel.stage->theme->omega, 1.15);
+        sheet.view.arrows.push_back(arrow);
+        wish_at_tip(panel, arrow, type, sheet, omega_label_turn_rad);
+    };
+}
+
+Drawer make_axes(Panel& panel) {
+    std::array<SetType, 3> types;
+    for (std::size_t i = 0; i < 3; ++i) {
+        types[i] = set_label(panel, fmt::format("\\mathbf{{e}}_{}", i + 1), 0.85);
+    }
+    return [&panel, types](const Instant& instant, Sheet& sheet) {
+        const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
+        for (int i = 0; i < 3; ++i) {
+            const double length = picture_of(panel).half_axes[i] + axis_overhang;
+            const Arrow arrow =
+                arrow_to(panel, axes.col(i) * length, panel.stage->theme->axes[i], 0.85);
+            sheet.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, types[static_cast<std::size_t>(i)], sheet,
+                        axis_label_turn_rad);
+        }
+    };
+}
+
+Drawer make_contact(Panel& panel) {
+    Dot dot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->contact);
+    // It lies on both curves, and over them also where the ellipsoid is before it.
+    dot.occlusion = Occlusion::none;
+    return [&panel, dot](const Instant& instant, Sheet& sheet) {
+        sheet.view.dots.push_back(dot);
+        sheet.view.dots.back().at = picture_of(panel).contact(instant);
+    };
+}
+
+Drawer make_cones(Panel& panel) {
+    if (!picture_of(panel).cones) {
+        throw InputError("show: cones need a body with exactly two equal moments; leave them out");
+    }
+    // Both cones stand on the centre and touch along the instantaneous axis −ω, on the contact
+    // point's side.
+    return [&panel, cones = *picture_of(panel).cones](const Instant& instant, Sheet& sheet) {
+        const double reach = 0.98 * picture_of(panel).contact(instant).norm();
+        const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
+        const Eigen::Vector3d symmetry = axes.col(cones.symmetry_axis);
+        Cone body;
+        body.axis = picture_of(panel).contact(instant).dot(symmetry) < 0.0
+                        ? Eigen::Vector3d(-symmetry)
+                        : symmetry;
+        body.half_angle_rad = cones.body_half_angle_rad;
+        body.length = reach * std::cos(cones.body_half_angle_rad);
+        body.colour = panel.stage->theme->body_cone;
+        body.reference = axes.col((cones.symmetry_axis + 1) % 3);
+        body.rim_px = 2.0 * panel.px;
+        sheet.view.cones.push_back(body);
+
+        Cone space;
+        space.axis = -Eigen::Vector3d::UnitZ();
+        space.half_angle_rad = cones.space_half_angle_rad;
+        space.length = reach * std::cos(cones.space_half_angle_rad);
+        space.colour = panel.stage->theme->space_cone;
+        space.reference = Eigen::Vector3d::UnitX();
+        space.rim_px = 2.0 * panel.px;
+        sheet.view.cones.push_back(space);
+    };
+}
+
+constexpr Quantities attitude{.attitude = true, .herpolhode = false, .euler_angles = false};
+
+const std::array<Element, 20> table{{
+    {"plane", "the invariable plane with its grid", always, omega_alone, make_plane},
+    {"tangent", "the plane that touches the ellipsoid at ρ", never, attitude, make_tangent},
+    {"ellipsoid", "the inertia ellipsoid with body-fixed lines", always, attitude, make_ellipsoid},
+    {"body", "the body itself, inside its ellipsoid", never, attitude, make_body},
+    {"annulus", "the ring that the herpolhode fills", never, omega_alone, make_annulus},
+    {"polhode", "path of the contact point on the ellipsoid", has_curves, attitude, make_polhode},
+    {"herpolhode", "path of the contact point on the plane", has_curves, omega_alone,
+     make_herpolhode},
+    {"cones", "body cone rolling on space cone (symmetric bodies)", has_cones, attitude,
+     make_cones},
+    {"momentum", "the angular momentum L", always, omega_alone, make_momentum},
+    {"omega", "the angular velocity ω", always, attitude, make_omega},
+    {"axes", "the principal axes e1, e2, e3", always, attitude, make_axes},
+    {"given-axes", "the axes x, y, z that the scene's numbers are given in", never, attitude,
+     make_given_axes},
+    {"half-axes", "the half-axes 1/√I1, 1/√I2, 1/√I3 of the ellipsoid", never, attitude,
+     make_half_axes},
+    {"radius", "the radius vector ρ = ω/√(2T), F(ρ) = 1", never, attitude, make_radius},
+    {"gradient", "∇F at ρ, along L", never, attitude, make_gradient},
+    {"distance", "the plane's distance √(2T)/L from the centre", never, omega_alone, make_distance},
+    {"precession", "Ω about the symmetry axis and L/I1 about L (symmetric bodies)", never, attitude,
+     make_precession},
+    {"contact", "the contact point", always, attitude, make_contact},
+    {"ghost", "the ellipsoid and ω as the method beside has them", has_beside, omega_alone,
+     make_ghost},
+    {"drift", "path of the contact point by the method beside", has_beside, omega_alone,
+     make_drift},
+}};
+
+}  // namespace
+
+std::span<const Element> elements() { return table; }
+
+const Element& element_named(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const Element& element : elements()) {
+        if (element.name == name) return element;
+        names.push_back(element.name);
+    }
+    throw InputError(fmt::format("unknown element \"{}\" in show{}; choose from: {}",
+                                 printable(name), did_you_mean(name, names),
+                                 fmt::join(names, ", ")));
+}
+
+}  // namespace poinsot

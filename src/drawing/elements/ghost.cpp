@@ -1,0 +1,124 @@
+#include "drawing/elements/ghost.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "drawing/marks.h"
+#include "error/error.h"
+
+namespace poinsot {
+
+namespace {
+
+// A point this far from the centre, in largest half-axes, is out of every picture.
+constexpr double out_of_picture = 4.0;
+
+constexpr Quantities attitude{.attitude = true, .herpolhode = false, .euler_angles = false};
+
+// Ends the path before the first point out of the picture.
+void cut(TimedPath& path) {
+    const auto far = std::find_if(
+        path.points.begin(), path.points.end(),
+        [](const Eigen::Vector3d& point) { return !(point.norm() <= out_of_picture); });
+    const auto n_points = static_cast<std::size_t>(far - path.points.begin());
+    path.points.resize(n_points);
+    path.times_s.resize(n_points);
+}
+
+void require_beside(const Panel& panel, std::string_view element) {
+    if (panel.stage->beside) return;
+    throw InputError(fmt::format(
+        "show: \"{}\" needs a second motion; name its method under [beside] or leave it out",
+        element));
+}
+
+// −ρ of a state in the space panel's axes, measured with the T of the start: a drift of T takes it
+// off the plane.
+Eigen::Vector3d contact_of(const ConstructionPicture& picture, const RotationState& state) {
+    return picture.picture_from_space * picture.construction.contact_space(state) *
+           picture.picture_per_rho;
+}
+
+}  // namespace
+
+GhostPath ghost_path(Panel& panel,
+                     const std::function<Eigen::Vector3d(const RotationState&)>& point,
+                     double width_px) {
+    StageData& stage = *panel.stage;
+    const double half_turn_s = std::numbers::pi / stage.quickest_rate_rad_s();
+    GhostPath ghost;
+    ghost.path = sample_path(
+        [&](double time_s) { return point(stage.beside->sample(time_s, attitude).state); },
+        stage.options.first_time_s, stage.options.last_time_s, half_turn_s,
+        0.5 * stage.scene.accuracy_px * panel.units_per_px);
+    cut(ghost.path);
+    CurveGeometry geometry;
+    geometry.points = std::move(ghost.path.points);
+    ghost.curve =
+        curve_of(panel, stage.keep(std::move(geometry)), panel.stage->theme->ghost, width_px);
+    ghost.curve.hidden_opacity = 0.45;
+    ghost.curve.lasting = true;
+    ghost.path.points.clear();
+    return ghost;
+}
+
+void add_ghost_path(const GhostPath& ghost, const Instant& instant, Sheet& sheet) {
+    sheet.view.curves.push_back(ghost.curve);
+    sheet.view.curves.back().last = ghost.path.index_at(instant.time_s);
+}
+
+SetType set_ghost_label(const Panel& panel, std::string_view symbol, double scale) {
+    const std::string& method = panel.stage->beside->motion().problem().method.name;
+    return set_label(panel, fmt::format("{}_{{\\mathrm{{{}}}}}", symbol, method), scale);
+}
+
+void add_ghost_arrow(const Panel& panel, const Eigen::Vector3d& tip, const SetType& type,
+                     Sheet& sheet) {
+    if (!(tip.norm() <= out_of_picture)) return;
+    const Arrow arrow = arrow_to(panel, tip, panel.stage->theme->ghost, 0.95);
+    sheet.view.arrows.push_back(arrow);
+    wish_at_tip(panel, arrow, type, sheet);
+}
+
+Drawer make_ghost(Panel& panel) {
+    require_beside(panel, "ghost");
+    panel.shows_beside = true;
+    Ellipsoid ellipsoid = ellipsoid_of(panel);
+    ellipsoid.colour = panel.stage->theme->ghost;
+    ellipsoid.line_colour = panel.stage->theme->ghost;
+    ellipsoid.opacity = 0.22;
+    ellipsoid.section_px = 1.6 * panel.px;
+    ellipsoid.ruling_px = 0.0;
+    ellipsoid.casts_shadow = false;
+    const SetType type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
+    return [&panel, ellipsoid, type](const Instant& instant, Sheet& sheet) {
+        const ConstructionPicture& picture = *panel.stage->rolling;
+        const Eigen::Quaterniond turn =
+            picture.picture_from_space * instant.beside->space_from_body;
+        sheet.view.ellipsoids.push_back(ellipsoid);
+        sheet.view.ellipsoids.back().half_axes =
+            turn.toRotationMatrix() * picture.construction.inertia().body_from_principal() *
+            picture.half_axes.asDiagonal();
+        const Eigen::Vector3d contact = contact_of(picture, *instant.beside);
+        add_ghost_arrow(panel, omega_tip(-contact), type, sheet);
+        if (contact.norm() <= out_of_picture) {
+            sheet.view.dots.push_back(dot_at(panel, contact, panel.stage->theme->ghost, 5.5));
+        }
+    };
+}
+
+Drawer make_drift(Panel& panel) {
+    require_beside(panel, "drift");
+    panel.shows_beside = true;
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    GhostPath ghost = ghost_path(
+        panel, [&picture](const RotationState& state) { return contact_of(picture, state); }, 3.2);
+    // Through the plane, too: how far it sinks is what it shows.
+    ghost.curve.hidden_opacity = 0.75;
+    return [ghost](const Instant& instant, Sheet& sheet) { add_ghost_path(ghost, instant, sheet); };
+}
+
+}  // namespace poinsot

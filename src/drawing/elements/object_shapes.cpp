@@ -1,0 +1,159 @@
+#include "drawing/elements/object_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drawing/marks.h"
+#include "mesh/solid_meshes.h"
+
+namespace poinsot {
+
+namespace {
+
+double reach_of(const TriangleMesh& mesh) {
+    double reach = 0.0;
+    for (const Eigen::Vector3d& vertex : mesh.vertices) {
+        reach = std::max(reach, vertex.stableNorm());
+    }
+    return reach;
+}
+
+TriangleMesh scaled(TriangleMesh mesh, double factor) {
+    for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= factor;
+    return mesh;
+}
+
+// A thin cylinder between the origin and a point.
+TriangleMesh rod_to(const Eigen::Vector3d& end, double radius) {
+    const double length = end.norm();
+    constexpr int facets = 24;
+    Eigen::Affine3d placement = Eigen::Affine3d::Identity();
+    placement.linear() =
+        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), end).toRotationMatrix();
+    placement.translation() = 0.5 * end;
+    return placed(cylinder_mesh(radius, length, facets), placement);
+}
+
+// Balls whose volumes are as their masses, the largest a ninth of the reach of the centres.
+TriangleMesh mesh_of_masses(const std::vector<PointMass>& masses, bool rods) {
+    double reach = 0.0;
+    double heaviest = 0.0;
+    for (const PointMass& mass : masses) {
+        reach = std::max(reach, mass.at_m.norm());
+        heaviest = std::max(heaviest, mass.mass_kg);
+    }
+    std::vector<TriangleMesh> meshes;
+    for (const PointMass& mass : masses) {
+        const Eigen::Vector3d at = mass.at_m / reach;
+        if (rods) {
+            if (at.norm() > 1e-3) meshes.push_back(rod_to(at, 0.012));
+            continue;
+        }
+        // The smallest is still to be seen.
+        const double radius = std::max(0.04, 0.12 * std::cbrt(mass.mass_kg / heaviest));
+        Eigen::Affine3d placement = Eigen::Affine3d::Identity();
+        placement.translation() = at;
+        constexpr int quarter_facets = 16;
+        meshes.push_back(placed(sphere_mesh(radius, quarter_facets), placement));
+    }
+    return scaled(joined(meshes), reach);
+}
+
+BodyPart part_of(Panel& panel, const TriangleMesh& mesh, double reach_m, const Colour& colour) {
+    ShadedCorners corners = shaded_corners(scaled(mesh, 1.0 / reach_m));
+    return {panel.stage->keep({0, std::move(corners.positions), std::move(corners.normals)}),
+            colour};
+}
+
+// The twelve edges of a box about the origin.
+std::vector<Curve> edges_of_box(const Panel& panel, const Eigen::Vector3d& half_edges,
+                                const Eigen::Matrix3d& body_from_principal) {
+    std::vector<Curve> edges;
+    for (int i = 0; i < 3; ++i) {
+        for (int corner = 0; corner < 4; ++corner) {
+            Eigen::Vector3d from = -half_edges;
+            if ((corner & 1) != 0) from[(i + 1) % 3] *= -1.0;
+            if ((corner & 2) != 0) from[(i + 2) % 3] *= -1.0;
+            Eigen::Vector3d to = from;
+            to[i] *= -1.0;
+            edges.push_back(line_between(panel, body_from_principal * from,
+                                         body_from_principal * to, panel.stage->theme->solid_lines,
+                                         1.6));
+            edges.back().hidden_opacity = 0.12;
+        }
+    }
+    return edges;
+}
+
+struct ColouredMesh {
+    TriangleMesh mesh;
+    Colour colour;
+};
+
+// The body's surfaces in body axes.
+std::vector<ColouredMesh> meshes_of(const Scene& scene, const Theme& theme) {
+    std::vector<ColouredMesh> meshes;
+    for (const BodySurface& surface : scene.surfaces) {
+        const auto& rgb = surface.srgb;
+        meshes.push_back(
+            {surface.mesh, rgb ? Colour{(*rgb)[0], (*rgb)[1], (*rgb)[2]} : theme.solid});
+    }
+    if (!meshes.empty()) return meshes;
+
+    const BodySpec& body = scene.body;
+    if (body.given == BodySpec::Given::solid) {
+        meshes.push_back({solid_mesh(body.shape, body.size_m), theme.solid});
+    } else if (body.given == BodySpec::Given::masses) {
+        meshes.push_back({mesh_of_masses(body.masses, true), theme.solid});
+        meshes.push_back({mesh_of_masses(body.masses, false), theme.solid_lines});
+    } else {
+        // Moments scaled to order one: a box of any size stands for them.
+        const Eigen::Vector3d moments = body.inertia.moments_kg_m2();
+        Eigen::Affine3d placement = Eigen::Affine3d::Identity();
+        placement.linear() = body.inertia.body_from_principal();
+        meshes.push_back({placed(box_mesh(box_of_moments(moments / moments.maxCoeff())), placement),
+                          theme.solid});
+    }
+    return meshes;
+}
+
+// Whether its edges are those of a box along the principal axes.
+bool is_box(const Scene& scene) {
+    if (!scene.surfaces.empty()) return false;
+    const BodySpec& body = scene.body;
+    return body.given == BodySpec::Given::moments || body.given == BodySpec::Given::tensor ||
+           body.shape == "box" || body.shape == "plate";
+}
+
+}  // namespace
+
+Eigen::Vector3d box_of_moments(const Eigen::Vector3d& moments_kg_m2) {
+    const Eigen::Vector3d& I = moments_kg_m2;
+    const double sum = I.sum();
+    Eigen::Vector3d edges;
+    for (int i = 0; i < 3; ++i) edges[i] = std::sqrt(std::max(0.0, 6.0 * (sum - 2.0 * I[i])));
+    return edges.cwiseMax(0.01 * edges.maxCoeff());
+}
+
+BodyShape body_shape(Panel& panel) {
+    const Scene& scene = panel.stage->scene;
+    const Eigen::Matrix3d body_from_principal = scene.body.inertia.body_from_principal();
+    const std::vector<ColouredMesh> meshes = meshes_of(scene, *panel.stage->theme);
+    BodyShape shape;
+    shape.reach_m = 0.0;
+    for (const ColouredMesh& part : meshes) {
+        shape.reach_m = std::max(shape.reach_m, reach_of(part.mesh));
+    }
+    shape.extents.setZero();
+    for (const ColouredMesh& part : meshes) {
+        shape.parts.push_back(part_of(panel, part.mesh, shape.reach_m, part.colour));
+        for (const Eigen::Vector3d& vertex : part.mesh.vertices) {
+            const Eigen::Vector3d along = body_from_principal.transpose() * vertex;
+            shape.extents = shape.extents.cwiseMax(along / shape.reach_m);
+        }
+    }
+    if (is_box(scene)) shape.edges = edges_of_box(panel, shape.extents, body_from_principal);
+    return shape;
+}
+
+}  // namespace poinsot

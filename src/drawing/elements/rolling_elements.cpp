@@ -1,0 +1,208 @@
+#include "drawing/elements/rolling_elements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "drawing/elements/direction_marks.h"
+#include "drawing/elements/trail.h"
+#include "drawing/marks.h"
+#include "shapes/projection.h"
+
+namespace poinsot {
+
+namespace {
+
+// Index of the one ellipsoid and the one plane in the space view; see the order of the table.
+constexpr int the_ellipsoid = 0;
+constexpr int the_plane = 0;
+
+const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
+
+// Far enough for the herpolhode, and so near that the rim towards us is seen: the panel has no hard
+// edge, and the plane is faint where the caption stands.
+double plane_radius(const Panel& panel) {
+    const double wanted = std::max(2.4, 2.2 * picture_of(panel).herpolhode_radius);
+    const double bottom_px = panel.box.y_px + panel.box.height_px;
+
+    View view;
+    view.x_px = panel.box.x_px, view.y_px = panel.box.y_px;
+    view.width_px = panel.box.width_px, view.height_px = panel.box.height_px;
+    view.camera = panel.camera;
+    Eigen::Vector3d towards_us = panel.camera.eye - panel.camera.target;
+    towards_us.z() = 0.0;
+    if (!(towards_us.norm() > 0.0)) return wanted;
+    const Eigen::Vector3d centre(0.0, 0.0, -picture_of(panel).plane_distance);
+    const auto is_seen = [&](double radius) {
+        const Eigen::Vector3d rim = centre + radius * towards_us.normalized();
+        return project(view, rim).depth > 0.0 && project(view, rim).px.y() < bottom_px;
+    };
+    double seen = 0.0;
+    double cut = wanted;
+    for (int round = 0; round < 40 && !is_seen(wanted); ++round) {
+        const double middle = 0.5 * (seen + cut);
+        (is_seen(middle) ? seen : cut) = middle;
+    }
+    const double least = std::max(1.0, 1.3 * picture_of(panel).herpolhode_radius);
+    return is_seen(wanted) ? wanted : std::max(seen, least);
+}
+
+// A plane ruled in circles about the foot of L. Seen from a camera that turns about L they stand
+// still, where straight lines would turn, and lines that turned along would belie the rolling.
+Drawer ringed(Panel& panel, Plane plane) {
+    plane.grid_px = 0.0;
+    std::vector<Curve> rings;
+    for (int k = 1; k * plane.grid_spacing < plane.radius; ++k) {
+        const double radius = k * plane.grid_spacing;
+        const double share = (radius / plane.radius - plane.fade_from) / (1.0 - plane.fade_from);
+        const double u = std::clamp(share, 0.0, 1.0);
+        Curve ring =
+            arc_about(panel, plane.centre, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
+                      radius, 2.0 * std::numbers::pi, plane.grid_colour, 1.1);
+        ring.on_plane = the_plane;
+        ring.opacity = plane.opacity * (1.0 - u * u * (3.0 - 2.0 * u));
+        rings.push_back(ring);
+    }
+    return [plane, rings](const Instant&, Sheet& sheet) {
+        sheet.view.planes.push_back(plane);
+        sheet.view.curves.insert(sheet.view.curves.end(), rings.begin(), rings.end());
+    };
+}
+
+}  // namespace
+
+Drawer make_plane(Panel& panel) {
+    Plane plane;
+    plane.centre = {0.0, 0.0, -picture_of(panel).plane_distance};
+    plane.radius = plane_radius(panel);
+    plane.grid_spacing = 0.2;
+    plane.grid_px = 1.1 * panel.px;
+    plane.colour = panel.stage->theme->plane;
+    plane.grid_colour = panel.stage->theme->grid;
+    plane.opacity = panel.stage->theme->plane_opacity;
+    if (panel.stage->turns()) return ringed(panel, plane);
+    return [plane](const Instant&, Sheet& sheet) { sheet.view.planes.push_back(plane); };
+}
+
+namespace {
+
+// Between direction marks, in the largest half-axis; the same on both curves, which roll on each
+// other.
+constexpr double mark_spacing = 0.45;
+
+}  // namespace
+
+Drawer make_polhode(Panel& panel) {
+    const double per_rho = picture_of(panel).picture_per_rho;
+    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px / per_rho;
+    const Polhode& polhode = picture_of(panel).polhode;
+    const bool whole = panel.stage->scene.trail.polhode == "whole";
+    CurveGeometry geometry;
+    std::optional<Trail> trail;
+    if (whole) {
+        geometry.closed = polhode.closed();
+        geometry.points = polhode.sampled(tolerance);
+    } else {
+        TimedCurve timed = polhode_trail(*panel.stage, tolerance);
+        geometry.points = std::move(timed.points);
+        trail = std::move(timed.trail);
+        panel.stage->note_curve_error(timed.off * per_rho / panel.units_per_px);
+    }
+    for (Eigen::Vector3d& point : geometry.points) point *= per_rho;
+    Curve curve;
+    curve.geometry = panel.stage->keep(std::move(geometry));
+    curve.width_px = 4.0 * panel.px;
+    curve.colour = panel.stage->theme->polhode;
+    curve.on_surface = the_ellipsoid;
+    curve.hidden_opacity = 0.72;
+    std::optional<DirectionMarks> marks;
+    if (wants_marks(panel)) {
+        marks.emplace(panel, *curve.geometry, mark_spacing,
+                      whole && runs_backwards(panel, curve.geometry->points));
+    }
+    return [&panel, curve, trail, marks](const Instant& instant, Sheet& sheet) {
+        Curve shown = curve;
+        shown.placement.linear() = picture_of(panel).picture_from_body(instant).toRotationMatrix();
+        ShownStretch stretch{0.0, curve.last, 0.0, false};
+        if (trail) stretch = trail->at(instant.time_s);
+        stretch.apply_to(shown);
+        shown.lasting = false;  // it turns with the body
+        sheet.view.curves.push_back(shown);
+        if (marks) marks->add_to(sheet, shown, stretch.grows);
+    };
+}
+
+Drawer make_herpolhode(Panel& panel) {
+    const ConstructionPicture& picture = picture_of(panel);
+    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    TimedCurve timed = herpolhode_trail(*panel.stage, tolerance / picture.picture_per_rho);
+
+    const Eigen::Vector3d foot =
+        -picture.construction.plane_distance() * picture.construction.vertical_space();
+    CurveGeometry geometry;
+    geometry.points.reserve(timed.points.size());
+    for (const Eigen::Vector3d& point : timed.points) {
+        geometry.points.emplace_back(picture.picture_from_space * (foot + point) *
+                                     picture.picture_per_rho);
+    }
+    panel.stage->note_curve_error(timed.off * picture.picture_per_rho / panel.units_per_px);
+    Curve curve;
+    curve.geometry = panel.stage->keep(std::move(geometry));
+    curve.width_px = 4.0 * panel.px;
+    curve.colour = panel.stage->theme->herpolhode;
+    set_dashes(panel, panel.stage->theme->herpolhode_dashes, curve);
+    curve.on_plane = the_plane;
+    curve.hidden_opacity = 0.72;
+    std::optional<DirectionMarks> marks;
+    if (wants_marks(panel)) marks.emplace(panel, *curve.geometry, mark_spacing, false);
+    return [curve, trail = std::move(timed.trail), marks](const Instant& instant, Sheet& sheet) {
+        Curve shown = curve;
+        const ShownStretch stretch = trail.at(instant.time_s);
+        stretch.apply_to(shown);
+        sheet.view.curves.push_back(shown);
+        if (marks) marks->add_to(sheet, shown, stretch.grows);
+    };
+}
+
+namespace {
+
+CurveGeometry circle_on_plane(const Panel& panel, double radius) {
+    CurveGeometry circle;
+    circle.closed = true;
+    // The sagitta r(1 − cos(π/n)) stays below half of accuracy_px.
+    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    const double least =
+        std::numbers::pi / std::sqrt(2.0 * tolerance / std::max(radius, tolerance));
+    const int n_points = static_cast<int>(std::clamp(std::ceil(least), 256.0, 65536.0));
+    for (int k = 0; k < n_points; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / n_points;
+        circle.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                                   -picture_of(panel).plane_distance);
+    }
+    return circle;
+}
+
+}  // namespace
+
+Drawer make_annulus(Panel& panel) {
+    const Polhode::Annulus annulus = picture_of(panel).polhode.annulus();
+    std::vector<Curve> circles;
+    for (const double radius : {annulus.inner, annulus.outer}) {
+        Curve curve;
+        curve.geometry =
+            panel.stage->keep(circle_on_plane(panel, radius * picture_of(panel).picture_per_rho));
+        curve.width_px = 1.5 * panel.px;
+        curve.colour = panel.stage->theme->annulus;
+        curve.dash_px = 7.0 * panel.px;
+        curve.on_plane = the_plane;
+        circles.push_back(curve);
+    }
+    return [circles](const Instant&, Sheet& sheet) {
+        sheet.view.curves.insert(sheet.view.curves.end(), circles.begin(), circles.end());
+    };
+}
+
+}  // namespace poinsot

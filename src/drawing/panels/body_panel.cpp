@@ -1,0 +1,238 @@
+// The body panel: the ellipsoid at rest in its principal axes, with the polhodes that it can have,
+// the separatrices between their two families, and the one that ω runs along.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "drawing/elements/body_axes.h"
+#include "drawing/elements/ghost.h"
+#include "drawing/framing.h"
+#include "drawing/marks.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr int the_ellipsoid = 0;
+
+// L and ω are shorter here than in space, where they have to stand out of a body that turns, so
+// that the ellipsoid fills its panel; L still reaches beyond an ω beside it.
+constexpr double body_momentum_length = 1.3;
+constexpr double omega_share = 0.88;
+
+// Angle between neighbouring polhodes on the ellipse through the lowest and the highest axis, as an
+// ellipse's parameter.
+constexpr double family_spacing_rad = 0.13;
+
+// A polhode as geometry in principal axes and picture lengths.
+const CurveGeometry* keep_polhode(Panel& panel, const Polhode& polhode) {
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    CurveGeometry geometry;
+    geometry.closed = polhode.closed();
+    for (const Eigen::Vector3d& point : polhode.sampled(tolerance / picture.picture_per_rho)) {
+        geometry.points.emplace_back(principal_from_body(panel) * point * picture.picture_per_rho);
+    }
+    return panel.stage->keep(std::move(geometry));
+}
+
+// A curve and its mirror image in the centre: F(ρ) = 1 holds for ρ and −ρ alike.
+void add_with_mirror_image(Curve curve, std::vector<Curve>& curves) {
+    curve.on_surface = the_ellipsoid;
+    curves.push_back(curve);
+    curve.placement.linear() = -Eigen::Matrix3d::Identity();
+    curves.push_back(curve);
+}
+
+// The principal axes by their moments.
+struct Ranks {
+    int low, middle, high;
+};
+Ranks ranks_of(const Eigen::Vector3d& moments) {
+    std::array<int, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(),
+                     [&moments](int i, int j) { return moments[i] < moments[j]; });
+    return {order[0], order[1], order[2]};
+}
+
+// Polhodes in even steps from the axes of the lowest and the highest moment to the separatrices.
+// They cross the ellipse ρ = (cos u/√I_low, 0, sin u/√I_high), where the separatrices stand at
+// tan u = √((I_mid − I_low)/(I_high − I_mid)). None for a sphere.
+std::vector<Curve> family_of(Panel& panel) {
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    const InertiaTensor& inertia = picture.construction.inertia();
+    const Eigen::Vector3d I = inertia.moments_kg_m2() / inertia.moments_kg_m2().maxCoeff();
+    const auto ranks = ranks_of(I);
+    const int low = ranks.low;
+    const int middle = ranks.middle;
+    const int high = ranks.high;
+    std::vector<Curve> curves;
+    if (I[low] == I[high]) return curves;
+
+    // Where the curve of the motion crosses that ellipse: no thin line beside the bold one.
+    const Eigen::Vector3d crossing = principal_from_body(panel) * picture.polhode.at(0.0);
+    const double u_motion = std::atan2(std::abs(crossing[high]) * std::sqrt(I[high]),
+                                       std::abs(crossing[low]) * std::sqrt(I[low]));
+    const bool is_curve = picture.polhode.kind() != Polhode::Kind::point;
+
+    const double u_separatrix =
+        std::atan2(std::sqrt(I[middle] - I[low]), std::sqrt(I[high] - I[middle]));
+    const auto add_side = [&](double from, double extent) {
+        const int n_steps = static_cast<int>(std::round(std::abs(extent) / family_spacing_rad));
+        for (int k = 1; k < n_steps; ++k) {
+            const double u = from + extent * k / n_steps;
+            if (is_curve && std::abs(u - u_motion) < 0.4 * family_spacing_rad) continue;
+            // Both curves of the level: about one end of the axis and, mirrored, about the other.
+            Eigen::Vector3d rho = Eigen::Vector3d::Zero();
+            rho[low] = std::cos(u) / std::sqrt(I[low]);
+            rho[high] = std::sin(u) / std::sqrt(I[high]);
+            const Polhode polhode(inertia, inertia.body_from_principal() * rho);
+            if (polhode.kind() == Polhode::Kind::point) continue;
+            Curve curve =
+                curve_of(panel, keep_polhode(panel, polhode), panel.stage->theme->polhode, 1.9);
+            curve.opacity = 0.85;
+            curve.hidden_opacity = 0.16;
+            add_with_mirror_image(curve, curves);
+        }
+    };
+    add_side(0.0, u_separatrix);
+    add_side(0.5 * std::numbers::pi, u_separatrix - 0.5 * std::numbers::pi);
+    return curves;
+}
+
+// The two separatrices, dashed.
+std::vector<Curve> separatrices_of(Panel& panel) {
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    std::vector<Curve> curves;
+    for (const auto& points :
+         separatrices(picture.construction.inertia(), tolerance / picture.picture_per_rho)) {
+        CurveGeometry geometry;
+        geometry.closed = true;
+        for (const Eigen::Vector3d& point : points) {
+            geometry.points.emplace_back(principal_from_body(panel) * point *
+                                         picture.picture_per_rho);
+        }
+        Curve curve = curve_of(panel, panel.stage->keep(std::move(geometry)),
+                               panel.stage->theme->separatrix, 2.6);
+        curve.dash_px = 9.0 * panel.px;
+        curve.hidden_opacity = 0.25;
+        curve.on_surface = the_ellipsoid;
+        curves.push_back(curve);
+    }
+    return curves;
+}
+
+// The polhode of the motion, bold on the side that ω pierces, and where the contact point runs.
+std::vector<Curve> motion_of(Panel& panel) {
+    std::vector<Curve> curves;
+    const Polhode& polhode = panel.stage->rolling->polhode;
+    if (polhode.kind() == Polhode::Kind::point) return curves;
+    Curve curve = curve_of(panel, keep_polhode(panel, polhode), panel.stage->theme->polhode, 4.6);
+    curve.hidden_opacity = 0.72;
+    add_with_mirror_image(curve, curves);
+    return curves;
+}
+
+// ρ = ω/√(2T) of the motion beside, with the T of the start: a drift takes it off its polhode and
+// off the ellipsoid.
+Eigen::Vector3d rho_of(const Panel& panel, const RotationState& state) {
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    return -(principal_from_body(panel) * picture.construction.contact_body(state.omega_body)) *
+           picture.picture_per_rho;
+}
+
+// The drifting polhode of the motion beside, run along by ω, with its ω. Nothing without one.
+Drawer make_beside(Panel& panel) {
+    if (!panel.stage->beside) return [](const Instant&, Sheet&) {};
+    panel.shows_beside = true;
+    const GhostPath path = ghost_path(
+        panel, [&panel](const RotationState& state) { return rho_of(panel, state); }, 2.6);
+    const SetType type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
+    return [&panel, path, type](const Instant& instant, Sheet& sheet) {
+        add_ghost_path(path, instant, sheet);
+        add_ghost_arrow(panel, omega_share * omega_tip(rho_of(panel, *instant.beside)), type,
+                        sheet);
+    };
+}
+
+// Everything that the camera must hold over the whole motion.
+std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    std::vector<Eigen::Vector3d> points =
+        points_of_ellipsoid(picture.half_axes.asDiagonal().toDenseMatrix());
+    for (int i = 0; i < 3; ++i) {
+        points.emplace_back((picture.half_axes[i] + axis_overhang) * Eigen::Vector3d::Unit(i));
+    }
+    const Polhode& polhode = picture.polhode;
+    const Eigen::Vector3d moments = picture.construction.inertia().moments_kg_m2();
+    constexpr int n = 48;
+    for (int k = 0; k <= n; ++k) {
+        const double chi =
+            polhode.first_chi_rad() + (polhode.last_chi_rad() - polhode.first_chi_rad()) * k / n;
+        const Eigen::Vector3d rho =
+            -(principal_from_body(panel) * polhode.at(chi)) * picture.picture_per_rho;
+        points.emplace_back(omega_share * omega_tip(rho));
+        points.emplace_back(moments.cwiseProduct(rho).stableNormalized() * body_momentum_length);
+    }
+    return points;
+}
+
+}  // namespace
+
+void make_body_panel(Panel& panel) {
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    const double margin = 0.6 * label_size * panel.type_px + 26.0 * panel.px;
+    aim(panel, framed(panel.box, principal_view_direction(panel), Eigen::Vector3d::UnitZ(),
+                      field_of(panel), points_to_frame(panel), margin));
+    light_from_camera(panel);
+
+    Ellipsoid ellipsoid = ellipsoid_of(panel);
+    ellipsoid.half_axes = picture.half_axes.asDiagonal();
+    ellipsoid.section_px = 0.8 * panel.px;  // the polhodes are what is to be read
+    ellipsoid.ruling_px = 0.0;
+    std::vector<Curve> curves = family_of(panel);
+    for (const auto& part : {separatrices_of(panel), motion_of(panel)}) {
+        curves.insert(curves.end(), part.begin(), part.end());
+    }
+
+    std::array<SetType, 3> axis_types;
+    for (std::size_t i = 0; i < 3; ++i) {
+        axis_types[i] = set_label(panel, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
+    }
+    const SetType omega_type = set_label(panel, "\\boldsymbol{\\omega}");
+    const SetType momentum_type = set_label(panel, "\\mathbf{L}");
+    const Drawer beside = make_beside(panel);
+    panel.draw = [&panel, &picture, ellipsoid, curves, axis_types, omega_type, momentum_type,
+                  beside](const Instant& instant, Sheet& sheet) {
+        const Theme& theme = *panel.stage->theme;
+        const auto add_arrow = [&](const Eigen::Vector3d& tip, const Colour& colour, double weight,
+                                   const SetType& type, double turn_rad = 0.0) {
+            sheet.view.arrows.push_back(arrow_to(panel, tip, colour, weight));
+            wish_at_tip(panel, sheet.view.arrows.back(), type, sheet, turn_rad);
+        };
+        sheet.view.ellipsoids.push_back(ellipsoid);
+        sheet.view.curves = curves;
+        for (int i = 0; i < 3; ++i) {
+            add_arrow((picture.half_axes[i] + axis_overhang) * Eigen::Vector3d::Unit(i),
+                      theme.axes[i], 0.85, axis_types[static_cast<std::size_t>(i)],
+                      axis_label_turn_rad);
+        }
+
+        // L is the normal of the ellipsoid where ω pierces it.
+        const Eigen::Vector3d rho = -contact_in_principal_axes(panel, instant);
+        const Eigen::Vector3d momentum =
+            picture.construction.inertia().moments_kg_m2().cwiseProduct(rho).stableNormalized();
+        add_arrow(momentum * body_momentum_length, theme.momentum, 1.15, momentum_type);
+        add_arrow(omega_share * omega_tip(rho), theme.omega, 1.15, omega_type,
+                  omega_label_turn_rad);
+        sheet.view.dots.push_back(dot_at(panel, rho, theme.omega));
+        sheet.view.dots.push_back(dot_at(panel, -rho, theme.contact));
+        beside(instant, sheet);
+    };
+}
+
+}  // namespace poinsot

@@ -1,0 +1,187 @@
+// The momentum panel: in body axes L moves on the sphere |m| = L, which is kept, and on the
+// ellipsoid of energy Σ mᵢ²/2Iᵢ = T, which is kept as well, and so on the curves in which they
+// meet. In units of L the sphere has radius 1 and the ellipsoid the half-axes √(2TIᵢ)/L.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "construction/adaptive_curve.h"
+#include "drawing/charts/plot_frame.h"
+#include "drawing/elements/body_axes.h"
+#include "drawing/elements/ghost.h"
+#include "drawing/framing.h"
+#include "drawing/marks.h"
+#include "drawing/type/overlay.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr int the_sphere = 0;
+
+// Beyond this many radii of the sphere an ellipsoid is no longer a figure beside it: its arms are
+// left out of the frame.
+constexpr double longest_framed = 2.2;
+
+// m/L in principal axes at a point −ρ of the polhode: −J(−ρ)·√(2T)/L.
+Eigen::Vector3d momentum_at(const Panel& panel, const Eigen::Vector3d& contact_body) {
+    const Eigen::Vector3d moments = panel.stage->rolling->construction.inertia().moments_kg_m2();
+    return -moments.cwiseProduct(principal_from_body(panel) * contact_body).stableNormalized();
+}
+
+// One of the curves in which sphere and ellipsoid meet; its mirror image in the centre is the
+// other.
+CurveGeometry meeting_curve(const Panel& panel) {
+    const Polhode& polhode = panel.stage->rolling->polhode;
+    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    const auto samples =
+        sample_adaptively([&](double chi) { return momentum_at(panel, polhode.at(chi)); },
+                          polhode.first_chi_rad(), polhode.last_chi_rad(), 16, tolerance);
+    CurveGeometry geometry;
+    geometry.closed = polhode.closed();
+    for (const CurveSample& sample : samples) geometry.points.push_back(sample.point);
+    if (geometry.closed) geometry.points.pop_back();
+    return geometry;
+}
+
+// m of the motion beside over the L of the start, principal axes: a drift of L takes it off the
+// sphere.
+Eigen::Vector3d momentum_beside(const Panel& panel, const RotationState& state) {
+    const MotionProblem& problem = panel.stage->motion.motion().problem();
+    const Eigen::Vector3d& moments = problem.inertia.moments_kg_m2();
+    const Eigen::Vector3d weights = moments / moments.maxCoeff();
+    const double rate = problem.start.omega_body.stableNorm();
+    const auto momentum = [&](const Eigen::Vector3d& omega_body) -> Eigen::Vector3d {
+        return weights.cwiseProduct(principal_from_body(panel) * (omega_body / rate));
+    };
+    return momentum(state.omega_body) / momentum(problem.start.omega_body).norm();
+}
+
+// Its path, leaving the curve in which sphere and ellipsoid meet. Nothing without one.
+Drawer make_beside(Panel& panel) {
+    if (!panel.stage->beside) return [](const Instant&, Sheet&) {};
+    panel.shows_beside = true;
+    const GhostPath path = ghost_path(
+        panel, [&panel](const RotationState& state) { return momentum_beside(panel, state); }, 2.6);
+    const SetType type = set_ghost_label(panel, "\\mathbf{L}");
+    return [&panel, path, type](const Instant& instant, Sheet& sheet) {
+        add_ghost_path(path, instant, sheet);
+        add_ghost_arrow(panel, momentum_beside(panel, *instant.beside), type, sheet);
+    };
+}
+
+Eigen::Vector3d energy_half_axes(const Panel& panel) {
+    const PoinsotConstruction& construction = panel.stage->rolling->construction;
+    return construction.plane_distance() * construction.inertia().moments_kg_m2().cwiseSqrt();
+}
+
+// What the two surfaces are, in their colours, in the lower left corner.
+std::vector<Label> legend_of(const Panel& panel) {
+    const Theme& theme = *panel.stage->theme;
+    const std::array<std::pair<std::string_view, Colour>, 2> rows{{
+        {"L_1^2 + L_2^2 + L_3^2 = L^2", theme.potential},
+        {"L_1^2/I_1 + L_2^2/I_2 + L_3^2/I_3 = 2T", theme.energy},
+    }};
+    std::vector<Label> legend;
+    // In the first column it stands below the title.
+    const double left =
+        panel.box.x_px == 0 ? overlay_margin * panel.stage->px : 0.6 * chart_margin * panel.px;
+    double bottom = 0.5 * chart_margin * panel.px;
+    for (const auto& [text, colour] : rows) {
+        const SetType type = set_label(panel, text, 0.72);
+        legend.push_back(chart_label(panel, type, left, bottom, Anchor::bottom_left, colour));
+        bottom += panel.stage->room_of(type).size_px.y() + 10.0 * panel.px;
+    }
+    return legend;
+}
+
+// Rows that the legend keeps for itself: none where it leaves the middle of the panel free.
+double legend_rows(const Panel& panel, const std::vector<Label>& legend) {
+    double top = panel.box.y_px + panel.box.height_px;
+    double right = panel.box.x_px;
+    for (const Label& label : legend) {
+        top = std::min(top, label.top_left_px.y());
+        right = std::max(right, label.top_left_px.x() + label.mask->width);
+    }
+    // Whole rows of the picture that is looked at.
+    const int samples = panel.stage->options.samples;
+    top = samples * std::floor(top / samples);
+    const bool in_the_way = right - panel.box.x_px > 0.35 * panel.box.width_px;
+    return in_the_way ? panel.box.y_px + panel.box.height_px - top : 0.0;
+}
+
+}  // namespace
+
+void make_momentum_panel(Panel& panel) {
+    const Eigen::Vector3d half_axes = energy_half_axes(panel);
+    std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
+    const Eigen::Vector3d framed_axes = half_axes.cwiseMin(longest_framed);
+    for (const Eigen::Vector3d& point :
+         points_of_ellipsoid(framed_axes.asDiagonal().toDenseMatrix())) {
+        points.push_back(point);
+    }
+    const Eigen::Vector3d axis_lengths = framed_axes.cwiseMax(1.0).array() + axis_overhang;
+    for (int i = 0; i < 3; ++i) points.emplace_back(axis_lengths[i] * Eigen::Vector3d::Unit(i));
+    const double margin = 0.6 * label_size * panel.type_px + 30.0 * panel.px;
+    const std::vector<Label> legend = legend_of(panel);
+    const Margins margins{margin, margin, margin + panel.header_px,
+                          std::max(margin, legend_rows(panel, legend))};
+    aim(panel, framed(panel.box, principal_view_direction(panel), Eigen::Vector3d::UnitZ(),
+                      field_of(panel), points, margins));
+    light_from_camera(panel);
+
+    Ellipsoid sphere = ellipsoid_of(panel);
+    sphere.colour = panel.stage->theme->sphere;
+    sphere.section_px = 0.0;
+    sphere.ruling_px = 0.0;
+    sphere.opacity = 0.26;
+    Ellipsoid energy = ellipsoid_of(panel);
+    energy.half_axes = half_axes.asDiagonal();
+    energy.section_px = 0.8 * panel.px;
+    energy.ruling_px = 0.0;
+
+    std::vector<Curve> curves;
+    if (panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
+        Curve curve = curve_of(panel, panel.stage->keep(meeting_curve(panel)),
+                               panel.stage->theme->polhode, 4.6);
+        curve.on_surface = the_sphere;
+        curve.hidden_opacity = 0.72;
+        curves.push_back(curve);
+        curve.placement.linear() = -Eigen::Matrix3d::Identity();
+        curves.push_back(curve);
+    }
+
+    std::array<SetType, 3> axis_types;
+    for (std::size_t i = 0; i < 3; ++i) {
+        axis_types[i] = set_label(panel, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
+    }
+    const SetType momentum_type = set_label(panel, "\\mathbf{L}");
+    const Drawer beside = make_beside(panel);
+    panel.draw = [&panel, sphere, energy, curves, axis_lengths, axis_types, momentum_type, legend,
+                  beside](const Instant& instant, Sheet& sheet) {
+        const Theme& theme = *panel.stage->theme;
+        sheet.view.labels = legend;
+        sheet.view.ellipsoids = {sphere, energy};
+        sheet.view.curves = curves;
+        for (int i = 0; i < 3; ++i) {
+            const Arrow arrow =
+                arrow_to(panel, axis_lengths[i] * Eigen::Vector3d::Unit(i), theme.axes[i], 0.85);
+            sheet.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], sheet);
+        }
+        const PoinsotConstruction& construction = panel.stage->rolling->construction;
+        const Eigen::Vector3d momentum =
+            momentum_at(panel, construction.contact_body(instant.state.omega_body));
+        Arrow arrow = arrow_to(panel, momentum, theme.momentum, 1.15);
+        arrow.hidden_opacity = 0.7;
+        sheet.view.arrows.push_back(arrow);
+        wish_at_tip(panel, arrow, momentum_type, sheet);
+        beside(instant, sheet);
+    };
+}
+
+}  // namespace poinsot

@@ -1,0 +1,177 @@
+// The plan panel: the herpolhode on the invariable plane, seen along L from above, between the
+// circles of its annulus.
+//
+// The plan has its own scale, the annulus filling the panel, so that the smallest wobble is seen;
+// distances are measured from the foot of L, where nothing cancels. Up in the picture is away from
+// the space panel's camera: the plan is what that camera would see after rising to the zenith.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "drawing/elements/direction_marks.h"
+#include "drawing/elements/trail.h"
+#include "drawing/framing.h"
+#include "drawing/marks.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr int the_plane = 0;
+
+// From space axes to the plan: z along L, y up in the panel, the outer circle's radius 1.
+struct PlanScale {
+    Eigen::Matrix3d plan_from_space;
+    double plan_per_rho = 1.0;
+    double inner = 0.0;  // radii of the annulus
+    double outer = 0.0;
+};
+
+PlanScale scale_of(const Panel& panel) {
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    const Polhode::Annulus annulus = picture.polhode.annulus();
+    PlanScale scale;
+    // A herpolhode that is a point is drawn at the scale of the space panel.
+    scale.plan_per_rho = annulus.outer > 0.0 ? 1.0 / annulus.outer : picture.picture_per_rho;
+    scale.inner = annulus.outer > 0.0 ? annulus.inner / annulus.outer : 0.0;
+    scale.outer = annulus.outer > 0.0 ? 1.0 : 0.0;
+
+    const double azimuth =
+        panel.stage->scene.camera.azimuth_deg * std::numbers::pi / 180.0 + 0.5 * std::numbers::pi;
+    scale.plan_from_space = Eigen::AngleAxisd(-azimuth, Eigen::Vector3d::UnitZ()) *
+                            picture.picture_from_space.toRotationMatrix();
+    return scale;
+}
+
+void aim_from_above(Panel& panel) {
+    const double margin_px = 26.0 * panel.px + 0.5 * label_size * panel.type_px + panel.header_px;
+    const double room_px =
+        std::max(0.4 * std::min(panel.box.width_px, panel.box.height_px),
+                 std::min(panel.box.width_px, panel.box.height_px) - 2.0 * margin_px);
+    Camera camera;
+    camera.eye = {0.0, 0.0, 4.0};
+    camera.target = Eigen::Vector3d::Zero();
+    camera.up = Eigen::Vector3d::UnitY();
+    camera.orthographic = true;
+    camera.height_units = 2.0 * panel.box.height_px / room_px;
+    aim(panel, camera);
+}
+
+Plane plane_of(const Panel& panel) {
+    Plane plane;
+    // It fades out within the panel.
+    plane.radius = std::max(1.5, 0.5 * panel.camera.height_units *
+                                     std::min(1.0, 1.0 * panel.box.width_px / panel.box.height_px));
+    plane.fade_from = 0.6;
+    plane.grid_spacing = 0.25;
+    // Straight lines would turn in axes that do; the annulus's circles stand still.
+    plane.grid_px = panel.stage->turns() ? 0.0 : 1.0 * panel.px;
+    plane.colour = panel.stage->theme->plane;
+    plane.grid_colour = panel.stage->theme->grid;
+    plane.opacity = 0.8 * panel.stage->theme->plane_opacity;
+    return plane;
+}
+
+// The herpolhode, and how much of it is shown.
+struct HerpolhodeCurve {
+    Curve curve;
+    Trail trail;
+    std::optional<DirectionMarks> marks;
+};
+
+HerpolhodeCurve herpolhode_of(Panel& panel, const PlanScale& scale) {
+    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    TimedCurve timed = herpolhode_trail(*panel.stage, tolerance / scale.plan_per_rho);
+    panel.stage->note_curve_error(timed.off * scale.plan_per_rho / panel.units_per_px);
+    CurveGeometry geometry;
+    for (const Eigen::Vector3d& point : timed.points) {
+        Eigen::Vector3d at = scale.plan_from_space * point * scale.plan_per_rho;
+        at.z() = 0.0;
+        geometry.points.push_back(at);
+    }
+    Curve curve = curve_of(panel, panel.stage->keep(std::move(geometry)),
+                           panel.stage->theme->herpolhode, 4.0);
+    set_dashes(panel, panel.stage->theme->herpolhode_dashes, curve);
+    curve.on_plane = the_plane;
+    curve.occlusion = Occlusion::none;
+    // Of the outer circle's radius.
+    constexpr double mark_spacing = 1.1;
+    std::optional<DirectionMarks> marks;
+    if (wants_marks(panel)) marks.emplace(panel, *curve.geometry, mark_spacing, false);
+    return {curve, std::move(timed.trail), std::move(marks)};
+}
+
+Curve circle_of(const Panel& panel, double radius) {
+    Curve circle = arc_about(panel, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(),
+                             Eigen::Vector3d::UnitY(), radius, 2.0 * std::numbers::pi,
+                             panel.stage->theme->annulus, 2.0);
+    circle.dash_px = 8.0 * panel.px;
+    circle.occlusion = Occlusion::none;
+    return circle;
+}
+
+}  // namespace
+
+void make_plan_panel(Panel& panel) {
+    panel.asks = {.attitude = false, .herpolhode = true, .euler_angles = false};
+    aim_from_above(panel);
+    const PlanScale scale = scale_of(panel);
+
+    std::vector<Curve> circles;
+    if (scale.outer > 0.0) {
+        circles.push_back(circle_of(panel, 1.0));
+        // Of a motion near the separatrix, or a circle for a herpolhode, one is enough.
+        if (scale.inner > 1e-3 && scale.inner < 0.999)
+            circles.push_back(circle_of(panel, scale.inner));
+    }
+    std::optional<HerpolhodeCurve> timed;
+    if (panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
+        timed = herpolhode_of(panel, scale);
+    }
+    Dot foot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->momentum, 5.0);
+    foot.occlusion = Occlusion::none;
+    const SetType momentum_type = set_label(panel, "\\mathbf{L}", 0.85);
+    const Plane plane = plane_of(panel);
+    panel.draw = [&panel, scale, circles, timed, foot, momentum_type, plane](const Instant& instant,
+                                                                             Sheet& sheet) {
+        const ConstructionPicture& picture = *panel.stage->rolling;
+        sheet.view.planes.push_back(plane);
+        sheet.view.curves = circles;
+        Eigen::Vector3d contact = scale.plan_from_space *
+                                  picture.construction.contact_in_plane(instant.herpolhode_space) *
+                                  scale.plan_per_rho;
+        contact.z() = 0.0;
+
+        // The radius from the foot of L to the contact point.
+        Curve radius =
+            line_between(panel, Eigen::Vector3d::Zero(), contact, panel.stage->theme->omega, 1.6);
+        radius.occlusion = Occlusion::none;
+        sheet.view.curves.push_back(radius);
+        if (timed) {
+            Curve shown = timed->curve;
+            const ShownStretch stretch = timed->trail.at(instant.time_s);
+            stretch.apply_to(shown);
+            sheet.view.curves.push_back(shown);
+            if (timed->marks) timed->marks->add_to(sheet, shown, stretch.grows);
+        }
+
+        // Where the film's curve begins; a loop has no beginning.
+        if (timed && !(panel.stage->options.loop_s > 0.0)) {
+            Dot start = dot_at(panel, timed->curve.geometry->points.front(),
+                               panel.stage->theme->herpolhode, 4.5);
+            start.occlusion = Occlusion::none;
+            sheet.view.dots.push_back(start);
+        }
+        sheet.view.dots.push_back(foot);
+        Dot dot = dot_at(panel, contact, panel.stage->theme->contact);
+        dot.occlusion = Occlusion::none;
+        sheet.view.dots.push_back(dot);
+        wish_beside(panel, Eigen::Vector3d::Zero(), contact, momentum_type,
+                    panel.stage->theme->momentum, sheet);
+    };
+}
+
+}  // namespace poinsot

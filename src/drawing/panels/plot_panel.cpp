@@ -1,0 +1,256 @@
+// The plot panel: quantities of the motion against time over the whole film, with a cursor at the
+// instant shown.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "construction/adaptive_curve.h"
+#include "drawing/charts/plot_quantity.h"
+#include "drawing/charts/plot_record.h"
+#include "drawing/charts/plotted_chart.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr double curve_width = 3.4;
+
+// Lines of the motion beside are thinner, and paler.
+constexpr double beside_width = 2.0;
+constexpr double beside_opacity = 0.6;
+
+// The range that an axis shows: a little more than the values.
+Axis axis_for(const PlotQuantity& quantity, std::pair<double, double> range, int most_ticks) {
+    auto [least, most] = range;
+    if (quantity.decades)
+        return decade_axis(std::floor(least), std::max(most + 0.5, -14.0), most_ticks);
+    if (quantity.from_zero) {
+        least = std::min(least, 0.0);
+        most = std::max(most, 0.0);
+    }
+    const double margin = 0.06 * (most - least);
+    return linear_axis(least < 0.0 || !quantity.from_zero ? least - margin : least,
+                       most > 0.0 || !quantity.from_zero ? most + margin : most, most_ticks);
+}
+
+double dash_of(LineStyle style, const Panel& panel) {
+    switch (style) {
+        case LineStyle::dashed:
+            return 13.0 * panel.px;
+        case LineStyle::dotted:
+            return 1.15 * curve_width * panel.px;
+        default:
+            return 0.0;
+    }
+}
+
+class PlotMaker {
+ public:
+    PlotMaker(Panel& panel, const PlotQuantity& quantity)
+        : panel_(&panel),
+          quantity_(&quantity),
+          record_(*panel.stage, panel.stage->motion, quantity) {
+        // Angles of a stepped motion are not continuous: they make no curve.
+        const StageData& stage = *panel.stage;
+        if (stage.beside && !quantity.asks.euler_angles) {
+            beside_.emplace(stage, *stage.beside, quantity);
+            panel.shows_beside = true;
+        }
+    }
+
+    std::vector<PlottedChart> make() {
+        const StageData& stage = *panel_->stage;
+        const double first = stage.film_first_s;
+        const double last = stage.film_last_s;
+        n_pieces_ = n_pieces_of(stage, panel_->box.width_px);
+        // A first round for the ranges: so dense that an extreme is missed by little.
+        constexpr int per_piece = 4;
+        for (int k = 0; k <= per_piece * n_pieces_; ++k) {
+            const double time_s = first + (last - first) * k / (per_piece * n_pieces_);
+            record_.at(time_s);
+            if (beside_) beside_->at(time_s);
+        }
+        set_names();
+
+        // Charts above each other share the room for their numbers.
+        const std::size_t n_curves = quantity_->curves.size();
+        const std::size_t n_charts = quantity_->stacked ? n_curves : 1;
+        double left_px = 0.0;
+        std::vector<Place> places;
+        for (std::size_t i = 0; i < n_charts; ++i) {
+            places.push_back(place_of(i, n_charts));
+            left_px = std::max(left_px, PlotFrame::numbers_px(*panel_, places.back().y));
+        }
+        std::vector<PlottedChart> charts;
+        charts.reserve(places.size());
+        for (const Place& place : places) charts.push_back(chart_of(place, left_px));
+        return charts;
+    }
+
+ private:
+    void set_names() {
+        for (const PlotCurve& curve : quantity_->curves) {
+            names_.push_back(set_chart_type(*panel_, curve.label, TypeMode::math, chart_name_size));
+            widest_name_ =
+                std::max(widest_name_, panel_->stage->room_of(names_.back()).size_px.x());
+        }
+    }
+
+    // Where one of the charts stands, and what it shows.
+    struct Place {
+        ChartArea region;
+        Axis y;
+        std::size_t first_curve = 0, last_curve = 0;
+        bool is_lowest = true;
+    };
+
+    int n_ticks(double px, double apart_px) const {
+        return std::clamp(static_cast<int>(px / (apart_px * panel_->type_px)), 2, 10);
+    }
+
+    Place place_of(std::size_t i, std::size_t n_charts) const {
+        Place place;
+        place.first_curve = quantity_->stacked ? i : 0;
+        place.last_curve = quantity_->stacked ? i : quantity_->curves.size() - 1;
+        place.is_lowest = i + 1 == n_charts;
+
+        // Charts share the height; the lowest also has the numbers of the time axis.
+        const double margin = chart_margin * panel_->px;
+        const double foot = (chart_number_size + 24.0) * panel_->type_px;
+        const double top = panel_->box.height_px - 0.5 * margin - panel_->header_px;
+        const double share = (top - 0.5 * margin - foot) / static_cast<double>(n_charts);
+        place.region = {margin, 0.5 * margin, panel_->box.width_px - margin,
+                        top - share * static_cast<double>(i)};
+        if (!place.is_lowest) place.region.bottom = place.region.top - share + 14.0 * panel_->px;
+        std::pair<double, double> range = record_.range(place.first_curve, place.last_curve);
+        if (beside_) {
+            range = common_range(*quantity_, range,
+                                 beside_->range(place.first_curve, place.last_curve));
+        }
+        place.y = axis_for(*quantity_, range,
+                           n_ticks(place.region.height(), n_charts == 1 ? 75.0 : 60.0));
+        return place;
+    }
+
+    PlottedChart chart_of(const Place& place, double left_px) {
+        const StageData& stage = *panel_->stage;
+        const TimeUnit unit = time_unit_of(stage.film_last_s - stage.film_first_s);
+        const Axis x = time_axis(stage.film_first_s, stage.film_last_s, unit,
+                                 n_ticks(place.region.width(), 120.0));
+        std::string y_title =
+            quantity_->stacked
+                ? axis_title(fmt::format("${}$", quantity_->curves[place.first_curve].label),
+                             quantity_->unit, place.y.exponent)
+                : axis_title(quantity_->title, quantity_->unit, place.y.exponent);
+        if (beside_) {
+            y_title +=
+                fmt::format(";  thin lines: {}", stage.beside->motion().problem().method.name);
+        }
+        const std::string x_title = place.is_lowest ? axis_title("$t$", unit.name, x.exponent) : "";
+        const double names_px = widest_name_ + 16.0 * panel_->px;
+        PlottedChart plotted{
+            PlotFrame(*panel_, place.region, x, place.y, x_title, y_title, left_px, names_px),
+            {},
+            {},
+            {},
+            {}};
+        for (std::size_t i = place.first_curve; i <= place.last_curve; ++i) {
+            add_curve(plotted, i);
+            if (beside_) add_curve_beside(plotted, i);
+        }
+        place_names(plotted, names_, *panel_);
+        return plotted;
+    }
+
+    // One curve of a record over the film, in the chart's pixels.
+    CurveGeometry sampled(const PlotFrame& chart, PlotRecord& record, std::size_t i) {
+        StageData& stage = *panel_->stage;
+        const auto point = [&](double t) { return chart.at(t, record.at(t)[i]); };
+        CurveGeometry geometry;
+        // Residuals are rounding, of which no sampling makes a curve: a value every few pixels.
+        if (quantity_->decades) {
+            constexpr double apart_px = 3.0;
+            const int n = static_cast<int>(std::ceil(chart.area().width() / apart_px));
+            for (int k = 0; k <= n; ++k) {
+                geometry.points.push_back(
+                    point(stage.film_first_s + (stage.film_last_s - stage.film_first_s) * k / n));
+            }
+            return geometry;
+        }
+        double off_px = 0.0;
+        for (const CurveSample& sample :
+             sample_adaptively(point, stage.film_first_s, stage.film_last_s, n_pieces_,
+                               0.5 * stage.scene.accuracy_px, 40'000, &off_px)) {
+            geometry.points.push_back(sample.point);
+        }
+        stage.note_curve_error(off_px);
+        return geometry;
+    }
+
+    Curve line_of(const PlotCurve& kind, double width_px) const {
+        Curve curve;
+        curve.colour = kind.colour(*panel_->stage->theme);
+        curve.width_px = width_px * panel_->px;
+        curve.dash_px = dash_of(kind.style, *panel_);
+        curve.occlusion = Occlusion::none;
+        curve.lasting = true;
+        return curve;
+    }
+
+    void add_curve(PlottedChart& plotted, std::size_t i) {
+        const PlotFrame& chart = plotted.chart;
+        CurveGeometry geometry = sampled(chart, record_, i);
+        PlottedCurve curve;
+        curve.value = i;
+        curve.curve = line_of(quantity_->curves[i], curve_width);
+        curve.end_y = geometry.points.back().y();
+        curve.curve.geometry = panel_->stage->keep(std::move(geometry));
+        plotted.curves.push_back(curve);
+    }
+
+    // The same quantity of the motion beside, up to where it leaves the chart.
+    void add_curve_beside(PlottedChart& plotted, std::size_t i) {
+        const ChartArea& area = plotted.chart.area();
+        CurveGeometry geometry = sampled(plotted.chart, *beside_, i);
+        const auto gone = std::find_if(
+            geometry.points.begin(), geometry.points.end(), [&area](const Eigen::Vector3d& point) {
+                return !(point.y() >= area.bottom - 1.0 && point.y() <= area.top + 1.0);
+            });
+        geometry.points.erase(gone, geometry.points.end());
+        if (geometry.points.size() < 2) return;
+        Curve curve = line_of(quantity_->curves[i], beside_width);
+        curve.opacity = beside_opacity;
+        curve.geometry = panel_->stage->keep(std::move(geometry));
+        plotted.beside.push_back(curve);
+    }
+
+    Panel* panel_;
+    const PlotQuantity* quantity_;
+    PlotRecord record_;
+    std::optional<PlotRecord> beside_;
+    int n_pieces_ = 16;
+    std::vector<SetType> names_;
+    double widest_name_ = 0.0;
+};
+
+}  // namespace
+
+void make_plot_panel(Panel& panel) {
+    aim_at_pixels(panel);
+    const PlotQuantity& quantity = plot_quantity_of(*panel.stage, panel.spec.quantity);
+    panel.asks = quantity.asks;
+    const std::vector<PlottedChart> charts = PlotMaker(panel, quantity).make();
+    panel.draw = [&panel, &quantity, charts](const Instant& instant, Sheet& sheet) {
+        const PlotValues values = quantity.values(*panel.stage, instant);
+        for (const PlottedChart& plotted : charts) {
+            draw_chart(panel, plotted, instant.time_s, values, sheet);
+        }
+    };
+}
+
+}  // namespace poinsot

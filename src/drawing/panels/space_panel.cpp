@@ -1,0 +1,112 @@
+// The space panel: the inertia ellipsoid rolling on the invariable plane, seen from outside.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "drawing/elements/elements.h"
+#include "drawing/elements/sweep.h"
+#include "drawing/fade.h"
+#include "drawing/framing.h"
+#include "drawing/marks.h"
+#include "drawing/panel.h"
+#include "drawing/type/overlay.h"
+#include "scene/scene_error.h"
+
+namespace poinsot {
+
+namespace {
+
+// A camera about the vertical L, aimed so that the figure stands over the caption, and farther away
+// where the figure would not fit.
+Camera framing_camera(const Panel& panel, const CameraPose& pose) {
+    const Eigen::Vector3d towards_eye = direction_of(pose.azimuth_deg, pose.elevation_deg);
+    const double field_rad = pose.field_deg * std::numbers::pi / 180.0;
+
+    // The plane runs on below the caption; what stands on it does not.
+    const double per_px = 2.0 * pose.distance * std::tan(0.5 * field_rad) / panel.box.height_px;
+    const double label = 1.4 * label_size * panel.type_px * per_px;
+    const std::vector<Eigen::Vector3d> points =
+        swept_points(*panel.stage->rolling, pose.azimuth_deg * std::numbers::pi / 180.0, label);
+    const double gap = 14.0 * panel.px;
+    Margins margins{gap, gap, gap + panel.header_px, gap};
+    const StageOptions& picture = panel.stage->options;
+    if (panel.box.height_px == picture.height_px) {
+        const OverlayBands bands = overlay_bands(*panel.stage);
+        margins.bottom_px += bands.bottom_px;
+        // L stands in the middle: a title that comes near it goes above it, others beside it.
+        if (bands.title_right_px > 0.38 * picture.width_px) margins.top_px += bands.top_px;
+    }
+    margins.bottom_px = std::min(margins.bottom_px, 0.4 * panel.box.height_px);
+    Camera camera = framed(panel.box, towards_eye, up_of(pose.azimuth_deg, pose.elevation_deg),
+                           field_rad, points, margins);
+    const double distance = (camera.eye - camera.target).norm();
+    camera.eye += std::max(0.0, pose.distance - distance) * towards_eye;
+    return camera;
+}
+
+// The camera of a pose: one that frames the figure, one that looks where it is told, or on its way
+// from the one to the other.
+Camera camera_of(const Panel& panel, const CameraPose& pose) {
+    const Eigen::Vector3d towards_eye = direction_of(pose.azimuth_deg, pose.elevation_deg);
+    Camera told;
+    told.vertical_field_rad = pose.field_deg * std::numbers::pi / 180.0;
+    told.up = up_of(pose.azimuth_deg, pose.elevation_deg);
+    told.target = pose.target;
+    told.eye = told.target + pose.distance * towards_eye;
+    if (!(pose.framing > 0.0)) return told;
+    Camera camera = framing_camera(panel, pose);
+    if (pose.framing >= 1.0) return camera;
+    const double distance = (camera.eye - camera.target).norm();
+    camera.target += (1.0 - pose.framing) * (told.target - camera.target);
+    camera.eye = camera.target +
+                 distance * std::pow(pose.distance / distance, 1.0 - pose.framing) * towards_eye;
+    return camera;
+}
+
+// The first camera of the film, and how it moves. Pixels are measured at the nearest it comes, so
+// that curves keep their accuracy all along.
+void aim_along(Panel& panel) {
+    const Timeline& timeline = panel.stage->timeline;
+    const Camera first = camera_of(panel, timeline.camera_at(0.0));
+    aim(panel, first);
+    if (!timeline.camera_moves()) return;
+    constexpr int n_looks = 64;
+    double units_per_px = panel.units_per_px;
+    for (int k = 1; k <= n_looks; ++k) {
+        aim(panel, camera_of(panel, timeline.camera_at(timeline.last_key_s() * k / n_looks)));
+        units_per_px = std::min(units_per_px, panel.units_per_px);
+    }
+    panel.camera = first;
+    panel.units_per_px = units_per_px;
+    panel.camera_at = [&panel](double film_s) {
+        return camera_of(panel, panel.stage->timeline.camera_at(film_s));
+    };
+}
+
+}  // namespace
+
+void make_space_panel(Panel& panel) {
+    aim_along(panel);
+
+    // The elements that the scene names, or those that this kind of motion shows by itself.
+    const std::vector<std::string>& show = panel.stage->scene.show;
+    for (const std::string& name : show) {
+        if (is_overlay(name)) continue;
+        at_scene_key(panel.stage->scene, "show", [&] { element_named(name); });
+    }
+    std::vector<Drawer> drawers;
+    for (const Element& element : elements()) {
+        const bool named = std::find(show.begin(), show.end(), element.name) != show.end();
+        if (show.empty() ? element.by_default(*panel.stage) : named) {
+            panel.asks = united(panel.asks, element.asks);
+            drawers.push_back(fading(*panel.stage, std::string(element.name), element.make(panel)));
+        }
+    }
+    panel.draw = [drawers](const Instant& instant, Sheet& sheet) {
+        for (const Drawer& draw : drawers) draw(instant, sheet);
+    };
+}
+
+}  // namespace poinsot

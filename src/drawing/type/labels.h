@@ -1,0 +1,73 @@
+// Type beside what it names: labels that keep off each other and never jump between video frames.
+//
+// The place of a label is a continuous function of the picture alone, not of earlier frames, so
+// that any frame drawn by itself is the frame of the film.
+#pragma once
+
+#include <Eigen/Core>
+#include <deque>
+#include <map>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "shapes/views.h"
+#include "typeset/typesetter.h"
+
+namespace poinsot {
+
+// A string that has been set: its mask and where its ink lies from the pen.
+struct SetType {
+    const GlyphMask* mask = nullptr;
+    int left_px = 0;
+    double baseline_px = 0.0;
+};
+
+// The room that set type takes: its ink's box in whole pixels of the picture that is looked at, so
+// that what is placed by it stands there however many samples a pixel has (samples × samples).
+struct TypeBox {
+    Eigen::Vector2d size_px = Eigen::Vector2d::Zero();
+    Eigen::Vector2d mask_px = Eigen::Vector2d::Zero();  // the mask's upper left corner in it
+    double baseline_px = 0.0;                           // from its upper side
+};
+TypeBox type_box(const SetType& type, int samples);
+
+// Type of fewer pixels an em is left out: its small letters would be one pixel high.
+inline constexpr double least_legible_px = 3.0;
+
+// Sets type once a string and size, and keeps the masks for the stage's life. What is too small to
+// be read gets an empty mask; what cannot be set is refused at any size.
+class TypeCase {
+ public:
+    SetType set(std::string_view text, const TypeStyle& style);
+
+    // For type that changes with every frame: the mask goes with the view.
+    SetType set_live(std::string_view text, const TypeStyle& style, View& view) const;
+
+ private:
+    TypesetMask set_legible(std::string_view text, const TypeStyle& style) const;
+
+    Typesetter typesetter_;
+    std::deque<GlyphMask> masks_;
+    std::map<std::tuple<std::string, double, int, double>, SetType> known_;
+};
+
+// A label that wants to stand beside a point, on the side that `away` names.
+struct LabelWish {
+    SetType type;
+    Eigen::Vector2d anchor_px = Eigen::Vector2d::Zero();
+    // Picture axes, y down; longer than about 1 is far enough, shorter comes nearer to the anchor,
+    // and zero stands to the right of it.
+    Eigen::Vector2d away{1.0, 0.0};
+    double gap_px = 6.0;
+    Colour colour;
+    double opacity = 1.0;
+};
+
+// Adds the wishes as labels of the view, of a picture with so many samples to a pixel's side: each
+// at its place, then pushed apart where they would cover each other, then kept inside the view.
+void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,
+                  View& view, int samples = 1);
+
+}  // namespace poinsot

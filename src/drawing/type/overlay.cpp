@@ -1,0 +1,168 @@
+#include "drawing/type/overlay.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "drawing/fade.h"
+#include "drawing/type/time_unit.h"
+#include "scene/scene_error.h"
+
+namespace poinsot {
+
+namespace {
+
+// Running text at a corner of the picture; its pen starts between pixels.
+void add_text(const StageData& stage, const SetType& type, double pen_x, double baseline_y,
+              Sheet& sheet) {
+    if (type.mask->width == 0) return;
+    Label label;
+    label.mask = type.mask;
+    label.top_left_px = {stage.at_whole_pixel(pen_x) + type.left_px,
+                         stage.at_whole_pixel(baseline_y) - type.baseline_px};
+    label.colour = stage.theme->text;
+    label.halo_colour = stage.theme->halo;
+    label.halo_px = 2.0 * stage.px;
+    sheet.view.labels.push_back(label);
+}
+
+// px: of a line of one pixel at 1080 rows.
+double margin(double px) { return overlay_margin * px; }
+double margin(const StageData& stage) { return margin(stage.px); }
+
+constexpr double title_size = 40.0;
+constexpr double caption_size = 26.0;
+
+TypeStyle text_style(int width_px, double px, double size) {
+    return {.size_px = size * px,
+            .mode = TypeMode::text,
+            .max_width_px = std::max(64.0, width_px - 2.0 * margin(px))};
+}
+TypeStyle text_style(const StageData& stage, double size) {
+    return text_style(stage.options.width_px, stage.px, size);
+}
+
+Drawer make_title(StageData& stage) {
+    const SetType type = at_scene_key(stage.scene, "title", [&] {
+        return stage.type_case.set(stage.scene.title, text_style(stage, title_size));
+    });
+    return [&stage, type](const Instant&, Sheet& sheet) {
+        add_text(stage, type, margin(stage), margin(stage) + stage.room_of(type).baseline_px,
+                 sheet);
+    };
+}
+
+Drawer make_caption(StageData& stage) {
+    const TypeStyle style = text_style(stage, caption_size);
+    const auto place = [&stage](const SetType& type, Sheet& sheet) {
+        const TypeBox box = stage.room_of(type);
+        const double below = box.size_px.y() - box.baseline_px;
+        add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
+                 sheet);
+    };
+    // Set once here in any case, so that a caption that does not parse is refused before the first
+    // frame.
+    const SetType type = at_scene_key(stage.scene, "caption", [&] {
+        return stage.type_case.set(expand_live_text(stage.scene.caption, stage.live_values({})),
+                                   style);
+    });
+    if (!is_live(stage.scene.caption)) {
+        return [place, type](const Instant&, Sheet& sheet) { place(type, sheet); };
+    }
+    return [&stage, style, place](const Instant& instant, Sheet& sheet) {
+        const auto values = stage.live_values(instant);
+        place(stage.type_case.set_live(expand_live_text(stage.scene.caption, values), style,
+                                       sheet.view),
+              sheet);
+    };
+}
+
+Drawer make_clock(StageData& stage) {
+    const TimeUnit unit = time_unit_of(stage.film_last_s - stage.film_first_s);
+    return [&stage, unit](const Instant& instant, Sheet& sheet) {
+        const LiveValue time{"time", instant.time_s / unit.seconds};
+        const SetType type = stage.type_case.set_live(
+            expand_live_text(fmt::format("$t$ = {{time:.2f}} {}", unit.name), {&time, 1}),
+            text_style(stage, caption_size), sheet.view);
+        // Right-aligned on the widest text of its kind, so that changing digits do not move it.
+        const double pen = stage.options.width_px - margin(stage) - 160.0 * stage.px;
+        add_text(stage, type, pen, margin(stage) + 26.0 * stage.px, sheet);
+    };
+}
+
+bool wants(const Scene& scene, const char* name) {
+    const auto& show = scene.show;
+    return show.empty() || std::find(show.begin(), show.end(), name) != show.end();
+}
+
+// A loop has no first instant for a clock to count from, unless the scene wants one all the same.
+bool wants_clock(const Scene& scene) {
+    if (!scene.film.loop.empty() && scene.show.empty()) return false;
+    return wants(scene, "clock");
+}
+
+bool wants_title(const Scene& scene) { return !scene.title.empty() && wants(scene, "title"); }
+bool wants_caption(const Scene& scene) { return !scene.caption.empty() && wants(scene, "caption"); }
+
+}  // namespace
+
+std::vector<Drawer> make_overlays(StageData& stage) {
+    std::vector<Drawer> overlays;
+    if (wants_title(stage.scene)) {
+        overlays.push_back(fading(stage, "title", make_title(stage)));
+    }
+    if (wants_caption(stage.scene)) {
+        overlays.push_back(fading(stage, "caption", make_caption(stage)));
+    }
+    if (wants_clock(stage.scene)) overlays.push_back(fading(stage, "clock", make_clock(stage)));
+    return overlays;
+}
+
+OverlayBands overlay_bands(const Scene& scene, int width_px, double px, TypeCase& type_case) {
+    OverlayBands bands;
+    if (wants_title(scene) || wants_clock(scene)) {
+        bands.top_px =
+            static_cast<int>(std::ceil(margin(px) + (wants_title(scene) ? 56.0 : 40.0) * px));
+    }
+    if (wants_title(scene)) {
+        const SetType type = at_scene_key(scene, "title", [&] {
+            return type_case.set(scene.title, text_style(width_px, px, title_size));
+        });
+        bands.title_right_px = margin(px) + type.mask->width;
+    }
+    if (wants_caption(scene)) {
+        // Live numbers change the text's width, and its lines hardly ever.
+        const SetType type = at_scene_key(scene, "caption", [&] {
+            return type_case.set(expand_live_text(scene.caption, StageData::live_values({})),
+                                 text_style(width_px, px, caption_size));
+        });
+        bands.bottom_px = static_cast<int>(std::ceil(margin(px) + type.mask->height + 18.0 * px));
+    }
+    return bands;
+}
+
+OverlayBands overlay_bands(StageData& stage) {
+    // Of the picture that is looked at, so that samples do not move its panels.
+    const int n = stage.options.samples;
+    OverlayBands bands =
+        overlay_bands(stage.scene, stage.options.width_px / n, stage.px / n, stage.type_case);
+    bands.top_px *= n;
+    bands.bottom_px *= n;
+    bands.title_right_px *= n;
+    return bands;
+}
+
+int rows_added_by_type(const Scene& scene, int width_px, double px) {
+    TypeCase type_case;
+    const OverlayBands bands = overlay_bands(scene, width_px, px, type_case);
+    const double screen_px = width_px / 1920.0;
+    const OverlayBands on_screen = overlay_bands(scene, width_px, screen_px, type_case);
+    return std::max(0, bands.top_px + bands.bottom_px - on_screen.top_px - on_screen.bottom_px);
+}
+
+bool is_overlay(std::string_view name) {
+    return name == "title" || name == "caption" || name == "clock";
+}
+
+}  // namespace poinsot

@@ -1,0 +1,145 @@
+// Dormand & Prince's method of order 5(4) with step control and dense output, from Boost.odeint.
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/generation/generation_runge_kutta_dopri5.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <cmath>
+
+#include "error/error.h"
+#include "mechanics/stepped/integrators.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+
+using Numbers = std::array<double, 7>;  // L/unit, then the quaternion x, y, z, w
+using Stepper = odeint::runge_kutta_dopri5<Numbers>;
+using Checker =
+    odeint::default_error_checker<double, Stepper::algebra_type, Stepper::operations_type>;
+using Adjuster = odeint::default_step_adjuster<double, double>;
+using Controlled = odeint::controlled_runge_kutta<Stepper, Checker, Adjuster>;
+
+class Dopri5 {
+ public:
+    explicit Dopri5(const MethodStart& start)
+        : dynamics_(start.dynamics), tolerance_(start.tolerance) {
+        // Largest step: a quarter of a turn, where each first step is the 200th part of one.
+        constexpr double first_steps = 50.0;
+        longest_step_s_ = first_steps * start.step_s;
+        // The momentum's unit makes one tolerance serve momentum and attitude.
+        const double momentum = start.state.momentum.stableNorm();
+        const double torque = dynamics_.greatest_torque_N_m();
+        unit_ = momentum > 0.0
+                    ? momentum
+                    : std::sqrt(torque) * std::sqrt(dynamics_.moments_kg_m2().maxCoeff());
+        if (!(unit_ > 0.0)) unit_ = 1.0;
+    }
+
+    StepNode next(const StepNode& node, StepCounters& counters) const {
+        Controlled controlled = controller();
+        StepNode end;
+        double time = 0.0;
+        Numbers numbers{};
+        double step = 0.0;
+        take_step(node, controlled, numbers, end.slope, time, step, counters);
+        end.index = node.index + 1;
+        end.time_s = time;
+        end.step_s = step;
+        end.state = state_of(numbers);
+        ++counters.n_steps;
+        return end;
+    }
+
+    StepState within(const StepNode& node, double time_s, StepCounters& counters) const {
+        if (time_s == node.time_s) return node.state;
+        Controlled controlled = controller();
+        Numbers numbers{};
+        Numbers end_slope{};
+        double end_time = 0.0;
+        double step = 0.0;
+        const Numbers slope =
+            take_step(node, controlled, numbers, end_slope, end_time, step, counters);
+        Numbers between{};
+        controlled.stepper().calc_state(time_s, between, numbers_of(node.state), slope, node.time_s,
+                                        numbers, end_slope, end_time);
+        return state_of(between);
+    }
+
+ private:
+    Controlled controller() const {
+        return Controlled(Checker(tolerance_, tolerance_), Adjuster(longest_step_s_));
+    }
+
+    Numbers numbers_of(const StepState& state) const {
+        const Eigen::Vector4d& q = state.space_from_principal.coeffs();
+        return {state.momentum[0] / unit_,
+                state.momentum[1] / unit_,
+                state.momentum[2] / unit_,
+                q[0],
+                q[1],
+                q[2],
+                q[3]};
+    }
+
+    // The quaternion of unit length: its drift is of the order of the tolerance.
+    StepState state_of(const Numbers& n) const {
+        return {unit_ * Eigen::Vector3d(n[0], n[1], n[2]),
+                Eigen::Quaterniond(n[6], n[3], n[4], n[5]).normalized()};
+    }
+
+    void derive(const Numbers& n, Numbers& rate, StepCounters& counters) const {
+        ++counters.n_right_hand_sides;
+        counters.n_torques += dynamics_.has_torque() ? 1 : 0;
+        const Eigen::Quaterniond q(n[6], n[3], n[4], n[5]);
+        const RotationRates rates = dynamics_.rates({unit_ * Eigen::Vector3d(n[0], n[1], n[2]), q});
+        const Eigen::Vector3d half = 0.5 * rates.turning;
+        const Eigen::Vector4d turning =
+            (q * Eigen::Quaterniond(0.0, half[0], half[1], half[2])).coeffs();
+        for (int i = 0; i < 3; ++i)
+            rate[static_cast<std::size_t>(i)] = rates.momentum_rate[i] / unit_;
+        for (int i = 0; i < 4; ++i) rate[static_cast<std::size_t>(i) + 3] = turning[i];
+    }
+
+    // One accepted step from a node; returns the derivative at its start. step is the next one's.
+    Numbers take_step(const StepNode& node, Controlled& controlled, Numbers& end,
+                      Numbers& end_slope, double& time, double& step,
+                      StepCounters& counters) const {
+        const Numbers start = numbers_of(node.state);
+        const auto system = [&](const Numbers& n, Numbers& rate, double) {
+            derive(n, rate, counters);
+        };
+        Numbers slope = node.slope;
+        if (node.index == 0) derive(start, slope, counters);
+        time = node.time_s;
+        step = node.step_s;
+        constexpr int max_tries = 60;
+        for (int i = 0; i < max_tries; ++i) {
+            const auto result =
+                controlled.try_step(system, start, slope, time, end, end_slope, step);
+            if (result == odeint::success) return slope;
+        }
+        throw InputError(
+            "method \"dopri5\" finds no step short enough for its tolerance; give a larger "
+            "tolerance");
+    }
+
+    RotationDynamics dynamics_;
+    double tolerance_;
+    double longest_step_s_ = 0.0;
+    double unit_ = 1.0;
+};
+
+}  // namespace
+
+Propagator dopri5(const MethodStart& start) {
+    const Dopri5 method(start);
+    return {[method](const StepNode& node, StepCounters& counters) {
+                return method.next(node, counters);
+            },
+            [method](const StepNode& node, double time_s, StepCounters& counters) {
+                return method.within(node, time_s, counters);
+            }};
+}
+
+}  // namespace poinsot

@@ -1,0 +1,33 @@
+// The setup of Lagrange's top in 113-bit arithmetic: from the cubic's roots to periods, nomes and
+// phase rates. The symbols are those of heavy_top_cubic.h.
+#pragma once
+
+#include "mechanics/top/heavy_top.h"
+#include "mechanics/top/heavy_top_cubic.h"
+
+namespace poinsot {
+
+// Fills a HeavyTop, whose friend it is.
+struct TopSetup {
+    using Real = top_setup::Real;
+
+    HeavyTop& top;
+    top_setup::Cubic cubic{};
+    Real half_spin = 0;           // (ω3 − a)/2
+    Real angle_rate[2] = {0, 0};  // mean rates of φ+ψ and φ−ψ
+    Real lambda = 0, quarter = 0;
+
+    explicit TopSetup(HeavyTop& filled) : top(filled) {}
+
+    void solve(const top_setup::TopAtStart& given);
+
+ private:
+    void fill_steady(TopSeries& series);
+    void fill_nutating(TopSeries& series);
+    void set_rate(TopFactor& factor, int which, const Real& regular);
+    void fill_amplitudes(TopSeries& series, const Real& k_prime) const;
+    void fill_public(const top_setup::TopAtStart& given);
+    void fill_nutation();
+};
+
+}  // namespace poinsot

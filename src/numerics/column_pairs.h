@@ -1,0 +1,69 @@
+// Small matrices by columns, their rows in pairs: a product with a vector is a sum of columns, two
+// rows an instruction.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+
+#include "numerics/double_pair.h"
+
+namespace poinsot {
+
+// Three rows: what gives a vector.
+template <std::size_t n_columns>
+class ThreeRows {
+ public:
+    void set(std::size_t column, const Eigen::Vector3d& v) {
+        xy_[column] = Pair{v[0], v[1]};
+        z_[column] = v[2];
+    }
+
+    // scale·(matrix·x).
+    void product(const std::array<double, n_columns>& x, double scale, Eigen::Vector3d& out) const {
+        Pair xy = xy_[0] * x[0];
+        double z = z_[0] * x[0];
+        for (std::size_t k = 1; k < n_columns; ++k) {
+            xy += xy_[k] * x[k];
+            z += z_[k] * x[k];
+        }
+        xy *= scale;
+        out[0] = xy[0];
+        out[1] = xy[1];
+        out[2] = z * scale;
+    }
+
+ private:
+    std::array<Pair, n_columns> xy_{};
+    std::array<double, n_columns> z_{};
+};
+
+// Rows x, y, z, w and columns w, x, y, z: what gives a quaternion from one.
+class QuaternionRows {
+ public:
+    void set(std::size_t column, const Eigen::Quaterniond& q) {
+        xy_[column] = Pair{q.x(), q.y()};
+        zw_[column] = Pair{q.z(), q.w()};
+    }
+
+    // scale·(matrix·(w, x, y, z)).
+    void product(Pair w_x, Pair y_z, double scale, Eigen::Quaterniond& out) const {
+        const Pair w = both(w_x[0]);
+        const Pair x = both(w_x[1]);
+        const Pair y = both(y_z[0]);
+        const Pair z = both(y_z[1]);
+        const Pair xy = scale * ((xy_[0] * w + xy_[1] * x) + (xy_[2] * y + xy_[3] * z));
+        const Pair zw = scale * ((zw_[0] * w + zw_[1] * x) + (zw_[2] * y + zw_[3] * z));
+        out.x() = xy[0];
+        out.y() = xy[1];
+        out.z() = zw[0];
+        out.w() = zw[1];
+    }
+
+ private:
+    std::array<Pair, 4> xy_{};
+    std::array<Pair, 4> zw_{};
+};
+
+}  // namespace poinsot

@@ -1,0 +1,110 @@
+#include "numerics/elliptic_integrals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace poinsot {
+
+WideDouble complete_first_kind(const WideDouble& complementary_modulus) {
+    WideDouble a = 1.0;
+    WideDouble g = complementary_modulus;
+    // The difference squares each time: below 2^−54 of the mean the next step is exact.
+    while ((a - g).exponent() > a.exponent() - 54 && !(a - g).is_zero()) {
+        const WideDouble mean = ldexp(a + g, -1);
+        g = sqrt(a * g);
+        a = mean;
+    }
+    return WideDouble(pi_dd) / (a + g);
+}
+
+WideDouble bulirsch_cel(const WideDouble& complementary_modulus, const WideDouble& p,
+                        const WideDouble& a, const WideDouble& b) {
+    WideDouble kc = complementary_modulus;
+    WideDouble e = kc;
+    WideDouble m = 1.0;
+    WideDouble p_n = sqrt(p);
+    WideDouble a_n = a;
+    WideDouble b_n = b / p_n;
+    while (true) {
+        const WideDouble f = a_n;
+        a_n = a_n + b_n / p_n;
+        const WideDouble g = e / p_n;
+        b_n = ldexp(b_n + f * g, 1);
+        p_n = p_n + g;
+        const WideDouble m_before = m;
+        m = m + kc;
+        const WideDouble gap = m_before - kc;
+        if (gap.is_zero() || gap.exponent() < m_before.exponent() - 54) break;
+        kc = ldexp(sqrt(e), 1);
+        e = kc * m;
+    }
+    return ldexp(WideDouble(pi_dd), -1) * (b_n + a_n * m) / (m * (m + p_n));
+}
+
+WideDouble carlson_rf(WideDouble x, WideDouble y, WideDouble z) {
+    const WideDouble third = WideDouble(1.0) / 3.0;
+    while (true) {
+        const WideDouble mean = (x + y + z) * third;
+        const WideDouble X = (mean - x) / mean;
+        const WideDouble Y = (mean - y) / mean;
+        const WideDouble Z = -(X + Y);
+        const int size = std::max({X.exponent(), Y.exponent(), Z.exponent()});
+        // The series to the seventh order leaves an error below the eighth power of 2^−14.
+        if (size <= -14 || (X.is_zero() && Y.is_zero())) {
+            const WideDouble e2 = X * Y - Z * Z;
+            const WideDouble e3 = X * Y * Z;
+            const WideDouble series = WideDouble(1.0) - e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 -
+                                      e2 * e3 * 3.0 / 44.0 - e2 * e2 * e2 * 5.0 / 208.0 +
+                                      e3 * e3 * 3.0 / 104.0 + e2 * e2 * e3 / 16.0;
+            return series / sqrt(mean);
+        }
+        const WideDouble sx = sqrt(x);
+        const WideDouble sy = sqrt(y);
+        const WideDouble sz = sqrt(z);
+        const WideDouble lambda = sx * (sy + sz) + sy * sz;
+        x = ldexp(x + lambda, -2);
+        y = ldexp(y + lambda, -2);
+        z = ldexp(z + lambda, -2);
+    }
+}
+
+DoubleDouble exp(DoubleDouble x) {
+    if (x.hi < -760.0) return 0.0;
+    const double n = std::nearbyint(x.hi / ln2_dd.hi);
+    // |r| ≤ ln2/2 over 2^8; the Taylor series, then eight squarings.
+    const DoubleDouble r = ldexp(x - ln2_dd * n, -8);
+    DoubleDouble term = r;
+    DoubleDouble sum = r;
+    for (int k = 2; k <= 10; ++k) {
+        term = term * r / DoubleDouble(static_cast<double>(k));
+        sum = sum + term;
+    }
+    // With s = e^r − 1, squaring e^r takes s to s(2 + s): no digit is lost to the leading 1.
+    for (int k = 0; k < 8; ++k) sum = sum * (sum + 2.0);
+    return ldexp(sum + 1.0, static_cast<int>(n));
+}
+
+SinCosDD sin_cos(DoubleDouble x) {
+    // Taylor series of x/8, then three doublings of the angle with versed cosine 1 − cos.
+    const DoubleDouble y = ldexp(x, -3);
+    const DoubleDouble y2 = y * y;
+    DoubleDouble sin_term = y;
+    DoubleDouble sine = y;
+    DoubleDouble versed_term = y2 * 0.5;
+    DoubleDouble versed = versed_term;
+    for (int k = 1; k <= 12; ++k) {
+        const double n = 2.0 * k;
+        sin_term = -(sin_term * y2) / DoubleDouble(n * (n + 1.0));
+        versed_term = -(versed_term * y2) / DoubleDouble((n + 1.0) * (n + 2.0));
+        sine = sine + sin_term;
+        versed = versed + versed_term;
+    }
+    for (int k = 0; k < 3; ++k) {
+        const DoubleDouble cosine = DoubleDouble(1.0) - versed;
+        versed = sine * sine * 2.0;
+        sine = sine * cosine * 2.0;
+    }
+    return {sine, DoubleDouble(1.0) - versed};
+}
+
+}  // namespace poinsot

@@ -1,0 +1,36 @@
+// Elliptic integrals in wide double-double, and the elementary functions that theta series need.
+// Every integral takes the complementary modulus, or arguments that carry it, so that nothing
+// cancels near k = 1. Relative errors below 1e-29.
+#pragma once
+
+#include "numerics/wide_double.h"
+
+namespace poinsot {
+
+// π and ln 2 to 107 bits.
+inline constexpr DoubleDouble pi_dd{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
+inline constexpr DoubleDouble ln2_dd{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
+
+// K = ∫dφ/√(cos²φ + k′²sin²φ) over a quarter turn, by the arithmetic-geometric mean. Precondition:
+// k′ > 0. Source: DLMF 19.8.5.
+WideDouble complete_first_kind(const WideDouble& complementary_modulus);
+
+// ∫(a cos²φ + b sin²φ)/((cos²φ + p sin²φ)√(cos²φ + k′²sin²φ)) dφ over a quarter turn; k′, p > 0,
+// a, b ≥ 0. Source: Bulirsch, Numer. Math. 13 (1969) 305.
+WideDouble bulirsch_cel(const WideDouble& complementary_modulus, const WideDouble& p,
+                        const WideDouble& a, const WideDouble& b);
+
+// Carlson's R_F(x, y, z), symmetric; at most one argument is zero. Source: DLMF 19.36(i).
+WideDouble carlson_rf(WideDouble x, WideDouble y, WideDouble z);
+
+// exp(x); zero where a double underflows.
+DoubleDouble exp(DoubleDouble x);
+
+struct SinCosDD {
+    DoubleDouble sin;
+    DoubleDouble cos;
+};
+// sin and cos of x rad for |x| ≤ π.
+SinCosDD sin_cos(DoubleDouble x);
+
+}  // namespace poinsot

@@ -1,0 +1,107 @@
+#include "production/picture.h"
+
+#include <fmt/format.h>
+
+#include "image/downsample.h"
+#include "production/print_size.h"
+#include "production/quality.h"
+#include "scene/scene_error.h"
+
+namespace poinsot {
+
+PictureSetting setting_of(const Scene& scene, const PrintChoices& print) {
+    const Quality& quality = at_scene_key(scene, "film.quality", [&]() -> const Quality& {
+        return quality_named(scene.film.quality);
+    });
+    const auto paper = print_size_of(print, scene.film.width_px, scene.film.height_px);
+    return {quality.curve_tolerance, quality.samples, paper ? paper->line_scale : 0.0};
+}
+
+Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting) {
+    StageOptions options;
+    options.width_px = session.scene.film.width_px * setting.samples;
+    options.height_px = session.scene.film.height_px * setting.samples;
+    options.samples = setting.samples;
+    options.line_scale = setting.line_scale * setting.samples;
+    options.first_time_s = span.first_time_s;
+    options.last_time_s = span.last_time_s;
+    options.loop_s = session.loop ? session.loop->loop_s : 0.0;
+    // Tolerances are pixels of the picture drawn, which is `samples` times as large as the one
+    // made.
+    Scene scene = session.scene;
+    scene.accuracy_px *= setting.curve_tolerance * setting.samples;
+    return Stage(scene, session.motion, options, session.beside ? &*session.beside : nullptr);
+}
+
+PictureBound bound_of(const Session& session, const Stage& stage, int samples) {
+    return {motion_error_px(session), stage.curve_error_px() / samples};
+}
+
+std::string in_words(const PictureBound& bound, double accuracy_px) {
+    return fmt::format(
+        "within {:.2g} px of the truth (motion {:.2g} px, curves {:.2g} px; {:g} px "
+        "asked)",
+        bound.total_px(), bound.motion_px, bound.curves_px, accuracy_px);
+}
+
+OffscreenContext make_context(const ContextChoice& choice, ShaderCompilation compilation) {
+    return OffscreenContext(choice.backend, choice.portability, compilation);
+}
+
+const OffscreenContext& Easel::context() {
+    if (!context_) context_.emplace(make_context(choice_, compilation_));
+    return *context_;
+}
+
+Renderer& Easel::renderer() {
+    if (!renderer_) renderer_.emplace(context());
+    return *renderer_;
+}
+
+Staging::Staging(const Session& session, const PictureSpan& span, const PictureSetting& setting)
+    : samples(setting.samples),
+      stage(stage_of(session, span, setting)),
+      bound(bound_of(session, stage, samples)) {}
+
+Staging::Staging(const Session& session, const PictureSpan& span, const PrintChoices& print)
+    : Staging(session, span, setting_of(session.scene, print)) {}
+
+PictureMaker::PictureMaker(Staging staging, Easel& easel)
+    : staging_(std::move(staging)), context_(&easel.context()), renderer_(&easel.renderer()) {}
+
+PictureMaker::PictureMaker(const Session& session, Easel& easel, const PictureSpan& span)
+    : PictureMaker(Staging(session, span, easel.print()), easel) {}
+
+PictureMaker::PictureMaker(const Session& session, const OffscreenContext& context,
+                           const PictureSpan& span, const PictureSetting& setting)
+    : staging_(session, span, setting),
+      context_(&context),
+      own_renderer_(context),
+      renderer_(&*own_renderer_) {}
+
+void PictureMaker::draw(const FilmMoment& moment, Image& image) {
+    if (staging_.samples == 1) {
+        renderer_->render_into(stage().at(moment), image);
+        return;
+    }
+    renderer_->render_into(stage().at(moment), large_);
+    downsample_into(large_, staging_.samples, image);
+}
+
+void PictureMaker::draw_part(const Drawing& whole, const PixelArea& area, Image& image) {
+    const PixelArea drawn{staging_.samples * area.x_px, staging_.samples * area.y_px,
+                          staging_.samples * area.width_px, staging_.samples * area.height_px};
+    if (staging_.samples == 1) return renderer_->render_into(part_of(whole, drawn), image);
+    renderer_->render_into(part_of(whole, drawn), large_);
+    image = downsampled(large_, staging_.samples);
+}
+
+void PictureMaker::draw_part(const Drawing& whole, const PixelArea& area, DeepImage& image) {
+    if (staging_.samples == 1) return renderer_->render_into(part_of(whole, area), image);
+    const PixelArea drawn{staging_.samples * area.x_px, staging_.samples * area.y_px,
+                          staging_.samples * area.width_px, staging_.samples * area.height_px};
+    renderer_->render_into(part_of(whole, drawn), deep_large_);
+    downsample_into(deep_large_, staging_.samples, image);
+}
+
+}  // namespace poinsot

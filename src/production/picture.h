@@ -1,0 +1,127 @@
+// Pictures of a session: stage, context and renderer together, for the commands that draw.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "drawing/stage.h"
+#include "drawing/stage_data.h"
+#include "image/image.h"
+#include "production/print_size.h"
+#include "production/session.h"
+#include "render/renderer.h"
+#include "scene/film_clock.h"
+#include "shapes/part.h"
+
+namespace poinsot {
+
+struct PictureSpan {
+    double first_time_s = 0.0;
+    double last_time_s = 0.0;
+};
+
+// Which context pictures are drawn on.
+struct ContextChoice {
+    Backend backend = Backend::automatic;
+    Portability portability = Portability::native;
+};
+OffscreenContext make_context(const ContextChoice& choice,
+                              ShaderCompilation compilation = ShaderCompilation::thorough);
+
+// What all scenes of a command are drawn with: a context, and a renderer, whose shaders serve them
+// all. Opened when first asked for.
+class Easel {
+ public:
+    explicit Easel(const ContextChoice& choice = {}, const PrintChoices& print = {})
+        : choice_(choice), print_(print) {}
+
+    // Of use before the context is opened: a single small picture is drawn sooner than its shaders
+    // are optimised.
+    void compile_quickly() { compilation_ = ShaderCompilation::quick; }
+
+    // Throw as make_context does.
+    const OffscreenContext& context();
+    Renderer& renderer();
+    const PrintChoices& print() const { return print_; }
+
+ private:
+    ContextChoice choice_;
+    PrintChoices print_;
+    ShaderCompilation compilation_ = ShaderCompilation::thorough;
+    std::optional<OffscreenContext> context_;
+    std::optional<Renderer> renderer_;
+};
+
+// How finely a picture is drawn; --quality names some of these.
+struct PictureSetting {
+    double curve_tolerance = 1.0;  // in units of the scene's accuracy_px
+    int samples = 1;               // drawn samples × samples times as large and averaged
+    double line_scale = 0.0;       // as StageOptions has it, of the picture made
+};
+
+// What the scene's quality asks for, and the size on paper.
+PictureSetting setting_of(const Scene& scene, const PrintChoices& print = {});
+
+// The stage of pictures drawn so. The session must outlive it.
+Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting);
+
+// How far anything drawn is from the truth, in pixels of the picture that is made.
+struct PictureBound {
+    double motion_px = 0.0;  // see motion_error_px
+    double curves_px = 0.0;  // polylines for curves
+    double total_px() const { return motion_px + curves_px; }
+};
+PictureBound bound_of(const Session& session, const Stage& stage, int samples);
+
+// "within 0.05 px of the truth (motion 1.6e-11 px, curves 0.05 px; 0.1 px asked)"
+std::string in_words(const PictureBound& bound, double accuracy_px);
+
+// All that the pictures of a session need but the context: what takes the time of a small one, and
+// may be made by another thread than theirs. The session must outlive it.
+struct Staging {
+    // As finely as the scene's quality says.
+    Staging(const Session& session, const PictureSpan& span, const PrintChoices& print);
+    Staging(const Session& session, const PictureSpan& span, const PictureSetting& setting);
+
+    int samples;
+    Stage stage;
+    PictureBound bound;
+};
+
+class PictureMaker {
+ public:
+    // A scene that has no picture is refused before a context is opened.
+    PictureMaker(Staging staging, Easel& easel);
+    // As finely as the scene's quality says.
+    PictureMaker(const Session& session, Easel& easel, const PictureSpan& span);
+    // On a context that outlives it.
+    PictureMaker(const Session& session, const OffscreenContext& context, const PictureSpan& span,
+                 const PictureSetting& setting);
+    PictureMaker(const PictureMaker&) = delete;
+    PictureMaker& operator=(const PictureMaker&) = delete;
+
+    // The picture of a moment of the film, drawn into an image whose memory is reused.
+    void draw(const FilmMoment& moment, Image& image);
+
+    // An area of a picture that the stage has made, in pixels of the picture made.
+    void draw_part(const Drawing& whole, const PixelArea& area, Image& image);
+    void draw_part(const Drawing& whole, const PixelArea& area, DeepImage& image);
+
+    int width_px() const { return stage().data().options.width_px / staging_.samples; }
+    int height_px() const { return stage().data().options.height_px / staging_.samples; }
+    int samples_a_pixel() const { return staging_.samples * staging_.samples; }
+
+    const ContextInfo& context_info() const { return context_->info(); }
+    const Stage& stage() const { return staging_.stage; }
+    const PictureBound& bound() const { return staging_.bound; }
+
+ private:
+    Staging staging_;
+    const OffscreenContext* context_;
+    std::optional<Renderer> own_renderer_;
+    Renderer* renderer_;
+    Image large_;
+    DeepImage deep_large_;
+};
+
+}  // namespace poinsot

@@ -1,0 +1,198 @@
+#include "production/record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <tuple>
+
+#include "error/error.h"
+#include "image/png.h"
+#include "output/film_metadata.h"
+#include "output/frame_sink.h"
+#include "scene/write_scene.h"
+#include "system/sha256.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+// Mesa's version from "4.5 (Core Profile) Mesa 22.3.6".
+std::string mesa_version(const std::string& gl_version) {
+    const std::size_t at = gl_version.find("Mesa ");
+    if (at == std::string::npos) return gl_version;
+    const std::string rest = gl_version.substr(at + 5);
+    return rest.substr(0, rest.find(' '));
+}
+
+// How the motion is computed, with what was chosen for the method.
+std::string method_in_words(const Motion& motion) {
+    const MethodChoice& choice = motion.problem().method;
+    std::string text = choice.name;
+    if (choice.order) text += fmt::format(", order {}", *choice.order);
+    if (const IntegratedRotation* integrated = motion.integrated()) {
+        if (integrated->method().takes_step)
+            text += fmt::format(", step {} s", integrated->step_s());
+        if (choice.tolerance) text += fmt::format(", tolerance {}", *choice.tolerance);
+    }
+    return text;
+}
+
+// The lines before the scene, by key.
+using Fields = std::map<std::string, std::string, std::less<>>;
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+    throw InputError(fmt::format("{}: its record {}; it was not written by poinsot, or changed",
+                                 printable(name), what));
+}
+
+const std::string& field(const Fields& fields, std::string_view key, const std::string& name) {
+    const auto found = fields.find(key);
+    if (found == fields.end()) refuse(name, fmt::format("has no \"{}\"", key));
+    return found->second;
+}
+
+// Numbers with something between them: "640x360", "0-299".
+template <typename Number>
+std::pair<Number, Number> number_pair(const std::string& text, char between,
+                                      const std::string& name) {
+    std::pair<Number, Number> numbers{};
+    const char* const end = text.data() + text.size();
+    const auto [middle, first_error] = std::from_chars(text.data(), end, numbers.first);
+    if (first_error == std::errc{} && middle != end && *middle == between) {
+        const auto [last, second_error] = std::from_chars(middle + 1, end, numbers.second);
+        if (second_error == std::errc{} && last == end) return numbers;
+    }
+    refuse(name, fmt::format("says \"{}\"", printable(text)));
+}
+
+double number(const std::string& text, const std::string& name) {
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [last, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || last != end)
+        refuse(name, fmt::format("says \"{}\"", printable(text)));
+    return value;
+}
+
+}  // namespace
+
+std::string mesh_hash_of(const Scene& scene) {
+    if (scene.body.mesh.empty() && scene.object.mesh.empty()) return "";
+    Sha256 hash;
+    const auto add = [&hash](const auto* items, std::size_t n_items) {
+        hash.add({reinterpret_cast<const std::uint8_t*>(items), n_items * sizeof *items});
+    };
+    for (const BodySurface& surface : scene.surfaces) {
+        for (const Eigen::Vector3d& vertex : surface.mesh.vertices) add(vertex.data(), 3);
+        for (const auto& triangle : surface.mesh.triangles) add(triangle.data(), triangle.size());
+    }
+    add(scene.body.inertia.moments_kg_m2().data(), 3);
+    const Eigen::Matrix3d axes = scene.body.inertia.body_from_principal();
+    add(axes.data(), 9);
+    return hash.finish();
+}
+
+Record record_of(const Session& session, const PictureMaker& pictures, bool portable) {
+    const ContextInfo& context = pictures.context_info();
+    Record record;
+    record.version = POINSOT_VERSION;
+    record.scene_name = session.scene.name;
+    record.scene_toml = to_toml(session.scene);
+    record.mesh_hash = mesh_hash_of(session.scene);
+    record.scene_hash = sha256_of(record.scene_toml + record.mesh_hash);
+    record.method = method_in_words(session.motion);
+    record.bounds = in_words(pictures.bound(), session.scene.accuracy_px);
+    record.portable = portable;
+    record.renderer = context.renderer;
+    record.mesa = mesa_version(context.version);
+    record.width_px = session.scene.film.width_px;
+    record.height_px = session.scene.film.height_px;
+    return record;
+}
+
+std::string to_text(const Record& record) {
+    std::string text = fmt::format("poinsot {}\n", record.version);
+    const auto add = [&text](std::string_view key, std::string_view value) {
+        // A name with a line break in it would pass for another field.
+        text += fmt::format("{}: {}\n", key, printable(value));
+    };
+    add("scene", record.scene_name);
+    add("scene-sha256", record.scene_hash);
+    if (!record.mesh_hash.empty()) add("mesh-sha256", record.mesh_hash);
+    add("method", record.method);
+    add("bounds", record.bounds);
+    add("profile", record.portable ? "portable" : "native");
+    add("renderer", record.renderer);
+    add("mesa", record.mesa);
+    add("size", fmt::format("{}x{}", record.width_px, record.height_px));
+    if (record.time_s) add("time_s", fmt::format("{}", *record.time_s));
+    if (record.dpi) add("dpi", fmt::format("{}", *record.dpi));
+    if (record.type_pt) add("type-pt", fmt::format("{}", *record.type_pt));
+    if (record.bit_depth != 8) add("depth", fmt::format("{}", record.bit_depth));
+    if (record.frames)
+        add("frames", fmt::format("{}-{}", record.frames->first, record.frames->second));
+    return text + "\n" + record.scene_toml;
+}
+
+Record parse_record(std::string_view text, const std::string& name) {
+    constexpr std::string_view opening = "poinsot ";
+    if (!text.starts_with(opening)) refuse(name, "does not begin with \"poinsot\"");
+    const std::size_t blank = text.find("\n\n");
+    if (blank == std::string_view::npos) refuse(name, "holds no scene");
+
+    std::string_view head = text.substr(opening.size(), blank + 1 - opening.size());
+    Record record;
+    record.version = head.substr(0, head.find('\n'));
+    Fields fields;
+    while (!(head = head.substr(head.find('\n') + 1)).empty()) {
+        const std::string_view line = head.substr(0, head.find('\n'));
+        const std::size_t colon = line.find(": ");
+        if (colon == std::string_view::npos)
+            refuse(name, fmt::format("has the line \"{}\"", printable(line)));
+        fields.emplace(line.substr(0, colon), line.substr(colon + 2));
+    }
+
+    record.scene_toml = text.substr(blank + 2);
+    record.scene_name = field(fields, "scene", name);
+    record.scene_hash = field(fields, "scene-sha256", name);
+    if (fields.contains("mesh-sha256")) record.mesh_hash = field(fields, "mesh-sha256", name);
+    if (record.scene_hash != sha256_of(record.scene_toml + record.mesh_hash))
+        refuse(name, "holds another scene than its hash says");
+    record.method = field(fields, "method", name);
+    record.bounds = field(fields, "bounds", name);
+    record.portable = field(fields, "profile", name) == "portable";
+    record.renderer = field(fields, "renderer", name);
+    record.mesa = field(fields, "mesa", name);
+    std::tie(record.width_px, record.height_px) =
+        number_pair<int>(field(fields, "size", name), 'x', name);
+    if (fields.contains("time_s")) record.time_s = number(field(fields, "time_s", name), name);
+    if (fields.contains("dpi")) record.dpi = number(field(fields, "dpi", name), name);
+    if (fields.contains("type-pt")) record.type_pt = number(field(fields, "type-pt", name), name);
+    if (fields.contains("depth"))
+        record.bit_depth = static_cast<int>(number(field(fields, "depth", name), name));
+    if (fields.contains("frames"))
+        record.frames = number_pair<std::int64_t>(field(fields, "frames", name), '-', name);
+    if (record.time_s.has_value() == record.frames.has_value())
+        refuse(name, "must say either an instant or frames");
+    return record;
+}
+
+Record read_record(const std::filesystem::path& file) {
+    std::string text;
+    if (file.extension() == ".png") {
+        text = read_png_info(file).texts[kMetadataName];
+    } else {
+        text = film_metadata(file);
+    }
+    if (text.empty())
+        throw InputError(
+            fmt::format("{}: carries no record of how it was made; only what poinsot "
+                        "has drawn does",
+                        printable(file.string())));
+    return parse_record(text, file.string());
+}
+
+}  // namespace poinsot

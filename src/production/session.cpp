@@ -1,0 +1,186 @@
+#include "production/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "drawing/reach.h"
+#include "drawing/type/overlay.h"
+#include "error/error.h"
+#include "mechanics/methods.h"
+#include "production/print_size.h"
+#include "scene/scene_error.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+// The greatest attitude error of the fast tier over a problem's span: a turn takes at least
+// 2π·I_min/L.
+double fast_tier_error_rad(const MotionProblem& problem) {
+    const double span_s = std::max(std::abs(problem.first_time_s), std::abs(problem.last_time_s));
+    const double rate = FreeRotation(problem.inertia, problem.start).constants().momentum_kg_m2_s /
+                        problem.inertia.moments_kg_m2().minCoeff();
+    const double n_turns = 1.0 + span_s * rate / (2.0 * std::numbers::pi);
+    return exact_residual_bound + fast_tier_rad_a_turn * n_turns;
+}
+
+// Rounding may take this share of accuracy_px and no more.
+constexpr double rounding_share = 1e-3;
+
+Tier tier_for(const Scene& scene, const MotionProblem& problem, Purpose purpose) {
+    const bool free = std::holds_alternative<NoTorque>(problem.torque);
+    if (purpose == Purpose::numbers || !free || find_method(problem.method.name).make != nullptr) {
+        return Tier::exact;
+    }
+    const double error_px = fast_tier_error_rad(problem) * pixels_per_radian(scene);
+    return error_px <= rounding_share * scene.accuracy_px ? Tier::fast : Tier::exact;
+}
+
+void note_unreached(Scene& scene, const StepChoice& step) {
+    const bool given = scene.method.step_s || scene.method.tolerance;
+    if (step.reached || given) return;
+    scene.notes.push_back(fmt::format(
+        "{} does not reach accuracy_px = {:g} in a reasonable number of steps; at {} it is off "
+        "by {:.2g} px",
+        step.method.name, scene.accuracy_px,
+        step.method.step_s ? fmt::format("step_s = {:.3g}", *step.method.step_s)
+                           : fmt::format("tolerance = {:.0e}", step.method.tolerance.value_or(0.0)),
+        step.attitude_rad * pixels_per_radian(scene)));
+}
+
+// The key that a refusal of the mechanics is about.
+std::string key_of(const std::string& table, const MethodChoice& choice) {
+    if (choice.step_s) return table + ".step_s";
+    return choice.tolerance ? table + ".tolerance" : table;
+}
+
+void extend(MotionProblem& problem, std::span<const double> times_s) {
+    for (const double time_s : times_s) {
+        if (!std::isfinite(time_s)) continue;  // refused where it is used, by name
+        problem.first_time_s = std::min(problem.first_time_s, time_s);
+        problem.last_time_s = std::max(problem.last_time_s, time_s);
+    }
+}
+
+// A size on paper is a size in pixels; what else it says, the picture's maker asks for.
+void set_size_on_paper(const SceneRequest& request, Scene& scene) {
+    const auto paper = print_size_of(request.print, scene.film.width_px, scene.film.height_px);
+    if (!paper) return;
+    const bool sized_twice =
+        std::any_of(request.overrides.begin(), request.overrides.end(),
+                    [](const std::string& given) { return given.starts_with("film.size="); });
+    if (sized_twice && (request.print.width_mm || request.print.height_mm))
+        throw InputError(
+            "--size and --width-mm or --height-mm both say how large the picture is; leave one "
+            "out");
+    scene.film.width_px = paper->width_px;
+    scene.film.height_px = paper->height_px;
+    // The figure keeps the scene's shape; title and caption add the rows that their points take.
+    if (request.print.width_mm && !request.print.height_mm) {
+        scene.film.height_px += rows_added_by_type(scene, paper->width_px, paper->line_scale);
+    }
+}
+
+}  // namespace
+
+Session open_session(const SceneRequest& request, Purpose purpose) {
+    Scene scene = load_scene(request.file, request.overrides, request.outside);
+    set_size_on_paper(request, scene);
+    return session_of(std::move(scene), request.times_s, purpose);
+}
+
+Session session_of(Scene scene, std::span<const double> times_s, Purpose purpose) {
+    std::optional<Loop> loop = resolve_loop(scene);
+    MotionProblem problem = problem_of(scene);
+    extend(problem, times_s);
+    // The trails of a loop come from the time before.
+    if (loop)
+        problem.first_time_s = std::min(problem.first_time_s, scene.film.start_s - loop->loop_s);
+    const double tolerance_rad = scene.accuracy_px / pixels_per_radian(scene);
+    const std::string key = key_of("motion", scene.method);
+    StepChoice step = at_scene_key(scene, key, [&] { return choose_step(problem, tolerance_rad); });
+    note_unreached(scene, step);
+    problem.method = step.method;
+    problem.tier = at_scene_key(scene, "start", [&] { return tier_for(scene, problem, purpose); });
+    Motion motion = at_scene_key(scene, key, [&] { return Motion(problem); });
+
+    std::optional<Motion> beside;
+    if (scene.beside) {
+        problem.method = *scene.beside;
+        beside =
+            at_scene_key(scene, key_of("beside", *scene.beside), [&] { return Motion(problem); });
+    }
+    return {std::move(scene), std::move(step), std::move(motion), std::move(beside),
+            std::move(loop)};
+}
+
+double motion_error_px(const Session& session) {
+    const double px_per_rad = pixels_per_radian(session.scene);
+    if (session.motion.integrated() != nullptr) return session.step.attitude_rad * px_per_rad;
+    const MotionProblem& problem = session.motion.problem();
+    const bool fast = problem.tier == Tier::fast;
+    return (fast ? fast_tier_error_rad(problem) : exact_residual_bound) * px_per_rad;
+}
+
+bool can_certify(const Session& session) {
+    const MotionProblem& problem = session.motion.problem();
+    return std::holds_alternative<NoTorque>(problem.torque) &&
+           !problem.start.omega_body.isZero(0.0);
+}
+
+Certificate certify_film(const Session& session, const FilmPlan& film) {
+    std::vector<double> times;
+    times.reserve(static_cast<std::size_t>(film.n_frames));
+    for (std::int64_t frame = 0; frame < film.n_frames; ++frame) {
+        times.push_back(film.time_of(frame));
+    }
+    // A stepped method promises what the scene's accuracy asks of it, a closed form its rounding:
+    // errors of phase along the motion leave T, L and the contact as they are.
+    const bool stepped = session.motion.integrated() != nullptr;
+    const double bound = stepped ? session.scene.accuracy_px / pixels_per_radian(session.scene)
+                                 : exact_residual_bound;
+    return certify(session.motion, times, bound);
+}
+
+std::string text_of(const Certificate& certificate) {
+    std::string text;
+    for (const CertifiedClaim& claim : certificate.claims) {
+        text += fmt::format("{} {}: {:.2e} at t = {:.6g} s (bound {:.0e}): {}\n",
+                            claim.holds() ? "holds" : "FAILS", claim.name, claim.worst,
+                            claim.at_time_s, claim.bound, claim.means);
+    }
+    return text + fmt::format("certificate: {} over {} frames\n",
+                              certificate.holds() ? "every claim holds" : "a claim FAILS",
+                              certificate.n_instants);
+}
+
+FilmMoment FilmPlan::moment_of(std::int64_t frame) const {
+    const double film_s =
+        loop_s > 0.0
+            ? length_s * (static_cast<double>(frame) / static_cast<double>(n_frames))
+            : static_cast<double>(frame * rate.denominator) / static_cast<double>(rate.numerator);
+    return {clock.time_at(film_s), film_s};
+}
+
+FilmPlan film_plan(const Session& session) {
+    const Scene& scene = session.scene;
+    FilmPlan plan{.rate = {scene.film.fps_numerator, scene.film.fps_denominator},
+                  .start_s = scene.film.start_s,
+                  .clock = FilmClock(scene)};
+    plan.length_s = plan.clock.length_s().value_or(default_film_s);
+    plan.loop_s = session.loop ? session.loop->loop_s : 0.0;
+    plan.n_frames = std::max<std::int64_t>(1, std::llround(plan.length_s * plan.rate.per_second()));
+    return plan;
+}
+
+void print_notes(const Scene& scene, bool quiet) {
+    if (quiet) return;
+    for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", printable(note));
+}
+
+}  // namespace poinsot

@@ -1,0 +1,119 @@
+// Chooses a backend, loads the OpenGL functions and refuses a context that does nothing.
+#include "render/context/offscreen_context.h"
+
+#include <glad/gl.h>
+#include <link.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <string_view>
+
+#include "error/error.h"
+#include "render/context/native_context.h"
+
+namespace poinsot {
+namespace {
+
+struct BackendRow {
+    Backend backend;
+    const char* name;
+    std::unique_ptr<NativeContext> (*open)();
+};
+
+// In the order in which `automatic` tries them.
+constexpr std::array backends{BackendRow{Backend::osmesa, "OSMesa", open_osmesa_context},
+                              BackendRow{Backend::egl, "EGL", open_egl_context}};
+
+// Mesa reads the processor's capabilities once, at the first context of the process.
+std::atomic<bool>& processor_was_read() {
+    static std::atomic<bool> read{false};
+    return read;
+}
+
+// Without fused multiply-add and wide vectors llvmpipe gives the same bytes on every x86-64.
+void ask_for_portable_bytes() {
+    const char* caps = std::getenv("GALLIUM_OVERRIDE_CPU_CAPS");
+    const bool already = caps != nullptr && std::string_view(caps) == "sse4.1";
+    if (processor_was_read() && !already)
+        throw EnvironmentError(
+            "the portable profile must be asked for by the first OpenGL context of the process");
+    setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
+}
+
+std::string text_of(GLenum name) {
+    const auto* text = reinterpret_cast<const char*>(glGetString(name));
+    return text == nullptr ? "" : text;
+}
+
+// Drops the pages of a library that are as its file has them; they are read again where needed. The
+// program itself, which has no name here, keeps them, and with them a debugger's breakpoints.
+int forget_pages(dl_phdr_info* library, std::size_t, void*) {
+    if (std::string_view(library->dlpi_name).empty()) return 0;
+    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+    for (const ElfW(Phdr) & part : std::span(library->dlpi_phdr, library->dlpi_phnum)) {
+        if (part.p_type != PT_LOAD || (part.p_flags & PF_W) != 0) continue;
+        const std::uintptr_t first = (library->dlpi_addr + part.p_vaddr + page - 1) / page * page;
+        const std::uintptr_t end =
+            (library->dlpi_addr + part.p_vaddr + part.p_filesz) / page * page;
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader gives addresses as integers.
+        if (end > first) madvise(reinterpret_cast<void*>(first), end - first, MADV_DONTNEED);
+    }
+    return 0;
+}
+
+}  // namespace
+
+struct OffscreenContext::Impl {
+    std::unique_ptr<NativeContext> native;
+    ContextInfo info;
+
+    // Opens one backend, or throws saying why it cannot be used.
+    explicit Impl(const BackendRow& row) : native(row.open()) {
+        if (gladLoadGL(native->loader()) == 0 || glGetString == nullptr ||
+            glGetString(GL_VERSION) == nullptr)
+            throw EnvironmentError(std::string(row.name) + " gives a context that does nothing");
+        GLint texture_px = 0, renderbuffer_px = 0;
+        std::array<GLint, 2> viewport_px{};
+        glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture_px);
+        glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer_px);
+        glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport_px.data());
+        info = {row.name, text_of(GL_RENDERER), text_of(GL_VERSION),
+                std::min({texture_px, renderbuffer_px, viewport_px[0], viewport_px[1]})};
+    }
+};
+
+OffscreenContext::OffscreenContext(Backend backend, Portability portability,
+                                   ShaderCompilation compilation) {
+    if (portability == Portability::portable) ask_for_portable_bytes();
+    // llvmpipe's word for leaving LLVM's optimisations out, read once; a user's own stands.
+    if (compilation == ShaderCompilation::quick && !processor_was_read())
+        setenv("GALLIVM_PERF", "nopt", 0);
+    processor_was_read() = true;
+    std::string tried;
+    for (const BackendRow& row : backends) {
+        if (backend != Backend::automatic && backend != row.backend) continue;
+        try {
+            impl_ = std::make_unique<Impl>(row);
+            return;
+        } catch (const EnvironmentError& failure) {
+            tried += (tried.empty() ? "" : "; ") + std::string(row.name) + ": " + failure.what();
+        }
+    }
+    throw EnvironmentError("no OpenGL context could be made: " + tried);
+}
+
+OffscreenContext::~OffscreenContext() = default;
+OffscreenContext::OffscreenContext(OffscreenContext&&) noexcept = default;
+OffscreenContext& OffscreenContext::operator=(OffscreenContext&&) noexcept = default;
+
+const ContextInfo& OffscreenContext::info() const { return impl_->info; }
+
+void OffscreenContext::shaders_are_compiled() const { dl_iterate_phdr(forget_pages, nullptr); }
+
+}  // namespace poinsot

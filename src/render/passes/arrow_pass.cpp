@@ -1,0 +1,251 @@
+#include "render/passes/arrow_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/passes/colour.h"
+
+namespace poinsot {
+namespace {
+
+// An arrow as it is drawn: sizes in units of the view, places in the picture.
+struct ArrowShape {
+    bool seen = false;
+    Eigen::Vector3d axis, tail, neck, tip;
+    double shaft_radius = 0.0, head_radius = 0.0, head_length = 0.0, length = 0.0;
+    Eigen::Vector2d tail_px, neck_px, tip_px;
+    double tail_scale = 1.0, neck_scale = 1.0, tip_scale = 1.0;  // pixels a unit
+    double open = 0.0;  // how open the circles about the axis are seen
+    PixelBox box;
+};
+
+ArrowShape shape_of(const Projection& p, const Camera& camera, const Arrow& arrow) {
+    ArrowShape shape;
+    const Eigen::Vector3d run = arrow.tip - arrow.tail;
+    shape.length = run.norm();
+    if (!(shape.length > 0.0) || arrow.opacity <= 0.0) return shape;
+    shape.axis = run / shape.length;
+    // Sizes hold where the camera looks.
+    const double unit_px = p.unit_px(std::max(p.depth(camera.target), 1e-9));
+    shape.shaft_radius = 0.5 * arrow.shaft_px / unit_px;
+    shape.head_radius = 0.5 * arrow.head_px / unit_px;
+    shape.head_length = std::min(arrow.head_length_px / unit_px, shape.length);
+    shape.tail = arrow.tail;
+    shape.tip = arrow.tip;
+    shape.neck = arrow.tip - shape.head_length * shape.axis;
+    const double reach = std::max(shape.head_radius, shape.shaft_radius);
+    if (p.perspective && std::min(p.depth(shape.tail), p.depth(shape.tip)) <= p.near_depth + reach)
+        return shape;
+    shape.tail_px = p.pixel(shape.tail);
+    shape.neck_px = p.pixel(shape.neck);
+    shape.tip_px = p.pixel(shape.tip);
+    shape.tail_scale = p.unit_px(p.depth(shape.tail));
+    shape.neck_scale = p.unit_px(p.depth(shape.neck));
+    shape.tip_scale = p.unit_px(p.depth(shape.tip));
+    // Where the line of sight to the head is along the axis, circles are seen open.
+    const Eigen::Vector3d sight = p.perspective ? (shape.neck - p.eye).normalized() : p.forward;
+    shape.open = std::max(std::abs(sight.dot(shape.axis)), 0.03);
+    shape.box.add(shape.tail_px, reach * shape.tail_scale + 2.0);
+    shape.box.add(shape.neck_px, reach * shape.neck_scale + 2.0);
+    shape.box.add(shape.tip_px, 2.0);
+    shape.seen = !shape.box.within(p.box).empty();
+    return shape;
+}
+
+// Rectangles along the arrow's axis, in pixels from the tail; the shaft's ends where the head's
+// begins, so that no pixel lies in both.
+struct ArrowFrame {
+    Eigen::Vector2d origin, along, across;
+    double start, head_start, end;
+    double shaft_reach, head_reach;
+
+    explicit ArrowFrame(const ArrowShape& shape) : origin(shape.tail_px) {
+        constexpr double margin = 1.5;
+        const Eigen::Vector2d run = shape.tip_px - shape.tail_px;
+        along = run.norm() > 1e-3 ? Eigen::Vector2d(run.normalized()) : Eigen::Vector2d::UnitX();
+        across = {-along.y(), along.x()};
+        const double neck = along.dot(shape.neck_px - shape.tail_px);
+        const double head = shape.head_radius * shape.neck_scale;
+        const double tail = shape.shaft_radius * shape.tail_scale;
+        shaft_reach = std::max(tail, shape.shaft_radius * shape.neck_scale) + margin;
+        head_reach = std::max(head, shaft_reach - margin) + margin;
+        start = -shape.open * tail - margin;
+        head_start = neck - shape.open * head - margin;
+        end = std::max(run.norm(), neck + shape.open * head) + margin;
+    }
+    PixelPolygon rectangle(double from, double to, double reach) const {
+        PixelPolygon polygon;
+        if (from >= to) return polygon;
+        polygon.add(origin + from * along - reach * across);
+        polygon.add(origin + to * along - reach * across);
+        polygon.add(origin + to * along + reach * across);
+        polygon.add(origin + from * along + reach * across);
+        return polygon;
+    }
+};
+
+PixelPolygon shaft_polygon(const ArrowShape& shape) {
+    const ArrowFrame frame(shape);
+    return frame.rectangle(frame.start, frame.head_start, frame.shaft_reach);
+}
+
+PixelPolygon head_polygon(const ArrowShape& shape) {
+    const ArrowFrame frame(shape);
+    return frame.rectangle(frame.head_start, frame.end, frame.head_reach);
+}
+
+Eigen::Vector4f ends(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return Eigen::Vector4d(a.x(), a.y(), b.x(), b.y()).cast<float>();
+}
+
+double layer_number(ArrowPass::Layer layer) {
+    return layer == ArrowPass::Layer::visible ? 1.0 : 0.0;
+}
+
+// Depth of an arrow's axis where it passes nearest to a pixel.
+double depth_near(const Projection& p, const Arrow& arrow, const Eigen::Vector2d& pixel) {
+    const Eigen::Vector2d a = p.pixel(arrow.tail);
+    const Eigen::Vector2d run = p.pixel(arrow.tip) - a;
+    const double square = run.squaredNorm();
+    const double t = square > 0.0 ? std::clamp(run.dot(pixel - a) / square, 0.0, 1.0) : 0.0;
+    const double from = p.depth(arrow.tail), to = p.depth(arrow.tip);
+    return p.perspective ? from * to / (to + t * (from - to)) : from + t * (to - from);
+}
+
+// A pixel where two arrows cover each other, if they do: the crossing of their axes, or the end of
+// one that lies nearest to the other.
+Eigen::Vector2d meeting_of(const Projection& p, const Arrow& a, const Arrow& b) {
+    const Eigen::Vector2d a0 = p.pixel(a.tail), a1 = p.pixel(a.tip);
+    const Eigen::Vector2d b0 = p.pixel(b.tail), b1 = p.pixel(b.tip);
+    const Eigen::Vector2d u = a1 - a0, v = b1 - b0, w = b0 - a0;
+    const auto cross = [](const Eigen::Vector2d& x, const Eigen::Vector2d& y) {
+        return x.x() * y.y() - x.y() * y.x();
+    };
+    const double area = cross(u, v);
+    if (std::abs(area) > 1e-9) {
+        const double s = cross(w, v) / area, t = cross(w, u) / area;
+        // A common tail is no crossing: what counts there is which leaves towards the eye.
+        if (s > 0.02 && s < 1.0 && t > 0.02 && t < 1.0) return a0 + s * u;
+    }
+    return 0.5 * (u.norm() < v.norm() ? a0 + a1 : b0 + b1);
+}
+
+}  // namespace
+
+ArrowPass::ArrowProgram::ArrowProgram(const Solids& solids)
+    : PolygonProgram("arrow.frag", 17 + solids.n_constants(), solids.defines()) {}
+
+ArrowPass::DotProgram::DotProgram(const Solids& solids)
+    : PolygonProgram("dot.frag", 9 + solids.n_constants(), solids.defines()) {}
+
+void ArrowPass::order(const ViewScene& scene) {
+    const View& view = *scene.view;
+    const Projection& p = scene.projection;
+    const auto n_arrows = static_cast<int>(view.arrows.size());
+    order_.clear();
+    for (int k = 0; k < n_arrows + static_cast<int>(view.dots.size()); ++k) {
+        const bool is_dot = k >= n_arrows;
+        const auto arrow = [&](int i) -> const Arrow& {
+            return view.arrows[static_cast<std::size_t>(i)];
+        };
+        const auto dot = [&](int i) -> const Dot& {
+            return view.dots[static_cast<std::size_t>(i - n_arrows)];
+        };
+        // Whether `other`, already in the list, lies behind: insertion keeps the rest in order.
+        const auto is_behind = [&](int other) {
+            if (is_dot && other >= n_arrows) return p.depth(dot(other).at) >= p.depth(dot(k).at);
+            if (is_dot) {
+                // A dot on an arrow lies on top of it.
+                const double there = depth_near(p, arrow(other), p.pixel(dot(k).at));
+                return there >= p.depth(dot(k).at) * (1.0 - 1e-2);
+            }
+            const Eigen::Vector2d meeting = meeting_of(p, arrow(k), arrow(other));
+            return depth_near(p, arrow(other), meeting) >= depth_near(p, arrow(k), meeting);
+        };
+        const auto place = std::find_if_not(order_.begin(), order_.end(), is_behind);
+        order_.insert(place, k);
+    }
+}
+
+void ArrowPass::draw(const ViewScene& scene, Layer layer) {
+    const auto n_arrows = scene.view->arrows.size();
+    for (const int k : order_) {
+        const auto i = static_cast<std::size_t>(k);
+        if (i < n_arrows)
+            draw_arrow(scene, scene.view->arrows[i], layer);
+        else
+            draw_dot(scene, scene.view->dots[i - n_arrows], layer);
+    }
+}
+
+void ArrowPass::draw_arrow(const ViewScene& scene, const Arrow& arrow, Layer layer) {
+    const Projection& p = scene.projection;
+    const bool occluded = arrow.occlusion == Occlusion::by_solids;
+    if (!occluded && layer == Layer::hidden) return;
+    const ArrowShape shape = shape_of(p, scene.view->camera, arrow);
+    if (!shape.seen) return;
+    const ArrowProgram& made =
+        occluded ? arrow_programs_.of(scene.solids()) : arrow_programs_.of(Solids{});
+    const double shaft_length = std::max(shape.length - shape.head_length, 1e-9);
+    // Lines of sight are followed from beside the arrow's middle, where few digits are lost.
+    const Eigen::Vector3d middle = 0.5 * (shape.tail + shape.tip);
+    const Eigen::Vector2d anchor = p.pixel(middle);
+    Constants constants;
+    scene.add_view(constants);
+    scene.add_light(constants);
+    constants.add4(ends(shape.tail_px, shape.neck_px));
+    constants.add4(ends(shape.neck_px, shape.tip_px));
+    constants.add(shape.shaft_radius * shape.tail_scale, shape.shaft_radius * shape.neck_scale,
+                  shape.open, 0.0);
+    constants.add(shape.head_radius * shape.neck_scale, 0.0, shape.open, 0.0);
+    constants.add(shape.axis, arrow.hidden_opacity);
+    constants.add(0.0, shaft_length, shape.shaft_radius, shape.shaft_radius);
+    constants.add(shaft_length, shape.head_length, shape.head_radius, 0.0);
+    constants.add(middle - shape.tail, p.depth(middle));
+    constants.add(anchor.x(), anchor.y(), layer_number(layer), 0.0);
+    constants.add4(linear_from_srgb(arrow.colour, arrow.opacity));
+    if (occluded) scene.add_solids(constants);
+    made.draw(shaft_polygon(shape), constants, *scene.drawing);
+    made.draw(head_polygon(shape), constants, *scene.drawing);
+}
+
+void ArrowPass::draw_dot(const ViewScene& scene, const Dot& dot, Layer layer) {
+    const Projection& p = scene.projection;
+    const bool occluded = dot.occlusion == Occlusion::by_solids;
+    if (!occluded && layer == Layer::hidden) return;
+    const double depth = p.depth(dot.at);
+    if (dot.opacity <= 0.0 || (p.perspective && depth <= p.near_depth)) return;
+    PixelBox box;
+    box.add(p.pixel(dot.at), dot.radius_px + 1.5);
+    if (box.within(p.box).empty()) return;
+    const DotProgram& made =
+        occluded ? dot_programs_.of(scene.solids()) : dot_programs_.of(Solids{});
+    const Eigen::Vector2d pixel = p.pixel(dot.at);
+    Constants constants;
+    scene.add_view(constants);
+    constants.add(pixel.x(), pixel.y(), depth, dot.radius_px);
+    constants.add4(linear_from_srgb(dot.colour, dot.opacity));
+    constants.add4(linear_from_srgb(dot.rim_colour, dot.rim_px));
+    constants.add(dot.hidden_opacity, layer_number(layer), 0.0, 0.0);
+    if (occluded) scene.add_solids(constants);
+    made.draw(polygon_of(box), constants, *scene.drawing);
+}
+
+void ArrowPass::mark(const ViewScene& scene, TileMask& marks) const {
+    const Projection& p = scene.projection;
+    for (const Arrow& arrow : scene.view->arrows) {
+        const ArrowShape shape = shape_of(p, scene.view->camera, arrow);
+        if (!shape.seen) continue;
+        marks.mark(shaft_polygon(shape), p.box);
+        marks.mark(head_polygon(shape), p.box);
+    }
+    for (const Dot& dot : scene.view->dots) {
+        if (p.perspective && p.depth(dot.at) <= p.near_depth) continue;
+        PixelBox box;
+        box.add(p.pixel(dot.at), dot.radius_px + 1.5);
+        marks.mark(box.within(p.box));
+    }
+}
+
+}  // namespace poinsot

@@ -1,0 +1,36 @@
+// Arrows and dots, farthest first.
+#pragma once
+
+#include <vector>
+
+#include "render/passes/program.h"
+#include "render/tile_mask.h"
+#include "render/view_scene.h"
+
+namespace poinsot {
+
+class ArrowPass {
+ public:
+    // What is hidden is drawn before the curves, what is visible after them.
+    enum class Layer { hidden, visible };
+    // Orders the view's arrows and dots; to be called before `draw`.
+    void order(const ViewScene& scene);
+    void draw(const ViewScene& scene, Layer layer);
+    void mark(const ViewScene& scene, TileMask& marks) const;
+
+ private:
+    void draw_arrow(const ViewScene& scene, const Arrow& arrow, Layer layer);
+    void draw_dot(const ViewScene& scene, const Dot& dot, Layer layer);
+
+    struct ArrowProgram : PolygonProgram {
+        explicit ArrowProgram(const Solids& solids);
+    };
+    struct DotProgram : PolygonProgram {
+        explicit DotProgram(const Solids& solids);
+    };
+    BySolids<ArrowProgram> arrow_programs_;
+    BySolids<DotProgram> dot_programs_;
+    std::vector<int> order_;  // arrows by index, dots after them
+};
+
+}  // namespace poinsot

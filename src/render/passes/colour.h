@@ -1,0 +1,19 @@
+// sRGB-encoded colours and linear light.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "shapes/colour.h"
+
+namespace poinsot {
+
+// Linear component of an sRGB-encoded one (IEC 61966-2-1); both 0…1.
+double linear_from_srgb(double encoded);
+Eigen::Vector3f linear_from_srgb(const Colour& colour);
+// The same with a fourth component.
+Eigen::Vector4f linear_from_srgb(const Colour& colour, double fourth);
+
+// Mix of two encoded colours as the eye spaces them: done on the encoded values.
+Colour mixed(const Colour& a, const Colour& b, double part_of_b);
+
+}  // namespace poinsot

@@ -1,0 +1,38 @@
+// Curves as strokes of constant width in pixels.
+#pragma once
+
+#include "render/keep/curve_layer.h"
+#include "render/passes/stroke.h"
+#include "render/tile_mask.h"
+#include "render/view_scene.h"
+
+namespace poinsot {
+
+class CurvePass {
+ public:
+    void draw(const ViewScene& scene, const Curve& curve, CurveStore& store);
+    // Draws the end of a curve, and what is kept of the rest in a layer, on these rectangles.
+    void draw_kept(const ViewScene& scene, const Curve& curve, const Dashes& dashes,
+                   const StrokeEnds& ends, const CurveLayer& layer,
+                   const std::vector<PixelRect>& rects, CurveStore& store);
+    // Marks the tiles that the curve may touch.
+    static void mark(const ViewScene& scene, const Curve& curve, CurveStore& store,
+                     TileMask& marks);
+
+ private:
+    struct Stroke : StrokeProgram {
+        explicit Stroke(const Solids& solids);
+    };
+    const Stroke& program_for(const ViewScene& scene, const Curve& curve);
+    // layer: of what is kept of the curve, if anything is.
+    Constants constants_of(const ViewScene& scene, const Curve& curve, const Dashes& dashes,
+                           const CurveLayer* layer);
+
+    BySolids<Stroke> strokes_;
+    // Bound where nothing is kept: the same kinds of textures let the driver use one compiled
+    // shader.
+    KeptTextures none_{3, 3, false};
+    int n_drawn_ = 0;  // since the depth buffer was emptied
+};
+
+}  // namespace poinsot

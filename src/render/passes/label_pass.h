@@ -1,0 +1,72 @@
+// Set type, from a texture that keeps the masks drawn lately.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
+#include <vector>
+
+#include "render/passes/program.h"
+#include "render/tile_mask.h"
+#include "render/view_scene.h"
+
+namespace poinsot {
+
+// Coverage of a halo about a mask, reach_px wide, on a mask larger by `margin` on each side:
+// row by row, coverage and halo in turn.
+std::vector<std::uint8_t> with_halo(const GlyphMask& mask, double reach_px, int margin);
+
+// A label as it lies in the picture.
+struct PlacedLabel {
+    explicit PlacedLabel(const Label& label);
+    bool operator==(const PlacedLabel& other) const;
+
+    std::uint64_t mask;
+    Eigen::Vector2d top_left_px;
+    Colour colour, halo_colour;
+    double halo_px, opacity;
+    PixelBox box;
+};
+
+class LabelPass {
+ public:
+    LabelPass();
+    // Puts what the picture needs into the texture.
+    void begin_picture(const Drawing& drawing);
+    // Those for which `wanted` is true, in their order.
+    // Precondition: a vertex array without attributes is bound.
+    void draw(const ViewScene& scene, const std::function<bool(const PlacedLabel&)>& wanted) const;
+    // The labels that the picture shows, of all its views.
+    static std::vector<PlacedLabel> placed(const Drawing& drawing);
+
+ private:
+    // A mask with its halo, somewhere in the texture.
+    struct Slot {
+        int x = 0, y = 0, width = 0, height = 0;
+        int margin = 0;
+    };
+    struct Key {
+        std::uint64_t mask;
+        int halo_64ths;
+        bool operator==(const Key&) const = default;
+    };
+    struct KeyHash {
+        std::size_t operator()(const Key& key) const {
+            return static_cast<std::size_t>(key.mask * 0x9E3779B97F4A7C15u) ^
+                   static_cast<std::size_t>(key.halo_64ths);
+        }
+    };
+    static Key key_of(const Label& label);
+    // Its size, not its place.
+    static Slot slot_of(const Label& label);
+    bool place(const Label& label);
+    void empty_texture(int width_px, int height_px);
+
+    PolygonProgram program_;
+    GlTexture texture_;
+    int width_px_ = 0, height_px_ = 0;
+    int shelf_x_ = 0, shelf_y_ = 0, shelf_height_ = 0;
+    std::unordered_map<Key, Slot, KeyHash> slots_;
+};
+
+}  // namespace poinsot

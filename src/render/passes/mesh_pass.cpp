@@ -1,0 +1,263 @@
+#include "render/passes/mesh_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "error/error.h"
+#include "render/passes/colour.h"
+
+namespace poinsot {
+namespace {
+
+constexpr std::uint64_t kept_pictures = 120;
+constexpr GLsizei n_samples = 4;
+
+bool shows(const Mesh& mesh) {
+    return mesh.geometry != nullptr && !mesh.geometry->positions.empty() && mesh.opacity > 0.0;
+}
+
+Eigen::AlignedBox3d box_of(const MeshGeometry& geometry) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3f& p : geometry.positions) box.extend(p.cast<double>());
+    return box;
+}
+
+// A ball about the placed mesh.
+struct Ball {
+    Eigen::Vector3d centre;
+    double radius;
+};
+
+Ball ball_of(const Mesh& mesh, const Eigen::AlignedBox3d& box) {
+    const double scale = mesh.placement.linear().colwise().norm().maxCoeff();
+    return {mesh.placement * box.center().eval(), scale * 0.5 * box.diagonal().norm()};
+}
+
+// An ellipsoid that shades a plane much as the placed mesh does.
+Ellipsoid ellipsoid_of(const Mesh& mesh, const Eigen::AlignedBox3d& box) {
+    Ellipsoid ellipsoid;
+    ellipsoid.centre = mesh.placement * box.center().eval();
+    ellipsoid.half_axes = mesh.placement.linear() * (0.5 * box.sizes()).eval().asDiagonal();
+    return ellipsoid;
+}
+
+// Pixels the placed mesh's box may touch; the whole view where it reaches behind the eye.
+PixelBox pixels_of(const Projection& p, const Mesh& mesh, const Eigen::AlignedBox3d& box) {
+    PixelBox pixels;
+    for (int k = 0; k < 8; ++k) {
+        const Eigen::Vector3d corner =
+            mesh.placement * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)).eval();
+        if (p.perspective && p.depth(corner) <= p.near_depth) return p.box;
+        pixels.add(p.pixel(corner), 1.0);
+    }
+    return pixels.within(p.box);
+}
+
+}  // namespace
+
+MeshPass::MeshPass()
+    : program_("mesh.vert", "mesh.frag"),
+      picture_(program_.at("picture")),
+      constants_(program_.at("constants")),
+      placement_(program_.at("placement")),
+      normal_map_(program_.at("normal_map")),
+      depth_map_(program_.at("depth_map")),
+      look_(program_.at("look")),
+      over_("layer.frag", 1) {}
+
+void MeshPass::begin_picture() {
+    ++picture_number_;
+    std::erase_if(uploads_, [this](const auto& entry) {
+        return entry.second.last_picture + kept_pictures < picture_number_;
+    });
+}
+
+MeshPass::Uploaded& MeshPass::uploaded(const MeshGeometry& geometry) {
+    Uploaded& upload = uploads_[geometry.id];
+    upload.last_picture = picture_number_;
+    if (upload.buffer) return upload;
+    std::vector<Eigen::Vector3f> vertices;
+    vertices.reserve(2 * geometry.positions.size());
+    for (std::size_t k = 0; k < geometry.positions.size(); ++k) {
+        vertices.push_back(geometry.positions[k]);
+        vertices.push_back(k < geometry.normals.size() ? geometry.normals[k]
+                                                       : Eigen::Vector3f::UnitZ());
+    }
+    upload.n_vertices = static_cast<GLsizei>(geometry.positions.size() / 3 * 3);
+    upload.box = box_of(geometry);
+    upload.buffer = GlBuffer::make();
+    upload.vertex_array = GlVertexArray::make();
+    glBindVertexArray(upload.vertex_array.id());
+    glBindBuffer(GL_ARRAY_BUFFER, upload.buffer.id());
+    glBufferData(GL_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(vertices.size() * sizeof(Eigen::Vector3f)),
+                 vertices.data(), GL_STATIC_DRAW);
+    constexpr GLsizei stride = 2 * sizeof(Eigen::Vector3f);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
+    glEnableVertexAttribArray(1);
+    // GL takes an offset into the buffer as a pointer.
+    const void* after_position = reinterpret_cast<const void*>(
+        sizeof(Eigen::Vector3f));  // NOLINT(performance-no-int-to-ptr)
+    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, after_position);
+    return upload;
+}
+
+void MeshPass::resize(int width_px, int height_px) {
+    if (width_px <= width_px_ && height_px <= height_px_) return;
+    // Rounded up, so that a turning body does not ask for a little more every time.
+    const auto rounded = [](int px) { return (px + 127) / 128 * 128; };
+    width_px_ = std::max(width_px_, rounded(width_px));
+    height_px_ = std::max(height_px_, rounded(height_px));
+    samples_ = GlTexture::make();
+    depth_ = GlTexture::make();
+    resolved_ = GlTexture::make();
+    sampled_ = GlFramebuffer::make();
+    single_ = GlFramebuffer::make();
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samples_.id());
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, n_samples, GL_RGBA16, width_px_, height_px_,
+                            GL_TRUE);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, depth_.id());
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, n_samples, GL_DEPTH_COMPONENT32F, width_px_,
+                            height_px_, GL_TRUE);
+    glBindTexture(GL_TEXTURE_2D, resolved_.id());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16, width_px_, height_px_, 0, GL_RGBA, GL_UNSIGNED_SHORT,
+                 nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, single_.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, resolved_.id(), 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, sampled_.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE,
+                           samples_.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE,
+                           depth_.id(), 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw EnvironmentError("OpenGL gives no layer of four samples a pixel for meshes");
+}
+
+void MeshPass::prepare(ViewScene& scene) {
+    const Projection& p = scene.projection;
+    MeshLayer layer;
+    PixelBox box;
+    double nearest = 1e300, farthest = -1e300, transmitted = 1.0;
+    for (const Mesh& mesh : scene.view->meshes) {
+        if (!shows(mesh)) continue;
+        const Uploaded& upload = uploaded(*mesh.geometry);
+        const PixelBox part = pixels_of(p, mesh, upload.box);
+        if (part.empty()) continue;
+        box.add({part.left, part.top});
+        box.add({part.right, part.bottom});
+        const Ball ball = ball_of(mesh, upload.box);
+        nearest = std::min(nearest, p.depth(ball.centre) - ball.radius);
+        farthest = std::max(farthest, p.depth(ball.centre) + ball.radius);
+        transmitted = std::min(transmitted, 1.0 - mesh.opacity);
+        if (mesh.casts_shadow && !scene.view->planes.empty())
+            scene.casters.emplace_back(ellipsoid_of(mesh, upload.box), p);
+    }
+    if (box.empty()) return;
+    layer.left = static_cast<int>(std::floor(box.left));
+    layer.top = static_cast<int>(std::floor(box.top));
+    layer.width = static_cast<int>(std::ceil(box.right)) - layer.left;
+    layer.height = static_cast<int>(std::ceil(box.bottom)) - layer.top;
+    layer.opacity = 1.0 - transmitted;
+
+    // Clip depth runs from -1 to 1, buffer depth from 0 to 1, over the meshes' own depths.
+    if (p.perspective) nearest = std::max(nearest, p.near_depth);
+    const double margin = 1e-3 * (farthest - nearest) + 1e-9;
+    nearest -= margin;
+    farthest += margin;
+    double offset = 0.0, slope = 0.0;
+    if (p.perspective) {
+        nearest = std::max(nearest, 0.5 * p.near_depth);
+        offset = (farthest + nearest) / (farthest - nearest);
+        slope = -2.0 * farthest * nearest / (farthest - nearest);
+    } else {
+        slope = 2.0 / (farthest - nearest);
+        offset = -1.0 - slope * nearest;
+    }
+    layer.depth_offset = 0.5 * offset + 0.5;
+    layer.depth_slope = 0.5 * slope;
+    scene.mesh_layer = layer;
+}
+
+void MeshPass::draw_layer(const ViewScene& scene) {
+    const MeshLayer& layer = scene.mesh_layer;
+    if (layer.width == 0) return;
+    resize(layer.width, layer.height);
+    glBindFramebuffer(GL_FRAMEBUFFER, sampled_.id());
+    glViewport(0, 0, layer.width, layer.height);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, layer.width, layer.height);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    program_.use();
+    glUniform4f(picture_, static_cast<float>(layer.width), static_cast<float>(layer.height),
+                1.0f / static_cast<float>(layer.width), 1.0f / static_cast<float>(layer.height));
+    glUniform2f(depth_map_, static_cast<float>(2.0 * layer.depth_offset - 1.0),
+                static_cast<float>(2.0 * layer.depth_slope));
+    Constants constants;
+    scene.add_view(constants, Eigen::Vector2d(layer.left, layer.top));
+    glUniform4fv(constants_, constants.size(), constants.from(0));
+    for (const Mesh& mesh : scene.view->meshes)
+        if (shows(mesh)) draw_mesh(scene, mesh);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, single_.id());
+    glBlitFramebuffer(0, 0, layer.width, layer.height, 0, 0, layer.width, layer.height,
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void MeshPass::draw_mesh(const ViewScene& scene, const Mesh& mesh) {
+    const Uploaded& upload = uploaded(*mesh.geometry);
+    Constants placement, normal_map, look;
+    const Eigen::Matrix3d normals = mesh.placement.linear().inverse().transpose();
+    for (int row = 0; row < 3; ++row) {
+        placement.add(mesh.placement.linear().row(row).transpose(),
+                      mesh.placement.translation()[row]);
+        normal_map.add(normals.row(row).transpose());
+    }
+    const Projection& p = scene.projection;
+    look.add(p.perspective ? p.eye : Eigen::Vector3d(-p.forward), p.perspective ? 1.0 : 0.0);
+    scene.add_light(look);
+    look.add4(linear_from_srgb(mesh.colour, 1.0));
+    glUniform4fv(placement_, placement.size(), placement.from(0));
+    glUniform4fv(normal_map_, normal_map.size(), normal_map.from(0));
+    glUniform4fv(look_, look.size(), look.from(0));
+    glBindVertexArray(upload.vertex_array.id());
+    glDrawArrays(GL_TRIANGLES, 0, upload.n_vertices);
+}
+
+void MeshPass::draw(const ViewScene& scene) const {
+    const MeshLayer& layer = scene.mesh_layer;
+    if (layer.width == 0) return;
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, depth_.id());
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, resolved_.id());
+    Constants constants;
+    constants.add(layer.left, layer.top, layer.opacity, 0.0);
+    PixelBox box;
+    box.add({static_cast<double>(layer.left), static_cast<double>(layer.top)});
+    box.add({static_cast<double>(layer.left + layer.width),
+             static_cast<double>(layer.top + layer.height)});
+    over_.draw(polygon_of(box), constants, *scene.drawing);
+}
+
+void MeshPass::mark(const ViewScene& scene, TileMask& marks) const {
+    const MeshLayer& layer = scene.mesh_layer;
+    if (layer.width == 0) return;
+    PixelBox box;
+    box.add({static_cast<double>(layer.left), static_cast<double>(layer.top)});
+    box.add({static_cast<double>(layer.left + layer.width),
+             static_cast<double>(layer.top + layer.height)});
+    marks.mark(box);
+}
+
+}  // namespace poinsot

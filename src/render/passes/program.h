@@ -1,0 +1,95 @@
+// OpenGL programs built from the embedded shaders.
+#pragma once
+
+#include <glad/gl.h>
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/context/gl_handles.h"
+#include "render/passes/constants.h"
+#include "render/projection.h"
+#include "render/view_scene.h"
+#include "shapes/views.h"
+
+namespace poinsot {
+
+// The full text of a shader: `#include "file"` lines replaced by that embedded file, `#define`s
+// put after the version line. Throws Error if there is no such file.
+std::string shader_text(std::string_view name, const std::vector<std::string>& defines);
+
+// A linked program with its texture unit already set.
+class Program {
+ public:
+    // Throws Error with the driver's message if a shader does not compile.
+    Program(std::string_view vertex, std::string_view fragment,
+            const std::vector<std::string>& defines = {});
+
+    void use() const { glUseProgram(program_.id()); }
+    // Location of a uniform; -1, which OpenGL ignores, if the shader makes no use of it.
+    GLint at(const char* name) const { return glGetUniformLocation(program_.id(), name); }
+
+ private:
+    GlProgram program_;
+};
+
+// Sets the uniform `picture` of shaders/clip.glsl.
+void set_picture(GLint location, const Drawing& drawing);
+
+// A program whose constants reach its fragments as shaders/constants.glsl says.
+class ConstantProgram : public Program {
+ public:
+    // n_varyings: how many other vectors its vertex shader hands on.
+    ConstantProgram(std::string_view vertex, std::string_view fragment, int n_constants,
+                    int n_varyings, const std::vector<std::string>& defines = {});
+
+    // Makes it current with these constants, for a picture of this size.
+    void use(const Constants& constants, const Drawing& drawing) const;
+
+ private:
+    int n_flat_, n_constants_;
+    GLint constants_, more_, picture_;
+};
+
+// One that fills convex polygons given in pixels.
+class PolygonProgram : public ConstantProgram {
+ public:
+    PolygonProgram(std::string_view fragment, int n_constants,
+                   const std::vector<std::string>& defines = {},
+                   std::string_view vertex = "polygon.vert", int n_varyings = 0);
+    // Precondition: a vertex array without attributes is bound.
+    void draw(const PixelPolygon& polygon, const Constants& constants,
+              const Drawing& drawing) const;
+    // Only what lies outside `inner`, which lies within it and has as many corners; the vertex
+    // shader must hold twice as many and two.
+    void draw_ring(const PixelPolygon& outer, const PixelPolygon& inner, const Constants& constants,
+                   const Drawing& drawing) const;
+
+ private:
+    GLint corners_;
+};
+
+// Programs that differ by the numbers of solids in the view, made when first needed: their loops
+// have constant lengths, and what they read is found when they are compiled.
+template <class Made>
+class BySolids {
+ public:
+    const Made& of(const Solids& solids) {
+        for (const Row& row : rows_)
+            if (row.solids == solids) return *row.made;
+        rows_.push_back({solids, std::make_unique<Made>(solids)});
+        return *rows_.back().made;
+    }
+
+ private:
+    struct Row {
+        Solids solids;
+        std::unique_ptr<Made> made;
+    };
+    std::vector<Row> rows_;
+};
+
+}  // namespace poinsot

@@ -1,0 +1,62 @@
+// What all passes over curves share: the part that is shown, its dashes, and the program that puts
+// a rectangle about every segment.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/keep/curve_store.h"
+#include "render/passes/program.h"
+#include "render/view_scene.h"
+
+namespace poinsot {
+
+// The part of a curve that is shown: points from first to last, and the whole segments about it.
+struct ShownRange {
+    double first = 0.0, last = 0.0;
+    int first_segment = 0, end_segment = 0;
+    bool empty() const { return first_segment >= end_segment; }
+};
+ShownRange range_of(const Curve& curve);
+
+// Whether there is anything of the curve to be drawn.
+bool shows(const Curve& curve);
+
+// As shaders/stroke.glsl has them: lengths of the curve to a dash and its gap (0: solid; below 0:
+// dashed only where hidden), and the share that is drawn.
+struct Dashes {
+    double period = 0.0, share = 1.0;
+    bool operator==(const Dashes&) const = default;
+};
+// length: of the whole curve.
+Dashes dashes_of(const ViewScene& scene, const Curve& curve, double length);
+
+// The ellipsoid that the curve lies on, if it hides things; null if none.
+const Quadric* surface_of(const ViewScene& scene, const Curve& curve);
+
+// A segment as it is handed to the shader.
+struct StrokeEnds {
+    Eigen::Vector2d from_px, to_px;
+    double depth_from = 1.0, depth_to = 1.0;
+    double facing_from = 1.0, facing_to = 1.0;
+    double length_from = 0.0, length_to = 0.0;
+};
+
+// One that draws segments through shaders/curve.vert.
+class StrokeProgram : public ConstantProgram {
+ public:
+    StrokeProgram(std::string_view fragment, int n_constants,
+                  const std::vector<std::string>& defines);
+
+    // Draws the segments of a range, in rectangles for a stroke of this width.
+    void draw(const ViewScene& scene, const Curve& curve, const ShownRange& range, double width_px,
+              const Constants& constants, CurveStore& store) const;
+    // Draws rectangles for this segment and what is kept of the others.
+    void draw(const ViewScene& scene, const StrokeEnds& ends, const std::vector<PixelRect>& rects,
+              const Constants& constants, CurveStore& store) const;
+
+ private:
+    GLint n_points_, closed_, stroke_, on_ellipsoid_, in_rectangles_;
+};
+
+}  // namespace poinsot

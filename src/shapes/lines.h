@@ -1,0 +1,77 @@
+// What is drawn with a width in pixels: curves, arrows and dots.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+#include "shapes/colour.h"
+
+namespace poinsot {
+
+// Points of a curve, made once and shared by all video frames; owned by the stage, which outlives
+// its drawings. `id` is unique in the process, so that a renderer may keep the uploaded geometry.
+struct CurveGeometry {
+    std::uint64_t id = 0;
+    std::vector<Eigen::Vector3d> points;
+    bool closed = false;  // the last point joins the first (not repeated)
+};
+
+enum class Occlusion {
+    none,      // always drawn in full: it lies on top of everything
+    by_solids  // parts behind or inside an ellipsoid, mesh or plane are drawn in the hidden style
+};
+
+enum class HiddenStyle { dimmed, dashed, absent };
+
+// A line of constant width in pixels along part of a geometry, with round joins and caps.
+struct Curve {
+    const CurveGeometry* geometry = nullptr;
+    Eigen::Affine3d placement = Eigen::Affine3d::Identity();  // view axes from the geometry's axes
+    double first =
+        0.0;  // range shown, in points (fractions cut a segment); first > last shows nothing
+    double last = 1e300;  // clamped to the number of points
+    double width_px = 3.0;
+    Colour colour;
+    double opacity = 1.0;
+    double hidden_opacity = 0.3;
+    HiddenStyle hidden = HiddenStyle::dimmed;
+    double dash_px = 0.0;  // length of a dash; 0: solid
+    double gap_px = 0.0;   // between dashes; 0: as long as they
+    double fade_points =
+        0.0;  // opacity falls linearly to 0 over this many points behind `last`; 0: full history
+    Occlusion occlusion = Occlusion::by_solids;
+    int on_surface = -1;   // index of the ellipsoid of this view that it lies on: visible where the
+                           // surface faces us
+    int on_plane = -1;     // index of the plane it lies on
+    bool lasting = false;  // whether nothing of it but `last` changes from picture to picture
+};
+
+// A straight arrow with a shaded round shaft and a conical head; proportions are kept at any length
+// by the drawing layer.
+struct Arrow {
+    Eigen::Vector3d tail = Eigen::Vector3d::Zero();
+    Eigen::Vector3d tip = Eigen::Vector3d::UnitZ();
+    Colour colour;
+    double shaft_px = 4.0;  // full width
+    double head_px = 14.0;  // full width of the head's base
+    double head_length_px = 22.0;
+    double opacity = 1.0;
+    double hidden_opacity = 0.45;
+    Occlusion occlusion = Occlusion::by_solids;
+};
+
+// A dot with a rim: contact point, point masses.
+struct Dot {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    double radius_px = 6.0;
+    Colour colour;
+    Colour rim_colour{1.0, 1.0, 1.0};
+    double rim_px = 1.5;
+    double opacity = 1.0;
+    double hidden_opacity = 0.4;
+    Occlusion occlusion = Occlusion::by_solids;
+};
+
+}  // namespace poinsot

@@ -1,0 +1,75 @@
+#include "shapes/part.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shapes/identity.h"
+
+namespace poinsot {
+
+namespace {
+
+// A mask below this side is kept whole: it is then uploaded once for all parts.
+constexpr int largest_whole_mask_px = 1024;
+
+// The pixels of a mask from (x, y) on.
+GlyphMask cut(const GlyphMask& mask, int x, int y, int width, int height) {
+    GlyphMask part;
+    part.id = next_identity();
+    part.width = width;
+    part.height = height;
+    part.coverage.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int row = y; row < y + height; ++row) {
+        const auto from = mask.coverage.begin() + static_cast<std::ptrdiff_t>(row) * mask.width + x;
+        part.coverage.insert(part.coverage.end(), from, from + width);
+    }
+    return part;
+}
+
+// The label of a part, in its pixels already; adds it to the view unless it lies outside.
+void add_label(Label label, const PixelArea& area, View& view) {
+    if (label.mask == nullptr) return;
+    const GlyphMask& mask = *label.mask;
+    const double reach = std::ceil(std::max(label.halo_px, 0.0)) + 2.0;
+    // Columns and rows of the mask whose ink or halo reaches into the part.
+    const auto range = [reach](double corner, int size, int room) {
+        const double first = std::clamp(std::floor(-corner - reach), 0.0, 1.0 * size);
+        const double end = std::clamp(std::ceil(room - corner + reach), 0.0, 1.0 * size);
+        return std::pair(static_cast<int>(first), static_cast<int>(end));
+    };
+    const auto [left, right] = range(label.top_left_px.x(), mask.width, area.width_px);
+    const auto [top, bottom] = range(label.top_left_px.y(), mask.height, area.height_px);
+    if (left >= right || top >= bottom) return;
+    if (std::max(mask.width, mask.height) > largest_whole_mask_px) {
+        label.mask =
+            &view.live_masks.emplace_back(cut(mask, left, top, right - left, bottom - top));
+        label.top_left_px += Eigen::Vector2d(left, top);
+    }
+    view.labels.push_back(label);
+}
+
+}  // namespace
+
+Drawing part_of(const Drawing& whole, const PixelArea& area) {
+    Drawing part;
+    part.width_px = area.width_px;
+    part.height_px = area.height_px;
+    part.background = whole.background;
+    part.background_top_px = whole.background_top_px - area.y_px;
+    part.background_rows_px =
+        whole.background_rows_px > 0 ? whole.background_rows_px : whole.height_px;
+    for (const View& view : whole.views) {
+        View& shifted = part.views.emplace_back(view);
+        shifted.x_px -= area.x_px;
+        shifted.y_px -= area.y_px;
+        shifted.labels.clear();
+        shifted.live_masks.clear();
+        for (Label label : view.labels) {
+            label.top_left_px -= Eigen::Vector2d(area.x_px, area.y_px);
+            add_label(label, area, shifted);
+        }
+    }
+    return part;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,77 @@
+// What has a surface: ellipsoids, planes, cones and meshes.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+#include "shapes/colour.h"
+
+namespace poinsot {
+
+// Ray-cast ellipsoid: x = centre + half_axes·u with |u| = 1. Columns of half_axes are orthogonal
+// vectors. Ruled by body-fixed lines: its three principal sections, and meridians and parallels
+// about the axis of column 2.
+struct Ellipsoid {
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d half_axes = Eigen::Matrix3d::Identity();
+    Colour colour{0.85, 0.62, 0.33};
+    double opacity = 0.75;  // of the front surface seen face on; more towards the limb
+    double presence = 1.0;  // 0…1: while it comes or goes; of all of it, lines and shadow too
+    Colour line_colour{0.35, 0.22, 0.08};
+    double section_px = 1.6;  // principal sections (0: none)
+    double ruling_px = 0.8;   // meridians and parallels (0: none)
+    double ruling_opacity = 0.35;
+    int n_meridians = 12;
+    int n_parallels = 5;       // between the poles
+    bool casts_shadow = true;  // contact shadow on the planes below it
+};
+
+// A disc with a grid of lines through its centre, fading out to its rim.
+struct Plane {
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // unit
+    Eigen::Vector3d along =
+        Eigen::Vector3d::UnitX();  // unit, in the plane: direction of one family of lines
+    double radius = 3.0;
+    double fade_from = 0.55;  // fraction of the radius where it begins to fade
+    double grid_spacing = 0.25;
+    double grid_px = 1.0;
+    Colour colour{0.80, 0.85, 0.92};
+    Colour grid_colour{0.45, 0.52, 0.62};
+    double opacity = 0.9;
+    bool operator==(const Plane&) const = default;
+};
+
+// Open right circular cone from its apex, drawn translucent with its rim.
+struct Cone {
+    Eigen::Vector3d apex = Eigen::Vector3d::Zero();
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // unit, from the apex into the cone
+    double half_angle_rad = 0.5;                      // 0…π/2
+    double length = 1.0;                              // along the axis
+    Colour colour{0.4, 0.6, 0.8};
+    double opacity = 0.35;
+    double presence = 1.0;  // as of an ellipsoid
+    double rim_px = 1.5;
+    int n_rulings = 12;      // generators, so that rolling is seen
+    double phase_rad = 0.0;  // of ruling 0, from `reference`
+    Eigen::Vector3d reference = Eigen::Vector3d::UnitX();
+};
+
+// Triangles with one normal a corner, owned by the stage as CurveGeometry is.
+struct MeshGeometry {
+    std::uint64_t id = 0;
+    std::vector<Eigen::Vector3f> positions;  // three a triangle
+    std::vector<Eigen::Vector3f> normals;    // as many
+};
+
+struct Mesh {
+    const MeshGeometry* geometry = nullptr;
+    Eigen::Affine3d placement = Eigen::Affine3d::Identity();
+    Colour colour{0.6, 0.65, 0.72};
+    double opacity = 1.0;
+    bool casts_shadow = true;
+};
+
+}  // namespace poinsot

@@ -1,0 +1,198 @@
+#include "system/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "error/error.h"
+
+namespace poinsot {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string reason(int error_number) { return std::generic_category().message(error_number); }
+
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+// The final name with symbolic links followed, so that a link stays a link.
+fs::path followed(const fs::path& path) {
+    std::error_code ignored;
+    if (!fs::is_symlink(path, ignored)) return path;
+    fs::path target = fs::weakly_canonical(path, ignored);
+    return ignored ? path : target;
+}
+
+bool is_device(const fs::path& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+void check_place(const fs::path& path) {
+    std::error_code ignored;
+    const fs::path folder = folder_of(path);
+    if (!path.has_filename() || fs::is_directory(path, ignored))
+        throw EnvironmentError(
+            fmt::format("cannot write {}: it is a folder; name a file in it", path.string()));
+    if (!fs::exists(folder, ignored) && ignored.value() != EACCES)
+        throw EnvironmentError(
+            fmt::format("cannot write {}: the folder {} does not exist; make it first",
+                        path.string(), folder.string()));
+}
+
+// Whether the name still means the open file: between opening and locking, the run that held the
+// lock may have renamed or removed it.
+bool names(const fs::path& path, int descriptor) {
+    struct stat by_name {};
+    struct stat by_descriptor {};
+    return stat(path.c_str(), &by_name) == 0 && fstat(descriptor, &by_descriptor) == 0 &&
+           by_name.st_ino == by_descriptor.st_ino && by_name.st_dev == by_descriptor.st_dev;
+}
+
+}  // namespace
+
+void throw_write_error(const fs::path& path, int error_number) {
+    throw EnvironmentError(fmt::format("cannot write {}: {}", path.string(), reason(error_number)));
+}
+
+fs::path aside_path_of(const fs::path& path, std::string_view suffix) {
+    return path.parent_path() / fmt::format(".{}{}", path.filename().string(), suffix);
+}
+
+AtomicFile::AtomicFile(const fs::path& path) : path_(followed(path)) {
+    check_place(path_);
+    if (is_device(path_)) {
+        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+        if (descriptor_ < 0) throw_write_error(path_, errno);
+        return;
+    }
+    aside_ = aside_path_of(path_);
+    open_aside();
+}
+
+AtomicFile::AtomicFile(const fs::path& path, const fs::path& aside, bool keep_contents)
+    : path_(followed(path)), aside_(aside), keeps_(keep_contents) {
+    check_place(path_);
+    open_aside();
+}
+
+AtomicFile::~AtomicFile() {
+    // Whatever goes wrong after an interrupted run, what it has left is not lost.
+    if (keeps_ && has_contents()) aside_.clear();
+    discard();
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      aside_(std::exchange(other.aside_, {})),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      keeps_(other.keeps_) {}
+
+AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
+    if (this == &other) return *this;
+    discard();
+    path_ = std::move(other.path_);
+    aside_ = std::exchange(other.aside_, {});
+    descriptor_ = std::exchange(other.descriptor_, -1);
+    keeps_ = other.keeps_;
+    return *this;
+}
+
+void AtomicFile::open_aside() {
+    while (descriptor_ < 0) {
+        const int opened = ::open(aside_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+        if (opened < 0) throw_write_error(path_, errno);
+        // A file system that cannot lock still gets its file; it only cannot refuse a second run.
+        if (flock(opened, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            ::close(opened);
+            throw EnvironmentError(fmt::format(
+                "cannot write {}: another run is writing it; wait for it or name another output",
+                path_.string()));
+        }
+        if (names(aside_, opened))
+            descriptor_ = opened;
+        else
+            ::close(opened);
+    }
+    if (!keeps_ && ftruncate(descriptor_, 0) != 0) {
+        const int error_number = errno;
+        discard();
+        throw_write_error(path_, error_number);
+    }
+}
+
+bool AtomicFile::has_contents() const {
+    struct stat status {};
+    return descriptor_ >= 0 && fstat(descriptor_, &status) == 0 && status.st_size > 0;
+}
+
+void AtomicFile::write(std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t n_written = ::write(descriptor_, bytes.data(), bytes.size());
+        if (n_written < 0) {
+            if (errno == EINTR) continue;
+            throw_write_error(path_, errno);
+        }
+        bytes = bytes.subspan(static_cast<std::size_t>(n_written));
+    }
+}
+
+void AtomicFile::commit() {
+    const bool renames = !aside_.empty();
+    // A pipe or a terminal cannot be synced, and has nothing to lose.
+    if (fsync(descriptor_) != 0 && (renames || (errno != EINVAL && errno != EROFS))) {
+        const int error_number = errno;
+        discard();
+        throw_write_error(path_, error_number);
+    }
+    if (renames) {
+        if (::rename(aside_.c_str(), path_.c_str()) != 0) {
+            const int error_number = errno;
+            discard();
+            throw_write_error(path_, error_number);
+        }
+        aside_.clear();
+        // The name itself must reach the disk too; some file systems cannot sync a folder.
+        const int folder = ::open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (folder >= 0) {
+            fsync(folder);
+            ::close(folder);
+        }
+    }
+    const int closed = ::close(std::exchange(descriptor_, -1));
+    // What was synced and renamed is whole, whatever closing says.
+    if (closed != 0 && errno != EINTR && !renames) throw_write_error(path_, errno);
+}
+
+void AtomicFile::release() {
+    fsync(descriptor_);
+    aside_.clear();
+    discard();
+}
+
+void AtomicFile::replace(AtomicFile& other) {
+    if (fsync(descriptor_) != 0 || ::rename(aside_.c_str(), other.aside_.c_str()) != 0)
+        throw_write_error(path_, errno);
+    aside_ = std::exchange(other.aside_, {});
+    other.discard();
+}
+
+void AtomicFile::discard() noexcept {
+    // Removed before the lock goes, so that nobody else's file aside can be the one removed.
+    if (descriptor_ >= 0 && !aside_.empty()) ::unlink(aside_.c_str());
+    if (descriptor_ >= 0) ::close(descriptor_);
+    descriptor_ = -1;
+    aside_.clear();
+}
+
+}  // namespace poinsot

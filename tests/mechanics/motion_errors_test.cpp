@@ -1,0 +1,80 @@
+// Errors are measured rightly, and steps are chosen to reach what is asked.
+#include "mechanics/motion_errors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "mechanics/step_choice.h"
+
+namespace poinsot {
+namespace {
+
+MotionProblem generic_problem(const std::string& method) {
+    MotionProblem problem;
+    problem.inertia = InertiaTensor::from_principal_moments({1.0, 2.0, 2.9});
+    problem.start.omega_body = {1.678, 0.1, 0.639};
+    problem.method.name = method;
+    problem.last_time_s = 10.0;
+    return problem;
+}
+
+std::vector<double> frames() {
+    std::vector<double> times;
+    for (int k = 0; k < 300; ++k) times.push_back(k / 30.0);
+    return times;
+}
+
+TEST(MotionErrors, AngleIsThatOfTheRotationBetween) {
+    const Eigen::Quaterniond a(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 2).normalized()));
+    for (const double angle : {1e-14, 1e-8, 0.1, 3.0}) {
+        const Eigen::Quaterniond b = a * Eigen::Quaterniond(Eigen::AngleAxisd(
+                                             angle, Eigen::Vector3d(2, -1, 2).normalized()));
+        EXPECT_NEAR(angle_between(a, b), angle, 4e-16 + 4e-16 * angle);
+        EXPECT_NEAR(angle_between(a, Eigen::Quaterniond(-b.coeffs())), angle,
+                    4e-16 + 4e-16 * angle);
+    }
+}
+
+TEST(StepChoice, ReachesWhatIsAskedAndNotMuchMore) {
+    for (const std::string method : {"rk4", "rkmk4", "splitting", "dopri5"}) {
+        for (const double tolerance : {1e-3, 1e-5}) {
+            const MotionProblem problem = generic_problem(method);
+            const StepChoice choice = choose_step(problem, tolerance);
+            ASSERT_TRUE(choice.reached) << method;
+            MotionProblem chosen = problem;
+            chosen.method = choice.method;
+            const double error =
+                worst_errors(Motion(chosen), Motion(generic_problem("exact")), frames())
+                    .attitude_rad;
+            EXPECT_LT(error, 1.1 * tolerance) << method;
+
+            // Twice the step (ten times the tolerance) would not do.
+            if (choice.method.step_s) {
+                chosen.method.step_s = 2.0 * *choice.method.step_s;
+                const double coarser =
+                    worst_errors(Motion(chosen), Motion(generic_problem("exact")), frames())
+                        .attitude_rad;
+                EXPECT_GT(coarser, tolerance) << method;
+            }
+        }
+    }
+}
+
+TEST(StepChoice, LeavesAGivenStepAlone) {
+    MotionProblem problem = generic_problem("rk4");
+    problem.method.step_s = 0.125;
+    EXPECT_EQ(choose_step(problem, 1e-9).method.step_s, 0.125);
+    EXPECT_FALSE(choose_step(generic_problem("exact"), 1e-9).method.step_s);
+}
+
+TEST(StepChoice, SaysWhenItCannotBeReached) {
+    const StepChoice choice = choose_step(generic_problem("euler"), 1e-9, 2e4);
+    EXPECT_FALSE(choice.reached);
+    EXPECT_GT(choice.attitude_rad, 1e-9);
+}
+
+}  // namespace
+}  // namespace poinsot

@@ -1,0 +1,186 @@
+// Files made aside: whole under their name, or absent.
+#include "system/atomic_file.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "system/faults.h"
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::Test;
+
+std::vector<std::uint8_t> bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
+
+std::string text_of(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string message_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const EnvironmentError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(AtomicFile, AppearsUnderItsNameOnlyWhenCommitted) {
+    const TemporaryFolder folder;
+    AtomicFile file(folder / "a.png");
+    file.write(bytes_of("half"));
+    EXPECT_FALSE(fs::exists(folder / "a.png"));
+    file.write(bytes_of(" and half"));
+    file.commit();
+    EXPECT_EQ(text_of(folder / "a.png"), "half and half");
+    EXPECT_EQ(folder.contents(), std::vector<std::string>{"a.png"});
+}
+
+TEST(AtomicFile, UncommittedLeavesTheOldFileAndNothingElse) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.png") << "old";
+    {
+        AtomicFile file(folder / "a.png");
+        file.write(bytes_of("new"));
+    }
+    EXPECT_EQ(text_of(folder / "a.png"), "old");
+    EXPECT_EQ(folder.contents(), std::vector<std::string>{"a.png"});
+}
+
+TEST(AtomicFile, SecondRunOnTheSameOutputIsRefused) {
+    const TemporaryFolder folder;
+    AtomicFile first(folder / "a.png");
+    EXPECT_NE(message_of([&] { AtomicFile second(folder / "a.png"); }).find("another run"),
+              std::string::npos);
+    first.write(bytes_of("first"));
+    first.commit();
+    AtomicFile(folder / "a.png").commit();
+    EXPECT_EQ(text_of(folder / "a.png"), "");
+}
+
+TEST(AtomicFile, TakesOverWhatAKilledRunLeft) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / ".a.png.part") << "remains of another run";
+    AtomicFile file(folder / "a.png");
+    file.write(bytes_of("new"));
+    file.commit();
+    EXPECT_EQ(text_of(folder / "a.png"), "new");
+    EXPECT_EQ(folder.contents(), std::vector<std::string>{"a.png"});
+}
+
+TEST(AtomicFile, ReleasedContentsAreThereForTheNextRun) {
+    const TemporaryFolder folder;
+    {
+        AtomicFile file(folder / "a.mp4", folder / ".a.part");
+        file.write(bytes_of("kept"));
+        file.release();
+    }
+    EXPECT_EQ(text_of(folder / ".a.part"), "kept");
+    {
+        AtomicFile file(folder / "a.mp4", folder / ".a.part", true);
+        EXPECT_EQ(text_of(folder / ".a.part"), "kept");
+    }
+    // Kept again unless discarded, so that an error while going on loses nothing.
+    {
+        AtomicFile file(folder / "a.mp4", folder / ".a.part", true);
+        EXPECT_EQ(text_of(folder / ".a.part"), "kept");
+        file.discard();
+    }
+    EXPECT_TRUE(folder.contents().empty());
+    { const AtomicFile without_contents(folder / "a.mp4", folder / ".a.part", true); }
+    EXPECT_TRUE(folder.contents().empty());
+}
+
+TEST(AtomicFile, FollowsASymbolicLink) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "target.png") << "old";
+    fs::create_symlink("target.png", folder / "link.png");
+    AtomicFile file(folder / "link.png");
+    file.write(bytes_of("new"));
+    file.commit();
+    EXPECT_TRUE(fs::is_symlink(folder / "link.png"));
+    EXPECT_EQ(text_of(folder / "target.png"), "new");
+}
+
+TEST(AtomicFile, MissingFolderIsNamed) {
+    const TemporaryFolder folder;
+    const fs::path path = folder / "missing" / "a.png";
+    const std::string message = message_of([&] { AtomicFile file(path); });
+    EXPECT_EQ(message, "cannot write " + path.string() + ": the folder " +
+                           path.parent_path().string() + " does not exist; make it first");
+}
+
+TEST(AtomicFile, FolderIsNoFile) {
+    const TemporaryFolder folder;
+    EXPECT_NE(message_of([&] { AtomicFile file(folder.path()); }).find("it is a folder"),
+              std::string::npos);
+}
+
+TEST(AtomicFile, FullDeviceIsReportedAtTheWrite) {
+    AtomicFile file("/dev/full");
+    EXPECT_EQ(message_of([&] { file.write(bytes_of("x")); }),
+              "cannot write /dev/full: No space left on device");
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST(AtomicFile, DeviceIsWrittenAndNotReplaced) {
+    AtomicFile file("/dev/null");
+    file.write(bytes_of("x"));
+    file.commit();
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(AtomicFile, VanishedFolderIsReportedAtTheCommit) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "sub");
+    AtomicFile file(folder / "sub" / "a.png");
+    file.write(bytes_of("x"));
+    fs::remove_all(folder / "sub");
+    EXPECT_NE(message_of([&] { file.commit(); }).find("No such file or directory"),
+              std::string::npos);
+}
+
+TEST(AtomicFile, FolderWithoutPermissionIsReported) {
+    const TemporaryFolder folder;
+    fs::permissions(folder.path(), fs::perms(0555));
+    const std::string outcome = outcome_in_child([&] {
+        drop_privileges();
+        AtomicFile file(folder / "a.png");
+    });
+    EXPECT_EQ(outcome, "cannot write " + (folder / "a.png").string() + ": Permission denied");
+}
+
+TEST(AtomicFile, LimitOnFileSizeIsReportedAndLeavesNothing) {
+    const TemporaryFolder folder;
+    const std::string outcome = outcome_in_child([&] {
+        limit_file_size(1000);
+        AtomicFile file(folder / "a.png");
+        file.write(std::vector<std::uint8_t>(4000));
+    });
+    EXPECT_EQ(outcome, "cannot write " + (folder / "a.png").string() + ": File too large");
+    EXPECT_TRUE(folder.contents().empty());
+}
+
+TEST(AtomicFile, FullDiskIsReportedAndLeavesNothing) {
+    const TemporaryFolder folder;
+    const std::string outcome = outcome_in_child([&] {
+        if (!mount_small(folder.path(), "64k"))
+            throw std::runtime_error("this machine does not let us mount");
+        try {
+            AtomicFile file(folder / "a.png");
+            file.write(std::vector<std::uint8_t>(1 << 20));
+        } catch (const EnvironmentError&) {
+            if (!folder.contents().empty()) throw std::runtime_error("something was left");
+            throw;
+        }
+    });
+    if (outcome == kNoMount) GTEST_SKIP() << outcome;
+    EXPECT_EQ(outcome, "cannot write " + (folder / "a.png").string() + ": No space left on device");
+}
+
+}  // namespace
+}  // namespace poinsot
