@@ -73,7 +73,7 @@ Candidate candidate_for(const std::string& name, const ApproveChoices& choices) 
         throw InputError(fmt::format(
             "{}: drawn for this processor alone; draw it with --portable, or say --any-renderer",
             printable(candidate.file.string())));
-    candidate.baseline = {pixel_hash(read_png(candidate.file)),
+    candidate.baseline = {pixel_hash(read_stored_png(candidate.file)),
                           record.scene_hash,
                           record.renderer,
                           record.mesa,

@@ -100,9 +100,9 @@ void print_json(const std::vector<ComparedPicture>& pictures, const CompareLimit
             "\"mean_difference\": {}, \"ssim\": {}, \"flip\": {}}}{}\n",
             json_string(p.name), json_string(name_of(p.outcome)), p.passes(), json_string(p.reason),
             m.expected_width, m.expected_height, m.actual_width, m.actual_height, m.n_pixels,
-            m.n_differing, m.n_over_level, m.largest_difference, json_number(m.mean_difference),
-            measured ? json_number(m.ssim) : "null", measured ? json_number(m.flip) : "null",
-            i + 1 < pictures.size() ? "," : "");
+            m.n_differing, m.n_over_level, json_number(m.largest_difference),
+            json_number(m.mean_difference), measured ? json_number(m.ssim) : "null",
+            measured ? json_number(m.flip) : "null", i + 1 < pictures.size() ? "," : "");
     }
     fmt::print("  ]\n}}\n");
 }
@@ -164,7 +164,8 @@ int run(const Options& options) {
     const std::string title = fmt::format("{} compared with {}", printable(actual.string()),
                                           printable(expected.string()));
     if (!choices.diff.empty() && !pictures[0].actual.empty())
-        write_png(choices.diff, difference_picture(read_png(expected), read_png(actual)));
+        write_png(choices.diff,
+                  difference_picture(read_stored_png(expected), read_stored_png(actual)));
     if (!choices.report.empty()) write_text(choices.report, html_report(title, pictures));
     if (!choices.junit.empty()) write_text(choices.junit, junit_xml(title, pictures));
     if (options.json) {

@@ -18,9 +18,15 @@ bool same_size(const Image& a, const Image& b) {
     return a.width() == b.width() && a.height() == b.height();
 }
 
-void count_differences(const Image& expected, const Image& actual, int level, Comparison& result) {
-    const auto a = expected.bytes(), b = actual.bytes();
+// One level of 8 bits is so many of the samples' own.
+template <typename Sample>
+constexpr int kLevel = sizeof(Sample) == 2 ? 257 : 1;
+
+template <typename Sample>
+void count_differences(std::span<const Sample> a, std::span<const Sample> b, int level,
+                       Comparison& result) {
     std::int64_t sum = 0;
+    int largest_of_all = 0;
     for (std::size_t i = 0; i < a.size(); i += 4) {
         int largest = 0;
         for (std::size_t c = 0; c < 4; ++c) {
@@ -29,12 +35,14 @@ void count_differences(const Image& expected, const Image& actual, int level, Co
             largest = std::max(largest, difference);
         }
         result.n_differing += largest > 0;
-        result.n_over_level += largest > level;
-        result.largest_difference = std::max(result.largest_difference, largest);
+        result.n_over_level += largest > kLevel<Sample> * level;
+        largest_of_all = std::max(largest_of_all, largest);
     }
     result.n_pixels = static_cast<std::int64_t>(a.size() / 4);
+    result.largest_difference = 1.0 * largest_of_all / kLevel<Sample>;
     if (!a.empty())
-        result.mean_difference = static_cast<double>(sum) / static_cast<double>(a.size());
+        result.mean_difference =
+            static_cast<double>(sum) / static_cast<double>(a.size()) / kLevel<Sample>;
 }
 
 void judge(const CompareLimits& limits, Comparison& result) {
@@ -47,7 +55,7 @@ void judge(const CompareLimits& limits, Comparison& result) {
     result.verdict = too_many || too_strong ? Verdict::pixels_differ : Verdict::within_limits;
     result.reason = fmt::format(
         "{} of {} pixels differ ({:.3g} %, {:.3g} % allowed), {} by more than {} ({:.3g} %, {:.3g} "
-        "% allowed); the largest difference is {} levels",
+        "% allowed); the largest difference is {:.3g} levels",
         result.n_differing, result.n_pixels, 100 * share(result.n_differing),
         100 * limits.differing_share, result.n_over_level, limits.level,
         100 * share(result.n_over_level), 100 * limits.over_level_share, result.largest_difference);
@@ -73,7 +81,11 @@ Plane product(const Plane& a, const Plane& b) {
 
 }  // namespace
 
-Comparison compare(const Image& expected, const Image& actual, const CompareLimits& limits) {
+namespace {
+
+Comparison compare_samples(const Image& expected, const Image& actual,
+                           const DeepImage* deep_expected, const DeepImage* deep_actual,
+                           const CompareLimits& limits) {
     Comparison result;
     result.expected_width = expected.width(), result.expected_height = expected.height();
     result.actual_width = actual.width(), result.actual_height = actual.height();
@@ -83,11 +95,39 @@ Comparison compare(const Image& expected, const Image& actual, const CompareLimi
                                     expected.height(), actual.width(), actual.height());
         return result;
     }
-    count_differences(expected, actual, limits.level, result);
+    if (deep_expected != nullptr && deep_actual != nullptr)
+        count_differences(deep_expected->samples(), deep_actual->samples(), limits.level, result);
+    else
+        count_differences(expected.bytes(), actual.bytes(), limits.level, result);
     judge(limits, result);
     if (limits.measures_likeness && result.n_differing > 0) {
         result.ssim = structural_similarity(expected, actual);
         result.flip = flip_error(expected, actual);
+    }
+    return result;
+}
+
+}  // namespace
+
+Comparison compare(const Image& expected, const Image& actual, const CompareLimits& limits) {
+    return compare_samples(expected, actual, nullptr, nullptr, limits);
+}
+
+Comparison compare(const StoredPicture& expected, const StoredPicture& actual,
+                   const CompareLimits& limits) {
+    const bool deep = !expected.deep.empty() && !actual.deep.empty();
+    Comparison result =
+        compare_samples(expected.image, actual.image, deep ? &expected.deep : nullptr,
+                        deep ? &actual.deep : nullptr, limits);
+    if (result.verdict == Verdict::size_differs) return result;
+    if (expected.info.bit_depth != actual.info.bit_depth) {
+        result.verdict = Verdict::depth_differs;
+        result.reason = fmt::format("{} bits a component were expected, there are {}",
+                                    expected.info.bit_depth, actual.info.bit_depth);
+    } else if (expected.info.colours != actual.info.colours) {
+        result.verdict = Verdict::colours_differ;
+        result.reason = fmt::format("samples were expected to be read as {}, they are as {}",
+                                    expected.info.colours, actual.info.colours);
     }
     return result;
 }
@@ -140,6 +180,28 @@ Image difference_picture(const Image& expected, const Image& actual) {
                           ? Rgba8{magnified(e.r, a.r, alpha), magnified(e.g, a.g, alpha),
                                   magnified(e.b, a.b, alpha), 255}
                           : Rgba8{255, 255, 255, 255});
+        }
+    }
+    return sheet;
+}
+
+Image difference_picture(const StoredPicture& expected, const StoredPicture& actual) {
+    Image sheet = difference_picture(expected.image, actual.image);
+    const bool deep = !expected.deep.empty() && !actual.deep.empty();
+    if (!deep || !same_size(expected.image, actual.image)) return sheet;
+    const auto e = expected.deep.samples(), a = actual.deep.samples();
+    const int width = expected.deep.width();
+    for (int y = 0; y < expected.deep.height(); ++y) {
+        for (int x = 0; x < width; ++x) {
+            const std::size_t at =
+                4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                     static_cast<std::size_t>(x));
+            const auto difference = [&](std::size_t c) { return std::abs(e[at + c] - a[at + c]); };
+            const auto magnified = [&](std::size_t c) {
+                return static_cast<std::uint8_t>(
+                    std::min(255, 16 * (difference(c) + difference(3))));
+            };
+            sheet.set(width + x, y, {magnified(0), magnified(1), magnified(2), 255});
         }
     }
     return sheet;

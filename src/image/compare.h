@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "image/image.h"
+#include "image/png.h"
 
 namespace poinsot {
 
@@ -22,7 +22,14 @@ struct CompareLimits {
     static CompareLimits exact() { return {0, 0, 0, true}; }
 };
 
-enum class Verdict { same, within_limits, pixels_differ, size_differs };
+enum class Verdict {
+    same,
+    within_limits,
+    pixels_differ,
+    size_differs,
+    depth_differs,   // 8 bits a component, and 16
+    colours_differ,  // the same samples would be other colours
+};
 
 struct Comparison {
     Verdict verdict = Verdict::same;
@@ -33,7 +40,7 @@ struct Comparison {
     std::int64_t n_pixels = 0;
     std::int64_t n_differing = 0;   // differ in any channel, alpha among them
     std::int64_t n_over_level = 0;  // by more than the limits' level
-    int largest_difference = 0;     // levels
+    double largest_difference = 0;  // levels; of 16 bits, parts of one are counted
     double mean_difference = 0;     // levels, over all channels
     double ssim = 1;                // 1: alike; see structural_similarity
     double flip = 0;                // 0: alike; see flip_error
@@ -42,6 +49,11 @@ struct Comparison {
 };
 
 Comparison compare(const Image& expected, const Image& actual, const CompareLimits& limits = {});
+
+// The same with every bit that the files hold, and what makes colours of them. SSIM and FLIP see 8
+// bits. Of different depths or colours the 8 bits are measured, whatever the limits.
+Comparison compare(const StoredPicture& expected, const StoredPicture& actual,
+                   const CompareLimits& limits = {});
 
 // Mean structural similarity of the luma of two pictures of one size, laid on white.
 // Source: Wang, Bovik, Sheikh & Simoncelli, IEEE Trans. Image Processing 13 (2004) 600: 11×11
@@ -58,5 +70,8 @@ double flip_error(const Image& expected, const Image& actual);
 // expected | differences × 16 | actual, side by side. Where only one of the pictures reaches, the
 // middle is white; a difference in alpha shows as grey.
 Image difference_picture(const Image& expected, const Image& actual);
+
+// The same; of two with 16 bits the differences are in their own levels, so that the least shows.
+Image difference_picture(const StoredPicture& expected, const StoredPicture& actual);
 
 }  // namespace poinsot

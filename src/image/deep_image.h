@@ -20,8 +20,11 @@ class DeepImage {
 
     int width() const { return width_; }
     int height() const { return height_; }
+    bool empty() const { return samples_.empty(); }
     std::span<std::uint16_t> samples() { return samples_; }
     std::span<const std::uint16_t> samples() const { return samples_; }
+
+    bool operator==(const DeepImage&) const = default;
 
  private:
     int width_ = 0, height_ = 0;

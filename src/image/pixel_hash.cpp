@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+
 #include "system/sha256.h"
 
 namespace poinsot {
@@ -11,6 +16,26 @@ std::string pixel_hash(const Image& image) {
     hash.add(fmt::format("{}x{}\n", image.width(), image.height()));
     hash.add(image.bytes());
     return hash.finish();
+}
+
+std::string pixel_hash(const DeepImage& image) {
+    Sha256 hash;
+    hash.add(fmt::format("{}x{} 16\n", image.width(), image.height()));
+    std::array<std::uint8_t, 4096> bytes{};
+    for (auto rest = image.samples(); !rest.empty();) {
+        const std::size_t n = std::min(rest.size(), bytes.size() / 2);
+        for (std::size_t i = 0; i < n; ++i) {
+            bytes[2 * i] = static_cast<std::uint8_t>(rest[i] >> 8);
+            bytes[2 * i + 1] = static_cast<std::uint8_t>(rest[i] & 0xff);
+        }
+        hash.add(std::span(bytes).first(2 * n));
+        rest = rest.subspan(n);
+    }
+    return hash.finish();
+}
+
+std::string pixel_hash(const StoredPicture& picture) {
+    return picture.deep.empty() ? pixel_hash(picture.image) : pixel_hash(picture.deep);
 }
 
 }  // namespace poinsot

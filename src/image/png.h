@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "image/deep_image.h"
 #include "image/image.h"
 
 namespace poinsot {
@@ -23,6 +24,17 @@ struct PngOptions {
 struct PngInfo {
     std::map<std::string, std::string> texts;
     double pixels_per_metre = 0;  // 0: not said, or not square
+    int bit_depth = 8;            // of a component: 16, or 8, which stands for less, too
+    // By what its samples become colours, in words: "sRGB", which is also what a file means that
+    // says nothing; "gamma 1", "an ICC profile (SHA-256 …)".
+    std::string colours = "sRGB";
+};
+
+// A picture with all that its file holds of it.
+struct StoredPicture {
+    Image image;     // with 8 bits a component, rounded where there are 16
+    DeepImage deep;  // where there are 16; else empty
+    PngInfo info;
 };
 
 // The largest side of a picture that is drawn and written at once.
@@ -61,12 +73,17 @@ void write_png(const std::filesystem::path& path, const Image& image,
 
 // Any PNG as 8-bit RGBA: palettes and greys expanded, 16 bits rounded to 8, samples otherwise as
 // stored. `name` stands in messages.
-// Throws: InputError for what is not a whole PNG, or has more than kMostPngPixels.
+// Throws: InputError for what is not a whole PNG, is an animation, of which the first picture alone
+// would be read, or has more than kMostPngPixels.
 Image decode_png(std::span<const std::uint8_t> file, const std::string& name,
                  PngInfo* info = nullptr);
 
 // Throws: InputError as decode_png, and for a missing file; EnvironmentError if it cannot be read.
 Image read_png(const std::filesystem::path& path, PngInfo* info = nullptr);
+
+// The same with every bit that is stored. Throws: as read_png.
+StoredPicture decode_stored_png(std::span<const std::uint8_t> file, const std::string& name);
+StoredPicture read_stored_png(const std::filesystem::path& path);
 
 // What a PNG file says before its pixels, which are not decoded: of a picture of any size.
 // Throws: as read_png.

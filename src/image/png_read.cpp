@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csetjmp>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <system_error>
 
 #include "error/error.h"
 #include "image/png.h"
+#include "system/sha256.h"
 
 namespace poinsot {
 
@@ -63,12 +66,16 @@ bool read_header(Source& source) {
     return true;
 }
 
-bool choose_rgba(Source& source) {
+// Samples of 16 bits come the low byte first, as this processor has them.
+bool choose_rgba(Source& source, bool deep) {
     if (setjmp(png_jmpbuf(source.png))) return false;
     png_set_expand(source.png);
-    png_set_scale_16(source.png);
+    if (deep)
+        png_set_swap(source.png);
+    else
+        png_set_scale_16(source.png);
     png_set_gray_to_rgb(source.png);
-    png_set_add_alpha(source.png, 0xff, PNG_FILLER_AFTER);
+    png_set_add_alpha(source.png, deep ? 0xffff : 0xff, PNG_FILLER_AFTER);
     png_set_interlace_handling(source.png);
     png_read_update_info(source.png, source.info);
     return true;
@@ -95,8 +102,12 @@ std::string utf8_of_latin1(std::string_view latin1) {
     return utf8;
 }
 
+std::string colours_of(std::span<const std::uint8_t> file);
+
 PngInfo info_of(const Source& source) {
     PngInfo info;
+    info.bit_depth = png_get_bit_depth(source.png, source.info) == 16 ? 16 : 8;
+    info.colours = colours_of(source.file);
     png_textp texts = nullptr;
     int n_texts = 0;
     png_get_text(source.png, source.info, &texts, &n_texts);
@@ -130,6 +141,60 @@ void check_start(std::span<const std::uint8_t> file, const std::string& name, bo
                                      name, width, height, kMostPngPixels / 1'000'000));
 }
 
+// The chunks before the pixels by type, the first of each.
+using Chunks = std::map<std::string, std::span<const std::uint8_t>, std::less<>>;
+
+// Precondition: check_chunks has passed.
+Chunks chunks_before_pixels(std::span<const std::uint8_t> file) {
+    Chunks chunks;
+    for (std::size_t at = 8; at < file.size();) {
+        const std::size_t length = u32_at(file, at);
+        const std::string type(reinterpret_cast<const char*>(file.data()) + at + 4, 4);
+        if (type == "IDAT" || type == "IEND") break;
+        chunks.emplace(type, file.subspan(at + 8, length));
+        at += 12 + length;
+    }
+    return chunks;
+}
+
+std::string hexadecimal(std::span<const std::uint8_t> bytes) {
+    std::string digits;
+    for (const std::uint8_t byte : bytes) digits += fmt::format("{:02x}", byte);
+    return digits;
+}
+
+// Of several, the first in this order counts. Source: PNG specification (third edition), §4.3.
+std::string colours_of(std::span<const std::uint8_t> file) {
+    const Chunks chunks = chunks_before_pixels(file);
+    if (const auto cicp = chunks.find("cICP"); cicp != chunks.end())
+        return fmt::format("code points {}", hexadecimal(cicp->second));
+    if (const auto profile = chunks.find("iCCP"); profile != chunks.end()) {
+        Sha256 hash;
+        hash.add(profile->second);
+        return fmt::format("an ICC profile (SHA-256 {}…)", hash.finish().substr(0, 16));
+    }
+    if (chunks.contains("sRGB")) return "sRGB";
+    // In units of 1/100,000: what sRGB comes to (§11.3.2.5).
+    constexpr std::uint32_t unit = 100'000, srgb_gamma = 45'455;
+    constexpr std::array<std::uint32_t, 8> srgb_points{31270, 32900, 64000, 33000,
+                                                       30000, 60000, 15000, 6000};
+    std::string words;
+    const auto gamma = chunks.find("gAMA");
+    if (gamma != chunks.end() && gamma->second.size() == 4 &&
+        u32_at(gamma->second, 0) != srgb_gamma)
+        words = fmt::format("gamma {:g}", static_cast<double>(u32_at(gamma->second, 0)) / unit);
+    const auto points = chunks.find("cHRM");
+    if (points != chunks.end() && points->second.size() == 4 * srgb_points.size()) {
+        bool of_srgb = true;
+        for (std::size_t i = 0; i < srgb_points.size(); ++i)
+            of_srgb = of_srgb && u32_at(points->second, 4 * i) == srgb_points[i];
+        if (!of_srgb)
+            words += fmt::format("{}primaries {}", words.empty() ? "" : ", ",
+                                 hexadecimal(points->second));
+    }
+    return words.empty() ? "sRGB" : words;
+}
+
 // libpng takes memory for a chunk by the length that it claims, before reading it.
 void check_chunks(std::span<const std::uint8_t> file, const std::string& name) {
     std::size_t at = 8;
@@ -143,6 +208,10 @@ void check_chunks(std::span<const std::uint8_t> file, const std::string& name) {
                 fmt::format("{} is a broken PNG picture: a chunk of {} bytes besides "
                             "the pixels; at most {} are read",
                             name, length, kLargestChunk_bytes));
+        if (type == "acTL")
+            throw InputError(fmt::format(
+                "{} is an animation, of which only one picture would be looked at; give a picture",
+                name));
         if (type == "IEND") return;
         at += 12 + length;
     }
@@ -192,23 +261,68 @@ std::vector<std::uint8_t> read_file(const fs::path& path) {
 
 }  // namespace
 
+namespace {
+
+// Reads the pixels into rows of samples, of 8 bits or of 16.
+template <typename Picture, typename Sample>
+Picture read_samples(Source& source, const std::string& name,
+                     std::span<Sample> (Picture::*samples)()) {
+    constexpr bool deep = sizeof(Sample) == 2;
+    // A short file cannot hold a large picture; nothing is allocated on its word alone.
+    const std::size_t height = png_get_image_height(source.png, source.info);
+    if (png_get_rowbytes(source.png, source.info) * height / kLargestDeflateRatio >
+        source.file.size())
+        throw InputError(fmt::format("{} is cut short", name));
+    if (!choose_rgba(source, deep)) refuse(source, name);
+    Picture picture(static_cast<int>(png_get_image_width(source.png, source.info)),
+                    static_cast<int>(height));
+    std::vector<png_bytep> rows(height);
+    for (std::size_t y = 0; y < height; ++y)
+        rows[y] = reinterpret_cast<png_bytep>((picture.*samples)().data() +
+                                              4 * y * static_cast<std::size_t>(picture.width()));
+    if (!read_pixels(source, rows.data())) refuse(source, name);
+    return picture;
+}
+
+Image read_image(Source& source, const std::string& name) {
+    return read_samples<Image, std::uint8_t>(source, name, &Image::bytes);
+}
+
+// To the nearest level, as libpng scales.
+Image rounded(const DeepImage& deep) {
+    Image image(deep.width(), deep.height());
+    std::transform(
+        deep.samples().begin(), deep.samples().end(), image.bytes().begin(),
+        [](std::uint16_t v) { return static_cast<std::uint8_t>((v * 255u + 32895) >> 16); });
+    return image;
+}
+
+}  // namespace
+
 Image decode_png(std::span<const std::uint8_t> file, const std::string& name, PngInfo* info) {
     Source source;
     begin(file, name, true, source);
-
-    // A short file cannot hold a large picture; nothing is allocated on its word alone.
-    const std::size_t height = png_get_image_height(source.png, source.info);
-    if (png_get_rowbytes(source.png, source.info) * height / kLargestDeflateRatio > file.size())
-        throw InputError(fmt::format("{} is cut short", name));
-    if (!choose_rgba(source)) refuse(source, name);
-    Image image(static_cast<int>(png_get_image_width(source.png, source.info)),
-                static_cast<int>(height));
-    std::vector<png_bytep> rows(height);
-    for (std::size_t y = 0; y < height; ++y)
-        rows[y] = image.bytes().data() + 4 * y * static_cast<std::size_t>(image.width());
-    if (!read_pixels(source, rows.data())) refuse(source, name);
+    Image image = read_image(source, name);
     if (info) *info = info_of(source);
     return image;
+}
+
+StoredPicture decode_stored_png(std::span<const std::uint8_t> file, const std::string& name) {
+    Source source;
+    begin(file, name, true, source);
+    StoredPicture picture;
+    if (png_get_bit_depth(source.png, source.info) == 16) {
+        picture.deep = read_samples<DeepImage, std::uint16_t>(source, name, &DeepImage::samples);
+        picture.image = rounded(picture.deep);
+    } else {
+        picture.image = read_image(source, name);
+    }
+    picture.info = info_of(source);
+    return picture;
+}
+
+StoredPicture read_stored_png(const fs::path& path) {
+    return decode_stored_png(read_file(path), path.string());
 }
 
 Image read_png(const fs::path& path, PngInfo* info) {

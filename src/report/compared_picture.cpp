@@ -25,6 +25,10 @@ Outcome outcome_of(Verdict verdict) {
             return Outcome::within_limits;
         case Verdict::size_differs:
             return Outcome::size;
+        case Verdict::depth_differs:
+            return Outcome::depth;
+        case Verdict::colours_differ:
+            return Outcome::colours;
         case Verdict::pixels_differ:
             break;
     }
@@ -57,7 +61,8 @@ std::map<std::string, fs::path> pictures_in(const fs::path& folder) {
 }  // namespace
 
 std::string_view name_of(Outcome outcome) {
-    constexpr std::array<std::string_view, 7> names{"unreadable", "missing",       "size", "pixels",
+    constexpr std::array<std::string_view, 9> names{"unreadable", "missing",       "size",
+                                                    "depth",      "colours",       "pixels",
                                                     "unexpected", "within limits", "same"};
     return names.at(static_cast<std::size_t>(outcome));
 }
@@ -81,7 +86,7 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
         return result;
     }
     try {
-        result.measured = compare(read_png(expected), read_png(actual), limits);
+        result.measured = compare(read_stored_png(expected), read_stored_png(actual), limits);
         result.outcome = outcome_of(result.measured.verdict);
         result.reason = result.measured.reason;
     } catch (const InputError& error) {

@@ -17,6 +17,8 @@ enum class Outcome {
     unreadable,  // one of the two is no whole PNG
     missing,     // expected, but not there
     size,        // there, in another size
+    depth,       // with another number of bits a component
+    colours,     // with samples that mean other colours
     pixels,      // more pixels differ than may
     unexpected,  // there, but nothing says what it should look like
     within_limits,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -29,7 +30,7 @@ std::vector<std::uint8_t> contents_of(const std::filesystem::path& path) {
 }
 
 // The middle of expected | difference × 16 | actual.
-Image difference_alone(const Image& expected, const Image& actual) {
+Image difference_alone(const StoredPicture& expected, const StoredPicture& actual) {
     const Image sheet = difference_picture(expected, actual);
     Image middle(sheet.width() / 3, sheet.height());
     for (int y = 0; y < middle.height(); ++y)
@@ -40,7 +41,7 @@ Image difference_alone(const Image& expected, const Image& actual) {
 std::string numbers_in_words(const ComparedPicture& picture) {
     const Comparison& m = picture.measured;
     if (m.n_pixels == 0 || picture.outcome == Outcome::same) return "";
-    return fmt::format("{} of {} pixels, at most {} levels; FLIP {:.3g}, SSIM {:.5f}",
+    return fmt::format("{} of {} pixels, at most {:.3g} levels; FLIP {:.3g}, SSIM {:.5f}",
                        m.n_differing, m.n_pixels, m.largest_difference, m.flip, m.ssim);
 }
 
@@ -57,10 +58,11 @@ std::string object_of(const ComparedPicture& picture) {
         add_file("expected", picture.expected);
         add_file("actual", picture.actual);
     }
-    if (picture.outcome == Outcome::pixels || picture.outcome == Outcome::size ||
-        picture.outcome == Outcome::within_limits) {
+    constexpr std::array measured{Outcome::size, Outcome::depth, Outcome::colours, Outcome::pixels,
+                                  Outcome::within_limits};
+    if (std::find(measured.begin(), measured.end(), picture.outcome) != measured.end()) {
         const Image difference =
-            difference_alone(read_png(picture.expected), read_png(picture.actual));
+            difference_alone(read_stored_png(picture.expected), read_stored_png(picture.actual));
         object += fmt::format(R"(,"difference":"{}")", data_uri(encode_png(difference)));
     }
     return object + "}";

@@ -75,6 +75,51 @@ TEST(Compare, SizesAreAReasonOfTheirOwn) {
     EXPECT_FALSE(result.passes());
 }
 
+StoredPicture deep_picture(std::uint16_t level) {
+    StoredPicture picture;
+    picture.deep = DeepImage(100, 100);
+    std::fill(picture.deep.samples().begin(), picture.deep.samples().end(), level);
+    picture.image = filled(100, 100, {128, 128, 128, 128});
+    picture.info.bit_depth = 16;
+    return picture;
+}
+
+// 257 levels of 16 bits are one of 8: what both round to the same still differs.
+TEST(Compare, SeesEveryBitThatIsStored) {
+    const StoredPicture before = deep_picture(128 * 257);
+    EXPECT_EQ(compare(before, before, CompareLimits::exact()).verdict, Verdict::same);
+    StoredPicture after = before;
+    for (auto& sample : after.deep.samples()) ++sample;
+    const Comparison result = compare(before, after, CompareLimits::exact());
+    EXPECT_EQ(result.verdict, Verdict::pixels_differ);
+    EXPECT_EQ(result.n_differing, 10000);
+    EXPECT_DOUBLE_EQ(result.largest_difference, 1 / 257.0);
+    EXPECT_DOUBLE_EQ(result.mean_difference, 1 / 257.0);
+    // Levels of limits are those of 8 bits.
+    after = before;
+    after.deep.samples()[0] += 2 * 257;
+    after.deep.samples()[4] += 2 * 257 + 1;
+    EXPECT_EQ(compare(before, after).n_over_level, 1);
+}
+
+TEST(Compare, DepthsAndColoursAreReasonsOfTheirOwn) {
+    const StoredPicture deep = deep_picture(128 * 257);
+    StoredPicture shallow = deep;
+    shallow.deep = {};
+    shallow.info.bit_depth = 8;
+    const CompareLimits anything{1, 255, 1, true};
+    const Comparison depth = compare(deep, shallow, anything);
+    EXPECT_EQ(depth.verdict, Verdict::depth_differs);
+    EXPECT_EQ(depth.reason, "16 bits a component were expected, there are 8");
+    EXPECT_FALSE(depth.passes());
+    StoredPicture darker = shallow;
+    darker.info.colours = "gamma 1";
+    const Comparison colours = compare(shallow, darker, anything);
+    EXPECT_EQ(colours.verdict, Verdict::colours_differ);
+    EXPECT_EQ(colours.reason, "samples were expected to be read as sRGB, they are as gamma 1");
+    EXPECT_FALSE(colours.passes());
+}
+
 // Flat pictures have no variance: SSIM is (2ab + C1)/(a² + b² + C1).
 TEST(Ssim, OfFlatGreysIsTheClosedForm) {
     constexpr double c1 = 6.5025;
@@ -192,6 +237,15 @@ TEST(DifferencePicture, ShowsExpectedDifferenceActual) {
     EXPECT_EQ(sheet.at(2, 0), (Rgba8{0, 0, 0, 255}));
     EXPECT_EQ(sheet.at(3, 0), (Rgba8{48, 0, 255, 255}));
     EXPECT_EQ(sheet.at(5, 0), actual.at(1, 0));
+}
+
+TEST(DifferencePicture, ShowsTheLeastOfSixteenBits) {
+    const StoredPicture before = deep_picture(128 * 257);
+    StoredPicture after = before;
+    after.deep.samples()[1] += 1;
+    after.deep.samples()[2] -= 3;
+    EXPECT_EQ(difference_picture(before, after).at(100, 0), (Rgba8{0, 16, 48, 255}));
+    EXPECT_EQ(difference_picture(before, after).at(101, 0), (Rgba8{0, 0, 0, 255}));
 }
 
 TEST(DifferencePicture, MarksWhereOnlyOneReaches) {

@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "error/error.h"
+#include "image/pixel_hash.h"
 #include "image/png_bands.h"
 #include "image/synthetic.h"
 #include "system/atomic_file.h"
@@ -133,6 +134,83 @@ TEST(PngReading, GreyAndPaletteBecomeRgba) {
         written_by_libpng(PNG_FORMAT_RGB_COLORMAP, 3, 1, {0, 1, 0}, {1, 2, 3, 250, 251, 252}), "x");
     EXPECT_EQ(palette.at(0, 0), (Rgba8{1, 2, 3, 255}));
     EXPECT_EQ(palette.at(1, 0), (Rgba8{250, 251, 252, 255}));
+}
+
+// Chunks put in after the header.
+Bytes with_chunk(const Bytes& file, const std::string& type, const Bytes& contents) {
+    constexpr std::size_t header_end = 33;
+    Bytes chunk = {0, 0, 0, static_cast<std::uint8_t>(contents.size())};
+    chunk.insert(chunk.end(), type.begin(), type.end());
+    chunk.insert(chunk.end(), contents.begin(), contents.end());
+    const std::uint32_t crc = libdeflate_crc32(0, chunk.data() + 4, chunk.size() - 4);
+    for (int shift = 24; shift >= 0; shift -= 8)
+        chunk.push_back(static_cast<std::uint8_t>(crc >> shift));
+    Bytes result = file;
+    result.insert(result.begin() + header_end, chunk.begin(), chunk.end());
+    return result;
+}
+
+// Every 16-bit value there is, in R, its complement in A.
+DeepImage all_levels() {
+    DeepImage deep(256, 256);
+    for (std::size_t i = 0; i < 65536; ++i) {
+        deep.samples()[4 * i] = static_cast<std::uint16_t>(i);
+        deep.samples()[4 * i + 3] = static_cast<std::uint16_t>(65535 - i);
+    }
+    return deep;
+}
+
+TEST(PngReading, GivesEveryStoredBitBack) {
+    const TemporaryFolder folder;
+    const DeepImage deep = all_levels();
+    PngBandWriter writer(folder / "a.png", 256, 256, false, {}, 16);
+    writer.write(deep);
+    writer.finish();
+    const StoredPicture stored = read_stored_png(folder / "a.png");
+    EXPECT_EQ(stored.info.bit_depth, 16);
+    EXPECT_TRUE(stored.deep == deep);
+    EXPECT_TRUE(stored.image == read_png(folder / "a.png"));
+
+    const Image image = synthetic_frame(40, 30, 2);
+    const StoredPicture shallow = decode_stored_png(encode_png(image), "x");
+    EXPECT_EQ(shallow.info.bit_depth, 8);
+    EXPECT_TRUE(shallow.deep.empty());
+    EXPECT_TRUE(shallow.image == image);
+}
+
+// Hashes of 16 bits differ where one sample differs by one, and from that of the rounded picture.
+TEST(PngReading, HashesWhatIsStored) {
+    StoredPicture stored;
+    stored.deep = all_levels();
+    const std::string before = pixel_hash(stored);
+    stored.deep.samples()[77] ^= 1;
+    EXPECT_NE(pixel_hash(stored), before);
+    // python3: hashlib.sha256(b"1x1 16\n" + bytes([0x12, 0x34, 0, 1, 0xff, 0, 0xff, 0xff]))
+    DeepImage one(1, 1);
+    const std::array<std::uint16_t, 4> samples{0x1234, 1, 0xff00, 0xffff};
+    std::copy(samples.begin(), samples.end(), one.samples().begin());
+    EXPECT_EQ(pixel_hash(one), "a04404e21e7de086dd862999db66a1cebff01559d912dc2b247d57ac70842715");
+}
+
+TEST(PngReading, SaysByWhatSamplesBecomeColours) {
+    // Without its sRGB chunk, of one byte, after the header.
+    Bytes plain = encode_png(Image(2, 2));
+    plain.erase(plain.begin() + 33, plain.begin() + 33 + 13);
+    const auto colours = [&](const std::string& type, const Bytes& contents) {
+        return decode_stored_png(with_chunk(plain, type, contents), "x").info.colours;
+    };
+    EXPECT_EQ(decode_stored_png(encode_png(Image(2, 2)), "x").info.colours, "sRGB");
+    EXPECT_EQ(colours("gAMA", {0, 0, 0xb1, 0x8f}), "sRGB");  // 1/2.2
+    EXPECT_EQ(colours("gAMA", {0, 1, 0x86, 0xa0}), "gamma 1");
+    EXPECT_EQ(colours("cHRM", Bytes(32, 0)), "primaries " + std::string(64, '0'));
+    EXPECT_EQ(colours("cICP", {9, 16, 0, 1}), "code points 09100001");
+}
+
+TEST(PngReading, RefusesAnimations) {
+    const Bytes file =
+        with_chunk(encode_png(synthetic_frame(8, 8, 0)), "acTL", {0, 0, 0, 2, 0, 0, 0, 0});
+    EXPECT_NE(refusal([&] { decode_png(file, "x"); }).find("x is an animation"), std::string::npos);
+    EXPECT_NE(refusal([&] { decode_stored_png(file, "x"); }), "");
 }
 
 // A written grey+alpha row of 16-bit samples: 257·v is exactly v in 8 bits.
