@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 #include "cli/command.h"
@@ -13,9 +11,8 @@
 #include "image/pixel_hash.h"
 #include "image/png.h"
 #include "production/record.h"
-#include "report/baseline_manifest.h"
+#include "report/baselines.h"
 #include "report/compared_picture.h"
-#include "system/atomic_file.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -105,50 +102,43 @@ void check_reason(const Candidate& candidate, const BaselineManifest& manifest) 
         printable(candidate.name)));
 }
 
-void copy_picture(const fs::path& from, const fs::path& to) {
-    std::ifstream file(from, std::ios::binary);
-    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
-    if (!file) throw EnvironmentError(fmt::format("{}: cannot be read", from.string()));
-    std::error_code ignored;  // the write that follows says what is wrong
-    fs::create_directories(to.parent_path(), ignored);
-    AtomicFile copy(to);
-    copy.write(bytes);
-    copy.commit();
-}
-
 int run(const Options& options) {
     const ApproveChoices& choices = options.approve;
     if (choices.results.empty() || choices.baselines.empty())
         throw InputError(
             "poinsot approve: say with --results and --baselines from which folder to which");
-    BaselineManifest manifest = read_manifest(choices.baselines);
+    const auto say = [&options](const std::string& name, std::string_view what) {
+        if (!options.quiet) fmt::print("{}: {}\n", printable(name), what);
+    };
+    BaselineWriter baselines(choices.baselines);
+    for (const std::string& name : baselines.finished())
+        say(name, "taken by an approval that was interrupted; its line is written now");
 
     // Everything is checked before anything is changed.
-    std::vector<Candidate> changed;
+    const BaselineManifest& manifest = baselines.manifest();
+    std::vector<BaselineWriter::Change> changes;
+    std::vector<std::string_view> outcomes;
     for (const std::string& name : names_wanted(options)) {
         Candidate candidate = candidate_for(name, choices);
         const auto before = manifest.find(name);
-        std::error_code ignored;
-        const bool is_there = fs::exists(fs::path(choices.baselines) / (name + ".png"), ignored);
-        if (is_there && before != manifest.end() &&
-            before->second.pixels == candidate.baseline.pixels) {
-            if (!options.quiet) fmt::print("{}: as it was\n", printable(name));
-            continue;
+        if (before != manifest.end() && before->second.pixels == candidate.baseline.pixels) {
+            if (baselines.pixels_of(name) == candidate.baseline.pixels) {
+                say(name, "as it was");
+                continue;
+            }
+            // The picture was lost or changed; its line stays.
+            candidate.baseline = before->second;
+            outcomes.emplace_back("put back; what was there was not what had been approved");
+        } else {
+            check_renderer(candidate, manifest, choices);
+            check_reason(candidate, manifest);
+            if (candidate.baseline.why.empty()) candidate.baseline.why = "first picture";
+            outcomes.emplace_back(before == manifest.end() ? "new" : "changed");
         }
-        check_renderer(candidate, manifest, choices);
-        check_reason(candidate, manifest);
-        if (candidate.baseline.why.empty()) candidate.baseline.why = "first picture";
-        changed.push_back(std::move(candidate));
+        changes.push_back({name, candidate.file, candidate.baseline});
     }
-
-    for (const Candidate& candidate : changed) {
-        copy_picture(candidate.file, fs::path(choices.baselines) / (candidate.name + ".png"));
-        const bool is_new = !manifest.contains(candidate.name);
-        manifest[candidate.name] = candidate.baseline;
-        write_manifest(choices.baselines, manifest);
-        if (!options.quiet)
-            fmt::print("{}: {}\n", printable(candidate.name), is_new ? "new" : "changed");
-    }
+    baselines.take(changes);
+    for (std::size_t i = 0; i < changes.size(); ++i) say(changes[i].name, outcomes[i]);
     return 0;
 }
 

@@ -156,8 +156,9 @@ int run(const Options& options) {
         pictures = compare_folders(expected, actual, limits);
         sort_by_severity(pictures);
     } else {
+        const Baselines baselines(expected.parent_path());
         pictures = {compare_files(actual.filename().replace_extension().string(), expected, actual,
-                                  limits)};
+                                  limits, &baselines, expected.stem().string())};
         if (pictures[0].outcome == Outcome::unreadable) throw InputError(pictures[0].reason);
     }
 

@@ -146,21 +146,50 @@ BaselineManifest parse_manifest(std::string_view text, const std::string& name) 
     return manifest;
 }
 
-BaselineManifest read_manifest(const std::filesystem::path& folder) {
-    const std::filesystem::path path = folder / kManifestName;
+namespace {
+
+std::filesystem::path next_path(const std::filesystem::path& folder) {
+    return folder / fmt::format(".{}.next", kManifestName);
+}
+
+std::optional<BaselineManifest> read_if_there(const std::filesystem::path& path) {
     std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) return {};
+    if (!std::filesystem::exists(path, ignored)) return std::nullopt;
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file) throw EnvironmentError(fmt::format("{}: cannot be read", path.string()));
     return parse_manifest(text, path.string());
 }
 
-void write_manifest(const std::filesystem::path& folder, const BaselineManifest& manifest) {
+void write(const std::filesystem::path& path, const BaselineManifest& manifest) {
     const std::string text = to_text(manifest);
-    AtomicFile file(folder / kManifestName);
+    AtomicFile file(path);
     file.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     file.commit();
+}
+
+}  // namespace
+
+BaselineManifest read_manifest(const std::filesystem::path& folder) {
+    return read_if_there(folder / kManifestName).value_or(BaselineManifest{});
+}
+
+void write_manifest(const std::filesystem::path& folder, const BaselineManifest& manifest) {
+    write(folder / kManifestName, manifest);
+}
+
+std::optional<BaselineManifest> read_next_manifest(const std::filesystem::path& folder) {
+    return read_if_there(next_path(folder));
+}
+
+void write_next_manifest(const std::filesystem::path& folder, const BaselineManifest& manifest) {
+    write(next_path(folder), manifest);
+}
+
+void remove_next_manifest(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::remove(next_path(folder), error);
+    if (error) throw_write_error(folder / kManifestName, error.value());
 }
 
 }  // namespace poinsot

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -37,5 +38,11 @@ BaselineManifest read_manifest(const std::filesystem::path& folder);
 
 // Written aside and renamed. Throws EnvironmentError.
 void write_manifest(const std::filesystem::path& folder, const BaselineManifest& manifest);
+
+// The manifest as it is to become, which lies beside it while pictures are replaced: what an
+// approval that was interrupted has left to do. Throws as the above.
+std::optional<BaselineManifest> read_next_manifest(const std::filesystem::path& folder);
+void write_next_manifest(const std::filesystem::path& folder, const BaselineManifest& manifest);
+void remove_next_manifest(const std::filesystem::path& folder);
 
 }  // namespace poinsot

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "error/error.h"
+#include "image/pixel_hash.h"
 #include "image/png.h"
 #include "text/printable.h"
 
@@ -61,19 +62,28 @@ std::map<std::string, fs::path> pictures_in(const fs::path& folder) {
 }  // namespace
 
 std::string_view name_of(Outcome outcome) {
-    constexpr std::array<std::string_view, 9> names{"unreadable", "missing",       "size",
-                                                    "depth",      "colours",       "pixels",
-                                                    "unexpected", "within limits", "same"};
+    constexpr std::array<std::string_view, 10> names{
+        "unreadable", "missing", "baseline",   "size",          "depth",
+        "colours",    "pixels",  "unexpected", "within limits", "same"};
     return names.at(static_cast<std::size_t>(outcome));
 }
 
 ComparedPicture compare_files(const std::string& name, const fs::path& expected,
-                              const fs::path& actual, const CompareLimits& limits) {
+                              const fs::path& actual, const CompareLimits& limits,
+                              const Baselines* baselines, const std::string& baseline_name) {
     ComparedPicture result;
     result.name = name;
     std::error_code ignored;
     if (fs::exists(expected, ignored)) result.expected = expected;
     if (fs::exists(actual, ignored)) result.actual = actual;
+    const bool is_listed = baselines != nullptr && baselines->manifest().contains(baseline_name);
+    if (result.expected.empty() && is_listed) {
+        result.outcome = Outcome::baseline;
+        result.reason = fmt::format(
+            "{} names this baseline, but the picture is gone; put it back, or approve one",
+            kManifestName);
+        return result;
+    }
     if (result.actual.empty()) {
         result.outcome = Outcome::missing;
         result.reason = "there is no such picture; it was expected";
@@ -86,9 +96,16 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
         return result;
     }
     try {
-        result.measured = compare(read_stored_png(expected), read_stored_png(actual), limits);
+        const StoredPicture picture = read_stored_png(expected);
+        result.measured = compare(picture, read_stored_png(actual), limits);
         result.outcome = outcome_of(result.measured.verdict);
         result.reason = result.measured.reason;
+        if (baselines == nullptr || !baselines->has_manifest()) return result;
+        if (std::string fault = baselines->fault(baseline_name, pixel_hash(picture));
+            !fault.empty()) {
+            result.outcome = Outcome::baseline;
+            result.reason = std::move(fault);
+        }
     } catch (const InputError& error) {
         result.outcome = Outcome::unreadable;
         result.reason = error.what();
@@ -103,13 +120,15 @@ std::vector<ComparedPicture> compare_folders(const fs::path& expected, const fs:
     std::map<std::string, std::pair<fs::path, fs::path>> names;
     for (const auto& [name, path] : expected_files) names[name].first = path;
     for (const auto& [name, path] : actual_files) names[name].second = path;
+    const Baselines baselines(expected);
+    for (const auto& [name, line] : baselines.manifest()) names[name];
     if (names.empty())
         throw InputError(fmt::format("{} and {}: no .png in either; nothing to compare",
                                      printable(expected.string()), printable(actual.string())));
     std::vector<ComparedPicture> results;
     results.reserve(names.size());
     for (const auto& [name, paths] : names)
-        results.push_back(compare_files(name, paths.first, paths.second, limits));
+        results.push_back(compare_files(name, paths.first, paths.second, limits, &baselines, name));
     return results;
 }
 

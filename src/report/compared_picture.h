@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "image/compare.h"
+#include "report/baselines.h"
 
 namespace poinsot {
 
@@ -16,6 +17,7 @@ namespace poinsot {
 enum class Outcome {
     unreadable,  // one of the two is no whole PNG
     missing,     // expected, but not there
+    baseline,    // what is there to compare with is not what was approved
     size,        // there, in another size
     depth,       // with another number of bits a component
     colours,     // with samples that mean other colours
@@ -38,12 +40,16 @@ struct ComparedPicture {
     bool passes() const { return outcome == Outcome::same || outcome == Outcome::within_limits; }
 };
 
-// Two files. One that does not exist is missing, or unexpected.
+// Two files. One that does not exist is missing, or unexpected. The baselines, where given, say by
+// their manifest what the expected picture of their name is.
 ComparedPicture compare_files(const std::string& name, const std::filesystem::path& expected,
-                              const std::filesystem::path& actual, const CompareLimits& limits);
+                              const std::filesystem::path& actual, const CompareLimits& limits,
+                              const Baselines* baselines = nullptr,
+                              const std::string& baseline_name = "");
 
-// Every .png in either folder and the folders below, hidden ones left out, by name. Throws
-// InputError for a folder that cannot be read, and where there is no picture at all.
+// Every .png in either folder and the folders below, hidden ones left out, by name, and what the
+// manifest of the first names, where it has one. Throws InputError for a folder or a manifest that
+// cannot be read, and where there is no picture at all.
 std::vector<ComparedPicture> compare_folders(const std::filesystem::path& expected,
                                              const std::filesystem::path& actual,
                                              const CompareLimits& limits);

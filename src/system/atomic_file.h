@@ -31,8 +31,10 @@ class AtomicFile {
     // The same with a file aside of the caller's naming, in the same folder.
     // keep_contents leaves what a killed run has written, for the caller to go on from, and unless
     // it is discarded leaves it again.
+    // Another run that holds it is waited for if so told.
+    enum class IfHeld { refuse, wait };
     AtomicFile(const std::filesystem::path& path, const std::filesystem::path& aside,
-               bool keep_contents = false);
+               bool keep_contents = false, IfHeld if_held = IfHeld::refuse);
     ~AtomicFile();  // removes what is aside, unless it was committed or released or is kept
     AtomicFile(AtomicFile&& other) noexcept;
     AtomicFile& operator=(AtomicFile&& other) noexcept;
@@ -59,7 +61,7 @@ class AtomicFile {
     void replace(AtomicFile& other);
 
  private:
-    void open_aside();
+    void open_aside(IfHeld if_held);
     bool has_contents() const;
 
     std::filesystem::path path_;

@@ -7,6 +7,7 @@
 
 #include "cli/program_run.h"
 #include "image/png.h"
+#include "image/png_bands.h"
 #include "places.h"
 
 namespace poinsot::testing {
@@ -187,6 +188,58 @@ TEST_F(Pictures, OfAnotherRendererAreRefusedUnlessTold) {
     EXPECT_EQ(refused.code, 2);
     EXPECT_TRUE(is_one_line(refused.err) && contains(refused.err, "--any-renderer")) << refused.err;
     EXPECT_EQ(approve("b --any-renderer").code, 0);
+}
+
+// Two pictures whose 16 bits differ and whose 8 bits do not.
+TEST_F(Pictures, OfSixteenBitsAreComparedByAllOfThem) {
+    draw("new/a.png", "--portable --time 0.1 --depth 16");
+    ASSERT_EQ(approve("a").code, 0);
+    StoredPicture picture = read_stored_png(folder_.path() / "new/a.png");
+    for (std::uint16_t& sample : picture.deep.samples())
+        if (sample % 257 == 0 && sample != 65535) ++sample;
+    PngOptions options;
+    options.texts = picture.info.texts;
+    PngBandWriter writer(folder_.path() / "new/a.png", picture.deep.width(), picture.deep.height(),
+                         true, options, 16);
+    writer.write(picture.deep);
+    writer.finish();
+    ASSERT_TRUE(read_png(folder_.path() / "new/a.png") == picture.image);
+    const ProgramRun compared = run("compare ref new");
+    EXPECT_EQ(compared.code, 1);
+    EXPECT_TRUE(contains(compared.out, "pixels: a: ")) << compared.out;
+    EXPECT_NE(approve("a").out, "a: as it was\n");
+
+    draw("new/a.png", "--portable --time 0.1");
+    const ProgramRun shallow = run("compare ref new --profile native");
+    EXPECT_EQ(shallow.code, 1);
+    EXPECT_TRUE(contains(shallow.out, "depth: a: 16 bits")) << shallow.out;
+}
+
+// A baseline that is not what was approved is said by compare, and put back by approve.
+TEST_F(Pictures, ChangedBehindTheManifestAreFoundOut) {
+    draw("new/a.png", "--portable --time 0.1");
+    ASSERT_EQ(approve("a").code, 0);
+    draw("ref/a.png", "--portable --time 0.2");
+    for (const char* both : {"ref new", "ref/a.png new/a.png"}) {
+        const ProgramRun compared = run(std::string("compare ") + both);
+        EXPECT_EQ(compared.code, 1);
+        EXPECT_TRUE(contains(compared.out, "baseline: a: ")) << compared.out;
+    }
+    const ProgramRun back = approve("a");
+    EXPECT_EQ(back.code, 0) << back.err;
+    EXPECT_TRUE(contains(back.out, "a: put back")) << back.out;
+    EXPECT_EQ(run("compare ref new").code, 0);
+    EXPECT_EQ(approve("a").out, "a: as it was\n");
+}
+
+TEST_F(Pictures, ApprovedByTwoAtOnceAllHaveTheirLines) {
+    for (const char* name : {"a", "b", "c", "d"})
+        draw(std::string("new/") + name + ".png", "--portable --time 0.1");
+    const std::string approve = "'" POINSOT_PROGRAM "' approve -q --results new --baselines ref ";
+    const std::string both =
+        "cd '" + folder_.path().string() + "' && (" + approve + "a b & " + approve + "c d & wait)";
+    ASSERT_EQ(std::system(both.c_str()), 0);
+    EXPECT_EQ(run("compare ref new").out, "4 compared, 0 failed, 4 the same\n");
 }
 
 TEST_F(Pictures, StayInTheirFolder) {

@@ -1,0 +1,131 @@
+#include "report/baselines.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "error/error.h"
+#include "image/pixel_hash.h"
+#include "image/png.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void copy_picture(const fs::path& from, const fs::path& to) {
+    std::ifstream file(from, std::ios::binary);
+    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+    if (!file) throw EnvironmentError(fmt::format("{}: cannot be read", from.string()));
+    std::error_code ignored;  // the write that follows says what is wrong
+    fs::create_directories(to.parent_path(), ignored);
+    AtomicFile copy(to);
+    copy.write(bytes);
+    copy.commit();
+}
+
+fs::path picture_in(const fs::path& folder, const std::string& name) {
+    return folder / (name + ".png");
+}
+
+}  // namespace
+
+std::string pixel_hash_of_file(const fs::path& picture) {
+    try {
+        return pixel_hash(read_stored_png(picture));
+    } catch (const Error&) {
+        return "";
+    }
+}
+
+Baselines::Baselines(fs::path folder) : folder_(std::move(folder)) {
+    std::error_code ignored;
+    manifest_ = read_manifest(folder_);
+    next_ = read_next_manifest(folder_);
+    has_manifest_ = fs::exists(folder_ / kManifestName, ignored) || next_.has_value();
+}
+
+fs::path Baselines::picture(const std::string& name) const { return picture_in(folder_, name); }
+
+std::string Baselines::fault(const std::string& name, const std::string& pixels) const {
+    if (!has_manifest_) return "";
+    const auto line = manifest_.find(name);
+    if (line != manifest_.end() && line->second.pixels == pixels) return "";
+    if (next_) {
+        const auto next = next_->find(name);
+        if (next != next_->end() && next->second.pixels == pixels)
+            return "an approval of this baseline was interrupted; `poinsot approve` into the "
+                   "folder finishes it";
+    }
+    if (line == manifest_.end())
+        return fmt::format(
+            "the baseline has no line in {}, so nobody has approved it; approve it or take it away",
+            kManifestName);
+    return fmt::format(
+        "the baseline is not the picture that was approved, whose hash is in {}; put that one "
+        "back, or approve the one that is right",
+        kManifestName);
+}
+
+BaselineWriter::BaselineWriter(fs::path folder) : folder_(std::move(folder)) {
+    std::error_code ignored;  // the lock says what is wrong
+    made_ = fs::create_directories(folder_, ignored);
+    const fs::path list = folder_ / kManifestName;
+    lock_.emplace(list, aside_path_of(list, ".lock"), false, AtomicFile::IfHeld::wait);
+    manifest_ = read_manifest(folder_);
+    finish_interrupted();
+}
+
+BaselineWriter::~BaselineWriter() {
+    lock_.reset();
+    std::error_code not_empty;
+    if (made_) fs::remove(folder_, not_empty);
+}
+
+std::string BaselineWriter::pixels_of(const std::string& name) const {
+    return pixel_hash_of_file(picture_in(folder_, name));
+}
+
+// A picture that has been replaced gets its line; one that has not keeps the line it has.
+void BaselineWriter::finish_interrupted() {
+    const auto next = read_next_manifest(folder_);
+    if (!next) return;
+    for (const auto& [name, line] : *next) {
+        const auto now = manifest_.find(name);
+        if (now != manifest_.end() && now->second == line) continue;
+        if (pixels_of(name) != line.pixels) continue;
+        manifest_[name] = line;
+        finished_.push_back(name);
+    }
+    if (!finished_.empty()) write_manifest(folder_, manifest_);
+    remove_next_manifest(folder_);
+}
+
+void BaselineWriter::take(const std::vector<Change>& changes) {
+    BaselineManifest next = manifest_;
+    for (const Change& change : changes) next[change.name] = change.line;
+    // Pictures and lines cannot be renamed at once: the lines wait on disk, so that whoever comes
+    // next can tell a picture that was approved from one that was changed by hand.
+    if (next != manifest_) write_next_manifest(folder_, next);
+    try {
+        for (const Change& change : changes)
+            copy_picture(change.from, picture_in(folder_, change.name));
+    } catch (const Error&) {
+        try {
+            finish_interrupted();
+        } catch (const Error&) {
+            // What lies aside is for the next run.
+            finished_.clear();
+        }
+        throw;
+    }
+    if (next == manifest_) return;
+    write_manifest(folder_, next);
+    manifest_ = std::move(next);
+    remove_next_manifest(folder_);
+}
+
+}  // namespace poinsot
