@@ -24,7 +24,8 @@ struct PngOptions {
 struct PngInfo {
     std::map<std::string, std::string> texts;
     double pixels_per_metre = 0;  // 0: not said, or not square
-    int bit_depth = 8;            // of a component: 16, or 8, which stands for less, too
+    int width_px = 0, height_px = 0;
+    int bit_depth = 8;  // of a component: 16, or 8, which stands for less, too
     // By what its samples become colours, in words: "sRGB", which is also what a file means that
     // says nothing; "gamma 1", "an ICC profile (SHA-256 …)".
     std::string colours = "sRGB";
@@ -58,6 +59,9 @@ class PngEncoder {
     // Throws: InputError for an empty picture, or one larger than what is read again.
     std::span<const std::uint8_t> encode(const Image& image);
 
+    // The texts of pictures from now on. Throws: InputError for a keyword that PNG cannot hold.
+    void set_texts(const std::map<std::string, std::string>& texts);
+
  private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
@@ -85,7 +89,7 @@ Image read_png(const std::filesystem::path& path, PngInfo* info = nullptr);
 StoredPicture decode_stored_png(std::span<const std::uint8_t> file, const std::string& name);
 StoredPicture read_stored_png(const std::filesystem::path& path);
 
-// What a PNG file says before its pixels, which are not decoded: of a picture of any size.
+// What a PNG file says before and after its pixels, which are not decoded: of any size.
 // Throws: as read_png.
 PngInfo read_png_info(const std::filesystem::path& path);
 

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <optional>
 
 #include "error/error.h"
+#include "image/pixel_check.h"
 #include "image/png_chunks.h"
 #include "system/atomic_file.h"
 
@@ -25,7 +27,9 @@ constexpr std::size_t kChunk_bytes = 1 << 18;
 
 struct PngBandWriter::Impl {
     Impl(const std::filesystem::path& path, const png::Format& format_, const PngOptions& options)
-        : format(format_), chunk(kChunk_bytes) {
+        : format(format_),
+          check(format.width_px, format.height_px, format.bit_depth),
+          chunk(kChunk_bytes) {
         const Bytes front = png::front(format, kLargestBandedPngSide_px, png::description(options));
         file.emplace(path);
         file->write(front);
@@ -65,7 +69,18 @@ struct PngBandWriter::Impl {
         rows.clear();
     }
 
+    // A sample of full alpha stands for the one that is not written.
+    template <typename Sample>
+    void add_to_check(std::span<const Sample> samples) {
+        if (!format.opaque) return check.add(samples);
+        std::vector<Sample> shown(samples.begin(), samples.end());
+        for (std::size_t i = 3; i < shown.size(); i += 4)
+            shown[i] = std::numeric_limits<Sample>::max();
+        check.add(std::span<const Sample>(shown));
+    }
+
     png::Format format;
+    PixelCheck check;
     int n_rows_written = 0;
     std::optional<AtomicFile> file;
     z_stream stream{};
@@ -84,21 +99,25 @@ void PngBandWriter::write(const Image& band) {
     assert(impl_->format.bit_depth == 8);
     std::uint8_t* const rows = impl_->take_rows(band.width(), band.height());
     png::filter_rows(band, impl_->format.opaque, png::Filter::sub, 0, band.height(), rows);
+    impl_->add_to_check(band.bytes());
     impl_->compress(Z_NO_FLUSH);
 }
 
 void PngBandWriter::write(const DeepImage& band) {
     assert(impl_->format.bit_depth == 16);
     png::filter_rows(band, impl_->format.opaque, impl_->take_rows(band.width(), band.height()));
+    impl_->add_to_check(band.samples());
     impl_->compress(Z_NO_FLUSH);
 }
 
-void PngBandWriter::finish() {
+std::string PngBandWriter::pixel_check() const { return impl_->check.digits(); }
+
+void PngBandWriter::finish(const std::map<std::string, std::string>& texts) {
     if (impl_->n_rows_written != impl_->format.height_px)
         throw InputError(fmt::format("{} of {} rows were given to {}", impl_->n_rows_written,
                                      impl_->format.height_px, impl_->file->path().string()));
     impl_->compress(Z_FINISH);
-    impl_->file->write(png::back());
+    impl_->file->write(png::back(texts));
     impl_->file->commit();
 }
 

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <string>
 
 #include "image/deep_image.h"
 #include "image/image.h"
@@ -29,8 +31,12 @@ class PngBandWriter {
     void write(const Image& band);
     void write(const DeepImage& band);
 
-    // Syncs and renames. Throws: InputError if rows are missing; EnvironmentError.
-    void finish();
+    // The quick hash of the pixels written so far; see image/pixel_check.h.
+    std::string pixel_check() const;
+
+    // Writes texts that are known only now, after the pixels; syncs and renames. Throws: InputError
+    // if rows are missing, or for a keyword that PNG cannot hold; EnvironmentError.
+    void finish(const std::map<std::string, std::string>& texts = {});
 
  private:
     struct Impl;

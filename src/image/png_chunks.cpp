@@ -100,8 +100,9 @@ Bytes front(const Format& format, int largest_side_px, std::span<const std::uint
     return out;
 }
 
-Bytes back() {
+Bytes back(const std::map<std::string, std::string>& texts) {
     Bytes out;
+    for (const auto& [keyword, text] : texts) append_text(out, keyword, text);
     append_chunk(out, "IEND", {});
     return out;
 }

@@ -37,7 +37,8 @@ struct Format {
 // one with a side larger than this.
 Bytes front(const Format& format, int largest_side_px, std::span<const std::uint8_t> description);
 Bytes description(const PngOptions& options);
-Bytes back();
+// Texts that follow the pixels, and the end.
+Bytes back(const std::map<std::string, std::string>& texts = {});
 
 // n_rows rows from y on, each after its filter's byte, into row_size · n_rows bytes.
 void filter_rows(const Image& image, bool opaque, Filter filter, int y, int n_rows,

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "error/error.h"
+#include "image/pixel_check.h"
 #include "image/png.h"
 #include "system/sha256.h"
 
@@ -106,6 +107,8 @@ std::string colours_of(std::span<const std::uint8_t> file);
 
 PngInfo info_of(const Source& source) {
     PngInfo info;
+    info.width_px = static_cast<int>(png_get_image_width(source.png, source.info));
+    info.height_px = static_cast<int>(png_get_image_height(source.png, source.info));
     info.bit_depth = png_get_bit_depth(source.png, source.info) == 16 ? 16 : 8;
     info.colours = colours_of(source.file);
     png_textp texts = nullptr;
@@ -221,16 +224,20 @@ void check_chunks(std::span<const std::uint8_t> file, const std::string& name) {
     throw InputError(fmt::format("{} is a broken PNG picture: {}", name, source.message.data()));
 }
 
-// Reads all that stands before the pixels.
-void begin(std::span<const std::uint8_t> file, const std::string& name, bool with_pixels,
-           Source& source) {
-    check_start(file, name, with_pixels);
-    check_chunks(file, name);
+// Reads all that stands before the pixels of a file that is checked.
+void begin_checked(std::span<const std::uint8_t> file, const std::string& name, Source& source) {
     source.file = file;
     source.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
     if (source.png) source.info = png_create_info_struct(source.png);
     if (!source.info) throw EnvironmentError("no memory to read a PNG picture");
     if (!read_header(source)) refuse(source, name);
+}
+
+void begin(std::span<const std::uint8_t> file, const std::string& name, bool with_pixels,
+           Source& source) {
+    check_start(file, name, with_pixels);
+    check_chunks(file, name);
+    begin_checked(file, name, source);
 }
 
 std::vector<std::uint8_t> read_file(const fs::path& path) {
@@ -329,10 +336,71 @@ Image read_png(const fs::path& path, PngInfo* info) {
     return decode_png(read_file(path), path.string(), info);
 }
 
-PngInfo read_png_info(const fs::path& path) {
+namespace {
+
+// The file as if all that it says stood before its pixels, of which only the beginning is left.
+// Precondition: check_chunks has passed.
+std::vector<std::uint8_t> without_pixels(std::span<const std::uint8_t> file) {
+    const std::span<const std::uint8_t> signature = file.first(8);
+    std::vector<std::uint8_t> result(signature.begin(), signature.end());
+    std::span<const std::uint8_t> first_pixels;
+    for (std::size_t at = 8; at < file.size();) {
+        const std::size_t size = 12 + u32_at(file, at);
+        const auto chunk = file.subspan(at, size);
+        const std::string_view type(reinterpret_cast<const char*>(chunk.data()) + 4, 4);
+        if (type == "IEND") break;
+        if (type != "IDAT")
+            result.insert(result.end(), chunk.begin(), chunk.end());
+        else if (first_pixels.empty())
+            first_pixels = chunk.first(8);
+        at += size;
+    }
+    result.insert(result.end(), first_pixels.begin(), first_pixels.end());
+    return result;
+}
+
+bool read_row(Source& source, png_bytep row) {
+    if (setjmp(png_jmpbuf(source.png))) return false;
+    png_read_row(source.png, row, nullptr);
+    return true;
+}
+
+template <typename Sample>
+std::string check_of_rows(Source& source, const std::string& name) {
+    constexpr bool deep = sizeof(Sample) == 2;
+    const auto width = static_cast<int>(png_get_image_width(source.png, source.info));
+    const auto height = static_cast<int>(png_get_image_height(source.png, source.info));
+    if (!choose_rgba(source, deep)) refuse(source, name);
+    std::vector<Sample> row(4u * static_cast<std::size_t>(width));
+    PixelCheck check(width, height, deep ? 16 : 8);
+    for (int y = 0; y < height; ++y) {
+        if (!read_row(source, reinterpret_cast<png_bytep>(row.data()))) refuse(source, name);
+        check.add(std::span<const Sample>(row));
+    }
+    return check.digits();
+}
+
+}  // namespace
+
+std::string pixel_check_of(const fs::path& path) {
     const std::vector<std::uint8_t> file = read_file(path);
     Source source;
     begin(file, path.string(), false, source);
+    // The rows of an interlaced picture come in seven turns.
+    if (png_get_interlace_type(source.png, source.info) != PNG_INTERLACE_NONE)
+        return pixel_check(decode_stored_png(file, path.string()));
+    return png_get_bit_depth(source.png, source.info) == 16
+               ? check_of_rows<std::uint16_t>(source, path.string())
+               : check_of_rows<std::uint8_t>(source, path.string());
+}
+
+PngInfo read_png_info(const fs::path& path) {
+    const std::vector<std::uint8_t> file = read_file(path);
+    check_start(file, path.string(), false);
+    check_chunks(file, path.string());
+    const std::vector<std::uint8_t> said = without_pixels(file);
+    Source source;
+    begin_checked(said, path.string(), source);
     return info_of(source);
 }
 

@@ -50,6 +50,7 @@ struct PngEncoder::Impl {
     }
     Filter better_filter(const Image& image, bool opaque);
 
+    PngOptions options;
     Bytes description;
     Compressor compressor;
     Scratch rows, file;
@@ -76,7 +77,8 @@ Filter PngEncoder::Impl::better_filter(const Image& image, bool opaque) {
 
 PngEncoder::PngEncoder(const PngOptions& options)
     : impl_(
-          new Impl{png::description(options),
+          new Impl{options,
+                   png::description(options),
                    {libdeflate_alloc_compressor(options.deflate_level), libdeflate_free_compressor},
                    {},
                    {}}) {
@@ -109,6 +111,11 @@ std::span<const std::uint8_t> PngEncoder::encode(const Image& image) {
     png::put_u32(idat + 8 + n_deflated, libdeflate_crc32(0, idat + 4, n_deflated + 4));
     std::uint8_t* const end = std::copy(back.begin(), back.end(), idat + 12 + n_deflated);
     return {start, end};
+}
+
+void PngEncoder::set_texts(const std::map<std::string, std::string>& texts) {
+    impl_->options.texts = texts;
+    impl_->description = png::description(impl_->options);
 }
 
 std::vector<std::uint8_t> encode_png(const Image& image, const PngOptions& options) {

@@ -1,0 +1,87 @@
+// The quick hash: what its specification says, and the same however a file holds the pixels.
+#include "image/pixel_check.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "image/png_bands.h"
+#include "image/synthetic.h"
+#include "system/faults.h"
+
+namespace poinsot {
+namespace {
+
+std::uint64_t hash_of(std::string_view text) {
+    Xxh64 hash;
+    hash.add({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    return hash.value();
+}
+
+// Values that the reference implementation's users publish.
+TEST(Xxh64, IsThatOfItsSpecification) {
+    EXPECT_EQ(hash_of(""), 0xef46db3751d8e999u);
+    EXPECT_EQ(hash_of("a"), 0xd24ec4f1a98c6e5bu);
+    EXPECT_EQ(hash_of("abc"), 0x44bc2cf5ad770999u);
+    EXPECT_EQ(hash_of("Nobody inspects the spammish repetition"), 0xfbcea83c8a378bf1u);
+}
+
+TEST(Xxh64, DoesNotDependOnTheParts) {
+    std::mt19937 random(5);
+    std::string text(1000, ' ');
+    for (char& c : text) c = static_cast<char>(random());
+    for (int round = 0; round < 50; ++round) {
+        Xxh64 hash;
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t n = std::min<std::size_t>(random() % 90, text.size() - at);
+            hash.add({reinterpret_cast<const std::uint8_t*>(text.data()) + at, n});
+            at += n;
+        }
+        EXPECT_EQ(hash.value(), hash_of(text));
+    }
+}
+
+TEST(PixelCheck, IsThatOfThePixelsInAFile) {
+    const TemporaryFolder folder;
+    Image image = synthetic_frame(70, 50, 4);
+    for (const std::uint8_t alpha : {255, 100}) {
+        image.set(3, 2, {1, 2, 3, alpha});
+        write_png(folder / "a.png", image);
+        EXPECT_EQ(pixel_check_of(folder / "a.png"), pixel_check(image)) << int{alpha};
+    }
+    const std::string before = pixel_check(image);
+    image.set(69, 49, {1, 2, 4, 255});
+    EXPECT_NE(pixel_check(image), before);
+    // As many pixels with the same bytes are another picture.
+    EXPECT_NE(pixel_check(Image(20, 10)), pixel_check(Image(10, 20)));
+}
+
+// A picture that is written without alpha has none, whatever its bands had.
+TEST(PixelCheck, OfBandsIsThatOfTheFile) {
+    const TemporaryFolder folder;
+    std::mt19937 random(9);
+    for (const bool opaque : {true, false}) {
+        PngBandWriter shallow(folder / "8.png", 30, 20, opaque);
+        PngBandWriter deep(folder / "16.png", 30, 20, opaque, {}, 16);
+        for (int band = 0; band < 2; ++band) {
+            Image image(30, 10);
+            for (std::uint8_t& byte : image.bytes()) byte = static_cast<std::uint8_t>(random());
+            shallow.write(image);
+            DeepImage deep_image(30, 10);
+            for (std::uint16_t& s : deep_image.samples()) s = static_cast<std::uint16_t>(random());
+            deep.write(deep_image);
+        }
+        const std::string of_shallow = shallow.pixel_check(), of_deep = deep.pixel_check();
+        shallow.finish({{"Note", of_shallow}});
+        deep.finish();
+        EXPECT_EQ(pixel_check_of(folder / "8.png"), of_shallow);
+        EXPECT_EQ(pixel_check_of(folder / "16.png"), of_deep);
+        EXPECT_EQ(pixel_check(read_stored_png(folder / "16.png")), of_deep);
+        // What follows the pixels is read without them.
+        EXPECT_EQ(read_png_info(folder / "8.png").texts["Note"], of_shallow);
+        EXPECT_EQ(read_png_info(folder / "8.png").height_px, 20);
+    }
+}
+
+}  // namespace
+}  // namespace poinsot
