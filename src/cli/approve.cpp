@@ -63,13 +63,20 @@ std::vector<std::string> names_wanted(const Options& options) {
     return names;
 }
 
-Candidate candidate_for(const std::string& name, const ApproveChoices& choices) {
+Candidate candidate_for(const std::string& name, const ApproveChoices& choices, bool quiet) {
     Candidate candidate{name, fs::path(choices.results) / (name + ".png"), {}};
     const Record record = read_record(candidate.file);
     if (!record.portable && !choices.any_renderer)
         throw InputError(fmt::format(
             "{}: drawn for this processor alone; draw it with --portable, or say --any-renderer",
             printable(candidate.file.string())));
+    const Verification verification = verify(candidate.file, record);
+    if (verification.verified == Verified::no)
+        throw InputError(fmt::format("{}: {}; draw it again", printable(candidate.file.string()),
+                                     verification.sentence));
+    if (verification.verified == Verified::cannot_be && !quiet)
+        fmt::print(stderr, "note: {}: {}\n", printable(candidate.file.string()),
+                   verification.sentence);
     candidate.baseline = {pixel_hash(read_stored_png(candidate.file)),
                           record.scene_hash,
                           record.renderer,
@@ -119,7 +126,7 @@ int run(const Options& options) {
     std::vector<BaselineWriter::Change> changes;
     std::vector<std::string_view> outcomes;
     for (const std::string& name : names_wanted(options)) {
-        Candidate candidate = candidate_for(name, choices);
+        Candidate candidate = candidate_for(name, choices, options.quiet);
         const auto before = manifest.find(name);
         if (before != manifest.end() && before->second.pixels == candidate.baseline.pixels) {
             if (baselines.pixels_of(name) == candidate.baseline.pixels) {

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
+#include <optional>
 
 #include "cli/command.h"
 #include "production/record.h"
@@ -12,7 +14,19 @@ namespace poinsot {
 
 namespace {
 
-std::string json_of(const Record& record) {
+std::string_view name_of(Verified verified) {
+    switch (verified) {
+        case Verified::yes:
+            return "yes";
+        case Verified::no:
+            return "no";
+        case Verified::cannot_be:
+            break;
+    }
+    return "cannot be";
+}
+
+std::string json_of(const Record& record, const std::optional<Verification>& verification) {
     std::string text = "{\n";
     const auto add = [&text](std::string_view key, const std::string& json) {
         text += fmt::format("  {}: {},\n", json_string(key), json);
@@ -33,26 +47,45 @@ std::string json_of(const Record& record) {
     if (record.bit_depth != 8) add("depth", fmt::format("{}", record.bit_depth));
     if (record.frames)
         add("frames", fmt::format("[{}, {}]", record.frames->first, record.frames->second));
+    if (record.run) add("run", fmt::format("[{}, {}]", record.run->first, record.run->second));
+    if (record.frame) add("frame", fmt::format("{}", *record.frame));
+    if (!record.pixels.empty()) add("pixels_xxh64", json_string(record.pixels));
+    if (!record.packets.empty()) add("packets_sha256", json_string(record.packets));
+    if (verification) add("verified", json_string(name_of(verification->verified)));
     return text + fmt::format("  \"scene_toml\": {}\n}}\n", json_string(record.scene_toml));
 }
 
-int run(const Options& options) {
-    const Record record = read_record(options.arguments.at(0));
-    if (options.json) {
-        fmt::print("{}", json_of(record));
-        return 0;
-    }
-    // The text comes from a file: nothing in it may steer the terminal.
-    const std::string text = to_text(record);
+// The text comes from a file: nothing in it may steer the terminal.
+void print_text(const Record& record) {
+    const std::string text = record.sealed ? sealed_text(record) : to_text(record);
     for (std::size_t from = 0; from < text.size();) {
         const std::size_t end = std::min(text.find('\n', from), text.size());
         fmt::print("{}\n", printable(text.substr(from, end - from)));
         from = end + 1;
     }
-    return 0;
 }
 
-constexpr std::array<std::string_view, 1> options_taken{"json"};
+int run(const Options& options) {
+    const std::filesystem::path file = options.arguments.at(0);
+    const Record record = read_record(file);
+    std::optional<Verification> verification;
+    if (options.verify || is_quickly_verified(file, record)) verification = verify(file, record);
+    if (options.json)
+        fmt::print("{}", json_of(record, verification));
+    else
+        print_text(record);
+    const auto named = frame_of_name(file);
+    if (record.frame && named && *named != *record.frame)
+        fmt::print(stderr, "note: {}: is frame {} of its sequence, whatever its name says\n",
+                   printable(file.string()), *record.frame);
+    if (!verification) return 0;
+    const bool says_no = verification->verified == Verified::no;
+    if (says_no || options.verify)
+        fmt::print(stderr, "{}: {}\n", printable(file.string()), verification->sentence);
+    return says_no || (options.verify && verification->verified != Verified::yes) ? 1 : 0;
+}
+
+constexpr std::array<std::string_view, 2> options_taken{"json", "verify"};
 
 }  // namespace
 

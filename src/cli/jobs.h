@@ -32,7 +32,9 @@ class Still {
     Staging staging_;
 };
 
-// A film or sequence, all of it or options.frames.
-int make_film(const Session& session, const Options& options, Easel& easel);
+// A film or sequence, all of it or options.frames. Of a film the first n_shown of those frames may
+// be asked for, with the bytes of a run that was interrupted after them; 0: all.
+int make_film(const Session& session, const Options& options, Easel& easel,
+              std::int64_t n_shown = 0);
 
 }  // namespace poinsot

@@ -42,6 +42,7 @@ struct Options {
     bool quiet = false;
     bool certify = false;  // render --certify
     bool plan = false;     // check --plan
+    bool verify = false;   // explain --verify
     PrintChoices print;
     CompareChoices compare;
     ApproveChoices approve;

@@ -141,6 +141,11 @@ const auto option_table = std::to_array<OptionRow>({
                 "T,T,…: instants of the motion in seconds")
              ->required();
      }},
+    {"verify",
+     [](CLI::App& app, Options& o) {
+         app.add_flag("--verify", o.verify,
+                      "read all of the file: are its pictures those that its record was written with?");
+     }},
     {"json", [](CLI::App& app, Options& o) { app.add_flag("--json", o.json, "answer in JSON"); }},
     {"profile",
      [](CLI::App& app, Options& o) {

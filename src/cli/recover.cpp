@@ -16,14 +16,6 @@ namespace poinsot {
 
 namespace {
 
-// The record of a film that ends early says how far it goes.
-std::string retold(const std::string& metadata, std::int64_t n_frames) {
-    if (metadata.empty()) return metadata;
-    Record record = parse_record(metadata, "the unfinished film");
-    if (record.frames) record.frames->second = record.frames->first + n_frames - 1;
-    return to_text(record);
-}
-
 // The chapters beside a film that ends early, as render writes them beside a whole one.
 void write_chapters_beside(const std::filesystem::path& path) {
     const Record record = read_record(path);
@@ -44,7 +36,7 @@ void write_chapters_beside(const std::filesystem::path& path) {
 
 int run(const Options& options) {
     const std::filesystem::path film = options.arguments.at(0);
-    const std::int64_t n_frames = recover_film(film, retold);
+    const std::int64_t n_frames = recover_film(film, told);
     try {
         write_chapters_beside(film);
     } catch (const InputError& error) {

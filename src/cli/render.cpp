@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <vector>
 
 #include "cli/command.h"
 #include "cli/jobs.h"
@@ -11,6 +12,7 @@
 #include "cli/requests.h"
 #include "cli/scenes.h"
 #include "error/error.h"
+#include "output/frame_name.h"
 #include "output/pipeline.h"
 #include "production/chapters.h"
 #include "production/output_place.h"
@@ -43,9 +45,26 @@ void note_kept(const OutputPlan& plan, std::int64_t n_kept, bool film, bool quie
                plan.first_frame + n_kept, printable(plan.path.string()));
 }
 
+// A shorter run over a longer one, or one of other frames, leaves pictures that are not its own.
+void note_others(const OutputPlan& plan) {
+    std::vector<std::int64_t> others = frames_there(plan.path);
+    std::erase_if(others, [&plan](std::int64_t frame) {
+        return frame >= plan.first_frame && frame < plan.first_frame + plan.n_frames;
+    });
+    if (others.empty()) return;
+    const auto name = [&plan](std::int64_t frame) {
+        return printable(frame_name(plan.path, frame).filename().string());
+    };
+    fmt::print(
+        stderr, "note: {} of another run beside these: {}{}; remove {} or name another output\n",
+        others.size() == 1 ? "there is a frame" : fmt::format("there are {} frames", others.size()),
+        name(others.front()), others.size() == 1 ? "" : fmt::format(" to {}", name(others.back())),
+        others.size() == 1 ? "it" : "them");
+}
+
 }  // namespace
 
-int make_film(const Session& session, const Options& options, Easel& easel) {
+int make_film(const Session& session, const Options& options, Easel& easel, std::int64_t n_shown) {
     print_notes(session.scene, options.quiet);
     const FilmPlan film = film_plan(session);
 
@@ -86,11 +105,18 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
 
     watch_for_interrupts();
     const OutputFormat& format = format_for(plan.path);
+    if (n_shown > 0 && n_shown < plan.n_frames) {
+        // Packets know of the frames that follow in their chunk.
+        const std::int64_t chunk = format.n_chunk_frames;
+        plan.n_frames = std::min(plan.n_frames, (n_shown + chunk - 1) / chunk * chunk);
+        plan.n_shown = n_shown;
+    }
     PictureMaker pictures(session, easel,
                           {.first_time_s = film.time_of(0), .last_time_s = film.time_of(last)});
     Record record = record_of(session, pictures, options.portable);
     record.frames = {first, last};
     plan.metadata = to_text(record);
+    plan.tell = told;
     plan.resume = true;
     AsyncSink sink(format.open(plan));
     note_kept(plan, sink.n_frames_kept(), format.film, options.quiet);
@@ -98,7 +124,7 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
     // The first picture is drawn whole, the second keeps what stands still, the third has it.
     constexpr std::int64_t n_to_compile = 3;
     const std::int64_t first_drawn = first + sink.n_frames_kept();
-    for (std::int64_t frame = first_drawn; frame <= last; ++frame) {
+    for (std::int64_t frame = first_drawn; frame < first + plan.n_frames; ++frame) {
         stop_if_interrupted();
         Image image = sink.spare();
         pictures.draw(film.moment_of(frame), image);
@@ -107,9 +133,14 @@ int make_film(const Session& session, const Options& options, Easel& easel) {
         progress.at(frame - first + 1);
     }
     sink.finish();
+    if (plan.n_shown > 0) {
+        plan.n_frames = plan.n_shown;
+        plan.chapters = chapters_of(session.scene, film, first, first + plan.n_shown - 1);
+    }
     if (!plan.chapters.empty() && (format.film || format.name == "png-sequence")) {
         write_chapters(plan, film);
     }
+    if (!options.quiet && format.name == "png-sequence") note_others(plan);
     progress.finish(printable(plan.path.string()));
     if (!options.quiet) {
         fmt::print(stderr, "{}\n", in_words(pictures.bound(), session.scene.accuracy_px));

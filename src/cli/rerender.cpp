@@ -1,10 +1,7 @@
 // poinsot rerender FILE -o OUT: the picture or film that a file describes, drawn again.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cctype>
-#include <charconv>
 #include <filesystem>
 #include <optional>
 
@@ -12,6 +9,7 @@
 #include "cli/jobs.h"
 #include "cli/requests.h"
 #include "error/error.h"
+#include "image/pixel_check.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
 #include "production/picture.h"
@@ -22,18 +20,6 @@
 namespace poinsot {
 
 namespace {
-
-// The number that ends a sequence's file name: 7 of "turn_0007.png".
-std::optional<std::int64_t> frame_of_name(const std::filesystem::path& file) {
-    const std::string stem = file.stem().string();
-    const auto last_other = std::find_if(stem.rbegin(), stem.rend(),
-                                         [](unsigned char c) { return std::isdigit(c) == 0; });
-    const std::string digits(last_other.base(), stem.end());
-    std::int64_t number = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (digits.empty() || error != std::errc{}) return std::nullopt;
-    return number;
-}
 
 // What keeps this machine from drawing as the one that made the file, in words for the user.
 void note_differences(const Record& then, const Record& now) {
@@ -50,7 +36,8 @@ void note_differences(const Record& then, const Record& now) {
 // One frame of a sequence carries the record of the whole, whose histories it shows.
 void redraw_frame(const std::filesystem::path& file, const Record& record, const Session& session,
                   const Options& options, Easel& easel) {
-    const auto frame = frame_of_name(file);
+    // A picture of an older poinsot does not say which of the frames it is.
+    const auto frame = record.frame ? record.frame : frame_of_name(file);
     const auto [first, last] = *record.frames;
     if (!frame || *frame < first || *frame > last)
         throw InputError(fmt::format(
@@ -65,7 +52,8 @@ void redraw_frame(const std::filesystem::path& file, const Record& record, const
     Record again = record_of(session, pictures, options.portable);
     again.frames = record.frames;
     PngOptions png;
-    png.texts[kMetadataName] = to_text(again);
+    png.texts[kMetadataName] =
+        told(to_text(again), {.frame = *frame, .pixels = pixel_check(image)});
     write_png(options.output, image, png);
 }
 
@@ -94,7 +82,7 @@ int run(const Options& given) {
     options.portable = record.portable;
     options.time_s = record.time_s.value_or(0.0);
     Session session = session_of(std::move(scene), {&*options.time_s, 1});
-    options.frames = record.frames;
+    options.frames = record.run ? record.run : record.frames;
     options.print.dpi = record.dpi;
     options.print.type_pt = record.type_pt;
     options.print.bit_depth = record.bit_depth;
@@ -107,7 +95,9 @@ int run(const Options& given) {
     } else if (is_picture) {
         redraw_frame(file, record, session, options, easel);
     } else {
-        code = make_film(session, options, easel);
+        // Of a film that was recovered, the frames that it has of the run that was interrupted.
+        const auto [first, last] = *record.frames;
+        code = make_film(session, options, easel, record.run ? last - first + 1 : 0);
     }
     if (!options.quiet) note_differences(record, read_record(output));
     return code;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <future>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@
 #include "cli/requests.h"
 #include "cli/scenes.h"
 #include "error/error.h"
+#include "image/pixel_check.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
 #include "production/banded_still.h"
@@ -84,7 +86,6 @@ void Still::draw(Easel& easel, StillWriter& writer) {
         record.type_pt = options_.print.type_pt.value_or(default_type_pt);
     }
     record.bit_depth = options_.print.bit_depth;
-    png.texts[kMetadataName] = to_text(record);
     std::string words;
     if (!options_.quiet) {
         words = fmt::format("{}\n{}\n", printable(place.path().string()),
@@ -93,11 +94,17 @@ void Still::draw(Easel& easel, StillWriter& writer) {
     if (record.bit_depth == 16 || wants_bands(pictures)) {
         writer.finish();
         watch_for_interrupts();
-        write_in_bands(pictures, moment_, place.path(), png, record.bit_depth);
+        const auto texts = [&record](const std::string& pixels) {
+            record.pixels = pixels;
+            return std::map<std::string, std::string>{{kMetadataName, sealed_text(record)}};
+        };
+        write_in_bands(pictures, moment_, place.path(), png, record.bit_depth, texts);
         fmt::print(stderr, "{}", words);
     } else {
         Image image;
         pictures.draw(moment_, image);
+        record.pixels = pixel_check(image);
+        png.texts[kMetadataName] = sealed_text(record);
         writer.write(std::move(place), std::move(image), std::move(png), std::move(words));
     }
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "error/error.h"
@@ -14,16 +15,17 @@ namespace {
 
 // The two PNG rows share a suffix: a file name with '#' in it asks for the first.
 constexpr std::array<OutputFormat, 7> kFormats = {{
-    {"mp4", ".mp4", "film, H.264; plays everywhere, no transparency", true, false, open_mp4,
-     recover_mp4},
-    {"webm", ".webm", "film, VP9; small, keeps transparency", true, true, open_webm, recover_webm},
-    {"gif", ".gif", "film of 255 colours, for pages that take no other", true, true, open_gif,
+    {"mp4", ".mp4", "film, H.264; plays everywhere, no transparency", true, false, kChunkFrames,
+     open_mp4, recover_mp4},
+    {"webm", ".webm", "film, VP9; small, keeps transparency", true, true, kChunkFrames, open_webm,
+     recover_webm},
+    {"gif", ".gif", "film of 255 colours, for pages that take no other", true, true, 1, open_gif,
      recover_gif},
-    {"png-sequence", ".png", "numbered pictures; #### in the name is the frame", false, true,
+    {"png-sequence", ".png", "numbered pictures; #### in the name is the frame", false, true, 1,
      open_png_sequence, nullptr},
-    {"png", ".png", "one picture", false, true, open_png_still, nullptr},
-    {"md5", ".md5", "the hash of every frame, a line each", false, true, open_md5, nullptr},
-    {"null", "", "nothing: frames are drawn and dropped", false, true, open_null, nullptr},
+    {"png", ".png", "one picture", false, true, 1, open_png_still, nullptr},
+    {"md5", ".md5", "the hash of every frame, a line each", false, true, 1, open_md5, nullptr},
+    {"null", "", "nothing: frames are drawn and dropped", false, true, 1, open_null, nullptr},
 }};
 
 std::string known_suffixes() {
@@ -35,6 +37,14 @@ std::string known_suffixes() {
 }
 
 }  // namespace
+
+std::string text_of(const OutputPlan& plan, const Contents& contents) {
+    return plan.tell && !plan.metadata.empty() ? plan.tell(plan.metadata, contents) : plan.metadata;
+}
+
+std::int64_t n_shown_of(const OutputPlan& plan, std::int64_t n_frames) {
+    return plan.n_shown == 0 ? n_frames : std::min(plan.n_shown, n_frames);
+}
 
 std::span<const OutputFormat> output_formats() { return kFormats; }
 
@@ -58,13 +68,13 @@ const OutputFormat& format_for(const std::filesystem::path& path) {
         known_suffixes()));
 }
 
-std::int64_t recover_film(const std::filesystem::path& path, const Retell& retell) {
+std::int64_t recover_film(const std::filesystem::path& path, const Tell& tell) {
     const OutputFormat& format = format_for(path);
     if (format.recover == nullptr)
         throw InputError(
             fmt::format("{}: is no film, so nothing of it lies aside; run the same command again",
                         path.string()));
-    return format.recover(path, retell);
+    return format.recover(path, tell);
 }
 
 }  // namespace poinsot

@@ -52,7 +52,7 @@ std::string head_of(const OutputPlan& plan, const std::string& settings) {
 }
 
 // Reads the plan back; false for what head_of does not write.
-bool read_head(std::string_view head, OutputPlan& plan) {
+bool read_head(std::string_view head, OutputPlan& plan, std::string& settings) {
     std::array<std::int64_t, 7> numbers{};
     for (std::int64_t& number : numbers) {
         const auto [end, error] = std::from_chars(head.data(), head.data() + head.size(), number);
@@ -69,6 +69,7 @@ bool read_head(std::string_view head, OutputPlan& plan) {
     plan.height_px = static_cast<int>(numbers[1]);
     plan.rate = {numbers[2], numbers[3]};
     plan.first_frame = numbers[4];
+    settings = head.substr(0, n_settings);
     plan.metadata = head.substr(n_settings, n_metadata);
     plan.chapters = parse_chapters(head.substr(n_settings + n_metadata));
     return true;
@@ -83,7 +84,7 @@ std::span<const std::uint8_t> bytes_of(std::string_view text) {
 fs::path frame_log_path(const fs::path& film) { return aside_path_of(film, ".part.frames"); }
 
 FrameLog::FrameLog(const OutputPlan& plan, const std::string& settings, std::int64_t n_chunk_frames)
-    : plan_(plan), file_(plan.path, frame_log_path(plan.path), plan.resume) {
+    : plan_(plan), settings_(settings), file_(plan.path, frame_log_path(plan.path), plan.resume) {
     const std::string head = head_of(plan, settings);
     if (plan.resume && scan() == head) {
         const bool all_there = n_entries() == plan.n_frames;
@@ -105,11 +106,10 @@ FrameLog FrameLog::left_of(const fs::path& film) {
 
 FrameLog::FrameLog(const fs::path& film) : file_(film, frame_log_path(film), true) {
     const std::string head = scan();
-    if (n_entries() == 0 || !read_head(head, plan_))
+    if (n_entries() == 0 || !read_head(head, plan_, settings_))
         throw InputError(fmt::format("no frame of {} had been finished", film.string()));
     plan_.path = film;
     plan_.n_frames = n_entries();
-    plan_.chapters = first_chapters(plan_.chapters, plan_.n_frames);
     plan_.resume = true;
 }
 

@@ -30,6 +30,7 @@ class FrameLog {
     FrameLog& operator=(FrameLog&&) noexcept = default;
 
     const OutputPlan& plan() const { return plan_; }
+    const std::string& settings() const { return settings_; }
     std::int64_t n_entries() const { return static_cast<std::int64_t>(entries_.size()); }
     std::uint64_t n_bytes() const { return static_cast<std::uint64_t>(end_); }  // on disk so far
 
@@ -54,6 +55,7 @@ class FrameLog {
     void keep_first(std::int64_t n_entries);
 
     OutputPlan plan_;
+    std::string settings_;
     AtomicFile file_;
     std::vector<Entry> entries_;
     std::int64_t head_end_ = 0;  // of the block that says what film this is

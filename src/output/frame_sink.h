@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,16 +31,31 @@ struct FilmChapter {
     std::int64_t end_frame = 0;  // one past its last
 };
 
+// What an output can say of itself only when it is made.
+struct Contents {
+    std::int64_t n_frames = 0;               // of a film
+    std::string packets = {};                // of a film: see output/film_packets.h
+    std::optional<std::int64_t> frame = {};  // of a numbered picture
+    std::string pixels = {};                 // of a picture: see image/pixel_check.h
+};
+
+// The text that an output carries, from the one that its plan has.
+using Tell = std::function<std::string(const std::string& metadata, const Contents& contents)>;
+
 // What every output needs to know before its first frame.
 struct OutputPlan {
     std::filesystem::path path;  // final name; "####" in a PNG name is the frame number
     int width_px = 0, height_px = 0;
     FrameRate rate;
-    std::int64_t first_frame = 0;       // number of the first frame written, for sequences
-    std::int64_t n_frames = 0;          // how many will come
-    std::string quality = "lecture";    // draft, lecture, print, reference
-    int encoder_threads = 0;            // 0: chosen by the sink
-    std::string metadata;               // text carried in the file
+    std::int64_t first_frame = 0;     // number of the first frame written, for sequences
+    std::int64_t n_frames = 0;        // how many will come
+    std::string quality = "lecture";  // draft, lecture, print, reference
+    int encoder_threads = 0;          // 0: chosen by the sink
+    std::string metadata;             // text carried in the file
+    Tell tell;                        // makes that text of it; without, it is carried as it is
+    // Of the frames that come, a film has the first so many; 0: all. Its packets are those of a
+    // film that goes on, as those of one that was recovered are.
+    std::int64_t n_shown = 0;
     std::vector<FilmChapter> chapters;  // where the container can, in order
     // Go on from what an interrupted run with the same plan has left aside, and leave it aside when
     // interrupted again. Formats that cannot start from the first frame.
@@ -65,21 +81,19 @@ class FrameSink {
     virtual void finish() = 0;  // flushes, syncs and renames; throws EnvironmentError
 };
 
-// The text that a film of so many frames carries, from that of the whole film.
-using Retell = std::function<std::string(const std::string& metadata, std::int64_t n_frames)>;
-
 // A row of the table of formats.
 struct OutputFormat {
-    std::string_view name;     // "mp4"
-    std::string_view suffix;   // ".mp4"; empty for those chosen by name only
-    std::string_view summary;  // for `poinsot list formats`
-    bool film;                 // several frames in one file
-    bool alpha;                // keeps transparency
+    std::string_view name;        // "mp4"
+    std::string_view suffix;      // ".mp4"; empty for those chosen by name only
+    std::string_view summary;     // for `poinsot list formats`
+    bool film;                    // several frames in one file
+    bool alpha;                   // keeps transparency
+    std::int64_t n_chunk_frames;  // frames of a film that are encoded without knowing of others
     // Throws InputError for what the format cannot hold (odd sizes, rate 0), EnvironmentError for
     // what the machine refuses.
     std::unique_ptr<FrameSink> (*open)(const OutputPlan& plan);
     // As recover_film; null where nothing unfinished is left, or is whole as it is.
-    std::int64_t (*recover)(const std::filesystem::path& path, const Retell& retell);
+    std::int64_t (*recover)(const std::filesystem::path& path, const Tell& tell);
 };
 
 std::span<const OutputFormat> output_formats();
@@ -91,6 +105,6 @@ const OutputFormat& format_for(const std::filesystem::path& path);
 // Makes a film of what an interrupted run has left aside, as far as it goes without a gap, under
 // the final name, and returns its number of frames. The rest aside is removed. Throws: InputError
 // if nothing was left, or for what is no film; EnvironmentError, and then leaves what was aside.
-std::int64_t recover_film(const std::filesystem::path& path, const Retell& retell = {});
+std::int64_t recover_film(const std::filesystem::path& path, const Tell& tell = {});
 
 }  // namespace poinsot

@@ -1,6 +1,7 @@
 // GIF: 255 colours chosen from all frames, so frames wait aside until the last has come. A killed
 // run loses none of them.
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include "error/error.h"
 #include "image/alpha.h"
 #include "image/png.h"
+#include "output/film_packets.h"
 #include "output/formats.h"
 #include "output/frame_log.h"
 #include "output/palette.h"
@@ -24,6 +26,21 @@ namespace {
 constexpr std::uint8_t kTransparentIndex = 255;
 // A pixel is there or not: what fades out does so into white, and ends where it is all but gone.
 constexpr std::uint8_t kHoleBelowAlpha = 16;
+
+// What is in the file so far.
+std::vector<std::uint8_t> contents_of(const AtomicFile& file) {
+    struct stat status {};
+    if (fstat(file.descriptor(), &status) != 0) throw_write_error(file.path(), errno);
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(status.st_size));
+    for (std::size_t done = 0; done < bytes.size();) {
+        const ssize_t n = ::pread(file.descriptor(), bytes.data() + done, bytes.size() - done,
+                                  static_cast<off_t>(done));
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) throw_write_error(file.path(), n < 0 ? errno : EIO);
+        done += static_cast<std::size_t>(n);
+    }
+    return bytes;
+}
 
 void append_comment(AtomicFile& file, const std::string& text) {
     // GIF89a §24: an extension of blocks of at most 255 bytes, before the trailer's one byte.
@@ -97,7 +114,13 @@ void write_whole(FrameLog& log, const ColourCount& count, const OutputPlan& plan
     encoder.send_end();
     take_packets(encoder, muxer, packet.get());
     muxer.write_trailer();
-    if (!plan.metadata.empty()) append_comment(file, plan.metadata);
+    if (!plan.metadata.empty()) {
+        Contents contents{.n_frames = log.n_entries()};
+        // A device or a pipe cannot be read again, nor gone back in to add a comment.
+        if (!file.aside().empty())
+            contents.packets = gif_packets(contents_of(file), plan.path.string()).of_film();
+        append_comment(file, text_of(plan, contents));
+    }
     file.commit();
 }
 
@@ -168,11 +191,11 @@ std::unique_ptr<FrameSink> open_gif(const OutputPlan& plan) {
     return std::make_unique<GifSink>(plan);
 }
 
-std::int64_t recover_gif(const std::filesystem::path& path, const Retell& retell) {
+std::int64_t recover_gif(const std::filesystem::path& path, const Tell& tell) {
     silence_libav();
     FrameLog log = FrameLog::left_of(path);
     OutputPlan plan = log.plan();
-    if (retell) plan.metadata = retell(plan.metadata, plan.n_frames);
+    plan.tell = tell;
     write_whole(log, colours_of(log), plan);
     log.discard();
     return plan.n_frames;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <system_error>
@@ -41,14 +40,11 @@ int checked(int result, const std::filesystem::path& path, std::string_view what
         fmt::format("cannot write {}: {}: {}", path.string(), what, error_text(result)));
 }
 
-DescriptorIo::DescriptorIo(int descriptor, Direction direction, std::int64_t n_readable)
-    : descriptor_(descriptor), n_readable_(n_readable) {
+DescriptorIo::DescriptorIo(int descriptor) : descriptor_(descriptor) {
     auto* buffer = static_cast<unsigned char*>(av_malloc(kBufferSize));
-    const bool writes = direction == Direction::write;
     if (buffer)
-        context_ = avio_alloc_context(buffer, kBufferSize, writes ? 1 : 0, this,
-                                      writes ? nullptr : &DescriptorIo::read,
-                                      writes ? &DescriptorIo::write : nullptr, &DescriptorIo::seek);
+        context_ = avio_alloc_context(buffer, kBufferSize, 1, this, nullptr, &DescriptorIo::write,
+                                      &DescriptorIo::seek);
     if (!context_) {
         av_free(buffer);
         throw EnvironmentError("no memory for a file buffer");
@@ -58,21 +54,6 @@ DescriptorIo::DescriptorIo(int descriptor, Direction direction, std::int64_t n_r
 DescriptorIo::~DescriptorIo() {
     av_freep(&context_->buffer);
     avio_context_free(&context_);
-}
-
-int DescriptorIo::read(void* self, std::uint8_t* buffer, int size) {
-    auto& io = *static_cast<DescriptorIo*>(self);
-    const std::int64_t n_left = io.n_readable_ - ::lseek(io.descriptor_, 0, SEEK_CUR);
-    if (n_left <= 0) return AVERROR_EOF;
-    const auto n_wanted = static_cast<std::size_t>(std::min<std::int64_t>(size, n_left));
-    for (;;) {
-        const ssize_t n_read = ::read(io.descriptor_, buffer, n_wanted);
-        if (n_read > 0) return static_cast<int>(n_read);
-        if (n_read == 0) return AVERROR_EOF;
-        if (errno == EINTR) continue;
-        if (io.error_number_ == 0) io.error_number_ = errno;
-        return AVERROR(errno);
-    }
 }
 
 int DescriptorIo::write(void* self, std::uint8_t* buffer, int size) {
@@ -93,15 +74,14 @@ int DescriptorIo::write(void* self, std::uint8_t* buffer, int size) {
 
 std::int64_t DescriptorIo::seek(void* self, std::int64_t offset, int whence) {
     auto& io = *static_cast<DescriptorIo*>(self);
-    if (whence == AVSEEK_SIZE) return io.n_readable_ > 0 ? io.n_readable_ : AVERROR(ENOSYS);
+    if (whence == AVSEEK_SIZE) return AVERROR(ENOSYS);
     const off_t position = ::lseek(io.descriptor_, offset, whence & ~AVSEEK_FORCE);
     return position >= 0 ? position : AVERROR(errno);
 }
 
 Muxer::Muxer(const char* container, int descriptor, std::filesystem::path path,
              const std::filesystem::path& readable)
-    : path_(std::move(path)),
-      io_(std::make_unique<DescriptorIo>(descriptor, DescriptorIo::Direction::write)) {
+    : path_(std::move(path)), io_(std::make_unique<DescriptorIo>(descriptor)) {
     AVFormatContext* context = nullptr;
     const std::string name = "file:" + readable.string();
     checked(avformat_alloc_output_context2(&context, nullptr, container, name.c_str()), path_,
@@ -132,8 +112,6 @@ void Muxer::write(AVPacket* packet, AVRational time_base) {
     packet->stream_index = stream_->index;
     check(av_interleaved_write_frame(context_.get(), packet), "frame");
 }
-
-void Muxer::flush_fragment() { check(av_write_frame(context_.get(), nullptr), "fragment"); }
 
 void Muxer::write_trailer() {
     check(av_write_trailer(context_.get()), "trailer");

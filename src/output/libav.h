@@ -54,13 +54,11 @@ class Options {
     AVDictionary* dictionary_ = nullptr;
 };
 
-// A file descriptor as FFmpeg's byte stream. Errors of the system are remembered, because FFmpeg
+// A file descriptor that FFmpeg writes to. Errors of the system are remembered, because FFmpeg
 // reports them late or not at all. Does not own the descriptor; stays where it is built.
 class DescriptorIo {
  public:
-    enum class Direction { read, write };
-    // Reading ends at n_readable bytes, as if the file did.
-    DescriptorIo(int descriptor, Direction direction, std::int64_t n_readable = 0);
+    explicit DescriptorIo(int descriptor);
     ~DescriptorIo();
     DescriptorIo(const DescriptorIo&) = delete;
     DescriptorIo& operator=(const DescriptorIo&) = delete;
@@ -69,12 +67,10 @@ class DescriptorIo {
     int error_number() const { return error_number_; }  // errno of the first failure, or 0
 
  private:
-    static int read(void* self, std::uint8_t* buffer, int size);
     static int write(void* self, std::uint8_t* buffer, int size);
     static std::int64_t seek(void* self, std::int64_t offset, int whence);
 
     int descriptor_;
-    std::int64_t n_readable_;
     int error_number_ = 0;
     AVIOContext* context_ = nullptr;
 };
@@ -93,7 +89,6 @@ class Muxer {
     void write_header(Options& options);
     // Takes over the packet's contents. Its times are in time_base.
     void write(AVPacket* packet, AVRational time_base);
-    void flush_fragment();  // ends the fragment under way, for containers that have them
     void write_trailer();
 
  private:

@@ -9,7 +9,6 @@ extern "C" {
 #include <libavutil/crc.h>
 #include <libavutil/md5.h>
 #include <libavutil/opt.h>
-#include <libavutil/parseutils.h>
 #include <libavutil/pixdesc.h>
 #include <libswscale/swscale.h>
 }
@@ -79,9 +78,6 @@ POINSOT_CALL(avutil, void, av_md5_sum,
 POINSOT_CALL(avutil, int, av_opt_set_int,
              (void* obj, const char* name, std::int64_t val, int search_flags),
              (obj, name, val, search_flags))
-POINSOT_CALL(avutil, int, av_parse_ratio,
-             (AVRational * q, const char* str, int max, int log_offset, void* log_ctx),
-             (q, str, max, log_offset, log_ctx))
 POINSOT_CALL(avutil, void*, av_realloc_array, (void* ptr, std::size_t nmemb, std::size_t size),
              (ptr, nmemb, size))
 POINSOT_CALL(avutil, std::int64_t, av_rescale_q, (std::int64_t a, AVRational bq, AVRational cq),
@@ -112,8 +108,6 @@ POINSOT_CALL(avcodec, const char*, avcodec_get_name, (AVCodecID id), (id))
 POINSOT_CALL(avcodec, int, avcodec_open2,
              (AVCodecContext * avctx, const AVCodec* codec, AVDictionary** options),
              (avctx, codec, options))
-POINSOT_CALL(avcodec, int, avcodec_parameters_copy,
-             (AVCodecParameters * dst, const AVCodecParameters* src), (dst, src))
 POINSOT_CALL(avcodec, int, avcodec_parameters_from_context,
              (AVCodecParameters * par, const AVCodecContext* codec), (par, codec))
 POINSOT_CALL(avcodec, int, avcodec_parameters_to_context,
@@ -132,8 +126,6 @@ POINSOT_CALL(avformat, int, av_find_best_stream,
              (AVFormatContext * ic, AVMediaType type, int wanted_stream_nb, int related_stream,
               const AVCodec** decoder_ret, int flags),
              (ic, type, wanted_stream_nb, related_stream, decoder_ret, flags))
-POINSOT_CALL(avformat, const AVInputFormat*, av_find_input_format, (const char* short_name),
-             (short_name))
 POINSOT_CALL(avformat, AVRational, av_guess_frame_rate,
              (AVFormatContext * ctx, AVStream* stream, AVFrame* frame), (ctx, stream, frame))
 POINSOT_CALL(avformat, int, av_interleaved_write_frame, (AVFormatContext * s, AVPacket* pkt),
@@ -142,7 +134,6 @@ POINSOT_CALL(avformat, int, av_read_frame, (AVFormatContext * s, AVPacket* pkt),
 POINSOT_CALL(avformat, int, av_seek_frame,
              (AVFormatContext * s, int stream_index, std::int64_t timestamp, int flags),
              (s, stream_index, timestamp, flags))
-POINSOT_CALL(avformat, int, av_write_frame, (AVFormatContext * s, AVPacket* pkt), (s, pkt))
 POINSOT_CALL(avformat, int, av_write_trailer, (AVFormatContext * s), (s))
 POINSOT_CALL(avformat, AVFormatContext*, avformat_alloc_context, (), ())
 POINSOT_CALL(avformat, int, avformat_alloc_output_context2,

@@ -1,21 +1,37 @@
 // H.264 in MP4, encoded in chunks that know nothing of each other, so that a film that was
-// interrupted and goes on from a chunk's end is the same as one that was not.
+// interrupted and goes on from a chunk's end is the same as one that was not. The packets wait
+// aside until the last has come.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
 
 #include "error/error.h"
 #include "image/alpha.h"
-#include "output/film_part.h"
+#include "output/chapters.h"
+#include "output/film_packets.h"
 #include "output/formats.h"
+#include "output/frame_log.h"
 #include "output/video_encoder.h"
 #include "output/yuv.h"
+#include "system/atomic_file.h"
 #include "system/room.h"
+
+extern "C" {
+#include <libavutil/mem.h>
+}
 
 namespace poinsot {
 
 namespace {
+
+namespace fs = std::filesystem;
+using Bytes = std::vector<std::uint8_t>;
 
 // What a quality name asks of x264: points of the front that tests/bench/x264_search.py finds. At
 // the likeness of the preset medium at crf 18 (SSIM 0.9969, default scene, 1920×1080) and with
@@ -40,10 +56,6 @@ constexpr std::array<Quality, 4> kQualities = {{
 // x264 decides otherwise with another number of threads, so the number must not come from the
 // machine.
 constexpr int kThreads = 3;
-
-// Frames between two starts of the encoder. x264 sets a key frame every 250 anyway; with 120 a film
-// is a tenth larger, and an interrupted one goes on from 4 s before, at 30 frames a second.
-constexpr std::int64_t kChunkFrames = 120;
 
 EncoderSettings settings_for(const OutputPlan& plan) {
     const Quality& quality = quality_named(kQualities, plan.quality);
@@ -70,18 +82,153 @@ void check_mp4(const OutputPlan& plan) {
             plan.height_px + plan.height_px % 2));
 }
 
-// Everything that the packets depend on, besides the frames; the parameter sets stand for the
-// encoder's version.
-std::string description_of(const EncoderSettings& settings, const OutputPlan& plan,
-                           const AVCodecContext& encoder) {
-    std::string text = fmt::format("{} {}×{} {}/{} from {} threads={}", settings.codec,
-                                   settings.width_px, settings.height_px, settings.rate.numerator,
-                                   settings.rate.denominator, plan.first_frame, settings.n_threads);
+// Everything that the packets depend on, besides the frames; the parameter sets, in which the
+// encoder's version stands, come last.
+constexpr std::string_view kHeaderKey = " header=";
+
+std::string description_of(const EncoderSettings& settings, const AVCodecContext& encoder) {
+    std::string text = fmt::format("{} threads={}", settings.codec, settings.n_threads);
     for (const auto& [key, value] : settings.options) text += fmt::format(" {}={}", key, value);
-    text += " header=";
+    text += kHeaderKey;
     for (int i = 0; i < encoder.extradata_size; ++i)
         text += fmt::format("{:02x}", encoder.extradata[i]);
     return text;
+}
+
+Bytes header_of(std::string_view description) {
+    const std::size_t at = description.rfind(kHeaderKey);
+    Bytes header;
+    if (at == std::string_view::npos) return header;
+    for (std::string_view digits = description.substr(at + kHeaderKey.size()); digits.size() >= 2;
+         digits.remove_prefix(2)) {
+        std::uint8_t byte = 0;
+        std::from_chars(digits.data(), digits.data() + 2, byte, 16);
+        header.push_back(byte);
+    }
+    return header;
+}
+
+// H.264 in MP4 says each unit's length before it; an encoder's packets, which a muxer opened for
+// them expects, have a start code there. Source: ISO/IEC 14496-15 §5.3.3; Rec. ITU-T H.264 Annex B.
+void append_with_lengths(std::span<const std::uint8_t> packet, Bytes& out) {
+    constexpr std::array<std::uint8_t, 3> start_code{0, 0, 1};
+    const auto next = [&](auto from) {
+        return std::search(from, packet.end(), start_code.begin(), start_code.end());
+    };
+    for (auto at = next(packet.begin()); at != packet.end();) {
+        const auto begin = at + start_code.size();
+        at = next(begin);
+        // A unit ends with a bit that is set; zeros after it belong to the code that follows.
+        auto end = at;
+        while (end != begin && *(end - 1) == 0) --end;
+        const auto length = static_cast<std::uint32_t>(end - begin);
+        for (int shift = 24; shift >= 0; shift -= 8)
+            out.push_back(static_cast<std::uint8_t>(length >> shift));
+        out.insert(out.end(), begin, end);
+    }
+}
+
+void put_start_codes(std::span<std::uint8_t> rest) {
+    while (rest.size() >= 4) {
+        std::size_t length = 0;
+        for (const std::uint8_t byte : rest.first(4)) length = length << 8 | byte;
+        std::copy_n("\0\0\0\1", 4, rest.begin());
+        rest = rest.subspan(std::min(rest.size(), 4 + length));
+    }
+}
+
+// A packet as an entry of the log: whether a player may begin with it, when it is shown and when it
+// is decoded, in frames, and its units with their lengths, as they stand in the film.
+constexpr std::size_t kEntryHead = 17;
+
+void append_time(std::int64_t time, Bytes& out) {
+    for (int i = 0; i < 8; ++i)
+        out.push_back(static_cast<std::uint8_t>(static_cast<std::uint64_t>(time) >> 8 * i));
+}
+
+std::int64_t time_at(std::span<const std::uint8_t> entry, std::size_t at) {
+    std::uint64_t time = 0;
+    for (std::size_t i = 0; i < 8; ++i) time |= std::uint64_t{entry[at + i]} << 8 * i;
+    return static_cast<std::int64_t>(time);
+}
+
+std::int64_t shown_at(std::span<const std::uint8_t> entry) { return time_at(entry, 1); }
+
+void pack(const AVPacket& packet, Bytes& entry) {
+    entry.assign({static_cast<std::uint8_t>(packet.flags & AV_PKT_FLAG_KEY)});
+    append_time(packet.pts, entry);
+    append_time(packet.dts, entry);
+    append_with_lengths({packet.data, static_cast<std::size_t>(packet.size)}, entry);
+}
+
+void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::path& path) {
+    const auto units = entry.subspan(kEntryHead);
+    libav::checked(av_new_packet(&packet, static_cast<int>(units.size())), path, "packet");
+    std::copy(units.begin(), units.end(), packet.data);
+    put_start_codes({packet.data, units.size()});
+    packet.flags |= entry[0] & AV_PKT_FLAG_KEY;
+    packet.pts = shown_at(entry);
+    packet.dts = time_at(entry, 9);
+    packet.duration = 1;
+}
+
+// How many first packets show exactly the frames 0 … n−1, n being the return value.
+std::int64_t n_frames_without_gap(FrameLog& log) {
+    std::int64_t last_shown = -1, n_whole = 0;
+    for (std::int64_t k = 0; k < log.n_entries(); ++k) {
+        last_shown = std::max(last_shown, shown_at(log.read(k)));
+        if (last_shown == k) n_whole = k + 1;
+    }
+    return n_whole;
+}
+
+void describe_stream(AVStream& stream, const OutputPlan& plan, const Bytes& header) {
+    AVCodecParameters& parameters = *stream.codecpar;
+    parameters.codec_type = AVMEDIA_TYPE_VIDEO;
+    parameters.codec_id = AV_CODEC_ID_H264;
+    parameters.format = AV_PIX_FMT_YUV420P;
+    parameters.width = plan.width_px;
+    parameters.height = plan.height_px;
+    parameters.field_order = AV_FIELD_PROGRESSIVE;
+    parameters.color_range = AVCOL_RANGE_MPEG;
+    parameters.color_space = AVCOL_SPC_BT709;
+    parameters.color_primaries = AVCOL_PRI_BT709;
+    parameters.color_trc = AVCOL_TRC_BT709;
+    parameters.chroma_location = AVCHROMA_LOC_LEFT;
+    // FFmpeg frees what hangs on the parameters.
+    parameters.extradata =
+        static_cast<std::uint8_t*>(av_mallocz(header.size() + AV_INPUT_BUFFER_PADDING_SIZE));
+    if (parameters.extradata == nullptr) throw EnvironmentError("no memory for a film");
+    std::copy(header.begin(), header.end(), parameters.extradata);
+    parameters.extradata_size = static_cast<int>(header.size());
+    stream.time_base = av_inv_q(as_rational(plan.rate));
+    stream.avg_frame_rate = as_rational(plan.rate);
+}
+
+std::string text_of_film(FrameLog& log, const OutputPlan& plan, std::int64_t n_frames) {
+    PacketHash hash(kChunkFrames);
+    for (std::int64_t k = 0; k < n_frames; ++k) hash.add(log.read(k).subspan(kEntryHead));
+    return text_of(plan, {.n_frames = n_frames, .packets = hash.of_film()});
+}
+
+// Puts the film together from the first entries of the log, its index in front.
+void write_whole(FrameLog& log, const OutputPlan& plan, std::int64_t n_frames) {
+    const std::string text = text_of_film(log, plan, n_frames);
+    AtomicFile file(plan.path);
+    libav::Muxer muxer("mp4", file.descriptor(), plan.path, file.aside());
+    describe_stream(*muxer.stream(), plan, header_of(log.settings()));
+    av_dict_set(&muxer.context()->metadata, "poinsot", text.c_str(), 0);
+    add_chapters(*muxer.context(), first_chapters(plan.chapters, n_frames), plan.rate);
+    libav::Options options;
+    options.set("movflags", "faststart+use_metadata_tags");
+    muxer.write_header(options);
+    const libav::Packet packet = libav::make_packet();
+    for (std::int64_t k = 0; k < n_frames; ++k) {
+        unpack(log.read(k), *packet, plan.path);
+        muxer.write(packet.get(), av_inv_q(as_rational(plan.rate)));
+    }
+    muxer.write_trailer();
+    file.commit();
 }
 
 class Mp4Sink : public FrameSink {
@@ -93,11 +240,11 @@ class Mp4Sink : public FrameSink {
           frame_(make_yuv_frame(AV_PIX_FMT_YUV420P, plan.width_px, plan.height_px)),
           packet_(libav::make_packet()),
           encoder_(std::in_place, settings_, plan.path),
-          part_(plan, encoder_->context(), description_of(settings_, plan, encoder_->context()),
-                kChunkFrames),
-          n_written_(part_.n_frames_kept()) {}
+          log_(plan, description_of(settings_, encoder_->context()), kChunkFrames),
+          n_kept_(log_.n_entries()),
+          n_written_(n_kept_) {}
 
-    std::int64_t n_frames_kept() const override { return part_.n_frames_kept(); }
+    std::int64_t n_frames_kept() const override { return n_kept_; }
 
     void write(const Image& frame) override {
         write_telling(frame, [] {});
@@ -121,23 +268,33 @@ class Mp4Sink : public FrameSink {
 
     void finish() override {
         check_any_frame(n_written_, plan_);
-        encoder_->send_end();
-        take_packets();
-        part_.finish(n_written_);
+        end_chunk();
+        write_whole(log_, plan_, n_shown_of(plan_, n_written_));
+        log_.discard();
     }
 
  private:
     void start_chunk() {
-        encoder_->send_end();
-        take_packets();
+        end_chunk();
         encoder_.reset();  // first, so that there are never two
         encoder_.emplace(settings_, plan_.path);
         n_in_chunk_ = 0;
-        check_room(plan_.path, part_.n_bytes(), n_written_, plan_.n_frames);
+        check_room(plan_.path, log_.n_bytes(), n_written_, plan_.n_frames);
+    }
+
+    void end_chunk() {
+        encoder_->send_end();
+        take_packets();
+        if (log_.n_entries() != n_written_)
+            throw EnvironmentError(fmt::format("cannot write {}: the encoder has dropped a frame",
+                                               plan_.path.string()));
     }
 
     void take_packets() {
-        while (encoder_->receive(*packet_)) part_.write(packet_.get());
+        while (encoder_->receive(*packet_)) {
+            pack(*packet_, entry_);
+            log_.append(entry_);
+        }
     }
 
     OutputPlan plan_;
@@ -147,8 +304,10 @@ class Mp4Sink : public FrameSink {
     libav::Packet packet_;
     Image flat_;
     std::optional<VideoEncoder> encoder_;
-    FilmPart part_;
+    FrameLog log_;
+    std::int64_t n_kept_;
     std::int64_t n_written_;
+    Bytes entry_;
     std::int64_t n_in_chunk_ = 0;
 };
 
@@ -158,6 +317,19 @@ std::unique_ptr<FrameSink> open_mp4(const OutputPlan& plan) {
     check_mp4(plan);
     silence_libav();
     return std::make_unique<Mp4Sink>(plan);
+}
+
+std::int64_t recover_mp4(const fs::path& path, const Tell& tell) {
+    silence_libav();
+    FrameLog log = FrameLog::left_of(path);
+    OutputPlan plan = log.plan();
+    plan.tell = tell;
+    const std::int64_t n_frames = n_frames_without_gap(log);
+    if (n_frames == 0)
+        throw InputError(fmt::format("no frame of {} had been finished", path.string()));
+    write_whole(log, plan, n_frames);
+    log.discard();
+    return n_frames;
 }
 
 }  // namespace poinsot

@@ -1,11 +1,15 @@
 // PNG stills and numbered PNG sequences.
 #include <fmt/format.h>
 
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "error/error.h"
+#include "image/pixel_check.h"
 #include "image/png.h"
+#include "output/film_metadata.h"
 #include "output/formats.h"
 #include "output/frame_name.h"
 #include "output/pipeline.h"
@@ -16,10 +20,11 @@ namespace poinsot {
 
 namespace {
 
-PngOptions options_for(const OutputPlan& plan) {
-    PngOptions options;
-    if (!plan.metadata.empty()) options.texts["poinsot"] = plan.metadata;
-    return options;
+// What the picture of a frame carries: its record says which frame it is, and knows its pixels.
+std::map<std::string, std::string> texts_of(const OutputPlan& plan, std::int64_t frame,
+                                            const Image& image) {
+    if (plan.metadata.empty()) return {};
+    return {{kMetadataName, text_of(plan, {.frame = frame, .pixels = pixel_check(image)})}};
 }
 
 // As many frames at a time as there are threads. Each is whole under its own name as soon as it is
@@ -32,7 +37,6 @@ class PngSequenceSink : public FrameSink {
           encoders_(
               static_cast<std::size_t>(plan.encoder_threads > 0 ? plan.encoder_threads : kThreads)),
           n_kept_(plan.resume ? count_kept() : 0) {
-        for (PngEncoder& encoder : encoders_) encoder = PngEncoder(options_for(plan));
         workers_ = std::make_unique<FrameWorkers>(
             encoders_.size(), kPictures,
             [this](std::size_t worker, std::int64_t number, const Image& frame, const WasRead&) {
@@ -58,22 +62,25 @@ class PngSequenceSink : public FrameSink {
     static constexpr std::size_t kPictures = 4;
 
     void write_one(PngEncoder& encoder, std::int64_t number, const Image& frame) const {
+        const std::int64_t frame_number = plan_.first_frame + n_kept_ + number;
+        encoder.set_texts(texts_of(plan_, frame_number, frame));
         const auto contents = encoder.encode(frame);
-        AtomicFile file(frame_name(plan_.path, plan_.first_frame + n_kept_ + number));
+        AtomicFile file(frame_name(plan_.path, frame_number));
         file.write(contents);
         file.commit();
         if (number == 0) check_room(plan_.path, contents.size(), 1, plan_.n_frames - n_kept_);
     }
 
-    // Frames of an earlier run count from the first on, if they are whole and of the same plan.
+    // Frames of an earlier run count from the first on, if they are whole and of the same plan,
+    // have the pixels that they were written with, and are where they were written.
     std::int64_t count_kept() const {
         if (plan_.metadata.empty()) return 0;
         for (std::int64_t k = 0; k < plan_.n_frames; ++k) {
             try {
                 PngInfo info;
                 const Image image = read_png(frame_name(plan_.path, plan_.first_frame + k), &info);
-                if (info.texts["poinsot"] != plan_.metadata || image.width() != plan_.width_px ||
-                    image.height() != plan_.height_px)
+                if (info.texts != texts_of(plan_, plan_.first_frame + k, image) ||
+                    image.width() != plan_.width_px || image.height() != plan_.height_px)
                     return k;
             } catch (const Error&) {
                 return k;
@@ -91,22 +98,22 @@ class PngSequenceSink : public FrameSink {
 
 class PngStillSink : public FrameSink {
  public:
-    explicit PngStillSink(const OutputPlan& plan)
-        : plan_(plan), options_(options_for(plan)), file_(plan.path) {}
+    explicit PngStillSink(const OutputPlan& plan) : plan_(plan), file_(plan.path) {}
 
     void write(const Image& frame) override {
         if (written_)
             throw InputError(
                 fmt::format("{} holds one picture; put #### into its name for a sequence",
                             plan_.path.string()));
-        file_.write(encode_png(frame, options_));
+        PngOptions options;
+        options.texts = texts_of(plan_, plan_.first_frame, frame);
+        file_.write(encode_png(frame, options));
         written_ = true;
     }
     void finish() override { file_.commit(); }
 
  private:
     OutputPlan plan_;
-    PngOptions options_;
     AtomicFile file_;
     bool written_ = false;
 };

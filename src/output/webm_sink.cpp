@@ -13,6 +13,7 @@
 #include "error/error.h"
 #include "image/alpha.h"
 #include "output/chapters.h"
+#include "output/film_packets.h"
 #include "output/formats.h"
 #include "output/frame_log.h"
 #include "output/video_encoder.h"
@@ -40,9 +41,6 @@ constexpr std::array<Quality, 4> kQualities = {{
 
 // As with x264, the bytes depend on the number of threads.
 constexpr int kThreads = 2;
-
-// Frames between two starts of the encoder; libvpx sets a key frame every 128 anyway.
-constexpr std::int64_t kChunkFrames = 120;
 
 EncoderSettings settings_for(const OutputPlan& plan, bool alpha) {
     const Quality& quality = quality_named(kQualities, plan.quality);
@@ -127,19 +125,30 @@ void describe_stream(AVStream& stream, const OutputPlan& plan, bool alpha) {
     if (alpha) av_dict_set(&stream.metadata, "alpha_mode", "1", 0);
 }
 
-// Puts the film together from what the log holds. VP9's packets come in the order shown.
-void write_whole(FrameLog& log, const OutputPlan& plan) {
+std::string text_of_film(FrameLog& log, const OutputPlan& plan, std::int64_t n_frames) {
+    PacketHash hash(kChunkFrames);
+    for (std::int64_t k = 0; k < n_frames; ++k) {
+        const auto entry = log.read(k);
+        const std::size_t n_beside = n_beside_of(entry);
+        hash.add(entry.subspan(kEntryHead + n_beside), entry.subspan(kEntryHead, n_beside));
+    }
+    return text_of(plan, {.n_frames = n_frames, .packets = hash.of_film()});
+}
+
+// Puts the film together from the first entries of the log. VP9's packets come in the order shown.
+void write_whole(FrameLog& log, const OutputPlan& plan, std::int64_t n_frames) {
+    const std::string text = text_of_film(log, plan, n_frames);
     AtomicFile file(plan.path);
     libav::Muxer muxer("webm", file.descriptor(), plan.path, file.aside());
     describe_stream(*muxer.stream(), plan, has_alpha(log));
-    av_dict_set(&muxer.context()->metadata, "poinsot", plan.metadata.c_str(), 0);
-    add_chapters(*muxer.context(), plan.chapters, plan.rate);
+    av_dict_set(&muxer.context()->metadata, "poinsot", text.c_str(), 0);
+    add_chapters(*muxer.context(), first_chapters(plan.chapters, n_frames), plan.rate);
     libav::Options options;
     // The index in front lets players seek while they load.
     options.set("cues_to_front", "1");
     muxer.write_header(options);
     const libav::Packet packet = libav::make_packet();
-    for (std::int64_t k = 0; k < log.n_entries(); ++k) {
+    for (std::int64_t k = 0; k < n_frames; ++k) {
         unpack(log.read(k), *packet, plan.path);
         packet->pts = packet->dts = k;
         packet->duration = 1;
@@ -188,7 +197,7 @@ class WebmSink : public FrameSink {
     void finish() override {
         check_any_frame(n_written_, plan_);
         end_chunk();
-        write_whole(log_, plan_);
+        write_whole(log_, plan_, n_shown_of(plan_, log_.n_entries()));
         log_.discard();
     }
 
@@ -240,12 +249,12 @@ std::unique_ptr<FrameSink> open_webm(const OutputPlan& plan) {
     return std::make_unique<WebmSink>(plan);
 }
 
-std::int64_t recover_webm(const fs::path& path, const Retell& retell) {
+std::int64_t recover_webm(const fs::path& path, const Tell& tell) {
     silence_libav();
     FrameLog log = FrameLog::left_of(path);
     OutputPlan plan = log.plan();
-    if (retell) plan.metadata = retell(plan.metadata, plan.n_frames);
-    write_whole(log, plan);
+    plan.tell = tell;
+    write_whole(log, plan, plan.n_frames);
     log.discard();
     return plan.n_frames;
 }

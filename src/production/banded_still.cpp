@@ -72,7 +72,8 @@ bool wants_bands(const PictureMaker& pictures) {
 }
 
 void write_in_bands(PictureMaker& pictures, const FilmMoment& moment,
-                    const std::filesystem::path& path, const PngOptions& png, int bit_depth) {
+                    const std::filesystem::path& path, const PngOptions& png, int bit_depth,
+                    const TextsOfPixels& texts) {
     const Drawing whole = pictures.stage().at(moment);
     const bool opaque = whole.background.alpha >= 1.0;
     PngBandWriter file(path, pictures.width_px(), pictures.height_px(), opaque, png, bit_depth);
@@ -80,7 +81,7 @@ void write_in_bands(PictureMaker& pictures, const FilmMoment& moment,
         write_bands<DeepImage>(pictures, whole, file);
     else
         write_bands<Image>(pictures, whole, file);
-    file.finish();
+    file.finish(texts(file.pixel_check()));
 }
 
 }  // namespace poinsot

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
 
 #include "image/png.h"
 #include "production/picture.h"
@@ -13,10 +16,14 @@ namespace poinsot {
 // should be held in memory whole.
 bool wants_bands(const PictureMaker& pictures);
 
+// What a picture carries, from the hash of its pixels; see image/pixel_check.h.
+using TextsOfPixels = std::function<std::map<std::string, std::string>(const std::string& pixels)>;
+
 // Draws the picture of an instant and writes it. The bands show no seams: every pixel is computed
 // by itself, and the dither goes on. Throws: EnvironmentError if it cannot be written; InputError
 // for 16 bits with a quality that averages samples.
 void write_in_bands(PictureMaker& pictures, const FilmMoment& moment,
-                    const std::filesystem::path& path, const PngOptions& png, int bit_depth);
+                    const std::filesystem::path& path, const PngOptions& png, int bit_depth,
+                    const TextsOfPixels& texts);
 
 }  // namespace poinsot

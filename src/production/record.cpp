@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <map>
 #include <tuple>
 
 #include "error/error.h"
+#include "image/pixel_check.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
+#include "output/film_packets.h"
 #include "output/frame_sink.h"
 #include "scene/write_scene.h"
 #include "system/sha256.h"
@@ -42,6 +45,9 @@ std::string method_in_words(const Motion& motion) {
 
 // The lines before the scene, by key.
 using Fields = std::map<std::string, std::string, std::less<>>;
+
+// The line that seals a record.
+constexpr std::string_view kSealKey = "record-sha256: ";
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
     throw InputError(fmt::format("{}: its record {}; it was not written by poinsot, or changed",
@@ -134,7 +140,30 @@ std::string to_text(const Record& record) {
     if (record.bit_depth != 8) add("depth", fmt::format("{}", record.bit_depth));
     if (record.frames)
         add("frames", fmt::format("{}-{}", record.frames->first, record.frames->second));
+    if (record.run) add("run", fmt::format("{}-{}", record.run->first, record.run->second));
+    if (record.frame) add("frame", fmt::format("{}", *record.frame));
+    if (!record.pixels.empty()) add("pixels-xxh64", record.pixels);
+    if (!record.packets.empty()) add("packets-sha256", record.packets);
     return text + "\n" + record.scene_toml;
+}
+
+std::string sealed_text(const Record& record) {
+    std::string text = to_text(record);
+    const std::string seal = fmt::format("{}{}\n", kSealKey, sha256_of(text));
+    return text.insert(text.find("\n\n") + 1, seal);
+}
+
+std::string told(const std::string& metadata, const Contents& contents) {
+    Record record = parse_record(metadata, "the output under way");
+    if (record.frames && contents.n_frames > 0) {
+        const auto run = *record.frames;
+        record.frames->second = run.first + contents.n_frames - 1;
+        if (record.frames->second != run.second) record.run = run;
+    }
+    record.frame = contents.frame;
+    record.pixels = contents.pixels;
+    record.packets = contents.packets;
+    return sealed_text(record);
 }
 
 Record parse_record(std::string_view text, const std::string& name) {
@@ -143,8 +172,19 @@ Record parse_record(std::string_view text, const std::string& name) {
     const std::size_t blank = text.find("\n\n");
     if (blank == std::string_view::npos) refuse(name, "holds no scene");
 
-    std::string_view head = text.substr(opening.size(), blank + 1 - opening.size());
     Record record;
+    // A hash of what stands around its line.
+    if (const std::size_t seal = text.find(fmt::format("\n{}", kSealKey)); seal < blank) {
+        const std::size_t end = text.find('\n', seal + 1);
+        Sha256 hash;
+        hash.add(text.substr(0, seal + 1));
+        hash.add(text.substr(end + 1));
+        const std::size_t digits = seal + 1 + kSealKey.size();
+        record.sealed = hash.finish() == text.substr(digits, end - digits);
+        if (!record.sealed) refuse(name, "is not the one whose hash it holds");
+    }
+
+    std::string_view head = text.substr(opening.size(), blank + 1 - opening.size());
     record.version = head.substr(0, head.find('\n'));
     Fields fields;
     while (!(head = head.substr(head.find('\n') + 1)).empty()) {
@@ -175,6 +215,12 @@ Record parse_record(std::string_view text, const std::string& name) {
         record.bit_depth = static_cast<int>(number(field(fields, "depth", name), name));
     if (fields.contains("frames"))
         record.frames = number_pair<std::int64_t>(field(fields, "frames", name), '-', name);
+    if (fields.contains("run"))
+        record.run = number_pair<std::int64_t>(field(fields, "run", name), '-', name);
+    if (fields.contains("frame"))
+        record.frame = static_cast<std::int64_t>(number(field(fields, "frame", name), name));
+    if (fields.contains("pixels-xxh64")) record.pixels = field(fields, "pixels-xxh64", name);
+    if (fields.contains("packets-sha256")) record.packets = field(fields, "packets-sha256", name);
     if (record.time_s.has_value() == record.frames.has_value())
         refuse(name, "must say either an instant or frames");
     return record;
@@ -193,6 +239,46 @@ Record read_record(const std::filesystem::path& file) {
                         "has drawn does",
                         printable(file.string())));
     return parse_record(text, file.string());
+}
+
+Verification verify(const std::filesystem::path& file, const Record& record) {
+    const bool is_picture = file.extension() == ".png";
+    const std::string& then = is_picture ? record.pixels : record.packets;
+    if (!record.sealed || then.empty())
+        return {Verified::cannot_be,
+                "its record holds no hash: cannot be verified; it was drawn by an older poinsot"};
+    bool same = false;
+    if (is_picture) {
+        const PngInfo info = read_png_info(file);
+        same = info.width_px == record.width_px && info.height_px == record.height_px &&
+               pixel_check_of(file) == then;
+    } else {
+        same = packet_hash_of(file) == then;
+    }
+    if (same) return {Verified::yes, "as it was written, record and pictures"};
+    return {Verified::no,
+            fmt::format("its {} not those that its record was written with; it was changed since",
+                        is_picture ? "pixels are" : "pictures are")};
+}
+
+bool is_quickly_verified(const std::filesystem::path& file, const Record& record) {
+    constexpr std::uintmax_t few_bytes = 1 << 24;
+    constexpr std::int64_t few_pixels = 1 << 24;
+    std::error_code error;
+    const std::uintmax_t n_bytes = std::filesystem::file_size(file, error);
+    return !error && n_bytes <= few_bytes &&
+           std::int64_t{record.width_px} * record.height_px <= few_pixels;
+}
+
+std::optional<std::int64_t> frame_of_name(const std::filesystem::path& file) {
+    const std::string stem = file.stem().string();
+    const auto last_other = std::find_if(stem.rbegin(), stem.rend(),
+                                         [](unsigned char c) { return std::isdigit(c) == 0; });
+    const std::string digits(last_other.base(), stem.end());
+    std::int64_t number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (digits.empty() || error != std::errc{}) return std::nullopt;
+    return number;
 }
 
 }  // namespace poinsot

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "output/frame_sink.h"
 #include "production/picture.h"
 #include "production/session.h"
 
@@ -29,7 +30,14 @@ struct Record {
     std::optional<double> dpi, type_pt;                           // of one for print
     int bit_depth = 8;                                            // of a still
     std::optional<std::pair<std::int64_t, std::int64_t>> frames;  // of a film, inclusive
-    std::string scene_toml;                                       // every key, defaults included
+    // Of a film that was recovered: the frames of the run that was interrupted, whose histories its
+    // pictures show and whose packets it has.
+    std::optional<std::pair<std::int64_t, std::int64_t>> run;
+    std::optional<std::int64_t> frame;  // of a picture of a sequence, whose frames those are
+    std::string pixels;                 // of a picture, hash; see image/pixel_check.h
+    std::string packets;                // of a film, hash; see output/film_packets.h
+    bool sealed = false;                // it was read with a hash of all of it, which fits
+    std::string scene_toml;             // every key, defaults included
 
     bool operator==(const Record&) const = default;
 };
@@ -43,12 +51,35 @@ Record record_of(const Session& session, const PictureMaker& pictures, bool port
 // "poinsot VERSION", a line "key: value" each, an empty line, the scene.
 std::string to_text(const Record& record);
 
-// Reads such a text; unknown keys are passed over. `name` stands in messages. Throws InputError for
-// what is not a record, and for a scene that is not the one its hash names.
+// The same with a last line before the empty one: the hash (SHA-256) of all the others. It tells
+// what was changed by mistake, not what was forged: whoever changes a record can hash it again.
+std::string sealed_text(const Record& record);
+
+// The text of a file whose contents are known, sealed, from that which its plan carries.
+std::string told(const std::string& metadata, const Contents& contents);
+
+// Reads such texts; unknown keys are passed over. `name` stands in messages. Throws InputError for
+// what is not a record, and for one that is not as its hash, or that of its scene, says.
 Record parse_record(std::string_view text, const std::string& name);
 
 // The record that a PNG or film carries. Throws InputError if the file cannot be read or carries
 // none.
 Record read_record(const std::filesystem::path& file);
+
+// Whether a file's pixels, or packets, are those that its record was written with.
+enum class Verified { yes, no, cannot_be };
+struct Verification {
+    Verified verified = Verified::cannot_be;
+    std::string sentence;  // about the file, one line
+};
+
+// Reads all of the file. Throws InputError if it cannot be read.
+Verification verify(const std::filesystem::path& file, const Record& record);
+
+// Whether that takes no longer than a glance.
+bool is_quickly_verified(const std::filesystem::path& file, const Record& record);
+
+// The number that ends a sequence's file name: 7 of "turn_0007.png".
+std::optional<std::int64_t> frame_of_name(const std::filesystem::path& file);
 
 }  // namespace poinsot

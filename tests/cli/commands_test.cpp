@@ -168,10 +168,10 @@ TEST(Recover, GivesTheFramesThatWereDrawnAndRenderGoesOn) {
     const std::string script = "cd '" + folder.path().string() +
                                "' || exit 1\n'" POINSOT_PROGRAM "' render scene.toml -o a.mp4" +
                                film + " &\nwhile kill -0 $! 2>/dev/null && [ \"$(stat -c " +
-                               "%s .a.mp4.part.mp4 2>/dev/null || echo 0)\" -lt " +
+                               "%s .a.mp4.part.frames 2>/dev/null || echo 0)\" -lt " +
                                std::to_string(n_bytes) +
                                " ]; do sleep 0.01; done\nkill -9 $!\nwait $! 2>/dev/null\n" +
-                               "cp .a.mp4.part.mp4 .b.mp4.part.mp4\n";
+                               "cp .a.mp4.part.frames .b.mp4.part.frames\n";
     ASSERT_EQ(std::system(script.c_str()), 0);
     ASSERT_FALSE(std::filesystem::exists(folder.path() / "a.mp4"));
     ASSERT_EQ(run_program_in(folder, "recover b.mp4").code, 0);
@@ -185,7 +185,12 @@ TEST(Recover, GivesTheFramesThatWereDrawnAndRenderGoesOn) {
         ASSERT_TRUE(expected == found) << k;
     }
     const ProgramRun says = run_program_in(folder, "explain b.mp4");
-    EXPECT_NE(says.out.find("frames: 0-" + std::to_string(n_frames - 1) + "\n"), std::string::npos);
+    EXPECT_NE(says.out.find("frames: 0-" + std::to_string(n_frames - 1) + "\nrun: 0-899\n"),
+              std::string::npos)
+        << says.out;
+    // What is recovered can be made again, as whatever is made here can.
+    ASSERT_EQ(run_program_in(folder, "rerender -q b.mp4 -o again.mp4").code, 0);
+    EXPECT_TRUE(text_of(folder.path() / "again.mp4") == text_of(folder.path() / "b.mp4"));
     ASSERT_EQ(run_program_in(folder, "render scene.toml -o a.mp4" + film).code, 0);
     EXPECT_EQ(text_of(folder.path() / "a.mp4"), text_of(folder.path() / "whole.mp4"));
 }

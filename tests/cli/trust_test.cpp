@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "cli/program_run.h"
 #include "image/png.h"
@@ -91,6 +94,134 @@ TEST_F(Pictures, EveryOutputSaysHowItWasMadeAndIsMadeAgain) {
         EXPECT_TRUE(text_of(folder_.path() / file) == text_of(folder_.path() / again)) << file;
         fs::remove(folder_.path() / again);
     }
+}
+
+// The words in a file replaced by as many others.
+void replace_in(const fs::path& file, const std::string& words, const std::string& others) {
+    std::string bytes = text_of(file);
+    const std::size_t at = bytes.find(words);
+    ASSERT_NE(at, std::string::npos) << words;
+    ASSERT_EQ(words.size(), others.size());
+    std::ofstream(file, std::ios::binary) << bytes.replace(at, words.size(), others);
+}
+
+// A PNG's text replaced as by a program that writes PNGs properly.
+void retell(const fs::path& file, const std::function<void(std::string& text)>& change) {
+    const StoredPicture picture = read_stored_png(file);
+    PngOptions options;
+    options.texts = picture.info.texts;
+    change(options.texts["poinsot"]);
+    write_png(file, picture.image, options);
+}
+
+void replace(std::string& text, const std::string& words, const std::string& others) {
+    const std::size_t at = text.find(words);
+    ASSERT_NE(at, std::string::npos) << words;
+    text.replace(at, words.size(), others);
+}
+
+// Nothing that a record says can be changed by mistake.
+TEST_F(Pictures, RefuseARecordThatWasChanged) {
+    draw("a.png", "--time 0.3");
+    for (const auto& [words, others] : {std::pair{"size: 128x72", "size: 128x73"},
+                                        {"profile: native", "profile: portable"},
+                                        {"within 0.", "within 9."},
+                                        {"mesa: ", "mesa: 9"},
+                                        {"time_s: 0.3", "time_s: 0.4"},
+                                        {"\n\n", "\nnew: field\n\n"},
+                                        {"omega_rad_s = [0.01", "omega_rad_s = [0.02"}}) {
+        fs::copy_file(folder_.path() / "a.png", folder_.path() / "new/a.png",
+                      fs::copy_options::overwrite_existing);
+        retell(folder_.path() / "new/a.png",
+               [&](std::string& text) { replace(text, words, others); });
+        for (const char* command : {"explain new/a.png", "rerender new/a.png -o b.png",
+                                    "approve --results new --baselines ref a"}) {
+            const ProgramRun refused = run(command);
+            EXPECT_EQ(refused.code, 2) << words << ": " << command;
+            EXPECT_TRUE(is_one_line(refused.err)) << refused.err;
+        }
+    }
+    for (const char* film : {"a.mp4", "a.webm", "a.gif"}) {
+        ASSERT_EQ(run(std::string("render scene.toml -q -o ") + film).code, 0);
+        EXPECT_EQ(run(std::string("explain --verify ") + film).code, 0);
+        replace_in(folder_.path() / film, "profile: native", "profile: nativE");
+        EXPECT_EQ(run(std::string("explain ") + film).code, 2) << film;
+    }
+}
+
+TEST_F(Pictures, SayWhetherTheyAreThoseThatWereDrawn) {
+    draw("new/a.png", "--portable --time 0.3");
+    draw("deep.png", "--time 0.3 --depth 16");
+    for (const char* file : {"new/a.png", "deep.png"}) {
+        const ProgramRun verified = run(std::string("explain --verify ") + file);
+        EXPECT_EQ(verified.code, 0) << verified.err;
+        EXPECT_TRUE(is_one_line(verified.err) && contains(verified.err, "as it was written"));
+        EXPECT_EQ(run(std::string("explain ") + file).err, "");
+    }
+    // One pixel another, the record as it was.
+    StoredPicture picture = read_stored_png(folder_.path() / "new/a.png");
+    picture.image.set(5, 5, {1, 2, 3, 255});
+    PngOptions options;
+    options.texts = picture.info.texts;
+    write_png(folder_.path() / "new/a.png", picture.image, options);
+    for (const char* command : {"explain new/a.png", "explain --verify new/a.png"}) {
+        const ProgramRun changed = run(command);
+        EXPECT_EQ(changed.code, 1) << command;
+        EXPECT_TRUE(is_one_line(changed.err) && contains(changed.err, "pixels are not those"))
+            << changed.err;
+    }
+    EXPECT_TRUE(contains(run("explain --json new/a.png").out, "\"verified\": \"no\""));
+    const ProgramRun refused = approve("a");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(is_one_line(refused.err)) << refused.err;
+
+    // A film's packets lie at its end.
+    ASSERT_EQ(run("render scene.toml -q -o a.mp4").code, 0);
+    std::string film = text_of(folder_.path() / "a.mp4");
+    film[film.size() - 20] = static_cast<char>(film[film.size() - 20] ^ 1);
+    std::ofstream(folder_.path() / "a.mp4", std::ios::binary) << film;
+    EXPECT_EQ(run("explain a.mp4").code, 1);
+}
+
+// A picture of an older poinsot is still explained and drawn again; it cannot be verified, which is
+// neither yes nor no.
+TEST_F(Pictures, WithoutAHashCannotBeVerified) {
+    draw("new/a.png", "--portable --time 0.3");
+    retell(folder_.path() / "new/a.png", [](std::string& text) {
+        const std::size_t from = text.find("pixels-xxh64: ");
+        text.erase(from, text.find("\n\n") + 1 - from);
+    });
+    const ProgramRun explained = run("explain new/a.png");
+    EXPECT_EQ(explained.code, 0);
+    EXPECT_EQ(explained.err, "");
+    const ProgramRun asked = run("explain --verify new/a.png");
+    EXPECT_EQ(asked.code, 1);
+    EXPECT_TRUE(is_one_line(asked.err) && contains(asked.err, "cannot be verified")) << asked.err;
+    EXPECT_EQ(run("rerender -q new/a.png -o b.png").code, 0);
+    const ProgramRun approved = approve("a");
+    EXPECT_EQ(approved.code, 0);
+    EXPECT_TRUE(is_one_line(approved.err) && contains(approved.err, "cannot be verified"));
+}
+
+TEST_F(Pictures, OfASequenceKnowTheirPlaces) {
+    ASSERT_EQ(run("render scene.toml -q --frames 2-9 -o f_##.png").code, 0);
+    const std::string third = text_of(folder_.path() / "f_03.png");
+    fs::rename(folder_.path() / "f_03.png", folder_.path() / "x.png");
+    fs::rename(folder_.path() / "f_04.png", folder_.path() / "f_03.png");
+    fs::rename(folder_.path() / "x.png", folder_.path() / "f_04.png");
+    const ProgramRun renamed = run("explain f_03.png");
+    EXPECT_EQ(said(renamed.out, "frame"), "4");
+    EXPECT_TRUE(is_one_line(renamed.err) && contains(renamed.err, "is frame 4")) << renamed.err;
+    // It is drawn again as what it is.
+    ASSERT_EQ(run("rerender -q f_04.png -o again.png").code, 0);
+    EXPECT_TRUE(text_of(folder_.path() / "again.png") == third);
+    ASSERT_EQ(run("render scene.toml -q --frames 2-9 -o f_##.png").code, 0);
+    EXPECT_TRUE(text_of(folder_.path() / "f_03.png") == third);
+
+    const ProgramRun shorter = run("render scene.toml --frames 2-5 -o f_##.png");
+    EXPECT_EQ(shorter.code, 0);
+    EXPECT_TRUE(contains(shorter.err, "4 frames of another run beside these: f_06.png to f_09.png"))
+        << shorter.err;
 }
 
 TEST_F(Pictures, ComparedSayWhyTheyDiffer) {

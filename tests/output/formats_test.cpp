@@ -1,4 +1,5 @@
 // The table of formats: which file name asks for which, and what each refuses.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "output/films.h"
@@ -185,6 +186,41 @@ TEST(PngSequence, GoesOnAfterWholeFramesOfTheSamePlan) {
     plan.resume = true;
     write_film(plan);
     EXPECT_TRUE(read_png(folder / "f_3.png") == frame_of(plan, 3));
+}
+
+// A frame's text knows its number and its pixels.
+TEST(PngSequence, DrawsFramesAgainThatAreNotWhatTheySay) {
+    const TemporaryFolder folder;
+    OutputPlan plan = small_plan(folder / "f_#.png", 6);
+    plan.resume = true;
+    plan.tell = [](const std::string& metadata, const Contents& contents) {
+        return fmt::format("{} {} {}", metadata, contents.frame.value(), contents.pixels);
+    };
+    write_film(plan);
+    const auto n_kept = [&] { return format_for(plan.path).open(plan)->n_frames_kept(); };
+    EXPECT_EQ(n_kept(), 6);
+
+    const StoredPicture frame = read_stored_png(folder / "f_4.png");
+    PngOptions options;
+    options.texts = frame.info.texts;
+    write_png(folder / "f_4.png", Image(plan.width_px, plan.height_px), options);
+    EXPECT_EQ(n_kept(), 4);
+    std::filesystem::copy_file(folder / "f_1.png", folder / "f_2.png",
+                               std::filesystem::copy_options::overwrite_existing);
+    EXPECT_EQ(n_kept(), 2);
+    write_film(plan);
+    EXPECT_EQ(n_kept(), 6);
+    for (int k = 0; k < 6; ++k)
+        EXPECT_TRUE(read_png(frame_name(plan.path, k)) == frame_of(plan, k)) << k;
+}
+
+TEST(FrameNames, AreFoundAgain) {
+    const TemporaryFolder folder;
+    for (const char* name : {"f_03.png", "f_12.png", "f_111.png", "f_7.png", "f_003.png",
+                             "f_05.txt", "g_04.png", "f_.png", "f_0x.png", "f_-1.png"})
+        std::ofstream(folder / name) << "x";
+    EXPECT_EQ(frames_there(folder / "f_##.png"), (std::vector<std::int64_t>{3, 12, 111}));
+    EXPECT_TRUE(frames_there(folder / "none/f_##.png").empty());
 }
 
 TEST(PngSequence, SecondRunIsRefused) {

@@ -5,7 +5,6 @@
 #include <random>
 #include <thread>
 
-#include "output/film_part.h"
 #include "output/films.h"
 #include "output/frame_log.h"
 
@@ -22,9 +21,7 @@ OutputPlan film_plan(const fs::path& path) {
 }
 
 // Where a film under way lies.
-fs::path part_of(const OutputPlan& plan) {
-    return plan.path.extension() == ".mp4" ? film_part_path(plan.path) : frame_log_path(plan.path);
-}
+fs::path part_of(const OutputPlan& plan) { return frame_log_path(plan.path); }
 
 // Writes the film in a child process and kills it when the part aside has grown to a size.
 void write_and_kill(const OutputPlan& plan, std::uintmax_t n_bytes) {
@@ -98,6 +95,40 @@ TEST_P(InterruptedFilm, GoesOnToTheSameBytes) {
         write_unfinished(plan_, std::uniform_int_distribution<std::int64_t>(0, 399)(random));
     }
     EXPECT_GT(n_resumed, 2);
+}
+
+// One changed bit aside takes what was drawn after it, and none that is wrong reaches the film.
+TEST_P(InterruptedFilm, WithAChangedBitEndsInTheSameBytes) {
+    write_film(plan_);
+    const std::string whole = bytes_of(plan_.path);
+    std::mt19937 random(13);
+    for (int i = 0; i < 6; ++i) {
+        fs::remove(plan_.path);
+        write_unfinished(plan_, 300);
+        std::string part = bytes_of(part_of(plan_));
+        char& byte = part[std::uniform_int_distribution<std::size_t>(0, part.size() - 1)(random)];
+        byte = static_cast<char>(byte ^ (1 << i));
+        std::ofstream(part_of(plan_), std::ios::binary) << part;
+        write_film(plan_);
+        EXPECT_TRUE(bytes_of(plan_.path) == whole) << i;
+    }
+}
+
+// Its packets know of frames that it does not show, so those are drawn, too.
+TEST_P(InterruptedFilm, RecoveredIsDrawnAgainToTheSameBytes) {
+    for (const std::int64_t n_drawn : {100, 130, 290, 400}) {
+        write_unfinished(plan_, n_drawn);
+        OutputPlan again = plan_;
+        again.n_shown = recover_film(plan_.path);
+        const std::string recovered = bytes_of(plan_.path);
+        fs::remove(plan_.path);
+        const std::int64_t n_chunk = GetParam().n_chunk_frames;
+        again.n_frames =
+            std::min(plan_.n_frames, (again.n_shown + n_chunk - 1) / n_chunk * n_chunk);
+        write_film(again);
+        EXPECT_TRUE(bytes_of(plan_.path) == recovered) << again.n_shown << " of " << n_drawn;
+        fs::remove(plan_.path);
+    }
 }
 
 // The frames of a GIF depend on all that it shows; those of the others are the whole film's.
@@ -244,10 +275,9 @@ TEST(InterruptedWebm, GoesOnWithItsTransparency) {
     EXPECT_TRUE(bytes_of(plan.path) == whole);
 }
 
-TEST(InterruptedMp4, WithoutAWholeFragmentLeavesNothing) {
+TEST(InterruptedMp4, WithoutAWholePacketLeavesNothing) {
     const TemporaryFolder folder;
     const OutputPlan plan = film_plan(folder / "a.mp4");
-    std::ofstream(folder / ".a.mp4.renewed.mp4") << "of a run killed while it renewed its part";
     format_for(plan.path).open(plan)->write(frame_of(plan, 0));
     EXPECT_TRUE(folder.contents().empty());
 }

@@ -1,0 +1,168 @@
+#include "output/film_packets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "error/error.h"
+#include "output/frame_sink.h"
+#include "output/libav.h"
+#include "output/video_encoder.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CloseInput {
+    void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
+};
+
+std::string hash_of_stream(const fs::path& film, std::int64_t n_chunk_frames) {
+    silence_libav();
+    const auto check = [&film](int result) {
+        if (result < 0)
+            throw InputError(fmt::format("{} cannot be read as a film: {}", film.string(),
+                                         libav::error_text(result)));
+        return result;
+    };
+    AVFormatContext* context = nullptr;
+    check(avformat_open_input(&context, ("file:" + film.string()).c_str(), nullptr, nullptr));
+    const std::unique_ptr<AVFormatContext, CloseInput> input(context);
+    check(avformat_find_stream_info(context, nullptr));
+    const int stream = check(av_find_best_stream(context, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0));
+    const libav::Packet packet = libav::make_packet();
+    PacketHash hash(n_chunk_frames);
+    for (int result = 0; (result = av_read_frame(context, packet.get())) != AVERROR_EOF;) {
+        check(result);
+        if (packet->stream_index == stream) {
+            std::size_t n_beside = 0;
+            const std::uint8_t* const beside = av_packet_get_side_data(
+                packet.get(), AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, &n_beside);
+            hash.add({packet->data, static_cast<std::size_t>(packet->size)}, {beside, n_beside});
+        }
+        av_packet_unref(packet.get());
+    }
+    return hash.of_film();
+}
+
+// Takes a GIF apart from its beginning. Source: GIF89a specification, §17–27.
+class GifReader {
+ public:
+    GifReader(std::span<const std::uint8_t> file, std::string name)
+        : file_(file), name_(std::move(name)) {}
+
+    PacketHash packets() {
+        PacketHash hash(1);
+        std::vector<std::uint8_t> picture;
+        const auto take = [&](std::size_t n_bytes) {
+            const auto bytes = next(n_bytes);
+            picture.insert(picture.end(), bytes.begin(), bytes.end());
+            return bytes;
+        };
+        const auto take_blocks = [&] {
+            while (const std::size_t size = take(1)[0]) take(size);
+        };
+        constexpr std::size_t flags_at = 10;
+        const auto head = take(13);
+        if (!std::equal(head.begin(), head.begin() + 3, "GIF")) refuse();
+        take(colours_of(head[flags_at]));
+        while (at_ < file_.size() && file_[at_] != kTrailer) {
+            const bool is_comment = file_[at_] == kExtension && file_.size() - at_ > 1 &&
+                                    file_[at_ + 1] == kCommentLabel;
+            const std::size_t before = picture.size();
+            if (file_[at_] == kExtension) {
+                take(2);
+                take_blocks();
+            } else if (file_[at_] == kImage) {
+                take(colours_of(take(10)[9]));
+                take(1);
+                take_blocks();
+                hash.add(picture);
+                picture.clear();
+                continue;
+            } else {
+                refuse();
+            }
+            if (is_comment) picture.resize(before);
+        }
+        if (!picture.empty()) hash.add(picture);
+        return hash;
+    }
+
+ private:
+    static constexpr std::uint8_t kExtension = 0x21, kImage = 0x2c, kTrailer = 0x3b,
+                                  kCommentLabel = 0xfe;
+
+    // Bytes of a table of colours that flags announce.
+    static std::size_t colours_of(std::uint8_t flags) {
+        return flags & 0x80 ? std::size_t{3} << ((flags & 7) + 1) : 0;
+    }
+
+    std::span<const std::uint8_t> next(std::size_t n_bytes) {
+        if (n_bytes > file_.size() - at_) refuse();
+        at_ += n_bytes;
+        return file_.subspan(at_ - n_bytes, n_bytes);
+    }
+
+    [[noreturn]] void refuse() const {
+        throw InputError(fmt::format("{} cannot be read as a GIF", name_));
+    }
+
+    std::span<const std::uint8_t> file_;
+    std::string name_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace
+
+void PacketHash::add(std::span<const std::uint8_t> packet, std::span<const std::uint8_t> beside) {
+    for (const auto part : {packet, beside}) {
+        if (part.empty()) continue;
+        std::array<std::uint8_t, 8> size{};
+        for (std::size_t i = 0; i < size.size(); ++i)
+            size[i] = static_cast<std::uint8_t>(std::uint64_t{part.size()} >> (56 - 8 * i));
+        chunk_.add(size);
+        chunk_.add(part);
+    }
+    if (++n_in_chunk_ == n_chunk_packets_) end_chunk();
+}
+
+void PacketHash::end_chunk() {
+    if (n_in_chunk_ == 0) return;
+    chunks_.push_back(chunk_.finish());
+    chunk_ = {};
+    n_in_chunk_ = 0;
+}
+
+std::vector<std::string> PacketHash::chunks() {
+    end_chunk();
+    return chunks_;
+}
+
+std::string PacketHash::of_film() {
+    std::string list;
+    for (const std::string& chunk : chunks()) list += chunk + "\n";
+    return sha256_of(list);
+}
+
+PacketHash gif_packets(std::span<const std::uint8_t> file, const std::string& name) {
+    return GifReader(file, name).packets();
+}
+
+std::string packet_hash_of(const fs::path& film) {
+    const OutputFormat& format = format_for(film);
+    if (format.suffix != ".gif") return hash_of_stream(film, format.n_chunk_frames);
+    std::ifstream stream(film, std::ios::binary);
+    const std::vector<std::uint8_t> file{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream) throw InputError(fmt::format("{} cannot be read", film.string()));
+    return gif_packets(file, film.string()).of_film();
+}
+
+}  // namespace poinsot
