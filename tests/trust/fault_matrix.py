@@ -3,7 +3,10 @@
 
 A run must end with the right file (the bytes of an undisturbed run), or with exit code 3 (2 where the scene could not be read),
 one line, and nothing under the final name. Exit code 1 if any case does otherwise.
-Usage: fault_matrix.py POINSOT [FAILING_NEW.so [QUOTA.so]] [--kills N] [--seed N] [--runs N] [--only CASE…]
+What is left to chance comes from the seed, a trial at a time: a wrong outcome names its trial, and `--seed N --only CASE --trial
+TRIAL` makes that one again. Places of system calls are exact; moments of `kills` are as exact as the machine's clock; libfiu's
+dice are its own.
+Usage: fault_matrix.py POINSOT [FAILING_NEW.so [QUOTA.so]] [--kills N] [--seed N] [--runs N] [--only CASE…] [--trial TRIAL]
 """
 import argparse
 import hashlib
@@ -39,8 +42,9 @@ LONG_FRAMES = 720  # of the film that is killed: six chunks
 
 
 class Matrix:
-    def __init__(self, program, folder):
+    def __init__(self, program, folder, seed=1, trial=None):
         self.program, self.folder = program, folder
+        self.seed, self.trial = seed, trial
         self.scene = folder / "scene.toml"
         self.scene.write_text(SCENE)
         self.counts = {}
@@ -69,18 +73,26 @@ class Matrix:
         key = (fault, name, ("" if right else "WRONG: ") + outcome)
         self.counts[key] = self.counts.get(key, 0) + 1
 
+    def dice(self, *trial):
+        return random.Random(f"{self.seed}:{':'.join(map(str, trial))}")
+
+    def wants(self, *trial):
+        """Whether a trial is asked for: all are, or one by its name."""
+        return self.trial is None or self.trial == ":".join(map(str, trial))
+
     def print(self):
         for (fault, name, outcome), n in self.counts.items():
-            print(f"{fault:34} {name:11} {n:3} × {outcome}", flush=True)
+            print(f"{fault:41} {name:11} {n:3} × {outcome}", flush=True)
         self.counts = {}
 
-    def judge(self, fault, name, place, done, input_may_fail=False):
+    def judge(self, fault, name, place, done, input_may_fail=False, trial=None):
         """A finished process and the folder it wrote to."""
+        replay = f" (trial {trial})" if trial else ""
         found, expected = self.contents(place), self.expected[name]
         line = done.stderr.decode(errors="replace").strip()
         one_line = line.count("\n") == 0 and line != ""
         if done.returncode == 0:
-            self.say(fault, name, found == expected, "right file" if found == expected else "exit 0 without the right file")
+            self.say(fault, name, found == expected, "right file" if found == expected else f"exit 0 without the right file{replay}")
             return
         if done.returncode == 3 and one_line and found == expected:
             self.say(fault, name, True, f"exit 3, one line, and the right file ({line.split(': ')[-1][:60]})")
@@ -93,7 +105,7 @@ class Matrix:
             self.say(fault, name, True, f"exit {done.returncode}, one line ({reason})")
         else:
             self.say(fault, name, False,
-                     f"exit {done.returncode}, left {sorted(found) if not partial else 'nothing'}, said {line[-200:]!r}")
+                     f"exit {done.returncode}, left {sorted(found) if not partial else 'nothing'}, said {line[-200:]!r}{replay}")
 
     def fresh(self):
         return pathlib.Path(tempfile.mkdtemp(dir=self.folder))
@@ -214,11 +226,14 @@ class Matrix:
             self.say("second run on the same output", name, refused,
                      "exit 3, one line (another run is writing it)" if refused else f"exit {done.returncode} {done.stderr[-200:]}")
 
-    def kills(self, n_kills, seed):
-        """kill -9 at random moments, then the same command again; in every fifth round it may finish."""
-        dice = random.Random(seed)
+    def kills(self, n_kills):
+        """kill -9 at random moments, then the same command again; after five kills it may finish."""
+        n_each = 5
         for name, frames, share in (("a.mp4", LONG_FRAMES, 1), ("a.webm", LONG_FRAMES, 0.4), ("a.gif", 400, 0.4),
                                     ("a_####.png", 150, 0.2)):
+            rounds = [k for k in range(max(1, round(n_kills * share / n_each))) if self.wants(name, k)]
+            if not rounds:
+                continue
             right = self.fresh()
             command = self.command(name, right)
             command[command.index("--frames") + 1] = f"0-{frames - 1}"
@@ -226,33 +241,120 @@ class Matrix:
             subprocess.run(command, check=True)
             whole_s = time.monotonic() - began
             expected = self.contents(right)
-            n_done, n_early, n_resumed = 0, 0, 0
-            place = self.fresh()
-            again = [part.replace(str(right), str(place)) for part in command if part != "-q"]
-            while n_done < n_kills * share:
-                process = subprocess.Popen(again, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-                try:
-                    process.wait(dice.uniform(0.0, 0.6 * whole_s))
-                    n_early += 1
-                except subprocess.TimeoutExpired:
-                    process.send_signal(signal.SIGKILL)
-                    process.wait()
-                    n_done += 1
-                found = self.contents(place)
-                # A run killed between the renaming and its end has done its work.
-                if any(expected.get(n) != h for n, h in found.items()):
-                    self.say("kill -9", name, False, "a file that is not as it should be")
-                if process.returncode == 0 or n_done % 5 == 0:
-                    done = self.run(again)
-                    n_resumed += b"going on" in done.stderr
-                    same = done.returncode == 0 and self.contents(place) == expected
-                    self.say("kill -9, then the same command", name, same,
-                             "the bytes of an uninterrupted run" if same else f"exit {done.returncode} {done.stderr[-200:]}")
-                    shutil.rmtree(place)
-                    place.mkdir()
+            n_done, n_resumed = 0, 0
+            for k in rounds:
+                dice, place = self.dice("kills", name, k), self.fresh()
+                again = [part.replace(str(right), str(place)) for part in command if part != "-q"]
+                for _ in range(n_each):
+                    process = subprocess.Popen(again, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                    try:
+                        process.wait(dice.uniform(0.0, 0.6 * whole_s))
+                    except subprocess.TimeoutExpired:
+                        process.send_signal(signal.SIGKILL)
+                        process.wait()
+                        n_done += 1
+                    # A run killed between the renaming and its end has done its work.
+                    if any(expected.get(n) != h for n, h in self.contents(place).items()):
+                        self.say("kill -9", name, False, f"a file that is not as it should be (trial {name}:{k})")
+                    if process.returncode == 0:
+                        break
+                n_resumed += self.finish("kill -9", name, k, again, place, expected)
             # How many there are depends on the machine's speed; that kept frames are used is tested in tests/output.
             self.say("kill -9", name, True,
                      f"{n_done} kills; {n_resumed} finishing runs went on from what was left")
+
+    def finish(self, fault, name, trial, command, place, expected):
+        """The same command, undisturbed, ends in the bytes of an uninterrupted run. Returns whether it went on from any."""
+        done = self.run(command)
+        same = done.returncode == 0 and self.contents(place) == expected
+        self.say(f"{fault}, then the same command", name, same, "the bytes of an uninterrupted run" if same else
+                 f"exit {done.returncode} {done.stderr[-200:]} (trial {name}:{trial})")
+        shutil.rmtree(place)
+        return b"going on" in done.stderr
+
+    # A program under strace, in which the n-th call of a thread kills or fails. Mesa's shader cache is no output.
+    CALLS = {"rename": "EIO", "fsync": "EIO", "write": "ENOSPC", "ftruncate": "EIO", "unlink": "EACCES"}
+
+    def traced(self, command, *options):
+        return self.run(["strace", "-f", "-qq", *options, *command],
+                        env=dict(os.environ, MESA_SHADER_CACHE_DISABLE="true"))
+
+    def places_of(self, command, call, dice):
+        """Which of a program's calls are disturbed: the first, the last, and some between."""
+        log = self.folder / "calls"
+        self.traced(command, "-o", str(log), "-e", f"trace={call}")
+        threads = [line.split()[0] for line in log.read_text(errors="replace").splitlines() if f" {call}(" in line]
+        most = max((threads.count(thread) for thread in set(threads)), default=0)
+        between = range(3, max(3, most - 2))
+        return sorted({1, 2, most - 1, most, *dice.sample(between, min(4, len(between)))} & set(range(1, most + 1)))
+
+    def system_calls(self):
+        """Kills and failures placed by system call."""
+        if shutil.which("strace") is None:
+            self.say("system calls", "all", True, "skipped: strace is not installed (Debian: strace)")
+            return
+        for name in KINDS:
+            for call, error in self.CALLS.items():
+                if self.trial is not None and not self.trial.startswith(f"{name}:{call}:"):
+                    continue
+                for n in self.places_of(self.command(name, self.fresh()), call, self.dice("system_calls", name, call)):
+                    trial = f"{call}:{n}"
+                    if not self.wants(name, call, n):
+                        continue
+                    place = self.fresh()
+                    command = self.command(name, place)
+                    self.traced(command, "-o", "/dev/null", "-e", f"trace={call}", "-e", f"inject={call}:signal=KILL:when={n}")
+                    found = self.contents(place)
+                    if any(self.expected[name].get(f) != h for f, h in found.items()):
+                        self.say(f"killed at {call}", name, False, f"left {sorted(found)} (trial {name}:{trial})")
+                    self.finish(f"killed at {call}", name, trial, command, place, self.expected[name])
+                    place = self.fresh()
+                    command = self.command(name, place)
+                    done = self.traced(command, "-o", "/dev/null", "-e", f"trace={call}",
+                                       "-e", f"inject={call}:error={error}:when={n}")
+                    self.judge(f"{call} fails", name, place, done, trial=f"{name}:{trial}")
+                    self.finish(f"{call} fails", name, trial, command, place, self.expected[name])
+
+    def approvals(self):
+        """`approve` killed at system calls: the next one finishes, and no baseline is without a line that fits."""
+        if shutil.which("strace") is None:
+            self.say("approve killed", "all", True, "skipped: strace is not installed (Debian: strace)")
+            return
+        drawn = self.fresh()
+        for k in range(4):
+            still = [self.program, "still", str(self.scene), "--portable", "-q", "--time", str(k), "-o", str(drawn / f"{k}.png")]
+            subprocess.run(still, check=True)
+
+        def approve(place):
+            return [self.program, "approve", "--all", "--results", str(place / "new"), "--baselines", str(place / "ref"),
+                    "--why", "again"]
+
+        def prepared():
+            """Two baselines; results of which one is another picture and one is new."""
+            place = self.fresh()
+            for folder in ("ref", "new"):
+                (place / folder).mkdir()
+            for name, k in (("a", 0), ("b", 1)):
+                shutil.copy(drawn / f"{k}.png", place / "new" / f"{name}.png")
+            subprocess.run(approve(place), check=True, stdout=subprocess.DEVNULL)
+            shutil.copy(drawn / "2.png", place / "new" / "b.png")
+            shutil.copy(drawn / "3.png", place / "new" / "c.png")
+            return place
+
+        for call in ("rename", "fsync", "write", "unlink", "openat"):
+            for n in self.places_of(approve(prepared()), call, self.dice("approvals", call)):
+                if not self.wants("approve", call, n):
+                    continue
+                place = prepared()
+                self.traced(approve(place), "-o", "/dev/null", "-e", f"trace={call}",
+                            "-e", f"inject={call}:signal=KILL:when={n}")
+                again = self.run(approve(place))
+                compared = self.run([self.program, "compare", str(place / "ref"), str(place / "new")])
+                left = [p.name for p in (place / "ref").iterdir() if p.name.startswith(".")]
+                right = again.returncode == 0 and compared.returncode == 0 and not left
+                self.say(f"killed at {call}, then approved", "approve", right,
+                         "every baseline as approved" if right else
+                         f"exit {again.returncode}, {compared.stdout[-200:]}, left {left} (trial approve:{call}:{n})")
 
     def failing_calls(self, n_runs):
         """libfiu: reads, writes, opens and syncs of the C library that fail at random."""
@@ -317,19 +419,21 @@ def main():
     arguments.add_argument("--seed", type=int, default=1)
     arguments.add_argument("--runs", type=int, default=6, help="of each kind under each of libfiu's faults")
     arguments.add_argument("--only", nargs="*", metavar="CASE", help="of the cases, these")
+    arguments.add_argument("--trial", help="of the trials of kills, system_calls or approvals, this one")
     chosen = arguments.parse_args()
     with tempfile.TemporaryDirectory(prefix="poinsot-faults-") as folder:
-        matrix = Matrix(chosen.program, pathlib.Path(folder))
+        matrix = Matrix(chosen.program, pathlib.Path(folder), chosen.seed, chosen.trial)
         cases = {"full_disk": matrix.full_disk, "full_device": matrix.full_device, "limit": matrix.small_limit,
                  "quota": lambda: matrix.quota(chosen.quota),
                  "folders": matrix.closed_folders, "pipe": matrix.broken_pipe, "second_run": matrix.second_run,
-                 "room": matrix.room, "kills": lambda: matrix.kills(chosen.kills, chosen.seed),
+                 "room": matrix.room, "kills": lambda: matrix.kills(chosen.kills),
+                 "system_calls": matrix.system_calls, "approvals": matrix.approvals,
                  "libfiu": lambda: matrix.failing_calls(chosen.runs),
                  "allocation": lambda: matrix.failing_allocation(chosen.failing_new, 8)}
         for case in chosen.only or cases:
             cases[case]()
             matrix.print()
-        print(f"{matrix.n_runs} outcomes, {matrix.n_wrong} wrong")
+        print(f"{matrix.n_runs} outcomes with seed {chosen.seed}, {matrix.n_wrong} wrong")
         return 1 if matrix.n_wrong else 0
 
 
