@@ -57,7 +57,7 @@ std::string json_of(const Record& record, const std::optional<Verification>& ver
 
 // The text comes from a file: nothing in it may steer the terminal.
 void print_text(const Record& record) {
-    const std::string text = record.sealed ? sealed_text(record) : to_text(record);
+    const std::string& text = record.text;
     for (std::size_t from = 0; from < text.size();) {
         const std::size_t end = std::min(text.find('\n', from), text.size());
         fmt::print("{}\n", printable(text.substr(from, end - from)));

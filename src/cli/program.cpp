@@ -144,7 +144,7 @@ const auto option_table = std::to_array<OptionRow>({
     {"verify",
      [](CLI::App& app, Options& o) {
          app.add_flag("--verify", o.verify,
-                      "read all of the file: are its pictures those that its record was written with?");
+                      "read all of the file: is it as it was written? tells mistakes, not forgeries");
      }},
     {"json", [](CLI::App& app, Options& o) { app.add_flag("--json", o.json, "answer in JSON"); }},
     {"profile",

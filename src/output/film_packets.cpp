@@ -7,10 +7,11 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "error/error.h"
-#include "output/frame_sink.h"
+#include "output/formats.h"
 #include "output/libav.h"
 #include "output/video_encoder.h"
 
@@ -24,7 +25,7 @@ struct CloseInput {
     void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
 };
 
-std::string hash_of_stream(const fs::path& film, std::int64_t n_chunk_frames) {
+std::string hash_of_stream(const fs::path& film) {
     silence_libav();
     const auto check = [&film](int result) {
         if (result < 0)
@@ -38,7 +39,7 @@ std::string hash_of_stream(const fs::path& film, std::int64_t n_chunk_frames) {
     check(avformat_find_stream_info(context, nullptr));
     const int stream = check(av_find_best_stream(context, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0));
     const libav::Packet packet = libav::make_packet();
-    PacketHash hash(n_chunk_frames);
+    PacketHash hash(kChunkFrames);
     for (int result = 0; (result = av_read_frame(context, packet.get())) != AVERROR_EOF;) {
         check(result);
         if (packet->stream_index == stream) {
@@ -157,9 +158,11 @@ PacketHash gif_packets(std::span<const std::uint8_t> file, const std::string& na
 }
 
 std::string packet_hash_of(const fs::path& film) {
-    const OutputFormat& format = format_for(film);
-    if (format.suffix != ".gif") return hash_of_stream(film, format.n_chunk_frames);
     std::ifstream stream(film, std::ios::binary);
+    std::array<char, 3> start{};
+    stream.read(start.data(), start.size());
+    if (std::string_view(start.data(), start.size()) != "GIF") return hash_of_stream(film);
+    stream.seekg(0);
     const std::vector<std::uint8_t> file{std::istreambuf_iterator<char>(stream), {}};
     if (!stream) throw InputError(fmt::format("{} cannot be read", film.string()));
     return gif_packets(file, film.string()).of_film();

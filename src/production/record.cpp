@@ -74,8 +74,9 @@ std::pair<Number, Number> number_pair(const std::string& text, char between,
     refuse(name, fmt::format("says \"{}\"", printable(text)));
 }
 
-double number(const std::string& text, const std::string& name) {
-    double value = 0;
+template <typename Number = double>
+Number number(const std::string& text, const std::string& name) {
+    Number value = 0;
     const char* const end = text.data() + text.size();
     const auto [last, error] = std::from_chars(text.data(), end, value);
     if (error != std::errc{} || last != end)
@@ -166,6 +167,26 @@ std::string told(const std::string& metadata, const Contents& contents) {
     return sealed_text(record);
 }
 
+namespace {
+
+// Frames are counted with, so they must be some; those of a run begin where the run does.
+void check_frames(const Record& record, const std::string& name) {
+    constexpr std::int64_t most = std::int64_t{1} << 53;
+    const auto is_span = [](const auto& span) {
+        return !span || (0 <= span->first && span->first <= span->second && span->second < most);
+    };
+    bool right = is_span(record.frames) && is_span(record.run);
+    if (right && record.frames && record.run)
+        right =
+            record.run->first == record.frames->first && record.frames->second < record.run->second;
+    if (right && record.frames && record.frame)
+        right = record.frames->first <= *record.frame && *record.frame <= record.frames->second;
+    if (!right || ((record.run || record.frame) && !record.frames))
+        refuse(name, "counts frames that cannot be");
+}
+
+}  // namespace
+
 Record parse_record(std::string_view text, const std::string& name) {
     constexpr std::string_view opening = "poinsot ";
     if (!text.starts_with(opening)) refuse(name, "does not begin with \"poinsot\"");
@@ -173,6 +194,7 @@ Record parse_record(std::string_view text, const std::string& name) {
     if (blank == std::string_view::npos) refuse(name, "holds no scene");
 
     Record record;
+    record.text = text;
     // A hash of what stands around its line.
     if (const std::size_t seal = text.find(fmt::format("\n{}", kSealKey)); seal < blank) {
         const std::size_t end = text.find('\n', seal + 1);
@@ -212,17 +234,18 @@ Record parse_record(std::string_view text, const std::string& name) {
     if (fields.contains("dpi")) record.dpi = number(field(fields, "dpi", name), name);
     if (fields.contains("type-pt")) record.type_pt = number(field(fields, "type-pt", name), name);
     if (fields.contains("depth"))
-        record.bit_depth = static_cast<int>(number(field(fields, "depth", name), name));
+        record.bit_depth = number<int>(field(fields, "depth", name), name);
     if (fields.contains("frames"))
         record.frames = number_pair<std::int64_t>(field(fields, "frames", name), '-', name);
     if (fields.contains("run"))
         record.run = number_pair<std::int64_t>(field(fields, "run", name), '-', name);
     if (fields.contains("frame"))
-        record.frame = static_cast<std::int64_t>(number(field(fields, "frame", name), name));
+        record.frame = number<std::int64_t>(field(fields, "frame", name), name);
     if (fields.contains("pixels-xxh64")) record.pixels = field(fields, "pixels-xxh64", name);
     if (fields.contains("packets-sha256")) record.packets = field(fields, "packets-sha256", name);
     if (record.time_s.has_value() == record.frames.has_value())
         refuse(name, "must say either an instant or frames");
+    check_frames(record, name);
     return record;
 }
 
@@ -246,7 +269,7 @@ Verification verify(const std::filesystem::path& file, const Record& record) {
     const std::string& then = is_picture ? record.pixels : record.packets;
     if (!record.sealed || then.empty())
         return {Verified::cannot_be,
-                "its record holds no hash: cannot be verified; it was drawn by an older poinsot"};
+                "its record holds no hash, as those of older versions do not: cannot be verified"};
     bool same = false;
     if (is_picture) {
         const PngInfo info = read_png_info(file);

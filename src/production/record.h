@@ -38,6 +38,7 @@ struct Record {
     std::string packets;                // of a film, hash; see output/film_packets.h
     bool sealed = false;                // it was read with a hash of all of it, which fits
     std::string scene_toml;             // every key, defaults included
+    std::string text;                   // of one that was read, all of it
 
     bool operator==(const Record&) const = default;
 };

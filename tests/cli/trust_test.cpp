@@ -203,6 +203,31 @@ TEST_F(Pictures, WithoutAHashCannotBeVerified) {
     EXPECT_TRUE(is_one_line(approved.err) && contains(approved.err, "cannot be verified"));
 }
 
+// A record whose numbers cannot be is refused whoever wrote it; a field of a later version is not.
+TEST_F(Pictures, RefuseRecordsOfFramesThatCannotBe) {
+    ASSERT_EQ(run("render scene.toml -q --frames 2-9 -o f_##.png").code, 0);
+    const auto with = [this](const std::string& lines) {
+        fs::copy_file(folder_.path() / "f_03.png", folder_.path() / "x.png",
+                      fs::copy_options::overwrite_existing);
+        retell(folder_.path() / "x.png", [&lines](std::string& text) {
+            const std::size_t from = text.find("frames: ");
+            text.replace(from, text.find("\n\n") + 1 - from, lines);
+        });
+        return run("explain x.png");
+    };
+    for (const char* lines :
+         {"frames: 9-2\n", "frames: -1-2\n", "frames: 0-9223372036854775807\n",
+          "frames: 2-9\nrun: 3-9\n", "frames: 2-9\nrun: 2-8\n", "frames: 2-9\nframe: 1\n",
+          "frames: 2-9\nframe: 1e300\n", "frames: 2-9\ndepth: 1e300\n", "time_s: 1\nframe: 1\n"}) {
+        const ProgramRun refused = with(lines);
+        EXPECT_EQ(refused.code, 2) << lines;
+        EXPECT_TRUE(is_one_line(refused.err)) << refused.err;
+    }
+    const ProgramRun later = with("frames: 2-9\nmood: good\n");
+    EXPECT_EQ(later.code, 0);
+    EXPECT_EQ(said(later.out, "mood"), "good");
+}
+
 TEST_F(Pictures, OfASequenceKnowTheirPlaces) {
     ASSERT_EQ(run("render scene.toml -q --frames 2-9 -o f_##.png").code, 0);
     const std::string third = text_of(folder_.path() / "f_03.png");

@@ -50,6 +50,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();
         return 0;
     }
+    // With every bit that is stored it is the same picture.
+    if (!(poinsot::decode_stored_png({data, size}, "fuzz.png").image == image)) std::abort();
     poinsot::PngOptions options;
     options.deflate_level = 1;
     if (!(poinsot::decode_png(poinsot::encode_png(image, options), "again.png") == image))
