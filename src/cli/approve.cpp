@@ -117,7 +117,11 @@ int run(const Options& options) {
     const auto say = [&options](const std::string& name, std::string_view what) {
         if (!options.quiet) fmt::print("{}: {}\n", printable(name), what);
     };
-    BaselineWriter baselines(choices.baselines);
+    BaselineWriter baselines(choices.baselines, [&options, &choices] {
+        if (!options.quiet)
+            fmt::print(stderr, "note: another approval is at work in {}; waiting for it\n",
+                       printable(choices.baselines));
+    });
     for (const std::string& name : baselines.finished())
         say(name, "taken by an approval that was interrupted; its line is written now");
 

@@ -70,11 +70,12 @@ std::string Baselines::fault(const std::string& name, const std::string& pixels)
         kManifestName);
 }
 
-BaselineWriter::BaselineWriter(fs::path folder) : folder_(std::move(folder)) {
+BaselineWriter::BaselineWriter(fs::path folder, const std::function<void()>& when_held)
+    : folder_(std::move(folder)) {
     std::error_code ignored;  // the lock says what is wrong
     made_ = fs::create_directories(folder_, ignored);
     const fs::path list = folder_ / kManifestName;
-    lock_.emplace(list, aside_path_of(list, ".lock"), false, AtomicFile::IfHeld::wait);
+    lock_.emplace(list, aside_path_of(list, ".lock"), false, when_held);
     manifest_ = read_manifest(folder_);
     finish_interrupted();
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,8 +42,10 @@ class Baselines {
 // line it had or with its new one, or what the next to write needs in order to finish.
 class BaselineWriter {
  public:
-    // Makes the folder where there is none. Throws: EnvironmentError; as read_manifest.
-    explicit BaselineWriter(std::filesystem::path folder);
+    // Makes the folder where there is none. Calls when_held before it waits. Throws:
+    // EnvironmentError; as read_manifest.
+    explicit BaselineWriter(
+        std::filesystem::path folder, const std::function<void()>& when_held = [] {});
     ~BaselineWriter();  // a folder that was made and is still empty goes
     BaselineWriter(const BaselineWriter&) = delete;
     BaselineWriter& operator=(const BaselineWriter&) = delete;

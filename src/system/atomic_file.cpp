@@ -77,14 +77,14 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(followed(path)) {
         return;
     }
     aside_ = aside_path_of(path_);
-    open_aside(IfHeld::refuse);
+    open_aside({});
 }
 
 AtomicFile::AtomicFile(const fs::path& path, const fs::path& aside, bool keep_contents,
-                       IfHeld if_held)
+                       const std::function<void()>& when_held)
     : path_(followed(path)), aside_(aside), keeps_(keep_contents) {
     check_place(path_);
-    open_aside(if_held);
+    open_aside(when_held);
 }
 
 AtomicFile::~AtomicFile() {
@@ -109,15 +109,17 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
     return *this;
 }
 
-void AtomicFile::open_aside(IfHeld if_held) {
+void AtomicFile::open_aside(const std::function<void()>& when_held) {
     while (descriptor_ < 0) {
         const int opened = ::open(aside_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
         if (opened < 0) throw_write_error(path_, errno);
         // A file system that cannot lock still gets its file; it only cannot refuse a second run.
-        const int operation = LOCK_EX | (if_held == IfHeld::refuse ? LOCK_NB : 0);
-        int locked = 0;
-        do locked = flock(opened, operation);
-        while (locked != 0 && errno == EINTR);
+        int locked = flock(opened, LOCK_EX | LOCK_NB);
+        if (locked != 0 && errno == EWOULDBLOCK && when_held) {
+            when_held();
+            do locked = flock(opened, LOCK_EX);
+            while (locked != 0 && errno == EINTR);
+        }
         if (locked != 0 && errno == EWOULDBLOCK) {
             ::close(opened);
             throw EnvironmentError(fmt::format(

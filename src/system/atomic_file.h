@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,10 +32,9 @@ class AtomicFile {
     // The same with a file aside of the caller's naming, in the same folder.
     // keep_contents leaves what a killed run has written, for the caller to go on from, and unless
     // it is discarded leaves it again.
-    // Another run that holds it is waited for if so told.
-    enum class IfHeld { refuse, wait };
+    // Another run that holds it is waited for where when_held is given, which is called first.
     AtomicFile(const std::filesystem::path& path, const std::filesystem::path& aside,
-               bool keep_contents = false, IfHeld if_held = IfHeld::refuse);
+               bool keep_contents = false, const std::function<void()>& when_held = {});
     ~AtomicFile();  // removes what is aside, unless it was committed or released or is kept
     AtomicFile(AtomicFile&& other) noexcept;
     AtomicFile& operator=(AtomicFile&& other) noexcept;
@@ -61,7 +61,7 @@ class AtomicFile {
     void replace(AtomicFile& other);
 
  private:
-    void open_aside(IfHeld if_held);
+    void open_aside(const std::function<void()>& when_held);
     bool has_contents() const;
 
     std::filesystem::path path_;

@@ -156,6 +156,18 @@ TEST_F(BaselineFolder, TakesWhatSeveralBringAtOnce) {
     EXPECT_EQ(compared().size(), 10u);
 }
 
+// Whoever waits says so first; nobody waits in vain.
+TEST_F(BaselineFolder, IsWaitedForWithAWord) {
+    std::optional<BaselineWriter> first(std::in_place, folder_ / "ref");
+    int n_words = 0;
+    // The first is done as soon as the second begins to wait.
+    const BaselineWriter second(folder_ / "ref", [&] {
+        ++n_words;
+        first.reset();
+    });
+    EXPECT_EQ(n_words, 1);
+}
+
 TEST(Baselines, LeaveNoFolderThatStaysEmpty) {
     const TemporaryFolder folder;
     { const BaselineWriter writer(folder / "ref"); }
