@@ -52,9 +52,10 @@ Certificate certify(const Motion& motion, std::span<const double> times_s, doubl
     certificate.claims = {
         {"contact_plane_gap", "distance of the contact point from the plane, over the plane's"},
         {"tangency_gap",
-         "distance of the ellipsoid's lowest point from the plane, over the plane's"},
+         "distance of the ellipsoid's point of tangency from the plane, over the plane's"},
         {"slip",
-         "speed of the matter at the lowest point, over |omega| times the largest half-axis"},
+         "speed of the matter where it touches the plane, over |omega| times the largest "
+         "half-axis"},
         {"momentum", "drift of L as a vector in space, over |L|"},
         {"kinetic_energy", "drift of T, over T"},
         {"unit_quaternion", "deviation of the attitude's quaternion from length one"},

@@ -5,7 +5,7 @@ namespace poinsot {
 namespace {
 
 Eigen::Vector3d foot_of(const PoinsotConstruction& construction) {
-    return -construction.plane_distance() * construction.vertical_space();
+    return construction.plane_distance() * construction.normal_space();
 }
 
 Eigen::Vector3d point_from_foot(const PoinsotConstruction& construction, const Motion& motion,

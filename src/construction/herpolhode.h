@@ -10,7 +10,7 @@
 namespace poinsot {
 
 // A stretch of the herpolhode sampled to a tolerance, in space axes and the ellipsoid's lengths.
-// Points are measured from `foot`, the plane's point below the centre, so that the smallest loops
+// Points are measured from `foot`, the plane's point on L, so that the smallest loops
 // keep their shape.
 struct Herpolhode : TimedPath {
     Eigen::Vector3d foot = Eigen::Vector3d::Zero();

@@ -31,7 +31,7 @@ PoinsotConstruction::PoinsotConstruction(const InertiaTensor& inertia, const Rot
     const Eigen::Vector3d momentum = tensor_ * omega;
     sqrt_2T_scaled_ = std::sqrt(omega.dot(momentum));
     momentum_scaled_space_ = start.space_from_body * momentum;
-    vertical_space_ = momentum_scaled_space_.stableNormalized();
+    normal_space_ = momentum_scaled_space_.stableNormalized();
     plane_distance_ = sqrt_2T_scaled_ / momentum.stableNorm();
 }
 
@@ -49,7 +49,7 @@ double PoinsotConstruction::momentum_kg_m2_s() const {
 
 Eigen::Vector3d PoinsotConstruction::contact_body(const Eigen::Vector3d& omega_body) const {
     return omega_body.unaryExpr(
-        [this](double w) { return -std::ldexp(w, -omega_exponent_) / sqrt_2T_scaled_; });
+        [this](double w) { return std::ldexp(w, -omega_exponent_) / sqrt_2T_scaled_; });
 }
 
 Eigen::Vector3d PoinsotConstruction::contact_space(const RotationState& state) const {
@@ -61,13 +61,13 @@ Eigen::Vector3d PoinsotConstruction::contact_in_plane(
     return contact_body(herpolhode_space);
 }
 
-Eigen::Vector3d PoinsotConstruction::lowest_point_space(
+Eigen::Vector3d PoinsotConstruction::tangency_point_space(
     const Eigen::Quaterniond& space_from_body) const {
-    // F(r) = 1 with J r ∥ −n gives r = −J⁻¹n/√(n·J⁻¹n), in principal axes term by term.
+    // F(r) = 1 with J r ∥ n gives r = J⁻¹n/√(n·J⁻¹n), in principal axes term by term.
     const Eigen::Matrix3d& axes = inertia_.body_from_principal();
-    const Eigen::Vector3d n = axes.transpose() * (space_from_body.conjugate() * vertical_space_);
+    const Eigen::Vector3d n = axes.transpose() * (space_from_body.conjugate() * normal_space_);
     const Eigen::Vector3d inverse_n = n.cwiseQuotient(inertia_.moments_kg_m2());
-    return space_from_body * (axes * (-inverse_n / std::sqrt(n.dot(inverse_n))));
+    return space_from_body * (axes * (inverse_n / std::sqrt(n.dot(inverse_n))));
 }
 
 RollingResiduals PoinsotConstruction::residuals(const RotationState& state) const {
@@ -79,13 +79,12 @@ RollingResiduals PoinsotConstruction::residuals(const RotationState& state) cons
 
     RollingResiduals r;
     const Eigen::Vector3d contact = contact_space(state);
-    r.contact_plane_gap =
-        std::abs(contact.dot(vertical_space_) + plane_distance_) / plane_distance_;
-    const Eigen::Vector3d lowest = lowest_point_space(state.space_from_body);
-    r.tangency_gap = std::abs(lowest.dot(vertical_space_) + plane_distance_) / plane_distance_;
+    r.contact_plane_gap = std::abs(contact.dot(normal_space_) - plane_distance_) / plane_distance_;
+    const Eigen::Vector3d touching = tangency_point_space(state.space_from_body);
+    r.tangency_gap = std::abs(touching.dot(normal_space_) - plane_distance_) / plane_distance_;
     const Eigen::Vector3d omega_space = state.space_from_body * omega;
     const double longest = half_axes().maxCoeff();
-    r.slip = omega_space.cross(lowest / longest).norm() / omega.norm();
+    r.slip = omega_space.cross(touching / longest).norm() / omega.norm();
     r.momentum =
         (momentum - momentum_scaled_space_).stableNorm() / momentum_scaled_space_.stableNorm();
     r.energy = std::abs(twice_T - twice_T_start) / twice_T_start;

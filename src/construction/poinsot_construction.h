@@ -1,11 +1,11 @@
 // The constants of one free motion and the contact point: what Poinsot drew, as geometry. Knows
 // mechanics only.
 //
-// Lengths are those of the inertia ellipsoid F(ρ) = ρᵀJρ = 1, in 1/√(kg m²), with ρ = ω/√(2T). The
-// plane drawn is the lower one of the two parallel tangent planes: the picture's vertical is L, the
-// ellipsoid stands on the plane n·x = −√(2T)/L with n = L/|L|, and touches it at −ρ. By the
-// ellipsoid's symmetry this is Poinsot's construction mirrored in the centre. Source: Landau &
-// Lifshitz, Mechanics §37; Goldstein, Classical Mechanics §5.6.
+// Lengths are those of the inertia ellipsoid F(ρ) = ρᵀJρ = 1, in 1/√(kg m²), with ρ = ω/√(2T). Its
+// normal at ρ is ∇F = 2Jρ = √(2/T) L, so that there, at the tip of ρ, it touches the invariable
+// plane n·x = +√(2T)/L with n = L/|L|, and rolls on it: the point of touch lies on the
+// instantaneous axis. All that is drawn holds to this side; the other tangent plane, at −ρ, appears
+// nowhere. Source: Goldstein, Classical Mechanics §5.6; Landau & Lifshitz, Mechanics §37.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,10 +19,9 @@ namespace poinsot {
 
 // How far a state is from being Poinsot's construction; zero for the exact motion.
 struct RollingResiduals {
-    double contact_plane_gap = 0.0;  // distance of −ρ from the plane over the plane's distance
-    double tangency_gap = 0.0;       // of the ellipsoid's lowest point from the plane, likewise
-    double slip =
-        0.0;  // |ω × r| at the ellipsoid's lowest point r, over |ω| and the largest half-axis
+    double contact_plane_gap = 0.0;  // distance of ρ from the plane over the plane's distance
+    double tangency_gap = 0.0;       // of the ellipsoid's point of tangency from it, likewise
+    double slip = 0.0;             // |ω × r| at that point r, over |ω| and the largest half-axis
     double momentum = 0.0;         // |L(t) − L(0)|/|L(0)|, as vectors in space
     double energy = 0.0;           // |T(t) − T(0)|/T(0)
     double unit_quaternion = 0.0;  // | |q| − 1 |
@@ -39,23 +38,23 @@ class PoinsotConstruction {
     Eigen::Vector3d half_axes() const;
     // √(2T)/L, the distance of the invariable plane from the centre.
     double plane_distance() const { return plane_distance_; }
-    // L/|L| in space axes: upwards in the picture.
-    const Eigen::Vector3d& vertical_space() const { return vertical_space_; }
+    // n = L/|L| in space axes: the plane's normal, from the centre towards the plane.
+    const Eigen::Vector3d& normal_space() const { return normal_space_; }
 
     // T in J and |L| in kg m²/s; they may overflow or vanish where the geometry above does not.
     double kinetic_energy_J() const;
     double momentum_kg_m2_s() const;
 
-    // −ρ = −ω/√(2T): the contact point in body axes and in space axes.
+    // ρ = ω/√(2T): the contact point in body axes and in space axes.
     Eigen::Vector3d contact_body(const Eigen::Vector3d& omega_body) const;
     Eigen::Vector3d contact_space(const RotationState& state) const;
-    // −ρ's component in the plane, from ω's component perpendicular to L; keeps relative accuracy
+    // ρ's component in the plane, from ω's component perpendicular to L; keeps relative accuracy
     // at any radius.
     Eigen::Vector3d contact_in_plane(const Eigen::Vector3d& herpolhode_space) const;
 
-    // Point of the ellipsoid with the outward normal −n, in space axes: found without ω, by
-    // tangency alone.
-    Eigen::Vector3d lowest_point_space(const Eigen::Quaterniond& space_from_body) const;
+    // Point of the ellipsoid with the outward normal n, in space axes: found without ω, by tangency
+    // alone.
+    Eigen::Vector3d tangency_point_space(const Eigen::Quaterniond& space_from_body) const;
 
     RollingResiduals residuals(const RotationState& state) const;
 
@@ -66,7 +65,7 @@ class PoinsotConstruction {
     int omega_exponent_ = 0;       // ω·2^−exponent has a largest component in [½, 1)
     double sqrt_2T_scaled_ = 0.0;  // √(2T) of the scaled ω
     double plane_distance_ = 0.0;
-    Eigen::Vector3d vertical_space_;
+    Eigen::Vector3d normal_space_;
     Eigen::Vector3d momentum_scaled_space_;
 };
 

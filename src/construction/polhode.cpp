@@ -44,9 +44,9 @@ Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body
         return I[i] == I[j] || omega[i] == 0.0 || omega[j] == 0.0;
     };
     if (steady(0, 1) && steady(1, 2) && steady(0, 2)) {
-        // Steady spin: the curve is the one point −ρ.
+        // Steady spin: the curve is the one point ρ.
         kind_ = Kind::point;
-        const Eigen::Vector3d at = -omega / std::sqrt(twice_T * I_largest);
+        const Eigen::Vector3d at = omega / std::sqrt(twice_T * I_largest);
         alpha_ = at[a_], beta_ = at[b_], gamma_ = at[c_];
         return;
     }
@@ -57,8 +57,8 @@ Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body
         return root_delta / std::sqrt(std::abs(I[i] * difference) * (twice_T * I_largest));
     };
     const double root_delta_c = std::sqrt(std::abs(delta_c));
-    alpha_ = amplitude(a_, root_delta_c, I[a_] - I[c_]) * (omega[a_] < 0.0 ? 1.0 : -1.0);
-    gamma_ = amplitude(c_, root_delta_a, I[c_] - I[a_]) * (omega[c_] < 0.0 ? 1.0 : -1.0);
+    alpha_ = amplitude(a_, root_delta_c, I[a_] - I[c_]) * (omega[a_] < 0.0 ? -1.0 : 1.0);
+    gamma_ = amplitude(c_, root_delta_a, I[c_] - I[a_]) * (omega[c_] < 0.0 ? -1.0 : 1.0);
     beta_ = amplitude(b_, root_delta_a, I[b_] - I[a_]);
     const double ratio = root_delta_a / root_delta_c;
     k2_ = ratio * ratio * std::abs((I[b_] - I[c_]) / (I[b_] - I[a_]));

@@ -8,7 +8,7 @@
 
 namespace poinsot {
 
-// The closed curve (or the open branch of the separatrix) that the contact point −ρ runs along, in
+// The closed curve (or the open branch of the separatrix) that the contact point ρ runs along, in
 // body axes and lengths of the ellipsoid F(ρ) = 1.
 //
 // With a the encircled principal axis, b the middle one and c the other, it is
@@ -50,7 +50,7 @@ class Polhode {
     Eigen::Matrix3d body_from_principal_;
     Eigen::Vector3d moments_;
     int a_ = 2, b_ = 1, c_ = 0;
-    double alpha_ = 0.0;  // signed amplitudes, along −ρ
+    double alpha_ = 0.0;  // signed amplitudes, along ρ
     double beta_ = 0.0;
     double gamma_ = 0.0;
     double k2_ = 0.0;  // modulus squared and its complement, both without cancellation

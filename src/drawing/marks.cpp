@@ -14,6 +14,20 @@ Eigen::Vector3d omega_tip(const Eigen::Vector3d& rho) {
     return rho * (omega_length * std::max(1.0, 1.0 / rho.norm()));
 }
 
+Eigen::Vector3d past_contact(const Eigen::Vector3d& rho) {
+    constexpr double beyond = 0.2;
+    return rho + beyond * rho.stableNormalized();
+}
+
+Eigen::Vector3d spin_axis_end(const Eigen::Vector3d& rho) {
+    constexpr double beyond = 0.3;
+    return rho + beyond * rho.stableNormalized();
+}
+
+Eigen::Vector3d momentum_tip(const ConstructionPicture& picture) {
+    return (picture.plane_distance + momentum_beyond_plane) * picture.normal;
+}
+
 Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen::Vector3d& tip,
                     const Colour& colour, double weight) {
     Arrow arrow;
@@ -121,6 +135,27 @@ Curve line_between(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Ve
     line.placement.linear() = length * axes;
     line.placement.translation() = a;
     return line;
+}
+
+void add_turn(const Panel& panel, const Turn& turn, const Colour& colour, const SetType& type,
+              Sheet& sheet) {
+    const Eigen::Vector3d from = turn.axis.unitOrthogonal();
+    const Eigen::Vector3d towards = turn.axis.cross(from);
+    sheet.view.curves.push_back(
+        arc_about(panel, turn.centre, from, towards, turn.radius, turn.angle_rad, colour, 3.2));
+    const auto at = [&](double angle) {
+        return Eigen::Vector3d(turn.centre +
+                               turn.radius * (std::cos(angle) * from + std::sin(angle) * towards));
+    };
+    // The head follows the arc's end; its shaft hides in the arc.
+    const double head = std::copysign(0.45, turn.angle_rad);
+    Arrow arrow = arrow_between(panel, at(turn.angle_rad - 0.2 * head),
+                                at(turn.angle_rad + 0.8 * head), colour, 0.85);
+    arrow.shaft_px = 3.2 * panel.px;
+    sheet.view.arrows.push_back(arrow);
+    // Its name stands to the right, where neither axis nor arrow runs.
+    const Eigen::Vector3d right = camera_axes(sheet.view.camera).col(0);
+    wish_beside(panel, turn.centre + 1.1 * turn.radius * right, turn.centre, type, colour, sheet);
 }
 
 }  // namespace poinsot

@@ -12,15 +12,28 @@ namespace poinsot {
 // Type beside arrows, px per em at 1080 rows.
 constexpr double label_size = 34.0;
 
-// Length of the arrow along L in units of the largest half-axis, beyond the ellipsoid's reach.
-constexpr double momentum_length = 1.42;
+// How far the arrow along L goes on beyond the invariable plane, in units of the largest half-axis.
+constexpr double momentum_beyond_plane = 0.34;
+
+// No arrow of the space panel is longer, in the same units.
+constexpr double longest_arrow_length = 1.42;
 
 // How far the arrows along e1, e2, e3 stand out of the ellipsoid, in the same units.
 constexpr double axis_overhang = 0.28;
 
 // Tip of the arrow along ω that pierces the ellipsoid at ρ = ω/√(2T): 1.3 times as far, and at
-// least 1.3.
+// least 1.3. For views in which nothing stands where ρ ends.
 Eigen::Vector3d omega_tip(const Eigen::Vector3d& rho);
+
+// A little beyond the contact on the line of ρ, where what is named along that line keeps off it.
+Eigen::Vector3d past_contact(const Eigen::Vector3d& rho);
+
+// Where the axis of rotation ends on the other side, out of the ellipsoid: the mirror image of
+// this.
+Eigen::Vector3d spin_axis_end(const Eigen::Vector3d& rho);
+
+// Tip of the arrow along L, through its foot on the plane.
+Eigen::Vector3d momentum_tip(const ConstructionPicture& picture);
 
 // An arrow whose proportions stay at any length: the head of a short one is at most two fifths of
 // it. `weight` 1 is the usual thickness.
@@ -67,6 +80,15 @@ void set_dashes(const Panel& panel, const Dashes& dashes, Curve& curve);
 Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,
                 const Eigen::Vector3d& towards, double radius, double angle_rad,
                 const Colour& colour, double width_px);
+
+// An arc with an arrow's head at its end: a rate about an axis, right-handed for positive angles.
+struct Turn {
+    Eigen::Vector3d centre, axis;  // the axis is a unit vector
+    double radius = 0.2;
+    double angle_rad = 5.0;
+};
+void add_turn(const Panel& panel, const Turn& turn, const Colour& colour, const SetType& type,
+              Sheet& sheet);
 
 // A straight line between two points; nothing is shown if they coincide.
 Curve line_between(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,

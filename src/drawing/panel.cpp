@@ -18,17 +18,18 @@ namespace {
 bool rolls(const StageData& stage) { return stage.rolling.has_value(); }
 
 bool any(const StageData&) { return true; }
+bool sweeps(const StageData& stage) { return !stage.scene.construction.sweep.empty(); }
 bool is_heavy_top(const StageData& stage) { return stage.motion.motion().heavy_top() != nullptr; }
 
 constexpr std::string_view heavy_top = "a heavy symmetric top";
 constexpr std::string_view free_turning = "a torque-free body that turns";
 
-const std::array<PanelKind, 8> table{{
+const std::array<PanelKind, 9> table{{
     {"space", "the ellipsoid rolling on the invariable plane", "Invariable plane", false, rolls,
      free_turning, make_space_panel},
     {"body", "the ellipsoid at rest, all its polhodes and the separatrices", "Body axes", true,
      rolls, free_turning, make_body_panel},
-    {"plan", "the herpolhode on the plane, seen along L from above", "Herpolhode", true, rolls,
+    {"plan", "the herpolhode on the plane, seen along its normal", "Herpolhode", true, rolls,
      free_turning, make_plan_panel},
     {"momentum", "the sphere |L| and the energy ellipsoid meeting, in body axes",
      "Momentum in body axes", true, rolls, free_turning, make_momentum_panel},
@@ -40,6 +41,8 @@ const std::array<PanelKind, 8> table{{
      "Heavy top", true, is_heavy_top, heavy_top, make_top_panel},
     {"potential", "effective potential of a heavy top with E and the moving point",
      "Effective potential", true, is_heavy_top, heavy_top, make_potential_panel},
+    {"sweep", "what [construction] sweep runs through: an axis of a body at rest, or √(2T)/L", "",
+     true, sweeps, "[construction] sweep", make_sweep_panel},
 }};
 
 }  // namespace
@@ -54,6 +57,7 @@ void aim(Panel& panel, const Camera& camera) {
 }
 
 std::string_view default_panel(const StageData& stage) {
+    if (sweeps(stage)) return "sweep";
     if (is_heavy_top(stage)) return "top";
     const auto& torque = stage.motion.motion().problem().torque;
     return std::holds_alternative<NoTorque>(torque) ? "space" : "object";

@@ -63,5 +63,6 @@ void make_plot_panel(Panel& panel);
 void make_potential_panel(Panel& panel);
 void make_top_panel(Panel& panel);
 void make_object_panel(Panel& panel);
+void make_sweep_panel(Panel& panel);
 
 }  // namespace poinsot

@@ -30,6 +30,9 @@ Drawing Stage::at(const FilmMoment& moment) const {
     drawing.width_px = data_->options.width_px;
     drawing.height_px = data_->options.height_px;
     drawing.background = data_->theme->background;
+    // Views own what is set and sampled for this drawing alone, to which their shapes point: they must
+    // not move once made.
+    drawing.views.reserve(data_->panels.size() + 1);
     for (const Panel& panel : data_->panels) {
         Sheet sheet;
         View& view = sheet.view;

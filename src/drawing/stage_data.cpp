@@ -1,7 +1,6 @@
 #include "drawing/stage_data.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -11,16 +10,11 @@
 #include "mechanics/free/free_rotation.h"
 #include "scene/film_clock.h"
 #include "scene/scene_error.h"
+#include "shapes/identity.h"
 
 namespace poinsot {
 
 namespace {
-
-// Identifiers only name uploads; which number a geometry gets never reaches a pixel.
-std::uint64_t next_geometry_id() {
-    static std::atomic<std::uint64_t> counter{0};
-    return ++counter;
-}
 
 // Drawn with radii up to half the picture's height: the sagitta r(1 − cos(π/n)) stays below half
 // of accuracy_px.
@@ -38,7 +32,8 @@ CurveGeometry circle_of_radius_1(const StageOptions& options, double accuracy_px
 
 }  // namespace
 
-ConstructionPicture::ConstructionPicture(const InertiaTensor& inertia, const RotationState& start)
+ConstructionPicture::ConstructionPicture(const InertiaTensor& inertia, const RotationState& start,
+                                         std::string_view plane)
     : construction(inertia, start),
       polhode(inertia, start.omega_body),
       cones(rolling_cones(inertia, start.omega_body)) {
@@ -47,7 +42,13 @@ ConstructionPicture::ConstructionPicture(const InertiaTensor& inertia, const Rot
     plane_distance = construction.plane_distance() * picture_per_rho;
     herpolhode_radius = polhode.annulus().outer * picture_per_rho;
     picture_from_space =
-        Eigen::Quaterniond::FromTwoVectors(construction.vertical_space(), Eigen::Vector3d::UnitZ());
+        Eigen::Quaterniond::FromTwoVectors(construction.normal_space(), Eigen::Vector3d::UnitZ());
+    normal = Eigen::Vector3d::UnitZ();
+    if (plane == "below") {
+        const Eigen::Quaterniond half_turn_about_x(0.0, 1.0, 0.0, 0.0);
+        picture_from_space = half_turn_about_x * picture_from_space;
+        normal = -normal;
+    }
 }
 
 Eigen::Quaterniond ConstructionPicture::picture_from_body(const Instant& instant) const {
@@ -76,7 +77,7 @@ StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOpti
     unit_circle = keep(circle_of_radius_1(options, scene.accuracy_px));
     unit_segment = keep({.points = {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}});
     make_construction();
-    timeline = Timeline(scene, rolling ? rolling->plane_distance : 0.0);
+    timeline = Timeline(scene, rolling ? rolling->foot() : Eigen::Vector3d::Zero().eval());
     // Curves are subdivided to half of accuracy_px; those that could not be note it.
     note_curve_error(0.5 * scene.accuracy_px);
     make_panels();
@@ -95,7 +96,7 @@ void StageData::make_construction() {
     if (!std::holds_alternative<NoTorque>(problem.torque) || problem.start.omega_body.isZero(0.0)) {
         return;
     }
-    rolling.emplace(problem.inertia, problem.start);
+    rolling.emplace(problem.inertia, problem.start, scene.construction.plane);
     const FreeRotationConstants constants =
         FreeRotation(problem.inertia, problem.start).constants();
     polhode_period_s = constants.polhode_period_s;
@@ -105,12 +106,12 @@ void StageData::make_construction() {
 StageData::~StageData() = default;
 
 const CurveGeometry* StageData::keep(CurveGeometry geometry) {
-    geometry.id = next_geometry_id();
+    geometry.id = next_identity();
     return &curves.emplace_back(std::move(geometry));
 }
 
 const MeshGeometry* StageData::keep(MeshGeometry geometry) {
-    geometry.id = next_geometry_id();
+    geometry.id = next_identity();
     return &meshes.emplace_back(std::move(geometry));
 }
 
@@ -136,8 +137,7 @@ Instant StageData::instant_at(const FilmMoment& moment) const {
 
 Eigen::Quaterniond StageData::turned_from_space(double time_s) const {
     const double angle_rad = turn_rate_rad_s * (time_s - scene.film.start_s);
-    return Eigen::Quaterniond(
-        Eigen::AngleAxisd(-angle_rad, rolling->construction.vertical_space()));
+    return Eigen::Quaterniond(Eigen::AngleAxisd(-angle_rad, rolling->construction.normal_space()));
 }
 
 double StageData::quickest_rate_rad_s() const {
@@ -154,11 +154,17 @@ double StageData::quickest_rate_rad_s() const {
     return rate;
 }
 
-std::vector<LiveValue> StageData::live_values(const Instant& instant) {
+std::vector<LiveValue> StageData::live_values(const Scene& scene, const Instant& instant) {
     const Eigen::Vector3d& omega = instant.state.omega_body;
-    return {{"time_s", instant.time_s},           {"time_h", instant.time_s / 3600.0},
-            {"time_d", instant.time_s / 86400.0}, {"omega_1_rad_s", omega[0]},
-            {"omega_2_rad_s", omega[1]},          {"omega_3_rad_s", omega[2]}};
+    const Eigen::Vector3d momentum = scene.body.inertia.matrix_body() * omega;
+    return {{"time_s", instant.time_s},
+            {"time_h", instant.time_s / 3600.0},
+            {"time_d", instant.time_s / 86400.0},
+            {"omega_1_rad_s", omega[0]},
+            {"omega_2_rad_s", omega[1]},
+            {"omega_3_rad_s", omega[2]},
+            {"kinetic_energy_J", 0.5 * omega.dot(momentum)},
+            {"momentum_kg_m2_s", momentum.stableNorm()}};
 }
 
 }  // namespace poinsot

@@ -43,8 +43,10 @@ struct Sheet {
 // Adds the shapes of one instant to a sheet; owns nothing, refers to the stage's geometry.
 using Drawer = std::function<void(const Instant&, Sheet&)>;
 
-// Poinsot's construction in picture axes: the fixed centre is the origin, z is along L, and the
-// ellipsoid's largest half-axis is 1.
+// Poinsot's construction in picture axes: the fixed centre is the origin, z is upwards, and the
+// ellipsoid's largest half-axis is 1. Where the plane lies below, L points down along −z: the
+// picture with L up turned by half a turn about its x axis, never mirrored, so that the right-hand
+// rule holds for every arrow.
 struct ConstructionPicture {
     PoinsotConstruction construction;
     Polhode polhode;
@@ -52,14 +54,21 @@ struct ConstructionPicture {
     double picture_per_rho = 1.0;
     Eigen::Quaterniond picture_from_space = Eigen::Quaterniond::Identity();
     Eigen::Vector3d half_axes = Eigen::Vector3d::Ones();
+    Eigen::Vector3d normal = -Eigen::Vector3d::UnitZ();  // n = L/|L|, from the centre to the plane
     double plane_distance = 1.0;
     double herpolhode_radius = 0.0;  // outer radius of the annulus
 
-    ConstructionPicture(const InertiaTensor& inertia, const RotationState& start);
+    // `plane`: "below" or "above", as [construction] says.
+    ConstructionPicture(const InertiaTensor& inertia, const RotationState& start,
+                        std::string_view plane);
+
+    // Where L meets the plane.
+    Eigen::Vector3d foot() const { return plane_distance * normal; }
 
     // Columns are e1, e2, e3 in picture axes.
     Eigen::Matrix3d principal_axes(const Instant& instant) const;
     Eigen::Quaterniond picture_from_body(const Instant& instant) const;
+    // The tip of ρ, where ellipsoid and plane touch.
     Eigen::Vector3d contact(const Instant& instant) const;
 };
 
@@ -131,7 +140,7 @@ struct StageData {
     double quickest_rate_rad_s() const;
 
     // The numbers that captions may name, at an instant.
-    static std::vector<LiveValue> live_values(const Instant& instant);
+    static std::vector<LiveValue> live_values(const Scene& scene, const Instant& instant);
 
  private:
     void make_construction();

@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/marks.h"
-
 namespace poinsot {
 
-Eigen::Vector3d aim_point(std::string_view name, double plane_distance) {
+Eigen::Vector3d aim_point(std::string_view name, const Eigen::Vector3d& foot) {
     if (name == "centre") return Eigen::Vector3d::Zero();
-    if (name == "foot") return {0.0, 0.0, -plane_distance};
-    // The middle between the plane and the tip of L.
-    return {0.0, 0.0, 0.5 * (momentum_length - plane_distance)};
+    if (name == "foot") return foot;
+    // The middle between the plane and the reach of the body on its other side.
+    return 0.5 * (foot - foot.stableNormalized());
 }
 
-Timeline::Timeline(const Scene& scene, double plane_distance)
+Timeline::Timeline(const Scene& scene, const Eigen::Vector3d& foot)
     : azimuth_deg_(scene.camera.azimuth_deg),
       elevation_deg_(scene.camera.elevation_deg),
       log_distance_(std::log(scene.camera.distance)),
@@ -22,7 +20,7 @@ Timeline::Timeline(const Scene& scene, double plane_distance)
       framing_(!scene.camera.target && scene.camera.look_at == "middle" ? 1.0 : 0.0),
       distance_(scene.camera.distance) {
     const Eigen::Vector3d start =
-        scene.camera.target.value_or(aim_point(scene.camera.look_at, plane_distance));
+        scene.camera.target.value_or(aim_point(scene.camera.look_at, foot));
     for (int i = 0; i < 3; ++i) target_[static_cast<std::size_t>(i)] = Track(start[i]);
     for (const KeyframeSpec& key : scene.keyframes) {
         const Easing& easing = easing_named(key.easing);
@@ -34,7 +32,7 @@ Timeline::Timeline(const Scene& scene, double plane_distance)
         last_key_s_ = key.at_s;
         if (!key.target && key.look_at.empty()) continue;
         framing_.add(key.at_s, !key.target && key.look_at == "middle" ? 1.0 : 0.0, easing);
-        const Eigen::Vector3d target = key.target.value_or(aim_point(key.look_at, plane_distance));
+        const Eigen::Vector3d target = key.target.value_or(aim_point(key.look_at, foot));
         for (int i = 0; i < 3; ++i) {
             target_[static_cast<std::size_t>(i)].add(key.at_s, target[i], easing);
         }

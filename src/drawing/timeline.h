@@ -27,9 +27,8 @@ struct CameraPose {
 class Timeline {
  public:
     Timeline() = default;
-    // `plane_distance`: of the invariable plane below the centre, picture lengths, which places
-    // what look_at names.
-    Timeline(const Scene& scene, double plane_distance);
+    // `foot`: where L meets the invariable plane, picture axes, which places what look_at names.
+    Timeline(const Scene& scene, const Eigen::Vector3d& foot);
 
     CameraPose camera_at(double film_s) const;
     bool camera_moves() const;
@@ -52,6 +51,6 @@ class Timeline {
 };
 
 // A point that look_at names, picture axes.
-Eigen::Vector3d aim_point(std::string_view name, double plane_distance);
+Eigen::Vector3d aim_point(std::string_view name, const Eigen::Vector3d& foot);
 
 }  // namespace poinsot

@@ -115,7 +115,7 @@ std::optional<Loop> resolve_loop(Scene& scene) {
 
 void note_jumps(Scene& scene) {
     const double end_s = FilmClock(scene).length_s().value_or(0.0);
-    const Timeline timeline(scene, 0.0);
+    const Timeline timeline(scene, Eigen::Vector3d::Zero());
     const CameraPose a = timeline.camera_at(0.0);
     const CameraPose b = timeline.camera_at(end_s);
     const auto differs = [](double x, double y) { return std::abs(x - y) > 1e-9; };

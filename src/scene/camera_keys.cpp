@@ -16,9 +16,11 @@ using std::size_t;
 
 constexpr std::array<std::string_view, 2> camera_motions{"fixed", "co-precessing"};
 constexpr std::array<std::string_view, 3> trail_kinds{"whole", "history", "fading"};
+constexpr std::array<std::string_view, 2> plane_sides{"below", "above"};
+constexpr std::array<std::string_view, 2> construction_sweeps{"axis", "energy"};
 
 const SceneKey camera_rows[] = {
-    // Where it is seen from; the picture's vertical is L.
+    // Where it is seen from; the picture's vertical is the normal of the invariable plane.
     {"camera.azimuth_deg", "a number", "degrees", "-40.0",
      "direction of the camera about the vertical",
      [](const GivenValue& g, SceneDraft& d) {
@@ -62,6 +64,20 @@ const SceneKey camera_rows[] = {
      "polhode period looks like the last; default fixed",
      [](const GivenValue& g, SceneDraft& d) { d.scene.camera.motion = g.one_of(camera_motions); },
      [](const Scene& s, size_t) { return toml_text(std::string_view(s.camera.motion)); }},
+
+    // How the construction lies in the picture.
+    {"construction.plane", "a string", "", R"("above")",
+     "below: the body rolls on the invariable plane, L and ω point down to it; above: L and ω point "
+     "up to the plane, which is seen through; default below",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.construction.plane = g.one_of(plane_sides); },
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.construction.plane)); }},
+    {"construction.sweep", "a string", "", R"("axis")",
+     "what the film runs through instead of the motion. axis: an axis n over all directions of the "
+     "body at rest; energy: √(2T)/L from the least to the greatest that the body has; default none",
+     [](const GivenValue& g, SceneDraft& d) {
+         d.scene.construction.sweep = g.one_of(construction_sweeps);
+     },
+     [](const Scene& s, size_t) { return text_unless_empty(s.construction.sweep); }},
 
     // How much of the contact point's paths is shown.
     {"trail.polhode", "a string", "", R"("fading")",

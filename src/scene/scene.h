@@ -87,7 +87,7 @@ struct FilmSpec {
     std::string quality = "lecture";
 };
 
-// [camera]: about the picture's vertical, which is L.
+// [camera]: about the picture's vertical, which is −L where the plane lies below, L where above.
 struct CameraSpec {
     double azimuth_deg = -40.0;
     double elevation_deg = 14.0;
@@ -97,6 +97,13 @@ struct CameraSpec {
     std::string look_at = "middle";         // of camera_aims()
     std::string view;              // of camera_views(), which set what is not said otherwise
     std::string motion = "fixed";  // fixed, co-precessing
+};
+
+// [construction]: how Poinsot's construction is laid into the picture, and what runs over the film.
+struct ConstructionSpec {
+    std::string plane = "below";  // of plane_sides(): where the invariable plane lies in the picture
+    std::string sweep;            // of construction_sweeps(): what the film runs through instead of
+                                  // the motion; empty: nothing
 };
 
 // [trail]: how much of the paths of the contact point is shown, and how.
@@ -163,6 +170,7 @@ struct Scene {
     std::optional<MethodChoice> beside;  // a second method, shown beside the first as a ghost
     FilmSpec film;
     CameraSpec camera;
+    ConstructionSpec construction;
     TrailSpec trail;
     std::vector<KeyframeSpec> keyframes;  // in order of at_s
     std::vector<FadeSpec> fades;          // likewise

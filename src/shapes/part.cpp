@@ -64,6 +64,7 @@ Drawing part_of(const Drawing& whole, const PixelArea& area) {
         shifted.y_px -= area.y_px;
         shifted.labels.clear();
         shifted.live_masks.clear();
+        shifted.live_curves.clear();  // the whole keeps those that its curves refer to
         for (Label label : view.labels) {
             label.top_left_px -= Eigen::Vector2d(area.x_px, area.y_px);
             add_label(label, area, shifted);

@@ -32,7 +32,8 @@ struct View {
     std::vector<Arrow> arrows;
     std::vector<Dot> dots;
     std::vector<Label> labels;
-    std::deque<GlyphMask> live_masks;  // of labels that belong to this drawing alone
+    std::deque<GlyphMask> live_masks;       // of labels that belong to this drawing alone
+    std::deque<CurveGeometry> live_curves;  // likewise of curves
 };
 
 // A whole video frame or still, or a part of one that is drawn by itself.

@@ -26,8 +26,8 @@ using Eigen::Vector3d;
 constexpr double pi = std::numbers::pi;
 constexpr double largest_px = 0.1;
 
-// A body at t = 0, where its axes are those of space; z of the picture is along L by the shortest
-// turn, and lengths count the largest half-axis.
+// A body at t = 0, where its axes are those of space; the shortest turn takes L along z and half a
+// turn about x takes it down, so that the plane lies below; lengths count the largest half-axis.
 struct Body {
     Vector3d moments{1.0, 2.0, 2.9};
     Vector3d omega{1.5, 0.3, 0.75};
@@ -35,9 +35,10 @@ struct Body {
     double two_T = omega.dot(momentum);
     double plane_distance = std::sqrt(two_T) / momentum.norm();
     Eigen::Quaterniond picture_from_body =
+        Eigen::Quaterniond(Eigen::AngleAxisd(pi, Vector3d::UnitX())) *
         Eigen::Quaterniond::FromTwoVectors(momentum, Vector3d::UnitZ());
 
-    Vector3d contact() const { return picture_from_body * (-omega / std::sqrt(two_T)); }
+    Vector3d contact() const { return picture_from_body * (omega / std::sqrt(two_T)); }
 
     // The polhode: Σ I x² = 1 and Σ I² x² = L²/2T, about e1 here.
     Vector3d polhode(double angle) const {
@@ -45,7 +46,7 @@ struct Body {
         Vector3d x;
         x[1] = std::sqrt(rest / (moments[1] * (moments[1] - moments[0]))) * std::cos(angle);
         x[2] = std::sqrt(rest / (moments[2] * (moments[2] - moments[0]))) * std::sin(angle);
-        x[0] = -std::sqrt((1.0 - moments[1] * x[1] * x[1] - moments[2] * x[2] * x[2]) / moments[0]);
+        x[0] = std::sqrt((1.0 - moments[1] * x[1] * x[1] - moments[2] * x[2] * x[2]) / moments[0]);
         return picture_from_body * x;
     }
 

@@ -61,7 +61,7 @@ TEST(PoinsotConstruction, ContactPointLiesOnPlaneAndEllipsoid) {
         for (const double t : {0.0, 0.7, 3.1, 20.0, -5.0}) {
             const RotationState state = motion.at(t);
             const Eigen::Vector3d contact = construction.contact_space(state);
-            EXPECT_NEAR(contact.dot(construction.vertical_space()), -construction.plane_distance(),
+            EXPECT_NEAR(contact.dot(construction.normal_space()), construction.plane_distance(),
                         4e-15 * construction.plane_distance())
                 << body.name;
             const Eigen::Vector3d in_body = construction.contact_body(state.omega_body);
@@ -79,33 +79,34 @@ TEST(PoinsotConstruction, NormalAtContactIsAlongMomentum) {
             const Eigen::Vector3d gradient =
                 state.space_from_body * Eigen::Vector3d(body.moments.cwiseProduct(
                                             construction.contact_body(state.omega_body)));
-            EXPECT_LT(gradient.normalized().cross(construction.vertical_space()).norm(), 4e-15)
+            EXPECT_LT(gradient.normalized().cross(construction.normal_space()).norm(), 4e-15)
                 << body.name;
-            EXPECT_LT(gradient.dot(construction.vertical_space()), 0.0) << body.name;
+            EXPECT_GT(gradient.dot(construction.normal_space()), 0.0) << body.name;
         }
     }
 }
 
 TEST(PoinsotConstruction, RollsWithoutSlipping) {
-    // The ellipsoid's lowest point is found from the attitude alone; its material velocity, from
-    // the difference of two attitudes, vanishes to second order in the time step.
+    // The point of tangency is found from the attitude alone; its material velocity, from the
+    // difference of two attitudes, vanishes to second order in the time step.
     constexpr double h = 1e-5;
     for (const Body& body : bodies()) {
         const Motion motion(problem_of(body));
         const PoinsotConstruction construction(motion.problem().inertia, motion.problem().start);
         for (const double t : {0.0, 0.9, 7.7}) {
             const RotationState state = motion.at(t);
-            const Eigen::Vector3d lowest = construction.lowest_point_space(state.space_from_body);
-            EXPECT_NEAR(lowest.dot(construction.vertical_space()), -construction.plane_distance(),
+            const Eigen::Vector3d touching =
+                construction.tangency_point_space(state.space_from_body);
+            EXPECT_NEAR(touching.dot(construction.normal_space()), construction.plane_distance(),
                         4e-15 * construction.plane_distance())
                 << body.name;
-            const Eigen::Vector3d material = state.space_from_body.conjugate() * lowest;
+            const Eigen::Vector3d material = state.space_from_body.conjugate() * touching;
             const Eigen::Vector3d velocity = (motion.at(t + h).space_from_body * material -
                                               motion.at(t - h).space_from_body * material) /
                                              (2.0 * h);
             // Third derivative of the attitude is of order ω³; h²ω³/6 plus rounding eps/h.
             const double bound = h * h * std::pow(1.0 + body.omega.norm(), 3) * 4.0 + 1e-10;
-            EXPECT_LT(velocity.norm(), bound * lowest.norm()) << body.name;
+            EXPECT_LT(velocity.norm(), bound * touching.norm()) << body.name;
         }
     }
 }
@@ -183,7 +184,7 @@ TEST(Polhode, AnnulusBoundsTheHerpolhodeAndIsReached) {
         double most = 0.0;
         for (int k = 0; k <= 4000; ++k) {
             const Eigen::Vector3d p = herpolhode_point(construction, motion, 0.01 * k);
-            const double radius = p.cross(construction.vertical_space()).norm();
+            const double radius = p.cross(construction.normal_space()).norm();
             least = std::min(least, radius);
             most = std::max(most, radius);
         }
@@ -226,7 +227,7 @@ TEST(Herpolhode, NeverInflects) {
             const Eigen::Vector3d a = herpolhode_point(construction, motion, t - h);
             const Eigen::Vector3d b = herpolhode_point(construction, motion, t);
             const Eigen::Vector3d c = herpolhode_point(construction, motion, t + h);
-            const double turn = (b - a).cross(c - b).dot(construction.vertical_space());
+            const double turn = (b - a).cross(c - b).dot(construction.normal_space());
             if (std::abs(turn) < 1e-15) continue;
             (turn > 0.0 ? positive : negative)++;
         }

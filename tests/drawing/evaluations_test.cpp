@@ -60,7 +60,11 @@ TEST(Evaluations, StillMakesNoHistoryBeyondItsInstant) {
 TEST(Evaluations, SphereHasNoCurves) {
     const StagedScene space(free_scene({2.0, 2.0, 2.0}, generic_omega, "space"), 10.0);
     EXPECT_EQ(space.stage.counts().n_herpolhode, 0);
-    EXPECT_TRUE(space.stage.at(1.0).views[0].curves.empty());
+    // Straight marks alone: the axis of rotation, and the right angle at the foot of L.
+    const Drawing drawing = space.stage.at(1.0);
+    for (const Curve& curve : drawing.views[0].curves) {
+        EXPECT_EQ(curve.geometry->points.size(), 2u);
+    }
     const StagedScene body(free_scene({2.0, 2.0, 2.0}, generic_omega, "body"), 10.0);
     EXPECT_TRUE(body.stage.at(1.0).views[0].curves.empty());
     const StagedScene momentum(free_scene({2.0, 2.0, 2.0}, generic_omega, "momentum"), 10.0);

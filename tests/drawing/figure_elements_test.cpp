@@ -39,13 +39,14 @@ TEST(FigureElements, RadiusEndsOnTheEllipsoidAndTheGradientStandsAlongL) {
         }
         const Eigen::Vector3d rho = view.arrows[3].tip;
         EXPECT_NEAR(form(axes, rho), 1.0, 1e-14);
-        // ∇F = 2Iρ, from ρ on, along the vertical L.
+        // ∇F = 2Iρ, from ρ on, along L, which points down.
         const Arrow& gradient = view.arrows[4];
         EXPECT_EQ(gradient.tail, rho);
         const Eigen::Vector3d along = (gradient.tip - gradient.tail).normalized();
         const Eigen::Vector3d expected =
             (axes * moments.cwiseProduct(axes.transpose() * rho)).normalized();
         EXPECT_LT((along - expected).norm(), 1e-14);  // measured 5e-16
+        EXPECT_LT((along + Eigen::Vector3d::UnitZ()).norm(), 1e-14);
         EXPECT_EQ(view.planes.front().centre, rho);
         EXPECT_EQ(view.planes.front().normal, Eigen::Vector3d::UnitZ());
     }

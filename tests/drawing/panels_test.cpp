@@ -145,12 +145,20 @@ TEST(Panels, OfTopsAreFiniteAtEveryExtreme) {
     }
 }
 
+// A scene that a kind of panel can show.
+Scene scene_for(const PanelKind& kind) {
+    const std::string name(kind.name);
+    if (name == "top" || name == "potential") {
+        return top_scene({.theta_rad = 0.7, .omega3_rad_s = 5.0}, name);
+    }
+    Scene scene = free_scene(generic_moments, generic_omega, name);
+    if (name == "sweep") scene.construction.sweep = "axis";
+    return scene;
+}
+
 TEST(Panels, EveryRowOfTheTableIsMade) {
     for (const PanelKind& kind : panel_kinds()) {
-        const Scene scene =
-            kind.name == "top" || kind.name == "potential"
-                ? top_scene({.theta_rad = 0.7, .omega3_rad_s = 5.0}, std::string(kind.name))
-                : free_scene(generic_moments, generic_omega, std::string(kind.name));
+        const Scene scene = scene_for(kind);
         const StagedScene staged(scene, 1.0);
         const Drawing drawing = staged.stage.at(1.0);
         const View& view = view_of(drawing);
@@ -484,11 +492,9 @@ TEST(Layout, NumbersOfAChartKeepOffEachOtherAtAnyHeight) {
 
 TEST(Layout, LabelsStayInsideTheirPanelAtAnySize) {
     for (const PanelKind& kind : panel_kinds()) {
-        Scene scene =
-            kind.name == "top" || kind.name == "potential"
-                ? top_scene({.theta_rad = 0.7, .omega3_rad_s = 5.0}, std::string(kind.name))
-                : free_scene(generic_moments, generic_omega, std::string(kind.name));
+        Scene scene = scene_for(kind);
         scene.show = {"polhode", "ellipsoid", "momentum", "axes", "omega"};  // no overlays
+        if (kind.name == "sweep") scene.show = {"caption"};
         for (const auto& [width, height] :
              std::vector<std::pair<int, int>>{{320, 180}, {640, 360}, {1920, 1080}, {500, 900}}) {
             scene.film.width_px = width;

@@ -145,8 +145,11 @@ TEST_P(LectureFilm, LabelsGoWithTheirArrowsAndKeepOffEachOther) {
     for (int k = 0; k < n_frames; ++k) {
         const Drawing drawing = staged.stage.at(film.scene.film.start_s + k * step_s);
         const View& view = drawing.views.at(0);
-        // A panel's name comes before the names of its arrows.
-        const std::size_t n_others = view.labels.size() - view.arrows.size();
+        // A panel's name comes before the names of its arrows, those of a scale after them.
+        const auto& show = film.scene.show;
+        const bool has_scale = std::find(show.begin(), show.end(), "levels") != show.end();
+        const std::size_t n_others =
+            view.labels.size() - view.arrows.size() - (has_scale ? 4u : 0u);
         std::vector<Eigen::Vector2d> now;
         for (std::size_t i = 0; i < view.arrows.size(); ++i) {
             const Eigen::AlignedBox2d box = box_of(view.labels.at(n_others + i));

@@ -52,7 +52,7 @@ View view_at(const StagedScene& staged, double film_s) {
 TEST(Timeline, CameraPassesItsKeysAndKeepsStillOutsideThem) {
     Scene scene = rolling_scene();
     scene.keyframes = {key_at(2.0, 10.0, 4.0), key_at(4.0, 30.0, 9.0)};
-    const Timeline timeline(scene, 0.7);
+    const Timeline timeline(scene, Eigen::Vector3d(0.0, 0.0, -0.7));
     EXPECT_EQ(timeline.camera_at(0.0).azimuth_deg, scene.camera.azimuth_deg);
     EXPECT_EQ(timeline.camera_at(2.0).azimuth_deg, 10.0);
     EXPECT_EQ(timeline.camera_at(3.0).azimuth_deg, 20.0);
@@ -61,7 +61,7 @@ TEST(Timeline, CameraPassesItsKeysAndKeepsStillOutsideThem) {
     EXPECT_NEAR(timeline.camera_at(3.0).distance, 6.0, 1e-14);
     // What no key says stays the very number given.
     EXPECT_EQ(timeline.camera_at(3.0).elevation_deg, scene.camera.elevation_deg);
-    EXPECT_FALSE(Timeline(rolling_scene(), 0.7).camera_moves());
+    EXPECT_FALSE(Timeline(rolling_scene(), Eigen::Vector3d(0.0, 0.0, -0.7)).camera_moves());
 }
 
 TEST(Timeline, MovingCameraStandsWhereItsPoseSays) {

@@ -81,6 +81,36 @@ PlotValues energy_values(const StageData& stage, const Instant& instant) {
     return {kinetic, potential, kinetic + potential};
 }
 
+constexpr PlotCurve momentum_curves[] = {
+    {"L_1", axis_colour<0>, LineStyle::solid},
+    {"L_2", axis_colour<1>, LineStyle::dashed},
+    {"L_3", axis_colour<2>, LineStyle::dotted},
+    {"L", momentum_colour, LineStyle::solid},
+};
+// Components along the principal axes, which L seen in the body changes, and the length that stays.
+PlotValues momentum_values(const StageData& stage, const Instant& instant) {
+    const InertiaTensor& inertia = stage.motion.motion().problem().inertia;
+    const Eigen::Vector3d momentum = inertia.moments_kg_m2().cwiseProduct(
+        inertia.body_from_principal().transpose() * instant.state.omega_body);
+    return {momentum[0], momentum[1], momentum[2], momentum.stableNorm()};
+}
+
+constexpr PlotCurve conserved_curves[] = {
+    {"p_\\varphi", angle_colour<1>, LineStyle::solid},
+    {"p_\\psi", angle_colour<2>, LineStyle::dashed},
+    {"E", energy_colour, LineStyle::dotted},
+};
+// p_φ = A φ̇ sin²θ + p_ψ cos θ is L along the vertical, p_ψ = C ω₃ L along the top's axis; both and
+// E = T + Mgl cos θ from the state of the instant. Source: Landau & Lifshitz §35, problem 1.
+PlotValues conserved_values(const StageData& stage, const Instant& instant) {
+    const MotionProblem& problem = stage.motion.motion().problem();
+    const auto& gravity = std::get<GravityTorque>(problem.torque);
+    const Eigen::Vector3d momentum_body = problem.inertia.matrix_body() * instant.state.omega_body;
+    const double along_axis = momentum_body.dot(gravity.arm_body);
+    const double along_vertical = (instant.state.space_from_body * momentum_body).z();
+    return {along_vertical, along_axis, energy_values(stage, instant)[2]};
+}
+
 constexpr PlotCurve turn_curves[] = {
     {"\\mathrm{wobble}", space_cone_colour, LineStyle::solid},
     {"\\mathrm{spin}", body_cone_colour, LineStyle::dashed},
@@ -121,6 +151,11 @@ constexpr PlotQuantity table[] = {
      is_heavy_top, "a heavy symmetric top", euler_curves, euler_values},
     {"energy", "kinetic energy T, potential V and their sum E", "energy", "J", false, false, true,
      attitude, any_motion, "", energy_curves, energy_values},
+    {"momentum", "L1, L2, L3 along the principal axes, and L", "$L_i$, $L$", "kg m²/s", false,
+     false, true, omega_alone, any_motion, "", momentum_curves, momentum_values},
+    {"conserved", "p_φ, p_ψ and E of a heavy top", "$p_\\varphi$, $p_\\psi$ / (kg m²/s);  $E$", "J",
+     false, false, true, attitude, is_heavy_top, "a heavy symmetric top", conserved_curves,
+     conserved_values},
     {"turns", "turns of a symmetric body's axis about L (wobble) and of marks on it (spin)",
      "turns", "", false, false, true, omega_alone, has_cones,
      "a torque-free body with exactly two equal moments", turn_curves, turn_values},

@@ -11,7 +11,7 @@ Eigen::Matrix3d principal_from_body(const Panel& panel) {
     return panel.stage->rolling->construction.inertia().body_from_principal().transpose();
 }
 
-Eigen::Vector3d contact_in_principal_axes(const Panel& panel, const Instant& instant) {
+Eigen::Vector3d rho_in_principal_axes(const Panel& panel, const Instant& instant) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     return principal_from_body(panel) *
            picture.construction.contact_body(instant.state.omega_body) * picture.picture_per_rho;
@@ -20,8 +20,8 @@ Eigen::Vector3d contact_in_principal_axes(const Panel& panel, const Instant& ins
 Eigen::Vector3d principal_view_direction(const Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     // A curve encircles an axis; a point lies nearest to one.
-    const Eigen::Vector3d rho = -(principal_from_body(panel) * picture.polhode.at(0.0))
-                                     .cwiseQuotient(picture.construction.half_axes());
+    const Eigen::Vector3d rho = (principal_from_body(panel) * picture.polhode.at(0.0))
+                                    .cwiseQuotient(picture.construction.half_axes());
     int axis = picture.polhode.encircled_axis();
     if (picture.polhode.kind() == Polhode::Kind::point) rho.cwiseAbs().maxCoeff(&axis);
 

@@ -11,8 +11,8 @@ namespace poinsot {
 // e1, e2, e3 along x, y, z, from body axes.
 Eigen::Matrix3d principal_from_body(const Panel& panel);
 
-// −ρ in principal axes, in units of the largest half-axis: the contact point.
-Eigen::Vector3d contact_in_principal_axes(const Panel& panel, const Instant& instant);
+// ρ in principal axes, in units of the largest half-axis: its tip is the contact point.
+Eigen::Vector3d rho_in_principal_axes(const Panel& panel, const Instant& instant);
 
 // From where principal axes are seen: the axis that the motion encircles leans towards us on ω's
 // side, e3 is up.

@@ -37,8 +37,8 @@ bool runs_backwards(const Panel& panel, const std::vector<Eigen::Vector3d>& poin
     const Eigen::Vector3d omega = axes.transpose() * problem.start.omega_body;
     const Eigen::Vector3d rate =
         moments.cwiseProduct(omega).cross(omega).cwiseQuotient(moments).stableNormalized();
-    const Eigen::Vector3d towards = axes * -rate;
-    const Eigen::Vector3d contact = -problem.start.omega_body.stableNormalized();
+    const Eigen::Vector3d towards = axes * rate;
+    const Eigen::Vector3d contact = problem.start.omega_body.stableNormalized();
     double best = -1.0;
     bool backwards = false;
     for (std::size_t i = 1; i < points.size(); ++i) {

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "drawing/elements/construction_lines.h"
 #include "drawing/elements/figure_elements.h"
 #include "drawing/elements/ghost.h"
 #include "drawing/elements/rolling_elements.h"
@@ -37,26 +39,6 @@ Drawer make_ellipsoid(Panel& panel) {
     };
 }
 
-Drawer make_momentum(Panel& panel) {
-    const Arrow arrow =
-        arrow_to(panel, {0.0, 0.0, momentum_length}, panel.stage->theme->momentum, 1.15);
-    const SetType type = set_label(panel, "\\mathbf{L}");
-    return [&panel, arrow, type](const Instant&, Sheet& sheet) {
-        sheet.view.arrows.push_back(arrow);
-        wish_at_tip(panel, arrow, type, sheet);
-    };
-}
-
-Drawer make_omega(Panel& panel) {
-    const SetType type = set_label(panel, "\\boldsymbol{\\omega}");
-    return [&panel, type](const Instant& instant, Sheet& sheet) {
-        const Arrow arrow = arrow_to(panel, omega_tip(-picture_of(panel).contact(instant)),
-                                     panel.stage->theme->omega, 1.15);
-        sheet.view.arrows.push_back(arrow);
-        wish_at_tip(panel, arrow, type, sheet, omega_label_turn_rad);
-    };
-}
-
 Drawer make_axes(Panel& panel) {
     std::array<SetType, 3> types;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -75,24 +57,14 @@ Drawer make_axes(Panel& panel) {
     };
 }
 
-Drawer make_contact(Panel& panel) {
-    Dot dot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->contact);
-    // It lies on both curves, and over them also where the ellipsoid is before it.
-    dot.occlusion = Occlusion::none;
-    return [&panel, dot](const Instant& instant, Sheet& sheet) {
-        sheet.view.dots.push_back(dot);
-        sheet.view.dots.back().at = picture_of(panel).contact(instant);
-    };
-}
-
 Drawer make_cones(Panel& panel) {
     if (!picture_of(panel).cones) {
         throw InputError("show: cones need a body with exactly two equal moments; leave them out");
     }
-    // Both cones stand on the centre and touch along the instantaneous axis −ω, on the contact
-    // point's side.
+    // Both cones stand on the centre and share the generator that ω runs along, as far as to the
+    // plane: their rims touch in the contact point.
     return [&panel, cones = *picture_of(panel).cones](const Instant& instant, Sheet& sheet) {
-        const double reach = 0.98 * picture_of(panel).contact(instant).norm();
+        const double reach = picture_of(panel).contact(instant).norm();
         const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
         const Eigen::Vector3d symmetry = axes.col(cones.symmetry_axis);
         Cone body;
@@ -107,7 +79,7 @@ Drawer make_cones(Panel& panel) {
         sheet.view.cones.push_back(body);
 
         Cone space;
-        space.axis = -Eigen::Vector3d::UnitZ();
+        space.axis = picture_of(panel).normal;
         space.half_angle_rad = cones.space_half_angle_rad;
         space.length = reach * std::cos(cones.space_half_angle_rad);
         space.colour = panel.stage->theme->space_cone;
@@ -119,9 +91,10 @@ Drawer make_cones(Panel& panel) {
 
 constexpr Quantities attitude{.attitude = true, .herpolhode = false, .euler_angles = false};
 
-const std::array<Element, 20> table{{
+const std::array<Element, 25> table{{
     {"plane", "the invariable plane with its grid", always, omega_alone, make_plane},
-    {"tangent", "the plane that touches the ellipsoid at ρ", never, attitude, make_tangent},
+    {"tangent", "a patch of the plane that touches the ellipsoid at ρ: the invariable plane", never,
+     attitude, make_tangent},
     {"ellipsoid", "the inertia ellipsoid with body-fixed lines", always, attitude, make_ellipsoid},
     {"body", "the body itself, inside its ellipsoid", never, attitude, make_body},
     {"annulus", "the ring that the herpolhode fills", never, omega_alone, make_annulus},
@@ -130,16 +103,25 @@ const std::array<Element, 20> table{{
      make_herpolhode},
     {"cones", "body cone rolling on space cone (symmetric bodies)", has_cones, attitude,
      make_cones},
-    {"momentum", "the angular momentum L", always, omega_alone, make_momentum},
-    {"omega", "the angular velocity ω", always, attitude, make_omega},
+    {"spin-axis", "the instantaneous axis of rotation, through centre and contact", always,
+     attitude, make_spin_axis},
+    {"momentum", "the angular momentum L, normal to the plane", always, omega_alone, make_momentum},
+    {"omega", "the angular velocity ω, ending at the contact or, beside ρ, beyond it", always,
+     attitude, make_omega},
     {"axes", "the principal axes e1, e2, e3", always, attitude, make_axes},
     {"given-axes", "the axes x, y, z that the scene's numbers are given in", never, attitude,
      make_given_axes},
+    {"turn", "the turn from those axes to the principal ones", never, attitude, make_turn},
     {"half-axes", "the half-axes 1/√I1, 1/√I2, 1/√I3 of the ellipsoid", never, attitude,
      make_half_axes},
     {"radius", "the radius vector ρ = ω/√(2T), F(ρ) = 1", never, attitude, make_radius},
     {"gradient", "∇F at ρ, along L", never, attitude, make_gradient},
+    {"projection", "the projection of ρ on L, of length √(2T)/L", never, attitude, make_projection},
     {"distance", "the plane's distance √(2T)/L from the centre", never, omega_alone, make_distance},
+    {"levels", "√(2T)/L among the distances 1/√I1, 1/√I2, 1/√I3, along L", never, omega_alone,
+     make_levels},
+    {"velocity", "the velocity ω × r of the matter on the ellipsoid, zero at the contact", never,
+     attitude, make_velocity},
     {"precession", "Ω about the symmetry axis and L/I1 about L (symmetric bodies)", never, attitude,
      make_precession},
     {"contact", "the contact point", always, attitude, make_contact},
@@ -152,6 +134,12 @@ const std::array<Element, 20> table{{
 }  // namespace
 
 std::span<const Element> elements() { return table; }
+
+bool is_shown(const StageData& stage, std::string_view name) {
+    const std::vector<std::string>& show = stage.scene.show;
+    if (show.empty()) return element_named(name).by_default(stage);
+    return std::find(show.begin(), show.end(), name) != show.end();
+}
 
 const Element& element_named(std::string_view name) {
     std::vector<std::string_view> names;

@@ -22,6 +22,9 @@ struct Element {
 
 std::span<const Element> elements();
 
+// Whether the space panel shows it: the scene names it, or names none and it suits the motion.
+bool is_shown(const StageData& stage, std::string_view name);
+
 // Throws InputError with the nearest name and the list.
 const Element& element_named(std::string_view name);
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "drawing/elements/object_shapes.h"
@@ -16,53 +17,6 @@ namespace poinsot {
 namespace {
 
 const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
-
-// ρ, the point of the ellipsoid that ω pierces: opposite to the contact.
-Eigen::Vector3d pierced(const Panel& panel, const Instant& instant) {
-    return -picture_of(panel).contact(instant);
-}
-
-// A label beside the middle part of a line, on its left as it runs on the picture.
-void wish_beside_line(const Panel& panel, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                      double share, const SetType& type, const Colour& colour, Sheet& sheet) {
-    const Eigen::Vector2d a = project(sheet.view, from).px;
-    const Eigen::Vector2d b = project(sheet.view, to).px;
-    LabelWish wish;
-    wish.type = type;
-    wish.anchor_px = a + share * (b - a);
-    wish.away = Eigen::Vector2d((b - a).y(), -(b - a).x()) / (100.0 * panel.px);
-    wish.gap_px = 7.0 * panel.px;
-    wish.colour = colour;
-    sheet.wishes.push_back(wish);
-}
-
-// An arc with an arrow's head at its end: a rate about an axis, right-handed for positive angles.
-struct Turn {
-    Eigen::Vector3d centre, axis;  // the axis is a unit vector
-    double radius = 0.2;
-    double angle_rad = 5.0;
-};
-
-void add_turn(const Panel& panel, const Turn& turn, const Colour& colour, const SetType& type,
-              Sheet& sheet) {
-    const Eigen::Vector3d from = turn.axis.unitOrthogonal();
-    const Eigen::Vector3d towards = turn.axis.cross(from);
-    sheet.view.curves.push_back(
-        arc_about(panel, turn.centre, from, towards, turn.radius, turn.angle_rad, colour, 3.2));
-    const auto at = [&](double angle) {
-        return Eigen::Vector3d(turn.centre +
-                               turn.radius * (std::cos(angle) * from + std::sin(angle) * towards));
-    };
-    // The head follows the arc's end; its shaft hides in the arc.
-    const double head = std::copysign(0.45, turn.angle_rad);
-    Arrow arrow = arrow_between(panel, at(turn.angle_rad - 0.2 * head),
-                                at(turn.angle_rad + 0.8 * head), colour, 0.85);
-    arrow.shaft_px = 3.2 * panel.px;
-    sheet.view.arrows.push_back(arrow);
-    // Its name stands to the right, where neither axis nor arrow runs.
-    const Eigen::Vector3d right = camera_axes(sheet.view.camera).col(0);
-    wish_beside(panel, turn.centre + 1.1 * turn.radius * right, turn.centre, type, colour, sheet);
-}
 
 }  // namespace
 
@@ -78,6 +32,22 @@ Drawer make_given_axes(Panel& panel) {
             sheet.view.arrows.push_back(arrow);
             wish_at_tip(panel, arrow, types[static_cast<std::size_t>(i)], sheet);
         }
+    };
+}
+
+Drawer make_turn(Panel& panel) {
+    // The rotation that takes x, y, z to e1, e2, e3: about one axis by one angle (Euler's theorem).
+    const Eigen::AngleAxisd turn(picture_of(panel).construction.inertia().body_from_principal());
+    const double degrees = turn.angle() * 180.0 / std::numbers::pi;
+    const SetType type = set_label(panel, fmt::format("{:.1f}°", degrees), 0.85);
+    return [&panel, turn, type](const Instant& instant, Sheet& sheet) {
+        if (!(turn.angle() > 0.0)) return;
+        const Colour& colour = panel.stage->theme->angles[0];
+        const Eigen::Vector3d axis = picture_of(panel).picture_from_body(instant) * turn.axis();
+        Curve line = line_between(panel, Eigen::Vector3d::Zero(), 1.3 * axis, colour, 2.0);
+        line.hidden_opacity = 0.6;
+        sheet.view.curves.push_back(line);
+        add_turn(panel, {1.12 * axis, axis, 0.24, turn.angle()}, colour, type, sheet);
     };
 }
 
@@ -102,73 +72,6 @@ Drawer make_half_axes(Panel& panel) {
     };
 }
 
-Drawer make_radius(Panel& panel) {
-    const SetType type = set_label(panel, "\\boldsymbol{\\rho}");
-    return [&panel, type](const Instant& instant, Sheet& sheet) {
-        const Eigen::Vector3d rho = pierced(panel, instant);
-        const Colour& colour = panel.stage->theme->contact;
-        Arrow arrow = arrow_to(panel, rho, colour, 1.3);
-        arrow.hidden_opacity = 0.8;
-        sheet.view.arrows.push_back(arrow);
-        sheet.view.dots.push_back(dot_at(panel, rho, colour, 5.5));
-        wish_beside_line(panel, Eigen::Vector3d::Zero(), rho, 0.6, type, colour, sheet);
-    };
-}
-
-Drawer make_tangent(Panel& panel) {
-    Plane plane;
-    plane.radius = 0.75;
-    plane.fade_from = 0.6;
-    plane.grid_spacing = 0.15;
-    plane.grid_px = 0.8 * panel.px;
-    plane.colour = panel.stage->theme->plane;
-    plane.grid_colour = panel.stage->theme->grid;
-    plane.opacity = 0.45;
-    return [&panel, plane](const Instant& instant, Sheet& sheet) {
-        sheet.view.planes.push_back(plane);
-        sheet.view.planes.back().centre = pierced(panel, instant);
-    };
-}
-
-Drawer make_gradient(Panel& panel) {
-    const SetType type = set_label(panel, "\\nabla F");
-    return [&panel, type](const Instant& instant, Sheet& sheet) {
-        constexpr double length = 0.55;
-        const Eigen::Vector3d rho = pierced(panel, instant);
-        const Arrow arrow = arrow_between(panel, rho, rho + length * Eigen::Vector3d::UnitZ(),
-                                          panel.stage->theme->energy, 1.1);
-        sheet.view.arrows.push_back(arrow);
-        wish_at_tip(panel, arrow, type, sheet);
-    };
-}
-
-Drawer make_distance(Panel& panel) {
-    const SetType type = set_label(panel, "\\sqrt{2T}/L", 0.9);
-    return [&panel, type](const Instant&, Sheet& sheet) {
-        // On the right of the ellipsoid's largest reach, as the camera sees it.
-        constexpr double aside = 1.22;
-        Eigen::Vector3d right = camera_axes(sheet.view.camera).col(0);
-        right.z() = 0.0;
-        const Eigen::Vector3d top = aside * right.normalized();
-        const Eigen::Vector3d bottom =
-            top - picture_of(panel).plane_distance * Eigen::Vector3d::UnitZ();
-        const Colour& colour = panel.stage->theme->text;
-        Curve level = line_between(panel, Eigen::Vector3d::Zero(), 1.06 * top, colour, 1.6);
-        level.dash_px = 7.0 * panel.px;
-        level.hidden_opacity = 0.5;
-        sheet.view.curves.push_back(level);
-        const Eigen::Vector3d middle = 0.5 * (top + bottom);
-        for (const Eigen::Vector3d& end : {top, bottom}) {
-            Arrow arrow = arrow_between(panel, middle, end, colour, 0.7);
-            arrow.occlusion = Occlusion::none;
-            sheet.view.arrows.push_back(arrow);
-        }
-        wish_beside_line(panel, bottom, top, 0.5, type, colour, sheet);
-        // Its left is towards the ellipsoid; the label stands on the other side.
-        sheet.wishes.back().away *= -1.0;
-    };
-}
-
 Drawer make_precession(Panel& panel) {
     if (!picture_of(panel).cones) {
         throw InputError(
@@ -181,19 +84,21 @@ Drawer make_precession(Panel& panel) {
     return [&panel, cones, in_body, in_space](const Instant& instant, Sheet& sheet) {
         const ConstructionPicture& picture = picture_of(panel);
         const Theme& theme = *panel.stage->theme;
-        // The side of the symmetry axis that ω leans to.
+        // Both rings stand on the side away from the plane, each about a stem of its axis.
         const Eigen::Vector3d axis = picture.principal_axes(instant).col(cones.symmetry_axis);
+        const Eigen::Vector3d end = axis.dot(picture.normal) > 0.0 ? Eigen::Vector3d(-axis) : axis;
         const double beyond = picture.half_axes[cones.symmetry_axis] + 0.62 * axis_overhang;
-        Curve stem =
-            line_between(panel, Eigen::Vector3d::Zero(), (beyond + 0.5 * axis_overhang) * axis,
-                         theme.axes[cones.symmetry_axis], 3.0);
-        sheet.view.curves.push_back(stem);
-        add_turn(panel, {beyond * axis, axis, 0.2, std::copysign(5.0, cones.body_precession_rad_s)},
+        sheet.view.curves.push_back(line_between(panel, Eigen::Vector3d::Zero(),
+                                                 (beyond + 0.5 * axis_overhang) * end,
+                                                 theme.axes[cones.symmetry_axis], 3.0));
+        add_turn(panel, {beyond * end, axis, 0.2, std::copysign(5.0, cones.body_precession_rad_s)},
                  theme.body_cone, in_body, sheet);
-        add_turn(
-            panel,
-            {0.86 * momentum_length * Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ(), 0.2, 5.0},
-            theme.space_cone, in_space, sheet);
+        constexpr double about_momentum = 1.22;
+        sheet.view.curves.push_back(line_between(panel, Eigen::Vector3d::Zero(),
+                                                 -(about_momentum + 0.14) * picture.normal,
+                                                 theme.momentum, 2.0));
+        add_turn(panel, {-about_momentum * picture.normal, picture.normal, 0.2, 5.0},
+                 theme.space_cone, in_space, sheet);
     };
 }
 

@@ -35,7 +35,7 @@ void require_beside(const Panel& panel, std::string_view element) {
         element));
 }
 
-// −ρ of a state in the space panel's axes, measured with the T of the start: a drift of T takes it
+// ρ of a state in the space panel's axes, measured with the T of the start: a drift of T takes it
 // off the plane.
 Eigen::Vector3d contact_of(const ConstructionPicture& picture, const RotationState& state) {
     return picture.picture_from_space * picture.construction.contact_space(state) *
@@ -103,7 +103,7 @@ Drawer make_ghost(Panel& panel) {
             turn.toRotationMatrix() * picture.construction.inertia().body_from_principal() *
             picture.half_axes.asDiagonal();
         const Eigen::Vector3d contact = contact_of(picture, *instant.beside);
-        add_ghost_arrow(panel, omega_tip(-contact), type, sheet);
+        add_ghost_arrow(panel, omega_tip(contact), type, sheet);
         if (contact.norm() <= out_of_picture) {
             sheet.view.dots.push_back(dot_at(panel, contact, panel.stage->theme->ghost, 5.5));
         }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "drawing/elements/construction_lines.h"
 #include "drawing/elements/direction_marks.h"
 #include "drawing/elements/trail.h"
 #include "drawing/marks.h"
@@ -35,7 +36,7 @@ double plane_radius(const Panel& panel) {
     Eigen::Vector3d towards_us = panel.camera.eye - panel.camera.target;
     towards_us.z() = 0.0;
     if (!(towards_us.norm() > 0.0)) return wanted;
-    const Eigen::Vector3d centre(0.0, 0.0, -picture_of(panel).plane_distance);
+    const Eigen::Vector3d centre = picture_of(panel).foot();
     const auto is_seen = [&](double radius) {
         const Eigen::Vector3d rim = centre + radius * towards_us.normalized();
         return project(view, rim).depth > 0.0 && project(view, rim).px.y() < bottom_px;
@@ -68,6 +69,7 @@ Drawer ringed(Panel& panel, Plane plane) {
     }
     return [plane, rings](const Instant&, Sheet& sheet) {
         sheet.view.planes.push_back(plane);
+        sheet.view.planes.back().opacity *= plane_presence(plane.centre, sheet.view.camera);
         sheet.view.curves.insert(sheet.view.curves.end(), rings.begin(), rings.end());
     };
 }
@@ -76,7 +78,7 @@ Drawer ringed(Panel& panel, Plane plane) {
 
 Drawer make_plane(Panel& panel) {
     Plane plane;
-    plane.centre = {0.0, 0.0, -picture_of(panel).plane_distance};
+    plane.centre = picture_of(panel).foot();
     plane.radius = plane_radius(panel);
     plane.grid_spacing = 0.2;
     plane.grid_px = 1.1 * panel.px;
@@ -84,7 +86,10 @@ Drawer make_plane(Panel& panel) {
     plane.grid_colour = panel.stage->theme->grid;
     plane.opacity = panel.stage->theme->plane_opacity;
     if (panel.stage->turns()) return ringed(panel, plane);
-    return [plane](const Instant&, Sheet& sheet) { sheet.view.planes.push_back(plane); };
+    return [plane](const Instant&, Sheet& sheet) {
+        sheet.view.planes.push_back(plane);
+        sheet.view.planes.back().opacity *= plane_presence(plane.centre, sheet.view.camera);
+    };
 }
 
 namespace {
@@ -141,7 +146,7 @@ Drawer make_herpolhode(Panel& panel) {
     TimedCurve timed = herpolhode_trail(*panel.stage, tolerance / picture.picture_per_rho);
 
     const Eigen::Vector3d foot =
-        -picture.construction.plane_distance() * picture.construction.vertical_space();
+        picture.construction.plane_distance() * picture.construction.normal_space();
     CurveGeometry geometry;
     geometry.points.reserve(timed.points.size());
     for (const Eigen::Vector3d& point : timed.points) {
@@ -180,7 +185,7 @@ CurveGeometry circle_on_plane(const Panel& panel, double radius) {
     for (int k = 0; k < n_points; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / n_points;
         circle.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
-                                   -picture_of(panel).plane_distance);
+                                   picture_of(panel).foot().z());
     }
     return circle;
 }

@@ -44,12 +44,12 @@ std::vector<Eigen::Vector3d> swept_points(const ConstructionPicture& picture, do
     for (int k = 0; k <= n_attitudes; ++k) {
         const double chi = polhode.first_chi_rad() +
                            (polhode.last_chi_rad() - polhode.first_chi_rad()) * k / n_attitudes;
-        const Eigen::Vector3d rho = -(inertia.body_from_principal().transpose() * polhode.at(chi)) *
-                                    picture.picture_per_rho;
-        const Eigen::Vector3d up = moments.cwiseProduct(rho).stableNormalized();
-        const auto circle_of = [&up](const Eigen::Vector3d& point) {
-            const double height = point.dot(up);
-            return Circle((point - height * up).norm(), height);
+        const Eigen::Vector3d rho =
+            (inertia.body_from_principal().transpose() * polhode.at(chi)) * picture.picture_per_rho;
+        const Eigen::Vector3d normal = moments.cwiseProduct(rho).stableNormalized();
+        const auto circle_of = [&](const Eigen::Vector3d& point) {
+            const double along = point.dot(normal);
+            return Circle((point - along * normal).norm(), along * picture.normal.z());
         };
         std::vector<Circle> outline;
         outline.reserve(surface.size());
@@ -59,14 +59,15 @@ std::vector<Eigen::Vector3d> swept_points(const ConstructionPicture& picture, do
             const double length = picture.half_axes[i] + axis_overhang + beyond;
             circles.push_back(circle_of(length * Eigen::Vector3d::Unit(i)));
         }
-        const Eigen::Vector3d tip = omega_tip(rho);
-        circles.push_back(circle_of(tip + beyond * tip.stableNormalized()));
+        // The axis of rotation, out of the ellipsoid on both sides.
+        circles.push_back(circle_of(-spin_axis_end(rho)));
+        circles.push_back(circle_of(past_contact(rho) + beyond * rho.stableNormalized()));
     }
 
     // As much of the plane as the shadow and the herpolhode need.
-    circles.emplace_back(std::max(1.25, 1.2 * picture.herpolhode_radius), -picture.plane_distance);
+    circles.emplace_back(std::max(1.25, 1.2 * picture.herpolhode_radius), picture.foot().z());
 
-    std::vector<Eigen::Vector3d> points{{0.0, 0.0, momentum_length + beyond}};
+    std::vector<Eigen::Vector3d> points{momentum_tip(picture) + beyond * picture.normal};
     constexpr int n_around = 8;
     for (const Circle& circle : circles) {
         for (int k = 0; k < n_around; ++k) {

@@ -39,12 +39,18 @@ const CurveGeometry* keep_polhode(Panel& panel, const Polhode& polhode) {
     return panel.stage->keep(std::move(geometry));
 }
 
-// A curve and its mirror image in the centre: F(ρ) = 1 holds for ρ and −ρ alike.
-void add_with_mirror_image(Curve curve, std::vector<Curve>& curves) {
+// Of the thin family, a polhode and its mirror image in the centre: F(ρ) = 1 holds for ρ and −ρ
+// alike.
+Curve thin(const Panel& panel, const CurveGeometry* geometry) {
+    Curve curve = curve_of(panel, geometry, panel.stage->theme->polhode, 1.9);
+    curve.opacity = 0.85;
+    curve.hidden_opacity = 0.16;
     curve.on_surface = the_ellipsoid;
-    curves.push_back(curve);
+    return curve;
+}
+Curve mirror_image(Curve curve) {
     curve.placement.linear() = -Eigen::Matrix3d::Identity();
-    curves.push_back(curve);
+    return curve;
 }
 
 // The principal axes by their moments.
@@ -91,11 +97,9 @@ std::vector<Curve> family_of(Panel& panel) {
             rho[high] = std::sin(u) / std::sqrt(I[high]);
             const Polhode polhode(inertia, inertia.body_from_principal() * rho);
             if (polhode.kind() == Polhode::Kind::point) continue;
-            Curve curve =
-                curve_of(panel, keep_polhode(panel, polhode), panel.stage->theme->polhode, 1.9);
-            curve.opacity = 0.85;
-            curve.hidden_opacity = 0.16;
-            add_with_mirror_image(curve, curves);
+            const Curve curve = thin(panel, keep_polhode(panel, polhode));
+            curves.push_back(curve);
+            curves.push_back(mirror_image(curve));
         }
     };
     add_side(0.0, u_separatrix);
@@ -126,14 +130,17 @@ std::vector<Curve> separatrices_of(Panel& panel) {
     return curves;
 }
 
-// The polhode of the motion, bold on the side that ω pierces, and where the contact point runs.
+// The polhode of the motion, bold, through the tip of ρ; its mirror image belongs to the family.
 std::vector<Curve> motion_of(Panel& panel) {
     std::vector<Curve> curves;
     const Polhode& polhode = panel.stage->rolling->polhode;
     if (polhode.kind() == Polhode::Kind::point) return curves;
-    Curve curve = curve_of(panel, keep_polhode(panel, polhode), panel.stage->theme->polhode, 4.6);
+    const CurveGeometry* geometry = keep_polhode(panel, polhode);
+    curves.push_back(mirror_image(thin(panel, geometry)));
+    Curve curve = curve_of(panel, geometry, panel.stage->theme->polhode, 4.6);
     curve.hidden_opacity = 0.72;
-    add_with_mirror_image(curve, curves);
+    curve.on_surface = the_ellipsoid;
+    curves.push_back(curve);
     return curves;
 }
 
@@ -141,7 +148,7 @@ std::vector<Curve> motion_of(Panel& panel) {
 // off the ellipsoid.
 Eigen::Vector3d rho_of(const Panel& panel, const RotationState& state) {
     const ConstructionPicture& picture = *panel.stage->rolling;
-    return -(principal_from_body(panel) * picture.construction.contact_body(state.omega_body)) *
+    return (principal_from_body(panel) * picture.construction.contact_body(state.omega_body)) *
            picture.picture_per_rho;
 }
 
@@ -156,6 +163,41 @@ Drawer make_beside(Panel& panel) {
         add_ghost_path(path, instant, sheet);
         add_ghost_arrow(panel, omega_share * omega_tip(rho_of(panel, *instant.beside)), type,
                         sheet);
+    };
+}
+
+// Of a body with two equal moments: the circle on which the tip of ω runs round the axis of
+// symmetry, its radius A, and the rate Ω at which it does, with its sense. Nothing for other
+// bodies.
+Drawer make_precession_circle(Panel& panel) {
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    if (!picture.cones || picture.polhode.kind() == Polhode::Kind::point) {
+        return [](const Instant&, Sheet&) {};
+    }
+    const RollingCones cones = *picture.cones;
+    const SetType amplitude = set_label(panel, "A", 0.9);
+    const SetType rate = set_label(panel, "\\Omega", 0.9);
+    return [&panel, &picture, cones, amplitude, rate](const Instant& instant, Sheet& sheet) {
+        const Theme& theme = *panel.stage->theme;
+        const Eigen::Vector3d axis = Eigen::Vector3d::Unit(cones.symmetry_axis);
+        const Eigen::Vector3d tip = omega_share * omega_tip(rho_in_principal_axes(panel, instant));
+        const Eigen::Vector3d centre = tip.dot(axis) * axis;
+        const Eigen::Vector3d radius = tip - centre;
+        const Eigen::Vector3d from = radius.stableNormalized();
+        Curve circle = arc_about(panel, centre, from, axis.cross(from), radius.norm(),
+                                 2.0 * std::numbers::pi, theme.omega, 2.2);
+        circle.hidden_opacity = 0.5;
+        sheet.view.curves.push_back(circle);
+        Curve spoke = line_between(panel, centre, tip, theme.omega, 2.6);
+        spoke.hidden_opacity = 0.8;
+        sheet.view.curves.push_back(spoke);
+        wish_beside(panel, centre + 0.5 * radius, Eigen::Vector3d::Zero(), amplitude, theme.omega,
+                    sheet);
+        const double side = std::copysign(1.0, centre.dot(axis));
+        const double beyond = picture.half_axes[cones.symmetry_axis] + 0.55 * axis_overhang;
+        add_turn(panel,
+                 {side * beyond * axis, axis, 0.2, std::copysign(5.0, cones.body_precession_rad_s)},
+                 theme.body_cone, rate, sheet);
     };
 }
 
@@ -174,7 +216,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
         const double chi =
             polhode.first_chi_rad() + (polhode.last_chi_rad() - polhode.first_chi_rad()) * k / n;
         const Eigen::Vector3d rho =
-            -(principal_from_body(panel) * polhode.at(chi)) * picture.picture_per_rho;
+            (principal_from_body(panel) * polhode.at(chi)) * picture.picture_per_rho;
         points.emplace_back(omega_share * omega_tip(rho));
         points.emplace_back(moments.cwiseProduct(rho).stableNormalized() * body_momentum_length);
     }
@@ -206,8 +248,9 @@ void make_body_panel(Panel& panel) {
     const SetType omega_type = set_label(panel, "\\boldsymbol{\\omega}");
     const SetType momentum_type = set_label(panel, "\\mathbf{L}");
     const Drawer beside = make_beside(panel);
-    panel.draw = [&panel, &picture, ellipsoid, curves, axis_types, omega_type, momentum_type,
-                  beside](const Instant& instant, Sheet& sheet) {
+    const Drawer precession = make_precession_circle(panel);
+    panel.draw = [&panel, &picture, precession, ellipsoid, curves, axis_types, omega_type,
+                  momentum_type, beside](const Instant& instant, Sheet& sheet) {
         const Theme& theme = *panel.stage->theme;
         const auto add_arrow = [&](const Eigen::Vector3d& tip, const Colour& colour, double weight,
                                    const SetType& type, double turn_rad = 0.0) {
@@ -222,15 +265,15 @@ void make_body_panel(Panel& panel) {
                       axis_label_turn_rad);
         }
 
-        // L is the normal of the ellipsoid where ω pierces it.
-        const Eigen::Vector3d rho = -contact_in_principal_axes(panel, instant);
+        // L is the normal of the ellipsoid at the tip of ρ, where ω pierces it.
+        const Eigen::Vector3d rho = rho_in_principal_axes(panel, instant);
         const Eigen::Vector3d momentum =
             picture.construction.inertia().moments_kg_m2().cwiseProduct(rho).stableNormalized();
         add_arrow(momentum * body_momentum_length, theme.momentum, 1.15, momentum_type);
         add_arrow(omega_share * omega_tip(rho), theme.omega, 1.15, omega_type,
                   omega_label_turn_rad);
-        sheet.view.dots.push_back(dot_at(panel, rho, theme.omega));
-        sheet.view.dots.push_back(dot_at(panel, -rho, theme.contact));
+        precession(instant, sheet);
+        sheet.view.dots.push_back(dot_at(panel, rho, theme.contact));
         beside(instant, sheet);
     };
 }

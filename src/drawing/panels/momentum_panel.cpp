@@ -27,10 +27,10 @@ constexpr int the_sphere = 0;
 // left out of the frame.
 constexpr double longest_framed = 2.2;
 
-// m/L in principal axes at a point −ρ of the polhode: −J(−ρ)·√(2T)/L.
+// m/L in principal axes at a point ρ of the polhode: Jρ·√(2T)/L.
 Eigen::Vector3d momentum_at(const Panel& panel, const Eigen::Vector3d& contact_body) {
     const Eigen::Vector3d moments = panel.stage->rolling->construction.inertia().moments_kg_m2();
-    return -moments.cwiseProduct(principal_from_body(panel) * contact_body).stableNormalized();
+    return moments.cwiseProduct(principal_from_body(panel) * contact_body).stableNormalized();
 }
 
 // One of the curves in which sphere and ellipsoid meet; its mirror image in the centre is the
@@ -151,7 +151,11 @@ void make_momentum_panel(Panel& panel) {
         curve.on_surface = the_sphere;
         curve.hidden_opacity = 0.72;
         curves.push_back(curve);
+        // The other curve in which they meet, which this motion never sees.
         curve.placement.linear() = -Eigen::Matrix3d::Identity();
+        curve.width_px = 1.9 * panel.px;
+        curve.opacity = 0.85;
+        curve.hidden_opacity = 0.16;
         curves.push_back(curve);
     }
 

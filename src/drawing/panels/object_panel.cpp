@@ -1,6 +1,7 @@
-// The object panel: the body itself turning in space, with its principal axes, ω and L.
+// The object panel: the body itself turning in space, with its principal axes, ω, L and the torque.
 //
-// Without torque L stands upright, as in the space panel; otherwise up is the space axis z.
+// Without torque L stands upright or, beside a panel of the construction, as it stands there;
+// otherwise up is the space axis z.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,17 +13,30 @@
 #include "drawing/elements/object_shapes.h"
 #include "drawing/framing.h"
 #include "drawing/marks.h"
+#include "mechanics/torque.h"
+#include "shapes/projection.h"
 
 namespace poinsot {
 
 namespace {
 
-// Longest arrows along ω and L over the film, beside the body's reach of 1.
+// Longest arrows along L and ω over the film, beside the body's reach of 1: where both lie on one
+// line, their tips stand apart.
 constexpr double longest_arrow = 1.45;
+constexpr double longest_omega = 1.22;
+
+// Whether another panel shows the construction, which this one then agrees with.
+bool stands_beside_construction(const StageData& stage) {
+    return std::any_of(stage.scene.panels.begin(), stage.scene.panels.end(),
+                       [](const PanelSpec& panel) { return panel.kind == "space"; });
+}
 
 // From space axes to the picture's.
 Eigen::Quaterniond picture_from_space(const StageData& stage) {
-    return stage.rolling ? stage.rolling->picture_from_space : Eigen::Quaterniond::Identity();
+    if (!stage.rolling) return Eigen::Quaterniond::Identity();
+    if (stands_beside_construction(stage)) return stage.rolling->picture_from_space;
+    return Eigen::Quaterniond::FromTwoVectors(stage.rolling->construction.normal_space(),
+                                              Eigen::Vector3d::UnitZ());
 }
 
 // ω and L at an instant, picture axes; lengths beside the largest of the film.
@@ -44,7 +58,8 @@ class ArrowScale {
 
     bool turns() const { return omega_most_ > 0.0; }
     Eigen::Vector3d omega_tip(const Instant& instant) const {
-        return tip(instant, instant.state.omega_body, omega_most_);
+        return tip(instant, instant.state.omega_body, omega_most_) *
+               (longest_omega / longest_arrow);
     }
     Eigen::Vector3d momentum_tip(const Instant& instant) const {
         return tip(instant, inertia_ * instant.state.omega_body, momentum_most_);
@@ -62,6 +77,37 @@ class ArrowScale {
     double omega_most_ = 0.0;
     double momentum_most_ = 0.0;
 };
+
+// The torque N at an instant, picture axes, beside the largest of the film; nothing where none
+// acts. It stands beside ω and L, along which it may point, a little to the left of the fixed
+// point.
+Drawer make_torque(Panel& panel) {
+    const StageData& stage = *panel.stage;
+    const MotionProblem& problem = stage.motion.motion().problem();
+    const RotationDynamics dynamics(problem.inertia, problem.torque);
+    if (!dynamics.has_torque()) return [](const Instant&, Sheet&) {};
+    const Eigen::Matrix3d body_from_principal = problem.inertia.body_from_principal();
+    const auto torque_body = [dynamics, body_from_principal](const RotationState& state) {
+        StepState step;
+        step.space_from_principal = state.space_from_body * Eigen::Quaterniond(body_from_principal);
+        return Eigen::Vector3d(body_from_principal * dynamics.torque_on(step));
+    };
+    const double most_N_m = dynamics.greatest_torque_N_m();
+    if (!(most_N_m > 0.0)) return [](const Instant&, Sheet&) {};
+    const SetType type = set_label(panel, "\\mathbf{N}");
+    return [&panel, torque_body, most_N_m, type](const Instant& instant, Sheet& sheet) {
+        constexpr double length = 1.0;
+        constexpr double aside = 0.16;
+        const Eigen::Vector3d along = picture_from_space(*panel.stage) *
+                                      (instant.state.space_from_body * torque_body(instant.state)) *
+                                      (length / most_N_m);
+        const Eigen::Vector3d tail = -aside * camera_axes(sheet.view.camera).col(0);
+        Arrow arrow = arrow_between(panel, tail, tail + along, panel.stage->theme->energy, 1.15);
+        arrow.hidden_opacity = 0.85;
+        sheet.view.arrows.push_back(arrow);
+        wish_at_tip(panel, arrow, type, sheet, -omega_label_turn_rad);
+    };
+}
 
 // The body as the motion beside turns it, in thin lines: the edges of a box, the principal axes as
 // far as the body reaches, and ω. Nothing without one.
@@ -100,9 +146,11 @@ void make_object_panel(Panel& panel) {
     const BodyShape shape = body_shape(panel);
     const ArrowScale arrows(stage);
 
-    // The body in every attitude, and arrows upwards.
+    // The body in every attitude, and arrows upwards or downwards.
     std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
-    if (arrows.turns()) points.emplace_back(0.0, 0.0, longest_arrow);
+    const bool down =
+        stage.rolling && stands_beside_construction(stage) && stage.rolling->normal.z() < 0.0;
+    if (arrows.turns()) points.emplace_back(0.0, 0.0, down ? -longest_arrow : longest_arrow);
     aim_around(panel, std::move(points), 0.7 * label_size * panel.type_px + 24.0 * panel.px);
 
     std::array<SetType, 3> axis_types;
@@ -112,7 +160,8 @@ void make_object_panel(Panel& panel) {
     const SetType omega_type = set_label(panel, "\\boldsymbol{\\omega}");
     const SetType momentum_type = set_label(panel, "\\mathbf{L}");
     const Drawer ghost = make_ghost_body(panel, shape, arrows);
-    panel.draw = [&panel, shape, arrows, axis_types, omega_type, momentum_type, ghost](
+    const Drawer torque = make_torque(panel);
+    panel.draw = [&panel, shape, arrows, axis_types, omega_type, momentum_type, ghost, torque](
                      const Instant& instant, Sheet& sheet) {
         const Theme& theme = *panel.stage->theme;
         const Eigen::Matrix3d attitude =
@@ -131,6 +180,7 @@ void make_object_panel(Panel& panel) {
             sheet.view.curves.push_back(edge);
         }
         ghost(instant, sheet);
+        torque(instant, sheet);
         const auto add_arrow = [&](const Eigen::Vector3d& tip, const Colour& colour, double weight,
                                    const SetType& type, double turn_rad = 0.0) {
             sheet.view.arrows.push_back(arrow_to(panel, tip, colour, weight));

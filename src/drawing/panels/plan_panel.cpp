@@ -1,9 +1,10 @@
-// The plan panel: the herpolhode on the invariable plane, seen along L from above, between the
+// The plan panel: the herpolhode on the invariable plane, seen along its normal, between the
 // circles of its annulus.
 //
 // The plan has its own scale, the annulus filling the panel, so that the smallest wobble is seen;
-// distances are measured from the foot of L, where nothing cancels. Up in the picture is away from
-// the space panel's camera: the plan is what that camera would see after rising to the zenith.
+// distances are measured from the foot of L, where nothing cancels. It is what the space panel's
+// camera would see after rising to the zenith or, where it stands under the plane, sinking to the
+// nadir, so that the herpolhode turns in the same sense in both.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,13 +23,22 @@ namespace {
 
 constexpr int the_plane = 0;
 
-// From space axes to the plan: z along L, y up in the panel, the outer circle's radius 1.
+// From space axes to the plan: z towards us, y up in the panel, the outer circle's radius 1.
 struct PlanScale {
     Eigen::Matrix3d plan_from_space;
     double plan_per_rho = 1.0;
     double inner = 0.0;  // radii of the annulus
     double outer = 0.0;
 };
+
+// Whether the space panel's camera stands above the plane, as the scene aims it or frames it: far
+// enough away its height alone decides.
+bool camera_is_above(const Panel& panel) {
+    const CameraPose pose = panel.stage->timeline.camera_at(0.0);
+    const Eigen::Vector3d towards = direction_of(pose.azimuth_deg, pose.elevation_deg);
+    const double height = pose.target.z() + pose.distance * towards.z();
+    return height >= panel.stage->rolling->foot().z();
+}
 
 PlanScale scale_of(const Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
@@ -39,10 +49,15 @@ PlanScale scale_of(const Panel& panel) {
     scale.inner = annulus.outer > 0.0 ? annulus.inner / annulus.outer : 0.0;
     scale.outer = annulus.outer > 0.0 ? 1.0 : 0.0;
 
-    const double azimuth =
-        panel.stage->scene.camera.azimuth_deg * std::numbers::pi / 180.0 + 0.5 * std::numbers::pi;
-    scale.plan_from_space = Eigen::AngleAxisd(-azimuth, Eigen::Vector3d::UnitZ()) *
-                            picture.picture_from_space.toRotationMatrix();
+    // Columns of the picture's axes: what is to the right, what is up, and what is towards us.
+    const double azimuth = panel.stage->scene.camera.azimuth_deg * std::numbers::pi / 180.0;
+    const Eigen::Vector3d outwards(std::cos(azimuth), std::sin(azimuth), 0.0);
+    const double side = camera_is_above(panel) ? 1.0 : -1.0;
+    Eigen::Matrix3d axes;
+    axes.col(1) = -side * outwards;
+    axes.col(2) = side * Eigen::Vector3d::UnitZ();
+    axes.col(0) = axes.col(1).cross(axes.col(2));
+    scale.plan_from_space = axes.transpose() * picture.picture_from_space.toRotationMatrix();
     return scale;
 }
 

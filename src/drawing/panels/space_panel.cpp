@@ -18,8 +18,30 @@ namespace poinsot {
 
 namespace {
 
-// A camera about the vertical L, aimed so that the figure stands over the caption, and farther away
-// where the figure would not fit.
+// Ends of what some elements put beside the ellipsoid, for a camera at this azimuth.
+std::vector<Eigen::Vector3d> points_aside(const Panel& panel, double azimuth_deg) {
+    const StageData& stage = *panel.stage;
+    const Eigen::Vector3d right =
+        Eigen::Vector3d::UnitZ().cross(direction_of(azimuth_deg, 0.0)).normalized();
+    std::vector<Eigen::Vector3d> points;
+    if (is_shown(stage, "precession")) points.emplace_back(-1.45 * stage.rolling->normal);
+    if (is_shown(stage, "levels")) {
+        points.emplace_back(1.75 * right);
+        points.emplace_back(1.75 * right + 1.1 * stage.rolling->normal);
+    }
+    if (is_shown(stage, "gradient")) {
+        const double radius = stage.rolling->herpolhode_radius;
+        for (const double side : {radius, -radius}) {
+            points.emplace_back(side * right + stage.rolling->foot() +
+                                0.72 * stage.rolling->normal);
+        }
+    }
+    if (is_shown(stage, "distance")) points.emplace_back(1.6 * right);
+    return points;
+}
+
+// A camera about the plane's normal, aimed so that the figure stands over the caption, and farther
+// away where the figure would not fit.
 Camera framing_camera(const Panel& panel, const CameraPose& pose) {
     const Eigen::Vector3d towards_eye = direction_of(pose.azimuth_deg, pose.elevation_deg);
     const double field_rad = pose.field_deg * std::numbers::pi / 180.0;
@@ -27,15 +49,18 @@ Camera framing_camera(const Panel& panel, const CameraPose& pose) {
     // The plane runs on below the caption; what stands on it does not.
     const double per_px = 2.0 * pose.distance * std::tan(0.5 * field_rad) / panel.box.height_px;
     const double label = 1.4 * label_size * panel.type_px * per_px;
-    const std::vector<Eigen::Vector3d> points =
+    std::vector<Eigen::Vector3d> points =
         swept_points(*panel.stage->rolling, pose.azimuth_deg * std::numbers::pi / 180.0, label);
+    for (const Eigen::Vector3d& point : points_aside(panel, pose.azimuth_deg)) {
+        points.push_back(point);
+    }
     const double gap = 14.0 * panel.px;
     Margins margins{gap, gap, gap + panel.header_px, gap};
     const StageOptions& picture = panel.stage->options;
     if (panel.box.height_px == picture.height_px) {
         const OverlayBands bands = overlay_bands(*panel.stage);
         margins.bottom_px += bands.bottom_px;
-        // L stands in the middle: a title that comes near it goes above it, others beside it.
+        // The figure stands in the middle: a title that comes near it goes above, others beside it.
         if (bands.title_right_px > 0.38 * picture.width_px) margins.top_px += bands.top_px;
     }
     margins.bottom_px = std::min(margins.bottom_px, 0.4 * panel.box.height_px);
@@ -98,8 +123,7 @@ void make_space_panel(Panel& panel) {
     }
     std::vector<Drawer> drawers;
     for (const Element& element : elements()) {
-        const bool named = std::find(show.begin(), show.end(), element.name) != show.end();
-        if (show.empty() ? element.by_default(*panel.stage) : named) {
+        if (is_shown(*panel.stage, element.name)) {
             panel.asks = united(panel.asks, element.asks);
             drawers.push_back(fading(*panel.stage, std::string(element.name), element.make(panel)));
         }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,7 @@ constexpr double phi_radius = 0.50;
 constexpr double psi_radius = 0.36;
 constexpr double node_length = 0.80;
 constexpr double e1_length = 0.62;
+constexpr double centre_of_mass = 0.43;  // on the axis, in the middle of the disc
 
 // e1, e2, e3 of the Euler angles as columns, space axes: Rz(φ) Rx(θ) Rz(ψ).
 Eigen::Matrix3d axes_of(const EulerAngles& euler) {
@@ -171,7 +173,7 @@ Stand stand_of(const Panel& panel, const TopNutation& nutation) {
 
 // The names of axes and angles.
 struct Names {
-    SetType z, x, node, e1, e3, theta, phi, psi;
+    SetType z, x, node, e1, e3, theta, phi, psi, height;
 };
 
 Names names_of(const Panel& panel) {
@@ -182,7 +184,8 @@ Names names_of(const Panel& panel) {
             set_label(panel, "\\mathbf{e}_3", 0.95),
             set_label(panel, "\\theta"),
             set_label(panel, "\\varphi"),
-            set_label(panel, "\\psi")};
+            set_label(panel, "\\psi"),
+            set_label(panel, "l\\cos\\theta", 0.75)};
 }
 
 class TopDrawer {
@@ -228,6 +231,22 @@ class TopDrawer {
 
         arrow(e1_length * axes_.col(0), theme.axes[0], 0.7, names.e1);
         arrow(e3, theme.axes[2], 1.0, names.e3);
+    }
+
+    // The centre of mass on the axis and its height over the fixed point, which V = Mgl cos θ
+    // counts.
+    void height(const SetType& name, bool hangs) {
+        const Colour& colour = panel_->stage->theme->potential;
+        const Eigen::Vector3d mass = (hangs ? -centre_of_mass : centre_of_mass) * axes_.col(2);
+        const Eigen::Vector3d level(0.0, 0.0, mass.z());
+        for (const auto& [a, b, width_px] :
+             {std::tuple{mass, level, 2.0}, {Eigen::Vector3d::Zero().eval(), level, 5.0}}) {
+            Curve line = line_between(*panel_, a, b, colour, width_px);
+            line.hidden_opacity = 0.75;
+            sheet_->view.curves.push_back(line);
+        }
+        sheet_->view.dots.push_back(dot_at(*panel_, mass, colour, 6.0));
+        wish_beside(*panel_, 0.6 * level, 0.6 * level + (mass - level), name, colour, *sheet_);
     }
 
     void arrow(const Eigen::Vector3d& tip, const Colour& colour, double weight,
@@ -282,6 +301,7 @@ void make_top_panel(Panel& panel) {
         TopDrawer drawer(panel, sheet, instant.euler);
         drawer.body(body, spokes, hangs);
         drawer.angles(names);
+        drawer.height(names.height, hangs);
         sheet.view.curves.push_back(locus.curve);
         sheet.view.curves.back().last = locus.path.index_at(instant.time_s);
         ghost(instant, sheet);

@@ -64,14 +64,14 @@ Drawer make_caption(StageData& stage) {
     // Set once here in any case, so that a caption that does not parse is refused before the first
     // frame.
     const SetType type = at_scene_key(stage.scene, "caption", [&] {
-        return stage.type_case.set(expand_live_text(stage.scene.caption, stage.live_values({})),
-                                   style);
+        return stage.type_case.set(
+            expand_live_text(stage.scene.caption, StageData::live_values(stage.scene, {})), style);
     });
     if (!is_live(stage.scene.caption)) {
         return [place, type](const Instant&, Sheet& sheet) { place(type, sheet); };
     }
     return [&stage, style, place](const Instant& instant, Sheet& sheet) {
-        const auto values = stage.live_values(instant);
+        const auto values = StageData::live_values(stage.scene, instant);
         place(stage.type_case.set_live(expand_live_text(stage.scene.caption, values), style,
                                        sheet.view),
               sheet);
@@ -134,7 +134,7 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, TypeCase
     if (wants_caption(scene)) {
         // Live numbers change the text's width, and its lines hardly ever.
         const SetType type = at_scene_key(scene, "caption", [&] {
-            return type_case.set(expand_live_text(scene.caption, StageData::live_values({})),
+            return type_case.set(expand_live_text(scene.caption, StageData::live_values(scene, {})),
                                  text_style(width_px, px, caption_size));
         });
         bands.bottom_px = static_cast<int>(std::ceil(margin(px) + type.mask->height + 18.0 * px));

@@ -1,0 +1,303 @@
+#include "drawing/elements/construction_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "drawing/elements/elements.h"
+#include "drawing/marks.h"
+#include "shapes/projection.h"
+
+namespace poinsot {
+
+namespace {
+
+// Inside of the glassy ellipsoid, and beyond the plane, these keep nearly all of their hue.
+constexpr double seen_through = 0.9;
+
+const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
+
+// A label beside the middle part of a line, on its left as it runs on the picture.
+void wish_beside_line(const Panel& panel, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                      double share, const SetType& type, const Colour& colour, Sheet& sheet) {
+    const Eigen::Vector2d a = project(sheet.view, from).px;
+    const Eigen::Vector2d b = project(sheet.view, to).px;
+    LabelWish wish;
+    wish.type = type;
+    wish.anchor_px = a + share * (b - a);
+    wish.away = Eigen::Vector2d((b - a).y(), -(b - a).x()) / (100.0 * panel.px);
+    wish.gap_px = 7.0 * panel.px;
+    wish.colour = colour;
+    sheet.wishes.push_back(wish);
+}
+
+// What is to the right for the camera, along the plane.
+Eigen::Vector3d right_of(const Sheet& sheet) {
+    Eigen::Vector3d right = camera_axes(sheet.view.camera).col(0);
+    right.z() = 0.0;
+    return right.normalized();
+}
+
+// The corner of a square in the right angle between two directions (unit vectors).
+void add_right_angle(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& a,
+                     const Eigen::Vector3d& b, const Colour& colour, Sheet& sheet) {
+    constexpr double side = 0.085;
+    const Eigen::Vector3d corner = at + side * (a + b);
+    for (const Eigen::Vector3d& leg : {a, b}) {
+        Curve line = line_between(panel, at + side * leg, corner, colour, 1.8);
+        line.hidden_opacity = 0.7;
+        sheet.view.curves.push_back(line);
+    }
+}
+
+bool shows_plane(const StageData& stage) {
+    return is_shown(stage, "plane") || is_shown(stage, "tangent");
+}
+
+}  // namespace
+
+double plane_presence(const Eigen::Vector3d& foot, const Camera& camera) {
+    constexpr double glass = 0.38;
+    const Eigen::Vector3d from_foot = camera.eye - foot;
+    const double sine = foot.stableNormalized().dot(from_foot) / from_foot.norm();
+    const double beyond = std::clamp(sine / 0.06, 0.0, 1.0);
+    return 1.0 + (glass - 1.0) * beyond * beyond * (3.0 - 2.0 * beyond);
+}
+
+Drawer make_momentum(Panel& panel) {
+    const ConstructionPicture& picture = picture_of(panel);
+    Arrow arrow = arrow_to(panel, momentum_tip(picture), panel.stage->theme->momentum, 1.15);
+    arrow.hidden_opacity = seen_through;
+    const SetType type = set_label(panel, "\\mathbf{L}");
+    const bool has_foot = shows_plane(*panel.stage);
+    const Dot foot = dot_at(panel, picture.foot(), panel.stage->theme->momentum, 4.0);
+    return [&panel, arrow, type, has_foot, foot](const Instant&, Sheet& sheet) {
+        sheet.view.arrows.push_back(arrow);
+        if (has_foot) {
+            // On the side where the plane is seen: away from the camera's right.
+            add_right_angle(panel, foot.at, -right_of(sheet), -picture_of(panel).normal,
+                            arrow.colour, sheet);
+            sheet.view.dots.push_back(foot);
+        }
+        wish_at_tip(panel, arrow, type, sheet);
+    };
+}
+
+Drawer make_omega(Panel& panel) {
+    const SetType type = set_label(panel, "\\boldsymbol{\\omega}");
+    const bool beyond = is_shown(*panel.stage, "radius") || !is_shown(*panel.stage, "contact");
+    return [&panel, type, beyond](const Instant& instant, Sheet& sheet) {
+        const Eigen::Vector3d rho = picture_of(panel).contact(instant);
+        Arrow arrow =
+            arrow_to(panel, beyond ? spin_axis_end(rho) : rho, panel.stage->theme->omega, 1.15);
+        arrow.hidden_opacity = seen_through;
+        sheet.view.arrows.push_back(arrow);
+        // Its name stands on along the line, off the contact and what meets there.
+        wish_beside(panel, beyond ? arrow.tip : past_contact(rho), arrow.tail, type, arrow.colour,
+                    sheet);
+    };
+}
+
+Drawer make_spin_axis(Panel& panel) {
+    return [&panel](const Instant& instant, Sheet& sheet) {
+        const Eigen::Vector3d rho = picture_of(panel).contact(instant);
+        Curve line = line_between(panel, -spin_axis_end(rho), past_contact(rho),
+                                  panel.stage->theme->omega, 2.0);
+        line.hidden_opacity = 0.6;
+        sheet.view.curves.push_back(line);
+    };
+}
+
+Drawer make_contact(Panel& panel) {
+    Dot dot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->contact);
+    // It lies on both curves, and over them also where the ellipsoid is before it.
+    dot.occlusion = Occlusion::none;
+    return [&panel, dot](const Instant& instant, Sheet& sheet) {
+        sheet.view.dots.push_back(dot);
+        sheet.view.dots.back().at = picture_of(panel).contact(instant);
+    };
+}
+
+Drawer make_radius(Panel& panel) {
+    const SetType type = set_label(panel, "\\boldsymbol{\\rho}");
+    return [&panel, type](const Instant& instant, Sheet& sheet) {
+        const Eigen::Vector3d rho = picture_of(panel).contact(instant);
+        // In the colour of the curve that its tip traces.
+        const Colour& colour = panel.stage->theme->polhode;
+        Arrow arrow = arrow_to(panel, rho, colour, 1.3);
+        arrow.hidden_opacity = seen_through;
+        sheet.view.arrows.push_back(arrow);
+        wish_beside_line(panel, Eigen::Vector3d::Zero(), rho, 0.5, type, colour, sheet);
+    };
+}
+
+Drawer make_tangent(Panel& panel) {
+    Plane plane;
+    plane.radius = 0.75;
+    plane.fade_from = 0.6;
+    plane.grid_spacing = 0.15;
+    plane.grid_px = 0.8 * panel.px;
+    plane.colour = panel.stage->theme->plane;
+    plane.grid_colour = panel.stage->theme->grid;
+    plane.opacity = 0.45;
+    return [&panel, plane](const Instant& instant, Sheet& sheet) {
+        sheet.view.planes.push_back(plane);
+        sheet.view.planes.back().centre = picture_of(panel).contact(instant);
+    };
+}
+
+Drawer make_gradient(Panel& panel) {
+    const SetType type = set_label(panel, "\\nabla F");
+    return [&panel, type](const Instant& instant, Sheet& sheet) {
+        constexpr double length = 0.55;
+        const Eigen::Vector3d rho = picture_of(panel).contact(instant);
+        Arrow arrow = arrow_between(panel, rho, rho + length * picture_of(panel).normal,
+                                    panel.stage->theme->energy, 1.1);
+        arrow.hidden_opacity = seen_through;
+        sheet.view.arrows.push_back(arrow);
+        wish_at_tip(panel, arrow, type, sheet);
+    };
+}
+
+Drawer make_projection(Panel& panel) {
+    const SetType type = set_label(panel, "\\boldsymbol{\\rho}\\cdot\\mathbf{L}/L", 0.85);
+    return [&panel, type](const Instant& instant, Sheet& sheet) {
+        const ConstructionPicture& picture = picture_of(panel);
+        const Colour& colour = panel.stage->theme->energy;
+        const Eigen::Vector3d rho = picture.contact(instant);
+        const Eigen::Vector3d foot = picture.foot();
+        Curve along = line_between(panel, Eigen::Vector3d::Zero(), foot, colour, 9.0);
+        along.opacity = 0.55;
+        along.hidden_opacity = 0.55;
+        Curve across = line_between(panel, rho, foot, colour, 2.4);
+        across.hidden_opacity = seen_through;
+        for (const Curve& line : {along, across}) sheet.view.curves.push_back(line);
+        // On the side of L away from ρ.
+        wish_beside_line(panel, Eigen::Vector3d::Zero(), foot, 0.55, type, panel.stage->theme->text,
+                         sheet);
+        const Eigen::Vector2d to_rho = project(sheet.view, rho).px - project(sheet.view, foot).px;
+        Eigen::Vector2d& away = sheet.wishes.back().away;
+        if (away.dot(to_rho) > 0.0) away = -away;
+    };
+}
+
+Drawer make_distance(Panel& panel) {
+    const SetType type = set_label(panel, "\\sqrt{2T}/L", 0.9);
+    return [&panel, type](const Instant&, Sheet& sheet) {
+        // On the right of the ellipsoid's largest reach, as the camera sees it.
+        constexpr double aside = 1.22;
+        const Eigen::Vector3d from = aside * right_of(sheet);
+        const Eigen::Vector3d to = from + picture_of(panel).foot();
+        const Colour& colour = panel.stage->theme->text;
+        Curve level = line_between(panel, Eigen::Vector3d::Zero(), 1.06 * from, colour, 1.6);
+        level.hidden_opacity = 0.5;
+        sheet.view.curves.push_back(level);
+        const Eigen::Vector3d middle = 0.5 * (from + to);
+        for (const Eigen::Vector3d& end : {from, to}) {
+            Arrow arrow = arrow_between(panel, middle, end, colour, 0.6);
+            arrow.hidden_opacity = seen_through;
+            sheet.view.arrows.push_back(arrow);
+        }
+        wish_beside_line(panel, from, to, 0.5, type, colour, sheet);
+        // Away from the ellipsoid, whichever way the line runs.
+        Eigen::Vector2d& away = sheet.wishes.back().away;
+        away.x() = std::abs(away.x());
+    };
+}
+
+LevelScale::LevelScale(const Panel& panel) : panel_(&panel) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        types_[i] = set_label(panel, fmt::format("1/\\sqrt{{I_{}}}", i + 1), 0.9);
+    }
+    own_ = set_label(panel, "\\sqrt{2T}/L", 0.9);
+}
+
+void LevelScale::add_to(Sheet& sheet, const Eigen::Vector3d& half_axes,
+                        const Eigen::Vector3d& foot) const {
+    const Panel& panel = *panel_;
+    const Theme& theme = *panel.stage->theme;
+    const Eigen::Vector3d right = right_of(sheet);
+    const Eigen::Vector3d normal = foot.stableNormalized();
+    constexpr double aside = 1.3;
+    constexpr double tick = 0.06;
+    const Eigen::Vector3d zero = aside * right;
+    const auto at = [&](double distance) { return Eigen::Vector3d(zero + distance * normal); };
+    const auto add = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Colour& colour,
+                         double width_px) {
+        Curve line = line_between(panel, a, b, colour, width_px);
+        line.hidden_opacity = seen_through;
+        sheet.view.curves.push_back(line);
+    };
+    const auto name = [&](const Eigen::Vector3d& place, double side, const SetType& type,
+                          const Colour& colour) {
+        LabelWish wish;
+        wish.type = type;
+        wish.anchor_px = project(sheet.view, place).px;
+        wish.away = {side, 0.0};
+        wish.gap_px = 6.0 * panel.px;
+        wish.colour = colour;
+        sheet.wishes.push_back(wish);
+    };
+    // The scale begins at the centre's height.
+    add(zero - tick * right, zero + tick * right, theme.text, 1.8);
+    add(zero, at(half_axes.maxCoeff() + 0.08), theme.text, 1.8);
+    for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector3d end = at(half_axes[i]) + 1.6 * tick * right;
+        add(at(half_axes[i]), end, theme.axes[i], 4.0);
+        name(end, 1.0, types_[static_cast<std::size_t>(i)], theme.axes[i]);
+    }
+    // The plane's own distance, joined with the plane where L meets it.
+    const Eigen::Vector3d here = at(foot.norm());
+    add(foot, here, theme.contact, 1.6);
+    sheet.view.dots.push_back(dot_at(panel, here, theme.contact, 5.5));
+    // Its name stands over the line that joins it with the plane.
+    name(here - 0.22 * right - 0.09 * normal, 0.0, own_, theme.contact);
+}
+
+Drawer make_levels(Panel& panel) {
+    const LevelScale levels(panel);
+    return [&panel, levels](const Instant&, Sheet& sheet) {
+        levels.add_to(sheet, picture_of(panel).half_axes, picture_of(panel).foot());
+    };
+}
+
+Drawer make_velocity(Panel& panel) {
+    const SetType type = set_label(panel, "\\boldsymbol{\\omega}\\times\\mathbf{r}", 0.85);
+    return [&panel, type](const Instant& instant, Sheet& sheet) {
+        const ConstructionPicture& picture = picture_of(panel);
+        const Eigen::Vector3d rho = picture.contact(instant);
+        const Eigen::Vector3d axis = rho.stableNormalized();
+        const Eigen::Vector3d towards_eye = sheet.view.camera.eye;
+        const Eigen::Vector3d facing =
+            (towards_eye - towards_eye.dot(axis) * axis).stableNormalized();
+        const Eigen::Vector3d sideways = axis.cross(facing);
+
+        // Where rays from the centre leave the ellipsoid.
+        const Eigen::Matrix3d axes = picture.principal_axes(instant);
+        const auto surface = [&](double angle) {
+            const Eigen::Vector3d along = std::cos(angle) * axis + std::sin(angle) * facing;
+            const Eigen::Vector3d scaled =
+                (axes.transpose() * along).cwiseQuotient(picture.half_axes);
+            return Eigen::Vector3d(along / scaled.norm());
+        };
+        const Colour& colour = panel.stage->theme->potential;
+        constexpr int n = 9;
+        constexpr double per_distance = 0.42;
+        constexpr int named = n / 2;
+        for (int k = 1; k < n; ++k) {
+            const Eigen::Vector3d point = surface(std::numbers::pi * k / n);
+            const double distance = (point - point.dot(axis) * axis).norm();
+            Arrow arrow = arrow_between(panel, point, point + per_distance * distance * sideways,
+                                        colour, 0.7);
+            arrow.hidden_opacity = 0.8;
+            sheet.view.arrows.push_back(arrow);
+            if (k == named) wish_at_tip(panel, arrow, type, sheet);
+        }
+    };
+}
+
+}  // namespace poinsot

@@ -1,0 +1,364 @@
+// The sweep panel: what [construction] sweep lets the film run through instead of a motion.
+//
+// axis: the body rests, and an axis n takes all directions in turn; ρ = n/√I(n) leaves its trace
+// until the inertia ellipsoid stands. energy: at fixed L the plane's distance √(2T)/L runs from the
+// least that the body has, 1/√I of its largest moment, to the greatest; the ellipsoid touches the
+// plane at each, and its polhode goes from a point through small closed curves to the one that
+// wraps round and on to a point about the other axis.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "construction/adaptive_curve.h"
+#include "drawing/elements/construction_lines.h"
+#include "drawing/elements/object_shapes.h"
+#include "drawing/framing.h"
+#include "drawing/marks.h"
+#include "drawing/type/overlay.h"
+#include "scene/scene_error.h"
+#include "shapes/identity.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr int the_ellipsoid = 0;
+
+// How much of the film has passed at an instant, 0…1.
+double share_at(const StageData& stage, const Instant& instant) {
+    const double span_s = stage.film_last_s - stage.film_first_s;
+    return std::clamp((instant.time_s - stage.film_first_s) / span_s, 0.0, 1.0);
+}
+
+const InertiaTensor& inertia_of(const Panel& panel) {
+    return panel.stage->motion.motion().problem().inertia;
+}
+
+// Half-axes 1/√I in units of the largest.
+Eigen::Vector3d half_axes_of(const Panel& panel) {
+    const Eigen::Vector3d& moments = inertia_of(panel).moments_kg_m2();
+    return (moments / moments.minCoeff()).cwiseSqrt().cwiseInverse();
+}
+
+// Title and caption keep their room; what else a scene may want to show has no meaning here.
+void check_show(const StageData& stage) {
+    for (const std::string& name : stage.scene.show) {
+        if (is_overlay(name)) continue;
+        throw SceneError(
+            stage.scene.location_of("show"),
+            fmt::format("show names \"{}\", but a sweep has elements of its own; leave "
+                        "title, caption and clock, or nothing",
+                        echo(name)));
+    }
+}
+
+Margins margins_of(const Panel& panel) {
+    const double gap = 18.0 * panel.px;
+    return {gap, gap, gap + panel.header_px, gap};
+}
+
+std::array<SetType, 3> axis_names(const Panel& panel) {
+    std::array<SetType, 3> types;
+    for (std::size_t i = 0; i < 3; ++i) {
+        types[i] = set_label(panel, fmt::format("\\mathbf{{e}}_{}", i + 1), 0.85);
+    }
+    return types;
+}
+
+// The direction n at a share of the sweep, principal axes: a spiral from e3 to −e3 whose turns lie
+// equally far apart on the sphere.
+Eigen::Vector3d direction_at(double share) {
+    constexpr double n_turns = 15.0;
+    const double theta = pi * share;
+    const double phi = 2.0 * pi * n_turns * share;
+    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
+// I(n) = Σ I_i n_i² over the least moment.
+double moment_about(const Eigen::Vector3d& half_axes, const Eigen::Vector3d& n) {
+    return n.cwiseQuotient(half_axes).squaredNorm();
+}
+
+constexpr double n_beyond = 0.3;  // the ellipsoid, of the arrow along n
+
+// The sweep of n takes this much of the film; then the ellipsoid stands alone.
+constexpr double swept_share = 0.86;
+
+struct Trace {
+    Curve curve;
+    std::vector<double> shares;  // of the sweep, point by point
+
+    double index_at(double share) const {
+        const auto after = std::upper_bound(shares.begin(), shares.end(), share);
+        if (after == shares.begin()) return 0.0;
+        const auto i = static_cast<double>(after - shares.begin()) - 1.0;
+        if (after == shares.end()) return i;
+        return i + (share - *(after - 1)) / (*after - *(after - 1));
+    }
+};
+
+Trace trace_of(Panel& panel, const Eigen::Vector3d& half_axes) {
+    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    Trace trace;
+    CurveGeometry geometry;
+    double off = 0.0;
+    for (const CurveSample& sample : sample_adaptively(
+             [&](double share) {
+                 const Eigen::Vector3d n = direction_at(share);
+                 return Eigen::Vector3d(n / std::sqrt(moment_about(half_axes, n)));
+             },
+             0.0, 1.0, 256, tolerance, 200'000, &off)) {
+        geometry.points.push_back(sample.point);
+        trace.shares.push_back(sample.parameter);
+    }
+    panel.stage->note_curve_error(off / panel.units_per_px);
+    trace.curve =
+        curve_of(panel, panel.stage->keep(std::move(geometry)), panel.stage->theme->polhode, 2.4);
+    trace.curve.on_surface = the_ellipsoid;
+    trace.curve.hidden_opacity = 0.14;
+    trace.curve.lasting = true;
+    return trace;
+}
+
+// The body at rest, so small that it stays within its ellipsoid in every direction.
+Drawer resting_body(Panel& panel) {
+    const BodyShape shape = body_shape(panel);
+    Eigen::Affine3d placement = Eigen::Affine3d::Identity();
+    placement.linear() =
+        0.72 * half_axes_of(panel).minCoeff() * inertia_of(panel).body_from_principal().transpose();
+    return [shape, placement](const Instant&, Sheet& sheet) {
+        for (const BodyPart& part : shape.parts) {
+            Mesh mesh;
+            mesh.geometry = part.geometry;
+            mesh.placement = placement;
+            mesh.colour = part.colour;
+            mesh.casts_shadow = false;
+            sheet.view.meshes.push_back(mesh);
+        }
+        for (Curve edge : shape.edges) {
+            edge.placement = placement * edge.placement;
+            sheet.view.curves.push_back(edge);
+        }
+    };
+}
+
+void make_axis_sweep(Panel& panel) {
+    const Eigen::Vector3d half_axes = half_axes_of(panel);
+    std::vector<Eigen::Vector3d> points =
+        points_of_ellipsoid((half_axes.array() + n_beyond).matrix().asDiagonal().toDenseMatrix());
+    aim_around(panel, std::move(points),
+               margins_of(panel).left_px + 0.4 * label_size * panel.type_px);
+
+    const Trace trace = trace_of(panel, half_axes);
+    const Drawer body = resting_body(panel);
+    const std::array<SetType, 3> axis_types = axis_names(panel);
+    const SetType n_type = set_label(panel, "\\mathbf{n}");
+    const SetType rho_type = set_label(panel, "\\boldsymbol{\\rho}");
+    Ellipsoid ellipsoid = ellipsoid_of(panel);
+    ellipsoid.half_axes = half_axes.asDiagonal();
+    ellipsoid.casts_shadow = false;
+    panel.draw = [&panel, half_axes, trace, body, axis_types, n_type, rho_type, ellipsoid](
+                     const Instant& instant, Sheet& sheet) {
+        const StageData& stage = *panel.stage;
+        const Theme& theme = *stage.theme;
+        const double share = share_at(stage, instant);
+        const double swept = std::min(share / swept_share, 1.0);
+        const double stands =
+            std::clamp((share - swept_share) / (0.7 * (1.0 - swept_share)), 0.0, 1.0);
+
+        body(instant, sheet);
+        // Hardly there until its points have been found, but hiding what lies behind it.
+        sheet.view.ellipsoids.push_back(ellipsoid);
+        Ellipsoid& shown = sheet.view.ellipsoids.back();
+        constexpr double faint = 0.16;
+        shown.opacity = (faint + (1.0 - faint) * stands) * ellipsoid.opacity;
+        shown.section_px *= stands;
+        shown.ruling_px *= stands;
+
+        for (int i = 0; i < 3; ++i) {
+            const Arrow arrow =
+                arrow_to(panel, (half_axes[i] + axis_overhang) * Eigen::Vector3d::Unit(i),
+                         theme.axes[i], 0.75);
+            sheet.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], sheet);
+        }
+        sheet.view.curves.push_back(trace.curve);
+        sheet.view.curves.back().last = trace.index_at(swept);
+
+        // n through the body and out, ρ along it as far as the surface, and I(n) as a number.
+        const Eigen::Vector3d n = direction_at(swept);
+        const double moment = moment_about(half_axes, n);
+        const Eigen::Vector3d rho = n / std::sqrt(moment);
+        Curve axis = line_between(panel, -rho - n_beyond * n, rho, theme.text, 2.0);
+        axis.hidden_opacity = 0.5;
+        sheet.view.curves.push_back(axis);
+        const Arrow n_arrow = arrow_between(panel, rho, rho + n_beyond * n, theme.text, 0.9);
+        sheet.view.arrows.push_back(n_arrow);
+        wish_at_tip(panel, n_arrow, n_type, sheet);
+        Arrow rho_arrow = arrow_to(panel, rho, theme.polhode, 1.35);
+        rho_arrow.hidden_opacity = 0.9;
+        sheet.view.arrows.push_back(rho_arrow);
+        wish_beside(panel, 0.62 * rho, rho, rho_type, theme.polhode, sheet);
+        const double kg_m2 = moment * inertia_of(panel).moments_kg_m2().minCoeff();
+        LabelWish number;
+        number.type = stage.type_case.set_live(
+            fmt::format("I(\\mathbf{{n}}) = {:.3g}~\\mathrm{{kg\\,m^2}}", kg_m2),
+            {.size_px = label_size * panel.type_px}, sheet.view);
+        number.anchor_px = {panel.box.x_px + 0.76 * panel.box.width_px,
+                            panel.box.y_px + 0.5 * panel.box.height_px};
+        number.away = {0.0, 0.0};
+        number.colour = theme.text;
+        sheet.wishes.push_back(number);
+    };
+}
+
+// The construction at fixed L for a share of the sweep: L in the body goes along the quarter circle
+// from the axis of the largest moment to that of the smallest.
+struct EnergyState {
+    Eigen::Vector3d rho;    // principal axes, over the largest half-axis
+    double distance = 1.0;  // √(2T)/L in the same unit
+    Eigen::Matrix3d picture_from_principal;
+};
+
+class EnergySweep {
+ public:
+    EnergySweep(const Panel& panel, const Eigen::Vector3d& normal)
+        : half_axes_(half_axes_of(panel)), normal_(normal) {
+        half_axes_.minCoeff(&high_);
+        half_axes_.maxCoeff(&low_);
+        if (high_ == low_) low_ = (high_ + 1) % 3;
+        // The middle axis stays level, a quarter turned from the camera.
+        const double azimuth = (panel.stage->scene.camera.azimuth_deg + 35.0) * pi / 180.0;
+        level_ = {std::cos(azimuth), std::sin(azimuth), 0.0};
+    }
+
+    const Eigen::Vector3d& half_axes() const { return half_axes_; }
+
+    EnergyState at(double share) const {
+        const double angle = 0.5 * pi * share;
+        Eigen::Vector3d n = Eigen::Vector3d::Zero();  // of L in the body
+        n[high_] = std::cos(angle);
+        n[low_] = std::sin(angle);
+        EnergyState state;
+        const Eigen::Vector3d towards = half_axes_.cwiseProduct(n);
+        state.distance = towards.norm();
+        state.rho = half_axes_.cwiseProduct(towards) / state.distance;
+
+        // n stands along the plane's normal and the middle axis level: two right-handed frames.
+        Eigen::Vector3d middle = Eigen::Vector3d::Unit(3 - high_ - low_);
+        Eigen::Matrix3d in_body, in_picture;
+        in_body << n, middle, n.cross(middle);
+        in_picture << normal_, level_, normal_.cross(level_);
+        state.picture_from_principal = in_picture * in_body.transpose();
+        return state;
+    }
+
+ private:
+    Eigen::Vector3d half_axes_, normal_, level_;
+    int low_ = 0, high_ = 0;
+};
+
+void make_energy_sweep(Panel& panel) {
+    const bool above = panel.stage->scene.construction.plane == "above";
+    const Eigen::Vector3d normal =
+        above ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(-Eigen::Vector3d::UnitZ());
+    const EnergySweep sweep(panel, normal);
+    const double farthest = sweep.half_axes().maxCoeff();
+
+    std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
+    points.push_back((farthest + momentum_beyond_plane) * normal);
+    const double azimuth = panel.stage->scene.camera.azimuth_deg * pi / 180.0;
+    const Eigen::Vector3d right(-std::sin(azimuth), std::cos(azimuth), 0.0);
+    for (const double side : {1.85, -1.85}) points.emplace_back(side * right);
+    aim_around(panel, std::move(points), margins_of(panel).left_px);
+
+    Plane plane;
+    plane.radius = 2.0;
+    plane.grid_spacing = 0.2;
+    plane.grid_px = 1.1 * panel.px;
+    plane.colour = panel.stage->theme->plane;
+    plane.grid_colour = panel.stage->theme->grid;
+    plane.opacity = panel.stage->theme->plane_opacity;
+    Ellipsoid ellipsoid = ellipsoid_of(panel);
+    const SetType momentum_type = set_label(panel, "\\mathbf{L}");
+    const SetType omega_type = set_label(panel, "\\boldsymbol{\\omega}");
+    const std::array<SetType, 3> axis_types = axis_names(panel);
+    const LevelScale levels(panel);
+    panel.draw = [&panel, sweep, normal, plane, ellipsoid, momentum_type, omega_type, axis_types,
+                  levels](const Instant& instant, Sheet& sheet) {
+        const StageData& stage = *panel.stage;
+        const Theme& theme = *stage.theme;
+        const EnergyState state = sweep.at(share_at(stage, instant));
+        const Eigen::Vector3d foot = state.distance * normal;
+        const Eigen::Vector3d contact = state.picture_from_principal * state.rho;
+        sheet.view.planes.push_back(plane);
+        sheet.view.planes.back().centre = foot;
+        sheet.view.planes.back().opacity *= plane_presence(foot, sheet.view.camera);
+        sheet.view.ellipsoids.push_back(ellipsoid);
+        sheet.view.ellipsoids.back().half_axes =
+            state.picture_from_principal * sweep.half_axes().asDiagonal();
+
+        // The polhode of this distance, through the contact. ω along ρ is all that it depends on.
+        const InertiaTensor principal =
+            InertiaTensor::from_principal_moments(inertia_of(panel).moments_kg_m2());
+        const Polhode polhode(principal, state.rho);
+        if (polhode.kind() != Polhode::Kind::point) {
+            const double per_rho = std::sqrt(inertia_of(panel).moments_kg_m2().minCoeff());
+            const double tolerance = 0.5 * stage.scene.accuracy_px * panel.units_per_px / per_rho;
+            CurveGeometry& geometry = sheet.view.live_curves.emplace_back();
+            geometry.id = next_identity();
+            geometry.closed = polhode.closed();
+            for (const Eigen::Vector3d& point : polhode.sampled(tolerance)) {
+                geometry.points.push_back(point * per_rho);
+            }
+            Curve curve = curve_of(panel, &geometry, theme.polhode, 4.6);
+            curve.placement.linear() = state.picture_from_principal;
+            curve.on_surface = the_ellipsoid;
+            curve.hidden_opacity = 0.72;
+            sheet.view.curves.push_back(curve);
+        }
+
+        for (int i = 0; i < 3; ++i) {
+            const Arrow arrow = arrow_to(
+                panel, state.picture_from_principal.col(i) * (sweep.half_axes()[i] + axis_overhang),
+                theme.axes[i], 0.85);
+            sheet.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], sheet,
+                        axis_label_turn_rad);
+        }
+        Arrow momentum = arrow_to(panel, (state.distance + momentum_beyond_plane) * normal,
+                                  theme.momentum, 1.15);
+        Arrow omega = arrow_to(panel, contact, theme.omega, 1.15);
+        for (Arrow* arrow : {&momentum, &omega}) {
+            arrow->hidden_opacity = 0.9;
+            sheet.view.arrows.push_back(*arrow);
+        }
+        wish_at_tip(panel, momentum, momentum_type, sheet);
+        wish_beside(panel, past_contact(contact), Eigen::Vector3d::Zero(), omega_type, theme.omega,
+                    sheet);
+        Dot dot = dot_at(panel, contact, theme.contact);
+        dot.occlusion = Occlusion::none;
+        sheet.view.dots.push_back(dot);
+        levels.add_to(sheet, sweep.half_axes(), foot);
+    };
+}
+
+}  // namespace
+
+void make_sweep_panel(Panel& panel) {
+    check_show(*panel.stage);
+    if (panel.stage->scene.construction.sweep == "axis") {
+        make_axis_sweep(panel);
+    } else {
+        make_energy_sweep(panel);
+    }
+}
+
+}  // namespace poinsot

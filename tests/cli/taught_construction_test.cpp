@@ -1,0 +1,457 @@
+// The construction as it is taught, found in the pixels: from what `sample` prints alone (ω and the
+// attitude) ρ = ω/√(2T), L and the plane n·x = √(2T)/L are worked out here, with nothing of the
+// program's geometry or signs, and looked for in pictures of single elements seen by a pinhole.
+// Source of the construction: Goldstein, Classical Mechanics §5.6.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/program_run.h"
+#include "image/png.h"
+
+namespace poinsot::testing {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double pi = std::numbers::pi;
+constexpr double largest_px = 0.1;
+
+// A torque-free body and an instant at which its contact lies to the side for the camera below.
+struct Turning {
+    Vector3d moments;
+    Vector3d omega;
+    double time_s;
+};
+
+const std::array<Turning, 10> bodies{{
+    {{1.0, 2.0, 2.9}, {1.5, 0.3, 0.75}, 9.78},
+    {{1.0, 2.0, 2.9}, {1.5, 0.3, 0.75}, 2.9},
+    {{1.0, 2.0, 3.0}, {2.5, 0.4, 0.3}, 1.3},
+    {{3.0, 2.0, 1.0}, {0.1, 2.0, 0.2}, 2.2},
+    {{1.0, 1.0, 1.8}, {1.5, 0.0, 1.5}, 1.1},
+    {{2.0, 2.0, 0.8}, {0.8, 0.0, 2.0}, 0.4},
+    {{1.0, 1.8, 2.6}, {1.3, -0.9, 0.8}, 1.7},
+    {{1.2, 1.9, 2.4}, {-0.9, 0.8, -0.6}, 3.3},
+    {{2.6, 1.0, 1.9}, {0.7, -1.2, 0.4}, 0.9},
+    {{1.0, 2.0, 2.25}, {1.5, 1.0, 2.0}, 0.3},
+}};
+
+// What sample prints of one instant.
+struct State {
+    Vector3d omega_body;
+    Matrix3d space_from_body;
+};
+
+State sampled(const ScratchFolder& folder, double time_s) {
+    const ProgramRun run =
+        run_program_in(folder, fmt::format("sample scene.toml --times {}", time_s));
+    EXPECT_EQ(run.code, 0) << run.err;
+    std::istringstream lines(run.out);
+    std::string line;
+    std::getline(lines, line);
+    std::getline(lines, line);
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream numbers(line);
+    std::array<double, 8> v{};
+    for (double& x : v) numbers >> x;
+    return {{v[1], v[2], v[3]},
+            Eigen::Quaterniond(v[4], v[5], v[6], v[7]).normalized().toRotationMatrix()};
+}
+
+// The construction in picture axes: z upwards, lengths over the largest half-axis.
+struct Taught {
+    Matrix3d picture_from_body;
+    Vector3d rho, omega, normal;
+    double distance = 0.0;
+    double unit = 1.0;
+
+    Taught(const Turning& body, const State& state, bool below) {
+        const Vector3d momentum_body = body.moments.cwiseProduct(state.omega_body);
+        const Vector3d momentum = state.space_from_body * momentum_body;
+        const double two_T = state.omega_body.dot(momentum_body);
+        // The shortest turn takes L upwards; where the plane lies below, half a turn about x
+        // follows: two rotations.
+        Matrix3d picture_from_space =
+            Eigen::Quaterniond::FromTwoVectors(momentum, Vector3d::UnitZ()).toRotationMatrix();
+        if (below) {
+            picture_from_space =
+                Eigen::AngleAxisd(pi, Vector3d::UnitX()).toRotationMatrix() * picture_from_space;
+        }
+        picture_from_body = picture_from_space * state.space_from_body;
+        unit = 1.0 / std::sqrt(body.moments.minCoeff());
+        rho = picture_from_body * state.omega_body / std::sqrt(two_T) / unit;
+        omega = picture_from_body * state.omega_body;
+        normal = (picture_from_space * momentum).normalized();
+        distance = std::sqrt(two_T) / momentum.norm() / unit;
+    }
+};
+
+struct Pinhole {
+    double azimuth_deg = 0.0, elevation_deg = 0.0;
+    Vector3d target = Vector3d::Zero();
+    double distance = 5.0, field_deg = 28.0;
+
+    Vector3d towards_eye() const {
+        const double a = azimuth_deg * pi / 180.0;
+        const double h = elevation_deg * pi / 180.0;
+        return {std::cos(h) * std::cos(a), std::cos(h) * std::sin(a), std::sin(h)};
+    }
+    Vector2d pixel_of(const Vector3d& point) const {
+        const Vector3d forward = -towards_eye();
+        const Vector3d right = forward.cross(Vector3d::UnitZ()).normalized();
+        const Vector3d down = forward.cross(right);
+        const Vector3d from_eye = point - target - distance * towards_eye();
+        const double focal_px = 540.0 / std::tan(0.5 * field_deg * pi / 180.0);
+        return Vector2d(960.0, 540.0) +
+               focal_px / from_eye.dot(forward) * Vector2d(from_eye.dot(right), from_eye.dot(down));
+    }
+    std::string options() const {
+        return fmt::format(
+            " --set camera.azimuth_deg={} --set camera.elevation_deg={} --set camera.distance={}"
+            " --set camera.field_deg={} --set 'camera.target=[{}, {}, {}]'",
+            azimuth_deg, elevation_deg, distance, field_deg, target.x(), target.y(), target.z());
+    }
+};
+
+void write_scene(const ScratchFolder& folder, const Turning& body) {
+    folder.write("scene.toml",
+                 fmt::format("[body]\nmoments_kg_m2 = [{}, {}, {}]\n[start]\nomega_rad_s = [{:#}, "
+                             "{:#}, {:#}]\n[film]\nduration_s = 20.0\n",
+                             body.moments.x(), body.moments.y(), body.moments.z(), body.omega.x(),
+                             body.omega.y(), body.omega.z()));
+}
+
+// Elements alone, on no ground.
+Image drawn(const ScratchFolder& folder, const std::string& elements, double time_s,
+            const std::string& plane, const Pinhole& camera) {
+    const ProgramRun run = run_program_in(
+        folder, fmt::format("still scene.toml --time {} --theme transparent --size 1920x1080 -q -o "
+                            "out.png --set 'construction.plane=\"{}\"' --set 'show=[{}]'{}",
+                            time_s, plane, elements, camera.options()));
+    EXPECT_EQ(run.code, 0) << run.err;
+    return read_png(folder.path() / "out.png");
+}
+
+double alpha(const Image& image, int x, int y) { return image.at(x, y).a / 255.0; }
+
+double alpha_between(const Image& image, const Vector2d& px) {
+    const Vector2d from = px - Vector2d(0.5, 0.5);
+    const int x = std::clamp(static_cast<int>(std::floor(from.x())), 0, image.width() - 2);
+    const int y = std::clamp(static_cast<int>(std::floor(from.y())), 0, image.height() - 2);
+    const double u = from.x() - x;
+    const double v = from.y() - y;
+    return (1.0 - v) * ((1.0 - u) * alpha(image, x, y) + u * alpha(image, x + 1, y)) +
+           v * ((1.0 - u) * alpha(image, x, y + 1) + u * alpha(image, x + 1, y + 1));
+}
+
+// The middle of all that is drawn.
+Vector2d centroid(const Image& image) {
+    Vector2d sum = Vector2d::Zero();
+    double weight = 0.0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            sum += alpha(image, x, y) * Vector2d(x + 0.5, y + 0.5);
+            weight += alpha(image, x, y);
+        }
+    }
+    EXPECT_GT(weight, 20.0);
+    return sum / weight;
+}
+
+// The tip of the one arrow drawn: its head is a cone, whose width falls evenly to nothing there; a
+// line through the widths and one through the middles, from the head's forward part, meet the axis.
+// `near`: a point within some pixels of it; `along`: the way the arrow points in the picture.
+Vector2d tip_of(const Image& image, const Vector2d& near, const Vector2d& along) {
+    const Vector2d across(-along.y(), along.x());
+    double n = 0.0, s1 = 0.0, s2 = 0.0, w1 = 0.0, ws = 0.0, m1 = 0.0, ms = 0.0;
+    for (double s = -20.0; s <= -6.0; s += 0.25) {
+        double width = 0.0;
+        double moment = 0.0;
+        for (double a = -16.0; a <= 16.0; a += 0.25) {
+            const double covered = alpha_between(image, near + s * along + a * across);
+            width += 0.25 * covered;
+            moment += 0.25 * a * covered;
+        }
+        if (!(width > 0.5)) continue;
+        const double middle = moment / width;
+        n += 1.0, s1 += s, s2 += s * s, w1 += width, ws += s * width, m1 += middle,
+            ms += s * middle;
+    }
+    EXPECT_GT(n, 30.0);
+    const double slope = (n * ws - s1 * w1) / (n * s2 - s1 * s1);
+    const double level = (w1 - slope * s1) / n;
+    const double drift = (n * ms - s1 * m1) / (n * s2 - s1 * s1);
+    const double at = -level / slope;
+    return near + at * along + ((m1 - drift * s1) / n + drift * at) * across;
+}
+
+// The row of the plane in one column, seen nearly edge-on.
+double row_of_plane(const Image& image, double column) {
+    double sum = 0.0;
+    double weight = 0.0;
+    for (int x = static_cast<int>(column) - 3; x <= static_cast<int>(column) + 3; ++x) {
+        for (int y = 0; y < image.height(); ++y) {
+            sum += alpha(image, x, y) * (y + 0.5);
+            weight += alpha(image, x, y);
+        }
+    }
+    EXPECT_GT(weight, 0.5);
+    return sum / weight;
+}
+
+// The azimuth from which a vector is seen most from its side.
+double azimuth_beside(const Vector3d& vector) {
+    return std::atan2(vector.y(), vector.x()) * 180.0 / pi - 90.0;
+}
+
+TEST(TaughtConstruction, TipOfRhoContactAndPlaneMeetInThePixels) {
+    double worst_tip = 0.0;
+    double worst_dot = 0.0;
+    double worst_row = 0.0;
+    for (const Turning& body : bodies) {
+        const ScratchFolder folder;
+        write_scene(folder, body);
+        const State state = sampled(folder, body.time_s);
+        for (const std::string plane : {"below", "above"}) {
+            const Taught taught(body, state, plane == "below");
+            // ρ ends on the ellipsoid and on the plane: it is what `sample` says of ω.
+            ASSERT_NEAR(taught.rho.dot(taught.normal), taught.distance, 1e-12);
+            ASSERT_EQ(taught.normal.z() < 0.0, plane == "below");
+
+            // The camera lies in the plane, but for a twentieth of a degree up and down: the mean
+            // of both is the plane's own row.
+            Vector2d dot = Vector2d::Zero();
+            Vector2d tip = Vector2d::Zero();
+            double row = 0.0;
+            Pinhole level{azimuth_beside(taught.rho), 0.0, taught.distance * taught.normal};
+            const Vector2d expected = level.pixel_of(taught.rho);
+            for (const double elevation_deg : {-0.05, 0.05}) {
+                Pinhole camera = level;
+                camera.elevation_deg = elevation_deg;
+                const Vector2d here = camera.pixel_of(taught.rho);
+                const Vector2d along = (here - camera.pixel_of(Vector3d::Zero())).normalized();
+                dot += 0.5 * centroid(drawn(folder, "\"contact\"", body.time_s, plane, camera));
+                tip += 0.5 *
+                       tip_of(drawn(folder, "\"radius\"", body.time_s, plane, camera), here, along);
+                row += 0.5 * row_of_plane(drawn(folder, "\"plane\"", body.time_s, plane, camera),
+                                          expected.x());
+            }
+            worst_dot = std::max(worst_dot, (dot - expected).norm());
+            worst_tip = std::max(worst_tip, (tip - dot).norm());
+            worst_row = std::max({worst_row, std::abs(row - dot.y()), std::abs(row - tip.y())});
+        }
+    }
+    RecordProperty("worst_dot_px", std::to_string(worst_dot));
+    RecordProperty("worst_tip_px", std::to_string(worst_tip));
+    RecordProperty("worst_row_px", std::to_string(worst_row));
+    EXPECT_LT(worst_dot, largest_px);
+    EXPECT_LT(worst_tip, largest_px);
+    EXPECT_LT(worst_row, largest_px);
+}
+
+// Where a line of full cover crosses a stretch: the middle between both its sides at half height,
+// whatever pale surface lies on either side of it.
+std::optional<double> line_offset(const Image& image, const Vector2d& at, const Vector2d& across) {
+    constexpr double reach = 5.0;
+    constexpr double step = 0.05;
+    double most = 0.0;
+    double peak = 0.0;
+    for (double s = -2.0; s <= 2.0; s += step) {
+        const double level = alpha_between(image, at + s * across);
+        if (level > most) most = level, peak = s;
+    }
+    if (most < 0.6) return std::nullopt;
+    std::array<double, 2> sides{};
+    for (const int k : {0, 1}) {
+        const double way = k == 0 ? -1.0 : 1.0;
+        const double beside = alpha_between(image, at + (peak + way * reach) * across);
+        double s = peak;
+        while (std::abs(s - peak) < reach &&
+               alpha_between(image, at + s * across) > 0.5 * (most + beside)) {
+            s += way * step;
+        }
+        sides[static_cast<std::size_t>(k)] = s;
+    }
+    // Two lines that run into each other are no line of this width.
+    if (sides[1] - sides[0] > 3.2) return std::nullopt;
+    return 0.5 * (sides[0] + sides[1]);
+}
+
+// How near the picture of a circle through a point about an axis comes to a pixel.
+double nearest_on(const Pinhole& camera, const Vector3d& axis, const Vector3d& through,
+                  const Vector2d& px) {
+    double nearest = 1e9;
+    for (int k = 0; k < 720; ++k) {
+        const Vector3d point = Eigen::AngleAxisd(k * pi / 360.0, axis) * through;
+        nearest = std::min(nearest, (camera.pixel_of(point) - px).norm());
+    }
+    return nearest;
+}
+
+TEST(TaughtConstruction, BothConesShareTheGeneratorThatOmegaRunsAlong) {
+    double worst_rim = 0.0;
+    double worst_tip = 0.0;
+    int n_measured = 0;
+    for (const std::size_t index : {std::size_t{4}, std::size_t{5}}) {
+        const Turning& body = bodies[index];
+        const ScratchFolder folder;
+        write_scene(folder, body);
+        const State state = sampled(folder, body.time_s);
+        for (const std::string plane : {"below", "above"}) {
+            const Taught taught(body, state, plane == "below");
+            const Vector3d symmetry = taught.picture_from_body.col(2);
+            Pinhole camera{azimuth_beside(taught.rho), 24.0};
+            const Image cones = drawn(folder, "\"cones\"", body.time_s, plane, camera);
+            // The rims: circles through the tip of ρ about L and about the axis of symmetry.
+            for (const bool of_space : {true, false}) {
+                const Vector3d& axis = of_space ? taught.normal : symmetry;
+                const Vector3d& other = of_space ? symmetry : taught.normal;
+                for (int k = 0; k < 72; ++k) {
+                    const auto at = [&](double degrees) {
+                        return camera.pixel_of(Eigen::AngleAxisd(degrees * pi / 180.0, axis) *
+                                               taught.rho);
+                    };
+                    const double degrees = 5.0 * k + 2.5;
+                    // Where the other rim is near, no line stands alone.
+                    if (nearest_on(camera, other, taught.rho, at(degrees)) < 14.0) continue;
+                    const Vector2d along = (at(degrees + 0.1) - at(degrees - 0.1)).normalized();
+                    const auto off =
+                        line_offset(cones, at(degrees), Vector2d(-along.y(), along.x()));
+                    if (!off || std::abs(*off) > 1.5) continue;  // behind, or crossed by another
+                    worst_rim = std::max(worst_rim, std::abs(*off));
+                    ++n_measured;
+                }
+            }
+            const Vector2d here = camera.pixel_of(taught.rho);
+            const Vector2d along = (here - camera.pixel_of(Vector3d::Zero())).normalized();
+            // ω ends at the contact, where both rims meet.
+            const Image omega = drawn(folder, "\"omega\", \"contact\"", body.time_s, plane, camera);
+            const Image contact = drawn(folder, "\"contact\"", body.time_s, plane, camera);
+            worst_tip = std::max(worst_tip, (centroid(contact) - here).norm());
+            EXPECT_GT(alpha_between(omega, here - 30.0 * along), 0.9);
+            EXPECT_LT(alpha_between(omega, here + 12.0 * along), 0.1);
+        }
+    }
+    RecordProperty("worst_rim_px", std::to_string(worst_rim));
+    RecordProperty("worst_tip_px", std::to_string(worst_tip));
+    RecordProperty("n_measured", n_measured);
+    EXPECT_GT(n_measured, 150);
+    EXPECT_LT(worst_rim, 0.5);
+    EXPECT_LT(worst_tip, largest_px);
+}
+
+// The tip of the arrow of one axis among three, told by its colour: the farthest of its pixels.
+std::optional<Vector2d> coloured_tip(const Image& image, int channel, const Vector2d& centre) {
+    std::vector<std::pair<double, Vector2d>> found;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const Rgba8& p = image.at(x, y);
+            if (p.a < 200) continue;
+            const std::array<int, 3> rgb{p.r, p.g, p.b};
+            const int own = rgb[static_cast<std::size_t>(channel)];
+            bool most = true;
+            for (int k = 0; k < 3; ++k) {
+                if (k != channel && own < rgb[static_cast<std::size_t>(k)] + 12) most = false;
+            }
+            const Vector2d at(x + 0.5, y + 0.5);
+            if (most) found.emplace_back((at - centre).norm(), at);
+        }
+    }
+    if (found.size() < 40) return std::nullopt;
+    std::sort(found.begin(), found.end(),
+              [](const auto& a, const auto& b) { return a.first > b.first; });
+    Vector2d sum = Vector2d::Zero();
+    for (std::size_t k = 0; k < 6; ++k) sum += found[k].second / 6.0;
+    return sum;
+}
+
+// A point from its pixels in two pictures: where the lines of sight come nearest to each other.
+Vector3d triangulated(const Pinhole& a, const Vector2d& px_a, const Pinhole& b,
+                      const Vector2d& px_b) {
+    const auto ray = [](const Pinhole& camera, const Vector2d& px) {
+        const Vector3d forward = -camera.towards_eye();
+        const Vector3d right = forward.cross(Vector3d::UnitZ()).normalized();
+        const Vector3d down = forward.cross(right);
+        const double focal_px = 540.0 / std::tan(0.5 * camera.field_deg * pi / 180.0);
+        const Vector2d off = (px - Vector2d(960.0, 540.0)) / focal_px;
+        return Vector3d(forward + off.x() * right + off.y() * down);
+    };
+    const Vector3d from_a = a.target + a.distance * a.towards_eye();
+    const Vector3d from_b = b.target + b.distance * b.towards_eye();
+    const Vector3d u = ray(a, px_a);
+    const Vector3d v = ray(b, px_b);
+    Eigen::Matrix<double, 3, 2> lines;
+    lines << u, -v;
+    const Vector2d t = lines.colPivHouseholderQr().solve(from_b - from_a);
+    return 0.5 * (from_a + t[0] * u + from_b + t[1] * v);
+}
+
+TEST(TaughtConstruction, ThePictureIsARotationOfTheMotion) {
+    // Seen from two sides, every tip has a place in space. The axes are right-handed, and each tip
+    // moves along ω × r, with ω as drawn.
+    const Turning body{{1.0, 2.0, 2.9}, {1.5, 0.3, 0.75}, 0.0};
+    const ScratchFolder folder;
+    write_scene(folder, body);
+    Pinhole left{-80.0, 18.0};
+    Pinhole right{10.0, 28.0};
+    left.distance = right.distance = 6.5;
+    int n_seen = 0;
+    for (const std::string plane : {"below", "above"}) {
+        for (const double time_s : {1.0, 3.1, 6.2, 9.4}) {
+            constexpr double step_s = 0.04;
+            const auto axes_at = [&](double t) {
+                std::array<std::optional<Vector3d>, 3> tips;
+                const Image a = drawn(folder, "\"axes\"", t, plane, left);
+                const Image b = drawn(folder, "\"axes\"", t, plane, right);
+                for (int i = 0; i < 3; ++i) {
+                    const auto in_a = coloured_tip(a, i, left.pixel_of(Vector3d::Zero()));
+                    const auto in_b = coloured_tip(b, i, right.pixel_of(Vector3d::Zero()));
+                    if (in_a && in_b) {
+                        tips[static_cast<std::size_t>(i)] = triangulated(left, *in_a, right, *in_b);
+                    }
+                }
+                return tips;
+            };
+            const auto now = axes_at(time_s);
+            const auto then = axes_at(time_s + step_s);
+            const auto before = axes_at(time_s - step_s);
+            if (!now[0] || !now[1] || !now[2]) continue;
+            EXPECT_GT(now[0]->normalized().cross(now[1]->normalized()).dot(now[2]->normalized()),
+                      0.9)
+                << plane << time_s;
+
+            // ω as drawn: from the middle of the contact's dot, seen from both sides.
+            const Vector3d omega =
+                triangulated(left, centroid(drawn(folder, "\"contact\"", time_s, plane, left)),
+                             right, centroid(drawn(folder, "\"contact\"", time_s, plane, right)))
+                    .normalized();
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (!then[i] || !before[i]) continue;
+                const Vector3d velocity = *then[i] - *before[i];
+                const Vector3d expected = omega.cross(*now[i]);
+                // Near the axis a tip hardly moves.
+                if (expected.norm() < 0.4) continue;
+                EXPECT_GT(velocity.normalized().dot(expected.normalized()), 0.95)
+                    << plane << time_s << " e" << i + 1;
+                ++n_seen;
+            }
+        }
+    }
+    EXPECT_GT(n_seen, 12);
+}
+
+}  // namespace
+}  // namespace poinsot::testing

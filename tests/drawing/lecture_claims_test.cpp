@@ -1,0 +1,439 @@
+// The lecture, claim by claim: what the scenes say beside their names is so in what is drawn. From
+// the scene files alone; the answers come from the inertia and ω that they give.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "drawing/charts/plot_quantity.h"
+#include "places.h"
+#include "scene/load_scene.h"
+#include "scenes_by_hand.h"
+
+namespace poinsot {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// A scene of the lecture on its stage.
+struct Lecture {
+    Scene scene;
+    double last_time_s;
+    StagedScene staged;
+
+    explicit Lecture(const std::string& name)
+        : scene(load_scene(source_folder() / "scenes" / (name + ".toml"), {})),
+          last_time_s(scene.film.start_s + scene.film.duration_s.value_or(default_film_s)),
+          staged(scene, last_time_s) {}
+
+    std::vector<double> instants(int n = 7) const {
+        std::vector<double> times;
+        for (int k = 0; k < n; ++k) {
+            times.push_back(scene.film.start_s +
+                            (last_time_s - scene.film.start_s) * (k + 0.37) / n);
+        }
+        return times;
+    }
+    const Theme& theme() const { return *staged.stage.data().theme; }
+    Vector3d moments() const { return scene.body.inertia.moments_kg_m2(); }
+    // √(2T)/L over the largest half-axis, from what the scene gives.
+    double distance() const {
+        const Vector3d omega =
+            scene.body.inertia.body_from_principal().transpose() * scene.start.omega_rad_s;
+        const Vector3d momentum = moments().cwiseProduct(omega);
+        return std::sqrt(omega.dot(momentum)) / momentum.norm() * std::sqrt(moments().minCoeff());
+    }
+};
+
+const Arrow& arrow_of(const View& view, const Colour& colour) {
+    for (const Arrow& arrow : view.arrows) {
+        if (arrow.colour == colour) return arrow;
+    }
+    throw std::runtime_error("no arrow of this colour");
+}
+
+// Curves of one colour.
+std::vector<const Curve*> curves_of(const View& view, const Colour& colour) {
+    std::vector<const Curve*> found;
+    for (const Curve& curve : view.curves) {
+        if (curve.colour == colour) found.push_back(&curve);
+    }
+    return found;
+}
+
+Vector3d end_of(const Curve& line) { return line.placement * line.geometry->points.back(); }
+Vector3d start_of(const Curve& line) { return line.placement * line.geometry->points.front(); }
+
+// e1, e2, e3 as drawn.
+Matrix3d axes_of(const View& view, const Theme& theme) {
+    Matrix3d axes;
+    for (int i = 0; i < 3; ++i) axes.col(i) = arrow_of(view, theme.axes[i]).tip.normalized();
+    return axes;
+}
+
+// F(ρ) = ρ·Iρ of a point in picture lengths.
+double form(const Ellipsoid& ellipsoid, const Vector3d& point) {
+    return (ellipsoid.half_axes.inverse() * point).squaredNorm();
+}
+
+TEST(LectureClaims, PrincipalAxesMakeTheTensorDiagonal) {  // pages 2–5
+    const Lecture lecture("tensor");
+    const Drawing drawing = lecture.staged.stage.at(3.0);
+    const View& view = drawing.views.front();
+    const Matrix3d principal = axes_of(view, lecture.theme());
+    Matrix3d given;
+    int n = 0;
+    for (const Arrow& arrow : view.arrows) {
+        if (arrow.colour == lecture.theme().potential) given.col(n++) = arrow.tip.normalized();
+    }
+    ASSERT_EQ(n, 3);
+    const Matrix3d turn = given.transpose() * principal;  // of the body: e_i in x, y, z
+    const Matrix3d diagonal = turn.transpose() * lecture.scene.body.tensor_kg_m2 * turn;
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(diagonal(i, i), lecture.moments()[i], 1e-14);
+        EXPECT_NEAR(diagonal(i, (i + 1) % 3), 0.0, 1e-14);
+    }
+    EXPECT_NEAR(turn.determinant(), 1.0, 1e-14);
+    // The axis that the turn is drawn about stays where it is.
+    const Vector3d axis = end_of(*curves_of(view, lecture.theme().angles[0]).front()).normalized();
+    EXPECT_LT((given * (turn * (given.transpose() * axis)) - axis).norm(), 1e-13);
+}
+
+TEST(LectureClaims, MomentumRestsInSpaceAndMovesInTheBody) {  // pages 6, 8
+    const Lecture lecture("four_views");
+    Vector3d in_space, in_body;
+    double turned = 0.0;
+    for (const double t : lecture.instants()) {
+        const Drawing drawing = lecture.staged.stage.at(t);
+        const Vector3d space = arrow_of(drawing.views.at(0), lecture.theme().momentum).tip;
+        const Vector3d body = arrow_of(drawing.views.at(1), lecture.theme().momentum).tip;
+        if (t == lecture.instants().front()) in_space = space, in_body = body;
+        EXPECT_EQ(space, in_space);
+        turned = std::max(turned, body.normalized().cross(in_body.normalized()).norm());
+    }
+    EXPECT_GT(turned, 0.5);
+    // The numbers of the caption, from the state of the instant.
+    const double T = 0.5 * lecture.moments().dot(lecture.scene.start.omega_rad_s.cwiseAbs2());
+    for (const double t : lecture.instants()) {
+        Instant instant;
+        instant.state = lecture.staged.motion.at(t);
+        for (const LiveValue& value : StageData::live_values(lecture.scene, instant)) {
+            if (value.name == "kinetic_energy_J") {
+                EXPECT_NEAR(value.value, T, 4e-15 * T);
+            }
+        }
+    }
+}
+
+TEST(LectureClaims, TorqueAlongAPrincipalAxisChangesThatRateEvenly) {  // page 7
+    for (const std::string name : {"torque_axis", "torque_symmetric"}) {
+        const Lecture lecture(name);
+        const auto& torque = std::get<ConstantBodyTorque>(lecture.scene.torque);
+        const double rate = torque.torque_body_N_m[0] / lecture.moments()[0];
+        for (const double t : lecture.instants()) {
+            const Vector3d omega = lecture.staged.motion.at(t).omega_body;
+            EXPECT_NEAR(omega[0], lecture.scene.start.omega_rad_s[0] + rate * t, 1e-7) << name;
+            // N as an arrow, along e1.
+            const Drawing drawing = lecture.staged.stage.at(t);
+            const View& view = drawing.views.front();
+            const Arrow& N = arrow_of(view, lecture.theme().energy);
+            const Vector3d e1 = arrow_of(view, lecture.theme().axes[0]).tip.normalized();
+            EXPECT_GT((N.tip - N.tail).normalized().dot(e1), 1.0 - 1e-12) << name;
+        }
+    }
+    const Lecture symmetric("torque_symmetric");
+    EXPECT_EQ(symmetric.moments()[1], symmetric.moments()[2]);
+    EXPECT_NE(symmetric.scene.start.omega_rad_s[1], 0.0);
+}
+
+TEST(LectureClaims, PointsOfLengthOneOverRootIMakeTheEllipsoid) {  // pages 9–10
+    const Lecture lecture("inertia_ellipsoid");
+    ASSERT_TRUE(lecture.scene.start.omega_rad_s.isZero(0.0));  // at rest
+    for (const double t : lecture.instants()) {
+        const Drawing drawing = lecture.staged.stage.at(t);
+        const View& view = drawing.views.front();
+        const Vector3d rho = arrow_of(view, lecture.theme().polhode).tip;
+        const Vector3d n = rho.normalized();
+        const double I = lecture.moments().dot(n.cwiseAbs2());
+        EXPECT_NEAR(rho.norm(), std::sqrt(lecture.moments().minCoeff() / I), 1e-14);
+        EXPECT_NEAR(form(view.ellipsoids.front(), rho), 1.0, 1e-14);
+        const Arrow& axis = arrow_of(view, lecture.theme().text);
+        EXPECT_LT(axis.tip.normalized().cross(n).norm(), 1e-14);
+        // The trace ends where ρ does, and lies on the surface.
+        const Curve& trace = *curves_of(view, lecture.theme().polhode).front();
+        const auto last = static_cast<std::size_t>(std::ceil(trace.last));
+        EXPECT_LT((trace.geometry->points.at(last) - rho).norm(), 0.2);
+        for (std::size_t k = 0; k <= last; k += 37) {
+            EXPECT_NEAR(form(view.ellipsoids.front(), trace.geometry->points[k]), 1.0, 1e-14);
+        }
+    }
+}
+
+TEST(LectureClaims, GradientAtTheTipOfRhoIsAlongMomentum) {  // page 11
+    const Lecture lecture("gradient");
+    for (const double t : lecture.instants()) {
+        const Drawing drawing = lecture.staged.stage.at(t);
+        const View& view = drawing.views.front();
+        const Vector3d rho = arrow_of(view, lecture.theme().polhode).tip;
+        const Arrow& gradient = arrow_of(view, lecture.theme().energy);
+        EXPECT_NEAR(form(view.ellipsoids.front(), rho), 1.0, 1e-14);
+        EXPECT_EQ(gradient.tail, rho);
+        const Vector3d along = (gradient.tip - gradient.tail).normalized();
+        const Matrix3d axes = axes_of(view, lecture.theme());
+        const Vector3d expected =
+            (axes * lecture.moments().cwiseProduct(axes.transpose() * rho)).normalized();
+        EXPECT_LT((along - expected).norm(), 1e-14);
+        // ∇F, the plane's normal and L are one direction; so are ρ and ω.
+        const Vector3d L = arrow_of(view, lecture.theme().momentum).tip.normalized();
+        EXPECT_LT((along - L).norm(), 1e-14);
+        EXPECT_NEAR(std::abs(view.planes.front().normal.dot(L)), 1.0, 1e-14);
+        EXPECT_NEAR(L.dot(view.planes.front().centre), lecture.distance(), 1e-14);
+        EXPECT_LT(arrow_of(view, lecture.theme().omega).tip.normalized().cross(rho).norm(), 1e-14);
+    }
+}
+
+TEST(LectureClaims, ProjectionOfRhoOnMomentumEndsOnThePlane) {  // page 12
+    const Lecture lecture("invariable_plane");
+    for (const double t : lecture.instants()) {
+        const Drawing drawing = lecture.staged.stage.at(t);
+        const View& view = drawing.views.front();
+        const Plane& plane = view.planes.front();
+        const Vector3d rho = arrow_of(view, lecture.theme().polhode).tip;
+        const Vector3d n = arrow_of(view, lecture.theme().momentum).tip.normalized();
+        EXPECT_NEAR(plane.normal.dot(rho - plane.centre), 0.0, 1e-14);
+        EXPECT_NEAR(n.dot(rho), lecture.distance(), 1e-14);
+        // Along L from the centre to the plane, and across to the tip of ρ.
+        const auto lines = curves_of(view, lecture.theme().energy);
+        ASSERT_EQ(lines.size(), 2u);
+        EXPECT_LT(start_of(*lines[0]).norm(), 1e-15);
+        EXPECT_LT((end_of(*lines[0]) - lecture.distance() * n).norm(), 1e-14);
+        EXPECT_LT((start_of(*lines[1]) - rho).norm(), 1e-14);
+        EXPECT_LT((end_of(*lines[1]) - lecture.distance() * n).norm(), 1e-14);
+    }
+}
+
+TEST(LectureClaims, MatterAtTheContactIsAtRest) {  // page 13
+    const Lecture lecture("rolling");
+    for (const double t : lecture.instants()) {
+        const Drawing drawing = lecture.staged.stage.at(t);
+        const View& view = drawing.views.front();
+        const Vector3d contact = view.dots.back().at;
+        const Vector3d omega = arrow_of(view, lecture.theme().omega).tip;
+        EXPECT_LT((omega - contact).norm(), 1e-15);
+        // The axis of rotation runs through centre and contact.
+        const Curve& axis = *curves_of(view, lecture.theme().omega).front();
+        EXPECT_LT(start_of(axis).normalized().cross(contact.normalized()).norm(), 1e-14);
+        EXPECT_LT(start_of(axis).dot(contact), 0.0);
+        EXPECT_GT(end_of(axis).norm(), contact.norm());
+        // The velocities drawn are ω × r, one factor for all, of points of the ellipsoid.
+        double factor = 0.0;
+        int n = 0;
+        for (const Arrow& arrow : view.arrows) {
+            if (!(arrow.colour == lecture.theme().potential)) continue;
+            EXPECT_NEAR(form(view.ellipsoids.front(), arrow.tail), 1.0, 1e-13);
+            const Vector3d expected = omega.normalized().cross(arrow.tail);
+            const Vector3d velocity = arrow.tip - arrow.tail;
+            if (n++ == 0) factor = velocity.norm() / expected.norm();
+            EXPECT_LT((velocity - factor * expected).norm(), 1e-14);
+        }
+        EXPECT_GT(n, 5);
+        // From the attitudes alone: the material point under the contact does not move.
+        constexpr double h = 1e-5;
+        const Vector3d material =
+            lecture.staged.motion.at(t).space_from_body.conjugate() *
+            (lecture.staged.stage.data().rolling->picture_from_space.conjugate() * contact);
+        const Vector3d moved = lecture.staged.motion.at(t + h).space_from_body * material -
+                               lecture.staged.motion.at(t - h).space_from_body * material;
+        EXPECT_LT(moved.norm() / (2.0 * h), 1e-8);
+    }
+}
+
+TEST(LectureClaims, BothCurvesRunThroughTheTipOfRho) {  // page 14
+    const Lecture lecture("generic");
+    for (const double t : lecture.instants()) {
+        const Drawing drawing = lecture.staged.stage.at(t);
+        const View& view = drawing.views.front();
+        const Vector3d rho = arrow_of(view, lecture.theme().omega).tip;
+        EXPECT_EQ(view.dots.back().at, rho);
+        const double px = lecture.staged.stage.data().panels.front().units_per_px;
+        for (const Colour& colour : {lecture.theme().polhode, lecture.theme().herpolhode}) {
+            const Curve& curve = *curves_of(view, colour).front();
+            double nearest = 1e9;
+            const auto& points = curve.geometry->points;
+            for (std::size_t k = 1; k < points.size(); ++k) {
+                const Vector3d a = curve.placement * points[k - 1];
+                const Vector3d b = curve.placement * points[k];
+                const double s = std::clamp((rho - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+                nearest = std::min(nearest, (a + s * (b - a) - rho).norm());
+            }
+            EXPECT_LT(nearest / px, 0.1);
+        }
+    }
+}
+
+TEST(LectureClaims, SphereHasOneLineAndAStillContact) {  // page 15
+    const Lecture lecture("sphere");
+    const Vector3d first = lecture.staged.stage.at(0.0).views.at(0).dots.back().at;
+    for (const double t : lecture.instants()) {
+        const Drawing drawing = lecture.staged.stage.at(t);
+        const View& view = drawing.views.front();
+        const Vector3d L = arrow_of(view, lecture.theme().momentum).tip.normalized();
+        for (const Arrow& arrow : view.arrows) {
+            if (arrow.colour == lecture.theme().omega || arrow.colour == lecture.theme().polhode) {
+                EXPECT_LT((arrow.tip.normalized() - L).norm(), 1e-14);
+            }
+        }
+        EXPECT_LT((view.dots.back().at - first).norm(), 1e-14);
+    }
+}
+
+TEST(LectureClaims, PlanesDistanceStandsAmongTheThree) {  // pages 16–17
+    struct Case {
+        const char* name;
+        int near;  // the principal axis whose distance it is near to
+        double within;
+    };
+    for (const Case& c : {Case{"stable_largest", 2, 0.05}, Case{"stable_smallest", 0, 0.08},
+                          Case{"tennis_racket", 1, 1e-4}, Case{"separatrix", 1, 1e-15}}) {
+        const Lecture lecture(c.name);
+        const Drawing drawing = lecture.staged.stage.at(lecture.instants().front());
+        const View& view = drawing.views.front();
+        const Vector3d L = arrow_of(view, lecture.theme().momentum).tip.normalized();
+        // The dot on the scale is as high as the plane, the marks as the ends of the half-axes.
+        bool found = false;
+        for (const Dot& dot : view.dots) {
+            if (std::abs(dot.at.x()) + std::abs(dot.at.y()) < 1.0) continue;
+            EXPECT_NEAR(dot.at.dot(L), lecture.distance(), 1e-14) << c.name;
+            found = true;
+        }
+        EXPECT_TRUE(found) << c.name;
+        for (int i = 0; i < 3; ++i) {
+            const double own = std::sqrt(lecture.moments().minCoeff() / lecture.moments()[i]);
+            bool marked = false;
+            for (const Curve* line : curves_of(view, lecture.theme().axes[i])) {
+                marked = marked || std::abs(end_of(*line).dot(L) - own) < 1e-14;
+            }
+            EXPECT_TRUE(marked) << c.name << i;
+            if (i == c.near) {
+                EXPECT_NEAR(lecture.distance() / own, 1.0, c.within) << c.name;
+            }
+        }
+    }
+}
+
+TEST(LectureClaims, EnergyGoesFromOnePointThroughTheSeparatrixToAnother) {  // pages 16–17
+    const Lecture lecture("energy_sweep");
+    double before = 0.0;
+    for (const double t : lecture.instants(24)) {
+        const Drawing drawing = lecture.staged.stage.at(t);
+        const View& view = drawing.views.front();
+        const Vector3d L = arrow_of(view, lecture.theme().momentum).tip.normalized();
+        EXPECT_EQ(L, -Vector3d::UnitZ());  // fixed
+        const double distance = L.dot(view.planes.front().centre);
+        EXPECT_GT(distance, before);
+        before = distance;
+        // It touches: the contact lies on both, where the normal is along L.
+        const Vector3d contact = arrow_of(view, lecture.theme().omega).tip;
+        EXPECT_NEAR(L.dot(contact), distance, 1e-14);
+        EXPECT_NEAR(form(view.ellipsoids.front(), contact), 1.0, 1e-14);
+        const Matrix3d inverse = view.ellipsoids.front().half_axes.inverse();
+        const Vector3d normal = (inverse.transpose() * (inverse * contact)).normalized();
+        EXPECT_LT((normal - L).norm(), 1e-13);
+        // The body has turned, and was not mirrored.
+        EXPECT_NEAR(axes_of(view, lecture.theme()).determinant(), 1.0, 1e-13);
+        // Its polhode keeps this distance: √(F)/|Iρ| is the same all along.
+        for (const Curve* curve : curves_of(view, lecture.theme().polhode)) {
+            for (std::size_t k = 0; k < curve->geometry->points.size(); k += 11) {
+                const Vector3d p = curve->placement * curve->geometry->points[k];
+                EXPECT_NEAR(form(view.ellipsoids.front(), p), 1.0, 1e-13);
+                EXPECT_NEAR(1.0 / (inverse.transpose() * (inverse * p)).norm(), distance, 1e-13);
+            }
+        }
+    }
+    EXPECT_GT(before, 0.99);
+}
+
+TEST(LectureClaims, ConesShareTheGeneratorThatOmegaRunsAlong) {  // pages 18–19
+    for (const std::string name : {"symmetric_oblate", "symmetric_prolate"}) {
+        const Lecture lecture(name);
+        const Vector3d omega0 = lecture.scene.start.omega_rad_s;
+        for (const double t : lecture.instants()) {
+            const Drawing drawing = lecture.staged.stage.at(t);
+            const View& view = drawing.views.front();
+            const Vector3d contact = view.dots.back().at;
+            ASSERT_EQ(view.cones.size(), 2u);
+            for (const Cone& cone : view.cones) {
+                // The tip of ρ lies on its rim.
+                EXPECT_NEAR(contact.dot(cone.axis), cone.length, 1e-14) << name;
+                const double radius = (contact - cone.length * cone.axis).norm();
+                EXPECT_NEAR(radius, cone.length * std::tan(cone.half_angle_rad), 1e-14) << name;
+            }
+            EXPECT_LT((arrow_of(view, lecture.theme().omega).tip - contact).norm(), 1e-15);
+
+            // ω in the body: ω₃ stays, (ω₁, ω₂) runs round the circle of radius A at Ω.
+            const Vector3d omega = lecture.staged.motion.at(t).omega_body;
+            const double A = std::hypot(omega0[0], omega0[1]);
+            const double Omega =
+                (lecture.moments()[2] - lecture.moments()[0]) * omega0[2] / lecture.moments()[0];
+            const double phase = std::atan2(omega0[1], omega0[0]) + Omega * t;
+            EXPECT_NEAR(omega[2], omega0[2], 4e-15);
+            EXPECT_NEAR(omega[0], A * std::cos(phase), 2e-14);
+            EXPECT_NEAR(omega[1], A * std::sin(phase), 2e-14);
+            // And as drawn there: the circle about e₃ goes through the tip of ω.
+            const View& body = drawing.views.at(1);
+            const Vector3d tip = arrow_of(body, lecture.theme().omega).tip;
+            const Curve& circle = *curves_of(body, lecture.theme().omega).front();
+            const Vector3d centre = circle.placement.translation();
+            EXPECT_LT(centre.head<2>().norm(), 1e-14);
+            EXPECT_NEAR(circle.placement.linear().col(0).norm(), (tip - centre).norm(), 1e-14);
+            EXPECT_NEAR((tip - centre).norm() / centre.norm(), A / std::abs(omega0[2]), 1e-13);
+        }
+    }
+}
+
+TEST(LectureClaims, MomentaAndEnergyOfATopStay) {  // page 22
+    const Lecture lecture("heavy_top_conserved");
+    const StageData& stage = lecture.staged.stage.data();
+    const PlotQuantity& quantity = plot_quantity_of(stage, "conserved");
+    const TopStart& start = *lecture.scene.start.top;
+    const double A = lecture.moments()[0];
+    const double C = lecture.moments()[2];
+    const auto& gravity = std::get<GravityTorque>(lecture.scene.torque);
+    // From the Lagrangian at the start: p_ψ = Cω₃, p_φ = A φ̇ sin²θ + p_ψ cos θ, E = T + Mgl cos θ.
+    const double p_psi = C * start.omega3_rad_s;
+    const double sine = std::sin(start.theta_rad);
+    const double p_phi = A * start.phi_dot_rad_s * sine * sine + p_psi * std::cos(start.theta_rad);
+    const double E = 0.5 * A *
+                         (start.theta_dot_rad_s * start.theta_dot_rad_s +
+                          start.phi_dot_rad_s * start.phi_dot_rad_s * sine * sine) +
+                     0.5 * C * start.omega3_rad_s * start.omega3_rad_s +
+                     gravity.mgl_N_m * std::cos(start.theta_rad);
+    double theta_least = 9.0, theta_most = 0.0;
+    for (const double t : lecture.instants(40)) {
+        Instant instant;
+        instant.time_s = t;
+        const MotionSample sample = lecture.staged.motion.sample(
+            t, {.attitude = true, .herpolhode = false, .euler_angles = true});
+        instant.state = sample.state;
+        const PlotValues values = quantity.values(stage, instant);
+        EXPECT_NEAR(values[0], p_phi, 1e-14);
+        EXPECT_NEAR(values[1], p_psi, 1e-14);
+        EXPECT_NEAR(values[2], E, 2e-14);
+        theta_least = std::min(theta_least, sample.euler.theta_rad);
+        theta_most = std::max(theta_most, sample.euler.theta_rad);
+        // The height of the centre of mass is marked on the vertical.
+        const Drawing drawing = lecture.staged.stage.at(t);
+        const auto lines = curves_of(drawing.views.front(), lecture.theme().potential);
+        ASSERT_EQ(lines.size(), 2u);
+        EXPECT_NEAR(end_of(*lines[1]).z() / start_of(*lines[0]).norm(),
+                    std::cos(sample.euler.theta_rad), 1e-13);
+    }
+    EXPECT_GT(theta_most - theta_least, 0.1);
+}
+
+}  // namespace
+}  // namespace poinsot
