@@ -123,7 +123,7 @@ struct StageData {
         return options.samples * std::round(at_px / options.samples);
     }
 
-    TypeBox room_of(const SetType& type) const { return type_box(type, options.samples); }
+    TypeRoom room_of(const SetType& type) const { return type_room(type, options.samples); }
 
     // What the panels ask for at an instant, and nothing else; attitude and herpolhode in the space
     // axes shown.

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "image/alpha.h"
-#include "image/plane.h"
+#include "image/channel.h"
 
 namespace poinsot {
 
@@ -62,10 +62,10 @@ void judge(const CompareLimits& limits, Comparison& result) {
 }
 
 // Luma of the sRGB values, 0 to 255 (Rec. ITU-R BT.709).
-Plane luma_of(const Image& image) {
+Channel luma_of(const Image& image) {
     Image flat;
     flatten_on_white(image, flat);
-    Plane luma(image.width(), image.height());
+    Channel luma(image.width(), image.height());
     const auto bytes = flat.bytes();
     for (std::size_t i = 0; i < luma.values.size(); ++i)
         luma.values[i] =
@@ -73,8 +73,8 @@ Plane luma_of(const Image& image) {
     return luma;
 }
 
-Plane product(const Plane& a, const Plane& b) {
-    Plane result(a.width, a.height);
+Channel product(const Channel& a, const Channel& b) {
+    Channel result(a.width, a.height);
     for (std::size_t i = 0; i < a.values.size(); ++i) result.values[i] = a.values[i] * b.values[i];
     return result;
 }
@@ -137,14 +137,16 @@ double structural_similarity(const Image& expected, const Image& actual) {
     // About a middle grey, so that variances of light pictures do not cancel in single precision.
     constexpr float middle = 128;
     constexpr double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
-    Plane a = luma_of(expected), b = luma_of(actual);
+    Channel a = luma_of(expected), b = luma_of(actual);
     for (float& value : a.values) value -= middle;
     for (float& value : b.values) value -= middle;
     const std::vector<float> window = gaussian_kernel(1.5, 5);
-    const auto local_mean = [&](const Plane& plane) { return convolved(plane, window, window); };
-    const Plane mean_a = local_mean(a), mean_b = local_mean(b);
-    const Plane aa = local_mean(product(a, a)), bb = local_mean(product(b, b));
-    const Plane ab = local_mean(product(a, b));
+    const auto local_mean = [&](const Channel& channel) {
+        return convolved(channel, window, window);
+    };
+    const Channel mean_a = local_mean(a), mean_b = local_mean(b);
+    const Channel aa = local_mean(product(a, a)), bb = local_mean(product(b, b));
+    const Channel ab = local_mean(product(a, b));
     double sum = 0;
     for (std::size_t i = 0; i < a.values.size(); ++i) {
         const double ma = mean_a.values[i], mb = mean_b.values[i];

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "image/alpha.h"
+#include "image/channel.h"
 #include "image/compare.h"
-#include "image/plane.h"
 
 namespace poinsot {
 
@@ -18,7 +18,7 @@ constexpr double kPixelsPerDegree = 67;
 struct Triple {
     double a, b, c;
 };
-using Planes = std::array<Plane, 3>;
+using Channels = std::array<Channel, 3>;
 
 // Linear sRGB primaries and white D65 (IEC 61966-2-1).
 Triple xyz_of(const Triple& rgb) {
@@ -69,21 +69,21 @@ std::array<double, 256> srgb_to_linear() {
     return table;
 }
 
-Planes opponent_planes(const Image& image) {
+Channels opponent_channels(const Image& image) {
     static const std::array<double, 256> linear = srgb_to_linear();
     Image flat;
     flatten_on_white(image, flat);
-    const Plane empty(image.width(), image.height());
-    Planes planes = {empty, empty, empty};
+    const Channel empty(image.width(), image.height());
+    Channels channels = {empty, empty, empty};
     const auto bytes = flat.bytes();
     for (std::size_t i = 0; i < empty.values.size(); ++i) {
         const Triple ycc =
             opponent_of({linear[bytes[4 * i]], linear[bytes[4 * i + 1]], linear[bytes[4 * i + 2]]});
-        planes[0].values[i] = static_cast<float>(ycc.a);
-        planes[1].values[i] = static_cast<float>(ycc.b);
-        planes[2].values[i] = static_cast<float>(ycc.c);
+        channels[0].values[i] = static_cast<float>(ycc.a);
+        channels[1].values[i] = static_cast<float>(ycc.b);
+        channels[2].values[i] = static_cast<float>(ycc.c);
     }
-    return planes;
+    return channels;
 }
 
 // One term a·√(π/b)·exp(−π²x²/b) of a contrast sensitivity in space; x in degrees.
@@ -91,14 +91,14 @@ double deviation_px(double b) { return std::sqrt(b / 2) / std::numbers::pi * kPi
 
 // Blue–yellow sensitivity is a sum of two Gaussians. The published filter keeps the factor √(π/b)
 // in two dimensions, where each then carries the volume a·√(b/π).
-Plane blurred(const Plane& plane, std::span<const std::array<double, 2>> terms) {
+Channel blurred(const Channel& channel, std::span<const std::array<double, 2>> terms) {
     const int radius = static_cast<int>(std::ceil(3 * deviation_px(0.04)));
     double volume = 0;
     for (const auto& [a, b] : terms) volume += a * std::sqrt(b);
-    Plane sum(plane.width, plane.height);
+    Channel sum(channel.width, channel.height);
     for (const auto& [a, b] : terms) {
         const std::vector<float> kernel = gaussian_kernel(deviation_px(b), radius);
-        const Plane term = convolved(plane, kernel, kernel);
+        const Channel term = convolved(channel, kernel, kernel);
         const auto weight = static_cast<float>(a * std::sqrt(b) / volume);
         for (std::size_t i = 0; i < sum.values.size(); ++i)
             sum.values[i] += weight * term.values[i];
@@ -107,12 +107,12 @@ Plane blurred(const Plane& plane, std::span<const std::array<double, 2>> terms) 
 }
 
 // What the eye resolves of a picture, in the space where distances are taken (§4.1.1, §4.1.2).
-std::vector<Triple> perceived(const Planes& planes) {
+std::vector<Triple> perceived(const Channels& channels) {
     constexpr std::array<std::array<double, 2>, 1> achromatic = {{{1, 0.0047}}};
     constexpr std::array<std::array<double, 2>, 1> red_green = {{{1, 0.0053}}};
     constexpr std::array<std::array<double, 2>, 2> blue_yellow = {{{34.1, 0.04}, {13.5, 0.025}}};
-    const Plane y = blurred(planes[0], achromatic), cx = blurred(planes[1], red_green),
-                cz = blurred(planes[2], blue_yellow);
+    const Channel y = blurred(channels[0], achromatic), cx = blurred(channels[1], red_green),
+                  cz = blurred(channels[2], blue_yellow);
     std::vector<Triple> colours(y.values.size());
     for (std::size_t i = 0; i < colours.size(); ++i) {
         const Triple rgb = rgb_of_opponent({y.values[i], cx.values[i], cz.values[i]});
@@ -140,13 +140,13 @@ std::vector<float> derivative_kernel(double sigma, int radius, int order) {
 }
 
 // Strength of edges (order 1) or points (order 2) in the luminance.
-Plane features(const Plane& luminance, int order) {
+Channel features(const Channel& luminance, int order) {
     const double sigma = 0.5 * 0.082 * kPixelsPerDegree;
     const int radius = static_cast<int>(std::ceil(3 * sigma));
     const std::vector<float> across = derivative_kernel(sigma, radius, order);
     const std::vector<float> along = gaussian_kernel(sigma, radius);
-    Plane x = convolved(luminance, across, along);
-    const Plane y = convolved(luminance, along, across);
+    Channel x = convolved(luminance, across, along);
+    const Channel y = convolved(luminance, along, across);
     for (std::size_t i = 0; i < x.values.size(); ++i)
         x.values[i] = std::hypot(x.values[i], y.values[i]);
     return x;
@@ -166,13 +166,13 @@ double remapped(double distance) {
 
 double flip_error(const Image& expected, const Image& actual) {
     assert(expected.width() == actual.width() && expected.height() == actual.height());
-    std::array<Planes, 2> opponent = {opponent_planes(expected), opponent_planes(actual)};
+    std::array<Channels, 2> opponent = {opponent_channels(expected), opponent_channels(actual)};
     const std::vector<Triple> colours_a = perceived(opponent[0]),
                               colours_b = perceived(opponent[1]);
-    for (Planes& planes : opponent)
-        for (float& value : planes[0].values) value = (value + 16) / 116;
-    const Plane edges_a = features(opponent[0][0], 1), edges_b = features(opponent[1][0], 1);
-    const Plane points_a = features(opponent[0][0], 2), points_b = features(opponent[1][0], 2);
+    for (Channels& channels : opponent)
+        for (float& value : channels[0].values) value = (value + 16) / 116;
+    const Channel edges_a = features(opponent[0][0], 1), edges_b = features(opponent[1][0], 1);
+    const Channel points_a = features(opponent[0][0], 2), points_b = features(opponent[1][0], 2);
     double sum = 0;
     for (std::size_t i = 0; i < colours_a.size(); ++i) {
         const double colour = remapped(hyab(colours_a[i], colours_b[i]));

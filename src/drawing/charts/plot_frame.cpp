@@ -118,7 +118,7 @@ SetType set_chart_type(const Panel& panel, std::string_view text, TypeMode mode,
 Label chart_label(const Panel& panel, const SetType& type, double x, double y, Anchor anchor,
                   const Colour& colour) {
     const StageData& stage = *panel.stage;
-    const TypeBox box = stage.room_of(type);
+    const TypeRoom box = stage.room_of(type);
     const double width = box.size_px.x(), height = box.size_px.y();
     Eigen::Vector2d corner(panel.box.x_px + x, panel.box.y_px + panel.box.height_px - y);
     switch (anchor) {
@@ -244,7 +244,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     title.top_left_px.y() =
         stage.at_whole_pixel(panel.box.y_px + panel.box.height_px - baseline) - type.baseline_px;
     if (title.top_left_px.x() - panel.box.x_px < free_from + gap) {
-        const TypeBox box = stage.room_of(type);
+        const TypeRoom box = stage.room_of(type);
         title.top_left_px.x() = std::min(region.right - box.size_px.x(), area_.right + gap) +
                                 panel.box.x_px + box.mask_px.x();
         if (title.top_left_px.x() - panel.box.x_px < free_from + gap) labels_.pop_back();

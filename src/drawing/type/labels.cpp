@@ -30,7 +30,7 @@ double nearness_to_view(const Eigen::Vector2d& at_px, const View& view) {
 
 }  // namespace
 
-TypeBox type_box(const SetType& type, int samples) {
+TypeRoom type_room(const SetType& type, int samples) {
     const auto down = [samples](double px) { return samples * std::floor(px / samples); };
     const auto up = [samples](double px) { return samples * std::ceil(px / samples); };
     const double left = down(type.left_px), ascent = up(type.baseline_px);
@@ -75,7 +75,7 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
     };
     std::vector<Box> boxes;
     for (const LabelWish& wish : wishes) {
-        const Eigen::Vector2d half = 0.5 * type_box(wish.type, samples).size_px;
+        const Eigen::Vector2d half = 0.5 * type_room(wish.type, samples).size_px;
         // The box touches the anchor's neighbourhood as an ellipse would: smooth in the direction.
         // A vanishing direction (an arrow pointing at the eye) fades into "to the right". No
         // function of the direction alone is continuous there: the box comes nearer to the anchor
@@ -119,7 +119,7 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
         corner.y() = keep(corner.y(), view.y_px, view.height_px, 2.0 * boxes[i].half.y());
         Label label;
         label.mask = wishes[i].type.mask;
-        label.top_left_px = corner + type_box(wishes[i].type, samples).mask_px;
+        label.top_left_px = corner + type_room(wishes[i].type, samples).mask_px;
         label.colour = wishes[i].colour;
         label.halo_colour = halo;
         label.halo_px = halo_px;

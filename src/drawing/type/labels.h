@@ -26,12 +26,12 @@ struct SetType {
 
 // The room that set type takes: its ink's box in whole pixels of the picture that is looked at, so
 // that what is placed by it stands there however many samples a pixel has (samples × samples).
-struct TypeBox {
+struct TypeRoom {
     Eigen::Vector2d size_px = Eigen::Vector2d::Zero();
     Eigen::Vector2d mask_px = Eigen::Vector2d::Zero();  // the mask's upper left corner in it
     double baseline_px = 0.0;                           // from its upper side
 };
-TypeBox type_box(const SetType& type, int samples);
+TypeRoom type_room(const SetType& type, int samples);
 
 // Type of fewer pixels an em is left out: its small letters would be one pixel high.
 inline constexpr double least_legible_px = 3.0;

@@ -56,7 +56,7 @@ Drawer make_title(StageData& stage) {
 Drawer make_caption(StageData& stage) {
     const TypeStyle style = text_style(stage, caption_size);
     const auto place = [&stage](const SetType& type, Sheet& sheet) {
-        const TypeBox box = stage.room_of(type);
+        const TypeRoom box = stage.room_of(type);
         const double below = box.size_px.y() - box.baseline_px;
         add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
                  sheet);

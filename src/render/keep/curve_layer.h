@@ -19,11 +19,11 @@ struct TraceKey {
     Eigen::Matrix3d surface = Eigen::Matrix3d::Zero();  // half axes of the ellipsoid it lies on
     Eigen::Vector3d surface_centre = Eigen::Vector3d::Zero();
     double stroke_px = 0.0;
-    Dashes dashes;
+    DashPattern dashes;
     double first = 0.0;  // point shown
 
     TraceKey() = default;
-    TraceKey(const ViewScene& scene, const Curve& curve, const Dashes& shown_dashes);
+    TraceKey(const ViewScene& scene, const Curve& curve, const DashPattern& shown_dashes);
     bool operator==(const TraceKey& other) const;
 };
 

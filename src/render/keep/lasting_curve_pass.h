@@ -55,7 +55,7 @@ class LastingCurvePass {
         CurveLayer* layer;
         SeenSegment last;  // the segment that is not kept
         StrokeEnds ends;   // the same for the shader
-        Dashes dashes;
+        DashPattern dashes;
     };
     CurveLayer& layer_of(const TraceKey& key);
     void grow(const Shown& shown, int end_segment, CurveStore& store);

@@ -21,8 +21,8 @@ const CurvePass::Stroke& CurvePass::program_for(const ViewScene& scene, const Cu
     return strokes_.of(curve.occlusion == Occlusion::by_solids ? scene.solids() : Solids{});
 }
 
-Constants CurvePass::constants_of(const ViewScene& scene, const Curve& curve, const Dashes& dashes,
-                                  const CurveLayer* layer) {
+Constants CurvePass::constants_of(const ViewScene& scene, const Curve& curve,
+                                  const DashPattern& dashes, const CurveLayer* layer) {
     const Quadric* surface = surface_of(scene, curve);
     Constants constants;
     scene.add_view(constants);
@@ -53,7 +53,7 @@ Constants CurvePass::constants_of(const ViewScene& scene, const Curve& curve, co
 
 void CurvePass::draw(const ViewScene& scene, const Curve& curve, CurveStore& store) {
     if (!shows(curve)) return;
-    const Dashes dashes = dashes_of(scene, curve, store.of(*curve.geometry).length);
+    const DashPattern dashes = dashes_of(scene, curve, store.of(*curve.geometry).length);
     const Constants constants = constants_of(scene, curve, dashes, nullptr);
     none_.bind();
     glEnable(GL_DEPTH_TEST);
@@ -62,7 +62,7 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve, CurveStore& sto
     glDisable(GL_DEPTH_TEST);
 }
 
-void CurvePass::draw_kept(const ViewScene& scene, const Curve& curve, const Dashes& dashes,
+void CurvePass::draw_kept(const ViewScene& scene, const Curve& curve, const DashPattern& dashes,
                           const StrokeEnds& ends, const CurveLayer& layer,
                           const std::vector<PixelRect>& rects, CurveStore& store) {
     const Constants constants = constants_of(scene, curve, dashes, &layer);

@@ -30,7 +30,7 @@ bool shows(const Curve& curve) {
            !range_of(curve).empty();
 }
 
-Dashes dashes_of(const ViewScene& scene, const Curve& curve, double length) {
+DashPattern dashes_of(const ViewScene& scene, const Curve& curve, double length) {
     // As long as asked for where the camera looks; a closed curve has whole ones.
     const Projection& p = scene.projection;
     const double unit_px = p.unit_px(std::max(p.depth(scene.view->camera.target), p.near_depth)) *

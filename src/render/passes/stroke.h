@@ -24,12 +24,12 @@ bool shows(const Curve& curve);
 
 // As shaders/stroke.glsl has them: lengths of the curve to a dash and its gap (0: solid; below 0:
 // dashed only where hidden), and the share that is drawn.
-struct Dashes {
+struct DashPattern {
     double period = 0.0, share = 1.0;
-    bool operator==(const Dashes&) const = default;
+    bool operator==(const DashPattern&) const = default;
 };
 // length: of the whole curve.
-Dashes dashes_of(const ViewScene& scene, const Curve& curve, double length);
+DashPattern dashes_of(const ViewScene& scene, const Curve& curve, double length);
 
 // The ellipsoid that the curve lies on, if it hides things; null if none.
 const Quadric* surface_of(const ViewScene& scene, const Curve& curve);

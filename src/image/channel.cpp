@@ -1,4 +1,4 @@
-#include "image/plane.h"
+#include "image/channel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,19 +25,19 @@ void convolve_row(const float* row, std::size_t n, std::span<const float> kernel
 
 }  // namespace
 
-Plane convolved(const Plane& plane, std::span<const float> kernel_x,
-                std::span<const float> kernel_y) {
-    const auto width = static_cast<std::size_t>(plane.width);
+Channel convolved(const Channel& channel, std::span<const float> kernel_x,
+                  std::span<const float> kernel_y) {
+    const auto width = static_cast<std::size_t>(channel.width);
     const auto radius = static_cast<int>(kernel_y.size() / 2);
-    Plane along_x(plane.width, plane.height), both(plane.width, plane.height);
+    Channel along_x(channel.width, channel.height), both(channel.width, channel.height);
     std::vector<float> padded;
-    for (std::size_t y = 0; y < static_cast<std::size_t>(plane.height); ++y)
-        convolve_row(plane.values.data() + y * width, width, kernel_x, padded,
+    for (std::size_t y = 0; y < static_cast<std::size_t>(channel.height); ++y)
+        convolve_row(channel.values.data() + y * width, width, kernel_x, padded,
                      along_x.values.data() + y * width);
-    for (int y = 0; y < plane.height; ++y) {
+    for (int y = 0; y < channel.height; ++y) {
         float* out = both.values.data() + static_cast<std::size_t>(y) * width;
         for (int k = 0; k < static_cast<int>(kernel_y.size()); ++k) {
-            const int from_y = std::clamp(y + k - radius, 0, plane.height - 1);
+            const int from_y = std::clamp(y + k - radius, 0, channel.height - 1);
             const float* from = along_x.values.data() + static_cast<std::size_t>(from_y) * width;
             const float weight = kernel_y[static_cast<std::size_t>(k)];
             for (std::size_t x = 0; x < width; ++x) out[x] += weight * from[x];

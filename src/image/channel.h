@@ -9,8 +9,8 @@
 
 namespace poinsot {
 
-struct Plane {
-    Plane(int width_px, int height_px)
+struct Channel {
+    Channel(int width_px, int height_px)
         : width(width_px),
           height(height_px),
           values(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px)) {}
@@ -19,8 +19,8 @@ struct Plane {
 };
 
 // Convolution with odd kernels along x, then along y. Beyond the border the border's value stands.
-Plane convolved(const Plane& plane, std::span<const float> kernel_x,
-                std::span<const float> kernel_y);
+Channel convolved(const Channel& channel, std::span<const float> kernel_x,
+                  std::span<const float> kernel_y);
 
 // A Gaussian sampled at the integers within ±radius, its sum 1.
 std::vector<float> gaussian_kernel(double sigma, int radius);
