@@ -82,18 +82,42 @@ Eigen::Vector3d Polhode::at(double chi_rad) const {
     return body_from_principal_ * rho;
 }
 
+Eigen::Vector3d Polhode::tangent(double chi_rad) const {
+    if (kind_ == Kind::point) return Eigen::Vector3d::Zero();
+    const double s = std::sin(chi_rad);
+    const double c = std::cos(chi_rad);
+    // d dn/dχ = −k² sin χ cos χ/dn. On the separatrix dn = |cos χ|, and its slope is that of the
+    // branch within (−π/2, π/2).
+    const double dn = std::sqrt(c * c + k2_complement_ * s * s);
+    Eigen::Vector3d slope;
+    slope[a_] = dn > 0.0 ? -alpha_ * k2_ * s * (c / dn) : 0.0;
+    slope[b_] = beta_ * c;
+    slope[c_] = -gamma_ * s;
+    return body_from_principal_ * slope;
+}
+
+std::optional<Polhode::Circle> Polhode::circle() const {
+    if (kind_ != Kind::circle) return std::nullopt;
+    const auto along = [&](int axis, double length) -> Eigen::Vector3d {
+        return length * body_from_principal_.col(axis);
+    };
+    return Circle{along(a_, alpha_), along(c_, gamma_), along(b_, beta_)};
+}
+
 double Polhode::first_chi_rad() const {
     return kind_ == Kind::point ? 0.0 : kind_ == Kind::separatrix ? -pi / 2.0 : -pi;
 }
 
 double Polhode::last_chi_rad() const { return kind_ == Kind::point ? 0.0 : -first_chi_rad(); }
 
+std::vector<CurveSample> Polhode::samples(double tolerance) const {
+    return sample_adaptively([this](double chi) { return at(chi); }, first_chi_rad(),
+                             last_chi_rad(), 16, tolerance);
+}
+
 std::vector<Eigen::Vector3d> Polhode::sampled(double tolerance) const {
-    const auto samples = sample_adaptively([this](double chi) { return at(chi); }, first_chi_rad(),
-                                           last_chi_rad(), 16, tolerance);
     std::vector<Eigen::Vector3d> points;
-    points.reserve(samples.size());
-    for (const CurveSample& sample : samples) points.push_back(sample.point);
+    for (const CurveSample& sample : samples(tolerance)) points.push_back(sample.point);
     if (closed()) points.pop_back();
     return points;
 }

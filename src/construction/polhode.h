@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
+#include "construction/adaptive_curve.h"
 #include "mechanics/inertia.h"
 
 namespace poinsot {
@@ -29,14 +31,26 @@ class Polhode {
     // The point at parameter χ in rad, body axes.
     Eigen::Vector3d at(double chi_rad) const;
 
+    // Its derivative by χ.
+    Eigen::Vector3d tangent(double chi_rad) const;
+
     // Range of χ: [−π, π] closed, [−π/2, π/2] on the separatrix, [0, 0] for a point.
     double first_chi_rad() const;
     double last_chi_rad() const;
     bool closed() const { return kind_ == Kind::closed || kind_ == Kind::circle; }
 
+    // A circle's middle and the half-axes that cos χ and sin χ stand at, body axes; none for other
+    // kinds.
+    struct Circle {
+        Eigen::Vector3d centre, cosine_axis, sine_axis;
+    };
+    std::optional<Circle> circle() const;
+
     // Sampled so that the polyline is within `tolerance` (the ellipsoid's lengths) of the curve; a
     // closed curve does not repeat its first point.
     std::vector<Eigen::Vector3d> sampled(double tolerance) const;
+    // The same with the χ of each point, and with the first point of a closed curve once more.
+    std::vector<CurveSample> samples(double tolerance) const;
 
     // Smallest and largest distance of the curve's points from the foot of the plane: the
     // herpolhode's annulus.

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "drawing/elements/smooth_paths.h"
 #include "drawing/panel.h"
 #include "drawing/type/overlay.h"
 #include "mechanics/free/free_rotation.h"
@@ -27,6 +28,7 @@ CurveGeometry circle_of_radius_1(const StageOptions& options, double accuracy_px
         const double angle = 2.0 * std::numbers::pi * k / n_points;
         circle.points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
     }
+    circle.smooth = smooth_circle(Eigen::Vector3d::Zero(), 1.0, circle.points.size());
     return circle;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shapes/colour.h"
+#include "shapes/smooth_form.h"
 
 namespace poinsot {
 
@@ -16,6 +17,9 @@ struct CurveGeometry {
     std::uint64_t id = 0;
     std::vector<Eigen::Vector3d> points;
     bool closed = false;  // the last point joins the first (not repeated)
+    // Asked by renderers that draw curves rather than points; none where the points are all that
+    // there is.
+    SmoothMaker smooth{};
 };
 
 enum class Occlusion {

@@ -9,6 +9,7 @@
 
 #include "drawing/elements/construction_lines.h"
 #include "drawing/elements/direction_marks.h"
+#include "drawing/elements/smooth_paths.h"
 #include "drawing/elements/trail.h"
 #include "drawing/marks.h"
 #include "shapes/projection.h"
@@ -110,13 +111,17 @@ Drawer make_polhode(Panel& panel) {
     if (whole) {
         geometry.closed = polhode.closed();
         geometry.points = polhode.sampled(tolerance);
+        geometry.smooth = smooth_polhode(polhode, tolerance);
     } else {
         TimedCurve timed = polhode_trail(*panel.stage, tolerance);
         geometry.points = std::move(timed.points);
+        geometry.smooth = std::move(timed.smooth);
         trail = std::move(timed.trail);
         panel.stage->note_curve_error(timed.off * per_rho / panel.units_per_px);
     }
     for (Eigen::Vector3d& point : geometry.points) point *= per_rho;
+    if (geometry.smooth)
+        geometry.smooth = placed(geometry.smooth, Eigen::Affine3d(Eigen::Scaling(per_rho)));
     Curve curve;
     curve.geometry = panel.stage->keep(std::move(geometry));
     curve.width_px = 4.0 * panel.px;
@@ -153,6 +158,11 @@ Drawer make_herpolhode(Panel& panel) {
         geometry.points.emplace_back(picture.picture_from_space * (foot + point) *
                                      picture.picture_per_rho);
     }
+    if (timed.smooth) {
+        const Eigen::Affine3d map = Eigen::Scaling(picture.picture_per_rho) *
+                                    picture.picture_from_space * Eigen::Translation3d(foot);
+        geometry.smooth = placed(timed.smooth, map);
+    }
     panel.stage->note_curve_error(timed.off * picture.picture_per_rho / panel.units_per_px);
     Curve curve;
     curve.geometry = panel.stage->keep(std::move(geometry));
@@ -187,6 +197,8 @@ CurveGeometry circle_on_plane(const Panel& panel, double radius) {
         circle.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
                                    picture_of(panel).foot().z());
     }
+    circle.smooth =
+        smooth_circle({0.0, 0.0, circle.points.front().z()}, radius, circle.points.size());
     return circle;
 }
 

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "drawing/elements/smooth_paths.h"
+
 namespace poinsot {
 
 namespace {
@@ -74,6 +76,48 @@ TimedPath sampled(const StageData& stage, const std::function<Eigen::Vector3d(do
     return path;
 }
 
+// Whether the motion has tangents that belong to its positions to the last digit: a stepped one has
+// them to its own accuracy.
+bool is_smooth(const StageData& stage) { return stage.motion.motion().integrated() == nullptr; }
+
+// Euler's equations: I ω̇ = Iω × ω, body axes.
+Eigen::Vector3d omega_dot_body(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body) {
+    const Eigen::Vector3d I = inertia.moments_kg_m2() / inertia.moments_kg_m2().maxCoeff();
+    const Eigen::Vector3d omega = inertia.body_from_principal().transpose() * omega_body;
+    return inertia.body_from_principal() * I.cwiseProduct(omega).cross(omega).cwiseQuotient(I);
+}
+
+// The contact point's path on the plane, in the space axes that the stage's instants are given in.
+// −ω̇/√(2T) is how fast it runs, for ω's component along L does not change.
+CurveFlow herpolhode_flow(const StageData& stage, double time_s) {
+    const PoinsotConstruction& construction = stage.rolling->construction;
+    const MotionSample sample = stage.motion.motion().sample(
+        time_s, {.attitude = true, .herpolhode = true, .euler_angles = false});
+    CurveFlow flow{construction.contact_in_plane(sample.herpolhode_space),
+                   construction.contact_in_plane(
+                       sample.state.space_from_body *
+                       omega_dot_body(construction.inertia(), sample.state.omega_body))};
+    if (!stage.turns()) return flow;
+    // The axes turn at one rate: after the time of one radian by the axis and that angle.
+    const Eigen::Vector3d axis =
+        stage.turned_from_space(stage.scene.film.start_s + 1.0 / stage.turn_rate_rad_s)
+            .vec()
+            .normalized();
+    const Eigen::Quaterniond turn = stage.turned_from_space(time_s);
+    flow.position = turn * flow.position;
+    flow.velocity = turn * flow.velocity + stage.turn_rate_rad_s * axis.cross(flow.position);
+    return flow;
+}
+
+// The same on the ellipsoid, body axes.
+CurveFlow polhode_flow(const StageData& stage, double time_s) {
+    const PoinsotConstruction& construction = stage.rolling->construction;
+    const Eigen::Vector3d omega =
+        stage.motion.motion().sample(time_s, omega_alone).state.omega_body;
+    return {construction.contact_body(omega),
+            construction.contact_body(omega_dot_body(construction.inertia(), omega))};
+}
+
 }  // namespace
 
 TimedCurve herpolhode_trail(const StageData& stage, double tolerance) {
@@ -88,7 +132,11 @@ TimedCurve herpolhode_trail(const StageData& stage, double tolerance) {
         stage.options.loop_s > 0.0 ? std::optional(stage.options.loop_s) : std::nullopt;
     TimedPath path = sampled(stage, point, period_s, wanted, tolerance);
     Trail trail(stage, stage.scene.trail.herpolhode, path, period_s);
-    return {std::move(path.points), std::move(trail), path.off};
+    TimedCurve timed{std::move(path.points), std::move(trail), path.off};
+    if (is_smooth(stage))
+        timed.smooth = smooth_path([&stage](double t) { return herpolhode_flow(stage, t); },
+                                   std::move(path.times_s));
+    return timed;
 }
 
 TimedCurve polhode_trail(const StageData& stage, double tolerance) {
@@ -102,7 +150,11 @@ TimedCurve polhode_trail(const StageData& stage, double tolerance) {
     const auto period_s = returns ? stage.polhode_period_s : std::nullopt;
     TimedPath path = sampled(stage, point, period_s, omega_alone, tolerance);
     Trail trail(stage, stage.scene.trail.polhode, path, period_s);
-    return {std::move(path.points), std::move(trail), path.off};
+    TimedCurve timed{std::move(path.points), std::move(trail), path.off};
+    if (is_smooth(stage))
+        timed.smooth = smooth_path([&stage](double t) { return polhode_flow(stage, t); },
+                                   std::move(path.times_s));
+    return timed;
 }
 
 }  // namespace poinsot

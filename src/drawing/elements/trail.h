@@ -9,6 +9,7 @@
 
 #include "construction/timed_path.h"
 #include "drawing/stage_data.h"
+#include "shapes/smooth_form.h"
 
 namespace poinsot {
 
@@ -50,7 +51,8 @@ class Trail {
 struct TimedCurve {
     std::vector<Eigen::Vector3d> points;
     Trail trail;
-    double off = 0.0;  // as in TimedPath
+    double off = 0.0;      // as in TimedPath
+    SmoothMaker smooth{};  // of motions in closed form
 };
 
 // The path of the contact point on the plane, measured from the foot of L in the ellipsoid's

@@ -9,6 +9,7 @@
 
 #include "drawing/elements/body_axes.h"
 #include "drawing/elements/ghost.h"
+#include "drawing/elements/smooth_paths.h"
 #include "drawing/framing.h"
 #include "drawing/marks.h"
 
@@ -36,6 +37,9 @@ const CurveGeometry* keep_polhode(Panel& panel, const Polhode& polhode) {
     for (const Eigen::Vector3d& point : polhode.sampled(tolerance / picture.picture_per_rho)) {
         geometry.points.emplace_back(principal_from_body(panel) * point * picture.picture_per_rho);
     }
+    const Eigen::Affine3d map =
+        Eigen::Scaling(picture.picture_per_rho) * Eigen::Affine3d(principal_from_body(panel));
+    geometry.smooth = placed(smooth_polhode(polhode, tolerance / picture.picture_per_rho), map);
     return panel.stage->keep(std::move(geometry));
 }
 

@@ -107,6 +107,12 @@ HerpolhodeCurve herpolhode_of(Panel& panel, const PlanScale& scale) {
         at.z() = 0.0;
         geometry.points.push_back(at);
     }
+    if (timed.smooth) {
+        const Eigen::Matrix3d flattened = Eigen::Vector3d(1.0, 1.0, 0.0).asDiagonal();
+        Eigen::Affine3d map = Eigen::Affine3d::Identity();
+        map.linear() = scale.plan_per_rho * flattened * scale.plan_from_space;
+        geometry.smooth = placed(timed.smooth, map);
+    }
     Curve curve = curve_of(panel, panel.stage->keep(std::move(geometry)),
                            panel.stage->theme->herpolhode, 4.0);
     set_dashes(panel, panel.stage->theme->herpolhode_dashes, curve);
