@@ -2,262 +2,69 @@
 // modelled.
 #include <fmt/format.h>
 
-#include <array>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include "cli/command.h"
-#include "cli/requests.h"
-#include "construction/poinsot_construction.h"
-#include "construction/polhode.h"
-#include "drawing/stage.h"
-#include "mechanics/free/free_rotation.h"
-#include "mechanics/motion_errors.h"
-#include "production/picture.h"
-#include "production/plan.h"
-#include "production/session.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "production/findings.h"
 #include "text/json_text.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
 namespace {
 
-// One line of the answer: a key for JSON, words for people.
-struct Fact {
-    std::string key;
-    std::string json;
-    std::string label;
-    std::string text;
+struct CheckChoices {
+    std::vector<std::string> scenes;
+    SceneOptions scene;
+    bool json = false, plan = false, quiet = false;
 };
 
-void add_number(std::vector<Fact>& facts, std::string key, std::string label, double value,
-                std::string_view unit) {
-    facts.push_back({std::move(key), json_number(value), std::move(label),
-                     fmt::format("{:.9g} {}", value, unit)});
+void print_json(const std::vector<Fact>& facts) {
+    fmt::print("{{\n");
+    for (std::size_t i = 0; i < facts.size(); ++i)
+        fmt::print("  {}: {}{}\n", json_string(facts[i].key), facts[i].json,
+                   i + 1 < facts.size() ? "," : "");
+    fmt::print("}}\n");
 }
 
-std::string axis_name(int axis) { return fmt::format("e{}", axis + 1); }
-
-// Steady spin about the axis of the middle moment, which any disturbance leaves.
-bool is_about_middle_axis(const MotionProblem& problem) {
-    const Eigen::Vector3d& I = problem.inertia.moments_kg_m2();
-    const Eigen::Vector3d omega =
-        problem.inertia.body_from_principal().transpose() * problem.start.omega_body;
-    int axis = 0;
-    omega.cwiseAbs().maxCoeff(&axis);
-    return I.minCoeff() < I[axis] && I[axis] < I.maxCoeff();
-}
-
-std::string regime_in_words(const MotionProblem& problem, Regime regime,
-                            const FreeRotationConstants& constants) {
-    switch (regime) {
-        case Regime::at_rest:
-            return "at rest: ω is zero";
-        case Regime::permanent:
-            return is_about_middle_axis(problem)
-                       ? "permanent rotation about the middle axis: kept exactly, but unstable"
-                       : "permanent rotation: ω stays where it is";
-        case Regime::symmetric:
-            return "symmetric body: ω runs round a circle, by trigonometric functions";
-        case Regime::elliptic_about_lowest:
-            return fmt::format("polhode about {}, the axis of the smallest moment (elliptic)",
-                               axis_name(constants.encircled_axis));
-        case Regime::elliptic_about_highest:
-            return fmt::format("polhode about {}, the axis of the largest moment (elliptic)",
-                               axis_name(constants.encircled_axis));
-        case Regime::separatrix:
-            return "separatrix: ω tends to the middle axis and never returns (hyperbolic)";
-        default:
-            return std::string(name_of(regime));
-    }
-}
-
-// The facts of a torque-free motion and its construction.
-void add_free_motion(const Session& session, std::vector<Fact>& facts) {
-    const MotionProblem& problem = session.motion.problem();
-    const FreeRotationConstants constants =
-        FreeRotation(problem.inertia, problem.start).constants();
-    facts.push_back({"regime", json_string(name_of(session.motion.regime())), "regime",
-                     regime_in_words(problem, session.motion.regime(), constants)});
-    add_number(facts, "kinetic_energy_J", "T", constants.kinetic_energy_J, "J");
-    add_number(facts, "momentum_kg_m2_s", "L", constants.momentum_kg_m2_s, "kg m²/s");
-    if (session.motion.regime() == Regime::at_rest) return;
-
-    const PoinsotConstruction construction(problem.inertia, problem.start);
-    add_number(facts, "plane_distance", "plane at √(2T)/L", construction.plane_distance(),
-               "1/√(kg m²)");
-    const Eigen::Vector3d half_axes = construction.half_axes();
-    facts.push_back({"half_axes",
-                     fmt::format("[{}, {}, {}]", json_number(half_axes[0]),
-                                 json_number(half_axes[1]), json_number(half_axes[2])),
-                     "half-axes 1/√I",
-                     fmt::format("{:.6g}, {:.6g}, {:.6g} 1/√(kg m²)", half_axes[0], half_axes[1],
-                                 half_axes[2])});
-    if (constants.polhode_period_s) {
-        add_number(facts, "polhode_period_s", "period of the polhode", *constants.polhode_period_s,
-                   "s");
-    } else if (session.motion.regime() == Regime::separatrix) {
-        facts.push_back({"polhode_period_s", "null", "period of the polhode", "infinite"});
-    }
-    if (constants.advance_per_period_rad) {
-        const double turns = *constants.advance_per_period_rad / (2.0 * std::numbers::pi);
-        facts.push_back({"herpolhode_advance_rad", json_number(*constants.advance_per_period_rad),
-                         "herpolhode advances",
-                         fmt::format("{:.9g} rad ({:.6g} turns) a period",
-                                     *constants.advance_per_period_rad, turns)});
-    }
-    const Polhode::Annulus annulus = Polhode(problem.inertia, problem.start.omega_body).annulus();
-    facts.push_back(
-        {"herpolhode_radii",
-         fmt::format("[{}, {}]", json_number(annulus.inner), json_number(annulus.outer)),
-         "herpolhode's radii",
-         fmt::format("{:.9g} … {:.9g} 1/√(kg m²)", annulus.inner, annulus.outer)});
-    if (const auto cones = rolling_cones(problem.inertia, problem.start.omega_body)) {
-        add_number(facts, "body_precession_rad_s", "ω precesses in the body at Ω = (I₃−I₁)ω₃/I₁",
-                   cones->body_precession_rad_s, "rad/s");
-        add_number(facts, "space_precession_rad_s", "the axis precesses about L at L/I₁",
-                   cones->space_precession_rad_s, "rad/s");
-        facts.push_back({"cones_half_angles_rad",
-                         fmt::format("[{}, {}]", json_number(cones->body_half_angle_rad),
-                                     json_number(cones->space_half_angle_rad)),
-                         "half-angles of the cones",
-                         fmt::format("body {:.4f}°, space {:.4f}°",
-                                     cones->body_half_angle_rad * 180.0 / std::numbers::pi,
-                                     cones->space_half_angle_rad * 180.0 / std::numbers::pi)});
-    }
-}
-
-// What the scene's accuracy in pixels means here, and what is reached.
-void add_accuracy(const Session& session, const PictureBound& bound, std::vector<Fact>& facts) {
-    const bool stepped = session.motion.integrated() != nullptr;
-    const bool fast = session.motion.problem().tier == Tier::fast;
-    facts.push_back({"accuracy_px", json_number(session.scene.accuracy_px), "accuracy asked",
-                     fmt::format("{:g} px", session.scene.accuracy_px)});
-    facts.push_back({"motion_error_px", json_number(bound.motion_px), "accuracy of the motion",
-                     fmt::format("{:.2g} px ({})", bound.motion_px,
-                                 stepped ? "measured over the film"
-                                 : fast  ? "a bound of rounding, phases in one word"
-                                         : "a bound of rounding, phases in two words")});
-    facts.push_back({"curve_error_px", json_number(bound.curves_px), "accuracy of the curves",
-                     fmt::format("{:.2g} px, by subdivision", bound.curves_px)});
-    facts.push_back({"bound_px", json_number(bound.total_px()), "nothing drawn is further off than",
-                     fmt::format("{:.2g} px", bound.total_px())});
-    if (stepped) {
-        const MethodChoice& method = session.motion.problem().method;
-        if (method.step_s) add_number(facts, "step_s", "step", *method.step_s, "s");
-        if (method.tolerance) add_number(facts, "tolerance", "tolerance", *method.tolerance, "");
-    }
-}
-
-// What the second method makes of the same start, against the first.
-void add_beside(const Session& session, const FilmPlan& film, std::vector<Fact>& facts) {
-    if (!session.beside) return;
-    std::vector<double> times;
-    for (std::int64_t frame = 0; frame < film.n_frames; ++frame) {
-        times.push_back(film.time_of(frame));
-    }
-    const MotionErrors errors = worst_errors(*session.beside, session.motion, times);
-    const std::string& name = session.beside->problem().method.name;
-    const IntegratedRotation* stepped = session.beside->integrated();
-    facts.push_back({"beside", json_string(name), "beside it",
-                     stepped != nullptr && stepped->method().takes_step
-                         ? fmt::format("{}, step {:g} s", name, stepped->step_s())
-                         : name});
-    add_number(facts, "beside_attitude_rad", "its attitude departs by", errors.attitude_rad, "rad");
-    facts.push_back({"beside_energy", json_number(errors.energy_relative), "its T drifts by",
-                     fmt::format("{:.3g} of T", errors.energy_relative)});
-    facts.push_back({"beside_momentum", json_number(errors.momentum_relative), "its L drifts by",
-                     fmt::format("{:.3g} of L", errors.momentum_relative)});
-}
-
-int run(const Options& options) {
-    const Session session = open_session(scene_request_of(options));
-    print_notes(session.scene, options.quiet);
-    const MotionProblem& problem = session.motion.problem();
-
-    std::vector<Fact> facts;
-    facts.push_back({"scene", json_string(session.scene.file.string()), "scene",
-                     printable(session.scene.file.string())});
-    facts.push_back(
-        {"title", json_string(session.scene.title), "title", printable(session.scene.title)});
-    const Eigen::Vector3d& I = problem.inertia.moments_kg_m2();
-    facts.push_back(
-        {"moments_kg_m2",
-         fmt::format("[{}, {}, {}]", json_number(I[0]), json_number(I[1]), json_number(I[2])),
-         "moments I₁, I₂, I₃",
-         fmt::format("{:.9g}, {:.9g}, {:.9g} kg m²{}", I[0], I[1], I[2],
-                     problem.inertia.planar() ? " (planar: one is the sum of the others)" : "")});
-    facts.push_back({"method", json_string(problem.method.name), "method", problem.method.name});
-    if (std::holds_alternative<NoTorque>(problem.torque)) {
-        add_free_motion(session, facts);
-    } else {
-        facts.push_back({"regime", json_string(name_of(session.motion.regime())), "regime",
-                         std::string(name_of(session.motion.regime()))});
-    }
-
-    const FilmPlan film = film_plan(session);
-    facts.push_back(
-        {"n_frames", fmt::format("{}", film.n_frames), "film",
-         fmt::format("{} frames of {}×{} at {:.6g}/s, motion from {:.6g} s to {:.6g} s",
-                     film.n_frames, session.scene.film.width_px, session.scene.film.height_px,
-                     film.rate.per_second(), film.start_s, film.last_time_s())});
-
-    if (session.loop) {
-        facts.push_back(
-            {"loop_s", json_number(session.loop->loop_s), "loop",
-             fmt::format("{:.9g} s: {}", session.loop->loop_s, session.loop->in_words)});
-        facts.push_back({"loop_change", json_string(session.loop->change),
-                         session.loop->change.empty() ? "" : "changed for the loop",
-                         session.loop->change});
-    }
-
-    // Whether it can be drawn is part of the check: making the stage opens no context.
-    const PictureSetting setting = setting_of(session.scene);
-    const Stage stage = stage_of(
-        session, {.first_time_s = film.start_s, .last_time_s = film.last_time_s()}, setting);
-    add_accuracy(session, bound_of(session, stage, setting.samples), facts);
-    add_beside(session, film, facts);
-    const bool certified = can_certify(session);
-    const Certificate certificate = certified ? certify_film(session, film) : Certificate{};
-    if (certified) {
-        facts.push_back({"certificate_holds", fmt::format("{}", certificate.holds()), "", ""});
-        for (const CertifiedClaim& claim : certificate.claims) {
-            facts.push_back(
-                {fmt::format("worst_{}", claim.name), json_number(claim.worst), "", ""});
-        }
-    }
-    const int code = certificate.holds() ? 0 : 1;
-
-    if (options.json) {
-        fmt::print("{{\n");
-        for (std::size_t i = 0; i < facts.size(); ++i) {
-            fmt::print("  {}: {}{}\n", json_string(facts[i].key), facts[i].json,
-                       i + 1 < facts.size() ? "," : "");
-        }
-        fmt::print("}}\n");
-        return code;
-    }
-    for (const Fact& fact : facts) {
+void print_words(const Findings& findings) {
+    for (const Fact& fact : findings.facts)
         if (!fact.label.empty()) fmt::print("{}: {}\n", fact.label, fact.text);
-    }
-    if (options.plan) {
+    if (!findings.plan.empty()) {
         fmt::print("\n");
-        for (const PlanLine& line : plan_of(session, film, stage)) {
+        for (const PlanLine& line : findings.plan)
             fmt::print("{}: {} ({})\n", line.what, line.decision, line.why);
-        }
     }
-    if (certified) fmt::print("\n{}", text_of(certificate));
-    return code;
+    if (findings.certificate) fmt::print("\n{}", text_of(*findings.certificate));
 }
 
-constexpr auto options_taken = std::to_array<std::string_view>(
-    {"set", "size", "fps", "quality", "json", "quiet", "plan", "allow-outside"});
+int run(const CheckChoices& choices) {
+    const Session session = open_session(scene_request_of(choices.scenes.at(0), choices.scene));
+    print_notes(session.scene, choices.quiet);
+    const Findings findings = examine(session, choices.plan);
+    if (choices.json)
+        print_json(findings.facts);
+    else
+        print_words(findings);
+    return !findings.certificate || findings.certificate->holds() ? 0 : 1;
+}
+
+CommandLine line(std::any& room) {
+    auto& c = room.emplace<CheckChoices>();
+    return {&c.scenes,
+            {set_option(c.scene),
+             size_option(c.scene),
+             fps_option(c.scene),
+             quality_option(c.scene),
+             json_option(c.json),
+             quiet_option(c.quiet),
+             {"--plan", "what will be modelled, and why", &c.plan},
+             allow_outside_option(c.scene.allow_outside)},
+            [&c] { return run(c); }};
+}
 
 }  // namespace
 
-const Command check_command{
-    "check", "SCENE", 1, 1, "validate a scene and say what its motion is", options_taken, run};
+const Command check_command{"check", "SCENE", 1, 1, "validate a scene and say what its motion is",
+                            line};
 
 }  // namespace poinsot

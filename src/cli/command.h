@@ -1,15 +1,26 @@
-// The table of commands: one row and one file each.
+// The table of commands: one file each, one row each.
 #pragma once
 
+#include <any>
+#include <functional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
-#include "cli/options.h"
+#include "cli/option.h"
 
 namespace poinsot {
 
 // As most_arguments: CLI11's own word for it.
 inline constexpr int any_number = 1 << 29;
+
+// A command whose line can be read.
+struct CommandLine {
+    std::vector<std::string>* arguments = nullptr;
+    std::vector<Option> options;
+    std::function<int()> run;  // once the line has been read: the exit code; throws Error
+};
 
 struct Command {
     std::string_view name;
@@ -17,8 +28,8 @@ struct Command {
     int least_arguments;
     int most_arguments;
     std::string_view summary;
-    std::span<const std::string_view> options;  // names of the option table that it takes
-    int (*run)(const Options& options);         // exit code; throws Error
+    // `room` keeps the command's own choices until it has run.
+    CommandLine (*line)(std::any& room);
 };
 
 std::span<const Command> commands();

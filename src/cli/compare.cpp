@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <filesystem>
 
 #include "cli/command.h"
+#include "cli/options.h"
 #include "error/error.h"
 #include "image/png.h"
 #include "production/record.h"
@@ -20,6 +20,17 @@
 namespace poinsot {
 
 namespace {
+
+// What may differ, and what is written.
+struct CompareChoices {
+    std::vector<std::string> pictures;  // two
+    std::string profile = "portable";
+    std::optional<std::string> max_differing;  // a share of the pixels
+    std::optional<std::string> max_over;
+    std::optional<int> over_levels;
+    std::string report, junit, diff;  // files to write, empty for none
+    bool json = false, quiet = false;
+};
 
 namespace fs = std::filesystem;
 
@@ -75,12 +86,6 @@ bool are_folders(const fs::path& expected, const fs::path& actual) {
     if (folder && !fs::exists(actual, ignored))
         throw InputError(fmt::format("{}: no such folder", printable(actual.string())));
     return folder;
-}
-
-void write_text(const fs::path& path, const std::string& text) {
-    AtomicFile file(path);
-    file.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    file.commit();
 }
 
 void print_json(const std::vector<ComparedPicture>& pictures, const CompareLimits& limits) {
@@ -140,9 +145,8 @@ void note_native(const std::vector<ComparedPicture>& pictures) {
                                  : fmt::format("{} pairs that differ are", n_native));
 }
 
-int run(const Options& options) {
-    const fs::path expected = options.arguments.at(0), actual = options.arguments.at(1);
-    const CompareChoices& choices = options.compare;
+int run(const CompareChoices& choices) {
+    const fs::path expected = choices.pictures.at(0), actual = choices.pictures.at(1);
     const CompareLimits limits = limits_of(choices);
     const bool folders = are_folders(expected, actual);
     if (folders && !choices.diff.empty())
@@ -167,24 +171,40 @@ int run(const Options& options) {
     if (!choices.diff.empty() && !pictures[0].actual.empty())
         write_png(choices.diff,
                   difference_picture(read_stored_png(expected), read_stored_png(actual)));
-    if (!choices.report.empty()) write_text(choices.report, html_report(title, pictures));
-    if (!choices.junit.empty()) write_text(choices.junit, junit_xml(title, pictures));
-    if (options.json) {
+    if (!choices.report.empty()) write_whole(choices.report, html_report(title, pictures));
+    if (!choices.junit.empty()) write_whole(choices.junit, junit_xml(title, pictures));
+    if (choices.json) {
         print_json(pictures, limits);
     } else {
         print_lines(pictures);
     }
-    if (choices.profile == "portable" && !options.quiet) note_native(pictures);
+    if (choices.profile == "portable" && !choices.quiet) note_native(pictures);
     return all_pass(pictures) ? 0 : 1;
 }
 
-constexpr std::array<std::string_view, 9> options_taken{"profile",     "max-differing", "max-over",
-                                                        "over-levels", "json",          "report",
-                                                        "junit",       "diff",          "quiet"};
+CommandLine line(std::any& room) {
+    auto& c = room.emplace<CompareChoices>();
+    return {
+        &c.pictures,
+        {{"--profile", "portable: no pixel may differ; native: as much as processors round apart",
+          &c.profile},
+         {"--max-differing", "share of the pixels that may differ at all, as 0.001 or 0.1%",
+          &c.max_differing},
+         {"--max-over", "share of the pixels that may differ by more than --over-levels",
+          &c.max_over},
+         {"--over-levels", "levels of 255 that --max-over counts from; 2 if not given",
+          &c.over_levels},
+         json_option(c.json),
+         {"--report", "FILE.html: write a page that shows the pictures", &c.report},
+         {"--junit", "FILE.xml: write test results", &c.junit},
+         {"--diff", "FILE.png: write expected | difference × 16 | actual", &c.diff},
+         quiet_option(c.quiet)},
+        [&c] { return run(c); }};
+}
 
 }  // namespace
 
 const Command compare_command{
-    "compare", "REF NEW", 2, 2, "compare two pictures, or two folders of them", options_taken, run};
+    "compare", "REF NEW", 2, 2, "compare two pictures, or two folders of them", line};
 
 }  // namespace poinsot

@@ -1,9 +1,8 @@
 // poinsot doctor: what this machine gives.
 #include <fmt/format.h>
 
-#include <array>
-
 #include "cli/command.h"
+#include "cli/options.h"
 #include "error/error.h"
 #include "output/codecs.h"
 #include "render/renderer.h"
@@ -13,6 +12,11 @@
 namespace poinsot {
 
 namespace {
+
+struct DoctorChoices {
+    std::vector<std::string> arguments;  // none
+    bool json = false;
+};
 
 struct Finding {
     std::string what;
@@ -40,7 +44,7 @@ Finding try_font(std::string_view name) {
     }
 }
 
-int run(const Options& options) {
+int run(const DoctorChoices& choices) {
     std::vector<Finding> findings;
     findings.push_back(try_backend("context OSMesa", Backend::osmesa));
     findings.push_back(try_backend("context EGL", Backend::egl));
@@ -57,7 +61,7 @@ int run(const Options& options) {
         sets_type = sets_type && findings.back().works;
     }
 
-    if (options.json) {
+    if (choices.json) {
         fmt::print("[\n");
         for (std::size_t i = 0; i < findings.size(); ++i) {
             fmt::print("  {{\"what\": {}, \"works\": {}, \"detail\": {}}}{}\n",
@@ -74,11 +78,14 @@ int run(const Options& options) {
     return draws && encodes && sets_type ? 0 : 1;
 }
 
-constexpr std::array<std::string_view, 1> options_taken{"json"};
+CommandLine line(std::any& room) {
+    auto& c = room.emplace<DoctorChoices>();
+    return {&c.arguments, {json_option(c.json)}, [&c] { return run(c); }};
+}
 
 }  // namespace
 
 const Command doctor_command{
-    "doctor", "", 0, 0, "say what this machine gives: contexts, codecs, fonts", options_taken, run};
+    "doctor", "", 0, 0, "say what this machine gives: contexts, codecs, fonts", line};
 
 }  // namespace poinsot

@@ -1,11 +1,11 @@
 // poinsot explain FILE: how a picture or film was made, as it says itself.
 #include <fmt/format.h>
 
-#include <array>
 #include <filesystem>
 #include <optional>
 
 #include "cli/command.h"
+#include "cli/options.h"
 #include "production/record.h"
 #include "text/json_text.h"
 #include "text/printable.h"
@@ -13,6 +13,12 @@
 namespace poinsot {
 
 namespace {
+
+struct ExplainChoices {
+    std::vector<std::string> files;
+    bool json = false;
+    bool verify = false;
+};
 
 std::string_view name_of(Verified verified) {
     switch (verified) {
@@ -65,12 +71,12 @@ void print_text(const Record& record) {
     }
 }
 
-int run(const Options& options) {
-    const std::filesystem::path file = options.arguments.at(0);
+int run(const ExplainChoices& choices) {
+    const std::filesystem::path file = choices.files.at(0);
     const Record record = read_record(file);
     std::optional<Verification> verification;
-    if (options.verify || is_quickly_verified(file, record)) verification = verify(file, record);
-    if (options.json)
+    if (choices.verify || is_quickly_verified(file, record)) verification = verify(file, record);
+    if (choices.json)
         fmt::print("{}", json_of(record, verification));
     else
         print_text(record);
@@ -80,16 +86,24 @@ int run(const Options& options) {
                    printable(file.string()), *record.frame);
     if (!verification) return 0;
     const bool says_no = verification->verified == Verified::no;
-    if (says_no || options.verify)
+    if (says_no || choices.verify)
         fmt::print(stderr, "{}: {}\n", printable(file.string()), verification->sentence);
-    return says_no || (options.verify && verification->verified != Verified::yes) ? 1 : 0;
+    return says_no || (choices.verify && verification->verified != Verified::yes) ? 1 : 0;
 }
 
-constexpr std::array<std::string_view, 2> options_taken{"json", "verify"};
+CommandLine line(std::any& room) {
+    auto& c = room.emplace<ExplainChoices>();
+    return {&c.files,
+            {json_option(c.json),
+             {"--verify",
+              "read all of the file: is it as it was written? tells mistakes, not forgeries",
+              &c.verify}},
+            [&c] { return run(c); }};
+}
 
 }  // namespace
 
-const Command explain_command{"explain",     "FILE", 1, 1, "print how a picture or film was made",
-                              options_taken, run};
+const Command explain_command{"explain", "FILE", 1, 1, "print how a picture or film was made",
+                              line};
 
 }  // namespace poinsot

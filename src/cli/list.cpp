@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <functional>
 #include <vector>
 
 #include "cli/catalogue.h"
 #include "cli/command.h"
+#include "cli/options.h"
 #include "error/error.h"
 #include "text/json_text.h"
 #include "text/nearest.h"
@@ -18,30 +18,35 @@ namespace poinsot {
 
 namespace {
 
-int run(const Options& options) {
+struct ListChoices {
+    std::vector<std::string> what;
+    bool json = false;
+};
+
+int run(const ListChoices& choices) {
     std::vector<std::string_view> names;
     for (const Catalogue& catalogue : catalogues()) names.push_back(catalogue.name);
-    if (options.arguments.empty()) {
+    if (choices.what.empty()) {
         for (const std::string_view name : names) fmt::print("{}\n", name);
         return 0;
     }
 
-    const std::string& what = options.arguments[0];
+    const std::string& what = choices.what[0];
     for (const Catalogue& catalogue : catalogues()) {
         if (catalogue.name != what) continue;
         const std::vector<CatalogueEntry> entries = catalogue.entries();
         std::size_t width = 0;
         for (const CatalogueEntry& entry : entries) width = std::max(width, entry.name.size());
-        if (options.json) fmt::print("[\n");
+        if (choices.json) fmt::print("[\n");
         for (std::size_t i = 0; i < entries.size(); ++i) {
-            if (options.json) {
+            if (choices.json) {
                 fmt::print("  {{\"name\": {}, \"summary\": {}}}{}\n", json_string(entries[i].name),
                            json_string(entries[i].summary), i + 1 < entries.size() ? "," : "");
             } else {
                 fmt::print("{:{}}  {}\n", entries[i].name, width, entries[i].summary);
             }
         }
-        if (options.json) fmt::print("]\n");
+        if (choices.json) fmt::print("]\n");
         if (!catalogue.note.empty()) fmt::print(stderr, "{}\n", catalogue.note);
         return 0;
     }
@@ -50,12 +55,14 @@ int run(const Options& options) {
                                  fmt::join(names, ", ")));
 }
 
-constexpr std::array<std::string_view, 1> options_taken{"json"};
+CommandLine line(std::any& room) {
+    auto& c = room.emplace<ListChoices>();
+    return {&c.what, {json_option(c.json)}, [&c] { return run(c); }};
+}
 
 }  // namespace
 
 const Command list_command{
-    "list",        "WHAT", 0, 1, "list scenes, keys, methods, elements, panels, objects, …",
-    options_taken, run};
+    "list", "WHAT", 0, 1, "list scenes, keys, methods, elements, panels, objects, …", line};
 
 }  // namespace poinsot

@@ -1,51 +1,46 @@
-// What the command line said, as plain values; every command reads the ones that its row names.
+// Options that several commands take, each with its name and its help, and the requests that
+// production/ gets from them.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "production/print_size.h"
+#include "cli/option.h"
+#include "production/picture.h"
+#include "production/session.h"
 
 namespace poinsot {
 
-// What compare allows to differ, and what it writes.
-struct CompareChoices {
-    std::string profile = "portable";          // --profile
-    std::optional<std::string> max_differing;  // --max-differing, a share of the pixels
-    std::optional<std::string> max_over;       // --max-over
-    std::optional<int> over_levels;            // --over-levels
-    std::string report, junit, diff;           // files to write, empty for none
-};
-
-// What approve takes from where to where.
-struct ApproveChoices {
-    std::string results, baselines;  // folders
-    std::string why;
-    bool any_renderer = false;
-    bool all = false;
-};
-
-struct Options {
-    std::vector<std::string> arguments;  // SCENE, REF NEW, WHAT
-    std::string output;                  // -o
+// Of commands that read a scene.
+struct SceneOptions {
     std::vector<std::string> overrides;  // --set key=value, and --size, --fps, --quality as such
-    std::optional<std::pair<std::int64_t, std::int64_t>> frames;  // --frames A-B, inclusive
-    std::optional<double> time_s;                                 // --time
-    std::vector<double> times_s;                                  // --times
-    std::string backend = "auto";                                 // --backend
-    bool portable = false;                                        // --portable
-    bool allow_outside = false;                                   // --allow-outside
-    bool json = false;
-    bool quiet = false;
-    bool certify = false;  // render --certify
-    bool plan = false;     // check --plan
-    bool verify = false;   // explain --verify
-    PrintChoices print;
-    CompareChoices compare;
-    ApproveChoices approve;
+    bool allow_outside = false;
 };
+
+Option set_option(SceneOptions& scene);
+Option size_option(SceneOptions& scene);
+Option fps_option(SceneOptions& scene);
+Option quality_option(SceneOptions& scene);
+Option theme_option(SceneOptions& scene);
+Option allow_outside_option(bool& allow_outside);
+
+SceneRequest scene_request_of(const std::string& file, const SceneOptions& options);
+OutsideFiles outside_files(bool allow_outside);
+
+// Of commands that draw.
+struct ContextOptions {
+    std::string backend = "auto";
+    bool portable = false;
+};
+
+Option backend_option(ContextOptions& context);
+Option portable_option(ContextOptions& context);
+
+// Throws InputError for a backend that does not exist.
+ContextChoice context_choice_of(const ContextOptions& options);
+
+Option output_option(std::string& output);
+Option json_option(bool& json);
+Option quiet_option(bool& quiet);
 
 }  // namespace poinsot

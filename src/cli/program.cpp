@@ -4,11 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <any>
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <functional>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "cli/command.h"
 #include "error/error.h"
@@ -19,220 +23,35 @@ namespace poinsot {
 
 namespace {
 
-// One option of the command line: where it is bound is said here and nowhere else.
-struct OptionRow {
-    std::string_view name;  // as commands name it
-    void (*add)(CLI::App& app, Options& options);
+// How CLI11 reads a value of each kind.
+struct Binder {
+    CLI::App& app;
+    const Option& option;
+
+    template <typename Value>
+    CLI::Option* operator()(Value* value) const {
+        return app.add_option(option.flags, *value, option.help);
+    }
+    CLI::Option* operator()(bool* value) const {
+        return app.add_flag(option.flags, *value, option.help);
+    }
+    CLI::Option* operator()(const Repeated& repeated) const {
+        const auto append = [to = repeated.values](const std::vector<std::string>& values) {
+            to->insert(to->end(), values.begin(), values.end());
+        };
+        return app.add_option_function<std::vector<std::string>>(option.flags, append, option.help)
+            ->allow_extra_args(false)
+            ->take_all();
+    }
+    CLI::Option* operator()(const ReadText& read) const {
+        return app.add_option_function<std::string>(option.flags, read, option.help);
+    }
 };
 
-void add_override(CLI::App& app, Options& options, const char* flag, const char* key,
-                  const char* help) {
-    app.add_option_function<std::string>(
-           flag,
-           [&options, key](const std::string& value) {
-               // A bare word becomes a TOML string; numbers stay as they are.
-               options.overrides.push_back(fmt::format("{}={}", key, value));
-           },
-           help)
-        ->type_name("");
-}
-
-std::pair<std::int64_t, std::int64_t> parse_frames(const std::string& text) {
-    std::int64_t first = 0;
-    std::int64_t last = 0;
-    int used = 0;
-    const int n = std::sscanf(text.c_str(), "%ld-%ld%n", &first, &last, &used);
-    if (n == 1 && text.find('-') == std::string::npos) last = first;
-    const bool whole = n == 2 ? used == static_cast<int>(text.size()) : n == 1;
-    if (!whole || first < 0 || last < first) {
-        throw InputError(fmt::format(
-            "--frames {}: not a range of frames; write A-B with 0 <= A <= B, as in 0-99", text));
-    }
-    return {first, last};
-}
-
-std::vector<double> parse_times(const std::string& text) {
-    std::vector<double> times;
-    std::size_t from = 0;
-    while (from <= text.size()) {
-        const std::size_t comma = std::min(text.find(',', from), text.size());
-        const std::string item = text.substr(from, comma - from);
-        char* end = nullptr;
-        const double time = std::strtod(item.c_str(), &end);
-        if (item.empty() || *end != '\0' || !std::isfinite(time)) {
-            throw InputError(fmt::format(
-                "--times: \"{}\" is not a time in seconds; write T,T,… as in 0,0.5,1", item));
-        }
-        times.push_back(time);
-        from = comma + 1;
-    }
-    return times;
-}
-
-const auto option_table = std::to_array<OptionRow>({
-    {"output",
-     [](CLI::App& app, Options& o) { app.add_option("-o,--output", o.output, "where to write"); }},
-    {"set",
-     [](CLI::App& app, Options& o) {
-         app.add_option_function<std::vector<std::string>>(
-                "--set",
-                [&o](const std::vector<std::string>& values) {
-                    o.overrides.insert(o.overrides.end(), values.begin(), values.end());
-                },
-                "key=value: change any scene key; repeatable")
-             ->type_name("KEY=VALUE")
-             ->allow_extra_args(false)
-             ->take_all();
-     }},
-    {"size",
-     [](CLI::App& app, Options& o) {
-         add_override(app, o, "--size", "film.size", "WxH: size of the picture in pixels");
-     }},
-    {"fps",
-     [](CLI::App& app, Options& o) {
-         add_override(app, o, "--fps", "film.fps", "N or N/D: video frames a second");
-     }},
-    {"quality",
-     [](CLI::App& app, Options& o) {
-         add_override(app, o, "--quality", "film.quality", "draft, lecture, print or reference");
-     }},
-    {"theme",
-     [](CLI::App& app, Options& o) {
-         add_override(app, o, "--theme", "theme", "light, dark, print, colour-blind, transparent or transparent-dark");
-     }},
-    {"width-mm",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--width-mm", o.print.width_mm, "width on paper in millimetres");
-     }},
-    {"height-mm",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--height-mm", o.print.height_mm,
-                        "height on paper; from the scene's shape if not given");
-     }},
-    {"dpi",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--dpi", o.print.dpi, "dots per inch on paper; 300 if not given");
-     }},
-    {"type-pt",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--type-pt", o.print.type_pt,
-                        "size of labels on paper in points, 8.5 if not given; lines follow it");
-     }},
-    {"depth",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--depth", o.print.bit_depth, "bits a colour component: 8 or 16");
-     }},
-    {"frames",
-     [](CLI::App& app, Options& o) {
-         app.add_option_function<std::string>(
-             "--frames", [&o](const std::string& text) { o.frames = parse_frames(text); },
-             "A-B: only these frames, from 0, both included");
-     }},
-    {"time",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--time", o.time_s,
-                        "instant of the motion in seconds; if not given, film.still_s of the scene, or "
-                        "the film's last");
-     }},
-    {"times",
-     [](CLI::App& app, Options& o) {
-         app.add_option_function<std::string>(
-                "--times", [&o](const std::string& text) { o.times_s = parse_times(text); },
-                "T,T,…: instants of the motion in seconds")
-             ->required();
-     }},
-    {"verify",
-     [](CLI::App& app, Options& o) {
-         app.add_flag("--verify", o.verify,
-                      "read all of the file: is it as it was written? tells mistakes, not forgeries");
-     }},
-    {"json", [](CLI::App& app, Options& o) { app.add_flag("--json", o.json, "answer in JSON"); }},
-    {"profile",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--profile", o.compare.profile,
-                        "portable: no pixel may differ; native: as much as processors round apart");
-     }},
-    {"max-differing",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--max-differing", o.compare.max_differing,
-                        "share of the pixels that may differ at all, as 0.001 or 0.1%");
-     }},
-    {"max-over",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--max-over", o.compare.max_over,
-                        "share of the pixels that may differ by more than --over-levels");
-     }},
-    {"over-levels",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--over-levels", o.compare.over_levels,
-                        "levels of 255 that --max-over counts from; 2 if not given");
-     }},
-    {"report",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--report", o.compare.report,
-                        "FILE.html: write a page that shows the pictures");
-     }},
-    {"junit",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--junit", o.compare.junit,
-                        "FILE.xml: write test results");
-     }},
-    {"diff",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--diff", o.compare.diff,
-                        "FILE.png: write expected | difference × 16 | actual");
-     }},
-    {"results",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--results", o.approve.results,
-                        "folder of the new pictures");
-     }},
-    {"baselines",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--baselines", o.approve.baselines,
-                        "folder of the baselines and their manifest");
-     }},
-    {"why",
-     [](CLI::App& app, Options& o) {
-         app.add_option("--why", o.approve.why,
-                        "the reason for the change, kept in the manifest");
-     }},
-    {"any-renderer",
-     [](CLI::App& app, Options& o) {
-         app.add_flag("--any-renderer", o.approve.any_renderer,
-                        "take pictures of another renderer or profile, too");
-     }},
-    {"all",
-     [](CLI::App& app, Options& o) {
-         app.add_flag("--all", o.approve.all,
-                        "take every picture that is new or has changed");
-     }},
-    {"quiet", [](CLI::App& app,
-                 Options& o) { app.add_flag("--quiet,-q", o.quiet, "no progress, no notes"); }},
-    {"plan", [](CLI::App& app,
-                Options& o) { app.add_flag("--plan", o.plan, "what will be modelled, and why"); }},
-    {"backend", [](CLI::App& app,
-                   Options& o) { app.add_option("--backend", o.backend, "auto, osmesa or egl"); }},
-    {"portable",
-     [](CLI::App& app, Options& o) {
-         app.add_flag("--portable", o.portable, "the same bytes on every processor");
-     }},
-    {"allow-outside",
-     [](CLI::App& app, Options& o) {
-         app.add_flag("--allow-outside", o.allow_outside,
-                      "let the scene name files outside of its folder");
-     }},
-    {"certify",
-     [](CLI::App& app, Options& o) {
-         app.add_flag("--certify", o.certify, "measure how well it is Poinsot's, over all frames");
-     }},
-});
-
-void add_option(std::string_view name, CLI::App& app, Options& options) {
-    for (const OptionRow& row : option_table) {
-        if (row.name == name) return row.add(app, options);
-    }
-    throw std::logic_error(fmt::format("no option \"{}\" in the table", name));
+void bind(CLI::App& app, const Option& option) {
+    CLI::Option* bound = std::visit(Binder{app, option}, option.value);
+    if (option.type) bound->type_name(*option.type);
+    if (option.required) bound->required();
 }
 
 // CLI11 splits "--set a=b" rightly but has its own words for what is wrong; these are ours.
@@ -274,15 +93,18 @@ int run_program(int argc, const char* const* argv) {
         }
     }
 
-    Options options;
-    const Command* chosen = nullptr;
-    for (const Command& command : commands()) {
+    // Every command's choices, which CLI11 fills in and the one that was named reads.
+    std::vector<std::any> rooms(commands().size());
+    std::function<int()> chosen;
+    for (std::size_t i = 0; i < commands().size(); ++i) {
+        const Command& command = commands()[i];
+        const CommandLine line = command.line(rooms[i]);
         CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
-        auto* arguments = sub->add_option(std::string(command.arguments), options.arguments);
+        auto* arguments = sub->add_option(std::string(command.arguments), *line.arguments);
         arguments->expected(command.least_arguments, command.most_arguments);
         if (command.least_arguments > 0) arguments->required();
-        for (const std::string_view name : command.options) add_option(name, *sub, options);
-        sub->callback([&chosen, &command] { chosen = &command; });
+        for (const Option& option : line.options) bind(*sub, option);
+        sub->callback([&chosen, run = line.run] { chosen = run; });
     }
 
     try {
@@ -294,7 +116,7 @@ int run_program(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         refuse(error.what());
     }
-    const int code = chosen->run(options);
+    const int code = chosen();
     flush_stdout();
     return code;
 }

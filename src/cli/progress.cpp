@@ -6,22 +6,33 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "production/session.h"
+
 namespace poinsot {
 
-Progress::Progress(std::string what, std::int64_t total, bool quiet)
-    : what_(std::move(what)),
-      total_(total),
-      quiet_(quiet),
-      terminal_(isatty(STDERR_FILENO) == 1),
-      last_shown_(started_) {}
+Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (bar_open_) std::fputc('\n', stderr);
 }
 
+Telling Progress::telling() {
+    if (quiet_) return {};
+    return {.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); },
+            .begin = [this](const std::string& what, std::int64_t total) { begin(what, total); },
+            .done = [this](std::int64_t done) { at(done); },
+            .finish = [this](const std::string& made) { finish(made); }};
+}
+
+void Progress::begin(const std::string& what, std::int64_t total) {
+    what_ = what;
+    total_ = total;
+    last_shown_ = started_ = Clock::now();
+}
+
 void Progress::at(std::int64_t done) {
     using namespace std::chrono_literals;
-    if (quiet_ || total_ <= 0) return;
+    if (total_ <= 0) return;
 
     // A terminal is refreshed ten times a second, a log every five seconds.
     const auto now = Clock::now();
@@ -47,12 +58,13 @@ void Progress::at(std::int64_t done) {
 }
 
 void Progress::finish(const std::string& made) {
-    if (quiet_) return;
     if (bar_open_) std::fputs("\r\x1b[K", stderr);
     bar_open_ = false;
     const double elapsed_s = std::chrono::duration<double>(Clock::now() - started_).count();
     fmt::print(stderr, "{}: {} frame{} in {:.2f} s\n", made, total_, total_ == 1 ? "" : "s",
                elapsed_s);
 }
+
+void print_notes(const Scene& scene, bool quiet) { tell_notes(scene, Progress(quiet).telling()); }
 
 }  // namespace poinsot

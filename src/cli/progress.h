@@ -1,34 +1,43 @@
-// How far a long job is: a bar on a terminal, plain lines elsewhere, nothing when quiet. All on
-// stderr.
+// What a job tells, on stderr: notes, and a bar on a terminal or a line now and then in a log.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <string>
 
+#include "production/telling.h"
+#include "scene/scene.h"
+
 namespace poinsot {
 
 class Progress {
  public:
-    Progress(std::string what, std::int64_t total, bool quiet);
+    explicit Progress(bool quiet);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void at(std::int64_t done);
-    // Ends the bar and prints what was made.
-    void finish(const std::string& made);
+    // Speaks through this object, which must outlive it; says nothing if quiet.
+    Telling telling();
 
  private:
     using Clock = std::chrono::steady_clock;
 
-    std::string what_;
-    std::int64_t total_;
+    void begin(const std::string& what, std::int64_t total);
+    void at(std::int64_t done);
+    // Ends the bar and prints what was made.
+    void finish(const std::string& made);
+
     bool quiet_;
     bool terminal_;
+    std::string what_;
+    std::int64_t total_ = 0;
     bool bar_open_ = false;
-    Clock::time_point started_ = Clock::now();
+    Clock::time_point started_{};
     Clock::time_point last_shown_{};
 };
+
+// What the scene's reader left for the user, on stderr, unless quiet.
+void print_notes(const Scene& scene, bool quiet);
 
 }  // namespace poinsot

@@ -1,66 +1,43 @@
 // poinsot recover FILM: what an interrupted run has drawn, as a film that can be shown now.
 #include <fmt/format.h>
 
-#include <array>
-#include <filesystem>
-
 #include "cli/command.h"
-#include "error/error.h"
-#include "output/frame_sink.h"
-#include "production/chapters.h"
-#include "production/record.h"
-#include "scene/load_scene.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "production/recovery.h"
 #include "text/printable.h"
 
 namespace poinsot {
 
 namespace {
 
-// The chapters beside a film that ends early, as render writes them beside a whole one.
-void write_chapters_beside(const std::filesystem::path& path) {
-    const Record record = read_record(path);
-    // The record's scene is read as a file of its name in this folder would be.
-    const Session session = session_of(
-        parse_scene(record.scene_toml, record.scene_name + ".toml", {}, OutsideFiles::refused));
-    if (session.scene.chapters.empty() || !record.frames) return;
-    const FilmPlan film = film_plan(session);
-    const auto [first, last] = *record.frames;
-    OutputPlan plan;
-    plan.path = path;
-    plan.rate = film.rate;
-    plan.first_frame = first;
-    plan.n_frames = last - first + 1;
-    plan.chapters = chapters_of(session.scene, film, first, last);
-    write_chapters(plan, film);
-}
+struct RecoverChoices {
+    std::vector<std::string> films;
+    bool quiet = false;
+};
 
-int run(const Options& options) {
-    const std::filesystem::path film = options.arguments.at(0);
-    const std::int64_t n_frames = recover_film(film, told);
-    try {
-        write_chapters_beside(film);
-    } catch (const InputError& error) {
-        // The film is there; only what stands beside it needs the scene's files.
-        if (!options.quiet)
-            fmt::print(stderr, "note: no {}: {}\n", printable(chapters_path(film).string()),
-                       printable(error.what()));
-    }
-    if (!options.quiet)
-        fmt::print(stderr, "{}: the first {} frames\n", printable(film.string()), n_frames);
+int run(const RecoverChoices& choices) {
+    const std::string& film = choices.films.at(0);
+    Progress progress(choices.quiet);
+    const Telling telling = progress.telling();
+    const std::int64_t n_frames = recover(film, telling);
+    telling.say(fmt::format("{}: the first {} frames", printable(film), n_frames));
     return 0;
 }
 
-constexpr std::array<std::string_view, 1> options_taken{"quiet"};
+CommandLine line(std::any& room) {
+    auto& c = room.emplace<RecoverChoices>();
+    return {&c.films, {quiet_option(c.quiet)}, [&c] { return run(c); }};
+}
 
 }  // namespace
 
-const Command recover_command{"recover",
-                              "FILM",
-                              1,
-                              1,
-                              "make a film of what an interrupted run has drawn; render goes on "
-                              "from there instead",
-                              options_taken,
-                              run};
+const Command recover_command{
+    "recover",
+    "FILM",
+    1,
+    1,
+    "make a film of what an interrupted run has drawn; render goes on from there instead",
+    line};
 
 }  // namespace poinsot

@@ -1,21 +1,52 @@
 // poinsot sample SCENE --times T,T,…: the motion as data.
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "cli/command.h"
-#include "cli/requests.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "error/error.h"
 #include "production/session.h"
 
 namespace poinsot {
 
 namespace {
 
-int run(const Options& options) {
-    const Session session = open_session(scene_request_of(options), Purpose::numbers);
-    print_notes(session.scene, options.quiet);
+struct SampleChoices {
+    std::vector<std::string> scenes;
+    SceneOptions scene;
+    std::vector<double> times_s;
+    bool quiet = false;
+};
+
+std::vector<double> parse_times(const std::string& text) {
+    std::vector<double> times;
+    std::size_t from = 0;
+    while (from <= text.size()) {
+        const std::size_t comma = std::min(text.find(',', from), text.size());
+        const std::string item = text.substr(from, comma - from);
+        char* end = nullptr;
+        const double time = std::strtod(item.c_str(), &end);
+        if (item.empty() || *end != '\0' || !std::isfinite(time)) {
+            throw InputError(fmt::format(
+                "--times: \"{}\" is not a time in seconds; write T,T,… as in 0,0.5,1", item));
+        }
+        times.push_back(time);
+        from = comma + 1;
+    }
+    return times;
+}
+
+int run(const SampleChoices& choices) {
+    SceneRequest request = scene_request_of(choices.scenes.at(0), choices.scene);
+    request.times_s = choices.times_s;
+    const Session session = open_session(request, Purpose::numbers);
+    print_notes(session.scene, choices.quiet);
     const bool top = session.motion.regime() == Regime::heavy_top;
 
     // Shortest decimals that give each double back.
@@ -24,7 +55,7 @@ int run(const Options& options) {
         "time_s,omega_body_1,omega_body_2,omega_body_3,q_w,q_x,q_y,q_z,"
         "herpolhode_x,herpolhode_y,herpolhode_z{}\n",
         top ? ",theta_rad,phi_rad,psi_rad" : "");
-    for (const double time_s : options.times_s) {
+    for (const double time_s : choices.times_s) {
         const MotionSample sample = session.motion.sample(
             time_s, {.attitude = true, .herpolhode = true, .euler_angles = top});
         const Eigen::Vector3d& w = sample.state.omega_body;
@@ -42,11 +73,23 @@ int run(const Options& options) {
     return 0;
 }
 
-constexpr std::array<std::string_view, 4> options_taken{"set", "times", "quiet", "allow-outside"};
+CommandLine line(std::any& room) {
+    auto& c = room.emplace<SampleChoices>();
+    return {&c.scenes,
+            {set_option(c.scene),
+             {"--times",
+              "T,T,…: instants of the motion in seconds",
+              ReadText([&c](const std::string& text) { c.times_s = parse_times(text); }),
+              {},
+              true},
+             quiet_option(c.quiet),
+             allow_outside_option(c.scene.allow_outside)},
+            [&c] { return run(c); }};
+}
 
 }  // namespace
 
-const Command sample_command{"sample",      "SCENE", 1, 1, "print the motion at given times as CSV",
-                             options_taken, run};
+const Command sample_command{"sample", "SCENE", 1, 1, "print the motion at given times as CSV",
+                             line};
 
 }  // namespace poinsot

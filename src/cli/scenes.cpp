@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <string>
 
 #include "error/error.h"
 #include "output/frame_name.h"
@@ -14,22 +13,19 @@
 
 namespace poinsot {
 
-std::vector<Options> options_by_scene(const Options& options) {
-    if (options.arguments.size() == 1) return {options};
-    if (!options.output.empty() && !has_frame_number(options.output))
+std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std::string& output) {
+    if (scenes.size() == 1) return {{scenes.front(), output}};
+    if (!output.empty() && !has_frame_number(output))
         throw InputError(fmt::format(
             "{}: {} scenes cannot go to one name; put #### into it for the scene's number, or "
             "leave -o out to name each after its scene",
-            printable(options.output), options.arguments.size()));
-    std::vector<Options> each;
-    for (const std::string& scene : options.arguments) {
-        Options& own = each.emplace_back(options);
-        own.arguments = {scene};
-        if (!options.output.empty())
-            own.output =
-                frame_name(options.output, static_cast<std::int64_t>(each.size()) - 1).string();
+            printable(output), scenes.size()));
+    std::vector<SceneJob> jobs;
+    for (const std::string& scene : scenes) {
+        const auto number = static_cast<std::int64_t>(jobs.size());
+        jobs.push_back({scene, output.empty() ? "" : frame_name(output, number).string()});
     }
-    return each;
+    return jobs;
 }
 
 int code_of_one(const std::function<int()>& job) {
@@ -41,11 +37,11 @@ int code_of_one(const std::function<int()>& job) {
     }
 }
 
-int for_each_scene(const Options& options, const std::function<int(const Options&)>& job) {
-    const std::vector<Options> each = options_by_scene(options);
-    if (each.size() == 1) return job(each.front());
+int for_each_scene(const std::vector<SceneJob>& jobs,
+                   const std::function<int(const SceneJob&)>& run) {
+    if (jobs.size() == 1) return run(jobs.front());
     int worst = 0;
-    for (const Options& own : each) worst = std::max(worst, code_of_one([&] { return job(own); }));
+    for (const SceneJob& job : jobs) worst = std::max(worst, code_of_one([&] { return run(job); }));
     return worst;
 }
 

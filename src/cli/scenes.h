@@ -1,25 +1,28 @@
-// A command over one scene or many: each gets a name of its own to write to, and one that is bad
-// does not keep the others from being made.
+// One command over several scenes: each by itself, and one that is refused stops no other.
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
-
-#include "cli/options.h"
 
 namespace poinsot {
 
-// The options for each scene that they name, with which they name it alone: with one scene as they
-// are; with several, the first #### of the output counts the scenes from 0. Throws InputError if
-// several scenes would be written to one name.
-std::vector<Options> options_by_scene(const Options& options);
+struct SceneJob {
+    std::string scene;
+    std::string output;  // empty: named after the scene
+};
+
+// One for each scene: with one scene its output is as given; with several, the first #### of it
+// counts the scenes from 0. Throws InputError if several scenes would be written to one name.
+std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std::string& output);
 
 // The exit code of a job over one of several scenes: one that is refused is said on stderr and
 // counts as 2.
 int code_of_one(const std::function<int()>& job);
 
-// `job` is called for each scene in turn. Returns the largest exit code. Throws what the job throws
-// of a scene alone, and InputError as options_by_scene does.
-int for_each_scene(const Options& options, const std::function<int(const Options&)>& job);
+// `run` is called for each job in turn. Returns the largest exit code. Throws what it throws of a
+// scene alone.
+int for_each_scene(const std::vector<SceneJob>& jobs,
+                   const std::function<int(const SceneJob&)>& run);
 
 }  // namespace poinsot

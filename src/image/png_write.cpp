@@ -127,9 +127,7 @@ std::vector<std::uint8_t> encode_png(const Image& image, const PngOptions& optio
 void write_png(const std::filesystem::path& path, const Image& image, const PngOptions& options) {
     PngEncoder encoder(options);
     const std::span<const std::uint8_t> contents = encoder.encode(image);
-    AtomicFile file(path);
-    file.write(contents);
-    file.commit();
+    write_whole(path, contents);
 }
 
 }  // namespace poinsot

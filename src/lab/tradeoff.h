@@ -82,4 +82,12 @@ struct FilmTrades {
 };
 FilmTrades trade_film(const Session& session, const ContextChoice& choice, const FilmPlan& film);
 
+// All three.
+struct Tradeoff {
+    MotionTrades motion;
+    PictureTrades picture;
+    FilmTrades film;
+};
+Tradeoff trade(const Session& session, const ContextChoice& choice);
+
 }  // namespace poinsot

@@ -65,9 +65,7 @@ class PngSequenceSink : public FrameSink {
         const std::int64_t frame_number = plan_.first_frame + n_kept_ + number;
         encoder.set_texts(texts_of(plan_, frame_number, frame));
         const auto contents = encoder.encode(frame);
-        AtomicFile file(frame_name(plan_.path, frame_number));
-        file.write(contents);
-        file.commit();
+        write_whole(frame_name(plan_.path, frame_number), contents);
         if (number == 0) check_room(plan_.path, contents.size(), 1, plan_.n_frames - n_kept_);
     }
 

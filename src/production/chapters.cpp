@@ -73,9 +73,7 @@ void write_chapters(const OutputPlan& plan, const FilmPlan& film) {
             i + 1 < plan.chapters.size() ? "," : "");
     }
     text += "  ]\n}\n";
-    AtomicFile file(chapters_path(plan.path));
-    file.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    file.commit();
+    write_whole(chapters_path(plan.path), text);
 }
 
 }  // namespace poinsot

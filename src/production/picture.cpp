@@ -70,7 +70,7 @@ PictureMaker::PictureMaker(Staging staging, Easel& easel)
     : staging_(std::move(staging)), context_(&easel.context()), renderer_(&easel.renderer()) {}
 
 PictureMaker::PictureMaker(const Session& session, Easel& easel, const PictureSpan& span)
-    : PictureMaker(Staging(session, span, easel.print()), easel) {}
+    : PictureMaker(Staging(session, span, setting_of(session.scene)), easel) {}
 
 PictureMaker::PictureMaker(const Session& session, const OffscreenContext& context,
                            const PictureSpan& span, const PictureSetting& setting)

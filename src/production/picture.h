@@ -32,8 +32,7 @@ OffscreenContext make_context(const ContextChoice& choice,
 // all. Opened when first asked for.
 class Easel {
  public:
-    explicit Easel(const ContextChoice& choice = {}, const PrintChoices& print = {})
-        : choice_(choice), print_(print) {}
+    explicit Easel(const ContextChoice& choice = {}) : choice_(choice) {}
 
     // Of use before the context is opened: a single small picture is drawn sooner than its shaders
     // are optimised.
@@ -42,11 +41,11 @@ class Easel {
     // Throw as make_context does.
     const OffscreenContext& context();
     Renderer& renderer();
-    const PrintChoices& print() const { return print_; }
+    // Whether it draws the same bytes on every processor.
+    bool is_portable() const { return choice_.portability == Portability::portable; }
 
  private:
     ContextChoice choice_;
-    PrintChoices print_;
     ShaderCompilation compilation_ = ShaderCompilation::thorough;
     std::optional<OffscreenContext> context_;
     std::optional<Renderer> renderer_;

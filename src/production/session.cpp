@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "drawing/reach.h"
@@ -178,9 +177,8 @@ FilmPlan film_plan(const Session& session) {
     return plan;
 }
 
-void print_notes(const Scene& scene, bool quiet) {
-    if (quiet) return;
-    for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", printable(note));
+void tell_notes(const Scene& scene, const Telling& telling) {
+    for (const std::string& note : scene.notes) telling.say("note: " + printable(note));
 }
 
 }  // namespace poinsot

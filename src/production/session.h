@@ -15,6 +15,7 @@
 #include "output/frame_sink.h"
 #include "production/loop.h"
 #include "production/print_size.h"
+#include "production/telling.h"
 #include "scene/film_clock.h"
 #include "scene/load_scene.h"
 #include "scene/scene.h"
@@ -80,7 +81,7 @@ Certificate certify_film(const Session& session, const FilmPlan& film);
 // The certificate as lines of text, one a claim, with what was measured and what was promised.
 std::string text_of(const Certificate& certificate);
 
-// Notes that the scene's reader left for the user, on stderr, unless quiet.
-void print_notes(const Scene& scene, bool quiet);
+// What the scene's reader left for the user.
+void tell_notes(const Scene& scene, const Telling& telling);
 
 }  // namespace poinsot

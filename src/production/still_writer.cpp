@@ -1,27 +1,24 @@
 #include "production/still_writer.h"
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <utility>
 
 namespace poinsot {
 
 void StillWriter::write(OutputPlace&& place, Image&& picture, PngOptions&& png,
-                        std::string&& words) {
+                        std::function<void()>&& written) {
     finish();
-    words_ = std::move(words);
+    written_ = std::move(written);
     place_.emplace(std::move(place));
     // Where no thread can be had, finish() writes.
-    written_ = std::async([path = place_->path(), picture = std::move(picture),
+    writing_ = std::async([path = place_->path(), picture = std::move(picture),
                            png = std::move(png)] { write_png(path, picture, png); });
 }
 
 void StillWriter::finish() {
-    if (!written_.valid()) return;
-    written_.get();
+    if (!writing_.valid()) return;
+    writing_.get();
     place_.reset();
-    fmt::print(stderr, "{}", words_);
+    written_();
 }
 
 }  // namespace poinsot

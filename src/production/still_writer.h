@@ -2,9 +2,9 @@
 // long as drawing a small one.
 #pragma once
 
+#include <functional>
 #include <future>
 #include <optional>
-#include <string>
 
 #include "image/image.h"
 #include "image/png.h"
@@ -16,17 +16,18 @@ namespace poinsot {
 // what was not asked for is lost: finish() asks.
 class StillWriter {
  public:
-    // Returns while the picture is being written; words are said on stderr once it is there. Throws
-    // what the one before threw.
-    void write(OutputPlace&& place, Image&& picture, PngOptions&& png, std::string&& words);
+    // Returns while the picture is being written; `written` is called by the next call of this
+    // object once it is there. Throws what the one before threw.
+    void write(OutputPlace&& place, Image&& picture, PngOptions&& png,
+               std::function<void()>&& written);
 
-    // Waits for the last, and says its words. Throws EnvironmentError as write_png does.
+    // Waits for the last. Throws EnvironmentError as write_png does.
     void finish();
 
  private:
     std::optional<OutputPlace> place_;  // until the picture lies there
-    std::future<void> written_;
-    std::string words_;
+    std::future<void> writing_;
+    std::function<void()> written_;
 };
 
 }  // namespace poinsot

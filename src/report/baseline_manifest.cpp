@@ -162,10 +162,7 @@ std::optional<BaselineManifest> read_if_there(const std::filesystem::path& path)
 }
 
 void write(const std::filesystem::path& path, const BaselineManifest& manifest) {
-    const std::string text = to_text(manifest);
-    AtomicFile file(path);
-    file.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    file.commit();
+    write_whole(path, to_text(manifest));
 }
 
 }  // namespace

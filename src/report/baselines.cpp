@@ -22,9 +22,7 @@ void copy_picture(const fs::path& from, const fs::path& to) {
     if (!file) throw EnvironmentError(fmt::format("{}: cannot be read", from.string()));
     std::error_code ignored;  // the write that follows says what is wrong
     fs::create_directories(to.parent_path(), ignored);
-    AtomicFile copy(to);
-    copy.write(bytes);
-    copy.commit();
+    write_whole(to, bytes);
 }
 
 fs::path picture_in(const fs::path& folder, const std::string& name) {

@@ -202,4 +202,14 @@ void AtomicFile::discard() noexcept {
     aside_.clear();
 }
 
+void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+    AtomicFile file(path);
+    file.write(bytes);
+    file.commit();
+}
+
+void write_whole(const std::filesystem::path& path, std::string_view text) {
+    write_whole(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
 }  // namespace poinsot

@@ -70,4 +70,8 @@ class AtomicFile {
     bool keeps_ = false;
 };
 
+// A whole file at once. Throws EnvironmentError.
+void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+void write_whole(const std::filesystem::path& path, std::string_view text);
+
 }  // namespace poinsot

@@ -36,13 +36,13 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"render", {"error", "text", "system", "image", "shapes"}},
     {"vector", {"error", "text", "system", "image", "shapes"}},
     {"output", {"error", "text", "system", "image"}},
-    {"report", {"error", "text", "system", "image"}},
     {"production",
      {"error", "text", "system", "mesh", "mechanics", "scene", "construction", "typeset", "shapes",
       "drawing", "render", "vector", "image", "output"}},
     {"lab",
      {"error", "text", "system", "mechanics", "scene", "construction", "shapes", "drawing",
       "render", "image", "output", "production"}},
+    {"report", {"error", "text", "system", "image", "production"}},
     {"cli",
      {"error", "text", "system", "mesh", "mechanics", "scene", "construction", "typeset", "shapes",
       "drawing", "render", "image", "output", "report", "production", "lab"}},
@@ -185,6 +185,28 @@ TEST(House, MainSeesOnlyTheCommandLine) {
         const std::string folder = header.substr(1, header.find('/') - 1);
         EXPECT_TRUE(folder == "cli" || folder == "error" || folder == "text") << line;
     }
+}
+
+// Commands are tried by running the program; whoever needs a picture asks production/ for it.
+TEST(House, NoTestOfAnotherLayerKnowsTheCommandLine) {
+    const fs::path tests = poinsot::source_folder() / "tests";
+    int n_files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(tests)) {
+        const fs::path relative = fs::relative(entry.path(), tests);
+        const std::string extension = entry.path().extension().string();
+        const bool is_cmake = entry.path().filename() == "CMakeLists.txt";
+        if (*relative.begin() == "cli" || (!is_cmake && extension != ".cpp" && extension != ".h"))
+            continue;
+        ++n_files;
+        std::ifstream file(entry.path());
+        for (std::string line; std::getline(file, line);) {
+            if (is_cmake)
+                EXPECT_EQ(line.find("poinsot_cli"), std::string::npos) << relative << ": " << line;
+            else
+                EXPECT_NE(included_header(line).rfind("\"cli/", 0), 0u) << relative << ": " << line;
+        }
+    }
+    EXPECT_GT(n_files, 100);
 }
 
 TEST(House, EveryFolderHasItsTestsAndTarget) {

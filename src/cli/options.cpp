@@ -1,0 +1,89 @@
+#include "cli/options.h"
+
+#include <fmt/format.h>
+
+#include "error/error.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+// An option that says a scene's key. A bare word becomes a TOML string; numbers stay as they are.
+Option override_option(SceneOptions& scene, const char* flag, const char* key, const char* help) {
+    return {flag, help, ReadText([&scene, key](const std::string& value) {
+                scene.overrides.push_back(fmt::format("{}={}", key, value));
+            }),
+            ""};
+}
+
+}  // namespace
+
+Option set_option(SceneOptions& scene) {
+    return {"--set", "key=value: change any scene key; repeatable", Repeated{&scene.overrides},
+            "KEY=VALUE"};
+}
+
+Option size_option(SceneOptions& scene) {
+    return override_option(scene, "--size", "film.size", "WxH: size of the picture in pixels");
+}
+
+Option fps_option(SceneOptions& scene) {
+    return override_option(scene, "--fps", "film.fps", "N or N/D: video frames a second");
+}
+
+Option quality_option(SceneOptions& scene) {
+    return override_option(scene, "--quality", "film.quality",
+                           "draft, lecture, print or reference");
+}
+
+Option theme_option(SceneOptions& scene) {
+    return override_option(scene, "--theme", "theme",
+                           "light, dark, print, colour-blind, transparent or transparent-dark");
+}
+
+Option allow_outside_option(bool& allow_outside) {
+    return {"--allow-outside", "let the scene name files outside of its folder", &allow_outside};
+}
+
+SceneRequest scene_request_of(const std::string& file, const SceneOptions& options) {
+    SceneRequest request;
+    request.file = file;
+    request.overrides = options.overrides;
+    request.outside = outside_files(options.allow_outside);
+    return request;
+}
+
+OutsideFiles outside_files(bool allow_outside) {
+    return allow_outside ? OutsideFiles::allowed : OutsideFiles::refused;
+}
+
+Option backend_option(ContextOptions& context) {
+    return {"--backend", "auto, osmesa or egl", &context.backend};
+}
+
+Option portable_option(ContextOptions& context) {
+    return {"--portable", "the same bytes on every processor", &context.portable};
+}
+
+ContextChoice context_choice_of(const ContextOptions& options) {
+    ContextChoice choice;
+    choice.portability = options.portable ? Portability::portable : Portability::native;
+    if (options.backend == "osmesa") {
+        choice.backend = Backend::osmesa;
+    } else if (options.backend == "egl") {
+        choice.backend = Backend::egl;
+    } else if (options.backend != "auto") {
+        throw InputError(fmt::format("--backend {}: unknown; choose auto, osmesa or egl",
+                                     printable(options.backend)));
+    }
+    return choice;
+}
+
+Option output_option(std::string& output) { return {"-o,--output", "where to write", &output}; }
+
+Option json_option(bool& json) { return {"--json", "answer in JSON", &json}; }
+
+Option quiet_option(bool& quiet) { return {"--quiet,-q", "no progress, no notes", &quiet}; }
+
+}  // namespace poinsot

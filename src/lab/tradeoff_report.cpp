@@ -1,0 +1,170 @@
+#include "lab/tradeoff_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <thread>
+
+#include "text/json_text.h"
+
+namespace poinsot {
+
+namespace {
+
+std::string machine_in_words() {
+    std::ifstream cpuinfo("/proc/cpuinfo");
+    std::string model = "unknown processor";
+    for (std::string line; std::getline(cpuinfo, line);) {
+        if (line.rfind("model name", 0) != 0) continue;
+        model = line.substr(line.find(':') + 2);
+        break;
+    }
+    return fmt::format("{}, {} cores", model, std::thread::hardware_concurrency());
+}
+
+std::string how_measured(const Tradeoff& t) {
+    return fmt::format(
+        "processor time, medians of at least {} runs (motion), {} (picture), 3 (film) on {}",
+        t.motion.n_runs, t.picture.n_runs, machine_in_words());
+}
+
+// The cheapest row of the motion within a displacement, or null.
+const MotionTrade* cheapest_within(const MotionTrades& trades, double displacement_px,
+                                   bool exact_too) {
+    const MotionTrade* best = nullptr;
+    for (const MotionTrade& row : trades.rows) {
+        if (row.displacement_px > displacement_px || (!exact_too && row.method == "exact"))
+            continue;
+        if (best == nullptr || row.ns_a_frame < best->ns_a_frame) best = &row;
+    }
+    return best;
+}
+
+std::string advice(const Session& session, const Tradeoff& t) {
+    const double accuracy_px = session.scene.accuracy_px;
+    const MotionTrade* any = cheapest_within(t.motion, accuracy_px, true);
+    const MotionTrade* stepped = cheapest_within(t.motion, accuracy_px, false);
+    const auto draft = t.picture.rows.size() > 2 ? t.picture.rows[2].ms_a_frame : 0.0;
+    if (any == nullptr) {
+        return fmt::format("No method reaches {} px here: give a shorter film or a smaller step.",
+                           accuracy_px);
+    }
+    std::string text =
+        fmt::format("Use {}{}{}", any->method, any->setting.empty() ? "" : " with ", any->setting);
+    if (any->method == "exact" && stepped != nullptr) {
+        text += fmt::format(", at {:.2g} of the cost of the cheapest stepper within {} px ({}, {})",
+                            any->ns_a_frame / stepped->ns_a_frame, accuracy_px, stepped->method,
+                            stepped->setting);
+    }
+    return text + fmt::format(
+                      "; the motion is {:.2g} % of what drawing a frame costs, so time is won in "
+                      "the picture and the encoder.",
+                      any->ns_a_frame * 1e-6 / std::max(draft, 1e-9) * 100.0);
+}
+
+std::string drift(double value) {
+    return std::isfinite(value) ? fmt::format("{:.2e}", value) : "-";
+}
+
+}  // namespace
+
+std::string table_of(const Session& session, const Tradeoff& t) {
+    std::string text;
+    text += fmt::format("motion: {} frames, against {}\n", t.motion.n_frames, t.motion.truth);
+    text += fmt::format("  {:12} {:18} {:>11} {:>9} {:>10} {:>10} {:>10} {:>10}\n", "method",
+                        "setting", "ns/frame", "evals", "angle/rad", "T drift", "L drift", "px");
+    for (const MotionTrade& r : t.motion.rows) {
+        text += fmt::format("{} {:12} {:18} {:11.0f} {:9.1f} {:10.2e} {:>10} {:>10} {:10.2e}\n",
+                            r.on_front ? "*" : " ", r.method, r.setting, r.ns_a_frame,
+                            r.evaluations_a_frame, r.attitude_rad, drift(r.energy),
+                            drift(r.momentum), r.displacement_px);
+    }
+    text += fmt::format("picture: {}×{}, against {}\n", t.picture.width_px, t.picture.height_px,
+                        t.picture.reference);
+    text += fmt::format("  {:48} {:10} {:>9} {:>11} {:>8}\n", "setting", "quality", "ms/frame",
+                        "rms levels", "largest");
+    for (const PictureTrade& r : t.picture.rows) {
+        text += fmt::format("{} {:48} {:10} {:9.2f} {:11.4f} {:8.0f}\n", r.on_front ? "*" : " ",
+                            r.setting, r.quality, r.ms_a_frame, r.rms_levels, r.largest_levels);
+    }
+    text += fmt::format("film: {} frames of {}×{}, H.264\n", t.film.n_frames, t.film.width_px,
+                        t.film.height_px);
+    text +=
+        fmt::format("  {:12} {:>9} {:>12} {:>9}\n", "quality", "ms/frame", "bytes/frame", "SSIM");
+    for (const FilmTrade& r : t.film.rows) {
+        text += fmt::format("{} {:12} {:9.2f} {:12.0f} {:9.5f}\n", r.on_front ? "*" : " ",
+                            r.quality, r.ms_a_frame, r.bytes_a_frame, r.ssim);
+    }
+    text += fmt::format("*: on the Pareto front. {}.\n{}\n", how_measured(t), advice(session, t));
+    return text;
+}
+
+std::string csv_of(const Tradeoff& t) {
+    std::string csv = "table,name,setting,cost_ns_a_frame,error,error_is,on_front\n";
+    for (const MotionTrade& r : t.motion.rows) {
+        csv += fmt::format("motion,{},{},{},{},attitude_rad,{}\n", r.method, r.setting,
+                           r.ns_a_frame, r.attitude_rad, r.on_front);
+    }
+    for (const PictureTrade& r : t.picture.rows) {
+        csv += fmt::format("picture,{},\"{}\",{},{},rms_levels,{}\n", r.quality, r.setting,
+                           r.ms_a_frame * 1e6, r.rms_levels, r.on_front);
+    }
+    for (const FilmTrade& r : t.film.rows) {
+        csv += fmt::format("film,{},,{},{},one_minus_ssim,{}\n", r.quality, r.ms_a_frame * 1e6,
+                           1.0 - r.ssim, r.on_front);
+    }
+    return csv;
+}
+
+std::string json_of(const Session& session, const Tradeoff& t) {
+    std::string json = fmt::format("{{\n  \"scene\": {},\n  \"measured\": {},\n  \"advice\": {},\n",
+                                   json_string(session.scene.name), json_string(how_measured(t)),
+                                   json_string(advice(session, t)));
+    const auto rows = [&json](const char* name, const auto& table, const auto& row_text,
+                              bool last) {
+        json += fmt::format("  \"{}\": [\n", name);
+        for (std::size_t i = 0; i < table.size(); ++i) {
+            json += "    " + row_text(table[i]) + (i + 1 < table.size() ? ",\n" : "\n");
+        }
+        json += last ? "  ]\n}\n" : "  ],\n";
+    };
+    rows(
+        "motion", t.motion.rows,
+        [](const MotionTrade& r) {
+            return fmt::format(
+                "{{\"method\": {}, \"setting\": {}, \"ns_a_frame\": {}, \"evaluations_a_frame\": "
+                "{}, "
+                "\"attitude_rad\": {}, \"energy\": {}, \"momentum\": {}, \"displacement_px\": {}, "
+                "\"on_front\": {}}}",
+                json_string(r.method), json_string(r.setting), json_number(r.ns_a_frame),
+                json_number(r.evaluations_a_frame), json_number(r.attitude_rad),
+                json_number(r.energy), json_number(r.momentum), json_number(r.displacement_px),
+                r.on_front);
+        },
+        false);
+    rows(
+        "picture", t.picture.rows,
+        [](const PictureTrade& r) {
+            return fmt::format(
+                "{{\"setting\": {}, \"quality\": {}, \"ms_a_frame\": {}, \"rms_levels\": {}, "
+                "\"on_front\": {}}}",
+                json_string(r.setting), json_string(r.quality), json_number(r.ms_a_frame),
+                json_number(r.rms_levels), r.on_front);
+        },
+        false);
+    rows(
+        "film", t.film.rows,
+        [](const FilmTrade& r) {
+            return fmt::format(
+                "{{\"quality\": {}, \"ms_a_frame\": {}, \"bytes_a_frame\": {}, \"ssim\": {}, "
+                "\"on_front\": {}}}",
+                json_string(r.quality), json_number(r.ms_a_frame), json_number(r.bytes_a_frame),
+                json_number(r.ssim), r.on_front);
+        },
+        true);
+    return json;
+}
+
+}  // namespace poinsot

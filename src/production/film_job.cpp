@@ -1,0 +1,129 @@
+#include "production/film_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "error/error.h"
+#include "output/frame_name.h"
+#include "output/pipeline.h"
+#include "production/chapters.h"
+#include "production/output_place.h"
+#include "production/record.h"
+#include "system/interrupt.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+// What an interrupted run has left is gone on from, and the user is told.
+void note_kept(const OutputPlan& plan, std::int64_t n_kept, bool film, const Telling& telling) {
+    if (n_kept == 0) return;
+    if (n_kept < plan.n_frames)
+        return telling.say(
+            fmt::format("note: going on with frame {} of {}, where an interrupted run ended",
+                        plan.first_frame + n_kept, printable(plan.path.string())));
+    if (film)
+        return telling.say(fmt::format("note: an interrupted run has drawn all frames of {}",
+                                       printable(plan.path.string())));
+    telling.say(fmt::format(
+        "note: all {} frames of {} are there, of this very scene; remove them to have them drawn "
+        "again",
+        n_kept, printable(plan.path.string())));
+}
+
+// A shorter run over a longer one, or one of other frames, leaves pictures that are not its own.
+void note_others(const OutputPlan& plan, const Telling& telling) {
+    std::vector<std::int64_t> others = frames_there(plan.path);
+    std::erase_if(others, [&plan](std::int64_t frame) {
+        return frame >= plan.first_frame && frame < plan.first_frame + plan.n_frames;
+    });
+    if (others.empty()) return;
+    const auto name = [&plan](std::int64_t frame) {
+        return printable(frame_name(plan.path, frame).filename().string());
+    };
+    telling.say(fmt::format(
+        "note: {} of another run beside these: {}{}; remove {} or name another output",
+        others.size() == 1 ? "there is a frame" : fmt::format("there are {} frames", others.size()),
+        name(others.front()), others.size() == 1 ? "" : fmt::format(" to {}", name(others.back())),
+        others.size() == 1 ? "it" : "them"));
+}
+
+}  // namespace
+
+FilmJob::FilmJob(const Session& session, FilmRequest request)
+    : session_(&session),
+      request_(std::move(request)),
+      film_(film_plan(session)),
+      first_(request_.frames ? request_.frames->first : 0),
+      last_(request_.frames ? request_.frames->second : film_.n_frames - 1) {
+    if (last_ >= film_.n_frames)
+        throw InputError(
+            fmt::format("--frames {}-{}: the film has frames 0-{}; ask for a part of those", first_,
+                        last_, film_.n_frames - 1));
+}
+
+OutputPlan FilmJob::output_plan(const std::filesystem::path& path) const {
+    const FilmSpec& film = session_->scene.film;
+    OutputPlan plan;
+    plan.path = path;
+    plan.width_px = film.width_px;
+    plan.height_px = film.height_px;
+    plan.rate = film_.rate;
+    plan.first_frame = first_;
+    plan.n_frames = last_ - first_ + 1;
+    plan.quality = film.quality;
+    plan.chapters = chapters_of(session_->scene, film_, first_, last_);
+    plan.resume = true;
+    return plan;
+}
+
+void FilmJob::make(Easel& easel, const Telling& telling) const {
+    const Scene& scene = session_->scene;
+    tell_notes(scene, telling);
+    const OutputPlace place(request_.output, scene, ".mp4");
+    OutputPlan plan = output_plan(place.path());
+    watch_for_interrupts();
+    const OutputFormat& format = format_for(plan.path);
+    if (request_.n_shown > 0 && request_.n_shown < plan.n_frames) {
+        // Packets know of the frames that follow in their chunk.
+        const std::int64_t chunk = format.n_chunk_frames;
+        plan.n_frames = std::min(plan.n_frames, (request_.n_shown + chunk - 1) / chunk * chunk);
+        plan.n_shown = request_.n_shown;
+    }
+    PictureMaker pictures(*session_, easel,
+                          {.first_time_s = film_.time_of(0), .last_time_s = film_.time_of(last_)});
+    Record record = record_of(*session_, pictures, easel.is_portable());
+    record.frames = {first_, last_};
+    plan.metadata = to_text(record);
+    plan.tell = told;
+    AsyncSink sink(format.open(plan));
+    note_kept(plan, sink.n_frames_kept(), format.film, telling);
+    telling.begin(scene.name, plan.n_frames);
+
+    // The first picture is drawn whole, the second keeps what stands still, the third has it.
+    constexpr std::int64_t n_to_compile = 3;
+    const std::int64_t first_drawn = first_ + sink.n_frames_kept();
+    for (std::int64_t frame = first_drawn; frame < first_ + plan.n_frames; ++frame) {
+        stop_if_interrupted();
+        Image image = sink.spare();
+        pictures.draw(film_.moment_of(frame), image);
+        sink.write_moved(std::move(image));
+        if (frame == first_drawn + n_to_compile - 1) easel.context().shaders_are_compiled();
+        telling.done(frame - first_ + 1);
+    }
+    sink.finish();
+    if (plan.n_shown > 0) {
+        plan.n_frames = plan.n_shown;
+        plan.chapters = chapters_of(scene, film_, first_, first_ + plan.n_shown - 1);
+    }
+    if (!plan.chapters.empty() && (format.film || format.name == "png-sequence"))
+        write_chapters(plan, film_);
+    if (format.name == "png-sequence") note_others(plan, telling);
+    telling.finish(printable(plan.path.string()));
+    telling.say(in_words(pictures.bound(), scene.accuracy_px));
+}
+
+}  // namespace poinsot

@@ -1,0 +1,15 @@
+// What an interrupted run has drawn, as a film that can be shown now.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "production/telling.h"
+
+namespace poinsot {
+
+// Makes the film of the frames that are there, and its chapters beside it, if what they need is
+// still to be had. Returns the number of frames. Throws InputError, EnvironmentError.
+std::int64_t recover(const std::filesystem::path& film, const Telling& telling);
+
+}  // namespace poinsot

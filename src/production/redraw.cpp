@@ -1,0 +1,110 @@
+#include "production/redraw.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "error/error.h"
+#include "image/pixel_check.h"
+#include "image/png.h"
+#include "output/film_metadata.h"
+#include "production/film_job.h"
+#include "production/record.h"
+#include "production/still_job.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+// What keeps this machine from drawing as the one that made the file, in words for the user.
+void note_differences(const Record& then, const Record& now, const Telling& telling) {
+    const auto note = [&](std::string_view what, const std::string& was, const std::string& is) {
+        if (was == is) return;
+        telling.say(fmt::format("note: made with {} {}, this is {}: the bytes may differ", what,
+                                printable(was), printable(is)));
+    };
+    note("poinsot", then.version, now.version);
+    note("the renderer", then.renderer, now.renderer);
+    note("Mesa", then.mesa, now.mesa);
+}
+
+// One frame of a sequence carries the record of the whole, whose histories it shows.
+void redraw_frame(const RedrawRequest& request, const Record& record, const Session& session,
+                  Easel& easel) {
+    // A picture of an older poinsot does not say which of the frames it is.
+    const auto frame = record.frame ? record.frame : frame_of_name(request.file);
+    const auto [first, last] = *record.frames;
+    if (!frame || *frame < first || *frame > last)
+        throw InputError(fmt::format(
+            "{}: is one of the frames {}-{} of a sequence, and its name does not say which; let "
+            "the name end in the frame's number",
+            printable(request.file.string()), first, last));
+    const FilmPlan film = film_plan(session);
+    PictureMaker pictures(session, easel,
+                          {.first_time_s = film.time_of(0), .last_time_s = film.time_of(last)});
+    Image image;
+    pictures.draw(film.moment_of(*frame), image);
+    Record again = record_of(session, pictures, easel.is_portable());
+    again.frames = record.frames;
+    PngOptions png;
+    png.texts[kMetadataName] =
+        told(to_text(again), {.frame = *frame, .pixels = pixel_check(image)});
+    write_png(request.output, image, png);
+}
+
+// The record's scene, read as a file of its name in this folder would be.
+Scene scene_of(const RedrawRequest& request, const Record& record) {
+    Scene scene = parse_scene(record.scene_toml, record.scene_name + ".toml", {}, request.outside);
+    scene.notes.clear();
+    if (mesh_hash_of(scene) != record.mesh_hash)
+        throw InputError(
+            fmt::format("{}: {} is not the mesh it was drawn with; put that one back",
+                        printable(request.file.string()),
+                        printable(scene.body.mesh.empty() ? scene.object.mesh : scene.body.mesh)));
+    return scene;
+}
+
+StillRequest still_request_of(const RedrawRequest& request, const Record& record) {
+    StillRequest still{.output = request.output.string(), .time_s = record.time_s};
+    still.print.dpi = record.dpi;
+    still.print.type_pt = record.type_pt;
+    still.bit_depth = record.bit_depth;
+    return still;
+}
+
+}  // namespace
+
+void redraw(const RedrawRequest& request, const Telling& telling) {
+    const Record record = read_record(request.file);
+    const bool is_picture = request.file.extension() == ".png";
+    if (is_picture != (request.output.extension() == ".png"))
+        throw InputError(fmt::format("{}: {} is drawn again as one of its kind; choose a name {}",
+                                     printable(request.output.string()),
+                                     printable(request.file.string()),
+                                     is_picture ? "in .png" : "in .mp4, .webm or .gif"));
+
+    const double time_s = record.time_s.value_or(0.0);
+    Session session = session_of(scene_of(request, record), {&time_s, 1});
+    Easel easel({.backend = request.backend,
+                 .portability = record.portable ? Portability::portable : Portability::native});
+    if (record.time_s) {
+        StillWriter writer;
+        StillJob(std::move(session), still_request_of(request, record))
+            .draw(easel, writer, telling);
+        writer.finish();
+    } else if (is_picture) {
+        redraw_frame(request, record, session, easel);
+    } else {
+        // Of a film that was recovered, the frames that it has of the run that was interrupted.
+        const auto [first, last] = *record.frames;
+        FilmRequest film{request.output.string(), record.run ? record.run : record.frames};
+        if (record.run) film.n_shown = last - first + 1;
+        FilmJob(session, film).make(easel, telling);
+    }
+    note_differences(record, read_record(request.output), telling);
+}
+
+}  // namespace poinsot

@@ -1,0 +1,24 @@
+// The picture or film that a file describes, drawn again.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "production/picture.h"
+#include "production/telling.h"
+#include "scene/load_scene.h"
+
+namespace poinsot {
+
+struct RedrawRequest {
+    std::filesystem::path file;
+    std::filesystem::path output;  // a file of the same kind
+    Backend backend = Backend::automatic;
+    OutsideFiles outside = OutsideFiles::refused;
+};
+
+// Draws as the file's record says; what may keep this machine from the same bytes is told. Throws
+// InputError for a file without a record, and for a mesh that has changed since; EnvironmentError.
+void redraw(const RedrawRequest& request, const Telling& telling);
+
+}  // namespace poinsot

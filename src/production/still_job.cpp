@@ -1,0 +1,99 @@
+#include "production/still_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "error/error.h"
+#include "image/pixel_check.h"
+#include "image/png.h"
+#include "output/film_metadata.h"
+#include "production/banded_still.h"
+#include "production/output_place.h"
+#include "production/record.h"
+#include "system/interrupt.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+FilmMoment moment_asked(const Session& session, const StillRequest& request) {
+    const FilmPlan film = film_plan(session);
+    const auto asked_s = request.time_s ? request.time_s : session.scene.film.still_s;
+    const FilmMoment moment =
+        asked_s ? moment_of_time(film.clock, *asked_s) : film.moment_of(film.n_frames - 1);
+    if (!std::isfinite(moment.time_s))
+        throw InputError("--time is not a finite number; give an instant in seconds");
+    return moment;
+}
+
+// The request of a still that can be made so.
+StillRequest accepted(StillRequest request) {
+    if (!request.output.empty() && std::filesystem::path(request.output).extension() != ".png")
+        throw InputError(fmt::format("{}: a still is a PNG; end its name in .png", request.output));
+    if (request.bit_depth != 8 && request.bit_depth != 16)
+        throw InputError(
+            fmt::format("--depth {}: a component has 8 or 16 bits", request.bit_depth));
+    return request;
+}
+
+// The histories shown begin with the film and end with the instant.
+PictureSpan span_of(const Session& session, double time_s) {
+    return {.first_time_s = std::min(film_plan(session).start_s, time_s), .last_time_s = time_s};
+}
+
+}  // namespace
+
+StillJob::StillJob(Session&& session, StillRequest request)
+    : session_(std::move(session)),
+      request_(accepted(std::move(request))),
+      moment_(moment_asked(session_, request_)),
+      staging_(session_, span_of(session_, moment_.time_s), request_.print) {}
+
+std::int64_t StillJob::n_pixels() const {
+    return std::int64_t{session_.scene.film.width_px} * session_.scene.film.height_px;
+}
+
+void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
+    const Scene& scene = session_.scene;
+    tell_notes(scene, telling);
+    OutputPlace place(request_.output, scene, ".png");
+    PictureMaker pictures(std::move(staging_), easel);
+    Record record = record_of(session_, pictures, easel.is_portable());
+    record.time_s = moment_.time_s;
+    PngOptions png;
+    if (const auto paper =
+            print_size_of(request_.print, scene.film.width_px, scene.film.height_px)) {
+        png.pixels_per_metre = paper->pixels_per_metre;
+        record.dpi = request_.print.dpi.value_or(default_dpi);
+        record.type_pt = request_.print.type_pt.value_or(default_type_pt);
+    }
+    record.bit_depth = request_.bit_depth;
+    std::string words = fmt::format("{}\n{}", printable(place.path().string()),
+                                    in_words(pictures.bound(), scene.accuracy_px));
+    if (record.bit_depth == 16 || wants_bands(pictures)) {
+        writer.finish();
+        watch_for_interrupts();
+        const auto texts = [&record](const std::string& pixels) {
+            record.pixels = pixels;
+            return std::map<std::string, std::string>{{kMetadataName, sealed_text(record)}};
+        };
+        write_in_bands(pictures, moment_, place.path(), png, record.bit_depth, texts);
+        telling.say(words);
+    } else {
+        Image image;
+        pictures.draw(moment_, image);
+        record.pixels = pixel_check(image);
+        png.texts[kMetadataName] = sealed_text(record);
+        writer.write(std::move(place), std::move(image), std::move(png),
+                     [say = telling.say, words = std::move(words)] { say(words); });
+    }
+}
+
+}  // namespace poinsot

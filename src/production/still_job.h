@@ -1,0 +1,43 @@
+// One picture of a scene, from a session to its file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "production/picture.h"
+#include "production/print_size.h"
+#include "production/session.h"
+#include "production/still_writer.h"
+#include "production/telling.h"
+
+namespace poinsot {
+
+struct StillRequest {
+    std::string output{};            // empty: output/<scene>.png
+    std::optional<double> time_s{};  // of the motion; nothing: where the scene says
+    PrintChoices print{};
+    int bit_depth = 8;  // of a component
+};
+
+// A picture ready to be drawn. Any thread may make it.
+class StillJob {
+ public:
+    // Throws InputError.
+    StillJob(Session&& session, StillRequest request);
+    StillJob(const StillJob&) = delete;
+    StillJob& operator=(const StillJob&) = delete;
+
+    std::int64_t n_pixels() const;
+    // Draws it; the writer may still have it in hand. Throws InputError, EnvironmentError, and what
+    // the writer throws of an earlier one.
+    void draw(Easel& easel, StillWriter& writer, const Telling& telling);
+
+ private:
+    Session session_;
+    StillRequest request_;
+    FilmMoment moment_;
+    Staging staging_;
+};
+
+}  // namespace poinsot

@@ -1,0 +1,120 @@
+// Films and stills are made without a command line: a session and a request in, files and words
+// out.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "error/error.h"
+#include "image/pixel_hash.h"
+#include "image/png.h"
+#include "production/film_job.h"
+#include "production/record.h"
+#include "production/redraw.h"
+#include "production/still_job.h"
+#include "scene/load_scene.h"
+#include "system/faults.h"
+
+namespace poinsot {
+namespace {
+
+Session small_session() {
+    return session_of(parse_scene(
+        "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [1.5, 0.3, 0.75]\n"
+        "[film]\nlength_s = 1.0\nfps = 10\n",
+        "a.toml", std::vector<std::string>{"film.size=[96, 54]"}));
+}
+
+// All that a job has told, in order.
+struct Heard {
+    std::vector<std::string> words;
+    Telling telling() {
+        return {
+            .say = [this](const std::string& line) { words.push_back(line); },
+            .begin = [this](const std::string& what,
+                            std::int64_t n) { words.push_back(what + " " + std::to_string(n)); },
+            .done = [this](std::int64_t n) { words.push_back(std::to_string(n)); },
+            .finish = [this](const std::string& made) { words.push_back("made " + made); }};
+    }
+};
+
+std::string text_of_file(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(FilmJob, TellsItsFramesInOrderAndItsBoundAtTheEnd) {
+    const TemporaryFolder folder;
+    const Session session = small_session();
+    const FilmJob job(session, {(folder / "a.md5").string(), {{3, 5}}});
+    EXPECT_EQ(job.film().n_frames, 10);
+    Easel easel;
+    Heard heard;
+    job.make(easel, heard.telling());
+    ASSERT_EQ(heard.words.size(), 6u);
+    EXPECT_EQ(heard.words[0], "a 3");
+    EXPECT_EQ(heard.words[1], "1");
+    EXPECT_EQ(heard.words[3], "3");
+    EXPECT_EQ(heard.words[4], "made " + (folder / "a.md5").string());
+    EXPECT_EQ(heard.words[5].rfind("within ", 0), 0u) << heard.words[5];
+}
+
+// The same three frames of the film, whoever asks for them and whatever is told.
+TEST(FilmJob, MakesTheFramesAskedFor) {
+    const TemporaryFolder folder;
+    const Session session = small_session();
+    Easel easel;
+    FilmJob(session, {(folder / "all_####.png").string(), {}}).make(easel, {});
+    FilmJob(session, {(folder / "part_####.png").string(), {{3, 5}}}).make(easel, {});
+    for (const std::string number : {"0003", "0004", "0005"})
+        EXPECT_EQ(pixel_hash(read_png(folder / ("all_" + number + ".png"))),
+                  pixel_hash(read_png(folder / ("part_" + number + ".png"))));
+    EXPECT_FALSE(std::filesystem::exists(folder / "part_0002.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "part_0006.png"));
+}
+
+TEST(FilmJob, RefusesFramesBeyondTheFilmBeforeAnythingIsOpened) {
+    const Session session = small_session();
+    EXPECT_THROW(FilmJob(session, {"", {{0, 10}}}), InputError);
+}
+
+TEST(StillJob, TellsThePictureOnceItIsThere) {
+    const TemporaryFolder folder;
+    Easel easel;
+    StillWriter writer;
+    Heard heard;
+    StillJob job(small_session(), {.output = (folder / "a.png").string(), .time_s = 0.5});
+    EXPECT_EQ(job.n_pixels(), 96 * 54);
+    job.draw(easel, writer, heard.telling());
+    EXPECT_TRUE(heard.words.empty());
+    writer.finish();
+    ASSERT_EQ(heard.words.size(), 1u);
+    EXPECT_EQ(heard.words[0].rfind((folder / "a.png").string() + "\nwithin ", 0), 0u);
+    EXPECT_EQ(read_record(folder / "a.png").time_s, 0.5);
+}
+
+TEST(StillJob, RefusesNamesAndDepthsThatNoPngHas) {
+    EXPECT_THROW(StillJob(small_session(), {.output = "a.mp4"}), InputError);
+    EXPECT_THROW(StillJob(small_session(), {.bit_depth = 12}), InputError);
+}
+
+TEST(Redraw, MakesTheSameFile) {
+    const TemporaryFolder folder;
+    {
+        Easel easel;
+        StillWriter writer;
+        StillJob(small_session(), {.output = (folder / "a.png").string(), .time_s = 0.5})
+            .draw(easel, writer, {});
+        writer.finish();
+    }
+    Heard heard;
+    redraw({.file = folder / "a.png", .output = folder / "b.png"}, heard.telling());
+    EXPECT_EQ(text_of_file(folder / "a.png"), text_of_file(folder / "b.png"));
+    EXPECT_EQ(heard.words.size(), 1u);  // no note of a difference
+    EXPECT_THROW(redraw({.file = folder / "a.png", .output = folder / "b.mp4"}, {}), InputError);
+}
+
+}  // namespace
+}  // namespace poinsot
