@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""The gallery of the README: every scene as a small picture, and the table that shows them.
+"""The gallery, docs/gallery.md: every scene as a small picture, and which still shows which claim of the lecture.
 
-Usage: gallery.py POINSOT            (or: cmake --build build/release --target gallery)
+Usage: gallery.py draw POINSOT     (or: cmake --build build/release --target gallery)
+       gallery.py text             docs/gallery.md alone, from the scene files
+       gallery.py check            exit code 1 unless docs/gallery.md says what the scene files say, and each has its picture
 Draws scenes/*.toml in one process, in the portable profile, into tests/golden/gallery, brings each below 40 kB by a palette
-(pngquant, Debian package of that name), draws the README's first picture, and writes the table between its gallery marks. A picture's caption is its
-scene's title and the first line of its file.
+(pngquant, Debian package of that name), draws the README's pictures, and writes both tables between their marks. A picture's
+caption is its scene's title and the first line of its file. A claim is a comment in the scene file that begins with
+"# Claim (lecture, page 14): " or "# Claims (lecture, pages 6, 8): "; what follows "Seen:" in it is what the picture must show.
 """
 import pathlib
 import re
@@ -15,15 +18,20 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GALLERY = ROOT / "tests" / "golden" / "gallery"
+README_PICTURES = ROOT / "tests" / "golden" / "readme"
+PAGE = ROOT / "docs" / "gallery.md"
 SIZE = "480x270"
 COLOURS = "128"
 MOST_BYTES = 40_000
 COLUMNS = 3
 # As a lecture would come to them.
-ORDER = ["tensor", "inertia_ellipsoid", "gradient", "invariable_plane", "generic", "four_views", "momentum_sphere", "sphere",
-         "stable_largest", "stable_smallest", "tennis_racket", "separatrix", "euler_drift", "symmetric_oblate", "symmetric_prolate",
-         "point_masses", "euler_angles", "heavy_top_wavy", "heavy_top_cusp", "heavy_top_looping", "heavy_top_steady",
+ORDER = ["tensor", "four_views", "momentum_sphere", "torque_axis", "torque_symmetric", "euler_drift", "inertia_ellipsoid", "gradient",
+         "invariable_plane", "rolling", "generic", "lecture_construction", "sphere", "stable_largest", "stable_smallest",
+         "tennis_racket", "separatrix", "energy_sweep", "symmetric_oblate", "symmetric_prolate", "point_masses", "euler_angles",
+         "heavy_top_conserved", "heavy_top_wavy", "heavy_top_cusp", "heavy_top_looping", "heavy_top_steady",
          "heavy_top_sleeping", "t_handle", "racket_thrown", "feynman_plate", "football", "earth_wobble", "toutatis"]
+# Of the lecture: those with a claim about rigid bodies.
+PAGES = range(2, 23)
 
 
 def scenes_in_order():
@@ -39,40 +47,120 @@ def draw(program, names):
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([program, "still", *scenes, "--portable", "--size", SIZE, "-q", "-o", f"{folder}/####.png"], check=True)
         for name, picture in zip(names, sorted(pathlib.Path(folder).iterdir()), strict=True):
-            small = GALLERY / f"{name}.png"
-            subprocess.run(["pngquant", "--nofs", "--speed", "1", "--strip", "-o", str(small), COLOURS, str(picture)],
-                           check=True)
-            if small.stat().st_size > MOST_BYTES:
-                sys.exit(f"{small}: {small.stat().st_size} bytes, more than {MOST_BYTES}; take fewer colours")
+            palette(picture, GALLERY / f"{name}.png")
+
+
+def palette(picture, small):
+    """The picture with few colours, below the most that one may take."""
+    subprocess.run(["pngquant", "--force", "--nofs", "--speed", "1", "--strip", "-o", str(small), COLOURS, str(picture)],
+                   check=True)
+    if small.stat().st_size > MOST_BYTES:
+        sys.exit(f"{small}: {small.stat().st_size} bytes, more than {MOST_BYTES}; take fewer colours")
 
 
 def draw_first(program):
-    subprocess.run([program, "still", str(ROOT / "scenes" / "generic.toml"), "--portable", "--size", "1280x720", "-q", "-o",
-                    str(GALLERY.parent / "readme" / "generic.png")], check=True)
+    """The README's: the default scene, and the same for paper."""
+    scene = str(ROOT / "scenes" / "generic.toml")
+    subprocess.run([program, "still", scene, "--portable", "--size", "1280x720", "-q", "-o",
+                    str(README_PICTURES / "generic.png")], check=True)
+    with tempfile.TemporaryDirectory() as folder:
+        picture = pathlib.Path(folder) / "print.png"
+        subprocess.run([program, "still", scene, "--portable", "--theme", "print", "--width-mm", "85", "--dpi", "144", "-q",
+                        "-o", str(picture)], check=True)
+        palette(picture, README_PICTURES / "print.png")
+
+
+def lines_of(name):
+    return (ROOT / "scenes" / f"{name}.toml").read_text().splitlines()
+
+
+def title_of(name):
+    return re.search(r'^title = "(.*)"$', "\n".join(lines_of(name)), re.M).group(1)
+
+
+def in_table(text):
+    return text.replace("|", "\\|")
 
 
 def cell(name):
-    text = (ROOT / "scenes" / f"{name}.toml").read_text()
-    title = re.search(r'^title = "(.*)"$', text, re.M).group(1)
-    says = text.splitlines()[0].lstrip("# ").replace("|", "\\|")
-    return f"[![{title}](tests/golden/gallery/{name}.png)](scenes/{name}.toml)<br>**{title}.** {says}"
+    says = in_table(lines_of(name)[0].lstrip("# "))
+    title = title_of(name)
+    return f"[![{title}](../tests/golden/gallery/{name}.png)](../scenes/{name}.toml)<br>**{title}.** {says}"
 
 
-def write_table(names):
+def gallery_table(names):
     rows = [names[i:i + COLUMNS] for i in range(0, len(names), COLUMNS)]
     lines = ["|" + " |" * COLUMNS, "|" + "---|" * COLUMNS]
-    lines += ["| " + " | ".join([cell(name) for name in row] + [""] * (COLUMNS - len(row))) + " |" for row in rows]
-    readme = ROOT / "README.md"
-    begin, end = "<!-- gallery -->", "<!-- end of gallery -->"
-    before, rest = readme.read_text().split(begin)
-    readme.write_text(before + begin + "\n\n" + "\n".join(lines) + "\n\n" + end + rest.split(end)[1])
+    return lines + ["| " + " | ".join([cell(name) for name in row] + [""] * (COLUMNS - len(row))) + " |" for row in rows]
+
+
+def claim_of(name):
+    """The pages of a scene's claim, the claim, and what must be seen; None for a scene that makes none."""
+    comment = []
+    for line in lines_of(name):
+        if comment and not line.startswith("#"):
+            break
+        if comment or line.startswith("# Claim"):
+            comment.append(line.lstrip("#").strip())
+    if not comment:
+        return None
+    found = re.fullmatch(r"Claims? \(lecture, pages? ([\d–, ]+)\): (.*)", " ".join(comment))
+    if found is None:
+        sys.exit(f"scenes/{name}.toml: a claim begins with \"# Claim (lecture, page 14): \", this one with \"# {comment[0]}\"")
+    claim, _, seen = found.group(2).partition("Seen:")
+    return found.group(1), claim.strip(), seen.strip()
+
+
+def pages_in(text):
+    """6, 8 and 10–12 of "6, 8, 10–12"."""
+    spans = [[int(page) for page in span.split("–")] for span in text.split(",")]
+    return [page for span in spans for page in range(span[0], span[-1] + 1)]
+
+
+def claims_table(names):
+    claims = [(name, *claim) for name in names if (claim := claim_of(name))]
+    claims.sort(key=lambda row: (pages_in(row[1])[0], pages_in(row[1])[-1]))
+    lines = ["| page | claim | what is seen | still |", "|---|---|---|---|"]
+    for name, pages, claim, seen in claims:
+        still = f"[{title_of(name)}](../tests/golden/gallery/{name}.png), [`{name}`](../scenes/{name}.toml)"
+        lines.append(f"| {pages} | {in_table(claim)} | {in_table(seen)} | {still} |")
+    claimed = {page for row in claims for page in pages_in(row[1])}
+    missing = [str(page) for page in PAGES if page not in claimed]
+    if missing:
+        lines += ["", f"Pages whose claim no scene file states: {', '.join(missing)}."]
+    return lines
+
+
+def written():
+    """docs/gallery.md with its tables as the scene files have them."""
+    names = scenes_in_order()
+    text = PAGE.read_text()
+    for mark, lines in (("gallery", gallery_table(names)), ("claims", claims_table(names))):
+        begin, end = f"<!-- {mark} -->", f"<!-- end of {mark} -->"
+        before, rest = text.split(begin)
+        text = before + begin + "\n\n" + "\n".join(lines) + "\n\n" + end + rest.split(end)[1]
+    return text
+
+
+def check():
+    if PAGE.read_text() != written():
+        sys.exit("docs/gallery.md does not say what the scene files say; run: python3 tests/golden/gallery.py text")
+    scenes, pictures = set(scenes_in_order()), {path.stem for path in GALLERY.glob("*.png")}
+    if scenes != pictures:
+        sys.exit(f"tests/golden/gallery: no scene, or no picture, of: {', '.join(sorted(scenes ^ pictures))}; "
+                 "run: cmake --build build/release --target gallery")
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    if sys.argv[1:] == ["check"]:
+        check()
+    elif sys.argv[1:] == ["text"]:
+        PAGE.write_text(written())
+    elif len(sys.argv) == 3 and sys.argv[1] == "draw":
+        if not shutil.which("pngquant"):
+            sys.exit("gallery.py: pngquant is missing; apt-get install pngquant")
+        draw(sys.argv[2], scenes_in_order())
+        draw_first(sys.argv[2])
+        PAGE.write_text(written())
+    else:
         sys.exit(__doc__)
-    if not shutil.which("pngquant"):
-        sys.exit("gallery.py: pngquant is missing; apt-get install pngquant")
-    draw(sys.argv[1], scenes_in_order())
-    draw_first(sys.argv[1])
-    write_table(scenes_in_order())

@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""Whether the documents hold what they say: links, sizes, files, tests, and command lines.
+
+Usage: docs_check.py POINSOT WHAT
+links:     every relative link of *.md and docs/*.md leads to a file that is there, and to a heading that it has.
+readme:    README.md is at most 8192 bytes.
+files:     every path of src/, tests/, scenes/, shaders/ or .ci/ in backticks is there; `*` stands for any name.
+tests:     every test that docs/formulas.md names, as `Suite.Claim`, is in tests/.
+commands:  every line with poinsot in a block of sh names a command, options and scenes that the program knows.
+"""
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGES = sorted(ROOT.glob("*.md")) + sorted((ROOT / "docs").glob("*.md"))
+MOST_README_BYTES = 8192
+
+
+def without_code(text):
+    return re.sub(r"`[^`\n]*`", "", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S))
+
+
+def anchors_of(page):
+    """As GitHub makes them of headings."""
+    headings = re.findall(r"^#+ +(.*)$", re.sub(r"^```.*?^```", "", page.read_text(), flags=re.M | re.S), re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-") for heading in headings}
+
+
+def links(_program):
+    for page in PAGES:
+        for target in re.findall(r"\]\(([^)\s]+)\)|(?:src|href)=\"([^\"]+)\"", without_code(page.read_text())):
+            target = target[0] or target[1]
+            if re.match(r"[a-z]+:", target):
+                continue
+            path, _, anchor = target.partition("#")
+            file = (page.parent / path).resolve() if path else page
+            if not file.exists():
+                yield f"{page.relative_to(ROOT)}: no file is at {target}"
+            elif anchor and anchor not in anchors_of(file):
+                yield f"{page.relative_to(ROOT)}: {path or page.name} has no heading for #{anchor}"
+
+
+def readme(_program):
+    size = (ROOT / "README.md").stat().st_size
+    if size > MOST_README_BYTES:
+        yield f"README.md: {size} bytes, more than {MOST_README_BYTES}; move something to docs/"
+
+
+def files(_program):
+    for page in PAGES:
+        for path in re.findall(r"`((?:src|tests|scenes|shaders|\.ci)/[^`\s]*)`", page.read_text()):
+            if "NAME" not in path and not any(ROOT.glob(path.rstrip("/"))):
+                yield f"{page.relative_to(ROOT)}: no file is at {path}"
+
+
+def tests(_program):
+    source = "\n".join(path.read_text() for path in (ROOT / "tests").rglob("*.cpp"))
+    known = {".".join(pair) for pair in re.findall(r"TEST(?:_P|_F)?\((\w+),\s*(\w+)\)", source)}
+    for test in re.findall(r"`([A-Z]\w+\.[A-Z]\w+)`", (ROOT / "docs" / "formulas.md").read_text()):
+        if test not in known:
+            yield f"docs/formulas.md: there is no test {test}"
+
+
+def command_lines():
+    for page in PAGES:
+        for block in re.findall(r"^```sh\n(.*?)^```", page.read_text(), re.M | re.S):
+            for line in block.replace("\\\n", " ").splitlines():
+                words = shlex.split(line, comments=True)
+                if words and pathlib.PurePath(words[0]).name == "poinsot":
+                    yield page, words
+
+
+def commands(program):
+    helps = {}
+    for page, words in command_lines():
+        where = f"{page.relative_to(ROOT)}: {' '.join(words)}"
+        command = words[1] if len(words) > 1 else ""
+        if command not in helps:
+            done = subprocess.run([program, command, "--help"], capture_output=True, text=True)
+            helps[command] = done.stdout if done.returncode == 0 else None
+        if helps[command] is None:
+            yield f"{where}: there is no such command"
+            continue
+        known = set(re.findall(r"(?<![\w-])--?[a-z][\w-]*", helps[command]))
+        for word in words[2:]:
+            if re.match(r"--?[a-z]", word) and word.split("=")[0] not in known:
+                yield f"{where}: {command} has no {word}"
+            if word.startswith("scenes/") and not any(ROOT.glob(word)):
+                yield f"{where}: there is no {word}"
+
+
+if __name__ == "__main__":
+    checks = {check.__name__: check for check in (links, readme, files, tests, commands)}
+    if len(sys.argv) != 3 or sys.argv[2] not in checks:
+        sys.exit(__doc__)
+    faults = list(checks[sys.argv[2]](sys.argv[1]))
+    print("\n".join(faults))
+    sys.exit(1 if faults else 0)
