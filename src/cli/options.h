@@ -40,9 +40,10 @@ struct Options {
     bool allow_outside = false;                                   // --allow-outside
     bool json = false;
     bool quiet = false;
-    bool certify = false;  // render --certify
-    bool plan = false;     // check --plan
-    bool verify = false;   // explain --verify
+    bool certify = false;   // render --certify
+    bool plan = false;      // check --plan
+    bool verify = false;    // explain --verify
+    bool all_rows = false;  // tradeoff --all
     PrintChoices print;
     CompareChoices compare;
     ApproveChoices approve;

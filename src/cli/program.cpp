@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "cli/command.h"
+#include "cli/option_values.h"
 #include "error/error.h"
 #include "text/nearest.h"
 #include "text/printable.h"
@@ -29,49 +30,49 @@ void add_override(CLI::App& app, Options& options, const char* flag, const char*
                   const char* help) {
     app.add_option_function<std::string>(
            flag,
-           [&options, key](const std::string& value) {
+           [&options, flag, key](const std::string& value) {
                // A bare word becomes a TOML string; numbers stay as they are.
-               options.overrides.push_back(fmt::format("{}={}", key, value));
+               options.overrides.push_back(fmt::format("{}={}", key, parse_text(flag, value)));
            },
            help)
         ->type_name("");
 }
 
-std::pair<std::int64_t, std::int64_t> parse_frames(const std::string& text) {
-    std::int64_t first = 0;
-    std::int64_t last = 0;
-    int used = 0;
-    const int n = std::sscanf(text.c_str(), "%ld-%ld%n", &first, &last, &used);
-    if (n == 1 && text.find('-') == std::string::npos) last = first;
-    const bool whole = n == 2 ? used == static_cast<int>(text.size()) : n == 1;
-    if (!whole || first < 0 || last < first) {
-        throw InputError(fmt::format(
-            "--frames {}: not a range of frames; write A-B with 0 <= A <= B, as in 0-99", text));
-    }
-    return {first, last};
+template <typename Text>
+void add_text(CLI::App& app, const char* option, Text& target, const char* help) {
+    const char* const names = std::string_view(option) == "--output" ? "-o,--output" : option;
+    app.add_option_function<std::string>(
+           names, [&target, option](const std::string& text) { target = parse_text(option, text); },
+           help)
+        ->type_name("TEXT");
 }
 
-std::vector<double> parse_times(const std::string& text) {
-    std::vector<double> times;
-    std::size_t from = 0;
-    while (from <= text.size()) {
-        const std::size_t comma = std::min(text.find(',', from), text.size());
-        const std::string item = text.substr(from, comma - from);
-        char* end = nullptr;
-        const double time = std::strtod(item.c_str(), &end);
-        if (item.empty() || *end != '\0' || !std::isfinite(time)) {
-            throw InputError(fmt::format(
-                "--times: \"{}\" is not a time in seconds; write T,T,… as in 0,0.5,1", item));
-        }
-        times.push_back(time);
-        from = comma + 1;
-    }
-    return times;
+void add_number(CLI::App& app, const char* option, std::optional<double>& target,
+                const char* wanted, const char* help) {
+    app.add_option_function<std::string>(
+           option,
+           [&target, option, wanted](const std::string& text) {
+               target = parse_number(option, text, wanted);
+           },
+           help)
+        ->type_name("NUMBER");
+}
+
+template <typename Whole>
+void add_whole(CLI::App& app, const char* option, Whole& target, const char* wanted,
+               const char* help) {
+    app.add_option_function<std::string>(
+           option,
+           [&target, option, wanted](const std::string& text) {
+               target = parse_whole(option, text, wanted);
+           },
+           help)
+        ->type_name("N");
 }
 
 const auto option_table = std::to_array<OptionRow>({
     {"output",
-     [](CLI::App& app, Options& o) { app.add_option("-o,--output", o.output, "where to write"); }},
+     [](CLI::App& app, Options& o) { add_text(app, "--output", o.output, "where to write"); }},
     {"set",
      [](CLI::App& app, Options& o) {
          app.add_option_function<std::vector<std::string>>(
@@ -102,25 +103,25 @@ const auto option_table = std::to_array<OptionRow>({
      }},
     {"width-mm",
      [](CLI::App& app, Options& o) {
-         app.add_option("--width-mm", o.print.width_mm, "width on paper in millimetres");
+         add_number(app, "--width-mm", o.print.width_mm, "millimetres", "width on paper in millimetres");
      }},
     {"height-mm",
      [](CLI::App& app, Options& o) {
-         app.add_option("--height-mm", o.print.height_mm,
+         add_number(app, "--height-mm", o.print.height_mm, "millimetres",
                         "height on paper; from the scene's shape if not given");
      }},
     {"dpi",
      [](CLI::App& app, Options& o) {
-         app.add_option("--dpi", o.print.dpi, "dots per inch on paper; 300 if not given");
+         add_number(app, "--dpi", o.print.dpi, "dots per inch", "dots per inch on paper; 300 if not given");
      }},
     {"type-pt",
      [](CLI::App& app, Options& o) {
-         app.add_option("--type-pt", o.print.type_pt,
+         add_number(app, "--type-pt", o.print.type_pt, "points",
                         "size of labels on paper in points, 8.5 if not given; lines follow it");
      }},
     {"depth",
      [](CLI::App& app, Options& o) {
-         app.add_option("--depth", o.print.bit_depth, "bits a colour component: 8 or 16");
+         add_whole(app, "--depth", o.print.bit_depth, "8 or 16", "bits a colour component: 8 or 16");
      }},
     {"frames",
      [](CLI::App& app, Options& o) {
@@ -130,7 +131,7 @@ const auto option_table = std::to_array<OptionRow>({
      }},
     {"time",
      [](CLI::App& app, Options& o) {
-         app.add_option("--time", o.time_s,
+         add_number(app, "--time", o.time_s, "an instant in seconds",
                         "instant of the motion in seconds; if not given, film.still_s of the scene, or "
                         "the film's last");
      }},
@@ -149,52 +150,52 @@ const auto option_table = std::to_array<OptionRow>({
     {"json", [](CLI::App& app, Options& o) { app.add_flag("--json", o.json, "answer in JSON"); }},
     {"profile",
      [](CLI::App& app, Options& o) {
-         app.add_option("--profile", o.compare.profile,
+         add_text(app, "--profile", o.compare.profile,
                         "portable: no pixel may differ; native: as much as processors round apart");
      }},
     {"max-differing",
      [](CLI::App& app, Options& o) {
-         app.add_option("--max-differing", o.compare.max_differing,
+         add_text(app, "--max-differing", o.compare.max_differing,
                         "share of the pixels that may differ at all, as 0.001 or 0.1%");
      }},
     {"max-over",
      [](CLI::App& app, Options& o) {
-         app.add_option("--max-over", o.compare.max_over,
+         add_text(app, "--max-over", o.compare.max_over,
                         "share of the pixels that may differ by more than --over-levels");
      }},
     {"over-levels",
      [](CLI::App& app, Options& o) {
-         app.add_option("--over-levels", o.compare.over_levels,
+         add_whole(app, "--over-levels", o.compare.over_levels, "a level of 0 to 255",
                         "levels of 255 that --max-over counts from; 2 if not given");
      }},
     {"report",
      [](CLI::App& app, Options& o) {
-         app.add_option("--report", o.compare.report,
+         add_text(app, "--report", o.compare.report,
                         "FILE.html: write a page that shows the pictures");
      }},
     {"junit",
      [](CLI::App& app, Options& o) {
-         app.add_option("--junit", o.compare.junit,
+         add_text(app, "--junit", o.compare.junit,
                         "FILE.xml: write test results");
      }},
     {"diff",
      [](CLI::App& app, Options& o) {
-         app.add_option("--diff", o.compare.diff,
+         add_text(app, "--diff", o.compare.diff,
                         "FILE.png: write expected | difference × 16 | actual");
      }},
     {"results",
      [](CLI::App& app, Options& o) {
-         app.add_option("--results", o.approve.results,
+         add_text(app, "--results", o.approve.results,
                         "folder of the new pictures");
      }},
     {"baselines",
      [](CLI::App& app, Options& o) {
-         app.add_option("--baselines", o.approve.baselines,
+         add_text(app, "--baselines", o.approve.baselines,
                         "folder of the baselines and their manifest");
      }},
     {"why",
      [](CLI::App& app, Options& o) {
-         app.add_option("--why", o.approve.why,
+         add_text(app, "--why", o.approve.why,
                         "the reason for the change, kept in the manifest");
      }},
     {"any-renderer",
@@ -207,12 +208,16 @@ const auto option_table = std::to_array<OptionRow>({
          app.add_flag("--all", o.approve.all,
                         "take every picture that is new or has changed");
      }},
+    {"all-rows",
+     [](CLI::App& app, Options& o) {
+         app.add_flag("--all", o.all_rows, "print every row, not only those that no other beats");
+     }},
     {"quiet", [](CLI::App& app,
                  Options& o) { app.add_flag("--quiet,-q", o.quiet, "no progress, no notes"); }},
     {"plan", [](CLI::App& app,
                 Options& o) { app.add_flag("--plan", o.plan, "what will be modelled, and why"); }},
     {"backend", [](CLI::App& app,
-                   Options& o) { app.add_option("--backend", o.backend, "auto, osmesa or egl"); }},
+                   Options& o) { add_text(app, "--backend", o.backend, "auto, osmesa or egl"); }},
     {"portable",
      [](CLI::App& app, Options& o) {
          app.add_flag("--portable", o.portable, "the same bytes on every processor");
@@ -243,6 +248,7 @@ void add_option(std::string_view name, CLI::App& app, Options& options) {
 // Data that could not be printed must not look like success.
 void flush_stdout() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        if (errno == EPIPE) throw ReaderGone("stdout is closed");
         throw EnvironmentError(fmt::format("stdout: {}; nothing more was printed",
                                            std::strerror(errno != 0 ? errno : EIO)));
     }
