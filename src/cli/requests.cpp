@@ -14,6 +14,7 @@ SceneRequest scene_request_of(const Options& options) {
     request.outside = options.allow_outside ? OutsideFiles::allowed : OutsideFiles::refused;
     request.print = options.print;
     request.times_s = options.times_s;
+    request.quiet = options.quiet;
     if (options.time_s) request.times_s.push_back(*options.time_s);
     return request;
 }
