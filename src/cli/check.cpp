@@ -178,10 +178,9 @@ int run(const Options& options) {
     const MotionProblem& problem = session.motion.problem();
 
     std::vector<Fact> facts;
-    facts.push_back({"scene", json_string(session.scene.file.string()), "scene",
-                     printable(session.scene.file.string())});
     facts.push_back(
-        {"title", json_string(session.scene.title), "title", printable(session.scene.title)});
+        {"scene", json_string(session.scene.file.string()), "scene", session.scene.file.string()});
+    facts.push_back({"title", json_string(session.scene.title), "title", session.scene.title});
     const Eigen::Vector3d& I = problem.inertia.moments_kg_m2();
     facts.push_back(
         {"moments_kg_m2",
@@ -217,15 +216,17 @@ int run(const Options& options) {
     const PictureSetting setting = setting_of(session.scene);
     const Stage stage = stage_of(
         session, {.first_time_s = film.start_s, .last_time_s = film.last_time_s()}, setting);
+    print_type_notes(stage, options.quiet);
     add_accuracy(session, bound_of(session, stage, setting.samples), facts);
     add_beside(session, film, facts);
     const bool certified = can_certify(session);
-    const Certificate certificate = certified ? certify_film(session, film) : Certificate{};
+    const Certificate certificate =
+        certified ? certify_film(session, film, options.quiet) : Certificate{};
     if (certified) {
         facts.push_back({"certificate_holds", fmt::format("{}", certificate.holds()), "", ""});
         for (const CertifiedClaim& claim : certificate.claims) {
-            facts.push_back(
-                {fmt::format("worst_{}", claim.name), json_number(claim.worst), "", ""});
+            facts.push_back({fmt::format("worst_{}", claim.name),
+                             claim.measured() ? json_number(claim.worst) : "null", "", ""});
         }
     }
     const int code = certificate.holds() ? 0 : 1;
@@ -240,12 +241,13 @@ int run(const Options& options) {
         return code;
     }
     for (const Fact& fact : facts) {
-        if (!fact.label.empty()) fmt::print("{}: {}\n", fact.label, fact.text);
+        if (!fact.label.empty())
+            fmt::print("{}: {}\n", fact.label, printable(fact.text, most_of_a_message));
     }
     if (options.plan) {
         fmt::print("\n");
         for (const PlanLine& line : plan_of(session, film, stage)) {
-            fmt::print("{}: {} ({})\n", line.what, line.decision, line.why);
+            fmt::print("{}: {} ({})\n", line.what, printable(line.decision), printable(line.why));
         }
     }
     if (certified) fmt::print("\n{}", text_of(certificate));

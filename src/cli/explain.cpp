@@ -40,6 +40,7 @@ std::string json_of(const Record& record, const std::optional<Verification>& ver
     add("profile", json_string(record.portable ? "portable" : "native"));
     add("renderer", json_string(record.renderer));
     add("mesa", json_string(record.mesa));
+    if (!record.fonts.empty()) add("fonts", json_string(record.fonts));
     add("size", fmt::format("[{}, {}]", record.width_px, record.height_px));
     if (record.time_s) add("time_s", json_number(*record.time_s));
     if (record.dpi) add("dpi", json_number(*record.dpi));
@@ -60,7 +61,7 @@ void print_text(const Record& record) {
     const std::string& text = record.text;
     for (std::size_t from = 0; from < text.size();) {
         const std::size_t end = std::min(text.find('\n', from), text.size());
-        fmt::print("{}\n", printable(text.substr(from, end - from)));
+        fmt::print("{}\n", printable(text.substr(from, end - from), any_length));
         from = end + 1;
     }
 }

@@ -11,6 +11,7 @@
 #include "production/record.h"
 #include "scene/load_scene.h"
 #include "text/printable.h"
+#include "text/say.h"
 
 namespace poinsot {
 
@@ -42,11 +43,11 @@ int run(const Options& options) {
     } catch (const InputError& error) {
         // The film is there; only what stands beside it needs the scene's files.
         if (!options.quiet)
-            fmt::print(stderr, "note: no {}: {}\n", printable(chapters_path(film).string()),
-                       printable(error.what()));
+            say(fmt::format("note: no {}: {}", printable(chapters_path(film).string()),
+                            printable(error.what())));
     }
     if (!options.quiet)
-        fmt::print(stderr, "{}: the first {} frames\n", printable(film.string()), n_frames);
+        say(fmt::format("{}: the first {} frames", printable(film.string()), n_frames));
     return 0;
 }
 

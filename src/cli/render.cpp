@@ -21,6 +21,7 @@
 #include "production/session.h"
 #include "system/interrupt.h"
 #include "text/printable.h"
+#include "text/say.h"
 
 namespace poinsot {
 
@@ -30,19 +31,19 @@ namespace {
 void note_kept(const OutputPlan& plan, std::int64_t n_kept, bool film, bool quiet) {
     if (quiet || n_kept == 0) return;
     if (n_kept == plan.n_frames && film) {
-        fmt::print(stderr, "note: an interrupted run has drawn all frames of {}\n",
-                   printable(plan.path.string()));
+        say(fmt::format("note: an interrupted run has drawn all frames of {}",
+                        printable(plan.path.string())));
         return;
     }
     if (n_kept == plan.n_frames) {
-        fmt::print(stderr,
-                   "note: all {} frames of {} are there, of this very scene; remove them to have "
-                   "them drawn again\n",
-                   n_kept, printable(plan.path.string()));
+        say(fmt::format(
+            "note: all {} frames of {} are there, of this very scene; remove them to have "
+            "them drawn again",
+            n_kept, printable(plan.path.string())));
         return;
     }
-    fmt::print(stderr, "note: going on with frame {} of {}, where an interrupted run ended\n",
-               plan.first_frame + n_kept, printable(plan.path.string()));
+    say(fmt::format("note: going on with frame {} of {}, where an interrupted run ended",
+                    plan.first_frame + n_kept, printable(plan.path.string())));
 }
 
 // A shorter run over a longer one, or one of other frames, leaves pictures that are not its own.
@@ -98,7 +99,7 @@ int make_film(const Session& session, const Options& options, Easel& easel, std:
             throw InputError(
                 "--certify: only a torque-free body that turns rolls on a plane; leave it out");
         }
-        const Certificate certificate = certify_film(session, film);
+        const Certificate certificate = certify_film(session, film, options.quiet);
         fmt::print("{}", text_of(certificate));
         if (!certificate.holds()) return 1;
     }
@@ -113,6 +114,7 @@ int make_film(const Session& session, const Options& options, Easel& easel, std:
     }
     PictureMaker pictures(session, easel,
                           {.first_time_s = film.time_of(0), .last_time_s = film.time_of(last)});
+    print_type_notes(pictures.stage(), options.quiet);
     Record record = record_of(session, pictures, options.portable);
     record.frames = {first, last};
     plan.metadata = to_text(record);
@@ -139,11 +141,13 @@ int make_film(const Session& session, const Options& options, Easel& easel, std:
     }
     if (!plan.chapters.empty() && (format.film || format.name == "png-sequence")) {
         write_chapters(plan, film);
+    } else {
+        remove_stale_chapters(plan);
     }
     if (!options.quiet && format.name == "png-sequence") note_others(plan);
     progress.finish(printable(plan.path.string()));
     if (!options.quiet) {
-        fmt::print(stderr, "{}\n", in_words(pictures.bound(), session.scene.accuracy_px));
+        say(in_words(pictures.bound(), session.scene.accuracy_px));
     }
     return 0;
 }

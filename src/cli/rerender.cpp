@@ -12,10 +12,12 @@
 #include "image/pixel_check.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
+#include "production/output_place.h"
 #include "production/picture.h"
 #include "production/record.h"
 #include "scene/load_scene.h"
 #include "text/printable.h"
+#include "text/say.h"
 
 namespace poinsot {
 
@@ -25,12 +27,13 @@ namespace {
 void note_differences(const Record& then, const Record& now) {
     const auto note = [](std::string_view what, const std::string& was, const std::string& is) {
         if (was == is) return;
-        fmt::print(stderr, "note: made with {} {}, this is {}: the bytes may differ\n", what,
-                   printable(was), printable(is));
+        say(fmt::format("note: made with {} {}, this is {}: the bytes may differ", what,
+                        printable(was), printable(is)));
     };
     note("poinsot", then.version, now.version);
     note("the renderer", then.renderer, now.renderer);
     note("Mesa", then.mesa, now.mesa);
+    note("the fonts", then.fonts, now.fonts);
 }
 
 // One frame of a sequence carries the record of the whole, whose histories it shows.
@@ -61,9 +64,16 @@ int run(const Options& given) {
     const std::filesystem::path file = given.arguments.at(0);
     const Record record = read_record(file);
     Options options = given;
-    const std::filesystem::path output = options.output;
-    if (output.empty())
+    if (options.output.empty())
         throw InputError("poinsot rerender: say with -o where the new file is to go");
+    const bool one_frame = record.frames && file.extension() == ".png";
+    const std::filesystem::path output = numbered_output(
+        options.output, one_frame ? frame_of_name(file).value_or(0) : 0, record.scene_name);
+    options.output = output.string();
+    std::error_code not_there;
+    if (std::filesystem::equivalent(file, output, not_there))
+        throw InputError(fmt::format("{}: is the file that is to be drawn again; name another",
+                                     printable(output.string())));
     const bool is_picture = file.extension() == ".png";
     if (is_picture != (output.extension() == ".png"))
         throw InputError(fmt::format("{}: {} is drawn again as one of its kind; choose a name {}",

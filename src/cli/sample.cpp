@@ -7,11 +7,20 @@
 
 #include "cli/command.h"
 #include "cli/requests.h"
+#include "error/error.h"
 #include "production/session.h"
 
 namespace poinsot {
 
 namespace {
+
+MotionSample sample_at(const Motion& motion, double time_s, bool top) {
+    try {
+        return motion.sample(time_s, {.attitude = true, .herpolhode = true, .euler_angles = top});
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("--times {}: {}", time_s, error.what()));
+    }
+}
 
 int run(const Options& options) {
     const Session session = open_session(scene_request_of(options), Purpose::numbers);
@@ -25,8 +34,7 @@ int run(const Options& options) {
         "herpolhode_x,herpolhode_y,herpolhode_z{}\n",
         top ? ",theta_rad,phi_rad,psi_rad" : "");
     for (const double time_s : options.times_s) {
-        const MotionSample sample = session.motion.sample(
-            time_s, {.attitude = true, .herpolhode = true, .euler_angles = top});
+        const MotionSample sample = sample_at(session.motion, time_s, top);
         const Eigen::Vector3d& w = sample.state.omega_body;
         const Eigen::Quaterniond& q = sample.state.space_from_body;
         const Eigen::Vector3d& h = sample.herpolhode_space;

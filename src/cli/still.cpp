@@ -30,6 +30,7 @@
 #include "production/session.h"
 #include "system/interrupt.h"
 #include "text/printable.h"
+#include "text/say.h"
 
 namespace poinsot {
 
@@ -40,8 +41,18 @@ FilmMoment moment_asked(const Session& session, const Options& options) {
     const auto asked_s = options.time_s ? options.time_s : session.scene.film.still_s;
     const FilmMoment moment =
         asked_s ? moment_of_time(film.clock, *asked_s) : film.moment_of(film.n_frames - 1);
-    if (!std::isfinite(moment.time_s))
-        throw InputError("--time is not a finite number; give an instant in seconds");
+    // An instant that the motion cannot be asked for is refused where it is named.
+    if (options.time_s) {
+        try {
+            session.motion.at(moment.time_s);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("--time {}: {}", *options.time_s, error.what()));
+        }
+    } else {
+        at_key_of_error(session.scene, "motion",
+                        session.scene.film.still_s ? "film.still_s" : "film",
+                        [&] { return session.motion.at(moment.time_s); });
+    }
     return moment;
 }
 
@@ -74,6 +85,7 @@ std::int64_t Still::n_pixels() const {
 
 void Still::draw(Easel& easel, StillWriter& writer) {
     print_notes(session_.scene, options_.quiet);
+    print_type_notes(staging_.stage, options_.quiet);
     OutputPlace place(options_.output, session_.scene, ".png");
     PictureMaker pictures(std::move(staging_), easel);
     Record record = record_of(session_, pictures, options_.portable);
@@ -88,7 +100,7 @@ void Still::draw(Easel& easel, StillWriter& writer) {
     record.bit_depth = options_.print.bit_depth;
     std::string words;
     if (!options_.quiet) {
-        words = fmt::format("{}\n{}\n", printable(place.path().string()),
+        words = fmt::format("{}\n{}", printable(place.path().string()),
                             in_words(pictures.bound(), session_.scene.accuracy_px));
     }
     if (record.bit_depth == 16 || wants_bands(pictures)) {
@@ -99,7 +111,7 @@ void Still::draw(Easel& easel, StillWriter& writer) {
             return std::map<std::string, std::string>{{kMetadataName, sealed_text(record)}};
         };
         write_in_bands(pictures, moment_, place.path(), png, record.bit_depth, texts);
-        fmt::print(stderr, "{}", words);
+        say(words);
     } else {
         Image image;
         pictures.draw(moment_, image);
@@ -145,12 +157,12 @@ void draw_alone(const Options& options, Easel& easel, StillWriter& writer) {
 }
 
 int run(const Options& options) {
-    const std::vector<Options> scenes = options_by_scene(options);
+    const std::vector<Options> scenes = options_by_scene(options, OutputKind::picture);
     StillWriter writer;
     std::optional<Easel> easel(std::in_place, context_choice_of(options), options.print);
     int code = 0;
     if (scenes.size() == 1)
-        draw_alone(options, *easel, writer);
+        draw_alone(scenes.front(), *easel, writer);
     else
         code = draw_all(scenes, *easel, writer);
     easel.reset();  // which takes as long as compressing half a picture

@@ -15,9 +15,11 @@
 #include "drawing/charts/chart.h"
 #include "drawing/reach.h"
 #include "image/png.h"
+#include "production/output_place.h"
 #include "production/picture.h"
 #include "system/atomic_file.h"
 #include "text/json_text.h"
+#include "text/say.h"
 
 namespace poinsot {
 
@@ -64,7 +66,6 @@ std::string advice(const Session& session, const Tradeoff& t) {
     const double accuracy_px = session.scene.accuracy_px;
     const MotionTrade* any = cheapest_within(t.motion, accuracy_px, true);
     const MotionTrade* stepped = cheapest_within(t.motion, accuracy_px, false);
-    const auto draft = t.picture.rows.size() > 2 ? t.picture.rows[2].ms_a_frame : 0.0;
     if (any == nullptr) {
         return fmt::format("No method reaches {} px here: give a shorter film or a smaller step.",
                            accuracy_px);
@@ -77,20 +78,24 @@ std::string advice(const Session& session, const Tradeoff& t) {
                             stepped->setting);
     }
     return text + fmt::format(
-                      "; the motion is {:.2g} % of what drawing a frame costs, so time is won in "
-                      "the picture and the encoder.",
-                      any->ns_a_frame * 1e-6 / std::max(draft, 1e-9) * 100.0);
+                      "; the motion is {:.2g} % of what drawing a frame costs at {}x{} and quality "
+                      "{} ({:.3g} ms), so time is won in the picture and the encoder.",
+                      any->ns_a_frame * 1e-6 / std::max(t.picture.film_ms, 1e-9) * 100.0,
+                      session.scene.film.width_px, session.scene.film.height_px,
+                      session.scene.film.quality, t.picture.film_ms);
 }
 
 std::string drift(double value) {
     return std::isfinite(value) ? fmt::format("{:.2e}", value) : "-";
 }
 
-void print_table(const Session& session, const Tradeoff& t) {
+// The rows that no other beats, or all of them.
+void print_table(const Session& session, const Tradeoff& t, bool all) {
     fmt::print("motion: {} frames, against {}\n", t.motion.n_frames, t.motion.truth);
     fmt::print("  {:12} {:18} {:>11} {:>9} {:>10} {:>10} {:>10} {:>10}\n", "method", "setting",
                "ns/frame", "evals", "angle/rad", "T drift", "L drift", "px");
     for (const MotionTrade& r : t.motion.rows) {
+        if (!all && !r.on_front) continue;
         fmt::print("{} {:12} {:18} {:11.0f} {:9.1f} {:10.2e} {:>10} {:>10} {:10.2e}\n",
                    r.on_front ? "*" : " ", r.method, r.setting, r.ns_a_frame, r.evaluations_a_frame,
                    r.attitude_rad, drift(r.energy), drift(r.momentum), r.displacement_px);
@@ -100,6 +105,7 @@ void print_table(const Session& session, const Tradeoff& t) {
     fmt::print("  {:48} {:10} {:>9} {:>11} {:>8}\n", "setting", "quality", "ms/frame", "rms levels",
                "largest");
     for (const PictureTrade& r : t.picture.rows) {
+        if (!all && !r.on_front) continue;
         fmt::print("{} {:48} {:10} {:9.2f} {:11.4f} {:8.0f}\n", r.on_front ? "*" : " ", r.setting,
                    r.quality, r.ms_a_frame, r.rms_levels, r.largest_levels);
     }
@@ -107,10 +113,14 @@ void print_table(const Session& session, const Tradeoff& t) {
                t.film.height_px);
     fmt::print("  {:12} {:>9} {:>12} {:>9}\n", "quality", "ms/frame", "bytes/frame", "SSIM");
     for (const FilmTrade& r : t.film.rows) {
+        if (!all && !r.on_front) continue;
         fmt::print("{} {:12} {:9.2f} {:12.0f} {:9.5f}\n", r.on_front ? "*" : " ", r.quality,
                    r.ms_a_frame, r.bytes_a_frame, r.ssim);
     }
-    fmt::print("*: on the Pareto front. {}.\n{}\n", how_measured(t), advice(session, t));
+    fmt::print("{}. {}.\n{}\n",
+               all ? "*: on the Pareto front"
+                   : "The Pareto front; --all prints every row, as the CSV and the JSON have it",
+               how_measured(t), advice(session, t));
 }
 
 std::string csv_of(const Tradeoff& t) {
@@ -254,7 +264,7 @@ int run(const Options& options) {
     t.picture = trade_picture(session, context_choice_of(options), film);
     t.film = trade_film(session, context_choice_of(options), film);
 
-    std::string prefix = options.output;
+    std::string prefix = with_scene_name(options.output, session.scene.name).string();
     if (prefix.empty()) {
         std::error_code ignored;
         fs::create_directory("output", ignored);
@@ -269,17 +279,17 @@ int run(const Options& options) {
     if (options.json) {
         fmt::print("{}", json_of(session, t));
     } else {
-        print_table(session, t);
+        print_table(session, t, options.all_rows);
     }
     if (!options.quiet) {
-        fmt::print(stderr, "{0}.csv, {0}.json, {0}-motion.png, {0}-picture.png, {0}-film.png\n",
-                   prefix);
+        say(fmt::format("{0}.csv, {0}.json, {0}-motion.png, {0}-picture.png, {0}-film.png",
+                        prefix));
     }
     return 0;
 }
 
 constexpr auto options_taken = std::to_array<std::string_view>(
-    {"output", "set", "size", "json", "quiet", "backend", "allow-outside"});
+    {"output", "set", "size", "json", "quiet", "all-rows", "backend", "allow-outside"});
 
 }  // namespace
 

@@ -65,6 +65,9 @@ PictureSetting setting_of(const Scene& scene, const PrintChoices& print = {});
 // The stage of pictures drawn so. The session must outlive it.
 Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting);
 
+// Says on stderr, unless quiet, which characters of a picture no font here has.
+void print_type_notes(const Stage& stage, bool quiet);
+
 // How far anything drawn is from the truth, in pixels of the picture that is made.
 struct PictureBound {
     double motion_px = 0.0;  // see motion_error_px

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "text/say.h"
+
 namespace poinsot {
 
 void StillWriter::write(OutputPlace&& place, Image&& picture, PngOptions&& png,
@@ -21,7 +23,7 @@ void StillWriter::finish() {
     if (!written_.valid()) return;
     written_.get();
     place_.reset();
-    fmt::print(stderr, "{}", words_);
+    say(words_);
 }
 
 }  // namespace poinsot
