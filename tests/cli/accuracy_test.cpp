@@ -206,7 +206,7 @@ const std::string pushed =
 // What would take minutes is refused before it is begun, with what it would take.
 TEST(Stepping, ThatWouldTakeTooLongIsRefusedAtOnce) {
     const ScratchFolder folder;
-    folder.write("fine.toml", pushed + "[motion]\nmethod = \"rkmk4\"\nstep_s = 1.1e-8\n");
+    folder.write("fine.toml", pushed + "[motion]\nmethod = \"rkmk4\"\nstep_s = 3e-9\n");
     folder.write("long.toml", pushed + "[motion]\nmethod = \"dopri5\"\n");
     for (const char* command :
          {"check fine.toml", "still fine.toml -o a.png", "render fine.toml -o a.md5",

@@ -105,7 +105,7 @@ TEST(Still, IsMadeOfASceneOfAnyName) {
         folder.write(name + ".toml", untitled);
         std::string quoted;
         for (const char c : name) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-        const std::string file = "'" + quoted + ".toml'";
+        const std::string file = "'./" + quoted + ".toml'";
         const ProgramRun still = run_program_in(folder, "still " + file + " -o a.png");
         EXPECT_EQ(still.code, 0) << name << ": " << still.err;
         EXPECT_EQ(run_program_in(folder, "check -q " + file).code, 0) << name;
