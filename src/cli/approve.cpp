@@ -14,6 +14,7 @@
 #include "report/baselines.h"
 #include "report/compared_picture.h"
 #include "text/printable.h"
+#include "text/say.h"
 
 namespace poinsot {
 
@@ -75,8 +76,7 @@ Candidate candidate_for(const std::string& name, const ApproveChoices& choices, 
         throw InputError(fmt::format("{}: {}; draw it again", printable(candidate.file.string()),
                                      verification.sentence));
     if (verification.verified == Verified::cannot_be && !quiet)
-        fmt::print(stderr, "note: {}: {}\n", printable(candidate.file.string()),
-                   verification.sentence);
+        say(fmt::format("note: {}: {}", printable(candidate.file.string()), verification.sentence));
     candidate.baseline = {pixel_hash(read_stored_png(candidate.file)),
                           record.scene_hash,
                           record.renderer,
@@ -119,8 +119,8 @@ int run(const Options& options) {
     };
     BaselineWriter baselines(choices.baselines, [&options, &choices] {
         if (!options.quiet)
-            fmt::print(stderr, "note: another approval is at work in {}; waiting for it\n",
-                       printable(choices.baselines));
+            poinsot::say(fmt::format("note: another approval is at work in {}; waiting for it",
+                                     printable(choices.baselines)));
     });
     for (const std::string& name : baselines.finished())
         say(name, "taken by an approval that was interrupted; its line is written now");

@@ -9,6 +9,7 @@
 #include "production/record.h"
 #include "text/json_text.h"
 #include "text/printable.h"
+#include "text/say.h"
 
 namespace poinsot {
 
@@ -77,12 +78,12 @@ int run(const Options& options) {
         print_text(record);
     const auto named = frame_of_name(file);
     if (record.frame && named && *named != *record.frame)
-        fmt::print(stderr, "note: {}: is frame {} of its sequence, whatever its name says\n",
-                   printable(file.string()), *record.frame);
+        say(fmt::format("note: {}: is frame {} of its sequence, whatever its name says",
+                        printable(file.string()), *record.frame));
     if (!verification) return 0;
     const bool says_no = verification->verified == Verified::no;
     if (says_no || options.verify)
-        fmt::print(stderr, "{}: {}\n", printable(file.string()), verification->sentence);
+        say(fmt::format("{}: {}", printable(file.string()), verification->sentence));
     return says_no || (options.verify && verification->verified != Verified::yes) ? 1 : 0;
 }
 

@@ -67,8 +67,9 @@ int run(const Options& given) {
     if (options.output.empty())
         throw InputError("poinsot rerender: say with -o where the new file is to go");
     const bool one_frame = record.frames && file.extension() == ".png";
-    const std::filesystem::path output = numbered_output(
-        options.output, one_frame ? frame_of_name(file).value_or(0) : 0, record.scene_name);
+    const auto frame = record.frame ? record.frame : frame_of_name(file);
+    const std::filesystem::path output =
+        numbered_output(options.output, one_frame ? frame.value_or(0) : 0, record.scene_name);
     options.output = output.string();
     std::error_code not_there;
     if (std::filesystem::equivalent(file, output, not_there))
