@@ -12,8 +12,8 @@
 
 namespace poinsot {
 
-// While it lives, what is being done is told after a second and then every ten. Ctrl-C
-// ends the process at once, as nothing is open yet that would be lost.
+// While it lives, what is being done is told after a second and then every ten. Ctrl-C ends the
+// process at once, as nothing is open yet that would be lost.
 class Patience {
  public:
     // Throws EnvironmentError if Ctrl-C has come before.
