@@ -55,7 +55,7 @@ struct VideoReader::Impl {
 VideoReader::Impl::Impl(const std::filesystem::path& file) : path(file) {
     const FileKind kind = kind_of_file(path);
     if (kind != FileKind::regular)
-        throw InputError(fmt::format("{}: {}", path.string(), in_words(kind)));
+        throw InputError(fmt::format("{}: cannot be read: {}", path.string(), in_words(kind)));
     silence_libav();
     AVFormatContext* context = nullptr;
     const std::string name = "file:" + path.string();
