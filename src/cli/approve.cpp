@@ -6,6 +6,7 @@
 #include "error/error.h"
 #include "report/approval.h"
 #include "text/printable.h"
+#include "text/say.h"
 
 namespace poinsot {
 
@@ -36,7 +37,7 @@ int run(const ApproveChoices& choices) {
                  },
              .note =
                  [&choices](const std::string& note) {
-                     if (!choices.quiet) fmt::print(stderr, "note: {}\n", note);
+                     if (!choices.quiet) say("note: " + note);
                  }});
     return 0;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 
+#include "drawing/charts/plot_quantity.h"
 #include "drawing/elements/elements.h"
 #include "drawing/panel.h"
 #include "drawing/theme.h"
@@ -33,18 +34,29 @@ std::vector<CatalogueEntry> rows_of(const Rows& rows) {
     return entries;
 }
 
-// The scenes that came with the program, by path, with their titles.
+// Where the scenes lie that came with the program: beside an installed one, or in the checkout that
+// a build stands in.
+std::filesystem::path scenes_folder() {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    for (const fs::path& folder :
+         {program / "../share/poinsot/scenes", program / "../../scenes", fs::path("scenes")})
+        if (fs::is_directory(folder, ignored)) return folder;
+    throw EnvironmentError(
+        "no folder of scenes beside the program; install it with its scenes, or name scene files");
+}
+
+// The scenes that came with the program, with their titles.
 std::vector<CatalogueEntry> scene_entries() {
     std::vector<CatalogueEntry> entries;
     std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SCENES_DIR, error)) {
+    for (const auto& entry : std::filesystem::directory_iterator(scenes_folder(), error)) {
         if (entry.path().extension() != ".toml") continue;
         entries.push_back({entry.path().stem().string(), load_scene(entry.path(), {}).title});
     }
-    if (error) {
-        throw EnvironmentError(fmt::format("{}: {}; the scenes are not where the build left them",
-                                           POINSOT_SCENES_DIR, error.message()));
-    }
+    if (error)
+        throw EnvironmentError(fmt::format("the scenes cannot be listed: {}", error.message()));
     std::sort(entries.begin(), entries.end(),
               [](const auto& a, const auto& b) { return a.name < b.name; });
     return entries;
@@ -108,6 +120,7 @@ const auto table = std::to_array<Catalogue>({
     {"qualities", quality_entries, figures_source},
     {"elements", [] { return rows_of(elements()); }},
     {"panels", [] { return rows_of(panel_kinds()); }},
+    {"quantities", [] { return rows_of(plot_quantities()); }},
     {"views", [] { return rows_of(camera_views()); }},
     {"easings", [] { return rows_of(easings()); }},
     {"themes", [] { return rows_of(themes()); }},

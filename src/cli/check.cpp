@@ -7,6 +7,7 @@
 #include "cli/progress.h"
 #include "production/findings.h"
 #include "text/json_text.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -28,19 +29,23 @@ void print_json(const std::vector<Fact>& facts) {
 
 void print_words(const Findings& findings) {
     for (const Fact& fact : findings.facts)
-        if (!fact.label.empty()) fmt::print("{}: {}\n", fact.label, fact.text);
+        if (!fact.label.empty())
+            fmt::print("{}: {}\n", fact.label, printable(fact.text, most_of_a_message));
     if (!findings.plan.empty()) {
         fmt::print("\n");
         for (const PlanLine& line : findings.plan)
-            fmt::print("{}: {} ({})\n", line.what, line.decision, line.why);
+            fmt::print("{}: {} ({})\n", line.what, printable(line.decision), printable(line.why));
     }
     if (findings.certificate) fmt::print("\n{}", text_of(*findings.certificate));
 }
 
 int run(const CheckChoices& choices) {
-    const Session session = open_session(scene_request_of(choices.scenes.at(0), choices.scene));
-    print_notes(session.scene, choices.quiet);
-    const Findings findings = examine(session, choices.plan);
+    Progress progress(choices.quiet);
+    const Telling telling = progress.telling();
+    const Session session = open_session(scene_request_of(choices.scenes.at(0), choices.scene),
+                                         Purpose::pictures, telling);
+    tell_notes(session.scene, telling);
+    const Findings findings = examine(session, choices.plan, telling);
     if (choices.json)
         print_json(findings.facts);
     else

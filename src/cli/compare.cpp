@@ -14,8 +14,10 @@
 #include "report/html_report.h"
 #include "report/junit.h"
 #include "system/atomic_file.h"
+#include "system/file_kind.h"
 #include "text/json_text.h"
 #include "text/printable.h"
+#include "text/say.h"
 
 namespace poinsot {
 
@@ -71,19 +73,19 @@ CompareLimits limits_of(const CompareChoices& choices) {
 
 // Whether both are folders; refuses what cannot be compared with each other.
 bool are_folders(const fs::path& expected, const fs::path& actual) {
-    std::error_code ignored;
-    if (!fs::exists(expected, ignored))
+    const FileKind kind = kind_of_file(expected), actual_kind = kind_of_file(actual);
+    if (kind == FileKind::missing)
         throw InputError(
             fmt::format("{}: no such file or folder; the first is what the second is "
                         "compared with",
                         printable(expected.string())));
-    const bool folder = fs::is_directory(expected, ignored);
-    if (fs::exists(actual, ignored) && fs::is_directory(actual, ignored) != folder)
+    const bool folder = kind == FileKind::folder;
+    if (actual_kind != FileKind::missing && (actual_kind == FileKind::folder) != folder)
         throw InputError(
             fmt::format("{} and {}: one is a folder, the other is not; give two "
                         "pictures or two folders",
                         printable(expected.string()), printable(actual.string())));
-    if (folder && !fs::exists(actual, ignored))
+    if (folder && actual_kind == FileKind::missing)
         throw InputError(fmt::format("{}: no such folder", printable(actual.string())));
     return folder;
 }
@@ -119,7 +121,8 @@ void print_lines(const std::vector<ComparedPicture>& pictures) {
         n_same += p.outcome == Outcome::same;
         n_failed += !p.passes();
         if (p.outcome != Outcome::same)
-            fmt::print("{}: {}: {}\n", name_of(p.outcome), printable(p.name), printable(p.reason));
+            fmt::print("{}: {}: {}\n", name_of(p.outcome), printable(p.name),
+                       printable(p.reason, most_of_a_message));
     }
     fmt::print("{} compared, {} failed, {} the same\n", pictures.size(), n_failed, n_same);
 }
@@ -138,11 +141,36 @@ void note_native(const std::vector<ComparedPicture>& pictures) {
         return p.outcome == Outcome::pixels && (is_native(p.expected) || is_native(p.actual));
     });
     if (n_native > 0)
-        fmt::print(stderr,
-                   "note: {} of the pairs that differ drawn for one processor alone; draw them "
-                   "with --portable, or compare with --profile native\n",
-                   n_native == 1 ? "a pair that differs is"
-                                 : fmt::format("{} pairs that differ are", n_native));
+        say(
+            fmt::format("note: {} drawn for one processor alone; draw them with --portable, or "
+                        "compare with --profile native",
+                        n_native == 1 ? "1 pair that differs was"
+                                      : fmt::format("{} pairs that differ were", n_native)));
+}
+
+// No output replaces a picture that is compared, or another output.
+void refuse_overwriting(const CompareChoices& choices,
+                        const std::vector<ComparedPicture>& pictures) {
+    const std::array<std::pair<std::string_view, fs::path>, 3> outputs{
+        {{"--diff", choices.diff}, {"--report", choices.report}, {"--junit", choices.junit}}};
+    const auto same = [](const fs::path& a, const fs::path& b) {
+        std::error_code not_there;
+        return !a.empty() && !b.empty() &&
+               (a.lexically_normal() == b.lexically_normal() || fs::equivalent(a, b, not_there));
+    };
+    const auto refuse = [](std::string_view option, const fs::path& path, std::string_view is) {
+        throw InputError(
+            fmt::format("{} {}: {}; choose another name", option, printable(path.string()), is));
+    };
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const auto& [option, path] = outputs[i];
+        for (std::size_t k = 0; k < i; ++k)
+            if (same(path, outputs[k].second))
+                refuse(option, path, fmt::format("is what {} writes", outputs[k].first));
+        for (const ComparedPicture& picture : pictures)
+            if (same(path, picture.expected) || same(path, picture.actual))
+                refuse(option, path, "is one of the pictures compared");
+    }
 }
 
 int run(const CompareChoices& choices) {
@@ -166,6 +194,7 @@ int run(const CompareChoices& choices) {
         if (pictures[0].outcome == Outcome::unreadable) throw InputError(pictures[0].reason);
     }
 
+    refuse_overwriting(choices, pictures);
     const std::string title = fmt::format("{} compared with {}", printable(actual.string()),
                                           printable(expected.string()));
     if (!choices.diff.empty() && !pictures[0].actual.empty())
@@ -193,7 +222,7 @@ CommandLine line(std::any& room) {
          {"--max-over", "share of the pixels that may differ by more than --over-levels",
           &c.max_over},
          {"--over-levels", "levels of 255 that --max-over counts from; 2 if not given",
-          &c.over_levels},
+          &c.over_levels, "a level of 0 to 255"},
          json_option(c.json),
          {"--report", "FILE.html: write a page that shows the pictures", &c.report},
          {"--junit", "FILE.xml: write test results", &c.junit},

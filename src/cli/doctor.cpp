@@ -72,7 +72,7 @@ int run(const DoctorChoices& choices) {
     } else {
         for (const Finding& finding : findings) {
             fmt::print("{:34} {:8} {}\n", finding.what, finding.works ? "works" : "MISSING",
-                       finding.detail);
+                       printable(finding.detail, most_of_a_message));
         }
     }
     return draws && encodes && sets_type ? 0 : 1;

@@ -9,6 +9,7 @@
 #include "production/record.h"
 #include "text/json_text.h"
 #include "text/printable.h"
+#include "text/say.h"
 
 namespace poinsot {
 
@@ -46,6 +47,7 @@ std::string json_of(const Record& record, const std::optional<Verification>& ver
     add("profile", json_string(record.portable ? "portable" : "native"));
     add("renderer", json_string(record.renderer));
     add("mesa", json_string(record.mesa));
+    if (!record.fonts.empty()) add("fonts", json_string(record.fonts));
     add("size", fmt::format("[{}, {}]", record.width_px, record.height_px));
     if (record.time_s) add("time_s", json_number(*record.time_s));
     if (record.dpi) add("dpi", json_number(*record.dpi));
@@ -66,7 +68,7 @@ void print_text(const Record& record) {
     const std::string& text = record.text;
     for (std::size_t from = 0; from < text.size();) {
         const std::size_t end = std::min(text.find('\n', from), text.size());
-        fmt::print("{}\n", printable(text.substr(from, end - from)));
+        fmt::print("{}\n", printable(text.substr(from, end - from), any_length));
         from = end + 1;
     }
 }
@@ -82,12 +84,12 @@ int run(const ExplainChoices& choices) {
         print_text(record);
     const auto named = frame_of_name(file);
     if (record.frame && named && *named != *record.frame)
-        fmt::print(stderr, "note: {}: is frame {} of its sequence, whatever its name says\n",
-                   printable(file.string()), *record.frame);
+        say(fmt::format("note: {}: is frame {} of its sequence, whatever its name says",
+                        printable(file.string()), *record.frame));
     if (!verification) return 0;
     const bool says_no = verification->verified == Verified::no;
     if (says_no || choices.verify)
-        fmt::print(stderr, "{}: {}\n", printable(file.string()), verification->sentence);
+        say(fmt::format("{}: {}", printable(file.string()), verification->sentence));
     return says_no || (choices.verify && verification->verified != Verified::yes) ? 1 : 0;
 }
 

@@ -13,6 +13,7 @@
 #include "text/json_text.h"
 #include "text/nearest.h"
 #include "text/printable.h"
+#include "text/say.h"
 
 namespace poinsot {
 
@@ -43,11 +44,12 @@ int run(const ListChoices& choices) {
                 fmt::print("  {{\"name\": {}, \"summary\": {}}}{}\n", json_string(entries[i].name),
                            json_string(entries[i].summary), i + 1 < entries.size() ? "," : "");
             } else {
-                fmt::print("{:{}}  {}\n", entries[i].name, width, entries[i].summary);
+                fmt::print("{:{}}  {}\n", printable(entries[i].name), width,
+                           printable(entries[i].summary, most_of_a_message));
             }
         }
         if (choices.json) fmt::print("]\n");
-        if (!catalogue.note.empty()) fmt::print(stderr, "{}\n", catalogue.note);
+        if (!catalogue.note.empty()) say(catalogue.note);
         return 0;
     }
     throw InputError(fmt::format("poinsot list: nothing called \"{}\"{}; choose from: {}",

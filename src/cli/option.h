@@ -24,7 +24,8 @@ struct Option {
     std::string flags;  // "-o,--output"
     std::string help;
     OptionValue value;
-    std::optional<std::string> type{};  // shown in the help; nothing: what the value is
+    std::string wanted{};  // of a number: what it is, as "millimetres", for who gave none
+    std::optional<std::string> type{};  // shown in the help; nothing: its kind
     bool required = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/option_values.h"
 #include "error/error.h"
 #include "text/printable.h"
 
@@ -11,16 +12,16 @@ namespace {
 
 // An option that says a scene's key. A bare word becomes a TOML string; numbers stay as they are.
 Option override_option(SceneOptions& scene, const char* flag, const char* key, const char* help) {
-    return {flag, help, ReadText([&scene, key](const std::string& value) {
-                scene.overrides.push_back(fmt::format("{}={}", key, value));
+    return {flag, help, ReadText([&scene, flag, key](const std::string& value) {
+                scene.overrides.push_back(fmt::format("{}={}", key, parse_text(flag, value)));
             }),
-            ""};
+            "", ""};
 }
 
 }  // namespace
 
 Option set_option(SceneOptions& scene) {
-    return {"--set", "key=value: change any scene key; repeatable", Repeated{&scene.overrides},
+    return {"--set", "key=value: change any scene key; repeatable", Repeated{&scene.overrides}, "",
             "KEY=VALUE"};
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/option_values.h"
 #include "error/error.h"
 #include "text/nearest.h"
 #include "text/printable.h"
@@ -23,17 +24,30 @@ namespace poinsot {
 
 namespace {
 
-// How CLI11 reads a value of each kind.
+// "--output" of "-o,--output", by which a message names the option.
+std::string long_name(const std::string& flags) {
+    const std::size_t begin = flags.find("--");
+    return flags.substr(begin, flags.find(',', begin) - begin);
+}
+
+// How a value of each kind is read: CLI11 takes the text, and we read it.
 struct Binder {
     CLI::App& app;
     const Option& option;
 
-    template <typename Value>
-    CLI::Option* operator()(Value* value) const {
-        return app.add_option(option.flags, *value, option.help);
-    }
     CLI::Option* operator()(bool* value) const {
         return app.add_flag(option.flags, *value, option.help);
+    }
+    CLI::Option* operator()(std::string* value) const { return text(value); }
+    CLI::Option* operator()(std::optional<std::string>* value) const { return text(value); }
+    CLI::Option* operator()(int* value) const { return whole(value); }
+    CLI::Option* operator()(std::optional<int>* value) const { return whole(value); }
+    CLI::Option* operator()(std::optional<double>* value) const {
+        return read_by([value, name = long_name(option.flags),
+                        wanted = option.wanted](const std::string& given) {
+                   *value = parse_number(name, given, wanted);
+               })
+            ->type_name("NUMBER");
     }
     CLI::Option* operator()(const Repeated& repeated) const {
         const auto append = [to = repeated.values](const std::vector<std::string>& values) {
@@ -43,8 +57,22 @@ struct Binder {
             ->allow_extra_args(false)
             ->take_all();
     }
-    CLI::Option* operator()(const ReadText& read) const {
+    CLI::Option* operator()(const ReadText& read) const { return read_by(read); }
+
+    CLI::Option* read_by(const ReadText& read) const {
         return app.add_option_function<std::string>(option.flags, read, option.help);
+    }
+    template <typename Text>
+    CLI::Option* text(Text* value) const {
+        return read_by([value, name = long_name(option.flags)](const std::string& given) {
+            *value = parse_text(name, given);
+        });
+    }
+    template <typename Whole>
+    CLI::Option* whole(Whole* value) const {
+        return read_by([value, name = long_name(option.flags), wanted = option.wanted](
+                           const std::string& given) { *value = parse_whole(name, given, wanted); })
+            ->type_name("N");
     }
 };
 
@@ -62,6 +90,7 @@ void bind(CLI::App& app, const Option& option) {
 // Data that could not be printed must not look like success.
 void flush_stdout() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        if (errno == EPIPE) throw ReaderGone("stdout is closed");
         throw EnvironmentError(fmt::format("stdout: {}; nothing more was printed",
                                            std::strerror(errno != 0 ? errno : EIO)));
     }

@@ -4,21 +4,21 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 
-#include "production/session.h"
+#include "text/printable.h"
+#include "text/say.h"
 
 namespace poinsot {
 
 Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
-    if (bar_open_) std::fputc('\n', stderr);
+    if (bar_open_) say(" ");
 }
 
 Telling Progress::telling() {
     if (quiet_) return {};
-    return {.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); },
+    return {.say = [](const std::string& line) { say(line); },
             .begin = [this](const std::string& what, std::int64_t total) { begin(what, total); },
             .done = [this](std::int64_t done) { at(done); },
             .finish = [this](const std::string& made) { finish(made); }};
@@ -43,28 +43,25 @@ void Progress::at(std::int64_t done) {
     const double rate = static_cast<double>(done) / std::max(elapsed_s, 1e-9);
     const double left_s = static_cast<double>(total_ - done) / std::max(rate, 1e-9);
     if (!terminal_) {
-        fmt::print(stderr, "{}: frame {} of {}, {:.1f} frames/s, {:.0f} s left\n", what_, done,
-                   total_, rate, left_s);
+        say(fmt::format("{}: frame {} of {}, {:.1f} frames/s, {:.0f} s left", printable(what_),
+                        done, total_, rate, left_s));
         return;
     }
     constexpr int width = 30;
     const int filled = static_cast<int>(width * done / total_);
-    fmt::print(stderr, "\r{} [{}{}] {}/{}  {:.1f} frames/s  {:.0f} s left \x1b[K", what_,
-               std::string(static_cast<std::size_t>(filled), '#'),
-               std::string(static_cast<std::size_t>(width - filled), '.'), done, total_, rate,
-               left_s);
-    std::fflush(stderr);
+    say_over_line(fmt::format(
+        "{} [{}{}] {}/{}  {:.1f} frames/s  {:.0f} s left ", printable(what_, 40),
+        std::string(static_cast<std::size_t>(filled), '#'),
+        std::string(static_cast<std::size_t>(width - filled), '.'), done, total_, rate, left_s));
     bar_open_ = true;
 }
 
 void Progress::finish(const std::string& made) {
-    if (bar_open_) std::fputs("\r\x1b[K", stderr);
+    if (bar_open_) say_over_line("");
     bar_open_ = false;
     const double elapsed_s = std::chrono::duration<double>(Clock::now() - started_).count();
-    fmt::print(stderr, "{}: {} frame{} in {:.2f} s\n", made, total_, total_ == 1 ? "" : "s",
-               elapsed_s);
+    say(fmt::format("{}: {} frame{} in {:.2f} s", printable(made), total_, total_ == 1 ? "" : "s",
+                    elapsed_s));
 }
-
-void print_notes(const Scene& scene, bool quiet) { tell_notes(scene, Progress(quiet).telling()); }
 
 }  // namespace poinsot

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "production/telling.h"
-#include "scene/scene.h"
 
 namespace poinsot {
 
@@ -36,8 +35,5 @@ class Progress {
     Clock::time_point started_{};
     Clock::time_point last_shown_{};
 };
-
-// What the scene's reader left for the user, on stderr, unless quiet.
-void print_notes(const Scene& scene, bool quiet);
 
 }  // namespace poinsot

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
 #include "cli/command.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/scenes.h"
@@ -27,44 +27,32 @@ struct RenderChoices {
     bool quiet = false;
 };
 
-std::pair<std::int64_t, std::int64_t> parse_frames(const std::string& text) {
-    std::int64_t first = 0;
-    std::int64_t last = 0;
-    int used = 0;
-    const int n = std::sscanf(text.c_str(), "%ld-%ld%n", &first, &last, &used);
-    if (n == 1 && text.find('-') == std::string::npos) last = first;
-    const bool whole = n == 2 ? used == static_cast<int>(text.size()) : n == 1;
-    if (!whole || first < 0 || last < first) {
-        throw InputError(fmt::format(
-            "--frames {}: not a range of frames; write A-B with 0 <= A <= B, as in 0-99", text));
-    }
-    return {first, last};
-}
-
 // Prints how well the film keeps what its method promises; whether it does.
-bool certified(const Session& session, const FilmPlan& film) {
+bool certified(const Session& session, const FilmPlan& film, const Telling& telling) {
     if (!can_certify(session)) {
         throw InputError(
             "--certify: only a torque-free body that turns rolls on a plane; leave it out");
     }
-    const Certificate certificate = certify_film(session, film);
+    const Certificate certificate = certify_film(session, film, telling);
     fmt::print("{}", text_of(certificate));
     return certificate.holds();
 }
 
 int render(const SceneJob& job, const RenderChoices& choices, Easel& easel) {
-    const Session session = open_session(scene_request_of(job.scene, choices.scene));
+    Progress progress(choices.quiet);
+    const Telling telling = progress.telling();
+    const Session session =
+        open_session(scene_request_of(job.scene, choices.scene), Purpose::pictures, telling);
     const FilmJob film(session, {job.output, choices.frames});
     // A film that is not what its method promises is refused before it is drawn.
-    if (choices.certify && !certified(session, film.film())) return 1;
-    Progress progress(choices.quiet);
-    film.make(easel, progress.telling());
+    if (choices.certify && !certified(session, film.film(), telling)) return 1;
+    film.make(easel, telling);
     return 0;
 }
 
 int run(const RenderChoices& choices) {
     Easel easel(context_choice_of(choices.context));
-    return for_each_scene(jobs_of(choices.scenes, choices.output),
+    return for_each_scene(jobs_of(choices.scenes, choices.output, OutputKind::film),
                           [&](const SceneJob& job) { return render(job, choices, easel); });
 }
 

@@ -1,13 +1,10 @@
 // poinsot sample SCENE --times T,T,…: the motion as data.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 
 #include "cli/command.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "error/error.h"
@@ -24,29 +21,21 @@ struct SampleChoices {
     bool quiet = false;
 };
 
-std::vector<double> parse_times(const std::string& text) {
-    std::vector<double> times;
-    std::size_t from = 0;
-    while (from <= text.size()) {
-        const std::size_t comma = std::min(text.find(',', from), text.size());
-        const std::string item = text.substr(from, comma - from);
-        char* end = nullptr;
-        const double time = std::strtod(item.c_str(), &end);
-        if (item.empty() || *end != '\0' || !std::isfinite(time)) {
-            throw InputError(fmt::format(
-                "--times: \"{}\" is not a time in seconds; write T,T,… as in 0,0.5,1", item));
-        }
-        times.push_back(time);
-        from = comma + 1;
+MotionSample sample_at(const Motion& motion, double time_s, bool top) {
+    try {
+        return motion.sample(time_s, {.attitude = true, .herpolhode = true, .euler_angles = top});
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("--times {}: {}", time_s, error.what()));
     }
-    return times;
 }
 
 int run(const SampleChoices& choices) {
     SceneRequest request = scene_request_of(choices.scenes.at(0), choices.scene);
     request.times_s = choices.times_s;
-    const Session session = open_session(request, Purpose::numbers);
-    print_notes(session.scene, choices.quiet);
+    Progress progress(choices.quiet);
+    const Telling telling = progress.telling();
+    const Session session = open_session(request, Purpose::numbers, telling);
+    tell_notes(session.scene, telling);
     const bool top = session.motion.regime() == Regime::heavy_top;
 
     // Shortest decimals that give each double back.
@@ -56,8 +45,7 @@ int run(const SampleChoices& choices) {
         "herpolhode_x,herpolhode_y,herpolhode_z{}\n",
         top ? ",theta_rad,phi_rad,psi_rad" : "");
     for (const double time_s : choices.times_s) {
-        const MotionSample sample = session.motion.sample(
-            time_s, {.attitude = true, .herpolhode = true, .euler_angles = top});
+        const MotionSample sample = sample_at(session.motion, time_s, top);
         const Eigen::Vector3d& w = sample.state.omega_body;
         const Eigen::Quaterniond& q = sample.state.space_from_body;
         const Eigen::Vector3d& h = sample.herpolhode_space;
@@ -80,6 +68,7 @@ CommandLine line(std::any& room) {
              {"--times",
               "T,T,…: instants of the motion in seconds",
               ReadText([&c](const std::string& text) { c.times_s = parse_times(text); }),
+              "",
               {},
               true},
              quiet_option(c.quiet),

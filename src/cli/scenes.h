@@ -12,9 +12,14 @@ struct SceneJob {
     std::string output;  // empty: named after the scene
 };
 
-// One for each scene: with one scene its output is as given; with several, the first #### of it
-// counts the scenes from 0. Throws InputError if several scenes would be written to one name.
-std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std::string& output);
+// What a command makes of a scene. In the name of a film of pictures, #### may number its frames.
+enum class OutputKind { picture, film };
+
+// One for each scene. In the output, {scene} becomes the scene's name and the first #### counts the
+// scenes from 0; that of a PNG sequence is left to its frames where one scene, or its name, needs
+// no count. Throws InputError if two scenes would be written to one name.
+std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std::string& output,
+                              OutputKind kind);
 
 // The exit code of a job over one of several scenes: one that is refused is said on stderr and
 // counts as 2.

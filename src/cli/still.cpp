@@ -27,12 +27,13 @@ struct StillChoices {
     bool quiet = false;
 };
 
-std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choices) {
+std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choices,
+                                   const Telling& telling) {
     SceneRequest request = scene_request_of(job.scene, choices.scene);
     request.print = choices.print;
     if (choices.time_s) request.times_s = {*choices.time_s};
     return std::make_unique<StillJob>(
-        open_session(request),
+        open_session(request, Purpose::pictures, telling),
         StillRequest{job.output, choices.time_s, choices.print, choices.bit_depth});
 }
 
@@ -41,7 +42,8 @@ int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Eas
              StillWriter& writer, const Telling& telling) {
     // Where no thread can be had, it is made when asked for.
     const auto begin = [&](std::size_t k) {
-        return std::async([&job = jobs[k], &choices] { return still_of(job, choices); });
+        return std::async(
+            [&job = jobs[k], &choices, &telling] { return still_of(job, choices, telling); });
     };
     // Opened before there is another thread: it changes the environment that libraries read.
     easel.context();
@@ -62,13 +64,13 @@ int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Eas
 void draw_alone(const SceneJob& job, const StillChoices& choices, Easel& easel, StillWriter& writer,
                 const Telling& telling) {
     constexpr std::int64_t small_px = 1 << 24;
-    const std::unique_ptr<StillJob> still = still_of(job, choices);
+    const std::unique_ptr<StillJob> still = still_of(job, choices, telling);
     if (still->n_pixels() <= small_px) easel.compile_quickly();
     still->draw(easel, writer, telling);
 }
 
 int run(const StillChoices& choices) {
-    const std::vector<SceneJob> jobs = jobs_of(choices.scenes, choices.output);
+    const std::vector<SceneJob> jobs = jobs_of(choices.scenes, choices.output, OutputKind::picture);
     Progress progress(choices.quiet);
     const Telling telling = progress.telling();
     StillWriter writer;
@@ -89,19 +91,19 @@ CommandLine line(std::any& room) {
             {output_option(c.output),
              set_option(c.scene),
              size_option(c.scene),
-             {"--width-mm", "width on paper in millimetres", &c.print.width_mm},
+             {"--width-mm", "width on paper in millimetres", &c.print.width_mm, "millimetres"},
              {"--height-mm", "height on paper; from the scene's shape if not given",
-              &c.print.height_mm},
-             {"--dpi", "dots per inch on paper; 300 if not given", &c.print.dpi},
+              &c.print.height_mm, "millimetres"},
+             {"--dpi", "dots per inch on paper; 300 if not given", &c.print.dpi, "dots per inch"},
              {"--type-pt", "size of labels on paper in points, 8.5 if not given; lines follow it",
-              &c.print.type_pt},
-             {"--depth", "bits a colour component: 8 or 16", &c.bit_depth},
+              &c.print.type_pt, "points"},
+             {"--depth", "bits a colour component: 8 or 16", &c.bit_depth, "8 or 16"},
              quality_option(c.scene),
              theme_option(c.scene),
              {"--time",
               "instant of the motion in seconds; if not given, film.still_s of the scene, or the "
               "film's last",
-              &c.time_s},
+              &c.time_s, "an instant in seconds"},
              quiet_option(c.quiet),
              backend_option(c.context),
              portable_option(c.context),

@@ -8,6 +8,7 @@
 #include "cli/progress.h"
 #include "image/png.h"
 #include "lab/tradeoff_report.h"
+#include "production/output_place.h"
 #include "production/picture.h"
 #include "system/atomic_file.h"
 
@@ -22,7 +23,7 @@ struct TradeoffChoices {
     std::string output;
     SceneOptions scene;
     ContextOptions context;
-    bool json = false, quiet = false;
+    bool all = false, json = false, quiet = false;
 };
 
 void write_chart(const Chart& chart, const ContextChoice& context_choice, const fs::path& path) {
@@ -33,13 +34,15 @@ void write_chart(const Chart& chart, const ContextChoice& context_choice, const 
 }
 
 int run(const TradeoffChoices& choices) {
-    const Session session =
-        open_session(scene_request_of(choices.scenes.at(0), choices.scene), Purpose::numbers);
-    print_notes(session.scene, choices.quiet);
+    Progress progress(choices.quiet);
+    const Telling telling = progress.telling();
+    const Session session = open_session(scene_request_of(choices.scenes.at(0), choices.scene),
+                                         Purpose::numbers, telling);
+    tell_notes(session.scene, telling);
     const ContextChoice context = context_choice_of(choices.context);
     const Tradeoff t = trade(session, context);
 
-    std::string prefix = choices.output;
+    std::string prefix = with_scene_name(choices.output, session.scene.name).string();
     if (prefix.empty()) {
         std::error_code ignored;
         fs::create_directory("output", ignored);
@@ -54,20 +57,23 @@ int run(const TradeoffChoices& choices) {
     if (choices.json) {
         fmt::print("{}", json_of(session, t));
     } else {
-        fmt::print("{}", table_of(session, t));
+        fmt::print("{}", table_of(session, t, choices.all));
     }
-    if (!choices.quiet) {
-        fmt::print(stderr, "{0}.csv, {0}.json, {0}-motion.png, {0}-picture.png, {0}-film.png\n",
-                   prefix);
-    }
+    telling.say(
+        fmt::format("{0}.csv, {0}.json, {0}-motion.png, {0}-picture.png, {0}-film.png", prefix));
     return 0;
 }
 
 CommandLine line(std::any& room) {
     auto& c = room.emplace<TradeoffChoices>();
     return {&c.scenes,
-            {output_option(c.output), set_option(c.scene), size_option(c.scene),
-             json_option(c.json), quiet_option(c.quiet), backend_option(c.context),
+            {output_option(c.output),
+             set_option(c.scene),
+             size_option(c.scene),
+             json_option(c.json),
+             quiet_option(c.quiet),
+             {"--all", "print every row, not only those that no other beats", &c.all},
+             backend_option(c.context),
              allow_outside_option(c.scene.allow_outside)},
             [&c] { return run(c); }};
 }

@@ -18,13 +18,16 @@ struct CertifiedClaim {
     double worst = 0.0;
     double at_time_s = 0.0;
     double bound = 0.0;
-    bool holds() const { return worst <= bound; }
+    std::int64_t n_measured = 0;  // instants; 0: the claim is neither kept nor broken
+    bool measured() const { return n_measured > 0; }
+    bool holds() const { return measured() && worst <= bound; }
+    bool fails() const { return measured() && !(worst <= bound); }
 };
 
 struct Certificate {
     std::int64_t n_instants = 0;
     std::vector<CertifiedClaim> claims;
-    bool holds() const;
+    bool holds() const;  // no claim that was measured fails
 };
 
 // Worst residual that an exact evaluation may leave, relative: a few units in the last place of
@@ -32,8 +35,10 @@ struct Certificate {
 inline constexpr double exact_residual_bound = 2e-14;
 
 // The speeds are found by differences in time, whose own error this covers, relative to the
-// greatest speed.
+// greatest speed. They are taken only where a step in time is large against the last place of the
+// time, and where the rounding of phases in one word leaves them this much at most.
 inline constexpr double speed_difference_bound = 1e-9;
+inline constexpr double greatest_speed_difference_bound = 1e-6;
 
 // Evaluates the motion at every instant. `bound` is what the method promises, relative:
 // exact_residual_bound, or what the scene's accuracy allows a stepped method. At the surface of a

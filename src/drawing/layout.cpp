@@ -124,7 +124,7 @@ void StageData::check_fades() const {
             const std::vector<std::string_view> known(can_fade.begin(), can_fade.end());
             throw SceneError(
                 scene.location_of(fmt::format("fades[{}].elements", i)),
-                fmt::format("nothing shown is called \"{}\"{}; here fade: {}", echo(name),
+                fmt::format("nothing shown is called \"{}\"{}; here fade: {}", printable(name),
                             did_you_mean(name, known), fmt::join(known, ", ")));
         }
     }

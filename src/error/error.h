@@ -24,4 +24,10 @@ class EnvironmentError : public Error {
     using Error::Error;
 };
 
+// Whoever read what is printed on stdout reads no more: the program ends without a word.
+class ReaderGone : public Error {
+ public:
+    using Error::Error;
+};
+
 }  // namespace poinsot

@@ -15,6 +15,7 @@
 #include "error/error.h"
 #include "image/pixel_check.h"
 #include "image/png.h"
+#include "system/file_kind.h"
 #include "system/sha256.h"
 
 namespace poinsot {
@@ -245,13 +246,14 @@ std::vector<std::uint8_t> read_file(const fs::path& path) {
         throw EnvironmentError(fmt::format("cannot read {}: {}", path.string(),
                                            std::generic_category().message(error_number)));
     };
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (status.type() == fs::file_type::not_found)
+    const FileKind kind = kind_of_file(path);
+    if (kind == FileKind::missing)
         throw InputError(fmt::format("{} does not exist", path.string()));
-    if (fs::is_directory(status))
+    if (kind == FileKind::folder)
         throw InputError(fmt::format("{} is a folder, not a PNG picture", path.string()));
-    if (error) fail(error.value());
+    if (kind != FileKind::regular)
+        throw InputError(fmt::format("{}: {}", path.string(), in_words(kind)));
+    std::error_code error;
     errno = 0;
     std::ifstream stream(path, std::ios::binary);
     if (!stream) fail(errno);

@@ -61,6 +61,7 @@ struct PictureTrades {
     int width_px = 0, height_px = 0;
     int n_runs = 0;
     std::string reference;
+    double film_ms = 0.0;  // a frame of the film itself, at its size and quality
     std::vector<PictureTrade> rows;
 };
 PictureTrades trade_picture(const Session& session, const ContextChoice& choice,

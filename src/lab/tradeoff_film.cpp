@@ -1,11 +1,16 @@
 // Speed against likeness and size of the encoder's settings, for one scene: the same frames from
 // memory.
-#include <unistd.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <string>
 #include <vector>
 
+#include "error/error.h"
 #include "image/compare.h"
 #include "lab/measure.h"
 #include "lab/tradeoff.h"
@@ -15,6 +20,36 @@
 #include "production/quality.h"
 
 namespace poinsot {
+
+namespace {
+
+// A folder that only this process may enter, of a name that nobody can know beforehand; gone with
+// all that is in it however the measuring ends.
+class TemporaryFolder {
+ public:
+    TemporaryFolder() {
+        std::string name =
+            (std::filesystem::temp_directory_path() / "poinsot-tradeoff-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr)
+            throw EnvironmentError(fmt::format("cannot make a folder in {}: {}",
+                                               std::filesystem::temp_directory_path().string(),
+                                               std::strerror(errno)));
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+ private:
+    std::filesystem::path path_;
+};
+
+}  // namespace
 
 FilmTrades trade_film(const Session& session, const ContextChoice& choice, const FilmPlan& film) {
     // Half the film's sides and two seconds of it: enough for the presets to tell themselves apart.
@@ -32,8 +67,8 @@ FilmTrades trade_film(const Session& session, const ContextChoice& choice, const
         maker.draw(film.moment_of(static_cast<std::int64_t>(k)), frames[k]);
     }
 
-    const std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                       ("poinsot-tradeoff-" + std::to_string(getpid()) + ".mp4");
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "film.mp4";
     for (const Quality& quality : qualities()) {
         OutputPlan plan;
         plan.path = path;
@@ -67,8 +102,6 @@ FilmTrades trade_film(const Session& session, const ContextChoice& choice, const
         row.ssim = n_compared > 0 ? sum / n_compared : 0.0;
         row.unlikeness = 1.0 - row.ssim;
         trades.rows.push_back(row);
-        std::error_code ignored;
-        std::filesystem::remove(path, ignored);
     }
     mark_front(trades.rows, &FilmTrade::ms_a_frame, &FilmTrade::unlikeness);
     return trades;

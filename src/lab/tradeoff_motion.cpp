@@ -99,7 +99,7 @@ MotionTrades trade_motion(const Session& session, const FilmPlan& film, double p
     for (std::int64_t frame = 0; frame < film.n_frames; ++frame) {
         times.push_back(film.time_of(frame));
     }
-    const double turn_s = 2.0 * std::numbers::pi / problem.start.omega_body.norm();
+    const double turn_s = 2.0 * std::numbers::pi / problem.start.omega_body.stableNorm();
     const double span_s = std::max(std::abs(problem.first_time_s), std::abs(problem.last_time_s));
 
     MotionTrades trades;

@@ -104,6 +104,14 @@ PictureTrades trade_picture(const Session& session, const ContextChoice& choice,
         trades.rows.push_back(row);
     }
     mark_front(trades.rows, &PictureTrade::ms_a_frame, &PictureTrade::rms_levels);
+    {
+        PictureMaker maker(session, context, span, setting_of(session.scene));
+        Image image;
+        const Timing timing = timed([&] {
+            for (const FilmMoment& moment : moments) maker.draw(moment, image);
+        });
+        trades.film_ms = timing.cpu_s / static_cast<double>(moments.size()) * 1e3;
+    }
     return trades;
 }
 

@@ -46,7 +46,6 @@ std::string advice(const Session& session, const Tradeoff& t) {
     const double accuracy_px = session.scene.accuracy_px;
     const MotionTrade* any = cheapest_within(t.motion, accuracy_px, true);
     const MotionTrade* stepped = cheapest_within(t.motion, accuracy_px, false);
-    const auto draft = t.picture.rows.size() > 2 ? t.picture.rows[2].ms_a_frame : 0.0;
     if (any == nullptr) {
         return fmt::format("No method reaches {} px here: give a shorter film or a smaller step.",
                            accuracy_px);
@@ -59,9 +58,11 @@ std::string advice(const Session& session, const Tradeoff& t) {
                             stepped->setting);
     }
     return text + fmt::format(
-                      "; the motion is {:.2g} % of what drawing a frame costs, so time is won in "
-                      "the picture and the encoder.",
-                      any->ns_a_frame * 1e-6 / std::max(draft, 1e-9) * 100.0);
+                      "; the motion is {:.2g} % of what drawing a frame costs at {}x{} and quality "
+                      "{} ({:.3g} ms), so time is won in the picture and the encoder.",
+                      any->ns_a_frame * 1e-6 / std::max(t.picture.film_ms, 1e-9) * 100.0,
+                      session.scene.film.width_px, session.scene.film.height_px,
+                      session.scene.film.quality, t.picture.film_ms);
 }
 
 std::string drift(double value) {
@@ -70,12 +71,13 @@ std::string drift(double value) {
 
 }  // namespace
 
-std::string table_of(const Session& session, const Tradeoff& t) {
+std::string table_of(const Session& session, const Tradeoff& t, bool all) {
     std::string text;
     text += fmt::format("motion: {} frames, against {}\n", t.motion.n_frames, t.motion.truth);
     text += fmt::format("  {:12} {:18} {:>11} {:>9} {:>10} {:>10} {:>10} {:>10}\n", "method",
                         "setting", "ns/frame", "evals", "angle/rad", "T drift", "L drift", "px");
     for (const MotionTrade& r : t.motion.rows) {
+        if (!all && !r.on_front) continue;
         text += fmt::format("{} {:12} {:18} {:11.0f} {:9.1f} {:10.2e} {:>10} {:>10} {:10.2e}\n",
                             r.on_front ? "*" : " ", r.method, r.setting, r.ns_a_frame,
                             r.evaluations_a_frame, r.attitude_rad, drift(r.energy),
@@ -86,6 +88,7 @@ std::string table_of(const Session& session, const Tradeoff& t) {
     text += fmt::format("  {:48} {:10} {:>9} {:>11} {:>8}\n", "setting", "quality", "ms/frame",
                         "rms levels", "largest");
     for (const PictureTrade& r : t.picture.rows) {
+        if (!all && !r.on_front) continue;
         text += fmt::format("{} {:48} {:10} {:9.2f} {:11.4f} {:8.0f}\n", r.on_front ? "*" : " ",
                             r.setting, r.quality, r.ms_a_frame, r.rms_levels, r.largest_levels);
     }
@@ -94,10 +97,15 @@ std::string table_of(const Session& session, const Tradeoff& t) {
     text +=
         fmt::format("  {:12} {:>9} {:>12} {:>9}\n", "quality", "ms/frame", "bytes/frame", "SSIM");
     for (const FilmTrade& r : t.film.rows) {
+        if (!all && !r.on_front) continue;
         text += fmt::format("{} {:12} {:9.2f} {:12.0f} {:9.5f}\n", r.on_front ? "*" : " ",
                             r.quality, r.ms_a_frame, r.bytes_a_frame, r.ssim);
     }
-    text += fmt::format("*: on the Pareto front. {}.\n{}\n", how_measured(t), advice(session, t));
+    text += fmt::format("{}. {}.\n{}\n",
+                        all ? "*: on the Pareto front"
+                            : "The Pareto front; --all prints every row, as the CSV and the JSON "
+                              "have it",
+                        how_measured(t), advice(session, t));
     return text;
 }
 

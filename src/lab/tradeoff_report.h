@@ -8,8 +8,8 @@
 
 namespace poinsot {
 
-// With the advice that follows from it.
-std::string table_of(const Session& session, const Tradeoff& trades);
+// The rows that no other beats, or all of them, with the advice that follows.
+std::string table_of(const Session& session, const Tradeoff& trades, bool all);
 std::string csv_of(const Tradeoff& trades);
 std::string json_of(const Session& session, const Tradeoff& trades);
 

@@ -39,18 +39,19 @@ MethodChoice exact_choice() {
 
 // The rungs, coarse to fine.
 std::vector<MethodChoice> ladder(const MotionProblem& problem, const Method& method,
-                                 double most_steps) {
+                                 double most_steps, double finest_tolerance) {
     std::vector<MethodChoice> rungs;
     MethodChoice rung = problem.method;
     if (!method.takes_step) {
-        for (double tolerance = 1e-4; tolerance > 5e-14; tolerance *= 0.1) {
+        for (double tolerance = 1e-4; tolerance > finest_tolerance || rungs.empty();
+             tolerance *= 0.1) {
             rung.tolerance = tolerance;
             rungs.push_back(rung);
         }
         return rungs;
     }
     const double span_s = std::max(std::abs(problem.first_time_s), std::abs(problem.last_time_s));
-    const double turn_s = 2.0 * std::numbers::pi / problem.start.omega_body.norm();
+    const double turn_s = 2.0 * std::numbers::pi / problem.start.omega_body.stableNorm();
     double step_s = std::min(span_s, turn_s / 16.0);
     for (; span_s / step_s <= most_steps || rungs.empty(); step_s *= 0.5) {
         rung.step_s = step_s;
@@ -80,8 +81,12 @@ double error_of(const MotionProblem& problem, const std::optional<Motion>& truth
 
 }  // namespace
 
+MethodChoice coarsest_choice(const MotionProblem& problem) {
+    return ladder(problem, find_method(problem.method.name), 0.0, 1.0).front();
+}
+
 StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_rad,
-                       double most_steps) {
+                       double most_steps, double finest_tolerance) {
     StepChoice choice{problem.method, 0.0, true};
     const Method& method = find_method(problem.method.name);
     const bool given = problem.method.step_s || problem.method.tolerance;
@@ -99,7 +104,7 @@ StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_r
         choice.reached = choice.attitude_rad <= attitude_tolerance_rad;
         return choice;
     }
-    const std::vector<MethodChoice> rungs = ladder(problem, method, most_steps);
+    const std::vector<MethodChoice> rungs = ladder(problem, method, most_steps, finest_tolerance);
     choice.reached = false;
     for (std::size_t i = 0; i < rungs.size() && !choice.reached; ++i) {
         if (!truth && i + 1 == rungs.size()) break;

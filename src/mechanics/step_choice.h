@@ -7,6 +7,8 @@
 
 namespace poinsot {
 
+inline constexpr double most_chosen_steps = 4e6;
+
 struct StepChoice {
     MethodChoice method;        // with step_s or tolerance filled in
     double attitude_rad = 0.0;  // worst error measured over the problem's span at that choice; 0
@@ -18,8 +20,13 @@ struct StepChoice {
 // problem's time span stays within `attitude_tolerance_rad`. Measured against the exact motion
 // where one exists, otherwise against the same method at the next rung. A choice that names its
 // step or tolerance is kept and measured in the same way; an exact method is returned as it is. If
-// no rung of at most `most_steps` steps reaches it, the finest is returned with reached = false.
+// no rung of at most `most_steps` steps, or of at least `finest_tolerance`, reaches it, the finest
+// is returned with reached = false.
 StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_rad,
-                       double most_steps = 4e6);
+                       double most_steps = most_chosen_steps, double finest_tolerance = 5e-14);
+
+// The coarsest rung, for a choice that names neither step nor tolerance. Precondition: the body
+// turns, and the method steps.
+MethodChoice coarsest_choice(const MotionProblem& problem);
 
 }  // namespace poinsot

@@ -11,6 +11,7 @@
 
 #include "error/error.h"
 #include "mesh/mesh_reader.h"
+#include "system/file_kind.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -24,12 +25,11 @@ namespace fs = std::filesystem;
 }
 
 std::string bytes_of_file(const fs::path& file) {
+    const FileKind kind = kind_of_file(file);
+    if (kind == FileKind::missing) refuse(file, "no such file; name an .obj or .stl file");
+    if (kind == FileKind::folder) refuse(file, "this is a folder; name an .obj or .stl file in it");
+    if (kind != FileKind::regular) refuse(file, in_words(kind));
     std::error_code failed;
-    const fs::file_status status = fs::status(file, failed);
-    if (!fs::exists(status)) refuse(file, "no such file; name an .obj or .stl file");
-    if (fs::is_directory(status)) refuse(file, "this is a folder; name an .obj or .stl file in it");
-    // A pipe or a device has no end that is known beforehand.
-    if (!fs::is_regular_file(status)) refuse(file, "not a regular file; name an .obj or .stl file");
     const std::uintmax_t size = fs::file_size(file, failed);
     if (failed || size > largest_mesh_bytes) {
         refuse(file, failed ? "its size cannot be found; check its permissions"

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "error/error.h"
 #include "mesh/mass_properties.h"
+#include "mesh/overlaps.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -90,6 +92,7 @@ class Pieces {
     }
     std::size_t count() const { return n_pieces_; }
     Index of_triangle(std::size_t t) const { return of_triangle_[t]; }
+    std::span<const Index> of_triangles() const { return of_triangle_; }
 
  private:
     Index root(Index v) {
@@ -178,6 +181,29 @@ bool encloses_volume(const TriangleMesh& mesh) {
            properties.inertia_unit_density.diagonal().minCoeff() > 0.0;
 }
 
+// Space that the surface covers twice has its mass counted twice; the user may have meant it.
+void note_overlaps(SolidMesh& solid, const Pieces& pieces, std::string_view name) {
+    const Overlaps overlaps = overlaps_of(solid.mesh, pieces.of_triangles(), pieces.count());
+    if (overlaps.first_crossing_m) {
+        solid.notes.push_back(
+            fmt::format("{}: the surface crosses itself, first near {}: what it covers twice "
+                        "counts twice; unite "
+                        "the parts where the mesh was made",
+                        printable(name), point(*overlaps.first_crossing_m)));
+    }
+    if (overlaps.n_nested > 0) {
+        solid.notes.push_back(fmt::format(
+            "{}: {} within another: what is covered twice counts twice; turn the inner one round "
+            "for a cavity, or remove it",
+            printable(name), plural(overlaps.n_nested, "piece lies", "pieces lie")));
+    }
+    if (!overlaps.all_looked_at) {
+        solid.notes.push_back(fmt::format(
+            "{}: too large to look everywhere for parts that cross or lie within one another",
+            printable(name)));
+    }
+}
+
 }  // namespace
 
 EdgeFaults edge_faults(const TriangleMesh& mesh) {
@@ -233,6 +259,7 @@ SolidMesh checked_solid(const TriangleMesh& mesh, std::string_view name) {
                                           printable(name), n_turned, pieces.count()));
     }
     if (n_turned > 0) turn_round(solid.mesh, pieces, measures);
+    note_overlaps(solid, pieces, name);
     if (!encloses_volume(solid.mesh)) {
         throw InputError(fmt::format(
             "{}: the surface is closed but encloses no volume, so the body has no mass; give the "

@@ -8,6 +8,7 @@
 #include "image/png.h"
 #include "output/libav.h"
 #include "output/video_encoder.h"
+#include "system/file_kind.h"
 
 extern "C" {
 #include <libavutil/pixdesc.h>
@@ -52,6 +53,9 @@ struct VideoReader::Impl {
 };
 
 VideoReader::Impl::Impl(const std::filesystem::path& file) : path(file) {
+    const FileKind kind = kind_of_file(path);
+    if (kind != FileKind::regular)
+        throw InputError(fmt::format("{}: cannot be read: {}", path.string(), in_words(kind)));
     silence_libav();
     AVFormatContext* context = nullptr;
     const std::string name = "file:" + path.string();

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <span>
 #include <string>
 
 #include "system/atomic_file.h"
+#include "system/file_kind.h"
 #include "text/json_text.h"
 
 namespace poinsot {
@@ -23,6 +25,11 @@ std::int64_t frame_at(const FilmPlan& film, double film_s) {
         (film.moment_of(middle).film_s < film_s - rounding ? before : after) = middle;
     }
     return after;
+}
+
+// The first lines of the file, by which it is known for that of a film.
+std::string head_of(const OutputPlan& plan) {
+    return fmt::format("{{\n  \"film\": {},\n", json_string(plan.path.filename().string()));
 }
 
 }  // namespace
@@ -50,16 +57,29 @@ std::filesystem::path chapters_path(const std::filesystem::path& film) {
         stem.erase(std::remove(stem.begin(), stem.end(), '#'), stem.end());
         stem.erase(stem.find_last_not_of("_-. ") + 1);
     }
+    // Films of one name in two formats each have theirs.
+    if (film.extension() != ".mp4" && !stem.empty()) stem += film.extension().string();
     return film.parent_path() / (stem.empty() ? "chapters.json" : stem + ".chapters.json");
+}
+
+void remove_stale_chapters(const OutputPlan& plan) {
+    const std::filesystem::path path = chapters_path(plan.path);
+    if (kind_of_file(path) != FileKind::regular) return;
+    std::ifstream file(path, std::ios::binary);
+    std::string beginning(head_of(plan).size(), '\0');
+    file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    std::error_code ignored;
+    if (file && beginning == head_of(plan)) std::filesystem::remove(path, ignored);
 }
 
 void write_chapters(const OutputPlan& plan, const FilmPlan& film) {
     const double per_second = plan.rate.per_second();
-    std::string text = fmt::format(
-        "{{\n  \"film\": {},\n  \"frames_per_second\": \"{}/{}\",\n  \"n_frames\": {},\n"
-        "  \"loops\": {},\n  \"chapters\": [\n",
-        json_string(plan.path.filename().string()), plan.rate.numerator, plan.rate.denominator,
-        plan.n_frames, film.loop_s > 0.0);
+    std::string text =
+        head_of(plan) + fmt::format(
+                            "  \"frames_per_second\": \"{}/{}\",\n  \"n_frames\": {},\n"
+                            "  \"loops\": {},\n  \"chapters\": [\n",
+                            plan.rate.numerator, plan.rate.denominator, plan.n_frames,
+                            film.loop_s > 0.0);
     for (std::size_t i = 0; i < plan.chapters.size(); ++i) {
         const FilmChapter& chapter = plan.chapters[i];
         const std::int64_t shown = plan.first_frame + chapter.first_frame;

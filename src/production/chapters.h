@@ -13,8 +13,12 @@ namespace poinsot {
 std::vector<FilmChapter> chapters_of(const Scene& scene, const FilmPlan& film, std::int64_t first,
                                      std::int64_t last);
 
-// "film.chapters.json" for "film.mp4"; for a sequence the name without its number.
+// "film.chapters.json" for "film.mp4", "film.webm.chapters.json" for "film.webm"; for a sequence
+// the name without its number.
 std::filesystem::path chapters_path(const std::filesystem::path& film);
+
+// Removes that file if an earlier film of the same name has left it.
+void remove_stale_chapters(const OutputPlan& plan);
 
 // Writes that file, whole or not at all. Throws EnvironmentError.
 void write_chapters(const OutputPlan& plan, const FilmPlan& film);

@@ -95,6 +95,7 @@ void FilmJob::make(Easel& easel, const Telling& telling) const {
     }
     PictureMaker pictures(*session_, easel,
                           {.first_time_s = film_.time_of(0), .last_time_s = film_.time_of(last_)});
+    tell_type_notes(pictures.stage(), telling);
     Record record = record_of(*session_, pictures, easel.is_portable());
     record.frames = {first_, last_};
     plan.metadata = to_text(record);
@@ -121,6 +122,8 @@ void FilmJob::make(Easel& easel, const Telling& telling) const {
     }
     if (!plan.chapters.empty() && (format.film || format.name == "png-sequence"))
         write_chapters(plan, film_);
+    else
+        remove_stale_chapters(plan);
     if (format.name == "png-sequence") note_others(plan, telling);
     telling.finish(printable(plan.path.string()));
     telling.say(in_words(pictures.bound(), scene.accuracy_px));

@@ -13,7 +13,6 @@
 #include "mechanics/motion_errors.h"
 #include "production/picture.h"
 #include "text/json_text.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
@@ -162,10 +161,9 @@ void add_beside(const Session& session, const FilmPlan& film, std::vector<Fact>&
 // What the scene says, and what motion it is.
 void add_motion(const Session& session, std::vector<Fact>& facts) {
     const MotionProblem& problem = session.motion.problem();
-    facts.push_back({"scene", json_string(session.scene.file.string()), "scene",
-                     printable(session.scene.file.string())});
     facts.push_back(
-        {"title", json_string(session.scene.title), "title", printable(session.scene.title)});
+        {"scene", json_string(session.scene.file.string()), "scene", session.scene.file.string()});
+    facts.push_back({"title", json_string(session.scene.title), "title", session.scene.title});
     const Eigen::Vector3d& I = problem.inertia.moments_kg_m2();
     facts.push_back(
         {"moments_kg_m2",
@@ -202,12 +200,13 @@ void add_film(const Session& session, const FilmPlan& film, std::vector<Fact>& f
 void add_certificate(const Certificate& certificate, std::vector<Fact>& facts) {
     facts.push_back({"certificate_holds", fmt::format("{}", certificate.holds()), "", ""});
     for (const CertifiedClaim& claim : certificate.claims)
-        facts.push_back({fmt::format("worst_{}", claim.name), json_number(claim.worst), "", ""});
+        facts.push_back({fmt::format("worst_{}", claim.name),
+                         claim.measured() ? json_number(claim.worst) : "null", "", ""});
 }
 
 }  // namespace
 
-Findings examine(const Session& session, bool plan) {
+Findings examine(const Session& session, bool plan, const Telling& telling) {
     Findings findings;
     std::vector<Fact>& facts = findings.facts;
     const FilmPlan film = film_plan(session);
@@ -217,10 +216,11 @@ Findings examine(const Session& session, bool plan) {
     const PictureSetting setting = setting_of(session.scene);
     const Stage stage = stage_of(
         session, {.first_time_s = film.start_s, .last_time_s = film.last_time_s()}, setting);
+    tell_type_notes(stage, telling);
     add_accuracy(session, bound_of(session, stage, setting.samples), facts);
     add_beside(session, film, facts);
     if (can_certify(session)) {
-        findings.certificate = certify_film(session, film);
+        findings.certificate = certify_film(session, film, telling);
         add_certificate(*findings.certificate, facts);
     }
     if (plan) findings.plan = plan_of(session, film, stage);

@@ -27,6 +27,6 @@ struct Findings {
 
 // Makes the stage, too: whether a scene can be drawn is part of it, and opens no context. Throws
 // InputError.
-Findings examine(const Session& session, bool plan);
+Findings examine(const Session& session, bool plan, const Telling& telling = {});
 
 }  // namespace poinsot

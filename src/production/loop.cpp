@@ -132,7 +132,7 @@ void note_jumps(Scene& scene) {
                 continue;
             const std::string note = fmt::format(
                 "\"{}\" is not as much there in the end as it was, so the loop jumps; fade it back",
-                echo(name));
+                printable(name));
             if (std::find(scene.notes.begin(), scene.notes.end(), note) == scene.notes.end()) {
                 scene.notes.push_back(note);
             }

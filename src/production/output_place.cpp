@@ -1,12 +1,43 @@
 #include "production/output_place.h"
 
+#include <algorithm>
 #include <string>
 #include <system_error>
+
+#include "output/frame_name.h"
 
 namespace poinsot {
 
 namespace {
 constexpr const char* kFolder = "output";
+constexpr std::string_view kSceneName = "{scene}";
+}  // namespace
+
+bool has_scene_name(std::string_view pattern) {
+    return pattern.find(kSceneName) != std::string_view::npos;
+}
+
+std::filesystem::path with_scene_name(const std::filesystem::path& pattern,
+                                      std::string_view scene_name) {
+    std::string name(scene_name);
+    std::replace(name.begin(), name.end(), '#', '_');
+    std::string path = pattern.string();
+    for (std::size_t at = 0; (at = path.find(kSceneName, at)) != std::string::npos;
+         at += name.size())
+        path.replace(at, kSceneName.size(), name);
+    return path;
+}
+
+std::filesystem::path numbered_output(const std::filesystem::path& pattern, std::int64_t number,
+                                      std::string_view scene_name) {
+    return with_scene_name(has_frame_number(pattern) ? frame_name(pattern, number) : pattern,
+                           scene_name);
+}
+
+std::filesystem::path default_output(std::string_view scene_name, std::string_view suffix) {
+    return with_scene_name(
+        std::filesystem::path(kFolder) / (std::string(kSceneName) + std::string(suffix)),
+        scene_name);
 }
 
 OutputPlace::OutputPlace(const std::string& asked, const Scene& scene, std::string_view suffix)
@@ -15,7 +46,7 @@ OutputPlace::OutputPlace(const std::string& asked, const Scene& scene, std::stri
     // What cannot be made is said where the file is opened.
     std::error_code ignored;
     made_ = std::filesystem::create_directory(kFolder, ignored);
-    path_ = std::filesystem::path(kFolder) / (scene.name + std::string(suffix));
+    path_ = default_output(scene.name, suffix);
 }
 
 OutputPlace::~OutputPlace() {

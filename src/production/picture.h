@@ -64,6 +64,9 @@ PictureSetting setting_of(const Scene& scene, const PrintChoices& print = {});
 // The stage of pictures drawn so. The session must outlive it.
 Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting);
 
+// Which characters of a picture no font here has.
+void tell_type_notes(const Stage& stage, const Telling& telling);
+
 // How far anything drawn is from the truth, in pixels of the picture that is made.
 struct PictureBound {
     double motion_px = 0.0;  // see motion_error_px

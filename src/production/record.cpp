@@ -5,15 +5,19 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <tuple>
 
+#include "drawing/stage_data.h"
 #include "error/error.h"
 #include "image/pixel_check.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
 #include "output/film_packets.h"
 #include "output/frame_sink.h"
+#include "scene/toml_document.h"
 #include "scene/write_scene.h"
 #include "system/sha256.h"
 #include "text/printable.h"
@@ -84,6 +88,18 @@ Number number(const std::string& text, const std::string& name) {
     return value;
 }
 
+// The fonts that stood in for those that come with the program, each by its name and its hash.
+std::string fonts_in_words(const Stage& stage) {
+    std::string text;
+    for (const auto& file : stage.data().type_case.typesetter().fallbacks_used()) {
+        std::ifstream stream(file, std::ios::binary);
+        const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", file.filename().string(),
+                            sha256_of(bytes));
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string mesh_hash_of(const Scene& scene) {
@@ -108,6 +124,12 @@ Record record_of(const Session& session, const PictureMaker& pictures, bool port
     record.version = POINSOT_VERSION;
     record.scene_name = session.scene.name;
     record.scene_toml = to_toml(session.scene);
+    // Refused before anything is drawn: a picture must be able to say how it was made.
+    if (record.scene_toml.size() > most_scene_bytes)
+        throw InputError(fmt::format(
+            "{}: written out in full it has {} bytes, more than the {} that are read again of a "
+            "picture's record; shorten it",
+            printable(session.scene.file.string()), record.scene_toml.size(), most_scene_bytes));
     record.mesh_hash = mesh_hash_of(session.scene);
     record.scene_hash = sha256_of(record.scene_toml + record.mesh_hash);
     record.method = method_in_words(session.motion);
@@ -115,6 +137,7 @@ Record record_of(const Session& session, const PictureMaker& pictures, bool port
     record.portable = portable;
     record.renderer = context.renderer;
     record.mesa = mesa_version(context.version);
+    record.fonts = fonts_in_words(pictures.stage());
     record.width_px = session.scene.film.width_px;
     record.height_px = session.scene.film.height_px;
     return record;
@@ -124,7 +147,7 @@ std::string to_text(const Record& record) {
     std::string text = fmt::format("poinsot {}\n", record.version);
     const auto add = [&text](std::string_view key, std::string_view value) {
         // A name with a line break in it would pass for another field.
-        text += fmt::format("{}: {}\n", key, printable(value));
+        text += fmt::format("{}: {}\n", key, printable(value, any_length));
     };
     add("scene", record.scene_name);
     add("scene-sha256", record.scene_hash);
@@ -134,6 +157,7 @@ std::string to_text(const Record& record) {
     add("profile", record.portable ? "portable" : "native");
     add("renderer", record.renderer);
     add("mesa", record.mesa);
+    if (!record.fonts.empty()) add("fonts", record.fonts);
     add("size", fmt::format("{}x{}", record.width_px, record.height_px));
     if (record.time_s) add("time_s", fmt::format("{}", *record.time_s));
     if (record.dpi) add("dpi", fmt::format("{}", *record.dpi));
@@ -228,6 +252,7 @@ Record parse_record(std::string_view text, const std::string& name) {
     record.portable = field(fields, "profile", name) == "portable";
     record.renderer = field(fields, "renderer", name);
     record.mesa = field(fields, "mesa", name);
+    if (fields.contains("fonts")) record.fonts = field(fields, "fonts", name);
     std::tie(record.width_px, record.height_px) =
         number_pair<int>(field(fields, "size", name), 'x', name);
     if (fields.contains("time_s")) record.time_s = number(field(fields, "time_s", name), name);

@@ -25,6 +25,7 @@ struct Record {
     bool portable = false;   // profile
     std::string renderer;    // GL_RENDERER
     std::string mesa;        // version of Mesa, or all of GL_VERSION where that names none
+    std::string fonts;  // of the system, that stood in for ours: "NAME SHA-256, …"; most often none
     int width_px = 0, height_px = 0;
     std::optional<double> time_s;                                 // of a still
     std::optional<double> dpi, type_pt;                           // of one for print

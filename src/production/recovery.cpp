@@ -15,11 +15,12 @@ namespace poinsot {
 namespace {
 
 // The chapters beside a film that ends early, as they lie beside a whole one.
-void write_chapters_beside(const std::filesystem::path& path) {
+void write_chapters_beside(const std::filesystem::path& path, const Telling& telling) {
     const Record record = read_record(path);
     // The record's scene is read as a file of its name in this folder would be.
     const Session session = session_of(
-        parse_scene(record.scene_toml, record.scene_name + ".toml", {}, OutsideFiles::refused));
+        parse_scene(record.scene_toml, record.scene_name + ".toml", {}, OutsideFiles::refused), {},
+        Purpose::pictures, telling);
     if (session.scene.chapters.empty() || !record.frames) return;
     const FilmPlan film = film_plan(session);
     const auto [first, last] = *record.frames;
@@ -37,7 +38,7 @@ void write_chapters_beside(const std::filesystem::path& path) {
 std::int64_t recover(const std::filesystem::path& film, const Telling& telling) {
     const std::int64_t n_frames = recover_film(film, told);
     try {
-        write_chapters_beside(film);
+        write_chapters_beside(film, telling);
     } catch (const InputError& error) {
         // The film is there; only what stands beside it needs the scene's files.
         telling.say(fmt::format("note: no {}: {}", printable(chapters_path(film).string()),

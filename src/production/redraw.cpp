@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "error/error.h"
@@ -11,6 +12,7 @@
 #include "image/png.h"
 #include "output/film_metadata.h"
 #include "production/film_job.h"
+#include "production/output_place.h"
 #include "production/record.h"
 #include "production/still_job.h"
 #include "text/printable.h"
@@ -29,6 +31,7 @@ void note_differences(const Record& then, const Record& now, const Telling& tell
     note("poinsot", then.version, now.version);
     note("the renderer", then.renderer, now.renderer);
     note("Mesa", then.mesa, now.mesa);
+    note("the fonts", then.fonts, now.fonts);
 }
 
 // One frame of a sequence carries the record of the whole, whose histories it shows.
@@ -55,6 +58,19 @@ void redraw_frame(const RedrawRequest& request, const Record& record, const Sess
     write_png(request.output, image, png);
 }
 
+// The request, its output with the scene's name and the frame's number put in.
+RedrawRequest with_its_names(RedrawRequest request, const Record& record) {
+    const bool one_frame = record.frames && request.file.extension() == ".png";
+    const auto frame = record.frame ? record.frame : frame_of_name(request.file);
+    request.output =
+        numbered_output(request.output, one_frame ? frame.value_or(0) : 0, record.scene_name);
+    std::error_code not_there;
+    if (std::filesystem::equivalent(request.file, request.output, not_there))
+        throw InputError(fmt::format("{}: is the file that is to be drawn again; name another",
+                                     printable(request.output.string())));
+    return request;
+}
+
 // The record's scene, read as a file of its name in this folder would be.
 Scene scene_of(const RedrawRequest& request, const Record& record) {
     Scene scene = parse_scene(record.scene_toml, record.scene_name + ".toml", {}, request.outside);
@@ -77,8 +93,9 @@ StillRequest still_request_of(const RedrawRequest& request, const Record& record
 
 }  // namespace
 
-void redraw(const RedrawRequest& request, const Telling& telling) {
-    const Record record = read_record(request.file);
+void redraw(const RedrawRequest& asked, const Telling& telling) {
+    const Record record = read_record(asked.file);
+    const RedrawRequest request = with_its_names(asked, record);
     const bool is_picture = request.file.extension() == ".png";
     if (is_picture != (request.output.extension() == ".png"))
         throw InputError(fmt::format("{}: {} is drawn again as one of its kind; choose a name {}",
@@ -87,7 +104,8 @@ void redraw(const RedrawRequest& request, const Telling& telling) {
                                      is_picture ? "in .png" : "in .mp4, .webm or .gif"));
 
     const double time_s = record.time_s.value_or(0.0);
-    Session session = session_of(scene_of(request, record), {&time_s, 1});
+    Session session =
+        session_of(scene_of(request, record), {&time_s, 1}, Purpose::pictures, telling);
     Easel easel({.backend = request.backend,
                  .portability = record.portable ? Portability::portable : Portability::native});
     if (record.time_s) {

@@ -12,13 +12,14 @@ namespace poinsot {
 
 struct RedrawRequest {
     std::filesystem::path file;
-    std::filesystem::path output;  // a file of the same kind
+    // A file of the same kind; {scene} in its name becomes the scene's, #### the frame's number.
+    std::filesystem::path output;
     Backend backend = Backend::automatic;
     OutsideFiles outside = OutsideFiles::refused;
 };
 
 // Draws as the file's record says; what may keep this machine from the same bytes is told. Throws
 // InputError for a file without a record, and for a mesh that has changed since; EnvironmentError.
-void redraw(const RedrawRequest& request, const Telling& telling);
+void redraw(const RedrawRequest& asked, const Telling& telling);
 
 }  // namespace poinsot

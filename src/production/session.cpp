@@ -10,8 +10,10 @@
 #include "drawing/type/overlay.h"
 #include "error/error.h"
 #include "mechanics/methods.h"
+#include "production/patience.h"
 #include "production/print_size.h"
 #include "scene/scene_error.h"
+#include "scene/scene_keys.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -85,15 +87,68 @@ void set_size_on_paper(const SceneRequest& request, Scene& scene) {
     }
 }
 
-}  // namespace
+// What stepping over a problem's span may cost, found before it is done.
+struct SteppingPlan {
+    bool steps = false;
+    double estimate_s = 0.0;  // 0: the step is still to be chosen
+    double most_steps = most_chosen_steps;
+    double finest_tolerance = 5e-14;
+};
 
-Session open_session(const SceneRequest& request, Purpose purpose) {
-    Scene scene = load_scene(request.file, request.overrides, request.outside);
-    set_size_on_paper(request, scene);
-    return session_of(std::move(scene), request.times_s, purpose);
+// The seconds that stepping so many times will take. Throws InputError where that is too long.
+double affordable_s(const MotionProblem& problem, double n_times) {
+    const double estimate_s = n_times * stepping_estimate_s(problem);
+    if (estimate_s <= longest_stepping_s) return estimate_s;
+    throw InputError(fmt::format(
+        "stepping by {} from {:g} s to {:g} s{} would take about {:.0f} s, and at most {:.0f} s "
+        "are spent on it; give a larger step or tolerance, a shorter film, or method = \"exact\"",
+        problem.method.name, problem.first_time_s, problem.last_time_s,
+        problem.method.step_s ? fmt::format(" in steps of {:g} s", *problem.method.step_s) : "",
+        estimate_s, longest_stepping_s));
 }
 
-Session session_of(Scene scene, std::span<const double> times_s, Purpose purpose) {
+SteppingPlan stepping_plan(const MotionProblem& problem) {
+    SteppingPlan plan;
+    const Method& method = check_method(problem.method, problem.inertia, problem.torque);
+    plan.steps = method.make != nullptr && problem.first_time_s < problem.last_time_s;
+    if (!plan.steps) return plan;
+    // Without an exact motion to compare with, a step is measured against half of it.
+    const bool has_truth = can_solve(find_method("exact"), problem.inertia, problem.torque);
+    if (problem.method.step_s || problem.method.tolerance || problem.start.omega_body.isZero(0.0)) {
+        plan.estimate_s = affordable_s(problem, has_truth ? 2.0 : 4.0);
+        return plan;
+    }
+    // The rungs of a ladder take twice as long as its finest, which then is taken once more.
+    const double n_times = has_truth ? 3.0 : 5.0;
+    MotionProblem rung = problem;
+    rung.method = coarsest_choice(problem);
+    const double coarsest_s = affordable_s(rung, n_times);
+    if (rung.method.step_s) {
+        const double span_s =
+            std::max(std::abs(problem.first_time_s), std::abs(problem.last_time_s));
+        const double n_steps = span_s / *rung.method.step_s;
+        if (coarsest_s > 0.0)
+            plan.most_steps =
+                std::min(plan.most_steps, n_steps * (longest_stepping_s / coarsest_s));
+        return plan;
+    }
+    while (*rung.method.tolerance > plan.finest_tolerance &&
+           n_times * stepping_estimate_s(rung) <= longest_stepping_s)
+        *rung.method.tolerance *= 0.1;
+    plan.finest_tolerance = *rung.method.tolerance;
+    return plan;
+}
+
+}  // namespace
+
+Session open_session(const SceneRequest& request, Purpose purpose, const Telling& telling) {
+    Scene scene = load_scene(request.file, request.overrides, request.outside);
+    set_size_on_paper(request, scene);
+    return session_of(std::move(scene), request.times_s, purpose, telling);
+}
+
+Session session_of(Scene scene, std::span<const double> times_s, Purpose purpose,
+                   const Telling& telling) {
     std::optional<Loop> loop = resolve_loop(scene);
     MotionProblem problem = problem_of(scene);
     extend(problem, times_s);
@@ -102,20 +157,44 @@ Session session_of(Scene scene, std::span<const double> times_s, Purpose purpose
         problem.first_time_s = std::min(problem.first_time_s, scene.film.start_s - loop->loop_s);
     const double tolerance_rad = scene.accuracy_px / pixels_per_radian(scene);
     const std::string key = key_of("motion", scene.method);
-    StepChoice step = at_scene_key(scene, key, [&] { return choose_step(problem, tolerance_rad); });
+    SteppingPlan plan = at_key_of_error(scene, key, "film", [&] { return stepping_plan(problem); });
+    if (scene.beside) {
+        MotionProblem other = problem;
+        other.method = *scene.beside;
+        plan.estimate_s += at_key_of_error(scene, key_of("beside", *scene.beside), "film",
+                                           [&] { return affordable_s(other, 1.0); });
+    }
+    std::optional<Patience> patience;
+    if (plan.steps)
+        patience.emplace(fmt::format("{}: stepping the motion", printable(scene.name, 40)),
+                         plan.estimate_s, telling);
+    StepChoice step = at_key_of_error(scene, key, "film", [&] {
+        return choose_step(problem, tolerance_rad, plan.most_steps, plan.finest_tolerance);
+    });
     note_unreached(scene, step);
     problem.method = step.method;
-    problem.tier = at_scene_key(scene, "start", [&] { return tier_for(scene, problem, purpose); });
-    Motion motion = at_scene_key(scene, key, [&] { return Motion(problem); });
+    problem.tier =
+        at_key_of_error(scene, "start", "film", [&] { return tier_for(scene, problem, purpose); });
+    Motion motion = at_key_of_error(scene, key, "film", [&] { return Motion(problem); });
 
     std::optional<Motion> beside;
     if (scene.beside) {
         problem.method = *scene.beside;
-        beside =
-            at_scene_key(scene, key_of("beside", *scene.beside), [&] { return Motion(problem); });
+        beside = at_key_of_error(scene, key_of("beside", *scene.beside), "film",
+                                 [&] { return Motion(problem); });
     }
     return {std::move(scene), std::move(step), std::move(motion), std::move(beside),
             std::move(loop)};
+}
+
+void throw_at_key(const Scene& scene, const std::string& key, const std::string& time_key,
+                  const InputError& error) {
+    const std::string_view what = error.what();
+    const std::string_view named = what.substr(0, what.find(':'));
+    if (named == "time_s") throw SceneError(scene.location_of(time_key), what);
+    const std::string of_start = fmt::format("start.{}", named);
+    const bool is_of_start = find_scene_key(of_start) != nullptr;
+    throw SceneError(scene.location_of(is_of_start ? of_start : key), what);
 }
 
 double motion_error_px(const Session& session) {
@@ -132,7 +211,13 @@ bool can_certify(const Session& session) {
            !problem.start.omega_body.isZero(0.0);
 }
 
-Certificate certify_film(const Session& session, const FilmPlan& film) {
+Certificate certify_film(const Session& session, const FilmPlan& film, const Telling& telling) {
+    std::optional<Patience> patience;
+    constexpr std::int64_t many = 100'000;
+    if (film.n_frames >= many)
+        patience.emplace(fmt::format("{}: certifying {} frames", printable(session.scene.name, 40),
+                                     film.n_frames),
+                         0.0, telling);
     std::vector<double> times;
     times.reserve(static_cast<std::size_t>(film.n_frames));
     for (std::int64_t frame = 0; frame < film.n_frames; ++frame) {
@@ -148,13 +233,27 @@ Certificate certify_film(const Session& session, const FilmPlan& film) {
 
 std::string text_of(const Certificate& certificate) {
     std::string text;
+    bool all_measured = true;
     for (const CertifiedClaim& claim : certificate.claims) {
-        text += fmt::format("{} {}: {:.2e} at t = {:.6g} s (bound {:.0e}): {}\n",
+        all_measured = all_measured && claim.measured();
+        if (!claim.measured()) {
+            text += fmt::format(
+                "not measured {}: times so large have no steps fine enough to tell: {}\n",
+                claim.name, claim.means);
+            continue;
+        }
+        const std::string part =
+            claim.n_measured < certificate.n_instants
+                ? fmt::format(", over {} of {} frames", claim.n_measured, certificate.n_instants)
+                : "";
+        text += fmt::format("{} {}: {:.2e} at t = {:.6g} s (bound {:.0e}{}): {}\n",
                             claim.holds() ? "holds" : "FAILS", claim.name, claim.worst,
-                            claim.at_time_s, claim.bound, claim.means);
+                            claim.at_time_s, claim.bound, part, claim.means);
     }
     return text + fmt::format("certificate: {} over {} frames\n",
-                              certificate.holds() ? "every claim holds" : "a claim FAILS",
+                              !certificate.holds() ? "a claim FAILS"
+                              : all_measured       ? "every claim holds"
+                                                   : "every claim that was measured holds",
                               certificate.n_instants);
 }
 

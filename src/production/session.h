@@ -19,6 +19,7 @@
 #include "scene/film_clock.h"
 #include "scene/load_scene.h"
 #include "scene/scene.h"
+#include "scene/scene_error.h"
 
 namespace poinsot {
 
@@ -45,11 +46,14 @@ struct SceneRequest {
 };
 
 // Throws InputError.
-Session open_session(const SceneRequest& request, Purpose purpose = Purpose::pictures);
+Session open_session(const SceneRequest& request, Purpose purpose = Purpose::pictures,
+                     const Telling& telling = {});
 
 // The motion of a scene over its film and further instants, its step chosen. Throws SceneError.
+// Stepping that would take longer than longest_stepping_s is refused, and what takes more than a
+// second is told.
 Session session_of(Scene scene, std::span<const double> times_s = {},
-                   Purpose purpose = Purpose::pictures);
+                   Purpose purpose = Purpose::pictures, const Telling& telling = {});
 
 // How far the motion can carry anything drawn from the truth, in pixels: measured for a stepped
 // motion, the bound of the tier for a closed form.
@@ -76,10 +80,28 @@ FilmPlan film_plan(const Session& session);
 // The residuals of the construction over all frames; every frame counts. Torque-free scenes that
 // turn.
 bool can_certify(const Session& session);
-Certificate certify_film(const Session& session, const FilmPlan& film);
+Certificate certify_film(const Session& session, const FilmPlan& film, const Telling& telling = {});
 
 // The certificate as lines of text, one a claim, with what was measured and what was promised.
 std::string text_of(const Certificate& certificate);
+
+[[noreturn]] void throw_at_key(const Scene& scene, const std::string& key,
+                               const std::string& time_key, const InputError& error);
+
+// Calls what may throw an InputError of the mechanics, which knows no file: one that begins with a
+// key of [start], as "omega_rad_s: …", gets that key's place; one about a time gets that of
+// `time_key`, any other that of `key`.
+template <typename Call>
+decltype(auto) at_key_of_error(const Scene& scene, const std::string& key,
+                               const std::string& time_key, Call call) {
+    try {
+        return call();
+    } catch (const SceneError&) {
+        throw;
+    } catch (const InputError& error) {
+        throw_at_key(scene, key, time_key, error);
+    }
+}
 
 // What the scene's reader left for the user.
 void tell_notes(const Scene& scene, const Telling& telling);

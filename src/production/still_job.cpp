@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -28,15 +27,26 @@ FilmMoment moment_asked(const Session& session, const StillRequest& request) {
     const auto asked_s = request.time_s ? request.time_s : session.scene.film.still_s;
     const FilmMoment moment =
         asked_s ? moment_of_time(film.clock, *asked_s) : film.moment_of(film.n_frames - 1);
-    if (!std::isfinite(moment.time_s))
-        throw InputError("--time is not a finite number; give an instant in seconds");
+    // An instant that the motion cannot be asked for is refused where it is named.
+    if (request.time_s) {
+        try {
+            session.motion.at(moment.time_s);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("--time {}: {}", *request.time_s, error.what()));
+        }
+    } else {
+        at_key_of_error(session.scene, "motion",
+                        session.scene.film.still_s ? "film.still_s" : "film",
+                        [&] { return session.motion.at(moment.time_s); });
+    }
     return moment;
 }
 
 // The request of a still that can be made so.
 StillRequest accepted(StillRequest request) {
     if (!request.output.empty() && std::filesystem::path(request.output).extension() != ".png")
-        throw InputError(fmt::format("{}: a still is a PNG; end its name in .png", request.output));
+        throw InputError(
+            fmt::format("{}: a still is a PNG; end its name in .png", printable(request.output)));
     if (request.bit_depth != 8 && request.bit_depth != 16)
         throw InputError(
             fmt::format("--depth {}: a component has 8 or 16 bits", request.bit_depth));
@@ -63,6 +73,7 @@ std::int64_t StillJob::n_pixels() const {
 void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
     const Scene& scene = session_.scene;
     tell_notes(scene, telling);
+    tell_type_notes(staging_.stage, telling);
     OutputPlace place(request_.output, scene, ".png");
     PictureMaker pictures(std::move(staging_), easel);
     Record record = record_of(session_, pictures, easel.is_portable());

@@ -9,6 +9,7 @@ namespace poinsot {
 
 // What is not filled in is not told.
 struct Telling {
+    // From any thread: while one works, another may say how long it will take.
     std::function<void(const std::string& line)> say = [](const std::string&) {};
     // Of a film: its name and frames when drawing begins, how many there are, and the file once it
     // is whole.

@@ -9,6 +9,8 @@
 
 #include "error/error.h"
 #include "system/atomic_file.h"
+#include "system/file_kind.h"
+#include "text/nearest.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -153,8 +155,10 @@ std::filesystem::path next_path(const std::filesystem::path& folder) {
 }
 
 std::optional<BaselineManifest> read_if_there(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) return std::nullopt;
+    const FileKind kind = kind_of_file(path);
+    if (kind == FileKind::missing) return std::nullopt;
+    if (kind != FileKind::regular)
+        throw InputError(fmt::format("{}: {}", printable(path.string()), in_words(kind)));
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file) throw EnvironmentError(fmt::format("{}: cannot be read", path.string()));

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <map>
 #include <tuple>
 
 #include "error/error.h"
 #include "image/pixel_hash.h"
 #include "image/png.h"
+#include "system/file_kind.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -36,6 +38,13 @@ Outcome outcome_of(Verdict verdict) {
     return Outcome::pixels;
 }
 
+// .png, .PNG, …
+bool is_png_name(const fs::path& path) {
+    std::string suffix = path.extension().string();
+    for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return suffix == ".png";
+}
+
 // The pictures of a folder by name.
 std::map<std::string, fs::path> pictures_in(const fs::path& folder) {
     std::map<std::string, fs::path> found;
@@ -48,9 +57,11 @@ std::map<std::string, fs::path> pictures_in(const fs::path& folder) {
         std::error_code ignored;
         if (at->is_directory(ignored)) {
             if (hidden) at.disable_recursion_pending();
-        } else if (!hidden && path.extension() == ".png") {
-            found.emplace(path.lexically_relative(folder).replace_extension().generic_string(),
-                          path);
+        } else if (!hidden && is_png_name(path)) {
+            const fs::path name = path.lexically_relative(folder);
+            // turn.png and turn.PNG are two pictures.
+            if (!found.emplace(fs::path(name).replace_extension().generic_string(), path).second)
+                found.emplace(name.generic_string(), path);
         }
     }
     if (error)
@@ -73,9 +84,8 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
                               const Baselines* baselines, const std::string& baseline_name) {
     ComparedPicture result;
     result.name = name;
-    std::error_code ignored;
-    if (fs::exists(expected, ignored)) result.expected = expected;
-    if (fs::exists(actual, ignored)) result.actual = actual;
+    if (kind_of_file(expected) != FileKind::missing) result.expected = expected;
+    if (kind_of_file(actual) != FileKind::missing) result.actual = actual;
     const bool is_listed = baselines != nullptr && baselines->manifest().contains(baseline_name);
     if (result.expected.empty() && is_listed) {
         result.outcome = Outcome::baseline;

@@ -45,7 +45,7 @@ const SceneKey camera_rows[] = {
      [](const Scene& s, size_t) { return toml_text(s.camera.field_deg); }},
     {"camera.target", "three numbers", "largest half-axes", "[0.0, 0.0, -0.2]",
      "the point it looks at, in picture axes; default: what look_at names",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.camera.target = g.vector(); },
+     [](const GivenValue& g, SceneDraft& d) { d.scene.camera.target = target_of(g); },
      [](const Scene& s, size_t) { return optional_text(s.camera.target); }},
     {"camera.look_at", "a string", "", R"("foot")",
      "middle of the construction, centre of the body, or foot of L on the plane; default middle",

@@ -66,7 +66,7 @@ void complete_solid(SceneDraft& draft) {
         const std::string near = did_you_mean(body.shape, names);
         refuse(scene, "body.shape",
                fmt::format(
-                   "unknown shape \"{}\"{}", echo(body.shape),
+                   "unknown shape \"{}\"{}", printable(body.shape),
                    near.empty() ? fmt::format("; choose from: {}", fmt::join(names, ", ")) : near));
     }
     if (!draft.size_m) {

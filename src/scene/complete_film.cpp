@@ -121,8 +121,8 @@ void check_fades(const SceneDraft& draft) {
                 refuse(scene, item + ".at_s",
                        fmt::format("{} begins at {} s, while {} still fades \"{}\" until {} s; let "
                                    "one end before the next",
-                                   item, scene.fades[i].at_s, item_name("fades", j), echo(name),
-                                   end_s));
+                                   item, scene.fades[i].at_s, item_name("fades", j),
+                                   printable(name), end_s));
             }
         }
     }

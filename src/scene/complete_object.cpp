@@ -99,7 +99,7 @@ fs::path file_named(const SceneDraft& draft, const std::string& key, const std::
             draft.scene, key,
             fmt::format("{} = \"{}\" does not lie in the scene's folder; move it there, or trust "
                         "the scene and say --allow-outside",
-                        key, echo(name)));
+                        key, printable(name)));
     }
     return file;
 }

@@ -11,7 +11,7 @@ namespace {
 // "at line 3", "by --set", for the other half of a contradiction.
 std::string place(const SourceLocation& where) {
     return where.line > 0 ? fmt::format("at line {}", where.line)
-                          : fmt::format("by {}", echo(where.file));
+                          : fmt::format("by {}", printable(where.file));
 }
 
 bool stands_before(const SourceLocation& a, const SourceLocation& b) {

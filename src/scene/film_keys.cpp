@@ -24,7 +24,7 @@ constexpr int most_pixels = 16384;  // largest framebuffer
 void read_loop(const GivenValue& given, SceneDraft& draft) {
     draft.scene.film.loop = given.text();
     if (draft.scene.film.loop == "period" || loop_ratio_of(draft.scene.film.loop)) return;
-    given.refuse(fmt::format("\"{}\"", echo(draft.scene.film.loop)),
+    given.refuse(fmt::format("\"{}\"", printable(draft.scene.film.loop)),
                  "give turns over periods, each 1 to 1000, as in \"5/3\", or \"period\"");
 }
 
@@ -33,10 +33,10 @@ void read_fps(const GivenValue& given, SceneDraft& draft) {
     const bool as_text = given.value().type == TomlValue::Type::text;
     const auto rate = as_text ? rate_of_text(given.text()) : rate_of_decimal(given.number());
     if (!rate) {
-        given.refuse(
-            as_text ? fmt::format("\"{}\"", echo(given.text())) : fmt::format("{}", given.number()),
-            "give video frames a second from 0.001 to 1000, as 30, 29.97 or "
-            "\"30000/1001\"");
+        given.refuse(as_text ? fmt::format("\"{}\"", printable(given.text()))
+                             : fmt::format("{}", given.number()),
+                     "give video frames a second from 0.001 to 1000, as 30, 29.97 or "
+                     "\"30000/1001\"");
     }
     draft.scene.film.fps_numerator = rate->first;
     draft.scene.film.fps_denominator = rate->second;
@@ -48,7 +48,7 @@ void read_size(const GivenValue& given, SceneDraft& draft) {
     std::array<std::int64_t, 2> size{};
     std::string written;
     if (value.type == TomlValue::Type::text) {
-        written = echo(given.text());
+        written = printable(given.text());
         int used = 0;
         const std::string text = given.text();
         const bool digits = text.find_first_not_of("0123456789x") == std::string::npos;

@@ -85,7 +85,7 @@ std::string GivenValue::one_of(std::span<const std::string_view> names) const {
     std::string given = text();
     if (std::find(names.begin(), names.end(), given) != names.end()) return given;
     const std::string near = did_you_mean(given, names);
-    throw SceneError(value_.where, fmt::format("{} is \"{}\"{}", name_, echo(given),
+    throw SceneError(value_.where, fmt::format("{} is \"{}\"{}", name_, printable(given),
                                                near.empty() ? fmt::format("; choose from: {}",
                                                                           fmt::join(names, ", "))
                                                             : near));

@@ -12,7 +12,6 @@ namespace poinsot {
 
 namespace {
 
-constexpr std::size_t most_bytes = 1 << 20;
 constexpr int most_brackets = 16;
 constexpr int most_key_parts = 16;
 
@@ -120,15 +119,17 @@ void refuse_unquoted(std::string_view text, std::size_t at, const SourceLocation
     const Utf8Character character = first_character(text.substr(at));
     throw SceneError(location_of_byte(text, at, start),
                      fmt::format("\"{}\" stands outside of quotes; put text in quotes",
-                                 echo(text.substr(at, character.size))));
+                                 printable(text.substr(at, character.size))));
 }
 
 }  // namespace
 
 void refuse_hostile_bytes(std::string_view text, const SourceLocation& start) {
-    if (text.size() > most_bytes) {
-        throw SceneError({start.file, 0, 0},
-                         "larger than 1 MiB; a scene is a short text file, name that one");
+    if (text.size() > most_scene_bytes) {
+        throw SceneError(
+            {start.file, 0, 0},
+            fmt::format("larger than {} MiB; a scene is a short text file, name that one",
+                        most_scene_bytes >> 20));
     }
     refuse_bytes(text, start);
 }

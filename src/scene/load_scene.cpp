@@ -15,6 +15,8 @@
 #include "scene/scene_error.h"
 #include "scene/scene_keys.h"
 #include "scene/toml_document.h"
+#include "system/file_kind.h"
+#include "text/label_text.h"
 #include "text/nearest.h"
 
 namespace poinsot {
@@ -40,17 +42,17 @@ std::string near_file(const fs::path& file) {
     }
     std::sort(names.begin(), names.end());
     const std::vector<std::string_view> views(names.begin(), names.end());
-    const std::string near = echo(did_you_mean(file.string(), views));
+    const std::string near = printable(did_you_mean(file.string(), views));
     return near.empty() ? "; name a scene file, see `poinsot list scenes`" : near;
 }
 
 std::string text_of_file(const fs::path& file) {
-    std::error_code failed;
-    const fs::file_status status = fs::status(file, failed);
-    if (!fs::exists(status)) refuse_file(file, "no such file" + near_file(file));
-    if (fs::is_directory(status)) {
+    const FileKind kind = kind_of_file(file);
+    if (kind == FileKind::missing) refuse_file(file, "no such file" + near_file(file));
+    if (kind == FileKind::folder) {
         refuse_file(file, "this is a folder; name a scene file in it, ending in .toml");
     }
+    if (kind != FileKind::regular) refuse_file(file, in_words(kind));
 
     // One byte more than is accepted tells a file that is too large from one that just fits.
     std::ifstream stream(file, std::ios::binary);
@@ -58,10 +60,13 @@ std::string text_of_file(const fs::path& file) {
         refuse_file(
             file, fmt::format("cannot be read ({}); check its permissions", std::strerror(errno)));
     }
-    std::string text((std::size_t{1} << 20) + 1, '\0');
+    std::string text(most_scene_file_bytes + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(stream.gcount()));
     if (stream.bad()) refuse_file(file, "cannot be read to its end; check the disk");
+    if (text.size() > most_scene_file_bytes) {
+        refuse_file(file, "larger than 1 MiB; a scene is a short text file, name that one");
+    }
     return text;
 }
 
@@ -110,7 +115,7 @@ Override parse_override(const std::string& text) {
                                     ? fmt::format("{} is a table; set one of its keys, see "
                                                   "`poinsot list keys`",
                                                   written_table(path))
-                                    : fmt::format("unknown key \"{}\"{}", echo(key),
+                                    : fmt::format("unknown key \"{}\"{}", printable(key),
                                                   scene_key_remedy(path, false)));
     }
 
@@ -233,7 +238,7 @@ class Reader {
         const bool is_table = entry.value.type == TomlValue::Type::table;
         throw SceneError(
             entry.where,
-            fmt::format("unknown {} \"{}\"{}{}", is_table ? "table" : "key", echo(entry.key),
+            fmt::format("unknown {} \"{}\"{}{}", is_table ? "table" : "key", printable(entry.key),
                         table.empty() ? "" : " in " + written_table(table),
                         scene_key_remedy(path, true)));
     }
@@ -256,7 +261,7 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
     draft.outside = outside;
     draft.scene.file = file_name;
     draft.scene.name = fs::path(file_name).stem().string();
-    draft.scene.title = draft.scene.name;
+    draft.scene.title = as_caption(draft.scene.name);
     Reader(draft).read_table(root, "", "", 0);
     return complete_scene(std::move(draft));
 }

@@ -10,8 +10,8 @@
 namespace poinsot {
 
 std::string SourceLocation::prefix() const {
-    if (line == 0) return fmt::format("{}: ", echo(file));
-    return fmt::format("{}:{}:{}: ", echo(file), line, column);
+    if (line == 0) return fmt::format("{}: ", printable(file));
+    return fmt::format("{}:{}:{}: ", printable(file), line, column);
 }
 
 SourceLocation Scene::location_of(const std::string& key) const {

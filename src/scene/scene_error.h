@@ -6,6 +6,7 @@
 
 #include "error/error.h"
 #include "scene/scene.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -32,9 +33,5 @@ decltype(auto) at_scene_key(const Scene& scene, const std::string& key, Call cal
         throw SceneError(scene.location_of(key), error.what());
     }
 }
-
-// Text from a scene or command line, made safe to echo in a message: control characters (C0, C1)
-// and bytes that are not UTF-8 are written as escapes, and long text is cut short.
-std::string echo(std::string_view text);
 
 }  // namespace poinsot

@@ -1,6 +1,8 @@
 // The rows of the table of scene keys, section by section, and what they write values with.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <span>
 #include <string>
@@ -41,6 +43,17 @@ std::string name_in_table(const GivenValue& given, Find find) {
         throw SceneError(given.value().where, error.what());
     }
     return name;
+}
+
+// A point that a camera looks at. Farther than a camera may stand away, nothing of the figure would
+// be seen, and beyond a double's digits nothing at all.
+inline Eigen::Vector3d target_of(const GivenValue& given) {
+    constexpr double farthest = 10000.0;
+    const Eigen::Vector3d target = given.vector();
+    if (target.cwiseAbs().maxCoeff() > farthest)
+        given.refuse(fmt::format("[{}, {}, {}]", target.x(), target.y(), target.z()),
+                     fmt::format("give a point within {} of the centre", farthest));
+    return target;
 }
 
 }  // namespace poinsot

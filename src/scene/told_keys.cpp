@@ -70,7 +70,7 @@ const SceneKey told_rows[] = {
      [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).field_deg); }},
     {"keyframes[].target", "three numbers", "largest half-axes", "[0.0, 0.0, 0.5]",
      "as in [camera]",
-     [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).target = g.vector(); },
+     [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).target = target_of(g); },
      [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).target); }},
     {"keyframes[].look_at", "a string", "", R"("centre")", "as in [camera]",
      [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).look_at = g.one_of(camera_aims()); },

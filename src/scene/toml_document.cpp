@@ -108,7 +108,7 @@ TomlValue parse_toml(std::string_view text, const std::string& file_name) {
         std::string_view what = error.description();
         if (what.starts_with("Error while ")) what.remove_prefix(12);
         throw SceneError(location(error.source(), file_name),
-                         fmt::format("not valid TOML: {}; correct this line", echo(what)));
+                         fmt::format("not valid TOML: {}; correct this line", printable(what)));
     }
 }
 

@@ -34,9 +34,14 @@ struct TomlEntry {
 // "a string", "an integer", "a table", ….
 std::string_view name_of(TomlValue::Type type);
 
+// A scene's file may have so many bytes, and its text so many: what is written back of a scene, in
+// the record of a picture, says each number in full and must be read again.
+inline constexpr std::size_t most_scene_file_bytes = std::size_t{1} << 20;
+inline constexpr std::size_t most_scene_bytes = std::size_t{3} << 20;
+
 // The document's root table. Throws SceneError for what is not TOML, and beforehand for text that a
 // scene has no use for and parsers choke on: control characters, bytes that are not UTF-8, more
-// than 1 MiB, brackets nested deeper than 16, keys of more than 16 parts.
+// than most_scene_bytes, brackets nested deeper than 16, keys of more than 16 parts.
 TomlValue parse_toml(std::string_view text, const std::string& file_name);
 
 // The value of a --set: TOML if it reads as one value, a number in another notation (".5"), or else

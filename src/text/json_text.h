@@ -1,13 +1,11 @@
-// Text as a JSON string.
+// Numbers in JSON; its strings are of text/.
 #pragma once
 
 #include <string>
-#include <string_view>
+
+#include "text/printable.h"
 
 namespace poinsot {
-
-// Quoted and escaped (RFC 8259 §7).
-std::string json_string(std::string_view text);
 
 // A finite double with enough digits to give it back, otherwise null.
 std::string json_number(double value);

@@ -8,8 +8,8 @@
 
 namespace poinsot {
 
-// For HTML and XML 1.0, in contents and in quoted attributes. What is not UTF-8, and the control
-// characters that XML cannot hold, become U+FFFD.
+// For HTML and XML 1.0, in contents and in quoted attributes. What is not UTF-8, and hidden
+// characters (among them those that XML cannot hold), become U+FFFD.
 std::string escaped_markup(std::string_view text);
 
 // A JSON string that may stand within an HTML script element: nothing in it can close the element

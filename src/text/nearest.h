@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "text/printable.h"
+
 namespace poinsot {
 
 // "; did you mean "render"?", or empty when nothing is near.

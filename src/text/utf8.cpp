@@ -1,5 +1,8 @@
 #include "text/utf8.h"
 
+#include <algorithm>
+#include <array>
+
 namespace poinsot {
 
 namespace {
@@ -27,6 +30,54 @@ Utf8Character first_character(std::string_view text) {
     const bool surrogate = code >= 0xd800 && code < 0xe000;
     if (code < least[size] || code > 0x10ffff || surrogate) return {};
     return {code, size, true};
+}
+
+std::string utf8_of(char32_t code) {
+    std::string text;
+    const auto put = [&text](char32_t byte) { text.push_back(static_cast<char>(byte)); };
+    if (code < 0x80) {
+        put(code);
+    } else if (code < 0x800) {
+        put(0xc0 | (code >> 6)), put(0x80 | (code & 0x3f));
+    } else if (code < 0x10000) {
+        put(0xe0 | (code >> 12)), put(0x80 | ((code >> 6) & 0x3f)), put(0x80 | (code & 0x3f));
+    } else {
+        put(0xf0 | (code >> 18)), put(0x80 | ((code >> 12) & 0x3f));
+        put(0x80 | ((code >> 6) & 0x3f)), put(0x80 | (code & 0x3f));
+    }
+    return text;
+}
+
+bool is_hidden(char32_t code) {
+    if (is_control(code)) return true;
+    // Unicode's Default_Ignorable_Code_Point (DerivedCoreProperties), the characters of category Cf
+    // among annotations, and the noncharacters.
+    struct Range {
+        char32_t first, last;
+    };
+    constexpr std::array<Range, 19> hidden{{{0xad, 0xad},
+                                            {0x34f, 0x34f},
+                                            {0x61c, 0x61c},
+                                            {0x115f, 0x1160},
+                                            {0x17b4, 0x17b5},
+                                            {0x180b, 0x180f},
+                                            {0x200b, 0x200f},
+                                            {0x202a, 0x202e},
+                                            {0x2060, 0x206f},
+                                            {0x3164, 0x3164},
+                                            {0xfdd0, 0xfdef},
+                                            {0xfe00, 0xfe0f},
+                                            {0xfeff, 0xfeff},
+                                            {0xffa0, 0xffa0},
+                                            {0xfff0, 0xfffb},
+                                            {0xfffe, 0xffff},
+                                            {0x1bca0, 0x1bca3},
+                                            {0x1d173, 0x1d17a},
+                                            {0xe0000, 0xe0fff}}};
+    return (code & 0xfffe) == 0xfffe ||
+           std::any_of(hidden.begin(), hidden.end(), [code](const Range& range) {
+               return range.first <= code && code <= range.last;
+           });
 }
 
 }  // namespace poinsot

@@ -1,6 +1,7 @@
-// Characters of UTF-8 text, as far as a scene's reader needs them.
+// Characters of UTF-8 text, and which of them a reader would not see.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace poinsot {
@@ -11,12 +12,19 @@ struct Utf8Character {
     bool valid = false;
 };
 
-// The first character of a text that is not empty.
+// The first character of a text that is not empty (RFC 3629 §4).
 Utf8Character first_character(std::string_view text);
+
+// A character as UTF-8. Precondition: a Unicode scalar value.
+std::string utf8_of(char32_t code);
 
 // True for C0 and C1 control characters, DEL, and the two separators that end a line elsewhere.
 constexpr bool is_control(char32_t code) {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028 || code == 0x2029;
 }
+
+// True for control characters, and for those that have no picture of their own or change that of
+// others: directions of writing, what is zero wide or blank, tags and noncharacters.
+bool is_hidden(char32_t code);
 
 }  // namespace poinsot

@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <utility>
+
 #include "error/error.h"
 
 namespace poinsot {
@@ -15,6 +20,41 @@ std::vector<std::filesystem::path> default_font_folders() {
             "/usr/share/texmf-dist/fonts/opentype/public/lm",
             "/usr/share/fonts/opentype/lmodern",
             "/usr/local/share/fonts"};
+}
+
+std::vector<std::filesystem::path> system_font_folders() {
+    return {"/usr/share/fonts", "/usr/local/share/fonts"};
+}
+
+std::vector<std::filesystem::path> fonts_below(const std::vector<std::filesystem::path>& folders) {
+    namespace fs = std::filesystem;
+    // Of slanted, bold, condensed and typewriter faces the plain one is the fallback.
+    const auto rank = [](const fs::path& file) {
+        const std::string name = file.filename().string();
+        const auto has = [&name](std::string_view part) {
+            return name.find(part) != std::string::npos;
+        };
+        const bool plain = !has("Bold") && !has("Italic") && !has("Oblique") && !has("Condensed") &&
+                           !has("Mono") && !has("Light") && !has("Thin");
+        if (name == "DejaVuSans.ttf") return 0;
+        return (has("Sans") ? 1 : 2) + (plain ? 0 : 2);
+    };
+    std::vector<std::tuple<int, std::string, fs::path>> found;
+    for (const fs::path& folder : folders) {
+        std::error_code error;
+        fs::recursive_directory_iterator at(folder, error);
+        for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
+            const std::string suffix = at->path().extension().string();
+            std::error_code ignored;
+            if ((suffix == ".ttf" || suffix == ".otf" || suffix == ".ttc") &&
+                at->is_regular_file(ignored))
+                found.emplace_back(rank(at->path()), at->path().string(), at->path());
+        }
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<fs::path> files;
+    for (auto& [order, name, path] : found) files.push_back(std::move(path));
+    return files;
 }
 
 const std::array<std::string_view, 7>& font_names() {

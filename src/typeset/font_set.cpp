@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "error/error.h"
 #include "typeset/font_search.h"
 #include "typeset/label_cursor.h"
 
@@ -10,7 +11,7 @@ namespace poinsot {
 
 FontFile& FontSet::open(std::size_t index) {
     std::optional<FontFile>& font = fonts_.at(index);
-    if (!font) font.emplace(find_font(font_names().at(index), {folders_}));
+    if (!font) font.emplace(find_font(font_names().at(index), search_));
     return *font;
 }
 
@@ -19,6 +20,45 @@ FontFile& FontSet::math() { return open(0); }
 FontFile& FontSet::text(TextFamily family, TextFace face) {
     return open((family == TextFamily::caption ? 1u : 4u) + static_cast<std::size_t>(face));
 }
+
+FontFile* FontSet::fallback(char32_t character) {
+    if (const auto known = fallback_of_.find(character); known != fallback_of_.end())
+        return known->second;
+    if (!fallback_files_) fallback_files_ = fonts_below(search_.fallback_folders);
+    for (std::size_t i = 0; i < fallback_files_->size(); ++i) {
+        const std::filesystem::path& file = (*fallback_files_)[i];
+        try {
+            auto& font = fallbacks_[i];
+            if (!font) font = std::make_unique<FontFile>(file);
+            const std::optional<GlyphId> glyph = font->glyph(character);
+            // Fonts of pictures have glyphs without outlines.
+            if (!glyph || font->outline(*glyph).steps.empty()) continue;
+            if (std::ranges::find(fallbacks_used_, file) == fallbacks_used_.end())
+                fallbacks_used_.push_back(file);
+            return fallback_of_[character] = font.get();
+        } catch (const EnvironmentError&) {
+            continue;  // not a font that can be read
+        }
+    }
+    missing_.push_back(character);
+    return fallback_of_[character] = nullptr;
+}
+
+namespace {
+
+// The sign for a character that no font has: an upright box, as wide as a letter.
+void add_missing_box(TypeBox& box, double size_px) {
+    const double width = 0.5 * size_px, height = 0.7 * size_px, line = 0.06 * size_px;
+    const double left = box.width + 0.05 * size_px;
+    box.rules.push_back({left, 0.0, width, line});
+    box.rules.push_back({left, height - line, width, line});
+    box.rules.push_back({left, line, line, height - 2.0 * line});
+    box.rules.push_back({left + width - line, line, line, height - 2.0 * line});
+    box.width += width + 0.1 * size_px;
+    box.height = std::max(box.height, height);
+}
+
+}  // namespace
 
 TypeBox FontSet::set_text(const TextRun& run, TextFamily family, double size_px) {
     TypeBox box;
@@ -43,9 +83,13 @@ TypeBox FontSet::set_text(const TextRun& run, TextFamily family, double size_px)
         // A space that no line breaks at is as wide as one where it may.
         const char32_t code = character.code == U'\u00A0' ? U' ' : character.code;
         FontFile* font = face.glyph(code) ? &face : &math();
-        if (font != &face && !font->glyph(code)) fail_missing_glyph(code, character.column);
+        if (font != &face && !font->glyph(code)) font = fallback(code);
         if (font != part_font) flush();
         part_font = font;
+        if (font == nullptr) {
+            add_missing_box(box, size_px);
+            continue;
+        }
         part.push_back(code);
     }
     flush();

@@ -138,10 +138,15 @@ struct Typesetter::State {
 };
 
 Typesetter::Typesetter(FontSearch search)
-    : state_(std::make_unique<State>(State{FontSet(std::move(search.folders))})) {}
+    : state_(std::make_unique<State>(State{FontSet(std::move(search))})) {}
 Typesetter::~Typesetter() = default;
 Typesetter::Typesetter(Typesetter&&) noexcept = default;
 Typesetter& Typesetter::operator=(Typesetter&&) noexcept = default;
+
+const std::vector<std::filesystem::path>& Typesetter::fallbacks_used() const {
+    return state_->fonts.fallbacks_used();
+}
+const std::vector<char32_t>& Typesetter::missing() const { return state_->fonts.missing(); }
 
 TypesetMask Typesetter::set(std::string_view text, const TypeStyle& style) const {
     SetType type = set_type(text, style, state_->fonts);

@@ -57,12 +57,17 @@ class Typesetter {
 
     // The mask of a label or caption (grammar: label_parser.h). The same string, style and fonts
     // give the same bytes on every machine.
+    // What a run of text has and the fonts lack comes from another font of the system, or is a box.
     // throws: LabelError for what the string says, InputError for a style out of its domain or a
     // mask larger than kMaskSideLimit_px, EnvironmentError for a missing font.
     TypesetMask set(std::string_view text, const TypeStyle& style = {}) const;
 
     // The mask's extent without its pixels. throws: as set.
     TypeExtent measure(std::string_view text, const TypeStyle& style = {}) const;
+
+    // The fonts of the system that stood in so far, and the characters that became boxes.
+    const std::vector<std::filesystem::path>& fallbacks_used() const;
+    const std::vector<char32_t>& missing() const;
 
  private:
     struct State;

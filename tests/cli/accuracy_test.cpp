@@ -139,6 +139,37 @@ TEST(Certificate, HoldsForTheExactMotion) {
     EXPECT_NE(folder.listing().find("a.mp4"), std::string::npos);
 }
 
+// ωt is 4.8e4 rad after an hour, and 1.3e16 rad after 1e15 s, where no step in time is fine enough.
+TEST(Certificate, IsNoFalseNoHoweverLateTheFilm) {
+    const ScratchFolder folder;
+    folder.write(
+        "scene.toml",
+        "[body]\nmoments_kg_m2 = [3.0, 2.0, 1.5]\n[start]\nomega_rad_s = [3.0, 12.0, 5.0]\n"
+        "[film]\nsize = [64, 36]\nduration_s = 1.0\n");
+    for (const char* start : {"3600", "1e5", "1e15"}) {
+        const ProgramRun check =
+            run_program_in(folder, std::string("check scene.toml --set film.start_s=") + start);
+        EXPECT_EQ(check.code, 0) << start << check.out;
+        EXPECT_EQ(check.out.find("FAILS"), std::string::npos) << check.out;
+    }
+    const ProgramRun late = run_program_in(folder, "check scene.toml --set film.start_s=1e15");
+    EXPECT_NE(late.out.find("not measured speed_difference"), std::string::npos) << late.out;
+    EXPECT_NE(late.out.find("every claim that was measured holds"), std::string::npos) << late.out;
+    const ProgramRun json =
+        run_program_in(folder, "check scene.toml --json --set film.start_s=1e15");
+    EXPECT_NE(json.out.find("\"worst_speed_difference\": null"), std::string::npos) << json.out;
+    // A slow turn is checked as it is drawn.
+    for (const char* omega : {"1e-100", "1e-170", "1e-300"}) {
+        const ProgramRun slow =
+            run_program_in(folder, std::string("check scene.toml --set start.omega_rad_s=[0.0,") +
+                                       omega + ",0.0]");
+        EXPECT_EQ(slow.code, 0) << omega << slow.err << slow.out;
+    }
+    const ProgramRun light = run_program_in(
+        folder, "check scene.toml --set body.moments_kg_m2=[3e-310,2e-310,1.5e-310]");
+    EXPECT_EQ(light.out.find("inf"), std::string::npos) << light.out << light.err;
+}
+
 TEST(Certificate, RefusesWhatTheMethodDoesNotKeep) {
     const ScratchFolder folder;
     folder.write("scene.toml", generic + "[motion]\nmethod = \"euler\"\nstep_s = 0.1\n");
@@ -165,6 +196,45 @@ TEST(Qualities, SayWhatTheyCostAndGive) {
     }
     EXPECT_EQ(n_lines, 4);
     EXPECT_NE(run.err.find("poinsot tradeoff"), std::string::npos) << run.err;
+}
+
+const std::string pushed =
+    "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [0.3, 1.0, 0.2]\n"
+    "[torque]\nkind = \"constant_body\"\ntorque_body_N_m = [0.01, 0.0, 0.0]\n"
+    "[film]\nsize = [64, 36]\nduration_s = 10.0\n";
+
+// What would take minutes is refused before it is begun, with what it would take.
+TEST(Stepping, ThatWouldTakeTooLongIsRefusedAtOnce) {
+    const ScratchFolder folder;
+    folder.write("fine.toml", pushed + "[motion]\nmethod = \"rkmk4\"\nstep_s = 3e-9\n");
+    folder.write("long.toml", pushed + "[motion]\nmethod = \"dopri5\"\n");
+    for (const char* command :
+         {"check fine.toml", "still fine.toml -o a.png", "render fine.toml -o a.md5",
+          "sample fine.toml --times 0,10", "check long.toml --set film.duration_s=1e9 --fps 1/1000",
+          "sample long.toml --times 1e9"}) {
+        const ProgramRun run = run_program_in(folder, command, "timeout 20");
+        EXPECT_EQ(run.code, 2) << command << ": " << run.err;
+        EXPECT_NE(run.err.find("at most 600 s are spent on it"), std::string::npos) << run.err;
+        EXPECT_NE(run.err.find(".toml:1"), std::string::npos) << run.err;
+    }
+}
+
+TEST(Stepping, IsSaidAfterASecondAndEndsWithCtrlC) {
+    const ScratchFolder folder;
+    folder.write("short.toml", pushed + "[motion]\nmethod = \"rk4\"\nstep_s = 0.01\n");
+    folder.write("long.toml", pushed + "[motion]\nmethod = \"rk4\"\nstep_s = 4e-7\n");
+    // The second of two: the first has begun to watch for Ctrl-C.
+    folder.write("run.sh",
+                 "set -m\n'" POINSOT_PROGRAM
+                 "' render short.toml long.toml --frames 0 -o '##.md5' 2>said & pid=$!\n"
+                 "for k in $(seq 200); do grep -q stepping said && break; sleep 0.1; done\n"
+                 "kill -INT $pid\n"
+                 "for k in $(seq 20); do kill -0 $pid 2>/dev/null || exit 0; sleep 0.1; done\n"
+                 "kill -9 $pid; exit 1\n");
+    EXPECT_EQ(
+        std::system(("cd '" + folder.path().string() + "' && bash run.sh 2>/dev/null").c_str()), 0);
+    const std::string said = text_of(folder.path() / "said");
+    EXPECT_NE(said.find("long: stepping the motion: 1 of about"), std::string::npos) << said;
 }
 
 TEST(Stepping, ReachesTheEndOfAnyFilm) {

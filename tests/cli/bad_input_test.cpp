@@ -1,11 +1,15 @@
 // Bad input: one clear line on stderr, the right exit code, nothing written.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "cli/program_run.h"
+#include "text/utf8.h"
 
 namespace poinsot::testing {
 namespace {
@@ -156,6 +160,58 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"still_not_png", good, "still scene.toml -o a.jpg", 2, ".png"}),
     [](const auto& tested) { return tested.param.name; });
 
+Case value(const std::string& name, const std::string& arguments, const std::string& says) {
+    return {name, good, arguments, 2, says};
+}
+
+// What begins like a value is none; an empty one is most often a variable that was not set.
+INSTANTIATE_TEST_SUITE_P(
+    Values, BadInput,
+    ::testing::Values(
+        value("frames_open", "render scene.toml -o a.md5 --frames 0-", "--frames 0-"),
+        value("frames_letter", "render scene.toml -o a.md5 --frames 0-x", "--frames 0-x"),
+        value("frames_comma", "render scene.toml -o a.md5 --frames 0,5", "--frames 0,5"),
+        value("frames_point", "render scene.toml -o a.md5 --frames 1.5", "--frames 1.5"),
+        value("frames_tail", "render scene.toml -o a.md5 --frames 3abc", "--frames 3abc"),
+        value("frames_space", "render scene.toml -o a.md5 --frames ' 0-1'", "--frames  0-1"),
+        value("frames_empty", "render scene.toml -o a.md5 --frames ''", "--frames"),
+        value("frames_huge", "render scene.toml -o a.md5 --frames 0-99999999999999999999",
+              "--frames"),
+        value("time_empty", "still scene.toml -o a.png --time ''", "--time"),
+        value("time_tail", "still scene.toml -o a.png --time 1s", "--time: \"1s\""),
+        value("time_comma", "still scene.toml -o a.png --time 1,5", "--time: \"1,5\""),
+        value("time_hexadecimal", "still scene.toml -o a.png --time 0x1p3", "--time: \"0x1p3\""),
+        value("time_infinite", "still scene.toml -o a.png --time 1e999", "--time: \"1e999\""),
+        value("dpi_empty", "still scene.toml -o a.png --dpi ''", "--dpi"),
+        value("dpi_tail", "still scene.toml -o a.png --dpi 300dpi", "--dpi: \"300dpi\""),
+        value("width_unit", "still scene.toml -o a.png --width-mm 86mm", "--width-mm: \"86mm\""),
+        value("depth_empty", "still scene.toml -o a.png --depth ''", "--depth"),
+        value("depth_tail", "still scene.toml -o a.png --depth 8bit", "--depth: \"8bit\""),
+        value("depth_point", "still scene.toml -o a.png --depth 8.0", "--depth: \"8.0\""),
+        value("depth_octal", "still scene.toml -o a.png --depth 020", "--depth 20"),
+        value("output_empty", "still scene.toml -o ''", "--output"),
+        value("size_empty", "still scene.toml -o a.png --size ''", "--size"),
+        value("size_tail", "still scene.toml -o a.png --size 64x36px", "film.size"),
+        value("size_three", "still scene.toml -o a.png --size 64x36x2", "film.size"),
+        value("fps_empty", "render scene.toml -o a.md5 --fps ''", "--fps"),
+        value("fps_tail", "render scene.toml -o a.md5 --fps 30fps", "film.fps"),
+        value("fps_open", "render scene.toml -o a.md5 --fps 30/", "film.fps"),
+        value("quality_empty", "still scene.toml -o a.png --quality ''", "--quality"),
+        value("backend_empty", "still scene.toml -o a.png --backend ''", "--backend"),
+        value("times_space", "sample scene.toml --times '0, 1'", "--times: \" 1\""),
+        value("times_open", "sample scene.toml --times 0,", "--times: \"\""),
+        value("times_hexadecimal", "sample scene.toml --times 0x10", "--times: \"0x10\""),
+        value("levels_tail", "compare scene.toml scene.toml --over-levels 2.5",
+              "--over-levels: \"2.5\""),
+        value("share_tail", "compare scene.toml scene.toml --max-over 1%%", "--max-over 1%%"),
+        value("share_empty", "compare scene.toml scene.toml --max-over ''", "--max-over"),
+        value("diff_empty", "compare scene.toml scene.toml --diff ''", "--diff"),
+        value("report_empty", "compare scene.toml scene.toml --report ''", "--report"),
+        value("results_empty", "approve --all --results '' --baselines b", "--results"),
+        value("set_empty", "still scene.toml -o a.png --set ''", "--set"),
+        value("scene_empty", "still '' -o a.png", "no such file")),
+    [](const auto& tested) { return tested.param.name; });
+
 // A title, a key or a name may hold what a terminal would obey; no command gives it back raw.
 TEST(TerminalEscapes, AreNotEchoed) {
     const ScratchFolder folder;
@@ -178,6 +234,213 @@ TEST(TerminalEscapes, AreNotEchoed) {
             EXPECT_EQ(text.find('\x07'), std::string::npos) << arguments;
             EXPECT_EQ(text.find("\xc2\x9b"), std::string::npos) << arguments;  // CSI in UTF-8
         }
+    }
+}
+
+// What the mechanics cannot do is refused at the key that asks for it.
+TEST(Extremes, AreRefusedWithFileLineAndKey) {
+    const ScratchFolder folder;
+    const std::string scene = "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.5]\n[start]\nomega_rad_s = ";
+    folder.write("huge.toml", scene + "[1e308, 1e308, 1e308]\n");
+    folder.write("late.toml", scene + "[1e3, 1.0, 0.2]\n[film]\nstill_s = 1e308\n");
+    folder.write("start.toml", scene + "[1e300, 1.0, 0.2]\n[film]\nstart_s = 1e308\n");
+    for (const char* command : {"check", "still -o a.png", "sample --times 0", "render -o a.md5"}) {
+        const ProgramRun run = run_program_in(folder, std::string(command) + " huge.toml");
+        EXPECT_EQ(run.code, 2) << command;
+        EXPECT_EQ(run.err.find("huge.toml:4:1: omega_rad_s: "), 0u) << command << ": " << run.err;
+    }
+    const ProgramRun late = run_program_in(folder, "still late.toml -o a.png");
+    EXPECT_EQ(late.code, 2);
+    EXPECT_EQ(late.err.find("late.toml:6:1: time_s: "), 0u) << late.err;
+    for (const char* command : {"check", "render -o a.md5"}) {
+        const ProgramRun start = run_program_in(folder, std::string(command) + " start.toml");
+        EXPECT_EQ(start.code, 2) << command;
+        EXPECT_EQ(start.err.find("start.toml:5:"), 0u) << command << ": " << start.err;
+    }
+    folder.write("scene.toml", good);
+    const ProgramRun time = run_program_in(folder, "still scene.toml -o a.png --time 1e308");
+    EXPECT_EQ(time.code, 2);
+    EXPECT_EQ(time.err.find("--time 1e+308: "), 0u) << time.err;
+    const ProgramRun times = run_program_in(folder, "sample scene.toml --times 0,1e308");
+    EXPECT_EQ(times.code, 2);
+    EXPECT_EQ(times.err.find("--times 1e+308: "), 0u) << times.err;
+    // The least numbers are numbers.
+    folder.write("least.toml", scene + "[5e-324, 0.0, 5e-324]\n[film]\nsize = [64, 36]\n");
+    for (const char* command :
+         {"check", "still -o a.png", "sample --times 0", "render -o a.md5 --frames 0"})
+        EXPECT_EQ(run_program_in(folder, std::string(command) + " -q least.toml").code, 0)
+            << command;
+}
+
+TEST(Extremes, OfTheCameraAreRefused) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", good + "[camera]\ntarget = [1e308, 0.0, 0.0]\n");
+    folder.write("told.toml", good + "[[keyframes]]\nat_s = 1.0\ntarget = [0.0, -1e9, 0.0]\n");
+    for (const char* name :
+         {"scene.toml:7:10: camera.target", "told.toml:8:10: keyframes[0].target"}) {
+        const std::string file = std::string(name).substr(0, std::string(name).find(':'));
+        const ProgramRun run = run_program_in(folder, "still " + file + " -o a.png");
+        EXPECT_EQ(run.code, 2);
+        EXPECT_EQ(run.err.find(name), 0u) << run.err;
+    }
+}
+
+// A scene just below the limit is written out in full, and is read again.
+TEST(LargeScene, IsDrawnAgainFromItsRecord) {
+    const ScratchFolder folder;
+    std::string masses = "[start]\nomega_rad_s=[0,0,1]\n[film]\nsize=[64,36]\n";
+    for (int k = 0; masses.size() + 100 < (1 << 20); ++k)
+        masses += "[[body.masses]]\nmass_kg=1\nat_m=[" + std::to_string(k % 7) + "," +
+                  std::to_string(k % 5) + "," + std::to_string(k % 3) + "]\n";
+    folder.write("scene.toml", masses);
+    const ProgramRun still = run_program_in(folder, "still scene.toml -q -o a.png");
+    ASSERT_EQ(still.code, 0) << still.err;
+    const ProgramRun again = run_program_in(folder, "rerender a.png -q -o b.png");
+    EXPECT_EQ(again.code, 0) << again.err;
+}
+
+// A pipe without a writer would be waited for, a device has no end.
+TEST(BadFile, IsRefusedAtOnceWhereverItIsNamed) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", good);
+    for (const char* name : {"pipe.toml", "pipe.png", "pipe.mp4", "pipe.obj"})
+        ASSERT_EQ(mkfifo((folder.path() / name).c_str(), 0600), 0);
+    for (const char* name : {"folder.toml", "folder.png", "folder.mp4", "folder.obj"})
+        std::filesystem::create_directory(folder.path() / name);
+    for (const char* name : {"circle.toml", "circle.png", "circle.mp4", "circle.obj"})
+        std::filesystem::create_symlink(name, folder.path() / name);
+    for (const char* name : {"device.toml", "device.png", "device.mp4", "device.obj"})
+        std::filesystem::create_symlink("/dev/zero", folder.path() / name);
+    ASSERT_EQ(run_program_in(folder, "still scene.toml --size 64x36 -q -o good.png").code, 0);
+
+    for (const std::string kind : {"pipe", "folder", "circle", "device"}) {
+        for (const std::string& command :
+             {"check " + kind + ".toml", "still " + kind + ".toml -o a.png",
+              "render " + kind + ".toml -o a.md5", "sample " + kind + ".toml --times 0",
+              "explain " + kind + ".png", "explain " + kind + ".mp4",
+              "rerender " + kind + ".png -o a.png", "rerender " + kind + ".mp4 -o a.mp4",
+              "compare " + kind + ".png good.png", "compare good.png " + kind + ".png",
+              "check scene.toml --set object.mesh=" + kind + ".obj"}) {
+            const ProgramRun run = run_program_in(folder, command, "timeout 20");
+            EXPECT_EQ(run.code, 2) << command << ": " << run.err;
+            EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+            EXPECT_NE(run.err.find(kind), std::string::npos) << run.err;
+            EXPECT_EQ(run.err.find("did you mean"), std::string::npos) << run.err;
+        }
+    }
+}
+
+TEST(BadFile, InAFolderOfPicturesIsUnreadableAndTheOthersAreCompared) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", good);
+    for (const char* name : {"old", "new"}) {
+        std::filesystem::create_directory(folder.path() / name);
+        ASSERT_EQ(run_program_in(folder, std::string("still scene.toml --size 64x36 -q -o ") +
+                                             name + "/good.png")
+                      .code,
+                  0);
+        ASSERT_EQ(mkfifo((folder.path() / name / "pipe.png").c_str(), 0600), 0);
+        std::filesystem::create_symlink("circle.png", folder.path() / name / "circle.png");
+    }
+    const ProgramRun run = run_program_in(folder, "compare old new -q", "timeout 20");
+    EXPECT_EQ(run.code, 1) << run.err;
+    EXPECT_NE(run.out.find("unreadable: pipe"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("unreadable: circle"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("3 compared, 2 failed, 1 the same"), std::string::npos) << run.out;
+}
+
+// Names that are no UTF-8, that turn the direction of writing or hide a character, and long ones.
+TEST(TerminalEscapes, AreNotTheOnlyThingsThatAreNotEchoed) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", good);
+    const std::string hostile = "a\xff\u202egpj\u200b\u2066";
+    folder.write(hostile + ".toml", good);
+    folder.write("title.toml", "title = \"x\u202ey\u200bz\"\n" + good);
+    ASSERT_EQ(run_program_in(folder, "still scene.toml --size 64x36 -q -o good.png").code, 0);
+    for (const char* name : {"old", "new"}) {
+        std::filesystem::create_directory(folder.path() / name);
+        std::filesystem::copy_file(folder.path() / "good.png",
+                                   folder.path() / name / (hostile + ".png"));
+    }
+    const std::string quoted = "'" + hostile + "'", file = "'" + hostile + ".toml'";
+    const std::string long_name = std::string(100'000, 'x');
+    const std::vector<std::string> commands{
+        "check " + file,
+        "check " + file + " --json",
+        "check title.toml",
+        std::string("check title.toml --json"),
+        "still " + file + " -o " + quoted,
+        "still " + file + " --size 64x36 -o '" + hostile + ".png'",
+        "explain '" + hostile + ".png'",
+        "explain '" + hostile + ".png' --json",
+        "compare " + quoted + " good.png",
+        std::string("compare old new --json"),
+        "compare good.png '" + hostile + ".png'",
+        "render " + file + " --frames 0 -o a.md5",
+        "list " + quoted,
+        quoted,
+        "still scene.toml --backend " + quoted,
+        "still scene.toml --set " + quoted + "=1",
+        "still scene.toml --set title=" + quoted,
+        "check scene.toml --set theme=" + quoted,
+        "still scene.toml --" + quoted,
+        "sample scene.toml --times " + quoted,
+        "still scene.toml --dpi " + quoted,
+        "check " + long_name,
+        "still scene.toml --time " + long_name,
+        "check scene.toml --set " + long_name + "=1",
+        "list " + long_name,
+        long_name,
+        "still scene.toml -o " + long_name};
+    for (const std::string& arguments : commands) {
+        const ProgramRun run = run_program_in(folder, arguments);
+        EXPECT_LE(run.err.size(), 20'000u) << arguments.substr(0, 100);
+        for (const std::string& text : {run.out, run.err})
+            for (std::string_view rest = text; !rest.empty();) {
+                const Utf8Character character = first_character(rest);
+                ASSERT_TRUE(character.valid) << arguments.substr(0, 100) << ": " << text;
+                ASSERT_TRUE(character.code == '\n' || !is_hidden(character.code))
+                    << arguments.substr(0, 100) << ": " << text;
+                rest.remove_prefix(character.size);
+            }
+    }
+}
+
+// The film is there: that is what was asked for.
+TEST(FullDisk, OfTheMessagesLeavesTheFilmDone) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", good);
+    for (const std::string end : {"2>/dev/full", "2>&-"})
+        for (const char* command :
+             {"render scene.toml --size 64x36 --frames 0-2 -o a.mp4",
+              "still scene.toml --size 64x36 -o a.png",
+              "still scene.toml scene.toml --size 64x36 -o '##.png'", "rerender a.png -o b.png"}) {
+            const ProgramRun run =
+                run_program_in(folder, std::string(command) + " " + end + "; exit $?; true");
+            EXPECT_EQ(run.code, 0) << command << end;
+        }
+    for (const char* name : {"a.mp4", "a.png", "01.png", "b.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
+}
+
+// As `yes | head -1` does.
+TEST(ClosedPipe, EndsWithoutAWord) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", good);
+    std::string times = "0";
+    for (int k = 1; k < 4000; ++k) times += "," + std::to_string(k % 10);
+    for (const std::string& command :
+         {"sample scene.toml --times " + times, std::string("list keys"),
+          std::string("check scene.toml --json")}) {
+        folder.write("run.sh", "'" POINSOT_PROGRAM "' " + command + " 2>said; echo $? >code\n");
+        ASSERT_EQ(
+            std::system(
+                ("cd '" + folder.path().string() + "' && (sleep 0.2; sh run.sh) | true").c_str()),
+            0);
+        for (int k = 0; k < 100 && text_of(folder.path() / "code").empty(); ++k) usleep(50'000);
+        EXPECT_EQ(text_of(folder.path() / "said"), "") << command;
+        EXPECT_EQ(text_of(folder.path() / "code"), "141\n") << command;  // 128 + SIGPIPE
+        std::filesystem::remove(folder.path() / "code");
     }
 }
 

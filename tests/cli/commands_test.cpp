@@ -95,6 +95,34 @@ TEST(Still, TwoRunsGiveTheSameBytes) {
     EXPECT_EQ(text_of(folder.path() / "a.png"), text_of(folder.path() / "b.png"));
 }
 
+// The title of a scene that gives none is its file's name, whatever that is.
+TEST(Still, IsMadeOfASceneOfAnyName) {
+    const ScratchFolder folder;
+    std::string untitled = racket;
+    untitled.erase(untitled.find("title"), std::string("title = \"Racket\"\n").size());
+    for (const std::string name :
+         {"a$b", "{x", "a\\b", "a_b^c", "--5--", "~`'%&#", "Волчок", "陀螺", "a\xff", "\u202ea"}) {
+        folder.write(name + ".toml", untitled);
+        std::string quoted;
+        for (const char c : name) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+        const std::string file = "'./" + quoted + ".toml'";
+        const ProgramRun still = run_program_in(folder, "still " + file + " -o a.png");
+        EXPECT_EQ(still.code, 0) << name << ": " << still.err;
+        EXPECT_EQ(run_program_in(folder, "check -q " + file).code, 0) << name;
+        const ProgramRun again = run_program_in(folder, "rerender -q a.png -o b.png");
+        EXPECT_EQ(again.code, 0) << name << ": " << again.err;
+        // What stood in for a letter is in the record, or its absence has been said.
+        const bool plain = name.find_first_not_of("a$bc{x\\_^-5~`'%&#") == std::string::npos;
+        const std::string record = run_program_in(folder, "explain a.png").out;
+        const bool recorded = record.find("\nfonts: ") != std::string::npos;
+        const bool said = still.err.find("drawn as boxes") != std::string::npos;
+        EXPECT_EQ(recorded || said, !plain) << name << still.err << record.substr(0, 600);
+    }
+    // A title of the scene's own is markup as ever.
+    folder.write("own.toml", "title = \"a$b\"\n" + untitled);
+    EXPECT_EQ(run_program_in(folder, "still own.toml -o c.png").code, 2);
+}
+
 TEST(Render, FrameAloneIsTheFrameOfTheSequence) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);
@@ -216,11 +244,37 @@ TEST(Recover, WritesTheChaptersThatAreThere) {
     ASSERT_EQ(info.chapters.size(), 2u);
     EXPECT_EQ(info.chapters[1].title, "Two");
     EXPECT_EQ(info.chapters[1].end_frame, info.n_frames);
-    const std::string beside = text_of(folder.path() / "a.chapters.json");
+    const std::string beside = text_of(folder.path() / "a.webm.chapters.json");
     EXPECT_NE(beside.find("\"last_frame\": " + std::to_string(info.n_frames - 1)),
               std::string::npos)
         << beside;
     EXPECT_EQ(beside.find("Three"), std::string::npos);
+}
+
+// What stands beside a film is that film's.
+TEST(Render, LeavesTheChaptersOfNoOtherFilm) {
+    const ScratchFolder folder;
+    folder.write("plain.toml", racket);
+    folder.write("told.toml", racket + "[[chapters]]\nat_s = 0.0\ntitle = \"Start\"\n");
+    const auto render = [&folder](const std::string& arguments) {
+        const ProgramRun run = run_program_in(folder, "render " + arguments + " -q --size 96x54");
+        EXPECT_EQ(run.code, 0) << run.err;
+    };
+    const auto exists = [&folder](const char* name) {
+        return std::filesystem::exists(folder.path() / name);
+    };
+    render("told.toml -o g.mp4");
+    render("told.toml -o g.webm");
+    EXPECT_NE(text_of(folder.path() / "g.chapters.json").find("\"g.mp4\""), std::string::npos);
+    EXPECT_NE(text_of(folder.path() / "g.webm.chapters.json").find("\"g.webm\""),
+              std::string::npos);
+    // A film without chapters takes its own with it, and no other file.
+    folder.write("h.chapters.json", "[]\n");
+    render("plain.toml -o g.mp4");
+    render("plain.toml -o h.mp4");
+    EXPECT_FALSE(exists("g.chapters.json"));
+    EXPECT_TRUE(exists("g.webm.chapters.json"));
+    EXPECT_TRUE(exists("h.chapters.json"));
 }
 
 TEST(List, EveryListHasRows) {
@@ -235,6 +289,57 @@ TEST(List, EveryListHasRows) {
         EXPECT_NE(rows.out, "") << name;
     }
     EXPECT_GE(n_lists, 5);
+    EXPECT_NE(lists.out.find("quantities\n"), std::string::npos);
+}
+
+// The scenes are found beside the program, not where it was built.
+TEST(List, FindsTheScenesOfAnInstalledProgram) {
+    const ScratchFolder folder;
+    std::filesystem::create_directories(folder.path() / "bin");
+    std::filesystem::create_directories(folder.path() / "share/poinsot/scenes");
+    std::filesystem::copy_file(POINSOT_PROGRAM, folder.path() / "bin/poinsot");
+    folder.write("share/poinsot/scenes/one.toml", racket);
+    const auto list = [&folder] {
+        const int status = std::system(
+            ("cd '" + folder.path().string() + "' && bin/poinsot list scenes >out 2>err").c_str());
+        return WEXITSTATUS(status);
+    };
+    EXPECT_EQ(list(), 0);
+    EXPECT_EQ(text_of(folder.path() / "out"), "one  Racket\n");
+    std::filesystem::remove_all(folder.path() / "share");
+    EXPECT_EQ(list(), 3);
+    const std::string err = text_of(folder.path() / "err");
+    EXPECT_EQ(err.find("/scenes"), std::string::npos) << err;
+    // Nothing in the program names the folder that it was built from.
+    const std::string program = text_of(POINSOT_PROGRAM);
+    const std::string checkout = (source_folder() / "scenes").string();
+    EXPECT_EQ(program.find(checkout), std::string::npos);
+}
+
+// Of some two hundred rows those that no other beats, unless all are asked for; the files have all.
+TEST(Tradeoff, PrintsTheFrontAndLeavesNothingBehind) {
+    const ScratchFolder folder, temporary;
+    folder.write("scene.toml", racket);
+    const std::string arguments =
+        "tradeoff scene.toml -q --size 64x36 --set film.duration_s=0.2 -o t";
+    const std::string runner = "env TMPDIR='" + temporary.path().string() + "'";
+    const ProgramRun front = run_program_in(folder, arguments, runner);
+    ASSERT_EQ(front.code, 0) << front.err;
+    EXPECT_EQ(temporary.listing(), "");
+    const std::string csv = text_of(folder.path() / "t.csv");
+    const auto count = [](const std::string& text, const std::string& what) {
+        std::ptrdiff_t n = 0;
+        for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; ++at) ++n;
+        return n;
+    };
+    EXPECT_EQ(count(front.out, "\n* "), count(csv, ",true\n"));
+    EXPECT_EQ(count(front.out, "\n  euler "), 0);
+    EXPECT_GT(count(csv, ",false\n"), 20);
+    // What a frame of the film costs is that film's, at its size and quality.
+    EXPECT_NE(front.out.find("at 64x36 and quality lecture"), std::string::npos) << front.out;
+    const ProgramRun all = run_program_in(folder, arguments + " --all", runner);
+    ASSERT_EQ(all.code, 0) << all.err;
+    EXPECT_GT(count(all.out, "\n"), count(front.out, "\n") + 20);
 }
 
 TEST(Doctor, FindsAContextHere) {

@@ -123,6 +123,58 @@ TEST(ManyScenes, FilmsAreNumberedToo) {
     EXPECT_NE(text_of(folder.path() / "film_00.md5"), text_of(folder.path() / "film_01.md5"));
 }
 
+// Two folders may each hold a scene of one name; neither picture is lost without a word.
+TEST(ManyScenes, OfOneNameAreRefusedBeforeAnythingIsDrawn) {
+    for (const char* command :
+         {"still one/a.toml two/a.toml", "render one/a.toml two/a.toml --frames 0",
+          "still b.toml one/a.toml two/a.toml -o '{scene}.png'", "still b.toml ./b.toml",
+          "still 'c#.toml' c_.toml -o '{scene}.png'"}) {
+        const ScratchFolder folder;
+        for (const char* name : {"one", "two"}) {
+            std::filesystem::create_directory(folder.path() / name);
+            folder.write(std::string(name) + "/a.toml", scene(name));
+        }
+        for (const char* name : {"b.toml", "c#.toml", "c_.toml"}) folder.write(name, scene("d"));
+        const std::string before = folder.listing();
+        const ProgramRun run = run_program_in(folder, command);
+        EXPECT_EQ(run.code, 2) << command << ": " << run.err;
+        EXPECT_NE(run.err.find("would both be written to"), std::string::npos) << run.err;
+        EXPECT_EQ(folder.listing(), before) << command;
+    }
+}
+
+TEST(ManyScenes, AreNamedInTheirOutputs) {
+    const ScratchFolder folder;
+    for (const char* name : {"a", "b#1"}) folder.write(name + std::string(".toml"), scene("d"));
+    for (const char* command :
+         {"still a.toml 'b#1.toml' -q -o 'x_{scene}.png'", "still 'b#1.toml' -q -o '{scene}.png'",
+          "still a.toml 'b#1.toml' -q -o '{scene}-##.png'", "render 'b#1.toml' -q --frames 0",
+          "render a.toml 'b#1.toml' -q --frames 0-1 -o '{scene}_###.png'",
+          "render a.toml -q --frames 0 -o '{scene}{scene}.md5'"})
+        EXPECT_EQ(run_program_in(folder, command).code, 0) << command;
+    for (const char* name : {"x_a.png", "x_b_1.png", "b_1.png", "a-00.png", "b_1-01.png",
+                             "a_000.png", "a_001.png", "b_1_001.png", "aa.md5", "output/b_1.mp4"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / name))
+            << name << " in " << folder.listing();
+}
+
+// A list of one is numbered as one of two is.
+TEST(ManyScenes, NumberOneAsTheFirst) {
+    const ScratchFolder folder;
+    folder.write("a.toml", scene("a"));
+    for (const char* command :
+         {"still a.toml -q -o '####.png'", "render a.toml -q --frames 0 -o 'film_##.md5'",
+          "rerender 0000.png -q -o 'again_#.png'",
+          "render a.toml -q --frames 1-2 -o 'turn_####.png'",
+          "rerender turn_0002.png -q -o 'turned_####.png'"})
+        EXPECT_EQ(run_program_in(folder, command).code, 0) << command;
+    for (const char* name : {"0000.png", "film_00.md5", "again_0.png", "turn_0001.png",
+                             "turn_0002.png", "turned_0002.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / name))
+            << name << " in " << folder.listing();
+    EXPECT_EQ(run_program_in(folder, "rerender 0000.png -o ./0000.png").code, 2);
+}
+
 TEST(ManyScenes, AreNotWrittenOverEachOther) {
     const ScratchFolder folder;
     folder.write("a.toml", scene("a"));

@@ -61,12 +61,13 @@ inline std::string text_of(const std::filesystem::path& file) {
     return text.str();
 }
 
-// `arguments` as a shell reads them; run inside `folder`.
-inline ProgramRun run_program_in(const ScratchFolder& folder, const std::string& arguments) {
+// `arguments` as a shell reads them; run inside `folder`, by another program if one is named.
+inline ProgramRun run_program_in(const ScratchFolder& folder, const std::string& arguments,
+                                 const std::string& runner = "") {
     const ScratchFolder logs;
-    const std::string command = "cd '" + folder.path().string() + "' && '" POINSOT_PROGRAM "' " +
-                                arguments + " >'" + (logs.path() / "out").string() + "' 2>'" +
-                                (logs.path() / "err").string() + "'";
+    const std::string command =
+        "cd '" + folder.path().string() + "' && " + runner + " '" POINSOT_PROGRAM "' " + arguments +
+        " >'" + (logs.path() / "out").string() + "' 2>'" + (logs.path() / "err").string() + "'";
     const int status = std::system(command.c_str());
     ProgramRun run;
     run.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);

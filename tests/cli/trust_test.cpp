@@ -272,6 +272,34 @@ TEST_F(Pictures, ComparedSayWhyTheyDiffer) {
     EXPECT_TRUE(is_one_line(broken.err)) << broken.err;
 }
 
+TEST_F(Pictures, ComparedAreNotWrittenOver) {
+    draw("a.png", "--portable --time 0.1");
+    draw("b.png", "--portable --time 0.11");
+    fs::create_symlink("a.png", folder_.path() / "link.png");
+    const std::string before = text_of(folder_.path() / "a.png");
+    for (const char* options :
+         {"--diff a.png", "--diff ./b.png", "--diff link.png", "--report a.png", "--junit b.png",
+          "--diff d.png --report d.png", "--report x.html --junit ./x.html"}) {
+        const ProgramRun run_of = run(std::string("compare a.png b.png ") + options);
+        EXPECT_EQ(run_of.code, 2) << options;
+        EXPECT_TRUE(is_one_line(run_of.err)) << run_of.err;
+        EXPECT_TRUE(text_of(folder_.path() / "a.png") == before) << options;
+        EXPECT_FALSE(fs::exists(folder_.path() / "d.png")) << options;
+    }
+}
+
+// Suffixes in capitals are suffixes.
+TEST_F(Pictures, NamedInCapitalsAreCompared) {
+    draw("ref/a.png", "--portable --time 0.1");
+    fs::rename(folder_.path() / "ref/a.png", folder_.path() / "ref/a.PNG");
+    draw("new/a.png", "--portable --time 0.3");
+    fs::copy(folder_.path() / "ref/a.PNG", folder_.path() / "new/b.Png");
+    const ProgramRun compared = run("compare ref new");
+    EXPECT_EQ(compared.code, 1);
+    EXPECT_TRUE(contains(compared.out, "pixels: a: ")) << compared.out;
+    EXPECT_TRUE(contains(compared.out, "unexpected: b: ")) << compared.out;
+}
+
 TEST_F(Pictures, InFoldersAreComparedInOnePass) {
     draw("ref/same.png", "--portable --time 0.1");
     fs::copy(folder_.path() / "ref/same.png", folder_.path() / "new/same.png");
@@ -295,6 +323,8 @@ TEST_F(Pictures, ComparedWithoutPortableAreTold) {
     const ProgramRun told = run("compare a.png b.png");
     EXPECT_EQ(told.code, 1);
     EXPECT_TRUE(is_one_line(told.err) && contains(told.err, "--portable")) << told.err;
+    EXPECT_TRUE(contains(told.err, "note: 1 pair that differs was drawn for one processor alone"))
+        << told.err;
     EXPECT_EQ(run("compare a.png b.png --quiet").err, "");
     EXPECT_EQ(run("compare a.png b.png --profile native").err, "");
     EXPECT_EQ(run("compare a.png a.png").err, "");

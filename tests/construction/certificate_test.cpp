@@ -64,6 +64,68 @@ TEST(Certificate, HoldsForSteadySpinsSmallWobblesAndNeedles) {
     EXPECT_TRUE(certify(Motion(sphere), times, exact_residual_bound).holds());
 }
 
+// An hour, a month, 1e15 s: the exact motion is never said to be wrong, and where no difference in
+// time can be formed the claim is neither kept nor broken.
+TEST(Certificate, HoldsAtAnyTimeOrDoesNotSay) {
+    for (const Tier tier : {Tier::exact, Tier::fast}) {
+        MotionProblem problem;
+        problem.inertia = InertiaTensor::from_principal_moments({3.0, 2.0, 1.5});
+        problem.start.omega_body = {3.0, 12.0, 5.0};
+        problem.tier = tier;
+        const Motion motion(problem);
+        for (const double start_s : {0.0, 3.6e3, 2.6e6, 1e9, 1e12, 1e15}) {
+            std::vector<double> times;
+            for (int k = 0; k < 500; ++k) times.push_back(start_s + k / 30.0);
+            const Certificate certificate = certify(motion, times, exact_residual_bound);
+            for (const CertifiedClaim& claim : certificate.claims) {
+                EXPECT_FALSE(claim.fails())
+                    << claim.name << " " << claim.worst << " from " << start_s << " s";
+                const bool speeds = claim.name == "speed_difference";
+                if (!speeds || start_s <= 3.6e3) {
+                    EXPECT_EQ(claim.n_measured, 500) << claim.name;
+                } else if (start_s >= 1e9) {
+                    EXPECT_FALSE(claim.measured()) << start_s;
+                }
+            }
+            EXPECT_TRUE(certificate.holds());
+        }
+    }
+}
+
+// A claim that is measured can fail: the speeds of a motion that slips are told apart.
+TEST(Certificate, MeasuresSpeedsWhereTheyDiffer) {
+    MotionProblem problem = generic_problem("euler");
+    problem.method.step_s = 0.01;
+    const Certificate certificate = certify(Motion(problem), frames(), exact_residual_bound);
+    const CertifiedClaim& speeds = certificate.claims.back();
+    EXPECT_TRUE(speeds.measured());
+    EXPECT_TRUE(speeds.fails()) << speeds.worst;
+}
+
+// Neither the least moments nor the slowest turn hide what is measured.
+TEST(Certificate, HoldsForTheLeastNumbers) {
+    const std::vector<double> instants{0.0, 0.4, 1.7, 5.0, 9.3, 20.0};
+    for (const double unit : {1e-300, 1e-307, 1e-310, 1e-315, 1e-320}) {
+        MotionProblem problem;
+        problem.inertia = InertiaTensor::from_principal_moments({unit, 2.0 * unit, 2.5 * unit},
+                                                                Physicality::waived);
+        problem.start.omega_body = {0.3, 1.0, 0.2};
+        const Certificate certificate = certify(Motion(problem), instants, exact_residual_bound);
+        for (const CertifiedClaim& claim : certificate.claims)
+            EXPECT_TRUE(claim.holds()) << claim.name << " " << claim.worst << " at " << unit;
+    }
+    for (const double rate : {1e-100, 1e-160, 1e-170, 1e-300}) {
+        MotionProblem problem;
+        problem.inertia = InertiaTensor::from_principal_moments({1.0, 2.0, 2.5});
+        problem.start.omega_body = rate * Eigen::Vector3d(0.3, 1.0, 0.2);
+        std::vector<double> turns;
+        for (const double turn : instants) turns.push_back(turn / rate);
+        const Certificate certificate = certify(Motion(problem), turns, exact_residual_bound);
+        for (const CertifiedClaim& claim : certificate.claims)
+            EXPECT_TRUE(claim.holds()) << claim.name << " " << claim.worst << " at " << rate;
+    }
+}
+
 TEST(Certificate, FailsForEuler) {
     MotionProblem problem = generic_problem("euler");
     problem.method.step_s = 0.01;

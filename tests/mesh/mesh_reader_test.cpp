@@ -143,7 +143,7 @@ TEST(ObjReader, SaysWhereAFileIsWrong) {
         {"v 0 0 0\nf 1 1/x 1\n", "a.obj:2:5: \"1/x\" is not a corner of a face"},
         {"v 0 0 0\nf 1 1/1/1/1 1\n", "a.obj:2:5: \"1/1/1/1\" is not a corner"},
         {"v 0 0 0\nf 1 1.0 1\n", "a.obj:2:5: \"1.0\" is not a corner"},
-        {"v 0 0 0\nf 1 \x1b[31m 1\n", "a.obj:2:5: \"\\x1b[31m\" is not a corner"},
+        {"v 0 0 0\nf 1 \x1b[31m 1\n", "a.obj:2:5: \"\\u001b[31m\" is not a corner"},
     };
     for (const auto& c : cases) {
         const std::string message = obj_message(c.text);

@@ -72,6 +72,44 @@ TEST(TurnedTriangles, AreRefused) {
               std::string::npos);
 }
 
+std::string notes_of(const std::vector<TriangleMesh>& parts) {
+    std::string notes;
+    for (const std::string& note : checked_solid(joined(parts), "m.obj").notes)
+        notes += note + "\n";
+    return notes;
+}
+
+// Their mass counts twice where they overlap: taken, but not without a word.
+TEST(CrossingSurfaces, AreNoted) {
+    for (const Eigen::Vector3d& by :
+         {Eigen::Vector3d(1.0, 1.0, 1.0), Eigen::Vector3d(0.3, 0.5, 0.7),
+          Eigen::Vector3d(1.9, 0.1, 0.2)}) {
+        const std::string notes = notes_of({cube, moved(cube, by)});
+        EXPECT_NE(notes.find("m.obj: the surface crosses itself, first near ("), std::string::npos)
+            << by.transpose() << ": " << notes;
+    }
+    // A bar through a cube, no vertex of either within the other.
+    EXPECT_NE(notes_of({cube, box_mesh({0.5, 0.5, 9.0})}).find("crosses itself"),
+              std::string::npos);
+    // Side by side, touching, or apart there is nothing to say.
+    EXPECT_EQ(notes_of({cube, moved(cube, {3.0, 0.0, 0.0})}), "");
+    EXPECT_EQ(notes_of({cube, moved(cube, {2.0, 0.5, 0.25})}), "");
+}
+
+TEST(NestedSurfaces, AreNotedUnlessTheyAreCavities) {
+    const TriangleMesh small = box_mesh({1.0, 1.0, 1.0}), least = box_mesh({0.5, 0.5, 0.5});
+    EXPECT_NE(notes_of({cube, small}).find("m.obj: 1 piece lies within another"),
+              std::string::npos);
+    TriangleMesh cavity = small;
+    for (auto& t : cavity.triangles) std::swap(t[1], t[2]);
+    EXPECT_EQ(notes_of({cube, cavity}), "");
+    // A solid within a cavity is a solid of its own.
+    EXPECT_EQ(notes_of({cube, cavity, least}), "");
+    // Its box lies within the other's, it does not.
+    std::vector<TriangleMesh> cross{box_mesh({9.0, 1.0, 1.0}), moved(least, {0.0, 0.0, 0.0})};
+    EXPECT_NE(notes_of(cross).find("within another"), std::string::npos);
+}
+
 TEST(SplitVertices, AreWelded) {
     TriangleMesh soup;
     for (const auto& t : cube.triangles) {

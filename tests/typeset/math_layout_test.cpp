@@ -18,7 +18,7 @@ constexpr double kSize = 1000.0;  // px per em: one px is one font unit
 // The math font, read by HarfBuzz alone.
 class MathTable : public testing::Test {
  protected:
-    MathTable() : fonts_(default_font_folders()) {
+    MathTable() : fonts_(FontSearch{}) {
         const std::string file = find_font("latinmodern-math.otf").string();
         hb_blob_t* blob = hb_blob_create_from_file(file.c_str());
         hb_face_t* face = hb_face_create(blob, 0);

@@ -274,15 +274,55 @@ TEST(Captions, LiveNumbersDoNotMoveTheirNeighbours) {
 
 TEST(Mistakes, MissingGlyphIsNamed) {
     const Typesetter typesetter;
-    for (const TypeStyle& style : {label(20.0), caption(20.0)}) {
-        try {
-            typesetter.set("ab字", style);
-            FAIL();
-        } catch (const LabelError& error) {
-            EXPECT_EQ(error.column(), 3);
-            EXPECT_NE(std::string(error.what()).find("字 (U+5B57)"), std::string::npos);
-        }
+    try {
+        typesetter.set("ab字", label(20.0));
+        FAIL();
+    } catch (const LabelError& error) {
+        EXPECT_EQ(error.column(), 3);
+        EXPECT_NE(std::string(error.what()).find("字 (U+5B57)"), std::string::npos);
     }
+}
+
+// In running text it is a box with a hole, and is remembered once.
+TEST(MissingCharacters, AreBoxesWhereNoFontHasThem) {
+    FontSearch search;
+    search.fallback_folders.clear();
+    const Typesetter typesetter(search);
+    const TypesetMask with = typesetter.set("ab字字", caption(40.0));
+    EXPECT_EQ(typesetter.missing(), std::vector<char32_t>{U'字'});
+    EXPECT_TRUE(typesetter.fallbacks_used().empty());
+    const TypesetMask without = typesetter.set("ab", caption(40.0));
+    EXPECT_NEAR(with.advance_px - without.advance_px, 2.0 * 0.6 * 40.0, 1e-9);
+    // Its left side is inked from top to bottom, its middle is not.
+    const auto ink = [&with](double x_px, double y_px) {
+        const int column = static_cast<int>(x_px) - with.left_px;
+        const int row = static_cast<int>(with.baseline_px - y_px);
+        return with.coverage[static_cast<std::size_t>(row * with.width + column)];
+    };
+    const double left = without.advance_px + 0.05 * 40.0;
+    EXPECT_GT(ink(left + 1.5, 14.0), 200);
+    EXPECT_EQ(ink(left + 10.0, 14.0), 0);
+    EXPECT_GT(ink(left + 10.0, 1.0), 100);
+}
+
+TEST(MissingCharacters, ComeFromAFontOfTheSystemThatHasThem) {
+    const std::string file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no fonts-dejavu here";
+    const Typesetter typesetter;
+    const TypesetMask mask = typesetter.set("Волчок", caption(40.0));
+    EXPECT_TRUE(typesetter.missing().empty());
+    ASSERT_EQ(typesetter.fallbacks_used().size(), 1u);
+    EXPECT_EQ(typesetter.fallbacks_used()[0].string(), file);
+    EXPECT_GT(mask.width, 100);
+    // The other letters of the caption stay as they are.
+    EXPECT_EQ(typesetter.set("ab", caption(40.0)).coverage,
+              Typesetter().set("ab", caption(40.0)).coverage);
+}
+
+TEST(MissingCharacters, AreLookedForInOneOrder) {
+    const auto files = fonts_below(system_font_folders());
+    EXPECT_EQ(files, fonts_below(system_font_folders()));
+    EXPECT_TRUE(fonts_below({"/nonexistent"}).empty());
 }
 
 TEST(Mistakes, MissingFontNamesItsPackage) {

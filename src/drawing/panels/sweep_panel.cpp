@@ -23,6 +23,7 @@
 #include "drawing/type/overlay.h"
 #include "scene/scene_error.h"
 #include "shapes/identity.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -55,7 +56,7 @@ void check_show(const StageData& stage) {
             stage.scene.location_of("show"),
             fmt::format("show names \"{}\", but a sweep has elements of its own; leave "
                         "title, caption and clock, or nothing",
-                        echo(name)));
+                        printable(name)));
     }
 }
 

@@ -45,6 +45,9 @@ class TypeCase {
     // For type that changes with every frame: the mask goes with the view.
     SetType set_live(std::string_view text, const TypeStyle& style, View& view) const;
 
+    // What stood in for characters that the fonts of labels and captions lack.
+    const Typesetter& typesetter() const { return typesetter_; }
+
  private:
     TypesetMask set_legible(std::string_view text, const TypeStyle& style) const;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "drawing/fade.h"
+#include "drawing/type/clock_text.h"
 #include "drawing/type/time_unit.h"
 #include "scene/scene_error.h"
 
@@ -79,14 +80,18 @@ Drawer make_caption(StageData& stage) {
 }
 
 Drawer make_clock(StageData& stage) {
-    const TimeUnit unit = time_unit_of(stage.film_last_s - stage.film_first_s);
-    return [&stage, unit](const Instant& instant, Sheet& sheet) {
-        const LiveValue time{"time", instant.time_s / unit.seconds};
-        const SetType type = stage.type_case.set_live(
-            expand_live_text(fmt::format("$t$ = {{time:.2f}} {}", unit.name), {&time, 1}),
-            text_style(stage, caption_size), sheet.view);
-        // Right-aligned on the widest text of its kind, so that changing digits do not move it.
-        const double pen = stage.options.width_px - margin(stage) - 160.0 * stage.px;
+    const ClockText clock(stage.film_first_s, stage.film_last_s);
+    const TypeStyle style = text_style(stage, caption_size);
+    // It begins where the widest text of its kind ends at the margin, so that changing digits do
+    // not move it: digits are of one width.
+    double widest_px = 160.0 * stage.px;
+    for (const double time_s : {stage.film_first_s, stage.film_last_s}) {
+        const SetType type = stage.type_case.set(clock.at(time_s), style);
+        widest_px = std::max(widest_px, static_cast<double>(type.left_px + type.mask->width));
+    }
+    const double pen = stage.options.width_px - margin(stage) - widest_px;
+    return [&stage, clock, style, pen](const Instant& instant, Sheet& sheet) {
+        const SetType type = stage.type_case.set_live(clock.at(instant.time_s), style, sheet.view);
         add_text(stage, type, pen, margin(stage) + 26.0 * stage.px, sheet);
     };
 }

@@ -1,0 +1,80 @@
+#include "cli/option_values.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "error/error.h"
+#include "text/nearest.h"
+
+namespace poinsot {
+
+namespace {
+
+// A number that is all of the text; from_chars knows no locale, no hexadecimal and no spaces.
+template <typename Number>
+std::optional<Number> whole_text(std::string_view text) {
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+    Number number{};
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, number);
+    if (error != std::errc{} || end != last) return std::nullopt;
+    return number;
+}
+
+std::optional<double> finite_number(std::string_view text) {
+    const auto number = whole_text<double>(text);
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+}  // namespace
+
+std::string parse_text(std::string_view option, const std::string& text) {
+    if (!text.empty()) return text;
+    throw InputError(
+        fmt::format("{}: \"\" says nothing; give a value, or leave the option out", option));
+}
+
+double parse_number(std::string_view option, std::string_view text, std::string_view wanted) {
+    if (const auto number = finite_number(text)) return *number;
+    throw InputError(fmt::format("{}: \"{}\" is not a finite number; give {}, as 12 or 0.5", option,
+                                 printable(text), wanted));
+}
+
+int parse_whole(std::string_view option, std::string_view text, std::string_view wanted) {
+    if (const auto number = whole_text<int>(text)) return *number;
+    throw InputError(
+        fmt::format("{}: \"{}\" is not a whole number; give {}", option, printable(text), wanted));
+}
+
+std::pair<std::int64_t, std::int64_t> parse_frames(std::string_view text) {
+    const std::size_t dash = text.find('-');
+    const auto first = whole_text<std::int64_t>(text.substr(0, dash));
+    const auto last =
+        dash == std::string_view::npos ? first : whole_text<std::int64_t>(text.substr(dash + 1));
+    if (!first || !last || *first < 0 || *last < *first)
+        throw InputError(fmt::format(
+            "--frames {}: not a range of frames; write A-B with 0 <= A <= B, as in 0-99",
+            printable(text)));
+    return {*first, *last};
+}
+
+std::vector<double> parse_times(std::string_view text) {
+    std::vector<double> times;
+    while (true) {
+        const std::size_t comma = text.find(',');
+        const std::string_view item = text.substr(0, comma);
+        const auto time = finite_number(item);
+        if (!time)
+            throw InputError(
+                fmt::format("--times: \"{}\" is not a time in seconds; write T,T,… as in 0,0.5,1",
+                            printable(item)));
+        times.push_back(*time);
+        if (comma == std::string_view::npos) return times;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+}  // namespace poinsot

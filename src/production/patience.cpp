@@ -1,0 +1,83 @@
+#include "production/patience.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <system_error>
+#include <utility>
+
+#include "error/error.h"
+#include "mechanics/stepped/integrated_rotation.h"
+#include "system/interrupt.h"
+
+namespace poinsot {
+
+Patience::Patience(std::string what, double estimate_s, const Telling& telling) {
+    stop_if_interrupted();
+    interrupt_ = std::signal(SIGINT, SIG_DFL);
+    terminate_ = std::signal(SIGTERM, SIG_DFL);
+    try {
+        teller_ = std::thread([this, what = std::move(what), estimate_s, say = telling.say] {
+            tell(what, estimate_s, say);
+        });
+    } catch (const std::system_error&) {
+        // Where no thread can be had, the work is done without a word.
+    }
+}
+
+Patience::~Patience() {
+    {
+        const std::lock_guard lock(mutex_);
+        done_ = true;
+    }
+    ended_.notify_all();
+    if (teller_.joinable()) teller_.join();
+    std::signal(SIGINT, interrupt_);
+    std::signal(SIGTERM, terminate_);
+}
+
+void Patience::tell(const std::string& what, double estimate_s,
+                    const std::function<void(const std::string&)>& say) {
+    using namespace std::chrono_literals;
+    const auto started = std::chrono::steady_clock::now();
+    std::unique_lock lock(mutex_);
+    for (auto wait = 1s; !ended_.wait_for(lock, wait, [this] { return done_; }); wait = 10s) {
+        const double spent_s =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+        const std::string of =
+            estimate_s > 0.0 ? fmt::format(" of about {:.0f}", std::max(estimate_s, spent_s)) : "";
+        say(fmt::format("{}: {:.0f}{} s", what, spent_s, of));
+    }
+}
+
+double stepping_estimate_s(const MotionProblem& problem) {
+    using Clock = std::chrono::steady_clock;
+    const Method& method = find_method(problem.method.name);
+    const double span_s = problem.last_time_s - problem.first_time_s;
+    if (method.make == nullptr || !(span_s > 0.0)) return 0.0;
+
+    // Longer and longer parts from the start on, until one can be timed.
+    constexpr double least_timed_s = 3e-3;
+    const double least_span_s =
+        std::max(std::ldexp(span_s, -40), problem.method.step_s.value_or(0.0));
+    MotionProblem part = problem;
+    part.first_time_s = 0.0;
+    part.overshoot_s = 0.0;
+    for (double part_s = least_span_s;; part_s *= 2.0) {
+        part.last_time_s = std::min(part_s, span_s);
+        const auto before = Clock::now();
+        try {
+            const IntegratedRotation stepped(part);
+        } catch (const InputError&) {
+            return 0.0;  // said by the one who steps over all of it
+        }
+        const double timed_s = std::chrono::duration<double>(Clock::now() - before).count();
+        if (timed_s >= least_timed_s || part.last_time_s >= span_s)
+            return timed_s * (span_s / part.last_time_s);
+    }
+}
+
+}  // namespace poinsot
