@@ -30,8 +30,8 @@ Drawing Stage::at(const FilmMoment& moment) const {
     drawing.width_px = data_->options.width_px;
     drawing.height_px = data_->options.height_px;
     drawing.background = data_->theme->background;
-    // Views own what is set and sampled for this drawing alone, to which their shapes point: they must
-    // not move once made.
+    // Views own what is set and sampled for this drawing alone, to which their shapes point: they
+    // must not move once made.
     drawing.views.reserve(data_->panels.size() + 1);
     for (const Panel& panel : data_->panels) {
         Sheet sheet;
@@ -48,8 +48,7 @@ Drawing Stage::at(const FilmMoment& moment) const {
             view.background.alpha = 0.0;
         }
         panel.draw(instant, sheet);
-        place_labels(sheet.wishes, data_->theme->halo, 3.0 * panel.px, view,
-                     data_->options.samples);
+        place_labels(sheet.wishes, data_->theme->halo, 3.0 * panel.px, view);
         drawing.views.push_back(std::move(view));
     }
 

@@ -94,7 +94,7 @@ struct StageData {
     std::set<std::string, std::less<>> can_fade;  // names that a fade may say here
 
     // Made once for all instants; addresses stay valid for the stage's life.
-    TypeCase type_case;
+    TypeCase type_case{options.samples};
     std::deque<CurveGeometry> curves;
     std::deque<MeshGeometry> meshes;
     std::deque<Panel> panels;
@@ -122,8 +122,6 @@ struct StageData {
     double at_whole_pixel(double at_px) const {
         return options.samples * std::round(at_px / options.samples);
     }
-
-    TypeRoom room_of(const SetType& type) const { return type_room(type, options.samples); }
 
     // What the panels ask for at an instant, and nothing else; attitude and herpolhode in the space
     // axes shown.

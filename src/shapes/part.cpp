@@ -18,6 +18,7 @@ GlyphMask cut(const GlyphMask& mask, int x, int y, int width, int height) {
     part.id = next_identity();
     part.width = width;
     part.height = height;
+    part.samples = mask.samples;
     part.coverage.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     for (int row = y; row < y + height; ++row) {
         const auto from = mask.coverage.begin() + static_cast<std::ptrdiff_t>(row) * mask.width + x;
@@ -30,9 +31,11 @@ GlyphMask cut(const GlyphMask& mask, int x, int y, int width, int height) {
 void add_label(Label label, const PixelArea& area, View& view) {
     if (label.mask == nullptr) return;
     const GlyphMask& mask = *label.mask;
-    const double reach = std::ceil(std::max(label.halo_px, 0.0)) + 2.0;
+    const int n = mask.samples;
+    const double reach = std::ceil(std::max(label.halo_px / n, 0.0)) + 2.0;
     // Columns and rows of the mask whose ink or halo reaches into the part.
-    const auto range = [reach](double corner, int size, int room) {
+    const auto range = [n, reach](double corner_px, int size, int room_px) {
+        const double corner = corner_px / n, room = 1.0 * room_px / n;
         const double first = std::clamp(std::floor(-corner - reach), 0.0, 1.0 * size);
         const double end = std::clamp(std::ceil(room - corner + reach), 0.0, 1.0 * size);
         return std::pair(static_cast<int>(first), static_cast<int>(end));
@@ -43,7 +46,7 @@ void add_label(Label label, const PixelArea& area, View& view) {
     if (std::max(mask.width, mask.height) > largest_whole_mask_px) {
         label.mask =
             &view.live_masks.emplace_back(cut(mask, left, top, right - left, bottom - top));
-        label.top_left_px += Eigen::Vector2d(left, top);
+        label.top_left_px += Eigen::Vector2d(n * left, n * top);
     }
     view.labels.push_back(label);
 }

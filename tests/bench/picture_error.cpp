@@ -4,8 +4,8 @@
 // The reference is drawn eight times as large and averaged in linear light. The four samples are
 // those of its pixels that lie where llvmpipe, as most of the field, puts the four of multisampling
 // (a rotated grid). Multisampling shades only once a pixel, so its lines within a surface are
-// coarser than this: the comparison favours it. Type is left out: it is set at whole pixels, which
-// lie elsewhere in a larger picture.
+// coarser than this: the comparison favours it. Type is left out: it is the same however many
+// samples a pixel has.
 #include <fmt/format.h>
 
 #include <array>

@@ -116,11 +116,34 @@ TEST(Samples, LeaveChartsWhereTheyAre) {
             ASSERT_EQ(fine.type.size(), alone.type.size());
             for (std::size_t k = 0; k < fine.ends.size(); ++k)
                 EXPECT_LT((fine.ends[k] - alone.ends[k]).norm(), 1e-6) << width_px << " " << n;
-            // The ink's box is finer, and lies within that of whole pixels.
-            for (std::size_t k = 0; k < fine.type.size(); ++k) {
-                const Eigen::Vector2d inside = fine.type[k] - alone.type[k];
-                EXPECT_GE(inside.minCoeff(), 0.0) << width_px << " " << n << " " << k;
-                EXPECT_LT(inside.maxCoeff(), 1.0) << width_px << " " << n << " " << k;
+            for (std::size_t k = 0; k < fine.type.size(); ++k)
+                EXPECT_LT((fine.type[k] - alone.type[k]).norm(), 1e-6)
+                    << width_px << " " << n << " " << k;
+        }
+    }
+}
+
+// The masks of all views, and where they stand in pixels of the picture that is looked at.
+TEST(Samples, LeaveTypeAsItIs) {
+    const std::vector<std::vector<std::string>> pictures{{"space", "plot"}, {"momentum", "plan"}};
+    for (const std::vector<std::string>& kinds : pictures) {
+        const Scene scene = with_type(kinds);
+        const Sampled alone(scene, 1);
+        for (const int n : {2, 3, 4}) {
+            const Sampled fine(scene, n);
+            ASSERT_EQ(fine.drawing.views.size(), alone.drawing.views.size());
+            for (std::size_t k = 0; k < fine.drawing.views.size(); ++k) {
+                const std::vector<Label>&a = alone.drawing.views[k].labels,
+                      &b = fine.drawing.views[k].labels;
+                ASSERT_EQ(b.size(), a.size()) << kinds[0] << n;
+                for (std::size_t i = 0; i < a.size(); ++i) {
+                    EXPECT_LT((b[i].top_left_px / n - a[i].top_left_px).norm(), 1e-6)
+                        << kinds[0] << n;
+                    EXPECT_NEAR(b[i].halo_px / n, a[i].halo_px, 1e-12);
+                    EXPECT_EQ(b[i].mask->samples, n);
+                    EXPECT_EQ(b[i].mask->width, a[i].mask->width);
+                    EXPECT_EQ(b[i].mask->coverage, a[i].mask->coverage) << kinds[0] << n;
+                }
             }
         }
     }

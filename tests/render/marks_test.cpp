@@ -245,7 +245,7 @@ TEST(LabelPicture, HasTheBytesOfAPictureDrawnAlone) {
 }
 
 TEST(LabelPicture, ShowsTheEndOfACaptionOf12000Pixels) {
-    // A caption of a 2160p picture drawn 4 × 4 samples a pixel; its last seven columns are ink.
+    // A caption of a poster; its last seven columns are ink.
     constexpr int width = 12000;
     GlyphMask mask = block(9950, width, 3);
     for (std::size_t k = 0; k < mask.coverage.size(); ++k)

@@ -118,8 +118,7 @@ SetType set_chart_type(const Panel& panel, std::string_view text, TypeMode mode,
 Label chart_label(const Panel& panel, const SetType& type, double x, double y, Anchor anchor,
                   const Colour& colour) {
     const StageData& stage = *panel.stage;
-    const TypeRoom box = stage.room_of(type);
-    const double width = box.size_px.x(), height = box.size_px.y();
+    const double width = type.width_px(), height = type.height_px();
     Eigen::Vector2d corner(panel.box.x_px + x, panel.box.y_px + panel.box.height_px - y);
     switch (anchor) {
         case Anchor::left_middle:
@@ -140,9 +139,7 @@ Label chart_label(const Panel& panel, const SetType& type, double x, double y, A
     }
     Label label;
     label.mask = type.mask;
-    label.top_left_px =
-        Eigen::Vector2d(stage.at_whole_pixel(corner.x()), stage.at_whole_pixel(corner.y())) +
-        box.mask_px;
+    label.top_left_px = {stage.at_whole_pixel(corner.x()), stage.at_whole_pixel(corner.y())};
     label.colour = colour;
     label.halo_colour = stage.theme->halo;
     label.halo_px = 2.0 * panel.px;
@@ -198,7 +195,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     area_.right -= right_px;
     if (!x_title.empty()) area_.bottom += tick_px + gap + 0.75 * number_px;
     const SetType y_type = set_chart_type(panel, y_title, TypeMode::text, chart_title_size);
-    if (y_type.mask->height > 0) area_.top -= stage.room_of(y_type).size_px.y() + 1.6 * gap;
+    if (y_type.mask->height > 0) area_.top -= y_type.height_px() + 1.6 * gap;
     area_.right = std::max(area_.right, area_.left + 1.0);
     area_.top = std::max(area_.top, area_.bottom + 1.0);
 
@@ -235,7 +232,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
             stage.at_whole_pixel(panel.box.y_px + panel.box.height_px - baseline) -
             type.baseline_px;
         labels_.push_back(number);
-        free_from = across + 0.5 * stage.room_of(type).size_px.x();
+        free_from = across + 0.5 * type.width_px();
     }
     if (x_title.empty()) return;
     // The title stands at the end of the numbers; a number in its place gives way.
@@ -244,9 +241,8 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     title.top_left_px.y() =
         stage.at_whole_pixel(panel.box.y_px + panel.box.height_px - baseline) - type.baseline_px;
     if (title.top_left_px.x() - panel.box.x_px < free_from + gap) {
-        const TypeRoom box = stage.room_of(type);
-        title.top_left_px.x() = std::min(region.right - box.size_px.x(), area_.right + gap) +
-                                panel.box.x_px + box.mask_px.x();
+        title.top_left_px.x() =
+            std::min(region.right - type.width_px(), area_.right + gap) + panel.box.x_px;
         if (title.top_left_px.x() - panel.box.x_px < free_from + gap) labels_.pop_back();
     }
     labels_.push_back(title);
@@ -256,7 +252,7 @@ double PlotFrame::numbers_px(const Panel& panel, const Axis& y) {
     double widest = 0.0;
     for (const Tick& tick : y.ticks) {
         const SetType type = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
-        widest = std::max(widest, panel.stage->room_of(type).size_px.x());
+        widest = std::max(widest, type.width_px());
     }
     return widest + 9.0 * panel.type_px + 7.0 * panel.px;
 }

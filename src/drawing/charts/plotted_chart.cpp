@@ -11,7 +11,7 @@ void place_names(PlottedChart& plotted, const std::vector<SetType>& types, const
     std::vector<double> heights;
     for (const PlottedCurve& curve : plotted.curves) {
         ends.push_back(curve.end_y);
-        heights.push_back(panel.stage->room_of(types[curve.value]).size_px.y());
+        heights.push_back(types[curve.value].height_px());
     }
     const ChartArea& area = plotted.chart.area();
     const double margin = 0.3 * chart_name_size * panel.type_px;

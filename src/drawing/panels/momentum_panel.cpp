@@ -94,7 +94,7 @@ std::vector<Label> legend_of(const Panel& panel) {
     for (const auto& [text, colour] : rows) {
         const SetType type = set_label(panel, text, 0.72);
         legend.push_back(chart_label(panel, type, left, bottom, Anchor::bottom_left, colour));
-        bottom += panel.stage->room_of(type).size_px.y() + 10.0 * panel.px;
+        bottom += type.height_px() + 10.0 * panel.px;
     }
     return legend;
 }
@@ -105,11 +105,8 @@ double legend_rows(const Panel& panel, const std::vector<Label>& legend) {
     double right = panel.box.x_px;
     for (const Label& label : legend) {
         top = std::min(top, label.top_left_px.y());
-        right = std::max(right, label.top_left_px.x() + label.mask->width);
+        right = std::max(right, label.top_left_px.x() + label.mask->width_px());
     }
-    // Whole rows of the picture that is looked at.
-    const int samples = panel.stage->options.samples;
-    top = samples * std::floor(top / samples);
     const bool in_the_way = right - panel.box.x_px > 0.35 * panel.box.width_px;
     return in_the_way ? panel.box.y_px + panel.box.height_px - top : 0.0;
 }

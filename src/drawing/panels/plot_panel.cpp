@@ -96,8 +96,7 @@ class PlotMaker {
     void set_names() {
         for (const PlotCurve& curve : quantity_->curves) {
             names_.push_back(set_chart_type(*panel_, curve.label, TypeMode::math, chart_name_size));
-            widest_name_ =
-                std::max(widest_name_, panel_->stage->room_of(names_.back()).size_px.x());
+            widest_name_ = std::max(widest_name_, names_.back().width_px());
         }
     }
 

@@ -107,9 +107,6 @@ void make_potential_panel(Panel& panel) {
     const SetType energy_type = set_chart_type(panel, "E", TypeMode::math, chart_name_size);
     const SetType potential_type =
         set_chart_type(panel, "V_{\\mathrm{eff}}", TypeMode::math, chart_name_size);
-    const auto width_of = [&](const SetType& type) {
-        return panel.stage->room_of(type).size_px.x();
-    };
     const double margin = chart_margin * panel.px;
     const ChartArea region{margin, 0.5 * margin, panel.box.width_px - margin,
                            panel.box.height_px - 0.5 * margin - panel.header_px};
@@ -124,7 +121,7 @@ void make_potential_panel(Panel& panel) {
     const PlotFrame chart(
         panel, region, x, y, axis_title("$\\theta$", "rad", x.exponent),
         axis_title("energy", "J", y.exponent), PlotFrame::numbers_px(panel, y),
-        std::max(width_of(energy_type), width_of(potential_type)) + 16.0 * panel.px);
+        std::max(energy_type.width_px(), potential_type.width_px()) + 16.0 * panel.px);
 
     // The curve, cut where it leaves the chart.
     CurveGeometry geometry;

@@ -215,6 +215,7 @@ void make_axis_sweep(Panel& panel) {
         number.anchor_px = {panel.box.x_px + 0.76 * panel.box.width_px,
                             panel.box.y_px + 0.5 * panel.box.height_px};
         number.away = {0.0, 0.0};
+        number.gap_px = 6.0 * stage.options.samples;
         number.colour = theme.text;
         sheet.wishes.push_back(number);
     };

@@ -9,15 +9,6 @@ namespace poinsot {
 
 namespace {
 
-GlyphMask mask_of(TypesetMask&& set) {
-    GlyphMask mask;
-    mask.id = next_identity();
-    mask.width = set.width;
-    mask.height = set.height;
-    mask.coverage = std::move(set.coverage);
-    return mask;
-}
-
 // 1 for a point in the view, falling to 0 a little way outside: a label stays with what it names,
 // and leaves with it.
 double nearness_to_view(const Eigen::Vector2d& at_px, const View& view) {
@@ -30,52 +21,49 @@ double nearness_to_view(const Eigen::Vector2d& at_px, const View& view) {
 
 }  // namespace
 
-TypeRoom type_room(const SetType& type, int samples) {
-    const auto down = [samples](double px) { return samples * std::floor(px / samples); };
-    const auto up = [samples](double px) { return samples * std::ceil(px / samples); };
-    const double left = down(type.left_px), ascent = up(type.baseline_px);
-    return {{up(type.left_px + type.mask->width) - left,
-             up(type.mask->height - type.baseline_px) + ascent},
-            {type.left_px - left, ascent - type.baseline_px},
-            ascent};
-}
-
-TypesetMask TypeCase::set_legible(std::string_view text, const TypeStyle& style) const {
+TypesetMask TypeCase::set_legible(std::string_view text, TypeStyle style) const {
+    style.size_px /= samples_;
+    style.max_width_px /= samples_;
     if (style.size_px >= least_legible_px || !(style.size_px > 0.0))
         return typesetter_.set(text, style);
-    TypeStyle legible = style;
-    legible.size_px = least_legible_px;
-    typesetter_.measure(text, legible);
+    style.size_px = least_legible_px;
+    typesetter_.measure(text, style);
     return {};
+}
+
+SetType TypeCase::keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const {
+    GlyphMask& mask = masks.emplace_back();
+    mask.id = next_identity();
+    mask.width = set.width;
+    mask.height = set.height;
+    mask.samples = samples_;
+    mask.coverage = std::move(set.coverage);
+    return {&mask, samples_ * set.left_px, samples_ * set.baseline_px};
 }
 
 SetType TypeCase::set(std::string_view text, const TypeStyle& style) {
     const auto key = std::make_tuple(std::string(text), style.size_px, static_cast<int>(style.mode),
                                      style.max_width_px);
     if (const auto found = known_.find(key); found != known_.end()) return found->second;
-    TypesetMask set = set_legible(text, style);
-    SetType type{nullptr, set.left_px, set.baseline_px};
-    type.mask = &masks_.emplace_back(mask_of(std::move(set)));
+    const SetType type = keep(set_legible(text, style), masks_);
     known_.emplace(key, type);
     return type;
 }
 
 SetType TypeCase::set_live(std::string_view text, const TypeStyle& style, View& view) const {
-    TypesetMask set = set_legible(text, style);
-    SetType type{nullptr, set.left_px, set.baseline_px};
-    type.mask = &view.live_masks.emplace_back(mask_of(std::move(set)));
-    return type;
+    return keep(set_legible(text, style), view.live_masks);
 }
 
 void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,
-                  View& view, int samples) {
+                  View& view) {
     struct Box {
         Eigen::Vector2d centre;
         Eigen::Vector2d half;
     };
     std::vector<Box> boxes;
     for (const LabelWish& wish : wishes) {
-        const Eigen::Vector2d half = 0.5 * type_room(wish.type, samples).size_px;
+        const Eigen::Vector2d half =
+            0.5 * Eigen::Vector2d(wish.type.width_px(), wish.type.height_px());
         // The box touches the anchor's neighbourhood as an ellipse would: smooth in the direction.
         // A vanishing direction (an arrow pointing at the eye) fades into "to the right". No
         // function of the direction alone is continuous there: the box comes nearer to the anchor
@@ -108,9 +96,9 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
         }
     }
 
-    const double margin = halo_px + 2.0;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (wishes[i].type.mask->width == 0) continue;
+        const double margin = halo_px + 2.0 * wishes[i].type.mask->samples;
         Eigen::Vector2d corner = boxes[i].centre - boxes[i].half;
         const auto keep = [&](double value, double from, double size, double box) {
             return std::max(from + margin, std::min(value, from + size - box - margin));
@@ -119,7 +107,7 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
         corner.y() = keep(corner.y(), view.y_px, view.height_px, 2.0 * boxes[i].half.y());
         Label label;
         label.mask = wishes[i].type.mask;
-        label.top_left_px = corner + type_room(wishes[i].type, samples).mask_px;
+        label.top_left_px = corner;
         label.colour = wishes[i].colour;
         label.halo_colour = halo;
         label.halo_px = halo_px;

@@ -17,21 +17,17 @@
 
 namespace poinsot {
 
-// A string that has been set: its mask and where its ink lies from the pen.
+// A string that has been set: its mask and where its ink lies from the pen, in pixels of the
+// picture that is drawn.
 struct SetType {
     const GlyphMask* mask = nullptr;
     int left_px = 0;
     double baseline_px = 0.0;
-};
 
-// The room that set type takes: its ink's box in whole pixels of the picture that is looked at, so
-// that what is placed by it stands there however many samples a pixel has (samples × samples).
-struct TypeRoom {
-    Eigen::Vector2d size_px = Eigen::Vector2d::Zero();
-    Eigen::Vector2d mask_px = Eigen::Vector2d::Zero();  // the mask's upper left corner in it
-    double baseline_px = 0.0;                           // from its upper side
+    // Of the ink's box: whole pixels of the picture that is looked at.
+    double width_px() const { return mask->width_px(); }
+    double height_px() const { return mask->height_px(); }
 };
-TypeRoom type_room(const SetType& type, int samples);
 
 // Type of fewer pixels an em is left out: its small letters would be one pixel high.
 inline constexpr double least_legible_px = 3.0;
@@ -40,6 +36,10 @@ inline constexpr double least_legible_px = 3.0;
 // be read gets an empty mask; what cannot be set is refused at any size.
 class TypeCase {
  public:
+    // For pictures drawn with samples × samples to a pixel: styles are in pixels of the picture
+    // drawn, and masks are set for the one that is looked at.
+    explicit TypeCase(int samples = 1) : samples_(samples) {}
+
     SetType set(std::string_view text, const TypeStyle& style);
 
     // For type that changes with every frame: the mask goes with the view.
@@ -49,8 +49,10 @@ class TypeCase {
     const Typesetter& typesetter() const { return typesetter_; }
 
  private:
-    TypesetMask set_legible(std::string_view text, const TypeStyle& style) const;
+    TypesetMask set_legible(std::string_view text, TypeStyle style) const;
+    SetType keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const;
 
+    int samples_;
     Typesetter typesetter_;
     std::deque<GlyphMask> masks_;
     std::map<std::tuple<std::string, double, int, double>, SetType> known_;
@@ -68,9 +70,9 @@ struct LabelWish {
     double opacity = 1.0;
 };
 
-// Adds the wishes as labels of the view, of a picture with so many samples to a pixel's side: each
-// at its place, then pushed apart where they would cover each other, then kept inside the view.
+// Adds the wishes as labels of the view: each at its place, then pushed apart where they would
+// cover each other, then kept inside the view.
 void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,
-                  View& view, int samples = 1);
+                  View& view);
 
 }  // namespace poinsot

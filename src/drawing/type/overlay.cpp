@@ -35,13 +35,14 @@ double margin(const StageData& stage) { return margin(stage.px); }
 constexpr double title_size = 40.0;
 constexpr double caption_size = 26.0;
 
-TypeStyle text_style(int width_px, double px, double size) {
+// Wrapped to a picture so wide, of so many samples to a pixel's side.
+TypeStyle text_style(int width_px, double px, double size, int samples) {
     return {.size_px = size * px,
             .mode = TypeMode::text,
-            .max_width_px = std::max(64.0, width_px - 2.0 * margin(px))};
+            .max_width_px = std::max(64.0 * samples, width_px - 2.0 * margin(px))};
 }
 TypeStyle text_style(const StageData& stage, double size) {
-    return text_style(stage.options.width_px, stage.px, size);
+    return text_style(stage.options.width_px, stage.px, size, stage.options.samples);
 }
 
 Drawer make_title(StageData& stage) {
@@ -49,16 +50,14 @@ Drawer make_title(StageData& stage) {
         return stage.type_case.set(stage.scene.title, text_style(stage, title_size));
     });
     return [&stage, type](const Instant&, Sheet& sheet) {
-        add_text(stage, type, margin(stage), margin(stage) + stage.room_of(type).baseline_px,
-                 sheet);
+        add_text(stage, type, margin(stage), margin(stage) + type.baseline_px, sheet);
     };
 }
 
 Drawer make_caption(StageData& stage) {
     const TypeStyle style = text_style(stage, caption_size);
     const auto place = [&stage](const SetType& type, Sheet& sheet) {
-        const TypeRoom box = stage.room_of(type);
-        const double below = box.size_px.y() - box.baseline_px;
+        const double below = type.height_px() - type.baseline_px;
         add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
                  sheet);
     };
@@ -124,45 +123,44 @@ std::vector<Drawer> make_overlays(StageData& stage) {
     return overlays;
 }
 
-OverlayBands overlay_bands(const Scene& scene, int width_px, double px, TypeCase& type_case) {
+// `type_case` sets for a picture of so many samples to a pixel's side.
+OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samples,
+                           TypeCase& type_case) {
+    // Whole rows of the picture that is looked at, so that samples do not move its panels.
+    const auto rows = [samples](double high_px) {
+        return samples * static_cast<int>(std::ceil(high_px / samples));
+    };
     OverlayBands bands;
     if (wants_title(scene) || wants_clock(scene)) {
-        bands.top_px =
-            static_cast<int>(std::ceil(margin(px) + (wants_title(scene) ? 56.0 : 40.0) * px));
+        bands.top_px = rows(margin(px) + (wants_title(scene) ? 56.0 : 40.0) * px);
     }
     if (wants_title(scene)) {
         const SetType type = at_scene_key(scene, "title", [&] {
-            return type_case.set(scene.title, text_style(width_px, px, title_size));
+            return type_case.set(scene.title, text_style(width_px, px, title_size, samples));
         });
-        bands.title_right_px = margin(px) + type.mask->width;
+        bands.title_right_px = margin(px) + type.width_px();
     }
     if (wants_caption(scene)) {
         // Live numbers change the text's width, and its lines hardly ever.
         const SetType type = at_scene_key(scene, "caption", [&] {
             return type_case.set(expand_live_text(scene.caption, StageData::live_values(scene, {})),
-                                 text_style(width_px, px, caption_size));
+                                 text_style(width_px, px, caption_size, samples));
         });
-        bands.bottom_px = static_cast<int>(std::ceil(margin(px) + type.mask->height + 18.0 * px));
+        bands.bottom_px = rows(margin(px) + type.height_px() + 18.0 * px);
     }
     return bands;
 }
 
 OverlayBands overlay_bands(StageData& stage) {
-    // Of the picture that is looked at, so that samples do not move its panels.
-    const int n = stage.options.samples;
-    OverlayBands bands =
-        overlay_bands(stage.scene, stage.options.width_px / n, stage.px / n, stage.type_case);
-    bands.top_px *= n;
-    bands.bottom_px *= n;
-    bands.title_right_px *= n;
-    return bands;
+    return overlay_bands(stage.scene, stage.options.width_px, stage.px, stage.options.samples,
+                         stage.type_case);
 }
 
 int rows_added_by_type(const Scene& scene, int width_px, double px) {
     TypeCase type_case;
-    const OverlayBands bands = overlay_bands(scene, width_px, px, type_case);
+    const OverlayBands bands = overlay_bands(scene, width_px, px, 1, type_case);
     const double screen_px = width_px / 1920.0;
-    const OverlayBands on_screen = overlay_bands(scene, width_px, screen_px, type_case);
+    const OverlayBands on_screen = overlay_bands(scene, width_px, screen_px, 1, type_case);
     return std::max(0, bands.top_px + bands.bottom_px - on_screen.top_px - on_screen.bottom_px);
 }
 

@@ -13,16 +13,20 @@ namespace {
 
 constexpr int first_width_px = 1024, first_height_px = 256;
 
-// About the mask, empty but for the halo.
-int margin_px(const Label& label) {
-    return static_cast<int>(std::ceil(std::max(label.halo_px, 0.0))) + 1;
-}
+// The reach of the halo, in pixels of the mask.
+double halo_reach(const Label& label) { return std::max(label.halo_px, 0.0) / label.mask->samples; }
 
+// About the mask, empty but for the halo, in its pixels.
+int margin_of(const Label& label) { return static_cast<int>(std::ceil(halo_reach(label))) + 1; }
+
+// All samples of each pixel whose middle lies on the mask or its margin.
 PixelBox box_of(const Label& label) {
-    const double margin = margin_px(label);
+    const int n = label.mask->samples;
+    const double margin_px = n * margin_of(label) + 0.5 * (n - 1);
     PixelBox box;
-    box.add(label.top_left_px, margin);
-    box.add(label.top_left_px + Eigen::Vector2d(label.mask->width, label.mask->height), margin);
+    box.add(label.top_left_px, margin_px);
+    box.add(label.top_left_px + Eigen::Vector2d(label.mask->width_px(), label.mask->height_px()),
+            margin_px);
     return box;
 }
 
@@ -98,10 +102,10 @@ std::vector<std::uint8_t> with_halo(const GlyphMask& mask, double reach_px, int 
     return texels;
 }
 
-LabelPass::LabelPass() : program_("label.frag", 3) {}
+LabelPass::LabelPass() : program_("label.frag", 4) {}
 
 LabelPass::Key LabelPass::key_of(const Label& label) {
-    return {label.mask->id, static_cast<int>(std::lround(64.0 * std::max(label.halo_px, 0.0)))};
+    return {label.mask->id, static_cast<int>(std::lround(64.0 * halo_reach(label)))};
 }
 
 void LabelPass::empty_texture(int width_px, int height_px) {
@@ -123,9 +127,10 @@ void LabelPass::empty_texture(int width_px, int height_px) {
 
 LabelPass::Slot LabelPass::slot_of(const Label& label) {
     Slot slot;
-    // An empty frame more than is drawn: filtering reaches half a texel beyond that, and what lies
-    // there may be left from masks of earlier pictures.
-    slot.margin = margin_px(label) + 1;
+    // Empty frames more than are drawn: the middle of a pixel may lie a texel beyond what is drawn
+    // of it, filtering reaches half a texel beyond that, and what lies there may be left from masks
+    // of earlier pictures.
+    slot.margin = margin_of(label) + 2;
     slot.width = label.mask->width + 2 * slot.margin;
     slot.height = label.mask->height + 2 * slot.margin;
     return slot;
@@ -146,7 +151,7 @@ bool LabelPass::place(const Label& label) {
     slot.y = shelf_y_;
     shelf_x_ += slot.width;
     shelf_height_ = std::max(shelf_height_, slot.height);
-    const std::vector<std::uint8_t> texels = with_halo(*label.mask, label.halo_px, slot.margin);
+    const std::vector<std::uint8_t> texels = with_halo(*label.mask, halo_reach(label), slot.margin);
     glBindTexture(GL_TEXTURE_2D, texture_.id());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexSubImage2D(GL_TEXTURE_2D, 0, slot.x, slot.y, slot.width, slot.height, GL_RG,
@@ -191,14 +196,16 @@ void LabelPass::draw(const ViewScene& scene,
     for (const Label& label : scene.view->labels) {
         if (!shows(label) || !wanted(PlacedLabel(label))) continue;
         const Slot& slot = slots_.at(key_of(label));
-        // In 256ths of a pixel, exact in the shader wherever in the texture the mask lies.
-        const Eigen::Vector2d corner = (256.0 * label.top_left_px).array().round() / 256.0;
+        // In 256ths of a pixel of the mask, exact in the shader wherever in the texture it lies.
+        const int n = label.mask->samples;
+        const Eigen::Vector2d corner = (256.0 / n * label.top_left_px).array().round() / 256.0;
         const Eigen::Vector2d to_texel =
             Eigen::Vector2d(slot.x + slot.margin, slot.y + slot.margin) - corner;
         Constants constants;
         constants.add(to_texel.x(), to_texel.y(), 1.0 / width_px_, 1.0 / height_px_);
         constants.add4(linear_from_srgb(label.colour, label.opacity));
         constants.add4(linear_from_srgb(label.halo_colour, 1.0));
+        constants.add(1.0 / n, 0.0, 0.0, 0.0);
         glActiveTexture(GL_TEXTURE0);
         glBindTexture(GL_TEXTURE_2D, texture_.id());
         program_.draw(polygon_of(box_of(label)), constants, *scene.drawing);
