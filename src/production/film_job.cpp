@@ -104,15 +104,12 @@ void FilmJob::make(Easel& easel, const Telling& telling) const {
     note_kept(plan, sink.n_frames_kept(), format.film, telling);
     telling.begin(scene.name, plan.n_frames);
 
-    // The first picture is drawn whole, the second keeps what stands still, the third has it.
-    constexpr std::int64_t n_to_compile = 3;
     const std::int64_t first_drawn = first_ + sink.n_frames_kept();
     for (std::int64_t frame = first_drawn; frame < first_ + plan.n_frames; ++frame) {
         stop_if_interrupted();
         Image image = sink.spare();
         pictures.draw(film_.moment_of(frame), image);
         sink.write_moved(std::move(image));
-        if (frame == first_drawn + n_to_compile - 1) easel.context().shaders_are_compiled();
         telling.done(frame - first_ + 1);
     }
     sink.finish();

@@ -1,8 +1,8 @@
-// SHA-256, by which pictures, scenes and baselines are named in records.
-// Source: NIST FIPS 180-4, Secure Hash Standard, §4.1.2, §5 and §6.2.
+// SHA-256, by which pictures, scenes and baselines are named in records: libmd's.
 #pragma once
 
-#include <array>
+#include <sha2.h>
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -13,6 +13,7 @@ namespace poinsot {
 // A message given in parts.
 class Sha256 {
  public:
+    Sha256();
     void add(std::span<const std::uint8_t> bytes);
     void add(std::string_view text);
 
@@ -20,12 +21,7 @@ class Sha256 {
     std::string finish();
 
  private:
-    void take_block(const std::uint8_t* block);
-
-    std::array<std::uint32_t, 8> state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                                        0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-    std::array<std::uint8_t, 64> waiting_{};
-    std::uint64_t n_bytes_ = 0;
+    SHA2_CTX state_;
 };
 
 // Of a text's bytes.

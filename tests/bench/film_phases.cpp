@@ -143,7 +143,6 @@ int run(const std::string& phase, const std::string& scene, const std::string& s
     silence_libav();
     // Shaders are compiled and what stands still is drawn before the clock starts.
     for (Image image; const std::int64_t k : {0, 1, 2}) film.draw(k, image);
-    easel.context().shaders_are_compiled();
     std::vector<Image> frames;
     if (phase == "encode") {
         frames.resize(static_cast<std::size_t>(n_frames));

@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "construction/herpolhode.h"
 #include "construction/poinsot_construction.h"
 #include "construction/polhode.h"
+#include "construction/timed_path.h"
 #include "error/error.h"
 #include "mechanics/motion.h"
 
@@ -52,6 +52,22 @@ std::vector<Body> bodies() {
                        {component(random), component(random), component(random)}});
     }
     return all;
+}
+
+// The herpolhode's point as films draw it, in the plane: space axes, measured from the plane's
+// point on L.
+Eigen::Vector3d herpolhode_point(const PoinsotConstruction& construction, const Motion& motion,
+                                 double time_s) {
+    const MotionSample sample =
+        motion.sample(time_s, {.attitude = false, .herpolhode = true, .euler_angles = false});
+    return construction.contact_in_plane(sample.herpolhode_space);
+}
+
+TimedPath herpolhode_path(const PoinsotConstruction& construction, const Motion& motion,
+                          double first_time_s, double last_time_s, double shortest_feature_s,
+                          double tolerance) {
+    return sample_path([&](double t) { return herpolhode_point(construction, motion, t); },
+                       first_time_s, last_time_s, shortest_feature_s, tolerance);
 }
 
 TEST(PoinsotConstruction, ContactPointLiesOnPlaneAndEllipsoid) {
@@ -212,6 +228,20 @@ TEST(Polhode, KeepsTheRadiusOfTheSmallestWobble) {
     }
 }
 
+TEST(Herpolhode, IsThePathOfTheContactPoint) {
+    // By ω perpendicular to L, and by ω carried into space by the attitude.
+    for (const Body& body : bodies()) {
+        const Motion motion(problem_of(body));
+        const PoinsotConstruction construction(motion.problem().inertia, motion.problem().start);
+        const Eigen::Vector3d foot = construction.plane_distance() * construction.normal_space();
+        for (const double t : {0.0, 0.7, 3.1, 20.0, -5.0}) {
+            const Eigen::Vector3d contact = construction.contact_space(motion.at(t));
+            const Eigen::Vector3d drawn = foot + herpolhode_point(construction, motion, t);
+            EXPECT_LE((drawn - contact).norm(), 1e-14 * contact.norm()) << body.name;
+        }
+    }
+}
+
 TEST(Herpolhode, NeverInflects) {
     // The signed curvature keeps its sign for a real body (Landau & Lifshitz §37; Poinsot 1834).
     for (const Body& body : bodies()) {
@@ -241,14 +271,13 @@ TEST(Herpolhode, SampledWithinToleranceAndFindsItsInstants) {
     const Motion motion(problem_of(body));
     const PoinsotConstruction construction(motion.problem().inertia, motion.problem().start);
     constexpr double tolerance = 1e-4;
-    const Herpolhode curve = sample_herpolhode(construction, motion, 0.0, 20.0, 0.5, tolerance);
+    const TimedPath curve = herpolhode_path(construction, motion, 0.0, 20.0, 0.5, tolerance);
     for (int k = 0; k <= 500; ++k) {
         const double t = 0.04 * k;
         const double index = curve.index_at(t);
         const auto i = std::min(static_cast<std::size_t>(index), curve.points.size() - 2);
         const double f = index - static_cast<double>(i);
-        const Eigen::Vector3d drawn =
-            curve.foot + curve.points[i] + f * (curve.points[i + 1] - curve.points[i]);
+        const Eigen::Vector3d drawn = curve.points[i] + f * (curve.points[i + 1] - curve.points[i]);
         const Eigen::Vector3d truth = herpolhode_point(construction, motion, t);
         // Off the chord by at most the tolerance; along it by less than the curve's change of speed
         // in one piece.
@@ -262,9 +291,9 @@ TEST(Herpolhode, ShorterStretchIsAPartOfALongerOne) {
     const Body body{"generic", {1.0, 2.0, 2.9}, {1.678, 0.0, 0.639}};
     const Motion motion(problem_of(body));
     const PoinsotConstruction construction(motion.problem().inertia, motion.problem().start);
-    const Herpolhode whole = sample_herpolhode(construction, motion, 0.1, 20.0, 0.7, 1e-4);
+    const TimedPath whole = herpolhode_path(construction, motion, 0.1, 20.0, 0.7, 1e-4);
     for (const double last : {0.1, 0.37, 7.3}) {
-        const Herpolhode part = sample_herpolhode(construction, motion, 0.1, last, 0.7, 1e-4);
+        const TimedPath part = herpolhode_path(construction, motion, 0.1, last, 0.7, 1e-4);
         ASSERT_LT(part.points.size(), whole.points.size());
         for (std::size_t i = 0; i < part.points.size(); ++i) {
             EXPECT_EQ(part.times_s[i], whole.times_s[i]);

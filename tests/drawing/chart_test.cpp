@@ -9,19 +9,6 @@
 namespace poinsot {
 namespace {
 
-TEST(Chart, MarksWhatNoOtherPointBeats) {
-    std::vector<ChartSeries> series{{"a", {{1.0, 8.0}, {2.0, 4.0}, {5.0, 5.0}}},
-                                    {"b", {{2.0, 3.0}, {9.0, 3.0}, {7.0, 1.0}, {0.0, 0.1}}}};
-    mark_pareto_front(series);
-    EXPECT_TRUE(series[0].points[0].marked);
-    EXPECT_FALSE(series[0].points[1].marked);
-    EXPECT_FALSE(series[0].points[2].marked);
-    EXPECT_TRUE(series[1].points[0].marked);
-    EXPECT_FALSE(series[1].points[1].marked);
-    EXPECT_TRUE(series[1].points[2].marked);
-    EXPECT_FALSE(series[1].points[3].marked);  // not positive: not shown, not best
-}
-
 TEST(Chart, StandsDecadesAtEqualDistances) {
     const Chart chart{"t", "x", "y", {{"s", {{1.0, 1e-6}, {10.0, 1e-4}, {100.0, 1e-2}}}}};
     const ChartSheet sheet(chart, theme_named("light"), 960, 540);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "construction/herpolhode.h"
 #include "drawing/panel.h"
 #include "scene/camera_views.h"
 #include "scene/scene_error.h"

@@ -38,26 +38,6 @@ std::vector<double> one_two_five(double first_decade, double last_decade) {
 
 }  // namespace
 
-void mark_pareto_front(std::vector<ChartSeries>& series) {
-    std::vector<ChartPoint*> points;
-    for (ChartSeries& one : series) {
-        for (ChartPoint& point : one.points) {
-            point.marked = false;
-            if (can_show(point)) points.push_back(&point);
-        }
-    }
-    // From the least x on, a point is on the front if it is lower than everything before it.
-    std::sort(points.begin(), points.end(), [](const ChartPoint* a, const ChartPoint* b) {
-        return a->x < b->x || (a->x == b->x && a->y < b->y);
-    });
-    double lowest = std::numeric_limits<double>::infinity();
-    for (ChartPoint* point : points) {
-        if (point->y >= lowest) continue;
-        lowest = point->y;
-        point->marked = true;
-    }
-}
-
 double ChartSheet::Axis::at(double value) const {
     const double part = (std::log10(value) - first_decade) / (last_decade - first_decade);
     return first_px + part * (last_px - first_px);

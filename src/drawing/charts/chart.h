@@ -28,9 +28,6 @@ struct Chart {
     std::vector<ChartSeries> series;
 };
 
-// The points of all series that no other point beats in both x and y (less is better), marked.
-void mark_pareto_front(std::vector<ChartSeries>& series);
-
 // Holds the geometry and type of a chart's drawing; drawings refer to it and must not outlive it.
 class ChartSheet {
  public:

@@ -4,7 +4,7 @@
 // Against the doubles given, ω is good to 8e-16 of its norm, the attitude to 1.1e-15 rad and the
 // herpolhode to 2e-15 of its length, in every regime and up to 1e15 rad of turning; the error then
 // grows by 5e-32 a radian. How far those doubles themselves decide the motion is another matter:
-// see attitude_conditioning.h.
+// see docs/accuracy.md.
 #pragma once
 
 #include <Eigen/Core>

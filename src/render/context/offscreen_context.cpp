@@ -2,16 +2,11 @@
 #include "render/context/offscreen_context.h"
 
 #include <glad/gl.h>
-#include <link.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstdint>
 #include <cstdlib>
-#include <span>
 #include <string_view>
 
 #include "error/error.h"
@@ -49,22 +44,6 @@ void ask_for_portable_bytes() {
 std::string text_of(GLenum name) {
     const auto* text = reinterpret_cast<const char*>(glGetString(name));
     return text == nullptr ? "" : text;
-}
-
-// Drops the pages of a library that are as its file has them; they are read again where needed. The
-// program itself, which has no name here, keeps them, and with them a debugger's breakpoints.
-int forget_pages(dl_phdr_info* library, std::size_t, void*) {
-    if (std::string_view(library->dlpi_name).empty()) return 0;
-    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-    for (const ElfW(Phdr) & part : std::span(library->dlpi_phdr, library->dlpi_phnum)) {
-        if (part.p_type != PT_LOAD || (part.p_flags & PF_W) != 0) continue;
-        const std::uintptr_t first = (library->dlpi_addr + part.p_vaddr + page - 1) / page * page;
-        const std::uintptr_t end =
-            (library->dlpi_addr + part.p_vaddr + part.p_filesz) / page * page;
-        // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader gives addresses as integers.
-        if (end > first) madvise(reinterpret_cast<void*>(first), end - first, MADV_DONTNEED);
-    }
-    return 0;
 }
 
 }  // namespace
@@ -113,7 +92,5 @@ OffscreenContext::OffscreenContext(OffscreenContext&&) noexcept = default;
 OffscreenContext& OffscreenContext::operator=(OffscreenContext&&) noexcept = default;
 
 const ContextInfo& OffscreenContext::info() const { return impl_->info; }
-
-void OffscreenContext::shaders_are_compiled() const { dl_iterate_phdr(forget_pages, nullptr); }
 
 }  // namespace poinsot

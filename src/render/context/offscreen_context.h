@@ -38,10 +38,6 @@ class OffscreenContext {
 
     const ContextInfo& info() const;
 
-    // To be told once the first pictures are drawn: gives back what starting up and compiling
-    // shaders has read of the libraries, some 60 MiB, most of it the compiler's.
-    void shaders_are_compiled() const;
-
  private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
