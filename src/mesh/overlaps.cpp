@@ -55,8 +55,8 @@ std::optional<Vector3d> crossing_of(const TriangleMesh& mesh, std::size_t s, std
             (corner(lines_of, 0) + corner(lines_of, 1) + corner(lines_of, 2)) / 3.0;
         for (std::size_t i = 0; i < 3; ++i)
             for (const Vector3d& end : {corner(lines_of, i + 1), middle})
-                if (const auto at = crossing(corner(lines_of, i), end, corner(through, 0),
-                                             corner(through, 1), corner(through, 2)))
+                if (auto at = crossing(corner(lines_of, i), end, corner(through, 0),
+                                       corner(through, 1), corner(through, 2)))
                     return at;
     }
     return std::nullopt;
