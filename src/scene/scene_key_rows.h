@@ -49,7 +49,7 @@ std::string name_in_table(const GivenValue& given, Find find) {
 // be seen, and beyond a double's digits nothing at all.
 inline Eigen::Vector3d target_of(const GivenValue& given) {
     constexpr double farthest = 10000.0;
-    const Eigen::Vector3d target = given.vector();
+    Eigen::Vector3d target = given.vector();
     if (target.cwiseAbs().maxCoeff() > farthest)
         given.refuse(fmt::format("[{}, {}, {}]", target.x(), target.y(), target.z()),
                      fmt::format("give a point within {} of the centre", farthest));
