@@ -53,6 +53,7 @@ std::vector<std::filesystem::path> fonts_below(const std::vector<std::filesystem
     }
     std::sort(found.begin(), found.end());
     std::vector<fs::path> files;
+    files.reserve(found.size());
     for (auto& [order, name, path] : found) files.push_back(std::move(path));
     return files;
 }
