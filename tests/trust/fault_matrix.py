@@ -197,7 +197,8 @@ class Matrix:
         process.stdout.close()
         said = process.stderr.read().decode().strip()
         code = process.wait()
-        self.say("broken pipe", "sample", code == 3 and said.count("\n") == 0 and said != "", f"exit {code} ({said[:50]})")
+        # As other tools end: by the signal, without a word.
+        self.say("broken pipe", "sample", code == -signal.SIGPIPE and said == "", f"ended by {code} ({said[:50]})")
         place = self.fresh()
         os.mkfifo(place / "a.gif")
         reader = threading.Thread(target=lambda: open(place / "a.gif", "rb").read(10))
