@@ -109,18 +109,7 @@ Drawer make_body(Panel& panel) {
     return [&panel, shape, scale](const Instant& instant, Sheet& sheet) {
         Eigen::Affine3d turned = Eigen::Affine3d::Identity();
         turned.linear() = scale * picture_of(panel).picture_from_body(instant).toRotationMatrix();
-        for (const BodyPart& part : shape.parts) {
-            Mesh mesh;
-            mesh.geometry = part.geometry;
-            mesh.placement = turned;
-            mesh.colour = part.colour;
-            mesh.casts_shadow = false;
-            sheet.view.meshes.push_back(mesh);
-        }
-        for (Curve edge : shape.edges) {
-            edge.placement = turned * edge.placement;
-            sheet.view.curves.push_back(edge);
-        }
+        add_body(shape, turned, false, sheet);
     };
 }
 

@@ -28,6 +28,10 @@ struct BodyShape {
 // has them.
 BodyShape body_shape(Panel& panel);
 
+// Adds the body to a sheet, at a placement of body axes in units of its reach.
+void add_body(const BodyShape& shape, const Eigen::Affine3d& placement, bool casts_shadow,
+              Sheet& sheet);
+
 // Edges of the uniform box of 1 kg with these principal moments: a² = 6(I₂ + I₃ − I₁) and so on. An
 // edge that the triangle inequality leaves no length gets a hundredth of the longest.
 Eigen::Vector3d box_of_moments(const Eigen::Vector3d& moments_kg_m2);

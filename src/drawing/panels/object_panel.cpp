@@ -166,19 +166,9 @@ void make_object_panel(Panel& panel) {
         const Theme& theme = *panel.stage->theme;
         const Eigen::Matrix3d attitude =
             (picture_from_space(*panel.stage) * instant.state.space_from_body).toRotationMatrix();
-        for (const BodyPart& part : shape.parts) {
-            Mesh mesh;
-            mesh.geometry = part.geometry;
-            mesh.placement.linear() = attitude;
-            mesh.colour = part.colour;
-            sheet.view.meshes.push_back(mesh);
-        }
         Eigen::Affine3d turned = Eigen::Affine3d::Identity();
         turned.linear() = attitude;
-        for (Curve edge : shape.edges) {
-            edge.placement = turned * edge.placement;
-            sheet.view.curves.push_back(edge);
-        }
+        add_body(shape, turned, true, sheet);
         ghost(instant, sheet);
         torque(instant, sheet);
         const auto add_arrow = [&](const Eigen::Vector3d& tip, const Colour& colour, double weight,

@@ -135,18 +135,7 @@ Drawer resting_body(Panel& panel) {
     placement.linear() =
         0.72 * half_axes_of(panel).minCoeff() * inertia_of(panel).body_from_principal().transpose();
     return [shape, placement](const Instant&, Sheet& sheet) {
-        for (const BodyPart& part : shape.parts) {
-            Mesh mesh;
-            mesh.geometry = part.geometry;
-            mesh.placement = placement;
-            mesh.colour = part.colour;
-            mesh.casts_shadow = false;
-            sheet.view.meshes.push_back(mesh);
-        }
-        for (Curve edge : shape.edges) {
-            edge.placement = placement * edge.placement;
-            sheet.view.curves.push_back(edge);
-        }
+        add_body(shape, placement, false, sheet);
     };
 }
 
