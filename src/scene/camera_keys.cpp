@@ -67,7 +67,8 @@ const SceneKey camera_rows[] = {
 
     // How the construction lies in the picture.
     {"construction.plane", "a string", "", R"("above")",
-     "below: the body rolls on the invariable plane, L and ω point down to it; above: L and ω point "
+     "below: the body rolls on the invariable plane, L and ω point down to it; above: L and ω "
+     "point "
      "up to the plane, which is seen through; default below",
      [](const GivenValue& g, SceneDraft& d) { d.scene.construction.plane = g.one_of(plane_sides); },
      [](const Scene& s, size_t) { return toml_text(std::string_view(s.construction.plane)); }},

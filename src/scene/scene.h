@@ -101,9 +101,10 @@ struct CameraSpec {
 
 // [construction]: how Poinsot's construction is laid into the picture, and what runs over the film.
 struct ConstructionSpec {
-    std::string plane = "below";  // of plane_sides(): where the invariable plane lies in the picture
-    std::string sweep;            // of construction_sweeps(): what the film runs through instead of
-                                  // the motion; empty: nothing
+    std::string plane =
+        "below";        // of plane_sides(): where the invariable plane lies in the picture
+    std::string sweep;  // of construction_sweeps(): what the film runs through instead of
+                        // the motion; empty: nothing
 };
 
 // [trail]: how much of the paths of the contact point is shown, and how.

@@ -64,8 +64,8 @@ TEST(Parts, MakeThePictureThatIsDrawnWhole) {
             }
         }
         const Difference difference = difference_of(at_once, pieced);
-        // Coordinates counted from another corner round otherwise. Measured: 1 level in 24 of 522,240
-        // pixels, and 4 in one more, at the end of a dash.
+        // Coordinates counted from another corner round otherwise. Measured: 1 level in 24 of
+        // 522,240 pixels, and 4 in one more, at the end of a dash.
         RecordProperty(std::string(theme) + "_largest", difference.largest);
         RecordProperty(std::string(theme) + "_pixels", difference.n_pixels);
         EXPECT_LE(difference.largest, 4)
