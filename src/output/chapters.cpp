@@ -8,10 +8,6 @@
 
 #include "error/error.h"
 
-extern "C" {
-#include <libavutil/mem.h>
-}
-
 namespace poinsot {
 
 void add_chapters(AVFormatContext& context, std::span<const FilmChapter> chapters,

@@ -13,10 +13,7 @@
 
 #include "error/error.h"
 #include "output/chapters.h"
-
-extern "C" {
-#include <libavutil/crc.h>
-}
+#include "output/libav_calls.h"
 
 namespace poinsot {
 

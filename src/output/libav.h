@@ -1,17 +1,12 @@
 // FFmpeg's C types as owning C++ values, and its errors as ours. Included only inside output/.
 #pragma once
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
-#include <libavutil/dict.h>
-#include <libavutil/frame.h>
-}
-
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
+
+#include "output/libav_calls.h"
 
 namespace poinsot::libav {
 

@@ -22,10 +22,6 @@
 #include "system/atomic_file.h"
 #include "system/room.h"
 
-extern "C" {
-#include <libavutil/mem.h>
-}
-
 namespace poinsot {
 
 namespace {

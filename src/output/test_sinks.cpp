@@ -6,12 +6,8 @@
 
 #include "error/error.h"
 #include "output/formats.h"
+#include "output/libav_calls.h"
 #include "system/atomic_file.h"
-
-extern "C" {
-#include <libavutil/md5.h>
-#include <libavutil/mem.h>
-}
 
 namespace poinsot {
 

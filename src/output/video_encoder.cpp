@@ -6,11 +6,6 @@
 
 #include "error/error.h"
 
-extern "C" {
-#include <libavutil/log.h>
-#include <libavutil/opt.h>
-}
-
 namespace poinsot {
 
 using libav::checked;

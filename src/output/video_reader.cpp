@@ -10,11 +10,6 @@
 #include "output/video_encoder.h"
 #include "system/file_kind.h"
 
-extern "C" {
-#include <libavutil/pixdesc.h>
-#include <libswscale/swscale.h>
-}
-
 namespace poinsot {
 
 namespace {

@@ -26,9 +26,8 @@
 #include "production/session.h"
 #include "scene/load_scene.h"
 
+namespace poinsot {
 namespace {
-
-using namespace poinsot;
 
 // x264 with a preset of its own, its packets dropped.
 class PresetSink : public FrameSink {
@@ -179,6 +178,7 @@ int run(const std::string& phase, const std::string& scene, const std::string& s
 }
 
 }  // namespace
+}  // namespace poinsot
 
 int main(int argc, char** argv) {
     if (argc != 6) {
@@ -188,7 +188,7 @@ int main(int argc, char** argv) {
     // As the program does.
     mallopt(M_MMAP_THRESHOLD, 1 << 20);
     try {
-        return run(argv[1], argv[2], argv[3], argv[4], std::stol(argv[5]));
+        return poinsot::run(argv[1], argv[2], argv[3], argv[4], std::stol(argv[5]));
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 3;

@@ -96,6 +96,22 @@ TEST(Still, TwoRunsGiveTheSameBytes) {
 }
 
 // The title of a scene that gives none is its file's name, whatever that is.
+// The dynamic loader names every library that it opens.
+TEST(Still, OpensNothingOfFFmpegAsAFilmDoes) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    const std::string loader = "LD_DEBUG=files";
+    const ProgramRun still = run_program_in(folder, "still scene.toml -o a.png", loader);
+    ASSERT_EQ(still.code, 0);
+    EXPECT_NE(still.err.find("libpng"), std::string::npos);
+    EXPECT_EQ(still.err.find("libav"), std::string::npos);
+    EXPECT_EQ(still.err.find("libsw"), std::string::npos);
+    const ProgramRun film =
+        run_program_in(folder, "render scene.toml --set film.duration_s=0.1 -o a.mp4", loader);
+    ASSERT_EQ(film.code, 0);
+    EXPECT_NE(film.err.find("libavcodec"), std::string::npos);
+}
+
 TEST(Still, IsMadeOfASceneOfAnyName) {
     const ScratchFolder folder;
     std::string untitled = racket;

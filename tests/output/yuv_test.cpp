@@ -7,11 +7,7 @@
 #include <random>
 
 #include "image/synthetic.h"
-
-extern "C" {
-#include <libavutil/opt.h>
-#include <libswscale/swscale.h>
-}
+#include "output/libav_calls.h"
 
 namespace poinsot {
 namespace {
