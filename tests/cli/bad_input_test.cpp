@@ -432,7 +432,7 @@ TEST(ClosedPipe, EndsWithoutAWord) {
     for (const std::string& command :
          {"sample scene.toml --times " + times, std::string("list keys"),
           std::string("check scene.toml --json")}) {
-        folder.write("run.sh", "'" POINSOT_PROGRAM "' " + command + " 2>said; echo $? >code\n");
+        folder.write("run.sh", "'" + program_path() + "' " + command + " 2>said; echo $? >code\n");
         ASSERT_EQ(
             std::system(
                 ("cd '" + folder.path().string() + "' && (sleep 0.2; sh run.sh) | true").c_str()),

@@ -209,9 +209,9 @@ TEST(Recover, GivesTheFramesThatWereDrawnAndRenderGoesOn) {
     ASSERT_EQ(run_program_in(folder, "render scene.toml -o whole.mp4" + film).code, 0);
     // Killed once more than a chunk of 120 frames lies aside; the whole film has three times that.
     const auto n_bytes = std::filesystem::file_size(folder.path() / "whole.mp4") / 3;
-    const std::string script = "cd '" + folder.path().string() +
-                               "' || exit 1\n'" POINSOT_PROGRAM "' render scene.toml -o a.mp4" +
-                               film + " &\nwhile kill -0 $! 2>/dev/null && [ \"$(stat -c " +
+    const std::string script = "cd '" + folder.path().string() + "' || exit 1\n'" + program_path() +
+                               "' render scene.toml -o a.mp4" + film +
+                               " &\nwhile kill -0 $! 2>/dev/null && [ \"$(stat -c " +
                                "%s .a.mp4.part.frames 2>/dev/null || echo 0)\" -lt " +
                                std::to_string(n_bytes) +
                                " ]; do sleep 0.01; done\nkill -9 $!\nwait $! 2>/dev/null\n" +
@@ -247,8 +247,7 @@ TEST(Recover, WritesTheChaptersThatAreThere) {
                                    "[[chapters]]\nat_s = 50\ntitle = \"Three\"\n");
     // Interrupted when some 250 frames lie aside: the second chapter has begun with frame 90.
     const std::string script =
-        "cd '" + folder.path().string() +
-        "' && '" POINSOT_PROGRAM
+        "cd '" + folder.path().string() + "' && '" + program_path() +
         "' render scene.toml -o a.webm --size 96x54 --set film.duration_s=60 -q & pid=$!\n"
         "while [ \"$(stat -c %s '" +
         folder.path().string() +
@@ -313,7 +312,7 @@ TEST(List, FindsTheScenesOfAnInstalledProgram) {
     const ScratchFolder folder;
     std::filesystem::create_directories(folder.path() / "bin");
     std::filesystem::create_directories(folder.path() / "share/poinsot/scenes");
-    std::filesystem::copy_file(POINSOT_PROGRAM, folder.path() / "bin/poinsot");
+    std::filesystem::copy_file(program_path(), folder.path() / "bin/poinsot");
     folder.write("share/poinsot/scenes/one.toml", racket);
     const auto list = [&folder] {
         const int status = std::system(
@@ -327,7 +326,7 @@ TEST(List, FindsTheScenesOfAnInstalledProgram) {
     const std::string err = text_of(folder.path() / "err");
     EXPECT_EQ(err.find("/scenes"), std::string::npos) << err;
     // Nothing in the program names the folder that it was built from.
-    const std::string program = text_of(POINSOT_PROGRAM);
+    const std::string program = text_of(program_path());
     const std::string checkout = (source_folder() / "scenes").string();
     EXPECT_EQ(program.find(checkout), std::string::npos);
 }

@@ -12,6 +12,9 @@
 
 namespace poinsot::testing {
 
+// Where the program that the tests run lies.
+const std::string& program_path();
+
 struct ProgramRun {
     int code = -1;
     std::string out;
@@ -65,9 +68,10 @@ inline std::string text_of(const std::filesystem::path& file) {
 inline ProgramRun run_program_in(const ScratchFolder& folder, const std::string& arguments,
                                  const std::string& runner = "") {
     const ScratchFolder logs;
-    const std::string command =
-        "cd '" + folder.path().string() + "' && " + runner + " '" POINSOT_PROGRAM "' " + arguments +
-        " >'" + (logs.path() / "out").string() + "' 2>'" + (logs.path() / "err").string() + "'";
+    const std::string command = "cd '" + folder.path().string() + "' && " + runner + " '" +
+                                program_path() + "' " + arguments + " >'" +
+                                (logs.path() / "out").string() + "' 2>'" +
+                                (logs.path() / "err").string() + "'";
     const int status = std::system(command.c_str());
     ProgramRun run;
     run.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);

@@ -421,7 +421,8 @@ TEST_F(Pictures, ChangedBehindTheManifestAreFoundOut) {
 TEST_F(Pictures, ApprovedByTwoAtOnceAllHaveTheirLines) {
     for (const char* name : {"a", "b", "c", "d"})
         draw(std::string("new/") + name + ".png", "--portable --time 0.1");
-    const std::string approve = "'" POINSOT_PROGRAM "' approve -q --results new --baselines ref ";
+    const std::string approve =
+        "'" + program_path() + "' approve -q --results new --baselines ref ";
     const std::string both =
         "cd '" + folder_.path().string() + "' && (" + approve + "a b & " + approve + "c d & wait)";
     ASSERT_EQ(std::system(both.c_str()), 0);
