@@ -1,5 +1,6 @@
 // The panels of a stage in the cells of their grid, and what keyframes and fades need of them.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "mechanics/solids.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 #include "mesh/named_objects.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -56,7 +56,7 @@ DescriptorIo::~DescriptorIo() {
     avio_context_free(&context_);
 }
 
-int DescriptorIo::write(void* self, std::uint8_t* buffer, int size) {
+int DescriptorIo::write(void* self, libav::PacketByte* buffer, int size) {
     auto& io = *static_cast<DescriptorIo*>(self);
     int done = 0;
     while (done < size) {

@@ -1,14 +1,20 @@
 // FFmpeg's C types as owning C++ values, and its errors as ours. Included only inside output/.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "output/libav_calls.h"
 
 namespace poinsot::libav {
+
+// What a muxer hands over to be written, which FFmpeg 7 promises not to change.
+using PacketByte =
+    std::conditional_t<(LIBAVFORMAT_VERSION_MAJOR >= 61), const std::uint8_t, std::uint8_t>;
 
 struct Deleter {
     void operator()(AVFrame* frame) const { av_frame_free(&frame); }
@@ -62,7 +68,7 @@ class DescriptorIo {
     int error_number() const { return error_number_; }  // errno of the first failure, or 0
 
  private:
-    static int write(void* self, std::uint8_t* buffer, int size);
+    static int write(void* self, libav::PacketByte* buffer, int size);
     static std::int64_t seek(void* self, std::int64_t offset, int whence);
 
     int descriptor_;

@@ -1,6 +1,7 @@
 #include "production/quality.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <vector>

@@ -1,6 +1,7 @@
 #include "scene/camera_views.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <vector>

@@ -1,5 +1,6 @@
 // [body]: the inertia from whichever way it was given.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // Finding keys by name, and the nearest one for a name that is not a key.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>

@@ -1,6 +1,7 @@
 #include "drawing/charts/plot_quantity.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "drawing/elements/elements.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

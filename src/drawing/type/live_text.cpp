@@ -1,6 +1,7 @@
 #include "drawing/type/live_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cctype>
 #include <vector>

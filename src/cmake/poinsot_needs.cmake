@@ -1,0 +1,32 @@
+# What the program is built with: a library that is missing or too old stops CMake with its name, its least version and
+# the Debian package that has it. Every one that is wanting is named at once.
+
+set(poinsot_wanting "")
+
+# poinsot_needs(NAME VERSION PACKAGE [find_package's other words]) finds a library by its own CMake files. The version is
+# compared here: a file that calls every later major version incompatible, as Eigen 5's does, is asked for none.
+macro(poinsot_needs name version package)
+    find_package(${name} QUIET ${ARGN})
+    if(NOT ${name}_FOUND)
+        list(APPEND poinsot_wanting "  ${name} ${version} or newer is missing: install ${package}")
+    elseif(${name}_VERSION AND ${name}_VERSION VERSION_LESS ${version})
+        list(APPEND poinsot_wanting "  ${name} is ${${name}_VERSION}: ${version} or newer is needed, of ${package}")
+    endif()
+endmacro()
+
+# poinsot_needs_modules(PREFIX PACKAGE MODULE>=VERSION…) finds libraries by pkg-config, as PkgConfig::PREFIX.
+macro(poinsot_needs_modules prefix package)
+    pkg_check_modules(${prefix} QUIET IMPORTED_TARGET ${ARGN})
+    if(NOT ${prefix}_FOUND)
+        string(REPLACE ";" ", " modules "${ARGN}")
+        list(APPEND poinsot_wanting "  ${modules}: missing or too old: install ${package}")
+    endif()
+endmacro()
+
+# Stops where something was wanting.
+function(poinsot_needs_met)
+    if(poinsot_wanting)
+        string(REPLACE ";" "\n" lines "${poinsot_wanting}")
+        message(FATAL_ERROR "Libraries are wanting:\n${lines}\n.ci/packages lists all packages; sh .ci/setup film installs them.")
+    endif()
+endfunction()
