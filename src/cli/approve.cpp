@@ -46,9 +46,10 @@ CommandLine line(std::any& room) {
     auto& c = room.emplace<ApproveChoices>();
     return {
         &c.names,
-        {{"--results", "folder of the new pictures", &c.results},
-         {"--baselines", "folder of the baselines and their manifest", &c.baselines},
-         {"--why", "the reason for the change, kept in the manifest", &c.why},
+        {{"--results", "folder of the new pictures", &c.results, "", "FOLDER", false, "folder"},
+         {"--baselines", "folder of the baselines and their manifest", &c.baselines, "", "FOLDER",
+          false, "folder"},
+         {"--why", "the reason for the change, kept in the manifest", &c.why, "", "REASON"},
          {"--any-renderer", "take pictures of another renderer or profile, too", &c.any_renderer},
          {"--all", "take every picture that is new or has changed", &c.all},
          quiet_option(c.quiet)},
@@ -58,6 +59,15 @@ CommandLine line(std::any& room) {
 }  // namespace
 
 const Command approve_command{
-    "approve", "NAME", 0, 1000000, "take pictures as the new baselines, and record why", line};
+    "approve",
+    "NAME",
+    0,
+    1000000,
+    "take pictures as the new baselines, and record why",
+    line,
+    {{{"poinsot approve generic --results results --baselines baselines --why \"thicker axes\"",
+       "one new baseline"},
+      {"poinsot approve --all --results results --baselines baselines --why \"new theme\"",
+       "all that changed"}}}};
 
 }  // namespace poinsot

@@ -6,6 +6,8 @@
 #include <array>
 #include <filesystem>
 
+#include "cli/documents.h"
+#include "cli/scenes.h"
 #include "drawing/charts/plot_quantity.h"
 #include "drawing/elements/elements.h"
 #include "drawing/panel.h"
@@ -32,19 +34,6 @@ std::vector<CatalogueEntry> rows_of(const Rows& rows) {
     for (const auto& row : rows)
         entries.push_back({std::string(row.name), std::string(row.summary)});
     return entries;
-}
-
-// Where the scenes lie that came with the program: beside an installed one, or in the checkout that
-// a build stands in.
-std::filesystem::path scenes_folder() {
-    namespace fs = std::filesystem;
-    std::error_code ignored;
-    const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-    for (const fs::path& folder :
-         {program / "../share/poinsot/scenes", program / "../../scenes", fs::path("scenes")})
-        if (fs::is_directory(folder, ignored)) return folder;
-    throw EnvironmentError(
-        "no folder of scenes beside the program; install it with its scenes, or name scene files");
 }
 
 // The scenes that came with the program, with their titles.
@@ -113,6 +102,14 @@ std::vector<CatalogueEntry> key_entries() {
     return entries;
 }
 
+// What the program writes of itself, with "schema", which is asked for by that name.
+std::vector<CatalogueEntry> document_entries() {
+    std::vector<CatalogueEntry> entries;
+    for (const Document& document : documents())
+        entries.push_back({document.name, document.summary});
+    return entries;
+}
+
 const auto table = std::to_array<Catalogue>({
     {"scenes", scene_entries},
     {"keys", key_entries},
@@ -127,6 +124,7 @@ const auto table = std::to_array<Catalogue>({
     {"formats", [] { return rows_of(output_formats()); }},
     {"solids", solid_entries},
     {"objects", object_entries},
+    {"documents", document_entries},
 });
 
 }  // namespace

@@ -69,7 +69,14 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command check_command{"check", "SCENE", 1, 1, "validate a scene and say what its motion is",
-                            line};
+const Command check_command{
+    "check",
+    "SCENE",
+    1,
+    1,
+    "validate a scene and say what its motion is",
+    line,
+    {{{"poinsot check my_scene.toml", "is it a scene, and what is its motion?"},
+      {"poinsot check generic --plan", "what a film of it models, and why"}}}};
 
 }  // namespace poinsot

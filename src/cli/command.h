@@ -2,6 +2,7 @@
 #pragma once
 
 #include <any>
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
@@ -22,6 +23,12 @@ struct CommandLine {
     std::function<int()> run;  // once the line has been read: the exit code; throws Error
 };
 
+// One line that a user may type, and what it does.
+struct Example {
+    std::string_view line;
+    std::string_view does;
+};
+
 struct Command {
     std::string_view name;
     std::string_view arguments;  // "SCENE", as shown in the usage
@@ -30,6 +37,7 @@ struct Command {
     std::string_view summary;
     // `room` keeps the command's own choices until it has run.
     CommandLine (*line)(std::any& room);
+    std::array<Example, 2> examples{};  // that its help ends with
 };
 
 std::span<const Command> commands();

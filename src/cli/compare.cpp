@@ -216,17 +216,29 @@ CommandLine line(std::any& room) {
     return {
         &c.pictures,
         {{"--profile", "portable: no pixel may differ; native: as much as processors round apart",
-          &c.profile},
+          &c.profile, "", "NAME", false, "portable|native"},
          {"--max-differing", "share of the pixels that may differ at all, as 0.001 or 0.1%",
-          &c.max_differing},
+          &c.max_differing, "", "SHARE"},
          {"--max-over", "share of the pixels that may differ by more than --over-levels",
-          &c.max_over},
+          &c.max_over, "", "SHARE"},
          {"--over-levels", "levels of 255 that --max-over counts from; 2 if not given",
           &c.over_levels, "a level of 0 to 255"},
          json_option(c.json),
-         {"--report", "FILE.html: write a page that shows the pictures", &c.report},
-         {"--junit", "FILE.xml: write test results", &c.junit},
-         {"--diff", "FILE.png: write expected | difference × 16 | actual", &c.diff},
+         {"--report",
+          "FILE.html: write a page that shows the pictures",
+          &c.report,
+          "",
+          {},
+          false,
+          "file"},
+         {"--junit", "FILE.xml: write test results", &c.junit, "", {}, false, "file"},
+         {"--diff",
+          "FILE.png: write expected | difference × 16 | actual",
+          &c.diff,
+          "",
+          {},
+          false,
+          "file"},
          quiet_option(c.quiet)},
         [&c] { return run(c); }};
 }
@@ -234,6 +246,14 @@ CommandLine line(std::any& room) {
 }  // namespace
 
 const Command compare_command{
-    "compare", "REF NEW", 2, 2, "compare two pictures, or two folders of them", line};
+    "compare",
+    "REF NEW",
+    2,
+    2,
+    "compare two pictures, or two folders of them",
+    line,
+    {{{"poinsot compare expected.png new.png", "exit code 0: no pixel differs; 1: some do"},
+      {"poinsot compare baselines/ results/ --report report.html",
+       "two folders, with a page that shows them"}}}};
 
 }  // namespace poinsot

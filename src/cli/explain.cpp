@@ -105,7 +105,14 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command explain_command{"explain", "FILE", 1, 1, "print how a picture or film was made",
-                              line};
+const Command explain_command{
+    "explain",
+    "FILE",
+    1,
+    1,
+    "print how a picture or film was made",
+    line,
+    {{{"poinsot explain generic.png", "scene, options and versions that made it"},
+      {"poinsot explain generic.mp4 --verify", "is the file as it was written?"}}}};
 
 }  // namespace poinsot

@@ -1,5 +1,6 @@
 // poinsot list WHAT: the tables that the program is made of.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -8,6 +9,7 @@
 
 #include "cli/catalogue.h"
 #include "cli/command.h"
+#include "cli/documents.h"
 #include "cli/options.h"
 #include "error/error.h"
 #include "text/json_text.h"
@@ -27,12 +29,18 @@ struct ListChoices {
 int run(const ListChoices& choices) {
     std::vector<std::string_view> names;
     for (const Catalogue& catalogue : catalogues()) names.push_back(catalogue.name);
+    names.emplace_back("schema");
     if (choices.what.empty()) {
         for (const std::string_view name : names) fmt::print("{}\n", name);
         return 0;
     }
 
     const std::string& what = choices.what[0];
+    for (const Document& document : documents()) {
+        if (document.name != what) continue;
+        fmt::print("{}", document.text(document.name));
+        return 0;
+    }
     for (const Catalogue& catalogue : catalogues()) {
         if (catalogue.name != what) continue;
         const std::vector<CatalogueEntry> entries = catalogue.entries();
@@ -65,6 +73,12 @@ CommandLine line(std::any& room) {
 }  // namespace
 
 const Command list_command{
-    "list", "WHAT", 0, 1, "list scenes, keys, methods, elements, panels, objects, …", line};
+    "list",
+    "WHAT",
+    0,
+    1,
+    "list scenes, keys, methods, elements, panels, objects, …",
+    line,
+    {{{"poinsot list", "what can be listed"}, {"poinsot list keys", "every key of a scene file"}}}};
 
 }  // namespace poinsot

@@ -25,8 +25,12 @@ struct Option {
     std::string help;
     OptionValue value;
     std::string wanted{};  // of a number: what it is, as "millimetres", for who gave none
-    std::optional<std::string> type{};  // shown in the help; nothing: its kind
+    // What it takes, as shown: "WxH". Nothing: what stands before ": " in the help, or its kind.
+    std::optional<std::string> type{};
     bool required = false;
+    // What a shell may complete it with: a list of `poinsot list`, "file", "folder", or the words
+    // themselves, "auto|osmesa|egl".
+    std::string completes{};
 };
 
 }  // namespace poinsot

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include "cli/option_values.h"
+#include "cli/scenes.h"
+#include "drawing/theme.h"
 #include "error/error.h"
+#include "production/quality.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -11,36 +14,59 @@ namespace poinsot {
 namespace {
 
 // An option that says a scene's key. A bare word becomes a TOML string; numbers stay as they are.
-Option override_option(SceneOptions& scene, const char* flag, const char* key, const char* help) {
-    return {flag, help, ReadText([&scene, flag, key](const std::string& value) {
+Option override_option(SceneOptions& scene, const char* flag, const char* key,
+                       const std::string& help, const char* takes, const char* completes = "") {
+    return {flag,
+            help,
+            ReadText([&scene, flag, key](const std::string& value) {
                 scene.overrides.push_back(fmt::format("{}={}", key, parse_text(flag, value)));
             }),
-            "", ""};
+            "",
+            takes,
+            false,
+            completes};
+}
+
+// "light, dark or print", of a table's rows.
+template <typename Rows>
+std::string names_of(const Rows& rows) {
+    std::string names;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        names += fmt::format("{}{}",
+                             i == 0                ? ""
+                             : i + 1 < rows.size() ? ", "
+                                                   : " or ",
+                             rows[i].name);
+    return names;
 }
 
 }  // namespace
 
 Option set_option(SceneOptions& scene) {
-    return {"--set", "key=value: change any scene key; repeatable", Repeated{&scene.overrides}, "",
-            "KEY=VALUE"};
+    return {"--set",
+            "change any scene key; repeatable",
+            Repeated{&scene.overrides},
+            "",
+            "KEY=VALUE",
+            false,
+            "keys"};
 }
 
 Option size_option(SceneOptions& scene) {
-    return override_option(scene, "--size", "film.size", "WxH: size of the picture in pixels");
+    return override_option(scene, "--size", "film.size", "size of the picture in pixels", "WxH");
 }
 
 Option fps_option(SceneOptions& scene) {
-    return override_option(scene, "--fps", "film.fps", "N or N/D: video frames a second");
+    return override_option(scene, "--fps", "film.fps", "video frames a second", "N[/D]");
 }
 
 Option quality_option(SceneOptions& scene) {
-    return override_option(scene, "--quality", "film.quality",
-                           "draft, lecture, print or reference");
+    return override_option(scene, "--quality", "film.quality", names_of(qualities()), "NAME",
+                           "qualities");
 }
 
 Option theme_option(SceneOptions& scene) {
-    return override_option(scene, "--theme", "theme",
-                           "light, dark, print, colour-blind, transparent or transparent-dark");
+    return override_option(scene, "--theme", "theme", names_of(themes()), "NAME", "themes");
 }
 
 Option allow_outside_option(bool& allow_outside) {
@@ -49,7 +75,7 @@ Option allow_outside_option(bool& allow_outside) {
 
 SceneRequest scene_request_of(const std::string& file, const SceneOptions& options) {
     SceneRequest request;
-    request.file = file;
+    request.file = scene_file(file);
     request.overrides = options.overrides;
     request.outside = outside_files(options.allow_outside);
     return request;
@@ -60,7 +86,8 @@ OutsideFiles outside_files(bool allow_outside) {
 }
 
 Option backend_option(ContextOptions& context) {
-    return {"--backend", "auto, osmesa or egl", &context.backend};
+    return {"--backend", "auto, osmesa or egl", &context.backend, "", "NAME",
+            false,       "auto|osmesa|egl"};
 }
 
 Option portable_option(ContextOptions& context) {
@@ -81,7 +108,9 @@ ContextChoice context_choice_of(const ContextOptions& options) {
     return choice;
 }
 
-Option output_option(std::string& output) { return {"-o,--output", "where to write", &output}; }
+Option output_option(std::string& output) {
+    return {"-o,--output", "where to write", &output, "", "FILE", false, "file"};
+}
 
 Option json_option(bool& json) { return {"--json", "answer in JSON", &json}; }
 

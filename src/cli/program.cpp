@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/option_texts.h"
 #include "cli/option_values.h"
 #include "error/error.h"
 #include "text/nearest.h"
@@ -28,6 +29,13 @@ namespace {
 std::string long_name(const std::string& flags) {
     const std::size_t begin = flags.find("--");
     return flags.substr(begin, flags.find(',', begin) - begin);
+}
+
+// "REF NEW" as one name, as CLI11 wants it: "REF_NEW".
+std::string argument_name(std::string_view arguments) {
+    std::string name(arguments);
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
 }
 
 // How a value of each kind is read: CLI11 takes the text, and we read it.
@@ -129,10 +137,13 @@ int run_program(int argc, const char* const* argv) {
         const Command& command = commands()[i];
         const CommandLine line = command.line(rooms[i]);
         CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
-        auto* arguments = sub->add_option(std::string(command.arguments), *line.arguments);
+        auto* arguments = sub->add_option(argument_name(command.arguments), *line.arguments);
         arguments->expected(command.least_arguments, command.most_arguments);
         if (command.least_arguments > 0) arguments->required();
         for (const Option& option : line.options) bind(*sub, option);
+        sub->formatter_fn([&command](const CLI::App*, const std::string&, CLI::AppFormatMode) {
+            return help_of(command);
+        });
         sub->callback([&chosen, run = line.run] { chosen = run; });
     }
 

@@ -38,6 +38,8 @@ const Command recover_command{
     1,
     1,
     "make a film of what an interrupted run has drawn; render goes on from there instead",
-    line};
+    line,
+    {{{"poinsot recover generic.mp4", "what an interrupted run has drawn of it"},
+      {"poinsot recover output/generic.mp4 --quiet", "the same, without notes"}}}};
 
 }  // namespace poinsot

@@ -78,6 +78,14 @@ CommandLine line(std::any& room) {
 }  // namespace
 
 const Command render_command{
-    "render", "SCENE", 1, any_number, "make a film or a PNG sequence of each scene", line};
+    "render",
+    "SCENE",
+    1,
+    any_number,
+    "make a film or a PNG sequence of each scene",
+    line,
+    {{{"poinsot render generic -o generic.mp4", "the film of a scene that came with the program"},
+      {"poinsot render generic -o frames/####.png --frames 0-59",
+       "two seconds as a PNG sequence"}}}};
 
 }  // namespace poinsot

@@ -40,6 +40,13 @@ CommandLine line(std::any& room) {
 }  // namespace
 
 const Command rerender_command{
-    "rerender", "FILE", 1, 1, "draw again what a picture or film says it shows", line};
+    "rerender",
+    "FILE",
+    1,
+    1,
+    "draw again what a picture or film says it shows",
+    line,
+    {{{"poinsot rerender generic.png -o again.png", "the same picture from what it says of itself"},
+      {"poinsot rerender generic.mp4 -o again.mp4 --quiet", "the same film"}}}};
 
 }  // namespace poinsot

@@ -78,7 +78,14 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command sample_command{"sample", "SCENE", 1, 1, "print the motion at given times as CSV",
-                             line};
+const Command sample_command{"sample",
+                             "SCENE",
+                             1,
+                             1,
+                             "print the motion at given times as CSV",
+                             line,
+                             {{{"poinsot sample generic --times 0,0.5,1", "three instants as CSV"},
+                               {"poinsot sample generic --times 1e6 --set motion.method=exact",
+                                "an instant after eleven days"}}}};
 
 }  // namespace poinsot

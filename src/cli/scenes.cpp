@@ -48,6 +48,32 @@ void refuse_one_name(const std::vector<SceneJob>& jobs, OutputKind kind) {
 
 }  // namespace
 
+std::filesystem::path scenes_folder() {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    for (const fs::path& folder :
+         {program / "../share/poinsot/scenes", program / "../../scenes", fs::path("scenes")})
+        if (fs::is_directory(folder, ignored)) return folder;
+    throw EnvironmentError(
+        "no folder of scenes beside the program; install it with its scenes, or name scene files");
+}
+
+std::string scene_file(const std::string& given) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::path name(given);
+    if (given.empty() || name.has_parent_path() || name.has_extension() ||
+        fs::exists(name, ignored))
+        return given;
+    try {
+        const fs::path file = (scenes_folder() / (given + ".toml")).lexically_normal();
+        return fs::exists(file, ignored) ? file.string() : given;
+    } catch (const EnvironmentError&) {
+        return given;  // which is then said not to be there
+    }
+}
+
 std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std::string& output,
                               OutputKind kind) {
     const bool counts = counts_scenes(scenes.size(), output, kind);

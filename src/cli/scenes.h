@@ -1,11 +1,20 @@
 // One command over several scenes: each by itself, and one that is refused stops no other.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace poinsot {
+
+// Where the scenes lie that came with the program: beside an installed one, or in the checkout that
+// a build stands in. Throws EnvironmentError.
+std::filesystem::path scenes_folder();
+
+// The file of a scene as a user names it: "generic" is one that came with the program, where no
+// such file is here.
+std::string scene_file(const std::string& given);
 
 struct SceneJob {
     std::string scene;

@@ -113,7 +113,15 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command still_command{"still", "SCENE", 1, any_number, "make one picture of each scene",
-                            line};
+const Command still_command{
+    "still",
+    "SCENE",
+    1,
+    any_number,
+    "make one picture of each scene",
+    line,
+    {{{"poinsot still generic -o generic.png --time 2.5", "the picture of one instant"},
+      {"poinsot still generic -o figure.png --width-mm 86 --theme print",
+       "a figure for a column of 86 mm"}}}};
 
 }  // namespace poinsot

@@ -81,6 +81,13 @@ CommandLine line(std::any& room) {
 }  // namespace
 
 const Command tradeoff_command{
-    "tradeoff", "SCENE", 1, 1, "measure speed against accuracy for a scene", line};
+    "tradeoff",
+    "SCENE",
+    1,
+    1,
+    "measure speed against accuracy for a scene",
+    line,
+    {{{"poinsot tradeoff generic", "methods, settings and encoders that no other beats"},
+      {"poinsot tradeoff generic --all --json", "every row, for a program to read"}}}};
 
 }  // namespace poinsot

@@ -16,9 +16,9 @@
 namespace poinsot {
 
 PictureSetting setting_of(const Scene& scene, const PrintChoices& print) {
-    const Quality& quality = at_scene_key(scene, "film.quality", [&]() -> const Quality& {
-        return quality_named(scene.film.quality);
-    });
+    // By its address: to g++ 14 a reference may be to what was only lent for the call.
+    const Quality& quality = *at_scene_key(scene, "film.quality",
+                                           [&scene] { return &quality_named(scene.film.quality); });
     const auto paper = print_size_of(print, scene.film.width_px, scene.film.height_px);
     return {quality.curve_tolerance, quality.samples, paper ? paper->line_scale : 0.0};
 }

@@ -27,7 +27,8 @@ const SceneKey body_rows[] = {
      [](const Scene& s, size_t) {
          return s.body.given == Given::tensor ? toml_text(s.body.tensor_kg_m2) : "";
      }},
-    {"body.shape", "a string", "", R"("box")", "a uniform solid: box, ellipsoid, cylinder, …",
+    {"body.shape", "a string", "", R"("box")",
+     "a uniform solid: box, ellipsoid, cylinder, …, see `poinsot list solids`",
      [](const GivenValue& g, SceneDraft& d) { d.scene.body.shape = g.text(); },
      [](const Scene& s, size_t) {
          return s.body.given == Given::solid ? toml_text(std::string_view(s.body.shape)) : "";

@@ -50,7 +50,8 @@ const SceneKey camera_rows[] = {
     {"camera.look_at", "a string", "", R"("foot")",
      "middle of the construction, centre of the body, or foot of L on the plane; default middle",
      [](const GivenValue& g, SceneDraft& d) { d.scene.camera.look_at = g.one_of(camera_aims()); },
-     [](const Scene& s, size_t) { return toml_text(std::string_view(s.camera.look_at)); }},
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.camera.look_at)); },
+     camera_aims()},
     {"camera.view", "a string", "", R"("contact")",
      "a view by name for all of the camera that is not said otherwise, see `poinsot list views`",
      [](const GivenValue& g, SceneDraft& d) {
@@ -63,7 +64,8 @@ const SceneKey camera_rows[] = {
      "fixed, or co-precessing: turning about L with the herpolhode's mean advance, so that every "
      "polhode period looks like the last; default fixed",
      [](const GivenValue& g, SceneDraft& d) { d.scene.camera.motion = g.one_of(camera_motions); },
-     [](const Scene& s, size_t) { return toml_text(std::string_view(s.camera.motion)); }},
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.camera.motion)); },
+     camera_motions},
 
     // How the construction lies in the picture.
     {"construction.plane", "a string", "", R"("above")",
@@ -71,24 +73,28 @@ const SceneKey camera_rows[] = {
      "point "
      "up to the plane, which is seen through; default below",
      [](const GivenValue& g, SceneDraft& d) { d.scene.construction.plane = g.one_of(plane_sides); },
-     [](const Scene& s, size_t) { return toml_text(std::string_view(s.construction.plane)); }},
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.construction.plane)); },
+     plane_sides},
     {"construction.sweep", "a string", "", R"("axis")",
      "what the film runs through instead of the motion. axis: an axis n over all directions of the "
      "body at rest; energy: √(2T)/L from the least to the greatest that the body has; default none",
      [](const GivenValue& g, SceneDraft& d) {
          d.scene.construction.sweep = g.one_of(construction_sweeps);
      },
-     [](const Scene& s, size_t) { return text_unless_empty(s.construction.sweep); }},
+     [](const Scene& s, size_t) { return text_unless_empty(s.construction.sweep); },
+     construction_sweeps},
 
     // How much of the contact point's paths is shown.
     {"trail.polhode", "a string", "", R"("fading")",
      "whole, history (since the film began) or fading (what trail.length_s holds); default whole",
      [](const GivenValue& g, SceneDraft& d) { d.scene.trail.polhode = g.one_of(trail_kinds); },
-     [](const Scene& s, size_t) { return toml_text(std::string_view(s.trail.polhode)); }},
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.trail.polhode)); },
+     trail_kinds},
     {"trail.herpolhode", "a string", "", R"("fading")",
      "whole (of the film), history or fading; default history",
      [](const GivenValue& g, SceneDraft& d) { d.scene.trail.herpolhode = g.one_of(trail_kinds); },
-     [](const Scene& s, size_t) { return toml_text(std::string_view(s.trail.herpolhode)); }},
+     [](const Scene& s, size_t) { return toml_text(std::string_view(s.trail.herpolhode)); },
+     trail_kinds},
     {"trail.length_s", "a number", "s", "4.0",
      "length of a fading trail, in seconds of motion; default: one polhode period",
      [](const GivenValue& g, SceneDraft& d) { d.scene.trail.length_s = g.positive(); },

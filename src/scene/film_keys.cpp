@@ -108,7 +108,8 @@ const SceneKey film_rows[] = {
      },
      [](const Scene& s, size_t) {
          return s.film.loop_changes.empty() ? "" : toml_text(std::string_view(s.film.loop_changes));
-     }},
+     },
+     loop_values()},
     {"film.fps", "a number or a ratio in a string", "1/s", R"("30000/1001")",
      "video frames a second; 29.97 means 30000/1001; default 30", read_fps,
      [](const Scene& s, size_t) {

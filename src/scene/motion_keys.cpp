@@ -85,7 +85,8 @@ const SceneKey motion_rows[] = {
      [](const GivenValue& g, SceneDraft& d) { d.torque_kind = g.one_of(torque_kinds); },
      [](const Scene& s, size_t) {
          return s.torque.index() == 0 ? "" : toml_text(torque_kinds.at(s.torque.index()));
-     }},
+     },
+     torque_kinds},
     {"torque.mgl_N_m", "a number", "N m", "1.0",
      "gravity: weight times distance of the centre of mass from the fixed point",
      [](const GivenValue& g, SceneDraft& d) { d.gravity.mgl_N_m = g.number(); },

@@ -79,7 +79,8 @@ const SceneKey panel_rows[] = {
      [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).rows = cell(g, 1); },
      [](const Scene& s, size_t i) { return toml_text(s.panels.at(i).rows); }},
     {"panels[].quantity", "a string", "", R"("omega")",
-     "what a plot shows against time; default: what suits the motion",
+     "what a plot shows against time, see `poinsot list quantities`; default: what suits the "
+     "motion",
      [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).quantity = g.text(); },
      [](const Scene& s, size_t i) {
          const std::string& quantity = s.panels.at(i).quantity;

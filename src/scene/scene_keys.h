@@ -27,6 +27,9 @@ struct SceneKey {
     // The value as TOML text, or empty if the scene does not say it. `item`: index for "[]".
     std::string (*write)(const Scene& scene, std::size_t item);
 
+    // The strings that it takes, where they are these alone and no list of the program's.
+    std::span<const std::string_view> names{};
+
     // "omega_rad_s"
     std::string_view leaf() const { return path.substr(path.rfind('.') + 1); }
     // "start", or empty at the top of the file

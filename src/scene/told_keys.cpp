@@ -42,7 +42,8 @@ const SceneKey told_rows[] = {
          return toml_text(std::string_view(s.keyframes.at(i).easing));
      }},
     {"keyframes[].view", "a string", "", R"("front")",
-     "a view by name for all of the camera that this keyframe does not say otherwise; the "
+     "a view by name, see `poinsot list views`, for all of the camera that this keyframe does not "
+     "say otherwise; the "
      "camera of space, object and top moves, the other panels keep theirs",
      [](const GivenValue& g, SceneDraft& d) {
          keyframe(g, d).view = name_in_table(g, camera_view_named);
@@ -74,7 +75,8 @@ const SceneKey told_rows[] = {
      [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).target); }},
     {"keyframes[].look_at", "a string", "", R"("centre")", "as in [camera]",
      [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).look_at = g.one_of(camera_aims()); },
-     [](const Scene& s, size_t i) { return text_unless_empty(s.keyframes.at(i).look_at); }},
+     [](const Scene& s, size_t i) { return text_unless_empty(s.keyframes.at(i).look_at); },
+     camera_aims()},
     {"keyframes[].speed", "a number", "", "0.2",
      "seconds of motion a second of film; 0 stops the motion",
      [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).speed = g.number_between(0.0, 1e12); },

@@ -71,7 +71,9 @@ def draw_first(program):
 
 
 def lines_of(name):
-    return (ROOT / "scenes" / f"{name}.toml").read_text().splitlines()
+    """Without the line that names the schema for editors."""
+    lines = (ROOT / "scenes" / f"{name}.toml").read_text().splitlines()
+    return [line for line in lines if not line.startswith("#:")]
 
 
 def title_of(name):

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "drawing/fade.h"
@@ -164,8 +165,14 @@ int rows_added_by_type(const Scene& scene, int width_px, double px) {
     return std::max(0, bands.top_px + bands.bottom_px - on_screen.top_px - on_screen.bottom_px);
 }
 
+std::span<const std::string_view> overlay_names() {
+    static constexpr std::array<std::string_view, 3> names{"title", "caption", "clock"};
+    return names;
+}
+
 bool is_overlay(std::string_view name) {
-    return name == "title" || name == "caption" || name == "clock";
+    const auto names = overlay_names();
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace poinsot

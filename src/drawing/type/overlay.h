@@ -1,6 +1,7 @@
 // Type over the whole picture: the scene's title and caption, and the clock.
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -29,6 +30,7 @@ int rows_added_by_type(const Scene& scene, int width_px, double px);
 constexpr double overlay_margin = 40.0;
 
 // Whether a name in `show` is one of these.
+std::span<const std::string_view> overlay_names();
 bool is_overlay(std::string_view name);
 
 }  // namespace poinsot

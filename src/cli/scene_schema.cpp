@@ -1,0 +1,143 @@
+// The schema of scene files, made from the table of keys: what a key takes is read off its row.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cli/documents.h"
+#include "cli/option_texts.h"
+#include "drawing/type/overlay.h"
+#include "scene/scene_keys.h"
+#include "text/json_text.h"
+
+namespace poinsot {
+
+namespace {
+
+// Cuts `words` off the front of a phrase; whether it was there.
+bool take(std::string_view& phrase, std::string_view words) {
+    if (!phrase.starts_with(words)) return false;
+    phrase.remove_prefix(words.size());
+    return true;
+}
+
+std::string strings(const std::vector<std::string>& names) {
+    if (names.empty()) return R"("type": "string")";
+    std::vector<std::string> quoted;
+    for (const std::string& name : names) quoted.push_back(json_string(name));
+    return fmt::format(R"("enum": [{}])", fmt::join(quoted, ", "));
+}
+
+// What the phrase of a row's type allows, as members of a schema: "three rows of three numbers".
+// A phrase that is not known allows anything, and a test names it.
+std::string members_of(std::string_view phrase, const std::vector<std::string>& names) {
+    if (phrase == "true or false") return R"("type": "boolean")";
+    if (const std::size_t either = phrase.find(" or "); either != std::string_view::npos)
+        return fmt::format(R"("anyOf": [{{{}}}, {{{}}}])",
+                           members_of(phrase.substr(0, either), names),
+                           members_of(phrase.substr(either + 4), names));
+    if (phrase == "a string" || phrase == "a ratio in a string" || phrase == "strings")
+        return strings(names);
+    if (phrase == "a number" || phrase == "numbers") return R"("type": "number")";
+    if (phrase == "an integer" || phrase == "integers") return R"("type": "integer")";
+    if (take(phrase, "a list of "))
+        return fmt::format(R"("type": "array", "items": {{{}}})", members_of(phrase, names));
+    constexpr std::array<std::string_view, 7> counts{"",      "one ",  "two ", "three ",
+                                                     "four ", "five ", "six "};
+    for (std::size_t n = 1; n < counts.size(); ++n) {
+        if (!take(phrase, counts[n])) continue;
+        take(phrase, "rows of ");
+        // "four numbers w, x, y, z" also says what they are.
+        const std::string_view item = phrase.starts_with("numbers ") ? "numbers" : phrase;
+        return fmt::format(R"("type": "array", "items": {{{}}}, "minItems": {}, "maxItems": {})",
+                           members_of(item, names), n, n);
+    }
+    return "";
+}
+
+// The names that a key takes: its own, or those of the list that its summary sends to.
+std::vector<std::string> names_of(const SceneKey& key) {
+    if (!key.names.empty()) return {key.names.begin(), key.names.end()};
+    constexpr std::string_view sends = "see `poinsot list ";
+    const std::size_t at = key.summary.find(sends);
+    if (at == std::string_view::npos) return {};
+    const std::string_view rest = key.summary.substr(at + sends.size());
+    const std::string_view list = rest.substr(0, rest.find('`'));
+    std::vector<std::string> names = words_of(list);
+    // What is drawn over the picture is shown by its name, too.
+    if (list == "elements")
+        for (const std::string_view overlay : overlay_names()) names.emplace_back(overlay);
+    return names;
+}
+
+// A table of the file and what may stand in it, or a key.
+struct Node {
+    std::string name;
+    const SceneKey* key = nullptr;
+    bool is_array = false;
+    std::vector<Node> below;
+};
+
+Node& node_below(Node& parent, std::string_view part) {
+    const bool is_array = part.ends_with("[]");
+    const std::string name(is_array ? part.substr(0, part.size() - 2) : part);
+    for (Node& node : parent.below)
+        if (node.name == name) return node;
+    return parent.below.emplace_back(Node{name, nullptr, is_array, {}});
+}
+
+Node tree_of_keys() {
+    Node root;
+    for (const SceneKey& key : scene_keys()) {
+        Node* at = &root;
+        for (std::string_view path = key.path; !path.empty();) {
+            const std::size_t end = std::min(path.find('.'), path.size());
+            at = &node_below(*at, path.substr(0, end));
+            path.remove_prefix(std::min(end + 1, path.size()));
+        }
+        at->key = &key;
+    }
+    return root;
+}
+
+std::string schema_of_key(const SceneKey& key) {
+    const std::string members = members_of(key.type, names_of(key));
+    return fmt::format(
+        R"({{"description": {}{}{}}})",
+        json_string(fmt::format("{}{}{}; {}", key.type, key.unit.empty() ? "" : " in ", key.unit,
+                                key.summary)),
+        members.empty() ? "" : ", ", members);
+}
+
+std::string members_of_table(const Node& table, const std::string& indent) {
+    std::string text = indent + "\"type\": \"object\",\n" + indent +
+                       "\"additionalProperties\": false,\n" + indent + "\"properties\": {\n";
+    const std::string deeper = indent + "  ";
+    for (std::size_t i = 0; i < table.below.size(); ++i) {
+        const Node& node = table.below[i];
+        text += fmt::format("{}{}: ", deeper, json_string(node.name));
+        if (node.key != nullptr)
+            text += schema_of_key(*node.key);
+        else if (node.is_array)
+            text += fmt::format("{{\"type\": \"array\", \"items\": {{\n{}\n{}}}}}",
+                                members_of_table(node, deeper + "  "), deeper);
+        else
+            text += fmt::format("{{\n{}\n{}}}", members_of_table(node, deeper + "  "), deeper);
+        text += i + 1 < table.below.size() ? ",\n" : "\n";
+    }
+    return text + indent + "}";
+}
+
+}  // namespace
+
+std::string scene_schema() {
+    return fmt::format(
+        "{{\n  \"$schema\": \"http://json-schema.org/draft-04/schema#\",\n"
+        "  \"title\": \"poinsot scene\",\n  \"required\": [\"body\"],\n{}\n}}\n",
+        members_of_table(tree_of_keys(), "  "));
+}
+
+}  // namespace poinsot

@@ -1,0 +1,26 @@
+# What is installed, to any prefix: the program, its scenes with their schema, manual pages, completions, documents.
+include(GNUInstallDirs)
+
+install(TARGETS poinsot RUNTIME)
+# What the program writes of itself is written when it is installed: it is never older than the program.
+set(own_documents ${CMAKE_BINARY_DIR}/share)
+install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" -DPROGRAM=$<TARGET_FILE:poinsot> -DFOLDER=${own_documents}
+    -P \"${CMAKE_SOURCE_DIR}/src/cmake/write_documents.cmake\" COMMAND_ERROR_IS_FATAL ANY)")
+foreach(below poinsot bash-completion fish man)
+    install(DIRECTORY ${own_documents}/${below} DESTINATION ${CMAKE_INSTALL_DATADIR})
+endforeach()
+# Debian's zsh looks for packages' completions in a folder of its own.
+set(zsh_folder zsh/site-functions)
+if(EXISTS /etc/debian_version)
+    set(zsh_folder zsh/vendor-completions)
+endif()
+install(FILES ${own_documents}/zsh/_poinsot DESTINATION ${CMAKE_INSTALL_DATADIR}/${zsh_folder})
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/poinsot
+    PATTERN "scene.schema.json" EXCLUDE)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${CMAKE_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+# As Debian wants it.
+install(CODE "execute_process(COMMAND gzip -9nc \"${CMAKE_SOURCE_DIR}/CHANGELOG.md\"
+    OUTPUT_FILE \"${CMAKE_BINARY_DIR}/changelog.gz\" COMMAND_ERROR_IS_FATAL ANY)")
+install(FILES ${CMAKE_BINARY_DIR}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,40 @@
+# --target package: a .deb for the distribution that it is built on.
+
+# The package that has a library which is opened at run time, where dpkg knows it.
+function(package_of_library name to)
+    execute_process(COMMAND dpkg-query -S "*/${name}" OUTPUT_VARIABLE found ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+    string(REGEX MATCH "^[^:,\n]+" package "${found}")
+    if(package)
+        list(APPEND ${to} ${package})
+        set(${to} ${${to}} PARENT_SCOPE)
+    endif()
+endfunction()
+
+# FFmpeg by the versions that it was compiled for; OSMesa where there is one, EGL with Mesa's software renderer always.
+set(opened "")
+foreach(library avutil avcodec avformat swscale)
+    string(REGEX MATCH "^[0-9]+" major "${LIBAV_lib${library}_VERSION}")
+    package_of_library(lib${library}.so.${major} opened)
+endforeach()
+package_of_library(libOSMesa.so.8 opened)
+package_of_library(libEGL.so.1 opened)
+list(APPEND opened libegl-mesa0 libgl1-mesa-dri fonts-lmodern)
+list(JOIN opened ", " opened)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME poinsot)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_CONTACT "the poinsot authors <poinsot@localhost.localdomain>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Poinsot's construction of a turning rigid body, drawn off-screen")
+set(CPACK_PACKAGE_DESCRIPTION
+    "poinsot takes a scene file, computes the motion of a rigid body exactly at any\ninstant, draws Poinsot's construction without a screen and writes stills, image\nsequences and films.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "${opened}")
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+include(CPack)

@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""The schema that the program prints, against a validator of JSON Schema that knows nothing of it.
+
+Usage: schema_check.py POINSOT
+Every scene of scenes/ is valid and names the schema for editors; what stands in scenes/ is what the program prints; every key has a
+type; and 40 broken scenes are refused at the right key, as the program itself refuses them.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import tomllib
+
+import jsonschema
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+GOOD = """
+title = "good"
+theme = "light"
+show = ["plane", "ellipsoid"]
+[body]
+moments_kg_m2 = [3.0, 2.0, 1.0]
+[start]
+omega_rad_s = [0.01, 2.0, 0.01]
+[film]
+duration_s = 1.0
+"""
+# A scene is GOOD with one line replaced by another, or with lines added: (what is replaced or "", by what, the key that is wrong).
+BROKEN = [
+    ('title = "good"', 'title = 3', "title"),
+    ('title = "good"', 'titel = "good"', "titel"),
+    ('title = "good"', 'caption = ["a"]', "caption"),
+    ('title = "good"', 'accuracy_px = "small"', "accuracy_px"),
+    ('theme = "light"', 'theme = "lihgt"', "theme"),
+    ('theme = "light"', 'theme = true', "theme"),
+    ('show = ["plane", "ellipsoid"]', 'show = "plane"', "show"),
+    ('show = ["plane", "ellipsoid"]', 'show = ["plane", 3]', "show"),
+    ('show = ["plane", "ellipsoid"]', 'show = ["plane", "elipsoid"]', "show"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", "moments_kg_m2 = [3.0, 2.0]", "moments_kg_m2"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", "moments_kg_m2 = [3.0, 2.0, 1.0, 1.0]", "moments_kg_m2"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", 'moments_kg_m2 = ["3", "2", "1"]', "moments_kg_m2"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", "moments_kg_m2 = 3.0", "moments_kg_m2"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", "moments = [3.0, 2.0, 1.0]", "moments"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", "tensor_kg_m2 = [[3.0, 0.0, 0.0], [0.0, 2.0, 0.0]]", "tensor_kg_m2"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", "tensor_kg_m2 = [[3.0, 0.0], [0.0, 2.0], [0.0, 0.0]]", "tensor_kg_m2"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", 'shape = "bx"\nsize_m = [1.0, 1.0, 1.0]\nmass_kg = 1.0', "shape"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", 'shape = "box"\nsize_m = "1"\nmass_kg = 1.0', "size_m"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", 'shape = "box"\nsize_m = [1.0, 1.0, 1.0]\nmass_kg = "1"', "mass_kg"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", 'object = "teapot"', "object"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", "moments_kg_m2 = [3.0, 2.0, 1.0]\nallow_unphysical = 1", "allow_unphysical"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", "[[body.masses]]\nmass_kg = 1.0\nat = [1.0, 0.0, 0.0]", "at"),
+    ("moments_kg_m2 = [3.0, 2.0, 1.0]", "[[body.masses]]\nmass_kg = [1.0]\nat_m = [1.0, 0.0, 0.0]", "mass_kg"),
+    ("omega_rad_s = [0.01, 2.0, 0.01]", "omega = [0.01, 2.0, 0.01]", "omega"),
+    ("omega_rad_s = [0.01, 2.0, 0.01]", "omega_rad_s = [0.01, true, 0.01]", "omega_rad_s"),
+    ("omega_rad_s = [0.01, 2.0, 0.01]", "omega_rad_s = [0.01, 2.0, 0.01]\nattitude = [1.0, 0.0, 0.0]", "attitude"),
+    ("duration_s = 1.0", 'duration_s = "1"', "duration_s"),
+    ("duration_s = 1.0", "length = 1.0", "length"),
+    ("duration_s = 1.0", "fps = true", "fps"),
+    ("duration_s = 1.0", "size = [1920.5, 1080]", "size"),
+    ("duration_s = 1.0", "size = [1920]", "size"),
+    ("duration_s = 1.0", 'quality = "best"', "quality"),
+    ("", '[camera]\nview = "beside"', "view"),
+    ("", '[camera]\nlook_at = "nowhere"', "look_at"),
+    ("", '[camera]\nmotion = "moving"', "motion"),
+    ("", '[trail]\npolhode = "half"', "polhode"),
+    ("", '[trail]\ndirection_marks = "yes"', "direction_marks"),
+    ("", '[torque]\nkind = "friction"', "kind"),
+    ("", '[[panels]]\nkind = "spaces"', "kind"),
+    ("", '[[keyframes]]\nat_s = 0.0\neasing = "bumpy"', "easing"),
+]
+
+
+def key_of(error):
+    """The innermost key that a validator's error is about."""
+    if error.validator == "additionalProperties":
+        known = error.schema["properties"]
+        return next(name for name in error.instance if name not in known)
+    return next((part for part in reversed(error.absolute_path) if isinstance(part, str)), "")
+
+
+def leaves(schema):
+    if "properties" in schema:
+        for name, below in schema["properties"].items():
+            for path, leaf in leaves(below):
+                yield f"{name}.{path}" if path else name, leaf
+    elif "properties" in schema.get("items", {}):
+        yield from leaves(schema["items"])
+    else:
+        yield "", schema
+
+
+def findings(program):
+    text = subprocess.run([program, "list", "schema"], check=True, capture_output=True, text=True).stdout
+    schema = json.loads(text)
+    jsonschema.Draft4Validator.check_schema(schema)
+    validator = jsonschema.Draft4Validator(schema)
+    if (ROOT / "scenes" / "scene.schema.json").read_text() != text:
+        yield "scenes/scene.schema.json is not what `poinsot list schema` prints: cmake --build build/release --target docs"
+    for path, leaf in leaves(schema):
+        if not {"type", "enum", "anyOf"} & set(leaf):
+            yield f"{path}: src/cli/scene_schema.cpp does not know what this key's type means: {leaf['description']}"
+
+    scenes = sorted((ROOT / "scenes").glob("*.toml"))
+    for scene in scenes:
+        if not scene.read_text().startswith("#:schema scene.schema.json\n"):
+            yield f"{scene.name}: its first line must be `#:schema scene.schema.json`, for editors"
+        for error in validator.iter_errors(tomllib.loads(scene.read_text())):
+            yield f"{scene.name}: {error.message}"
+
+    good = tomllib.loads(GOOD)
+    yield from (f"the good scene: {error.message}" for error in validator.iter_errors(good))
+    for old, new, key in BROKEN:
+        broken = GOOD.replace(old, new) if old else GOOD + new + "\n"
+        found = {key_of(error) for error in validator.iter_errors(tomllib.loads(broken))}
+        if found != {key}:
+            yield f"{new!r}: refused for {found or 'nothing'}, should be for {key}"
+        with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
+            file.write(broken)
+            file.flush()
+            done = subprocess.run([program, "check", file.name], capture_output=True, text=True)
+            named = key in done.stderr or new.split('"')[-2:-1] and new.split('"')[-2] in done.stderr
+            if done.returncode != 2 or not named:
+                yield f"{new!r}: the program says {done.stderr.strip()!r}"
+    if len(BROKEN) != 40 or len(scenes) < 30:
+        yield f"{len(BROKEN)} broken scenes and {len(scenes)} scenes"
+
+
+if __name__ == "__main__":
+    wrong = list(findings(sys.argv[1]))
+    print("\n".join(wrong))
+    sys.exit(1 if wrong else 0)
