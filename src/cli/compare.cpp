@@ -179,7 +179,7 @@ int run(const CompareChoices& choices) {
     const bool folders = are_folders(expected, actual);
     if (folders && !choices.diff.empty())
         throw InputError("--diff shows one pair of pictures; for folders take --report FILE.html");
-    if (!choices.diff.empty() && fs::path(choices.diff).extension() != ".png")
+    if (!choices.diff.empty() && suffix_of(choices.diff) != ".png")
         throw InputError(fmt::format("--diff {}: the picture is a PNG; end its name in .png",
                                      printable(choices.diff)));
 

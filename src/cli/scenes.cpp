@@ -10,6 +10,7 @@
 #include "error/error.h"
 #include "output/frame_name.h"
 #include "production/output_place.h"
+#include "system/file_kind.h"
 #include "text/printable.h"
 #include "text/say.h"
 
@@ -24,7 +25,7 @@ std::string scene_name(const std::string& file) {
 
 // Whether #### in the output counts scenes.
 bool counts_scenes(std::size_t n_scenes, const std::filesystem::path& output, OutputKind kind) {
-    const bool is_sequence = kind == OutputKind::film && output.extension() == ".png";
+    const bool is_sequence = kind == OutputKind::film && suffix_of(output) == ".png";
     const bool told_apart = n_scenes == 1 || has_scene_name(output.string());
     return has_frame_number(output) && !(is_sequence && told_apart);
 }

@@ -8,6 +8,7 @@
 
 #include "error/error.h"
 #include "output/frame_name.h"
+#include "system/file_kind.h"
 
 namespace poinsot {
 
@@ -50,7 +51,7 @@ std::span<const OutputFormat> output_formats() { return kFormats; }
 
 const OutputFormat& format_for(const std::filesystem::path& path) {
     // A name without a suffix may be that of a format, as "null" is.
-    const std::string suffix = path.extension().string();
+    const std::string suffix = suffix_of(path);
     const bool numbered = has_frame_number(path);
     for (const OutputFormat& format : kFormats) {
         if (format.suffix.empty() ? path == format.name : suffix == format.suffix) {

@@ -19,6 +19,7 @@
 #include "output/frame_sink.h"
 #include "scene/toml_document.h"
 #include "scene/write_scene.h"
+#include "system/file_kind.h"
 #include "system/sha256.h"
 #include "text/printable.h"
 
@@ -276,7 +277,7 @@ Record parse_record(std::string_view text, const std::string& name) {
 
 Record read_record(const std::filesystem::path& file) {
     std::string text;
-    if (file.extension() == ".png") {
+    if (suffix_of(file) == ".png") {
         text = read_png_info(file).texts[kMetadataName];
     } else {
         text = film_metadata(file);
@@ -290,7 +291,7 @@ Record read_record(const std::filesystem::path& file) {
 }
 
 Verification verify(const std::filesystem::path& file, const Record& record) {
-    const bool is_picture = file.extension() == ".png";
+    const bool is_picture = suffix_of(file) == ".png";
     const std::string& then = is_picture ? record.pixels : record.packets;
     if (!record.sealed || then.empty())
         return {Verified::cannot_be,

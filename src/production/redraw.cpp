@@ -15,6 +15,7 @@
 #include "production/output_place.h"
 #include "production/record.h"
 #include "production/still_job.h"
+#include "system/file_kind.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -60,7 +61,7 @@ void redraw_frame(const RedrawRequest& request, const Record& record, const Sess
 
 // The request, its output with the scene's name and the frame's number put in.
 RedrawRequest with_its_names(RedrawRequest request, const Record& record) {
-    const bool one_frame = record.frames && request.file.extension() == ".png";
+    const bool one_frame = record.frames && suffix_of(request.file) == ".png";
     const auto frame = record.frame ? record.frame : frame_of_name(request.file);
     request.output =
         numbered_output(request.output, one_frame ? frame.value_or(0) : 0, record.scene_name);
@@ -96,8 +97,8 @@ StillRequest still_request_of(const RedrawRequest& request, const Record& record
 void redraw(const RedrawRequest& asked, const Telling& telling) {
     const Record record = read_record(asked.file);
     const RedrawRequest request = with_its_names(asked, record);
-    const bool is_picture = request.file.extension() == ".png";
-    if (is_picture != (request.output.extension() == ".png"))
+    const bool is_picture = suffix_of(request.file) == ".png";
+    if (is_picture != (suffix_of(request.output) == ".png"))
         throw InputError(fmt::format("{}: {} is drawn again as one of its kind; choose a name {}",
                                      printable(request.output.string()),
                                      printable(request.file.string()),

@@ -15,6 +15,7 @@
 #include "production/banded_still.h"
 #include "production/output_place.h"
 #include "production/record.h"
+#include "system/file_kind.h"
 #include "system/interrupt.h"
 #include "text/printable.h"
 
@@ -44,7 +45,7 @@ FilmMoment moment_asked(const Session& session, const StillRequest& request) {
 
 // The request of a still that can be made so.
 StillRequest accepted(StillRequest request) {
-    if (!request.output.empty() && std::filesystem::path(request.output).extension() != ".png")
+    if (!request.output.empty() && suffix_of(request.output) != ".png")
         throw InputError(
             fmt::format("{}: a still is a PNG; end its name in .png", printable(request.output)));
     if (request.bit_depth != 8 && request.bit_depth != 16)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 
 #include "error/error.h"
 #include "image/pixel_hash.h"
@@ -10,6 +11,7 @@
 #include "production/record.h"
 #include "report/baselines.h"
 #include "report/compared_picture.h"
+#include "system/file_kind.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -25,15 +27,33 @@ struct Candidate {
     Baseline baseline;
 };
 
-// "turn", from "turn" or "turn.png". It stays within its folder.
-std::string picture_name(const std::string& argument) {
+// "turn", from "turn", "turn.png" or "turn.PNG". It stays within its folder. Of turn.png and
+// turn.PNG in one folder the second is called by all of its name, as compare_folders has it.
+std::string picture_name(const std::string& argument, const fs::path& results) {
     fs::path path = fs::path(argument).lexically_normal();
-    if (path.extension() == ".png") path.replace_extension();
     const bool leaves = path.empty() || path.is_absolute() || *path.begin() == "..";
     if (leaves)
         throw InputError(fmt::format("{}: not the name of a picture within the folder of results",
                                      printable(argument)));
+    if (suffix_of(path) != ".png") return path.generic_string();
+    const fs::path usual = fs::path(path).replace_extension(".png");
+    if (path == usual || kind_of_file(results / usual) == FileKind::missing)
+        path.replace_extension();
     return path.generic_string();
+}
+
+// The file of a picture that is so called: turn.png, or turn.PNG where that is what there is.
+fs::path file_of_picture(const fs::path& results, const std::string& name) {
+    fs::path usual = results / (name + ".png");
+    if (kind_of_file(usual) != FileKind::missing) return usual;
+    const fs::path whole = results / name;
+    if (suffix_of(whole) == ".png" && kind_of_file(whole) != FileKind::missing) return whole;
+    std::error_code error;
+    fs::directory_iterator at(usual.parent_path(), error);
+    for (; !error && at != fs::directory_iterator(); at.increment(error))
+        if (suffix_of(at->path()) == ".png" && at->path().stem() == whole.filename())
+            return at->path();
+    return usual;
 }
 
 // The names given, or all that are not as the baselines are.
@@ -53,7 +73,8 @@ std::vector<std::string> names_wanted(const ApprovalRequest& request) {
     }
     if (request.names.empty())
         throw InputError("poinsot approve: name the pictures to take, or say --all");
-    for (const std::string& argument : request.names) names.push_back(picture_name(argument));
+    for (const std::string& argument : request.names)
+        names.push_back(picture_name(argument, request.results));
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
@@ -61,7 +82,7 @@ std::vector<std::string> names_wanted(const ApprovalRequest& request) {
 
 Candidate candidate_for(const std::string& name, const ApprovalRequest& request,
                         const ApprovalTelling& telling) {
-    Candidate candidate{name, request.results / (name + ".png"), {}};
+    Candidate candidate{name, file_of_picture(request.results, name), {}};
     const Record record = read_record(candidate.file);
     if (!record.portable && !request.any_renderer)
         throw InputError(fmt::format(

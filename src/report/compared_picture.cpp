@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <tuple>
 
@@ -38,13 +37,6 @@ Outcome outcome_of(Verdict verdict) {
     return Outcome::pixels;
 }
 
-// .png, .PNG, …
-bool is_png_name(const fs::path& path) {
-    std::string suffix = path.extension().string();
-    for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return suffix == ".png";
-}
-
 // The pictures of a folder by name.
 std::map<std::string, fs::path> pictures_in(const fs::path& folder) {
     std::map<std::string, fs::path> found;
@@ -57,7 +49,7 @@ std::map<std::string, fs::path> pictures_in(const fs::path& folder) {
         std::error_code ignored;
         if (at->is_directory(ignored)) {
             if (hidden) at.disable_recursion_pending();
-        } else if (!hidden && is_png_name(path)) {
+        } else if (!hidden && suffix_of(path) == ".png") {
             const fs::path name = path.lexically_relative(folder);
             // turn.png and turn.PNG are two pictures.
             if (!found.emplace(fs::path(name).replace_extension().generic_string(), path).second)

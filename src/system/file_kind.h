@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace poinsot {
@@ -22,5 +23,9 @@ FileKind kind_of_file(const std::filesystem::path& path) noexcept;
 // What it is instead of a file, as the predicate of a message: "a pipe or a device, not a regular
 // file". Precondition: not regular.
 std::string_view in_words(FileKind kind);
+
+// What a name ends in, as ".png", in small letters: a.PNG and a.png are files of one kind. Letters
+// other than A to Z stay as they are.
+std::string suffix_of(const std::filesystem::path& path);
 
 }  // namespace poinsot

@@ -300,6 +300,35 @@ TEST_F(Pictures, NamedInCapitalsAreCompared) {
     EXPECT_TRUE(contains(compared.out, "unexpected: b: ")) << compared.out;
 }
 
+TEST_F(Pictures, NamedInCapitalsAreMadeAndReadByEveryCommand) {
+    draw("ref/a.PNG", "--portable --time 0.1");
+    draw("new/a.PNG", "--portable --time 0.1");
+    EXPECT_EQ(run("compare ref/a.PNG new/a.PNG").code, 0);
+    EXPECT_EQ(run("compare ref/a.PNG new/a.PNG --diff d.PNG").code, 0);
+    EXPECT_TRUE(fs::exists(folder_.path() / "d.PNG"));
+    const ProgramRun explained = run("explain new/a.PNG --verify");
+    EXPECT_EQ(explained.code, 0) << explained.err << explained.out;
+    EXPECT_EQ(run("rerender new/a.PNG -o again.Png -q").code, 0);
+    EXPECT_TRUE(text_of(folder_.path() / "again.Png") == text_of(folder_.path() / "new/a.PNG"));
+    fs::remove_all(folder_.path() / "ref");
+    EXPECT_EQ(approve("a.PNG").out, "a: new\n");
+    EXPECT_EQ(approve("a").out, "a: as it was\n");
+    EXPECT_EQ(run("compare ref new").code, 0);
+
+    for (const char* film : {"f.MP4", "f.WebM", "f.GIF"}) {
+        const std::string name = film;
+        const ProgramRun made = run("render scene.toml --frames 0-2 --portable -q -o " + name);
+        EXPECT_EQ(made.code, 0) << made.err;
+        EXPECT_EQ(run("explain --verify " + name).code, 0) << name;
+        EXPECT_EQ(run("rerender -q -o again_" + name + " " + name).code, 0) << name;
+        EXPECT_TRUE(text_of(folder_.path() / name) == text_of(folder_.path() / ("again_" + name)));
+    }
+    EXPECT_EQ(run("render scene.toml --frames 0-2 --portable -q -o 's_##.PNG'").code, 0);
+    EXPECT_EQ(run("explain --verify s_02.PNG").code, 0);
+    EXPECT_EQ(run("rerender s_02.PNG -q -o again_02.PNG").code, 0);
+    EXPECT_TRUE(text_of(folder_.path() / "s_02.PNG") == text_of(folder_.path() / "again_02.PNG"));
+}
+
 TEST_F(Pictures, InFoldersAreComparedInOnePass) {
     draw("ref/same.png", "--portable --time 0.1");
     fs::copy(folder_.path() / "ref/same.png", folder_.path() / "new/same.png");
