@@ -99,6 +99,13 @@ class FormulaSetter {
         return made;
     }
 
+    // A character that the math font lacks, upright, as the text of a formula would have it: from a
+    // font that has it, or as a box.
+    Nucleus lent(const MathAtom& atom, MathStyle style) {
+        const TextRun run{TextFace::regular, {{atom.symbol, atom.column}}};
+        return boxed(fonts_.set_text(run, TextFamily::formula, size(style)));
+    }
+
     // Places a glyph of at least min_height px in the middle of the axis.
     TypeBox tall(char32_t code, int column, double min_height, MathStyle style) {
         const double px = scale(style);
@@ -120,6 +127,7 @@ class FormulaSetter {
     Nucleus nucleus(const MathAtom& atom, MathStyle style) {
         switch (atom.kind) {
             case MathAtom::Kind::symbol:
+                if (!font_.glyph(atom.symbol)) return lent(atom, style);
                 return character(glyph(atom.symbol, atom.column, style), style);
             case MathAtom::Kind::group:
                 return boxed(list(atom.body, style));

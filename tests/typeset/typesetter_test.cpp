@@ -272,17 +272,6 @@ TEST(Captions, LiveNumbersDoNotMoveTheirNeighbours) {
     }
 }
 
-TEST(Mistakes, MissingGlyphIsNamed) {
-    const Typesetter typesetter;
-    try {
-        typesetter.set("ab字", label(20.0));
-        FAIL();
-    } catch (const LabelError& error) {
-        EXPECT_EQ(error.column(), 3);
-        EXPECT_NE(std::string(error.what()).find("字 (U+5B57)"), std::string::npos);
-    }
-}
-
 // In running text it is a box with a hole, and is remembered once.
 TEST(MissingCharacters, AreBoxesWhereNoFontHasThem) {
     FontSearch search;
@@ -303,6 +292,35 @@ TEST(MissingCharacters, AreBoxesWhereNoFontHasThem) {
     EXPECT_GT(ink(left + 1.5, 14.0), 200);
     EXPECT_EQ(ink(left + 10.0, 14.0), 0);
     EXPECT_GT(ink(left + 10.0, 1.0), 100);
+}
+
+// A formula sets what its font lacks as its text: a title may be a file's name in any script.
+TEST(MissingCharacters, AreBoxesInFormulasToo) {
+    FontSearch search;
+    search.fallback_folders.clear();
+    const Typesetter typesetter(search);
+    const double box = 0.6 * 40.0;
+    const TypesetMask with = typesetter.set("ab字", label(40.0));
+    EXPECT_EQ(typesetter.missing(), std::vector<char32_t>{U'字'});
+    EXPECT_NEAR(with.advance_px - typesetter.set("ab", label(40.0)).advance_px, box, 1e-9);
+    // It carries scripts, stands in fractions and under accents, and is smaller in a script.
+    const double script = typesetter.set("x_字", label(40.0)).advance_px -
+                          typesetter.set("x_{}", label(40.0)).advance_px;
+    EXPECT_GT(script, 0.5 * box);
+    EXPECT_LT(script, 0.9 * box);
+    for (const char* text : {"字_1^2", "\\frac{字}{Ж}", "\\dot{字}", "\\vec{Ж}", "\\mathbf{字}"})
+        EXPECT_GT(typesetter.set(text, label(40.0)).width, 0) << text;
+    EXPECT_GT(typesetter.set("a caption of $字_1$", caption(40.0)).width, 0);
+}
+
+TEST(MissingCharacters, OfFormulasComeFromAFontOfTheSystem) {
+    const std::string file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no fonts-dejavu here";
+    const Typesetter typesetter;
+    EXPECT_GT(typesetter.set("Ж_1", label(40.0)).width, 20);
+    EXPECT_TRUE(typesetter.missing().empty());
+    ASSERT_EQ(typesetter.fallbacks_used().size(), 1u);
+    EXPECT_EQ(typesetter.fallbacks_used()[0].string(), file);
 }
 
 TEST(MissingCharacters, ComeFromAFontOfTheSystemThatHasThem) {
