@@ -72,6 +72,9 @@ class FrameSink {
     virtual ~FrameSink() = default;
     // How many frames an interrupted run has left: write() starts with the one after them.
     virtual std::int64_t n_frames_kept() const { return 0; }
+    // Whether a frame, counted from the plan's first, is there. write() is given those that are
+    // not, in their order; of a sequence, one here and there may be missing.
+    virtual bool has_frame(std::int64_t frame) const { return frame < n_frames_kept(); }
     virtual void write(const Image& frame) = 0;  // throws EnvironmentError
     // The same, telling as soon as the picture is not needed any more.
     virtual void write_telling(const Image& frame, const WasRead& was_read) {

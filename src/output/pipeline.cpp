@@ -135,6 +135,8 @@ AsyncSink::~AsyncSink() { workers_.reset(); }
 
 std::int64_t AsyncSink::n_frames_kept() const { return sink_->n_frames_kept(); }
 
+bool AsyncSink::has_frame(std::int64_t frame) const { return sink_->has_frame(frame); }
+
 void AsyncSink::write(const Image& frame) {
     Image copy = workers_->spare();
     copy = frame;

@@ -49,6 +49,7 @@ class AsyncSink : public FrameSink {
     ~AsyncSink() override;
 
     std::int64_t n_frames_kept() const override;
+    bool has_frame(std::int64_t frame) const override;
     void write(const Image& frame) override;  // copies
     void finish() override;
 

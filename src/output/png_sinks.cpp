@@ -1,9 +1,11 @@
 // PNG stills and numbered PNG sequences.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "error/error.h"
@@ -36,7 +38,13 @@ class PngSequenceSink : public FrameSink {
           lock_(plan.path),
           encoders_(
               static_cast<std::size_t>(plan.encoder_threads > 0 ? plan.encoder_threads : kThreads)),
-          n_kept_(plan.resume ? count_kept() : 0) {
+          there_(frames_that_are_there()) {
+        // A killed run may have been about to replace a frame that now stays.
+        for (const std::int64_t k : there_) {
+            std::error_code not_there;
+            std::filesystem::remove(aside_path_of(frame_name(plan_.path, plan_.first_frame + k)),
+                                    not_there);
+        }
         workers_ = std::make_unique<FrameWorkers>(
             encoders_.size(), kPictures,
             [this](std::size_t worker, std::int64_t number, const Image& frame, const WasRead&) {
@@ -44,7 +52,10 @@ class PngSequenceSink : public FrameSink {
             });
     }
 
-    std::int64_t n_frames_kept() const override { return n_kept_; }
+    std::int64_t n_frames_kept() const override { return frame_of(0); }
+    bool has_frame(std::int64_t frame) const override {
+        return std::binary_search(there_.begin(), there_.end(), frame);
+    }
 
     void write(const Image& frame) override {
         Image copy = workers_->spare();
@@ -62,35 +73,52 @@ class PngSequenceSink : public FrameSink {
     static constexpr std::size_t kPictures = 4;
 
     void write_one(PngEncoder& encoder, std::int64_t number, const Image& frame) const {
-        const std::int64_t frame_number = plan_.first_frame + n_kept_ + number;
+        const std::int64_t frame_number = plan_.first_frame + frame_of(number);
         encoder.set_texts(texts_of(plan_, frame_number, frame));
         const auto contents = encoder.encode(frame);
         write_whole(frame_name(plan_.path, frame_number), contents);
-        if (number == 0) check_room(plan_.path, contents.size(), 1, plan_.n_frames - n_kept_);
+        if (number == 0)
+            check_room(plan_.path, contents.size(), 1,
+                       plan_.n_frames - static_cast<std::int64_t>(there_.size()));
     }
 
-    // Frames of an earlier run count from the first on, if they are whole and of the same plan,
-    // have the pixels that they were written with, and are where they were written.
-    std::int64_t count_kept() const {
-        if (plan_.metadata.empty()) return 0;
-        for (std::int64_t k = 0; k < plan_.n_frames; ++k) {
-            try {
-                PngInfo info;
-                const Image image = read_png(frame_name(plan_.path, plan_.first_frame + k), &info);
-                if (info.texts != texts_of(plan_, plan_.first_frame + k, image) ||
-                    image.width() != plan_.width_px || image.height() != plan_.height_px)
-                    return k;
-            } catch (const Error&) {
-                return k;
-            }
+    // The frame that is written as the n-th, counted from the plan's first.
+    std::int64_t frame_of(std::int64_t n) const {
+        for (const std::int64_t frame : there_) {
+            if (frame > n) break;
+            ++n;
         }
-        return plan_.n_frames;
+        return n;
+    }
+
+    // Those that an earlier run has left.
+    std::vector<std::int64_t> frames_that_are_there() const {
+        if (!plan_.resume || plan_.metadata.empty()) return {};
+        std::vector<std::int64_t> frames = frames_there(plan_.path);
+        for (std::int64_t& frame : frames) frame -= plan_.first_frame;
+        std::erase_if(frames, [this](std::int64_t k) {
+            return k < 0 || k >= plan_.n_frames || !is_there(k);
+        });
+        return frames;
+    }
+
+    // Whether a frame of an earlier run is whole, of the same plan, has the pixels that it was
+    // written with, and is where it was written.
+    bool is_there(std::int64_t k) const {
+        try {
+            PngInfo info;
+            const Image image = read_png(frame_name(plan_.path, plan_.first_frame + k), &info);
+            return info.texts == texts_of(plan_, plan_.first_frame + k, image) &&
+                   image.width() == plan_.width_px && image.height() == plan_.height_px;
+        } catch (const Error&) {
+            return false;
+        }
     }
 
     OutputPlan plan_;
     AtomicFile lock_;  // never committed: its file aside says that this sequence is being written
     std::vector<PngEncoder> encoders_;
-    std::int64_t n_kept_;
+    std::vector<std::int64_t> there_;  // in order, counted from the plan's first
     std::unique_ptr<FrameWorkers> workers_;
 };
 

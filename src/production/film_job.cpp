@@ -18,20 +18,27 @@ namespace poinsot {
 
 namespace {
 
-// What an interrupted run has left is gone on from, and the user is told.
-void note_kept(const OutputPlan& plan, std::int64_t n_kept, bool film, const Telling& telling) {
-    if (n_kept == 0) return;
-    if (n_kept < plan.n_frames)
+// What an interrupted run has left is gone on from, and the user is told. n_there: of the frames.
+void note_kept(const OutputPlan& plan, const FrameSink& sink, std::int64_t n_there, bool film,
+               const Telling& telling) {
+    if (n_there == 0) return;
+    const std::string name = printable(plan.path.string());
+    if (n_there == plan.n_frames && film)
+        return telling.say(
+            fmt::format("note: an interrupted run has drawn all frames of {}", name));
+    if (n_there == plan.n_frames)
+        return telling.say(fmt::format(
+            "note: all {} frames of {} are there, of this very scene; remove them to have them "
+            "drawn again",
+            n_there, name));
+    if (n_there == sink.n_frames_kept())
         return telling.say(
             fmt::format("note: going on with frame {} of {}, where an interrupted run ended",
-                        plan.first_frame + n_kept, printable(plan.path.string())));
-    if (film)
-        return telling.say(fmt::format("note: an interrupted run has drawn all frames of {}",
-                                       printable(plan.path.string())));
+                        plan.first_frame + n_there, name));
     telling.say(fmt::format(
-        "note: all {} frames of {} are there, of this very scene; remove them to have them drawn "
-        "again",
-        n_kept, printable(plan.path.string())));
+        "note: going on with {}: {} of its {} frames are there as they were drawn, the others are "
+        "drawn",
+        name, n_there, plan.n_frames));
 }
 
 // A shorter run over a longer one, or one of other frames, leaves pictures that are not its own.
@@ -101,16 +108,18 @@ void FilmJob::make(Easel& easel, const Telling& telling) const {
     plan.metadata = to_text(record);
     plan.tell = told;
     AsyncSink sink(format.open(plan));
-    note_kept(plan, sink.n_frames_kept(), format.film, telling);
+    std::int64_t n_done = 0;
+    for (std::int64_t k = 0; k < plan.n_frames; ++k) n_done += sink.has_frame(k) ? 1 : 0;
+    note_kept(plan, sink, n_done, format.film, telling);
     telling.begin(scene.name, plan.n_frames);
 
-    const std::int64_t first_drawn = first_ + sink.n_frames_kept();
-    for (std::int64_t frame = first_drawn; frame < first_ + plan.n_frames; ++frame) {
+    for (std::int64_t k = 0; k < plan.n_frames; ++k) {
+        if (sink.has_frame(k)) continue;
         stop_if_interrupted();
         Image image = sink.spare();
-        pictures.draw(film_.moment_of(frame), image);
+        pictures.draw(film_.moment_of(first_ + k), image);
         sink.write_moved(std::move(image));
-        telling.done(frame - first_ + 1);
+        telling.done(++n_done);
     }
     sink.finish();
     if (plan.n_shown > 0) {

@@ -35,8 +35,8 @@ inline Image frame_of(const OutputPlan& plan, std::int64_t k) {
 
 inline void write_film(const OutputPlan& plan) {
     const auto sink = format_for(plan.path).open(plan);
-    for (std::int64_t k = sink->n_frames_kept(); k < plan.n_frames; ++k)
-        sink->write(frame_of(plan, k));
+    for (std::int64_t k = 0; k < plan.n_frames; ++k)
+        if (!sink->has_frame(k)) sink->write(frame_of(plan, k));
     sink->finish();
 }
 

@@ -1,6 +1,9 @@
 // The table of formats: which file name asks for which, and what each refuses.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <bit>
 
 #include "output/films.h"
 #include "output/frame_name.h"
@@ -208,10 +211,45 @@ TEST(PngSequence, DrawsFramesAgainThatAreNotWhatTheySay) {
     std::filesystem::copy_file(folder / "f_1.png", folder / "f_2.png",
                                std::filesystem::copy_options::overwrite_existing);
     EXPECT_EQ(n_kept(), 2);
+    // Those between and after are as they should be, and stay.
+    const auto inode_of = [&](std::int64_t k) {
+        struct stat status {};
+        EXPECT_EQ(stat(frame_name(plan.path, k).c_str(), &status), 0);
+        return status.st_ino;
+    };
+    std::vector<ino_t> before;
+    for (int k = 0; k < 6; ++k) before.push_back(inode_of(k));
     write_film(plan);
     EXPECT_EQ(n_kept(), 6);
     for (int k = 0; k < 6; ++k)
+        EXPECT_EQ(inode_of(k) != before[static_cast<std::size_t>(k)], k == 2 || k == 4) << k;
+    for (int k = 0; k < 6; ++k)
         EXPECT_TRUE(read_png(frame_name(plan.path, k)) == frame_of(plan, k)) << k;
+}
+
+// Any of a run's frames may be gone or changed: those are drawn, at whatever place they are.
+TEST(PngSequence, DrawsOnlyWhatIsMissing) {
+    const TemporaryFolder folder;
+    for (unsigned missing = 1; missing < 128; missing += 5) {
+        OutputPlan plan = small_plan(folder / "f_#.png", 7);
+        plan.first_frame = 3;
+        plan.resume = true;
+        write_film(plan);
+        for (int k = 0; k < 7; ++k)
+            if (missing >> k & 1U) std::filesystem::remove(frame_name(plan.path, 3 + k));
+        int n_written = 0;
+        const auto sink = format_for(plan.path).open(plan);
+        for (int k = 0; k < 7; ++k) {
+            EXPECT_EQ(sink->has_frame(k), (missing >> k & 1U) == 0U) << missing << " " << k;
+            if (sink->has_frame(k)) continue;
+            sink->write(frame_of(plan, k));
+            ++n_written;
+        }
+        sink->finish();
+        EXPECT_EQ(n_written, std::popcount(missing));
+        for (int k = 0; k < 7; ++k)
+            EXPECT_TRUE(read_png(frame_name(plan.path, 3 + k)) == frame_of(plan, k)) << k;
+    }
 }
 
 TEST(FrameNames, AreFoundAgain) {
