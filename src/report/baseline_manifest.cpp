@@ -193,4 +193,10 @@ void remove_next_manifest(const std::filesystem::path& folder) {
     if (error) throw_write_error(folder / kManifestName, error.value());
 }
 
+void remove_half_manifests(const std::filesystem::path& folder) {
+    std::error_code not_there;
+    for (const std::filesystem::path& path : {folder / kManifestName, next_path(folder)})
+        std::filesystem::remove(aside_path_of(path), not_there);
+}
+
 }  // namespace poinsot

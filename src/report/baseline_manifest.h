@@ -45,4 +45,7 @@ std::optional<BaselineManifest> read_next_manifest(const std::filesystem::path& 
 void write_next_manifest(const std::filesystem::path& folder, const BaselineManifest& manifest);
 void remove_next_manifest(const std::filesystem::path& folder);
 
+// What a run killed while it wrote one of the two has left. Precondition: nobody writes them.
+void remove_half_manifests(const std::filesystem::path& folder);
+
 }  // namespace poinsot

@@ -25,6 +25,12 @@ void copy_picture(const fs::path& from, const fs::path& to) {
     write_whole(to, bytes);
 }
 
+// What a killed run has left of a picture that it was about to replace.
+void remove_left_aside(const fs::path& picture) {
+    std::error_code not_there;
+    fs::remove(aside_path_of(picture), not_there);
+}
+
 fs::path picture_in(const fs::path& folder, const std::string& name) {
     return folder / (name + ".png");
 }
@@ -75,6 +81,8 @@ BaselineWriter::BaselineWriter(fs::path folder, const std::function<void()>& whe
     const fs::path list = folder_ / kManifestName;
     lock_.emplace(list, aside_path_of(list, ".lock"), false, when_held);
     manifest_ = read_manifest(folder_);
+    remove_half_manifests(folder_);
+    for (const auto& [name, line] : manifest_) remove_left_aside(picture_in(folder_, name));
     finish_interrupted();
 }
 
@@ -93,6 +101,7 @@ void BaselineWriter::finish_interrupted() {
     const auto next = read_next_manifest(folder_);
     if (!next) return;
     for (const auto& [name, line] : *next) {
+        remove_left_aside(picture_in(folder_, name));
         const auto now = manifest_.find(name);
         if (now != manifest_.end() && now->second == line) continue;
         if (pixels_of(name) != line.pixels) continue;

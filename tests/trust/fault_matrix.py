@@ -4,8 +4,9 @@
 A run must end with the right file (the bytes of an undisturbed run), or with exit code 3 (2 where the scene could not be read),
 one line, and nothing under the final name. Exit code 1 if any case does otherwise.
 What is left to chance comes from the seed, a trial at a time: a wrong outcome names its trial, and `--seed N --only CASE --trial
-TRIAL` makes that one again. Places of system calls are exact; moments of `kills` are as exact as the machine's clock; libfiu's
-dice are its own.
+TRIAL` makes that one again. Places of system calls are exact; moments of `kills` are as exact as the machine's clock; of libfiu the
+seed decides which call fails, where threads call in the same order, but not with which error: its library draws that by the clock.
+Failures that replay exactly, errors included, are those of output_sequences.
 Usage: fault_matrix.py POINSOT [FAILING_NEW.so [QUOTA.so]] [--kills N] [--seed N] [--runs N] [--only CASE…] [--trial TRIAL]
 """
 import argparse
@@ -371,12 +372,16 @@ class Matrix:
         for what, probability in (("posix/io/rw/*", 0.02), ("posix/io/oc/*", 0.03), ("posix/io/sync/*", 0.5),
                                   ("posix/stdio/*", 0.02)):
             for name in KINDS:
-                for _ in range(n_runs):
+                for k in range(n_runs):
+                    if not self.wants("libfiu", what, name, k):
+                        continue
                     place = self.fresh()
+                    seed = self.dice("libfiu", what, name, k).randrange(1, 2**31)
                     done = self.run(self.command(name, place),
                                     env=dict(os.environ, LD_PRELOAD=preloaded, MESA_SHADER_CACHE_DISABLE="true",
+                                             LP_NUM_THREADS="0", FIU_PRNG_SEED=str(seed),
                                              FIU_ENABLE=f"enable_random name={what},probability={probability}"))
-                    self.judge(f"libfiu {what}", name, place, done, input_may_fail=True)
+                    self.judge(f"libfiu {what}", name, place, done, input_may_fail=True, trial=f"libfiu:{what}:{name}:{k}")
 
     def failing_allocation(self, library, n_points):
         if library is None:
@@ -420,7 +425,7 @@ def main():
     arguments.add_argument("--seed", type=int, default=1)
     arguments.add_argument("--runs", type=int, default=6, help="of each kind under each of libfiu's faults")
     arguments.add_argument("--only", nargs="*", metavar="CASE", help="of the cases, these")
-    arguments.add_argument("--trial", help="of the trials of kills, system_calls or approvals, this one")
+    arguments.add_argument("--trial", help="of the trials of kills, system_calls, approvals or libfiu, this one")
     chosen = arguments.parse_args()
     with tempfile.TemporaryDirectory(prefix="poinsot-faults-") as folder:
         matrix = Matrix(chosen.program, pathlib.Path(folder), chosen.seed, chosen.trial)
