@@ -114,7 +114,7 @@ std::span<const Command> commands() {
     return table;
 }
 
-int run_program(int argc, const char* const* argv) {
+CommandToRun read_command_line(int argc, const char* const* argv) {
     CLI::App app("Poinsot's construction of a turning rigid body: exact motion, drawn off-screen.",
                  "poinsot");
     app.require_subcommand(1);
@@ -131,11 +131,11 @@ int run_program(int argc, const char* const* argv) {
     }
 
     // Every command's choices, which CLI11 fills in and the one that was named reads.
-    std::vector<std::any> rooms(commands().size());
-    std::function<int()> chosen;
+    CommandToRun chosen;
+    chosen.rooms.resize(commands().size());
     for (std::size_t i = 0; i < commands().size(); ++i) {
         const Command& command = commands()[i];
-        const CommandLine line = command.line(rooms[i]);
+        const CommandLine line = command.line(chosen.rooms[i]);
         CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
         auto* arguments = sub->add_option(argument_name(command.arguments), *line.arguments);
         arguments->expected(command.least_arguments, command.most_arguments);
@@ -144,19 +144,24 @@ int run_program(int argc, const char* const* argv) {
         sub->formatter_fn([&command](const CLI::App*, const std::string&, CLI::AppFormatMode) {
             return help_of(command);
         });
-        sub->callback([&chosen, run = line.run] { chosen = run; });
+        sub->callback([&chosen, run = line.run] { chosen.run = run; });
     }
 
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {
+        // What was asked for is the text that is printed now.
         app.exit(success);
-        flush_stdout();
-        return 0;
+        chosen.run = [] { return 0; };
     } catch (const CLI::ParseError& error) {
         refuse(error.what());
     }
-    const int code = chosen();
+    return chosen;
+}
+
+int run_program(int argc, const char* const* argv) {
+    const CommandToRun command = read_command_line(argc, argv);
+    const int code = command.run();
     flush_stdout();
     return code;
 }

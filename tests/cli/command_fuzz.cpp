@@ -1,0 +1,71 @@
+// Any bytes as a command line, an argument a line: read, or refused with a sentence of a length
+// that can be read, and nothing else. Nothing is run; the values that commands read later are
+// read here, and a scene is changed by --set.
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/option_values.h"
+#include "cli/program.h"
+#include "cli/scenes.h"
+#include "error/error.h"
+#include "scene/load_scene.h"
+
+namespace {
+
+constexpr const char* kScene =
+    "[body]\nmoments_kg_m2 = [3.0, 2.0, 1.0]\n[start]\nomega_rad_s = [0.01, 2.0, 0.01]\n";
+
+// Calls what may refuse.
+template <typename Call>
+void refusable(const Call& call) {
+    try {
+        call();
+    } catch (const poinsot::InputError& error) {
+        if (std::string_view(error.what()).empty()) std::abort();
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+    // Help is printed where it is asked for.
+    if (std::freopen("/dev/null", "w", stdout) == nullptr) std::abort();
+    return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    std::vector<std::string> words{"poinsot"};
+    std::string_view rest(reinterpret_cast<const char*>(data), size);
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        // The shell cuts an argument at a zero.
+        words.emplace_back(std::string(rest.substr(0, end)).c_str());
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    std::vector<const char*> arguments;
+    for (const std::string& word : words) arguments.push_back(word.c_str());
+    refusable(
+        [&] { poinsot::read_command_line(static_cast<int>(arguments.size()), arguments.data()); });
+    for (std::size_t k = 1; k < words.size(); ++k) {
+        refusable([&] { poinsot::parse_frames(words[k]); });
+        refusable([&] { poinsot::parse_times(words[k]); });
+        refusable([&] { poinsot::parse_number("--time", words[k], "an instant"); });
+        refusable([&] { poinsot::parse_whole("--depth", words[k], "8 or 16"); });
+    }
+    const std::vector<std::string> given(words.begin() + 1, words.end());
+    refusable([&] { poinsot::parse_scene(kScene, "fuzz.toml", given); });
+    if (given.size() > 1)
+        refusable([&] {
+            poinsot::jobs_of({given.begin() + 1, given.end()}, given.front(),
+                             poinsot::OutputKind::film);
+        });
+    return 0;
+}

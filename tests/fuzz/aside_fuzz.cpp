@@ -1,0 +1,73 @@
+// Any bytes as what a killed run has left aside of a film: recovered as far as it goes, or refused
+// with a sentence, and nothing else.
+#include <zlib.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "error/error.h"
+#include "fuzz/scratch_file.h"
+#include "output/frame_log.h"
+#include "output/frame_sink.h"
+
+namespace {
+
+constexpr std::size_t kBlockHead = 8;
+
+std::uint32_t get_u32(const std::uint8_t* at) {
+    return std::uint32_t{at[0]} | std::uint32_t{at[1]} << 8U | std::uint32_t{at[2]} << 16U |
+           std::uint32_t{at[3]} << 24U;
+}
+
+void require_a_sentence(const poinsot::Error& error) {
+    if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();
+}
+
+}  // namespace
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+
+// A changed byte makes a block's checksum wrong, and the reader would look no further: mutations
+// are made first, and then sizes and checksums put right, in three cases of four.
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t most, unsigned seed) {
+    size = LLVMFuzzerMutate(data, size, most);
+    if (seed % 4 == 0) return size;
+    for (std::size_t at = 1; at + kBlockHead <= size;) {
+        std::size_t length = get_u32(data + at);
+        if (length > size - at - kBlockHead) {
+            length = size - at - kBlockHead;
+            for (std::size_t i = 0; i < 4; ++i)
+                data[at + i] = static_cast<std::uint8_t>(length >> 8 * i);
+        }
+        // FFmpeg's CRC-32 is zlib's before its bits are turned round.
+        const uLong sum = ~crc32(0, data + at + kBlockHead, static_cast<uInt>(length));
+        for (std::size_t i = 0; i < 4; ++i)
+            data[at + 4 + i] = static_cast<std::uint8_t>(sum >> 8 * i);
+        at += kBlockHead + length;
+    }
+    return size;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    // The first byte says by what name the film would go.
+    if (size == 0) return 0;
+    const char* const name = data[0] % 3 == 0 ? "a.mp4" : data[0] % 3 == 1 ? "a.webm" : "a.gif";
+    const std::filesystem::path film = poinsot::fuzz::scratch_folder() / name;
+    const std::filesystem::path aside = poinsot::frame_log_path(film);
+    poinsot::fuzz::scratch_file(aside.filename().string(), data + 1, size - 1);
+    std::error_code ignored;
+    try {
+        poinsot::recover_film(film);
+    } catch (const poinsot::Error& error) {
+        require_a_sentence(error);
+    }
+    std::filesystem::remove(film, ignored);
+    std::filesystem::remove(aside, ignored);
+    return 0;
+}

@@ -1,0 +1,29 @@
+// Any bytes as a film: its record is read, and held against its packets, or refused with a
+// sentence, and nothing else. What FFmpeg makes of the container is FFmpeg's.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "error/error.h"
+#include "fuzz/scratch_file.h"
+#include "output/film_packets.h"
+#include "production/record.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    // The first byte says by what name the rest goes.
+    if (size == 0) return 0;
+    const char* const name = data[0] % 3 == 0 ? "a.mp4" : data[0] % 3 == 1 ? "a.webm" : "a.gif";
+    const auto film = poinsot::fuzz::scratch_file(name, data + 1, size - 1);
+    try {
+        poinsot::packet_hash_of(film);
+    } catch (const poinsot::InputError& error) {
+        if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();
+    }
+    try {
+        poinsot::verify(film, poinsot::read_record(film));
+    } catch (const poinsot::InputError& error) {
+        if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();
+    }
+    return 0;
+}

@@ -1,0 +1,23 @@
+// Any bytes as the manifest of a folder of baselines: one that is written out and read back the
+// same, or a refusal with its line, and nothing else.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "error/error.h"
+#include "report/baseline_manifest.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    try {
+        const poinsot::BaselineManifest manifest = poinsot::parse_manifest(text, "manifest.toml");
+        const std::string written = poinsot::to_text(manifest);
+        if (poinsot::parse_manifest(written, "manifest.toml") != manifest) std::abort();
+    } catch (const poinsot::InputError& error) {
+        const std::string_view what = error.what();
+        if (!what.starts_with("manifest.toml:") || what.find('\n') != std::string_view::npos)
+            std::abort();
+    }
+    return 0;
+}
