@@ -20,8 +20,13 @@ void main() {
     float t = along_segment(own.y, depths.xy, constant(0).w > 0.5);
     float run_px = max(length(ends.zw - ends.xy), 1e-3);
     if (constant(6).x > 0.0) {
+        // Beyond its end a segment goes on as the next one does, so that where both are drawn the
+        // fuller of them is either: how far each reaches there is a matter of rounding.
+        float beyond = dot(pixel - ends.xy, ends.zw - ends.xy) / (run_px * run_px);
+        float reach = 2.0 / run_px;
+        float t_dash = along_segment(clamp(beyond, -reach, 1.0 + reach), depths.xy, constant(0).w > 0.5);
         float per_px = abs(along.w - along.z) / run_px;
-        covered *= dashed(mix(along.z, along.w, t), constant(6).x, constant(6).y, per_px);
+        covered *= dashed(mix(along.z, along.w, t_dash), constant(6).x, constant(6).y, per_px);
     }
     float change = max(abs(depths.w - depths.z) / run_px, max(constant(5).w, 1e-6));
     kept = vec2(mix(depths.x, depths.y, t), clamp(0.5 + mix(depths.z, depths.w, t) / change, 0.0, 1.0));
