@@ -29,8 +29,8 @@ Finding try_backend(const char* name, Backend backend) {
         const OffscreenContext context(backend);
         const ContextInfo& info = context.info();
         return {name, true,
-                fmt::format("{}; {}; pictures to {} px", info.renderer, info.version,
-                            info.largest_picture_px)};
+                fmt::format("{}; {}; pictures to {} px; device: {}", info.renderer, info.version,
+                            info.largest_picture_px, info.device)};
     } catch (const Error& error) {
         return {name, false, error.what()};
     }
@@ -48,6 +48,7 @@ int run(const DoctorChoices& choices) {
     std::vector<Finding> findings;
     findings.push_back(try_backend("context OSMesa", Backend::osmesa));
     findings.push_back(try_backend("context EGL", Backend::egl));
+    findings.push_back(try_backend("context GPU (--backend gpu)", Backend::gpu));
     const bool draws = findings[0].works || findings[1].works;
 
     bool encodes = true;

@@ -86,8 +86,13 @@ OutsideFiles outside_files(bool allow_outside) {
 }
 
 Option backend_option(ContextOptions& context) {
-    return {"--backend", "auto, osmesa or egl", &context.backend, "", "NAME",
-            false,       "auto|osmesa|egl"};
+    return {"--backend",
+            "auto, osmesa or egl, which draw by software, or gpu",
+            &context.backend,
+            "",
+            "NAME",
+            false,
+            "auto|osmesa|egl|gpu"};
 }
 
 Option portable_option(ContextOptions& context) {
@@ -101,8 +106,14 @@ ContextChoice context_choice_of(const ContextOptions& options) {
         choice.backend = Backend::osmesa;
     } else if (options.backend == "egl") {
         choice.backend = Backend::egl;
+    } else if (options.backend == "gpu") {
+        choice.backend = Backend::gpu;
+        if (options.portable)
+            throw InputError(
+                "--backend gpu: portable pictures are drawn by software; leave out --portable or "
+                "--backend");
     } else if (options.backend != "auto") {
-        throw InputError(fmt::format("--backend {}: unknown; choose auto, osmesa or egl",
+        throw InputError(fmt::format("--backend {}: unknown; choose auto, osmesa, egl or gpu",
                                      printable(options.backend)));
     }
     return choice;

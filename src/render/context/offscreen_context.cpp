@@ -22,8 +22,10 @@ struct BackendRow {
 };
 
 // In the order in which `automatic` tries them.
-constexpr std::array backends{BackendRow{Backend::osmesa, "OSMesa", open_osmesa_context},
-                              BackendRow{Backend::egl, "EGL", open_egl_context}};
+constexpr std::array backends{
+    BackendRow{Backend::osmesa, "OSMesa", open_osmesa_context},
+    BackendRow{Backend::egl, "EGL", [] { return open_egl_context(EglDevice::software); }},
+    BackendRow{Backend::gpu, "GPU", [] { return open_egl_context(EglDevice::gpu); }}};
 
 // Mesa reads the processor's capabilities once, at the first context of the process.
 std::atomic<bool>& processor_was_read() {
@@ -63,7 +65,14 @@ struct OffscreenContext::Impl {
         glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer_px);
         glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport_px.data());
         info = {row.name, text_of(GL_RENDERER), text_of(GL_VERSION),
-                std::min({texture_px, renderbuffer_px, viewport_px[0], viewport_px[1]})};
+                std::min({texture_px, renderbuffer_px, viewport_px[0], viewport_px[1]}),
+                native->device()};
+        const bool software =
+            info.renderer.starts_with("llvmpipe") || info.renderer.starts_with("softpipe");
+        if (software == (row.backend == Backend::gpu))
+            throw EnvironmentError(
+                std::string(row.name) + " draws by " + info.renderer +
+                (software ? ", which is no graphics card" : ", not by Mesa's software renderer"));
     }
 };
 
@@ -76,11 +85,17 @@ OffscreenContext::OffscreenContext(Backend backend, Portability portability,
     processor_was_read() = true;
     std::string tried;
     for (const BackendRow& row : backends) {
-        if (backend != Backend::automatic && backend != row.backend) continue;
+        const bool asked = backend == row.backend;
+        if (!asked && (backend != Backend::automatic || row.backend == Backend::gpu)) continue;
         try {
             impl_ = std::make_unique<Impl>(row);
+            if (portability == Portability::portable &&
+                !impl_->info.renderer.starts_with("llvmpipe"))
+                throw EnvironmentError("draws by " + impl_->info.renderer +
+                                       ", and portable bytes are llvmpipe's");
             return;
         } catch (const EnvironmentError& failure) {
+            impl_.reset();
             tried += (tried.empty() ? "" : "; ") + std::string(row.name) + ": " + failure.what();
         }
     }

@@ -13,7 +13,9 @@ enum class Portability { native, portable };
 // takes an eighth longer. The bytes are the same.
 enum class ShaderCompilation { thorough, quick };
 
-enum class Backend { automatic, osmesa, egl };
+// `egl` is Mesa's software renderer by EGL; `gpu` a graphics card by EGL, which `automatic` never
+// is.
+enum class Backend { automatic, osmesa, egl, gpu };
 
 // What the context says of itself.
 struct ContextInfo {
@@ -21,12 +23,14 @@ struct ContextInfo {
     std::string renderer;    // GL_RENDERER
     std::string version;     // GL_VERSION
     int largest_picture_px;  // largest framebuffer side
+    std::string device;      // "software", or a graphics card's device file
 };
 
 // Owns an off-screen OpenGL 3.3 core context, current on this thread while it lives. Move-only.
 class OffscreenContext {
  public:
     // Throws EnvironmentError saying what was tried and which Debian package is missing.
+    // A portable context is llvmpipe's, or it is refused.
     // Portability::portable must be asked for by the first context of the process; that context
     // says for all how shaders are compiled.
     explicit OffscreenContext(Backend backend = Backend::automatic,

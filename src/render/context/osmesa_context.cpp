@@ -55,6 +55,7 @@ class OSMesaContext final : public NativeContext {
         destroy_(context_);
     }
     GLADloadfunc loader() const override { return loader_; }
+    std::string device() const override { return "software"; }
 
  private:
     // The default framebuffer is never drawn to, but OSMesa wants one.
