@@ -3,11 +3,26 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "shapes/colour.h"
 
 namespace poinsot {
+
+// A glyph of set type, for renderers that draw outlines or write text. Pixels of the mask from its
+// upper left corner, y down.
+struct MaskLetter {
+    const std::filesystem::path* font_file = nullptr;  // outlives the drawings that show it
+    std::uint32_t glyph = 0;                           // by its number in the font
+    double x_px = 0.0, baseline_px = 0.0;
+    double em_px = 0.0;
+};
+
+// A filled rectangle of set type: the bar of a fraction.
+struct MaskRule {
+    double left_px = 0.0, top_px = 0.0, width_px = 0.0, height_px = 0.0;
+};
 
 // A shape already flattened to the picture that is looked at: glyph outlines and rules as one
 // coverage mask. In a picture drawn with several samples a pixel each of the mask's pixels is
@@ -18,6 +33,8 @@ struct GlyphMask {
     int width = 0, height = 0;
     int samples = 1;
     std::vector<std::uint8_t> coverage;  // row 0 on top
+    std::vector<MaskLetter> letters;     // what the coverage shows
+    std::vector<MaskRule> rules;
 
     // In pixels of the picture that is drawn.
     int width_px() const { return samples * width; }

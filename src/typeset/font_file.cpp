@@ -71,7 +71,8 @@ struct FontFile::Handles {
     FreeTypeFace outlines;
 };
 
-FontFile::FontFile(const std::filesystem::path& file) : handles_(std::make_unique<Handles>()) {
+FontFile::FontFile(const std::filesystem::path& file)
+    : handles_(std::make_unique<Handles>()), file_(file) {
     const auto unreadable = [&file] {
         return EnvironmentError(
             fmt::format("{}: not a font that can be read; reinstall the package "

@@ -54,6 +54,7 @@ class FontFile {
     FontFile(FontFile&&) noexcept;
     FontFile& operator=(FontFile&&) noexcept;
 
+    const std::filesystem::path& file() const { return file_; }
     double units_per_em() const { return units_per_em_; }
     bool has_math() const;
     // The glyph of a character, if the font has one.
@@ -77,6 +78,7 @@ class FontFile {
 
     struct Handles;
     std::unique_ptr<Handles> handles_;
+    std::filesystem::path file_;
     double units_per_em_ = 1000.0;
     std::array<std::unordered_map<char32_t, std::optional<GlyphId>>, 3> glyphs_;
     std::unordered_map<GlyphId, GlyphMetrics> metrics_;

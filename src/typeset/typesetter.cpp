@@ -151,8 +151,16 @@ const std::vector<char32_t>& Typesetter::missing() const { return state_->fonts.
 TypesetMask Typesetter::set(std::string_view text, const TypeStyle& style) const {
     SetType type = set_type(text, style, state_->fonts);
     align_rules(type.box);
-    TypesetMask mask{extent_of(type), {}};
+    TypesetMask mask{extent_of(type), {}, {}, {}};
     rasterise(type.box, mask);
+    for (const PlacedGlyph& placed : type.box.glyphs)
+        mask.glyphs.push_back({&placed.font->file(), placed.glyph, placed.x - mask.left_px,
+                               mask.baseline_px - placed.y,
+                               placed.px_per_unit * placed.font->units_per_em()});
+    for (const PlacedRule& rule : type.box.rules)
+        if (rule.width > 0.0)
+            mask.rules.push_back({rule.x - mask.left_px, mask.baseline_px - rule.y - rule.thickness,
+                                  rule.width, rule.thickness});
     return mask;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -41,8 +42,22 @@ struct TypeExtent {
     int n_lines = 0;
 };
 
+// A glyph of a mask by its number in its font; pixels from the mask's upper left corner, y down.
+struct SetGlyph {
+    const std::filesystem::path* font_file = nullptr;  // lives as long as the typesetter
+    std::uint32_t glyph = 0;
+    double x_px = 0.0, baseline_px = 0.0;
+    double em_px = 0.0;
+};
+
+struct SetRule {
+    double left_px = 0.0, top_px = 0.0, width_px = 0.0, height_px = 0.0;
+};
+
 struct TypesetMask : TypeExtent {
     std::vector<std::uint8_t> coverage;  // width × height, row 0 on top, 255: inside
+    std::vector<SetGlyph> glyphs;        // what the coverage shows, in reading order
+    std::vector<SetRule> rules;
 };
 
 // Holds the fonts, and the outlines of the glyphs used so far, so that a caption whose numbers

@@ -38,6 +38,11 @@ SetType TypeCase::keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const {
     mask.height = set.height;
     mask.samples = samples_;
     mask.coverage = std::move(set.coverage);
+    for (const SetGlyph& glyph : set.glyphs)
+        mask.letters.push_back(
+            {glyph.font_file, glyph.glyph, glyph.x_px, glyph.baseline_px, glyph.em_px});
+    for (const SetRule& rule : set.rules)
+        mask.rules.push_back({rule.left_px, rule.top_px, rule.width_px, rule.height_px});
     return {&mask, samples_ * set.left_px, samples_ * set.baseline_px};
 }
 
