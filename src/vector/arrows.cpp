@@ -1,0 +1,354 @@
+// Arrows and dots, from the back to the front.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "vector/canvas.h"
+
+namespace poinsot::vector {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+// An arrow as it is drawn: sizes in units of the view, places on paper.
+struct ArrowShape {
+    bool seen = false;
+    Eigen::Vector3d axis, tail, neck, tip;
+    double shaft_radius = 0.0, head_radius = 0.0;
+    Eigen::Vector2d tail_pt, neck_pt, tip_pt;
+    double tail_scale = 1.0, neck_scale = 1.0;  // points a unit
+    double open = 0.0;                          // how open the circles about the axis are seen
+    Eigen::Vector2d along, across;              // on paper, unit
+};
+
+ArrowShape shape_of(const Canvas& canvas, const Arrow& arrow) {
+    const Sight& sight = canvas.sight;
+    ArrowShape shape;
+    const Eigen::Vector3d run = arrow.tip - arrow.tail;
+    const double length = run.norm();
+    if (!(length > 0.0) || arrow.opacity <= 0.0) return shape;
+    shape.axis = run / length;
+    // Sizes hold where the camera looks.
+    const double unit_px =
+        sight.unit_pt(std::max(sight.depth(canvas.view.camera.target), 1e-9)) / sight.pt_per_px;
+    shape.shaft_radius = 0.5 * arrow.shaft_px / unit_px;
+    shape.head_radius = 0.5 * arrow.head_px / unit_px;
+    const double head_length = std::min(arrow.head_length_px / unit_px, length);
+    shape.tail = arrow.tail;
+    shape.tip = arrow.tip;
+    shape.neck = arrow.tip - head_length * shape.axis;
+    const double reach = std::max(shape.head_radius, shape.shaft_radius);
+    if (sight.perspective &&
+        std::min(sight.depth(shape.tail), sight.depth(shape.tip)) <= sight.near_depth + reach)
+        return shape;
+    shape.tail_pt = sight.paper(shape.tail);
+    shape.neck_pt = sight.paper(shape.neck);
+    shape.tip_pt = sight.paper(shape.tip);
+    shape.tail_scale = sight.unit_pt(sight.depth(shape.tail));
+    shape.neck_scale = sight.unit_pt(sight.depth(shape.neck));
+    const Eigen::Vector3d ray =
+        sight.perspective ? (shape.neck - sight.eye).normalized() : sight.forward;
+    shape.open = std::max(std::abs(ray.dot(shape.axis)), 0.03);
+    const Eigen::Vector2d on_paper = shape.tip_pt - shape.tail_pt;
+    shape.along = on_paper.norm() > 1e-6 ? on_paper.normalized().eval() : Eigen::Vector2d::UnitX();
+    shape.across = {-shape.along.y(), shape.along.x()};
+    shape.seen = true;
+    return shape;
+}
+
+// The end of an arrow's part: a circle about the axis, seen as an ellipse.
+PaperEllipse ring_of(const ArrowShape& shape, const Eigen::Vector2d& middle, double radius_pt) {
+    return {middle, radius_pt * shape.along * shape.open, radius_pt * shape.across};
+}
+
+// A part of a ring from one angle to another, 0 being ahead, as Béziers.
+std::vector<Bezier> arc(const PaperEllipse& ring, double from, double to) {
+    const int n = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / (0.5 * pi))));
+    const double handle = 4.0 / 3.0 * std::tan(0.25 * (to - from) / n);
+    const auto slope = [&](double t) -> Eigen::Vector2d {
+        return ring.b * std::cos(t) - ring.a * std::sin(t);
+    };
+    std::vector<Bezier> beziers;
+    for (int k = 0; k < n; ++k) {
+        const double s = from + (to - from) * k / n, t = from + (to - from) * (k + 1) / n;
+        beziers.push_back({ring.at(s), ring.at(s) + handle * slope(s),
+                           ring.at(t) - handle * slope(t), ring.at(t)});
+    }
+    return beziers;
+}
+
+// The hull of two rings of one shape, the second ahead of the first.
+Path hull(const ArrowShape& shape, const Eigen::Vector2d& a, double radius_a,
+          const Eigen::Vector2d& b, double radius_b) {
+    const PaperEllipse first = ring_of(shape, a, radius_a), second = ring_of(shape, b, radius_b);
+    const double run = shape.along.dot(b - a) / shape.open;
+    Path path;
+    if (std::abs(radius_a - radius_b) >= run) {
+        path.add(arc(radius_a > radius_b ? first : second, -pi, pi));
+        path.close();
+        return path;
+    }
+    // Tangents touch both circles at one angle, once the picture is stretched along the axis.
+    const double touch = std::acos((radius_a - radius_b) / run);
+    path.add(arc(first, touch, 2.0 * pi - touch));
+    if (radius_b > 1e-9) {
+        path.line(second.at(-touch));
+        path.add(arc(second, -touch, touch), false);
+    } else {
+        path.line(b);
+    }
+    path.close();
+    return path;
+}
+
+// Light across a round part of it, from side to side.
+LinearFade lit_across(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape,
+                      const Eigen::Vector2d& middle, double radius_pt, double cone_slope,
+                      double opacity, const Colour& behind) {
+    const Eigen::Vector3d to_eye =
+        canvas.sight.towards_eye(0.5 * (shape.tail + shape.tip)).normalized();
+    const Eigen::Vector3d side = shape.axis.cross(to_eye).normalized();
+    const Eigen::Vector3d front = side.cross(shape.axis);
+    // On which side of the arrow that is on paper.
+    const Eigen::Vector2d side_pt =
+        Eigen::Vector2d(canvas.sight.right.dot(side), canvas.sight.down.dot(side));
+    const Eigen::Vector2d to_side = side_pt.dot(shape.across) < 0.0 ? -shape.across : shape.across;
+    LinearFade fade;
+    fade.from = middle - radius_pt * to_side;
+    fade.to = middle + radius_pt * to_side;
+    constexpr int n = 4;
+    for (int k = 0; k <= n; ++k) {
+        const double x = 2.0 * k / n - 1.0;
+        const double clamped = std::clamp(x, -0.98, 0.98);
+        const Eigen::Vector3d normal =
+            (clamped * side + std::sqrt(1.0 - clamped * clamped) * front + cone_slope * shape.axis)
+                .normalized();
+        const Colour colour = encoded(arrow_surface(arrow.colour, canvas.lights, {normal, to_eye}));
+        fade.stops.push_back({static_cast<double>(k) / n, as_in_light(colour, opacity, behind)});
+    }
+    return fade;
+}
+
+void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape, double opacity) {
+    const double shaft_tail = shape.shaft_radius * shape.tail_scale;
+    const double shaft_neck = shape.shaft_radius * shape.neck_scale;
+    const double head = shape.head_radius * shape.neck_scale;
+    const Colour behind = canvas.behind(0.5 * (shape.tail_pt + shape.tip_pt));
+    const double head_length = (shape.tip - shape.neck).norm();
+    const auto paint = [&](const Eigen::Vector2d& middle, double radius, double slope) -> Paint {
+        if (canvas.shading == Shading::none) return Ink{arrow.colour, opacity};
+        // What is pale shows no light worth a gradient.
+        if (opacity < 0.9) return as_in_light(arrow.colour, opacity, behind);
+        // Nor what is no wider than a line.
+        constexpr double narrow_pt = 0.8;
+        if (radius < narrow_pt) {
+            const LinearFade fade =
+                lit_across(canvas, arrow, shape, middle, radius, slope, opacity, behind);
+            return fade.stops[fade.stops.size() / 2].ink;
+        }
+        return lit_across(canvas, arrow, shape, middle, radius, slope, opacity, behind);
+    };
+    Fill shaft;
+    shaft.path = hull(shape, shape.tail_pt, shaft_tail, shape.neck_pt, shaft_neck);
+    shaft.paint =
+        paint(0.5 * (shape.tail_pt + shape.neck_pt), std::max(shaft_tail, shaft_neck), 0.0);
+    Fill point;
+    point.path = hull(shape, shape.neck_pt, head, shape.tip_pt, 0.0);
+    point.paint = paint(shape.neck_pt, head, shape.head_radius / std::max(head_length, 1e-9));
+    // The nearer part lies on top: the shaft when the arrow points away.
+    const bool away = shape.axis.dot(-canvas.sight.towards_eye(shape.neck)) > 0.0;
+    canvas.add(away ? std::move(point) : std::move(shaft));
+    canvas.add(away ? std::move(shaft) : std::move(point));
+}
+
+// All of the arrow beside a part of its axis: a strip across it.
+Path strip(const Canvas& canvas, const ArrowShape& shape, double from, double to) {
+    const double reach = 2.0 * std::max(shape.head_radius * shape.neck_scale,
+                                        shape.shaft_radius * shape.tail_scale) +
+                         2.0;
+    const auto place = [&](double s) {
+        return canvas.sight.paper(shape.tail + s * (shape.tip - shape.tail));
+    };
+    const Eigen::Vector2d begin = place(from) - (from <= 0.0 ? reach : 0.0) * shape.along;
+    const Eigen::Vector2d end = place(to) + (to >= 1.0 ? reach : 0.0) * shape.along;
+    Path path;
+    path.move(begin - reach * shape.across);
+    path.line(end - reach * shape.across);
+    path.line(end + reach * shape.across);
+    path.line(begin + reach * shape.across);
+    path.close();
+    return path;
+}
+
+double weight_of(const Cover& cover, double hidden_opacity, ArrowLayer layer) {
+    if (layer == ArrowLayer::visible) return cover.clear;
+    return (1.0 - cover.clear) * std::max(hidden_opacity, cover.transmitted);
+}
+
+void draw_arrow(const Canvas& canvas, const Arrow& arrow, ArrowLayer layer) {
+    const ArrowShape shape = shape_of(canvas, arrow);
+    if (!shape.seen) return;
+    if (arrow.occlusion == Occlusion::none) {
+        if (layer == ArrowLayer::visible) fill_arrow(canvas, arrow, shape, arrow.opacity);
+        return;
+    }
+    Track track;
+    const Eigen::Vector3d run = shape.tip - shape.tail;
+    track.flow = [&shape, run](double s) { return CurveFlow{shape.tail + s * run, run}; };
+    track.knots = {0.0, 1.0};
+    const std::vector<Span> spans = canvas.occluders.spans(track, {});
+    for (const Span& span : spans) {
+        const double opacity = arrow.opacity * weight_of(span.cover, arrow.hidden_opacity, layer);
+        if (opacity < 1e-3) continue;
+        const bool whole = span.from <= 0.0 && span.to >= 1.0;
+        if (!whole) canvas.add(ClipBegin{strip(canvas, shape, span.from, span.to), false});
+        fill_arrow(canvas, arrow, shape, opacity);
+        if (!whole) canvas.add(ClipEnd{});
+    }
+}
+
+Path circle(const Eigen::Vector2d& middle, double radius_pt, double& off_pt) {
+    Path path;
+    path.add(beziers_of({middle, {radius_pt, 0.0}, {0.0, radius_pt}}, conic_tolerance_pt, off_pt));
+    path.close();
+    return path;
+}
+
+void fill_dot(const Canvas& canvas, const Dot& dot, double opacity) {
+    const Eigen::Vector2d middle = canvas.sight.paper(dot.at);
+    const Colour behind = canvas.behind(middle);
+    const double radius = canvas.pt(dot.radius_px), inner = canvas.pt(dot.radius_px - dot.rim_px);
+    if (dot.rim_px > 0.0) {
+        Fill rim;
+        rim.path = circle(middle, radius, canvas.page.off_pt);
+        if (inner > 0.0) rim.path.add(circle(middle, inner, canvas.page.off_pt));
+        rim.even_odd = true;
+        rim.paint = as_in_light(dot.rim_colour, opacity, behind);
+        canvas.add(std::move(rim));
+    }
+    if (inner <= 0.0) return;
+    Fill fill;
+    fill.path = circle(middle, inner, canvas.page.off_pt);
+    fill.paint = as_in_light(dot.colour, opacity, behind);
+    canvas.add(std::move(fill));
+}
+
+// The outline of an ellipsoid that hides the dot but not all of it, or the other way round.
+const SphereSight* cut_by(const Canvas& canvas, const Dot& dot) {
+    const Eigen::Vector2d middle = canvas.sight.paper(dot.at);
+    const double radius = canvas.pt(dot.radius_px);
+    for (const SphereSight& sphere : canvas.occluders.spheres()) {
+        if (!(sphere.hiding > 0.0) || sphere.surrounds_eye) continue;
+        const Eigen::Vector3d u = sphere.u(dot.at);
+        if (sphere.before_limb(u) >= -1e-9) continue;
+        const auto limb = limb_of(sphere);
+        const auto outline = limb ? picture_of(*limb, canvas.sight) : std::nullopt;
+        if (!outline) continue;
+        const double size = std::sqrt(std::abs(cross(outline->a, outline->b)));
+        if (std::abs(outline->radius_of(middle) - 1.0) * std::max(size, outline->a.norm()) <
+            2.0 * radius)
+            return &sphere;
+    }
+    return nullptr;
+}
+
+void draw_dot(const Canvas& canvas, const Dot& dot, ArrowLayer layer) {
+    if (dot.opacity <= 0.0 ||
+        (canvas.sight.perspective && canvas.sight.depth(dot.at) <= canvas.sight.near_depth))
+        return;
+    if (dot.occlusion == Occlusion::none) {
+        if (layer == ArrowLayer::visible) fill_dot(canvas, dot, dot.opacity);
+        return;
+    }
+    const Cover cover = canvas.occluders.at(dot.at, {});
+    const SphereSight* sphere = cut_by(canvas, dot);
+    if (sphere == nullptr) {
+        const double opacity = dot.opacity * weight_of(cover, dot.hidden_opacity, layer);
+        if (opacity > 1e-3) fill_dot(canvas, dot, opacity);
+        return;
+    }
+    // All of it pale, and then what stands out beyond the outline.
+    if (layer == ArrowLayer::hidden) {
+        fill_dot(canvas, dot, dot.opacity * std::max(dot.hidden_opacity, 1.0 - sphere->hiding));
+        return;
+    }
+    ClipBegin outside;
+    outside.even_odd = true;
+    outside.path.add_rectangle({-10.0, -10.0},
+                               {canvas.page.width_pt + 20.0, canvas.page.height_pt + 20.0});
+    outside.path.add(canvas.path_of(*picture_of(*limb_of(*sphere), canvas.sight)));
+    canvas.add(std::move(outside));
+    fill_dot(canvas, dot, dot.opacity);
+    canvas.add(ClipEnd{});
+}
+
+// Depth of an arrow's axis where it passes nearest to a place.
+double depth_near(const Sight& sight, const Arrow& arrow, const Eigen::Vector2d& at) {
+    const Eigen::Vector2d a = sight.paper(arrow.tail);
+    const Eigen::Vector2d run = sight.paper(arrow.tip) - a;
+    const double square = run.squaredNorm();
+    const double t = square > 0.0 ? std::clamp(run.dot(at - a) / square, 0.0, 1.0) : 0.0;
+    const double from = sight.depth(arrow.tail), to = sight.depth(arrow.tip);
+    return sight.perspective ? from * to / (to + t * (from - to)) : from + t * (to - from);
+}
+
+// Where two arrows cover each other, if they do: the crossing of their axes, or the middle of the
+// shorter.
+Eigen::Vector2d meeting_of(const Sight& sight, const Arrow& a, const Arrow& b) {
+    const Eigen::Vector2d a0 = sight.paper(a.tail), a1 = sight.paper(a.tip);
+    const Eigen::Vector2d b0 = sight.paper(b.tail), b1 = sight.paper(b.tip);
+    const Eigen::Vector2d u = a1 - a0, v = b1 - b0, w = b0 - a0;
+    const double area = cross(u, v);
+    if (std::abs(area) > 1e-9 * sight.pt_per_px * sight.pt_per_px) {
+        const double s = cross(w, v) / area, t = cross(w, u) / area;
+        // A common tail is no crossing: what counts there is which leaves towards the eye.
+        if (s > 0.02 && s < 1.0 && t > 0.02 && t < 1.0) return a0 + s * u;
+    }
+    return 0.5 * (u.norm() < v.norm() ? a0 + a1 : b0 + b1);
+}
+
+// Numbers of arrows, then of dots, from the back to the front: each is put before the first that
+// it is not in front of.
+std::vector<std::size_t> order_of(const Canvas& canvas) {
+    const Sight& sight = canvas.sight;
+    const auto& arrows = canvas.view.arrows;
+    const auto& dots = canvas.view.dots;
+    std::vector<std::size_t> order;
+    for (std::size_t k = 0; k < arrows.size() + dots.size(); ++k) {
+        const auto is_behind = [&](std::size_t other) {
+            if (k < arrows.size()) {
+                const Eigen::Vector2d there = meeting_of(sight, arrows[k], arrows[other]);
+                return depth_near(sight, arrows[other], there) >=
+                       depth_near(sight, arrows[k], there);
+            }
+            const Dot& dot = dots[k - arrows.size()];
+            if (other >= arrows.size())
+                return sight.depth(dots[other - arrows.size()].at) >= sight.depth(dot.at);
+            // A dot on an arrow lies on top of it.
+            return depth_near(sight, arrows[other], sight.paper(dot.at)) >=
+                   sight.depth(dot.at) * (1.0 - 1e-2);
+        };
+        order.insert(std::find_if_not(order.begin(), order.end(), is_behind), k);
+    }
+    return order;
+}
+
+}  // namespace
+
+void draw_arrows(const Canvas& canvas, ArrowLayer layer) {
+    const std::size_t n_arrows = canvas.view.arrows.size();
+    for (const std::size_t k : order_of(canvas)) {
+        if (k < n_arrows)
+            draw_arrow(canvas, canvas.view.arrows[k], layer);
+        else
+            draw_dot(canvas, canvas.view.dots[k - n_arrows], layer);
+    }
+}
+
+}  // namespace poinsot::vector

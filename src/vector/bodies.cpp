@@ -1,0 +1,284 @@
+// Bodies of triangles, and cones.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "error/error.h"
+#include "vector/canvas.h"
+
+namespace poinsot::vector {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// A hair of the same ink about each closes the seams that readers leave between neighbours.
+constexpr double seam_pt = 0.2;
+// Tones of a component: neighbours within a step of them are filled as one.
+constexpr double n_tones = 64.0;
+constexpr int n_places = 7;
+
+// A triangle as it is filled.
+struct Facet {
+    const MeshSight::Triangle* triangle = nullptr;
+    double depth = 0.0;
+    Colour colour;
+    bool faces = false;
+};
+
+Facet facet_of(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle& triangle) {
+    const Eigen::Vector3d middle =
+        (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
+    const Eigen::Vector3d to_eye = canvas.sight.towards_eye(middle).normalized();
+    Facet facet{&triangle, canvas.sight.depth(middle), {}, triangle.normal.dot(to_eye) > 0.0};
+    if (canvas.shading == Shading::none)
+        facet.colour = canvas.behind(triangle.paper[0]);
+    else
+        facet.colour = encoded(mesh_surface(mesh.colour, canvas.lights,
+                                            {triangle.shading_normal.normalized(), to_eye}));
+    return facet;
+}
+
+// How many of its places something hides: the middle, and those near corners and sides.
+int hidden_places(const MeshSight& sight, const MeshSight::Triangle& triangle) {
+    constexpr double inset = 0.03;
+    const auto& c = triangle.corners;
+    const Eigen::Vector3d middle = (c[0] + c[1] + c[2]) / 3.0;
+    int n = sight.hides(middle) ? 1 : 0;
+    for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d side = 0.5 * (c[k] + c[(k + 1) % 3]);
+        n += sight.hides(c[k] + inset * (middle - c[k])) ? 1 : 0;
+        n += sight.hides(side + inset * (middle - side)) ? 1 : 0;
+    }
+    return n;
+}
+
+std::array<int, 3> rounded(const Colour& colour) {
+    const auto level = [](double c) { return static_cast<int>(std::lround(n_tones * c)); };
+    return {level(colour.r), level(colour.g), level(colour.b)};
+}
+
+void add_triangle(const MeshSight::Triangle& triangle, Path& path) {
+    path.move(triangle.paper[0]);
+    path.line(triangle.paper[1]);
+    path.line(triangle.paper[2]);
+    path.close();
+}
+
+// Edges that an engraver would draw: where the surface turns away from the eye, where it ends, and
+// where it bends sharply.
+std::vector<std::array<Eigen::Vector3d, 2>> drawn_edges(const Sight& sight, const MeshSight& mesh) {
+    constexpr double sharp_cosine = 0.8;
+    struct Edge {
+        int n_triangles = 0, n_facing = 0;
+        Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+        bool is_sharp = false;
+        std::array<Eigen::Vector3d, 2> ends;
+    };
+    using Key = std::array<double, 6>;
+    std::map<Key, Edge> edges;
+    for (const MeshSight::Triangle& triangle : mesh.triangles()) {
+        const Eigen::Vector3d normal = triangle.normal.normalized();
+        const bool faces = normal.dot(sight.towards_eye(triangle.corners[0])) > 0.0;
+        for (int k = 0; k < 3; ++k) {
+            Eigen::Vector3d a = triangle.corners[k], b = triangle.corners[(k + 1) % 3];
+            if (std::lexicographical_compare(b.data(), b.data() + 3, a.data(), a.data() + 3))
+                std::swap(a, b);
+            Edge& edge = edges[{a.x(), a.y(), a.z(), b.x(), b.y(), b.z()}];
+            if (edge.n_triangles++ == 0)
+                edge.normal = normal;
+            else if (edge.normal.dot(normal) < sharp_cosine)
+                edge.is_sharp = true;
+            edge.n_facing += faces ? 1 : 0;
+            edge.ends = {a, b};
+        }
+    }
+    std::vector<std::array<Eigen::Vector3d, 2>> drawn;
+    for (const auto& [key, edge] : edges)
+        if (edge.n_facing > 0 &&
+            (edge.is_sharp || edge.n_triangles == 1 || edge.n_facing < edge.n_triangles))
+            drawn.push_back(edge.ends);
+    return drawn;
+}
+
+void draw_edges(const Canvas& canvas, const Mesh& mesh, const MeshSight& sight) {
+    constexpr double width_pt = 0.7;
+    Stroke stroke;
+    stroke.ink = {encoded(0.15 * linear(mesh.colour)), mesh.opacity};
+    stroke.width_pt = width_pt;
+    for (const auto& [a, b] : drawn_edges(canvas.sight, sight)) {
+        Track track;
+        track.flow = [from = a, run = Eigen::Vector3d(b - a)](double s) {
+            return CurveFlow{from + s * run, run};
+        };
+        track.knots = {0.0, 1.0};
+        for (const Span& span : canvas.occluders.spans(track, {}))
+            if (span.cover.clear > 0.5) {
+                stroke.path.move(canvas.sight.paper(track.flow(span.from).position));
+                stroke.path.line(canvas.sight.paper(track.flow(span.to).position));
+            }
+    }
+    if (!stroke.path.steps.empty()) canvas.add(std::move(stroke));
+}
+
+void draw_mesh(const Canvas& canvas, const Mesh& mesh) {
+    constexpr std::size_t most_triangles = 20'000;
+    if (mesh.geometry->positions.size() / 3 > most_triangles)
+        throw InputError(fmt::format(
+            "a body of {} triangles: as vectors at most {} can be drawn; take a simpler "
+            "mesh, or name the output .png",
+            mesh.geometry->positions.size() / 3, most_triangles));
+    const MeshSight sight(mesh, canvas.sight);
+    // What something hides in part comes first, from the back to the front; what nothing hides
+    // covers none of its kind, and goes together by colour.
+    std::vector<Facet> covered;
+    std::map<std::array<int, 3>, Path> clear;
+    for (const MeshSight::Triangle& triangle : sight.triangles()) {
+        const Facet facet = facet_of(canvas, mesh, triangle);
+        // Of a closed surface the far side is hidden by the near one.
+        if (!facet.faces) continue;
+        const int n_hidden = hidden_places(sight, triangle);
+        if (n_hidden == n_places) continue;
+        if (n_hidden > 0)
+            covered.push_back(facet);
+        else
+            add_triangle(triangle, clear[rounded(facet.colour)]);
+    }
+    std::stable_sort(covered.begin(), covered.end(),
+                     [](const Facet& a, const Facet& b) { return a.depth > b.depth; });
+    for (const Facet& facet : covered) {
+        Path path;
+        add_triangle(*facet.triangle, path);
+        canvas.add(Fill{std::move(path), Ink{facet.colour, 1.0}, false, seam_pt});
+    }
+    for (auto& [level, path] : clear) {
+        const Colour colour{level[0] / n_tones, level[1] / n_tones, level[2] / n_tones};
+        canvas.add(Fill{std::move(path), Ink{colour, 1.0}, false, seam_pt});
+    }
+    if (canvas.shading == Shading::none) draw_edges(canvas, mesh, sight);
+}
+
+struct ConeAxes {
+    explicit ConeAxes(const Cone& cone) : axis(cone.axis.normalized()) {
+        const Eigen::Vector3d across = cone.reference - cone.reference.dot(axis) * axis;
+        first = across.norm() > 1e-9 ? Eigen::Vector3d(across.normalized()) : axis.unitOrthogonal();
+        second = axis.cross(first);
+        constexpr double least = 1e-3;
+        radius = cone.length * std::tan(std::clamp(cone.half_angle_rad, least, 0.5 * pi - least));
+    }
+    Eigen::Vector3d first, second, axis;
+    double radius = 0.0;  // of the rim
+};
+
+void stroke_track(const Canvas& canvas, const Track& track, const Colour& colour, double opacity,
+                  double width_pt) {
+    for (const Span& span : canvas.occluders.spans(track, {})) {
+        const double shown =
+            opacity * (span.cover.clear + (1.0 - span.cover.clear) * span.cover.transmitted);
+        if (shown < 1e-3) continue;
+        Stroke stroke;
+        stroke.path = canvas.path_of(track, span.from, span.to, conic_tolerance_pt);
+        const Eigen::Vector3d middle = track.flow(0.5 * (span.from + span.to)).position;
+        stroke.ink = as_in_light(colour, shown, canvas.behind(canvas.sight.paper(middle)));
+        stroke.width_pt = width_pt;
+        stroke.round = false;
+        canvas.add(std::move(stroke));
+    }
+}
+
+}  // namespace
+
+void draw_meshes(const Canvas& canvas) {
+    for (const Mesh& mesh : canvas.view.meshes)
+        if (mesh.geometry != nullptr && mesh.opacity > 0.0) draw_mesh(canvas, mesh);
+}
+
+void draw_cone(const Canvas& canvas, const Cone& cone) {
+    if (!(cone.opacity > 0.0 && cone.presence > 0.0 && cone.length > 0.0)) return;
+    const ConeAxes axes(cone);
+    const Eigen::Vector3d middle = cone.apex + cone.length * axes.axis;
+    const Conic rim{middle, axes.radius * axes.first, axes.radius * axes.second};
+    const auto ellipse = picture_of(rim, canvas.sight);
+    const Sight& sight = canvas.sight;
+    if (!ellipse || (sight.perspective && sight.depth(cone.apex) <= sight.near_depth)) return;
+    const Eigen::Vector2d apex = sight.paper(cone.apex);
+
+    if (canvas.shading != Shading::none) {
+        // The sheets: within the rim a line of sight meets one of them, between it and the apex
+        // both.
+        const Eigen::Vector2d from_rim = ellipse->page_from_circle().inverse() * apex;
+        const double apart = from_rim.norm();
+        Path hull;
+        if (apart > 1.0) {
+            const double towards = std::atan2(from_rim.y(), from_rim.x());
+            const double touch = std::acos(1.0 / apart);
+            const double from = towards + touch, to = towards + 2.0 * pi - touch;
+            const PaperEllipse& turned = *ellipse;
+            const int n = std::max(2, static_cast<int>(std::ceil((to - from) / 0.7)));
+            const double handle = 4.0 / 3.0 * std::tan(0.25 * (to - from) / n);
+            const auto slope = [&](double t) -> Eigen::Vector2d {
+                return turned.b * std::cos(t) - turned.a * std::sin(t);
+            };
+            std::vector<Bezier> beziers;
+            for (int k = 0; k < n; ++k) {
+                const double s = from + (to - from) * k / n, t = from + (to - from) * (k + 1) / n;
+                beziers.push_back({turned.at(s), turned.at(s) + handle * slope(s),
+                                   turned.at(t) - handle * slope(t), turned.at(t)});
+            }
+            hull.add(beziers);
+            hull.line(apex);
+            hull.close();
+        } else {
+            hull = canvas.path_of(*ellipse);
+        }
+        const Eigen::Vector3d to_eye = sight.towards_eye(middle).normalized();
+        Eigen::Vector3d across = to_eye - to_eye.dot(axes.axis) * axes.axis;
+        across = across.norm() > 1e-9 ? Eigen::Vector3d(across.normalized()) : axes.first;
+        const Eigen::Vector3d normal =
+            (cone.length * across - axes.radius * axes.axis).normalized();
+        const Eigen::Vector3d facing = normal.dot(to_eye) < 0.0 ? Eigen::Vector3d(-normal) : normal;
+        const Layer sheet = cone_surface(cone, canvas.lights, {facing, to_eye});
+        const Eigen::Vector2d there = 0.5 * (apex + ellipse->centre);
+        const double alpha = cone.opacity * cone.presence;
+        const Ink ink = as_in_light(encoded(sheet.light), alpha, canvas.behind(there));
+        canvas.add(Fill{hull, ink, false, 0.0});
+        if (apart > 1.0) {
+            // Between rim and apex once more.
+            canvas.add(ClipBegin{std::move(hull), false});
+            ClipBegin outside;
+            outside.even_odd = true;
+            outside.path.add_rectangle({-10.0, -10.0},
+                                       {canvas.page.width_pt + 20.0, canvas.page.height_pt + 20.0});
+            outside.path.add(canvas.path_of(*ellipse));
+            canvas.add(std::move(outside));
+            Path all;
+            all.add_rectangle({-10.0, -10.0},
+                              {canvas.page.width_pt + 20.0, canvas.page.height_pt + 20.0});
+            canvas.add(Fill{std::move(all), ink, false, 0.0});
+            canvas.add(ClipEnd{});
+            canvas.add(ClipEnd{});
+        }
+    }
+    const Colour dark = encoded(0.35 * linear(cone.colour));
+    if (cone.rim_px > 0.0)
+        stroke_track(canvas, track_of(rim, 0.0, 2.0 * pi), dark, 0.9 * cone.presence,
+                     canvas.line_pt(cone.rim_px));
+    for (int k = 0; k < cone.n_rulings; ++k) {
+        const double angle = cone.phase_rad + 2.0 * pi * k / cone.n_rulings;
+        const Eigen::Vector3d end = rim.at(angle);
+        Track track;
+        track.flow = [apex_at = cone.apex, run = Eigen::Vector3d(end - cone.apex)](double s) {
+            return CurveFlow{apex_at + s * run, run};
+        };
+        track.knots = {0.0, 1.0};
+        stroke_track(canvas, track, dark, 0.85 * 0.55 * cone.presence,
+                     canvas.line_pt(0.6 * cone.rim_px));
+    }
+}
+
+}  // namespace poinsot::vector

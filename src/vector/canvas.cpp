@@ -1,0 +1,155 @@
+#include "vector/canvas.h"
+
+#include <algorithm>
+
+#include "vector/picture.h"
+
+namespace poinsot::vector {
+
+namespace {
+
+Colour mixed(const Colour& a, const Colour& b, double part_of_b) {
+    const double keep = 1.0 - part_of_b;
+    return {keep * a.r + part_of_b * b.r, keep * a.g + part_of_b * b.g,
+            keep * a.b + part_of_b * b.b};
+}
+
+// A gradient's colour at a place between its upper and its lower end.
+Colour at_height(const Background& background, double y_pt, double top_pt, double height_pt) {
+    return mixed(background.top, background.bottom,
+                 std::clamp((y_pt - top_pt) / std::max(height_pt, 1e-9), 0.0, 1.0));
+}
+
+}  // namespace
+
+Canvas::Canvas(const Drawing& whole, const View& shown, double pt_per_px, Shading how, Page& onto)
+    : drawing(whole),
+      view(shown),
+      sight(shown, pt_per_px),
+      occluders(shown, sight),
+      lights(shown),
+      shading(how),
+      page(onto) {}
+
+Colour Canvas::behind(const Eigen::Vector2d& at) const {
+    // Paper is white where nothing is drawn on it.
+    const Colour white{1.0, 1.0, 1.0};
+    Colour colour = mixed(white, at_height(drawing.background, at.y(), 0.0, page.height_pt),
+                          drawing.background.alpha);
+    colour =
+        mixed(colour, at_height(view.background, at.y(), sight.corner_pt.y(), sight.size_pt.y()),
+              view.background.alpha);
+    if (shading == Shading::none) return colour;
+    for (std::size_t k = 0; k < n_planes && k < view.planes.size(); ++k) {
+        const Plane& plane = view.planes[k];
+        const Eigen::Vector3d point = sight.on_plane(at, plane.centre, plane.normal);
+        if (!point.allFinite() || sight.depth(point) <= sight.near_depth) continue;
+        const double opacity = plane_opacity(plane, (point - plane.centre).norm());
+        colour = encoded(opacity * linear(plane.colour) + (1.0 - opacity) * linear(colour));
+        if (!is_before_solids(*this, plane)) colour = shadowed(*this, plane, point, colour);
+    }
+    for (std::size_t k = 0; k < n_ellipsoids; ++k) {
+        const Layer seen = seen_surface(*this, k, at);
+        colour = encoded(seen.alpha * seen.light + (1.0 - seen.alpha) * linear(colour));
+    }
+    return colour;
+}
+
+Path Canvas::path_of(const Track& track, double from, double to, double tolerance_pt,
+                     double track_off_pt) const {
+    std::vector<double> knots{from};
+    for (const double knot : track.knots)
+        if (from < knot && knot < to) knots.push_back(knot);
+    knots.push_back(to);
+    const Fit fit =
+        fitted([&](double s) { return sight.paper(track.flow(s)); }, knots, tolerance_pt);
+    page.off_pt = std::max(page.off_pt, fit.off_pt + track_off_pt);
+    Path path;
+    path.add(fit.beziers);
+    return path;
+}
+
+Path Canvas::path_of(const PaperEllipse& ellipse) const {
+    Path path;
+    path.add(beziers_of(ellipse, conic_tolerance_pt, page.off_pt));
+    path.close();
+    return path;
+}
+
+void draw_background(const Background& background, const Eigen::Vector2d& corner_pt,
+                     const Eigen::Vector2d& size_pt, Page& page) {
+    if (background.alpha <= 0.0) return;
+    Fill fill;
+    fill.path.add_rectangle(corner_pt, size_pt);
+    if (background.top == background.bottom)
+        fill.paint = Ink{background.top, background.alpha};
+    else
+        fill.paint = LinearFade{corner_pt,
+                                corner_pt + Eigen::Vector2d(0.0, size_pt.y()),
+                                {{0.0, {background.top, background.alpha}},
+                                 {1.0, {background.bottom, background.alpha}}}};
+    page.items.emplace_back(std::move(fill));
+}
+
+namespace {
+
+// Lines alone stand on an even ground.
+Background ground_of(Background background, Shading shading) {
+    if (shading == Shading::none) background.top = background.bottom;
+    return background;
+}
+
+void draw_view(const Drawing& drawing, const View& view, const PageChoices& choices, Page& page) {
+    Canvas canvas(drawing, view, choices.pt_per_px, choices.shading, page);
+    const Sight& sight = canvas.sight;
+    const bool is_whole =
+        sight.corner_pt.isZero() && sight.size_pt == Eigen::Vector2d(page.width_pt, page.height_pt);
+    const bool has_shapes =
+        !(view.planes.empty() && view.ellipsoids.empty() && view.cones.empty() &&
+          view.meshes.empty() && view.curves.empty() && view.arrows.empty() && view.dots.empty());
+    draw_background(ground_of(view.background, choices.shading), sight.corner_pt, sight.size_pt,
+                    page);
+    const bool clips = has_shapes && !is_whole;
+    if (clips) {
+        ClipBegin clip;
+        clip.path.add_rectangle(sight.corner_pt, sight.size_pt);
+        canvas.add(std::move(clip));
+    }
+    for (const Plane& plane : view.planes)
+        if (!is_before_solids(canvas, plane)) {
+            draw_plane(canvas, plane);
+            for (std::size_t k = 0; k < view.ellipsoids.size(); ++k) draw_shadow(canvas, plane, k);
+        }
+    canvas.n_planes = view.planes.size();
+    draw_meshes(canvas);
+    // From the back to the front.
+    std::vector<std::size_t> order;
+    for (std::size_t k = 0; k < view.ellipsoids.size(); ++k) order.push_back(k);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return sight.depth(view.ellipsoids[a].centre) > sight.depth(view.ellipsoids[b].centre);
+    });
+    for (const std::size_t k : order) draw_ellipsoid(canvas, k);
+    canvas.n_ellipsoids = view.ellipsoids.size();
+    for (const Plane& plane : view.planes)
+        if (is_before_solids(canvas, plane)) draw_plane(canvas, plane);
+    for (const Cone& cone : view.cones) draw_cone(canvas, cone);
+    draw_arrows(canvas, ArrowLayer::hidden);
+    for (const Curve& curve : view.curves) draw_curve(canvas, curve);
+    draw_arrows(canvas, ArrowLayer::visible);
+    if (clips) canvas.add(ClipEnd{});
+    for (const Label& label : view.labels) draw_label(canvas, label);
+}
+
+}  // namespace
+
+Page page_of(const Drawing& drawing, const PageChoices& choices) {
+    Page page;
+    page.width_pt = choices.pt_per_px * drawing.width_px;
+    page.height_pt = choices.pt_per_px * drawing.height_px;
+    draw_background(ground_of(drawing.background, choices.shading), Eigen::Vector2d::Zero(),
+                    {page.width_pt, page.height_pt}, page);
+    for (const View& view : drawing.views) draw_view(drawing, view, choices, page);
+    return page;
+}
+
+}  // namespace poinsot::vector

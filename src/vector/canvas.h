@@ -1,0 +1,84 @@
+// One view on its way to the page: what all that draws it shares, and what draws it, in the order
+// of render/: background, planes, bodies, ellipsoids, cones, arrows' hidden parts, curves, arrows,
+// type.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "vector/conic.h"
+#include "vector/light.h"
+#include "vector/occluders.h"
+#include "vector/page.h"
+#include "vector/sight.h"
+
+namespace poinsot::vector {
+
+// How surfaces are filled.
+enum class Shading {
+    none,  // lines alone: the classical figure
+    tone   // colours that follow the light
+};
+
+// No path lies further from what it draws than this: 1 µm of a conic, 1.5 µm of other curves, to
+// which the form that the stage gives of a curve adds at most 0.3 µm.
+constexpr double um_per_pt = 25400.0 / 72.0;
+constexpr double conic_tolerance_pt = 1.0 / um_per_pt;
+constexpr double curve_tolerance_pt = 1.5 / um_per_pt;
+constexpr double form_tolerance_pt = 0.3 / um_per_pt;
+
+// AIP, APS, MAA: no line under half a point.
+constexpr double least_line_pt = 0.5;
+
+struct Canvas {
+    Canvas(const Drawing& drawing, const View& view, double pt_per_px, Shading shading, Page& page);
+
+    // What lies behind a place on paper: background, planes, ellipsoids, as far as they are drawn.
+    Colour behind(const Eigen::Vector2d& at) const;
+    double pt(double px) const { return px * sight.pt_per_px; }
+    // A line's width: none on paper is thinner than printers take.
+    double line_pt(double px) const { return px > 0.0 ? std::max(pt(px), least_line_pt) : 0.0; }
+    void add(Item item) const { page.items.push_back(std::move(item)); }
+    // A part of a track as Béziers; the page's bound grows to theirs, and by how far the track
+    // itself is from what it stands for.
+    Path path_of(const Track& track, double from, double to, double tolerance_pt,
+                 double track_off_pt = 0.0) const;
+    Path path_of(const PaperEllipse& ellipse) const;
+
+    const Drawing& drawing;
+    const View& view;
+    Sight sight;
+    Occluders occluders;
+    Lights lights;
+    Shading shading;
+    Page& page;
+    // How far the picture has come, for behind().
+    std::size_t n_planes = 0, n_ellipsoids = 0;
+};
+
+// canvas.cpp
+void draw_background(const Background& background, const Eigen::Vector2d& corner_pt,
+                     const Eigen::Vector2d& size_pt, Page& page);
+// plane.cpp
+bool is_before_solids(const Canvas& canvas, const Plane& plane);
+void draw_plane(const Canvas& canvas, const Plane& plane);
+// shadow.cpp
+void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster);
+// The colour of a place of a plane in the shadows of all ellipsoids.
+Colour shadowed(const Canvas& canvas, const Plane& plane, const Eigen::Vector3d& point,
+                const Colour& colour);
+// ellipsoid.cpp
+void draw_ellipsoid(Canvas& canvas, std::size_t number);
+Layer seen_surface(const Canvas& canvas, std::size_t number, const Eigen::Vector2d& at);
+// bodies.cpp
+void draw_meshes(const Canvas& canvas);
+void draw_cone(const Canvas& canvas, const Cone& cone);
+// curves.cpp
+void draw_curve(const Canvas& canvas, const Curve& curve);
+// arrows.cpp
+enum class ArrowLayer { hidden, visible };
+void draw_arrows(const Canvas& canvas, ArrowLayer layer);
+// type.cpp
+void draw_label(const Canvas& canvas, const Label& label);
+
+}  // namespace poinsot::vector

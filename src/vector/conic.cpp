@@ -1,0 +1,112 @@
+#include "vector/conic.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace poinsot::vector {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+}  // namespace
+
+Eigen::Vector2d PaperEllipse::at(double t) const {
+    return centre + a * std::cos(t) + b * std::sin(t);
+}
+
+Eigen::Affine2d PaperEllipse::page_from_circle() const {
+    Eigen::Affine2d map = Eigen::Affine2d::Identity();
+    map.linear() << a, b;
+    map.translation() = centre;
+    return map;
+}
+
+double PaperEllipse::radius_of(const Eigen::Vector2d& point) const {
+    Eigen::Matrix2d axes;
+    axes << a, b;
+    return (axes.inverse() * (point - centre)).norm();
+}
+
+std::optional<PaperEllipse> picture_of(const Conic& conic, const Sight& sight) {
+    // Homogeneous coordinates on paper, from the view's axis, are linear in (cos s, sin s, 1).
+    const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector2d {
+        return sight.focal_pt * Eigen::Vector2d(sight.right.dot(v), sight.down.dot(v));
+    };
+    const Eigen::Vector3d from_eye = conic.centre - sight.eye;
+    const double cosine_depth = sight.perspective ? sight.forward.dot(conic.cosine_axis) : 0.0;
+    const double sine_depth = sight.perspective ? sight.forward.dot(conic.sine_axis) : 0.0;
+    const double depth = sight.perspective ? sight.forward.dot(from_eye) : 1.0;
+    const double swing = std::hypot(cosine_depth, sine_depth);
+    if (sight.perspective && depth - swing <= sight.near_depth) return std::nullopt;
+
+    // Turned so that the depth is depth + swing·cos s: tangents at s = 0 and π are then parallel
+    // on paper, so those are the ends of a diameter, and the sine's axis is conjugate to it.
+    const double c = swing > 0.0 ? cosine_depth / swing : 1.0;
+    const double s = swing > 0.0 ? sine_depth / swing : 0.0;
+    const Eigen::Vector2d middle = across(from_eye);
+    const Eigen::Vector2d ahead = across(c * conic.cosine_axis + s * conic.sine_axis);
+    const Eigen::Vector2d aside = across(c * conic.sine_axis - s * conic.cosine_axis);
+    const Eigen::Vector2d far = (middle + ahead) / (depth + swing);
+    const Eigen::Vector2d near = (middle - ahead) / (depth - swing);
+    const PaperEllipse ellipse{sight.centre_pt + 0.5 * (far + near), 0.5 * (far - near),
+                               aside / std::sqrt((depth - swing) * (depth + swing))};
+    const double area = ellipse.a.x() * ellipse.b.y() - ellipse.a.y() * ellipse.b.x();
+    if (std::abs(area) < 1e-12 * (ellipse.a.squaredNorm() + ellipse.b.squaredNorm()))
+        return std::nullopt;
+    return ellipse;
+}
+
+std::optional<Conic> limb_of(const SphereSight& sphere) {
+    if (sphere.surrounds_eye) return std::nullopt;
+    const double square = sphere.eye_u.squaredNorm();
+    const Eigen::Vector3d towards = sphere.eye_u.normalized();
+    const Eigen::Vector3d across = towards.unitOrthogonal();
+    const Eigen::Vector3d middle =
+        sphere.perspective ? Eigen::Vector3d(sphere.eye_u / square) : Eigen::Vector3d::Zero();
+    const double radius = sphere.perspective ? std::sqrt(1.0 - 1.0 / square) : 1.0;
+    return Conic{sphere.centre + sphere.axes * middle, radius * (sphere.axes * across),
+                 radius * (sphere.axes * towards.cross(across))};
+}
+
+std::vector<Bezier> beziers_of(const PaperEllipse& ellipse, double tolerance_pt, double& off_pt) {
+    Eigen::Matrix2d axes;
+    axes << ellipse.a, ellipse.b;
+    // Frobenius' norm bounds the longest half axis.
+    const double longest = axes.norm();
+    const auto error = [longest](int n_arcs) {
+        const double quarter = 0.25 * (2.0 * pi / n_arcs);
+        return longest * 4.0 / 27.0 * std::pow(std::sin(quarter), 6) /
+               (std::cos(quarter) * std::cos(quarter));
+    };
+    int n = 4;
+    while (n < 4096 && error(n) > tolerance_pt) n += 2;
+    off_pt = std::max(off_pt, error(n));
+    const double handle = 4.0 / 3.0 * std::tan(0.25 * (2.0 * pi / n));
+    const auto slope = [&](double t) -> Eigen::Vector2d {
+        return ellipse.b * std::cos(t) - ellipse.a * std::sin(t);
+    };
+    std::vector<Bezier> beziers;
+    for (int k = 0; k < n; ++k) {
+        const double from = 2.0 * pi * k / n, to = 2.0 * pi * ((k + 1) % n) / n;
+        const Eigen::Vector2d begin = ellipse.at(from), end = ellipse.at(to);
+        beziers.push_back({begin, begin + handle * slope(from), end - handle * slope(to), end});
+    }
+    return beziers;
+}
+
+Track track_of(const Conic& conic, double first, double last) {
+    Track track;
+    track.flow = [conic](double s) {
+        return CurveFlow{conic.at(s),
+                         conic.sine_axis * std::cos(s) - conic.cosine_axis * std::sin(s)};
+    };
+    const int n = std::max(1, static_cast<int>(std::ceil((last - first) / (0.5 * pi) - 1e-9)));
+    for (int k = 0; k <= n; ++k)
+        track.knots.push_back(k == n ? last : first + (last - first) * k / n);
+    return track;
+}
+
+}  // namespace poinsot::vector

@@ -1,0 +1,202 @@
+// Curves: seen parts as they are, hidden ones paler, dashed or not at all.
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+#include "vector/canvas.h"
+
+namespace poinsot::vector {
+
+namespace {
+
+CurveFlow flow_of(const CubicPiece& piece, double s) {
+    const double length = piece.to - piece.from;
+    const double t = length > 0.0 ? (s - piece.from) / length : 0.0, u = 1.0 - t;
+    const auto& p = piece.points;
+    return {piece.at(s),
+            3.0 / (length > 0.0 ? length : 1.0) *
+                (u * u * (p[1] - p[0]) + 2.0 * u * t * (p[2] - p[1]) + t * t * (p[3] - p[2]))};
+}
+
+std::function<CurveFlow(double)> flow_of(const std::vector<CubicPiece>& pieces) {
+    return [&pieces](double s) {
+        const auto after =
+            std::upper_bound(pieces.begin(), pieces.end(), s,
+                             [](double x, const CubicPiece& p) { return x < p.from; });
+        return flow_of(after == pieces.begin() ? *after : *std::prev(after), s);
+    };
+}
+
+// Points as a curve: cubics through them whose tangents are those of the parabolas through three
+// neighbours, but for corners, where straight pieces meet.
+std::vector<CubicPiece> through_points(const CurveGeometry& geometry) {
+    const auto& points = geometry.points;
+    const std::size_t n = points.size();
+    const std::size_t n_segments = geometry.closed ? n : n - 1;
+    const auto point = [&](std::size_t k) -> const Eigen::Vector3d& { return points[k % n]; };
+    // Of the directions of two segments that follow each other; zero at a corner.
+    const auto tangent = [&](const Eigen::Vector3d& before, const Eigen::Vector3d& after) {
+        constexpr double least_cosine = 0.97;
+        const double a = before.norm(), b = after.norm();
+        if (!(a > 0.0 && b > 0.0) || before.dot(after) < least_cosine * a * b)
+            return Eigen::Vector3d::Zero().eval();
+        return ((b / a) * before / (a + b) + (a / b) * after / (a + b)).eval();
+    };
+    std::vector<CubicPiece> pieces;
+    for (std::size_t k = 0; k < n_segments; ++k) {
+        const Eigen::Vector3d run = point(k + 1) - point(k);
+        const double length = run.norm();
+        Eigen::Vector3d leaving = Eigen::Vector3d::Zero(), arriving = leaving;
+        if (k > 0 || geometry.closed) leaving = tangent(point(k) - point(k + n - 1), run);
+        if (k + 1 < n_segments || geometry.closed)
+            arriving = tangent(run, point(k + 2) - point(k + 1));
+        const Eigen::Vector3d straight = run / 3.0;
+        const Eigen::Vector3d from = leaving.isZero(0.0) ? straight : length / 3.0 * leaving;
+        const Eigen::Vector3d to = arriving.isZero(0.0) ? straight : length / 3.0 * arriving;
+        pieces.push_back({static_cast<double>(k),
+                          static_cast<double>(k + 1),
+                          {point(k), point(k) + from, point(k + 1) - to, point(k + 1)}});
+    }
+    return pieces;
+}
+
+// The track of a form, placed in the view.
+Track placed_track(const SmoothForm& smooth, const Eigen::Affine3d& placement, double first,
+                   double last) {
+    Track track;
+    const auto place = [placement](const CurveFlow& flow) {
+        return CurveFlow{placement * flow.position, placement.linear() * flow.velocity};
+    };
+    if (const Conic* conic = std::get_if<Conic>(&smooth.form)) {
+        Track own = track_of(*conic, first, last);
+        track.knots = std::move(own.knots);
+        track.flow = [place, flow = std::move(own.flow)](double s) { return place(flow(s)); };
+        return track;
+    }
+    const auto& pieces = std::get<std::vector<CubicPiece>>(smooth.form);
+    track.knots.push_back(first);
+    for (const CubicPiece& piece : pieces)
+        if (first < piece.from && piece.from < last) track.knots.push_back(piece.from);
+    track.knots.push_back(last);
+    track.flow = [place, flow = flow_of(pieces)](double s) { return place(flow(s)); };
+    return track;
+}
+
+// The form of a curve within a fraction of a micrometre on paper.
+SmoothForm form_of(const Canvas& canvas, const Curve& curve) {
+    const CurveGeometry& geometry = *curve.geometry;
+    if (geometry.smooth) {
+        const double stretch =
+            curve.placement.linear().jacobiSvd().singularValues()[0] *
+            canvas.sight.unit_pt(std::max(canvas.sight.depth(canvas.view.camera.target), 1e-9));
+        // What lies in front of where the camera looks is seen larger, by less than this.
+        constexpr double nearer = 2.0;
+        if (stretch > 0.0) return geometry.smooth(form_tolerance_pt / (nearer * stretch));
+    }
+    SmoothForm smooth;
+    smooth.form = through_points(geometry);
+    for (std::size_t k = 0; k < geometry.points.size() + (geometry.closed ? 1 : 0); ++k)
+        smooth.parameters.push_back(static_cast<double>(k));
+    return smooth;
+}
+
+// Where its opacity changes with the point, in steps: a trail fades behind its head.
+std::vector<double> fading_steps(const Curve& curve, double last_point, const SmoothForm& smooth) {
+    std::vector<double> steps;
+    constexpr int n_steps = 16;
+    for (int k = 0; k < n_steps && curve.fade_points > 0.0; ++k)
+        steps.push_back(
+            smooth.parameter_at(last_point - curve.fade_points * (1.0 - 1.0 * k / n_steps)));
+    return steps;
+}
+
+// Dashes as long as asked for where the camera looks; a closed curve has whole ones.
+std::vector<double> dashes_of(const Canvas& canvas, const Curve& curve, bool hidden) {
+    if (curve.dash_px > 0.0)
+        return {canvas.pt(curve.dash_px),
+                canvas.pt(curve.gap_px > 0.0 ? curve.gap_px : curve.dash_px)};
+    if (hidden && curve.hidden == HiddenStyle::dashed)
+        return {canvas.pt(2.0 * curve.width_px), canvas.pt(2.0 * curve.width_px)};
+    return {};
+}
+
+// The length of a part on paper, near enough for dashes.
+double length_pt(const Sight& sight, const Track& track, double from, double to) {
+    constexpr int n = 400;
+    double length = 0.0;
+    Eigen::Vector2d before = sight.paper(track.flow(from).position);
+    for (int k = 1; k <= n && from < to; ++k) {
+        const Eigen::Vector2d here = sight.paper(track.flow(from + (to - from) * k / n).position);
+        length += (here - before).norm();
+        before = here;
+    }
+    return length;
+}
+
+bool shows(const Curve& curve) {
+    return curve.geometry != nullptr && curve.opacity > 0.0 && curve.width_px > 0.0 &&
+           curve.geometry->points.size() > 1 && curve.first <= curve.last;
+}
+
+}  // namespace
+
+void draw_curve(const Canvas& canvas, const Curve& curve) {
+    if (!shows(curve)) return;
+    const CurveGeometry& geometry = *curve.geometry;
+    const double n_segments =
+        static_cast<double>(geometry.points.size()) - (geometry.closed ? 0.0 : 1.0);
+    const double first_point = std::clamp(curve.first, 0.0, n_segments);
+    const double last_point = std::clamp(curve.last, 0.0, n_segments);
+    const SmoothForm smooth = form_of(canvas, curve);
+    const double first = smooth.parameter_at(first_point), last = smooth.parameter_at(last_point);
+    if (!(first < last)) return;
+    const Track track = placed_track(smooth, curve.placement, first, last);
+    const Membership of{curve.on_surface, curve.on_plane};
+    std::vector<Span> spans;
+    if (curve.occlusion == Occlusion::by_solids)
+        spans = canvas.occluders.spans(track, of);
+    else
+        spans = {{first, last, {}}};
+
+    const std::vector<double> steps = fading_steps(curve, last_point, smooth);
+    for (const Span& span : spans) {
+        const double hidden = curve.hidden == HiddenStyle::absent
+                                  ? 0.0
+                                  : std::max(curve.hidden_opacity, span.cover.transmitted);
+        const double opacity =
+            curve.opacity * (span.cover.clear + (1.0 - span.cover.clear) * hidden);
+        std::vector<double> cuts{span.from};
+        for (const double step : steps)
+            if (span.from < step && step < span.to) cuts.push_back(step);
+        cuts.push_back(span.to);
+        for (std::size_t k = 1; k < cuts.size(); ++k) {
+            const double middle = 0.5 * (cuts[k - 1] + cuts[k]);
+            double faded = opacity;
+            if (!steps.empty()) {
+                const auto after = std::upper_bound(steps.begin(), steps.end(), middle);
+                faded *= (static_cast<double>(after - steps.begin()) - 0.5) /
+                         static_cast<double>(steps.size());
+            }
+            if (faded < 1e-3) continue;
+            Stroke stroke;
+            stroke.path =
+                canvas.path_of(track, cuts[k - 1], cuts[k], curve_tolerance_pt, form_tolerance_pt);
+            const bool whole = cuts[k - 1] == first && cuts[k] == last;
+            if (whole && geometry.closed && first_point == 0.0 && last_point == n_segments)
+                stroke.path.close();
+            stroke.ink =
+                as_in_light(curve.colour, faded,
+                            canvas.behind(canvas.sight.paper(track.flow(middle).position)));
+            stroke.width_pt = canvas.line_pt(curve.width_px);
+            stroke.dashes_pt = dashes_of(canvas, curve, span.cover.clear < 0.5);
+            // Dashes go on where a part ends; the curve begins in the middle of a gap.
+            if (stroke.dashes_pt.size() == 2)
+                stroke.dash_offset_pt = stroke.dashes_pt[0] + 0.5 * stroke.dashes_pt[1] +
+                                        length_pt(canvas.sight, track, first, cuts[k - 1]);
+            stroke.round = whole && stroke.dashes_pt.empty();
+            canvas.add(std::move(stroke));
+        }
+    }
+}
+
+}  // namespace poinsot::vector

@@ -1,0 +1,215 @@
+// An ellipsoid: its exact outline, the light on it, its principal sections and rulings.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "vector/canvas.h"
+
+namespace poinsot::vector {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+bool is_present(const Ellipsoid& ellipsoid) {
+    return ellipsoid.opacity > 0.0 && ellipsoid.presence > 0.0;
+}
+
+// What a line of sight meets: both surfaces, the outer normals turned towards the eye.
+struct Meeting {
+    bool any = false;
+    SurfacePoint front, back;
+};
+
+Meeting meeting_of(const Sight& sight, const SphereSight& sphere, const Eigen::Vector2d& at) {
+    const Eigen::Vector3d origin = sphere.u(sight.ray_origin(at));
+    const Eigen::Vector3d ray = sight.ray(at);
+    const Eigen::Vector3d d = (sphere.to_u * ray).normalized();
+    const Eigen::Vector3d moment = origin.cross(d);
+    const double square = 1.0 - moment.squaredNorm();
+    Meeting meeting;
+    meeting.any = square >= 0.0;
+    const double root = std::sqrt(std::max(square, 0.0));
+    const Eigen::Vector3d nearest = d.cross(moment);
+    const auto point = [&](double side) {
+        const Eigen::Vector3d u = (nearest + side * root * d).normalized();
+        return SurfacePoint{(-side * (sphere.to_u.transpose() * u)).normalized(),
+                            -ray.normalized()};
+    };
+    meeting.front = point(-1.0);
+    meeting.back = point(1.0);
+    return meeting;
+}
+
+// Front over back, as one layer.
+Layer both(const Ellipsoid& ellipsoid, const Lights& lights, const Meeting& meeting) {
+    const Layer front = outer_surface(ellipsoid, lights, meeting.front, 0.0);
+    const Layer back = inner_surface(ellipsoid, lights, meeting.back, 0.0);
+    const double behind = (1.0 - front.alpha) * back.alpha;
+    Layer layer;
+    layer.alpha = front.alpha + behind;
+    layer.light = (front.alpha * front.light + behind * back.light) / std::max(layer.alpha, 1e-9);
+    return layer;
+}
+
+void fill_lit(const Canvas& canvas, const Ellipsoid& ellipsoid, const SphereSight& sphere,
+              const PaperEllipse& outline) {
+    constexpr int n_rings = 5, n_spokes = 12;
+    ShadedDisc disc;
+    disc.page_from_disc = outline.page_from_circle();
+    disc.n_rings = n_rings;
+    disc.n_spokes = n_spokes;
+    std::vector<Colour> wanted, behind;
+    double alpha = 0.0;
+    for (int ring = 0; ring <= n_rings; ++ring) {
+        for (int spoke = 0; spoke < n_spokes; ++spoke) {
+            // The last ring lies just within, where lines of sight still meet the surface.
+            const double r = std::min(disc.radius(ring), 0.9999);
+            const Eigen::Vector2d place =
+                outline.centre + r * (outline.at(2.0 * pi * spoke / n_spokes) - outline.centre);
+            const Layer seen =
+                both(ellipsoid, canvas.lights, meeting_of(canvas.sight, sphere, place));
+            behind.push_back(canvas.behind(place));
+            wanted.push_back(
+                encoded(seen.alpha * seen.light + (1.0 - seen.alpha) * linear(behind.back())));
+            alpha += seen.alpha;
+        }
+    }
+    // One opacity for all of it, so that it can be a single sheet; colours make up for it.
+    disc.alpha = alpha / static_cast<double>(wanted.size());
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+        disc.colours.push_back(colour_making(wanted[k], disc.alpha, behind[k]));
+    Fill fill;
+    fill.path = canvas.path_of(outline);
+    fill.paint = std::move(disc);
+    canvas.add(std::move(fill));
+}
+
+// A conic on the surface, in its parts on this side and on the other.
+void stroke_conic(const Canvas& canvas, std::size_t number, const Conic& conic, double first,
+                  double last, double width_pt, double opacity, bool also_behind) {
+    const SphereSight& sphere = canvas.occluders.spheres()[number];
+    const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
+    // On this side where α + β cos s + γ sin s > 0: at one interval about the greatest value.
+    const auto facing = [&](const Eigen::Vector3d& v) {
+        return (sphere.to_u * v).dot(sphere.eye_u);
+    };
+    const double alpha = sphere.before_limb(sphere.u(conic.centre));
+    const double beta = facing(conic.cosine_axis), gamma = facing(conic.sine_axis);
+    const double swing = std::hypot(beta, gamma), middle = std::atan2(gamma, beta);
+    const double reach = std::acos(std::clamp(-alpha / std::max(swing, 1e-300), -1.0, 1.0));
+    std::vector<double> cuts{first, last};
+    for (int turn = -2; turn <= 2; ++turn)
+        for (const double s : {middle - reach, middle + reach})
+            if (first < s + 2.0 * pi * turn && s + 2.0 * pi * turn < last)
+                cuts.push_back(s + 2.0 * pi * turn);
+    std::sort(cuts.begin(), cuts.end());
+    const Track track = track_of(conic, first, last);
+    for (std::size_t k = 1; k < cuts.size(); ++k) {
+        if (cuts[k] - cuts[k - 1] < 1e-9) continue;
+        const double s = 0.5 * (cuts[k - 1] + cuts[k]);
+        const bool front = alpha + beta * std::cos(s) + gamma * std::sin(s) > 0.0;
+        if (!front && !also_behind) continue;
+        const Eigen::Vector3d at = conic.at(s);
+        if (canvas.sight.perspective && canvas.sight.depth(at) <= canvas.sight.near_depth) continue;
+        const Eigen::Vector2d paper = canvas.sight.paper(at);
+        const Meeting meeting = meeting_of(canvas.sight, sphere, paper);
+        const Layer fore = outer_surface(ellipsoid, canvas.lights, meeting.front, 0.0);
+        const Layer line = front ? outer_surface(ellipsoid, canvas.lights, meeting.front, 1.0)
+                                 : inner_surface(ellipsoid, canvas.lights, meeting.back, 1.0);
+        // A line seen through the front surface, or on it, over the tone that is there.
+        const Eigen::Vector3d under = linear(canvas.behind(paper));
+        const Layer whole = both(ellipsoid, canvas.lights, meeting);
+        const Eigen::Vector3d tone = whole.alpha * whole.light + (1.0 - whole.alpha) * under;
+        const Eigen::Vector3d inked = line.alpha * line.light + (1.0 - line.alpha) * under;
+        const Eigen::Vector3d seen =
+            front ? inked : Eigen::Vector3d(fore.alpha * fore.light + (1.0 - fore.alpha) * inked);
+        Stroke stroke;
+        stroke.path = canvas.path_of(track, cuts[k - 1], cuts[k], conic_tolerance_pt);
+        stroke.ink = as_in_light(encoded(seen), opacity, encoded(tone));
+        // Lines alone: what lies behind is paler, over nothing.
+        if (canvas.shading == Shading::none)
+            stroke.ink = as_in_light(ellipsoid.line_colour,
+                                     opacity * ellipsoid.presence * (front ? 1.0 : 0.35),
+                                     canvas.behind(paper));
+        stroke.width_pt = width_pt;
+        stroke.round = false;
+        canvas.add(std::move(stroke));
+    }
+}
+
+void stroke_sections(const Canvas& canvas, std::size_t number, const PaperEllipse& outline) {
+    const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
+    const SphereSight& sphere = canvas.occluders.spheres()[number];
+    const Eigen::Vector3d a = sphere.axes.col(0), b = sphere.axes.col(1), c = sphere.axes.col(2);
+    const double ruling_pt = canvas.line_pt(ellipsoid.ruling_px);
+    // Where rulings crowd they fade, as on the screen; near the poles they end.
+    const double size_px = std::min(outline.a.norm(), outline.b.norm()) / canvas.sight.pt_per_px;
+    const auto opacity_of = [&](double spacing_rad) {
+        return ellipsoid.ruling_opacity * std::clamp(0.1 * spacing_rad * size_px - 0.4, 0.0, 1.0);
+    };
+    if (ruling_pt > 0.0 && ellipsoid.ruling_opacity > 0.0) {
+        constexpr double polar_cap = 0.08 * pi;
+        const double meridians = opacity_of(1.4 * pi / std::max(ellipsoid.n_meridians, 1));
+        for (int k = 0; k < ellipsoid.n_meridians && meridians > 0.0; ++k) {
+            const double longitude = 2.0 * pi * k / ellipsoid.n_meridians;
+            const Conic meridian{sphere.centre, std::cos(longitude) * a + std::sin(longitude) * b,
+                                 c};
+            stroke_conic(canvas, number, meridian, -0.5 * pi + polar_cap, 0.5 * pi - polar_cap,
+                         ruling_pt, meridians, false);
+        }
+        const double parallels = opacity_of(0.7 * pi / (ellipsoid.n_parallels + 1));
+        for (int k = 1; k <= ellipsoid.n_parallels && parallels > 0.0; ++k) {
+            const double latitude = pi * k / (ellipsoid.n_parallels + 1) - 0.5 * pi;
+            const Conic parallel{sphere.centre + std::sin(latitude) * c, std::cos(latitude) * a,
+                                 std::cos(latitude) * b};
+            stroke_conic(canvas, number, parallel, 0.0, 2.0 * pi, ruling_pt, parallels, false);
+        }
+    }
+    if (ellipsoid.section_px > 0.0) {
+        const double section_pt = canvas.line_pt(ellipsoid.section_px);
+        for (const Conic& section :
+             {Conic{sphere.centre, a, b}, Conic{sphere.centre, b, c}, Conic{sphere.centre, c, a}})
+            stroke_conic(canvas, number, section, 0.0, 2.0 * pi, section_pt, 1.0, true);
+    }
+}
+
+}  // namespace
+
+Layer seen_surface(const Canvas& canvas, std::size_t number, const Eigen::Vector2d& at) {
+    const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
+    const SphereSight& sphere = canvas.occluders.spheres()[number];
+    if (!is_present(ellipsoid)) return {Eigen::Vector3d::Zero(), 0.0};
+    const Meeting meeting = meeting_of(canvas.sight, sphere, at);
+    if (!meeting.any) return {Eigen::Vector3d::Zero(), 0.0};
+    return both(ellipsoid, canvas.lights, meeting);
+}
+
+void draw_ellipsoid(Canvas& canvas, std::size_t number) {
+    const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
+    if (!is_present(ellipsoid)) return;
+    const SphereSight& sphere = canvas.occluders.spheres()[number];
+    const auto limb = limb_of(sphere);
+    if (!limb) return;
+    const auto outline = picture_of(*limb, canvas.sight);
+    if (!outline) return;
+    if (canvas.shading == Shading::tone) {
+        fill_lit(canvas, ellipsoid, sphere, *outline);
+    } else {
+        // What lies behind is paler, as through the surface.
+        Fill veil;
+        veil.path = canvas.path_of(*outline);
+        veil.paint = Ink{canvas.behind(outline->centre), ellipsoid.opacity * ellipsoid.presence};
+        canvas.add(std::move(veil));
+    }
+    stroke_sections(canvas, number, *outline);
+    if (canvas.shading == Shading::none) {
+        Stroke stroke;
+        stroke.path = canvas.path_of(*outline);
+        stroke.ink = {ellipsoid.line_colour, ellipsoid.presence};
+        stroke.width_pt = canvas.line_pt(1.5 * ellipsoid.section_px);
+        canvas.add(std::move(stroke));
+    }
+}
+
+}  // namespace poinsot::vector

@@ -1,0 +1,139 @@
+#include "vector/light.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace poinsot::vector {
+
+namespace {
+
+double linear(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
+
+double encoded(double l) {
+    l = std::clamp(l, 0.0, 1.0);
+    return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1.0 / 2.4) - 0.055;
+}
+
+double cube(double x) { return x * x * x; }
+
+}  // namespace
+
+Eigen::Vector3d linear(const Colour& c) { return {linear(c.r), linear(c.g), linear(c.b)}; }
+
+Colour encoded(const Eigen::Vector3d& l) {
+    return {encoded(l.x()), encoded(l.y()), encoded(l.z())};
+}
+
+Ink as_in_light(const Colour& colour, double opacity, const Colour& behind) {
+    if (opacity <= 0.0) return {colour, 0.0};
+    if (opacity >= 1.0) return {colour, 1.0};
+    const Colour wanted = encoded(opacity * linear(colour) + (1.0 - opacity) * linear(behind));
+    // The least opacity from the one asked for with which every component stays within 0…1.
+    double alpha = opacity;
+    const auto raise = [&alpha](double is, double was) {
+        if (is > was && was < 1.0) alpha = std::max(alpha, (is - was) / (1.0 - was));
+        if (is < was && was > 0.0) alpha = std::max(alpha, (was - is) / was);
+    };
+    raise(wanted.r, behind.r);
+    raise(wanted.g, behind.g);
+    raise(wanted.b, behind.b);
+    alpha = std::min(alpha, 1.0);
+    return {colour_making(wanted, alpha, behind), alpha};
+}
+
+Colour colour_making(const Colour& wanted, double alpha, const Colour& behind) {
+    const auto component = [alpha](double is, double was) {
+        return std::clamp((is - (1.0 - alpha) * was) / alpha, 0.0, 1.0);
+    };
+    return {component(wanted.r, behind.r), component(wanted.g, behind.g),
+            component(wanted.b, behind.b)};
+}
+
+Colour over(const Ink& ink, const Colour& behind) {
+    const double keep = 1.0 - ink.alpha;
+    return {ink.alpha * ink.colour.r + keep * behind.r, ink.alpha * ink.colour.g + keep * behind.g,
+            ink.alpha * ink.colour.b + keep * behind.b};
+}
+
+Lights::Lights(const View& view)
+    : towards(view.light.towards.normalized()),
+      up(view.planes.empty() ? view.camera.up.normalized() : view.planes.front().normal),
+      key(view.light.key),
+      sky(view.light.sky) {}
+
+Layer outer_surface(const Ellipsoid& ellipsoid, const Lights& lights, const SurfacePoint& point,
+                    double lines) {
+    const double facing = std::clamp(point.normal.dot(point.to_eye), 0.0, 1.0);
+    const double limb = cube(1.0 - facing);
+    const double to_key = point.normal.dot(lights.towards);
+    const double key = std::max(0.8 * to_key + 0.2, 0.0);
+    const double up = 0.5 + 0.5 * point.normal.dot(lights.up);
+    const double lit =
+        lights.key * key * key * (1.5 - 0.5 * key) + lights.sky * (0.42 + 0.58 * up * up) + 0.06;
+    const double glint = std::max(to_key + facing, 0.0);
+    const double per_halfway = 1.0 / std::max(2.0 + 2.0 * point.to_eye.dot(lights.towards), 1e-6);
+    const double g2 = glint * glint * per_halfway;
+    const double g16 = std::pow(g2, 8), g64 = std::pow(g2, 32);
+    const double gloss = 0.05 * g16 + 0.16 * g64;
+    const Eigen::Vector3d tone =
+        (1.0 - lines) * linear(ellipsoid.colour) + lines * linear(ellipsoid.line_colour);
+    const double white = lights.key * gloss * (1.0 - lines) + lights.sky * 0.30 * limb * up;
+    double alpha = ellipsoid.opacity + (1.0 - ellipsoid.opacity) * 0.8 * limb;
+    alpha += lines * (std::max(alpha, 0.92) - alpha);
+    return {tone * lit + Eigen::Vector3d::Constant(white), alpha * ellipsoid.presence};
+}
+
+Layer inner_surface(const Ellipsoid& ellipsoid, const Lights& lights, const SurfacePoint& point,
+                    double lines) {
+    const double limb = cube(1.0 - std::clamp(point.normal.dot(point.to_eye), 0.0, 1.0));
+    const double key = std::max(0.8 * point.normal.dot(lights.towards) + 0.2, 0.0);
+    const double up = 0.5 + 0.5 * point.normal.dot(lights.up);
+    const double lit =
+        lights.key * key * key * (1.5 - 0.5 * key) + lights.sky * (0.42 + 0.58 * up * up) + 0.06;
+    const Eigen::Vector3d tone =
+        (1.0 - lines) * linear(ellipsoid.colour) + lines * linear(ellipsoid.line_colour);
+    double alpha = ellipsoid.opacity * (0.55 + 0.3 * limb);
+    alpha += lines * (std::max(alpha, 0.85) - alpha);
+    return {tone * (0.62 * lit), alpha * ellipsoid.presence};
+}
+
+Layer cone_surface(const Cone& cone, const Lights& lights, const SurfacePoint& point) {
+    const double limb = cube(1.0 - std::abs(point.normal.dot(point.to_eye)));
+    const double key = std::max(0.7 * point.normal.dot(lights.towards) + 0.3, 0.0);
+    const double up = 0.5 + 0.5 * point.normal.dot(lights.up);
+    const double lit = lights.key * key + lights.sky * (0.5 + 0.5 * up) + 0.10;
+    const double alpha = cone.opacity + (1.0 - cone.opacity) * 0.5 * limb;
+    return {linear(cone.colour) * lit, alpha * cone.presence};
+}
+
+Eigen::Vector3d arrow_surface(const Colour& colour, const Lights& lights,
+                              const SurfacePoint& point) {
+    const double key = std::max(0.77 * point.normal.dot(lights.towards) + 0.23, 0.0);
+    const double up = 0.5 + 0.5 * point.normal.dot(lights.up);
+    const double lit = lights.key * key + lights.sky * (0.5 + 0.5 * up) + 0.10;
+    const Eigen::Vector3d halfway = lights.towards + point.to_eye;
+    const double glint = std::max(point.normal.dot(halfway) / std::max(halfway.norm(), 1e-6), 0.0);
+    return linear(colour) * lit +
+           Eigen::Vector3d::Constant(0.10 * lights.key * std::pow(glint, 24));
+}
+
+Eigen::Vector3d mesh_surface(const Colour& colour, const Lights& lights,
+                             const SurfacePoint& point) {
+    const double key = std::max(0.85 * point.normal.dot(lights.towards) + 0.15, 0.0);
+    const double up = 0.5 + 0.5 * point.normal.dot(lights.up);
+    const double lit = lights.key * key + lights.sky * (0.40 + 0.60 * up) + 0.06;
+    const Eigen::Vector3d halfway = lights.towards + point.to_eye;
+    const double glint = std::max(point.normal.dot(halfway) / std::max(halfway.norm(), 1e-6), 0.0);
+    const double limb = cube(1.0 - std::abs(point.normal.dot(point.to_eye)));
+    return linear(colour) * lit +
+           Eigen::Vector3d::Constant(lights.key * 0.06 * std::pow(glint, 16) +
+                                     lights.sky * 0.15 * limb * up);
+}
+
+double plane_opacity(const Plane& plane, double distance) {
+    const double from = plane.fade_from * plane.radius;
+    const double t = std::clamp((distance - from) / std::max(plane.radius - from, 1e-12), 0.0, 1.0);
+    return plane.opacity * (1.0 - t * t * (3.0 - 2.0 * t));
+}
+
+}  // namespace poinsot::vector

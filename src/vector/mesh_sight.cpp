@@ -1,0 +1,110 @@
+#include "vector/mesh_sight.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace poinsot::vector {
+
+namespace {
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+bool holds(const MeshSight::Triangle& t, const Eigen::Vector2d& at) {
+    const double a = cross(t.paper[1] - t.paper[0], at - t.paper[0]);
+    const double b = cross(t.paper[2] - t.paper[1], at - t.paper[1]);
+    const double c = cross(t.paper[0] - t.paper[2], at - t.paper[2]);
+    return (a >= 0.0 && b >= 0.0 && c >= 0.0) || (a <= 0.0 && b <= 0.0 && c <= 0.0);
+}
+
+}  // namespace
+
+MeshSight::MeshSight(const Mesh& mesh, const Sight& sight) : sight_(sight), opacity_(mesh.opacity) {
+    const auto& positions = mesh.geometry->positions;
+    Eigen::Vector2d low(1e300, 1e300), high(-1e300, -1e300);
+    const Eigen::Matrix3d turned = mesh.placement.linear().inverse().transpose();
+    for (std::size_t k = 0; k + 2 < positions.size(); k += 3) {
+        Triangle triangle;
+        for (std::size_t i = 0; i < 3; ++i) {
+            triangle.corners[i] = mesh.placement * positions[k + i].cast<double>();
+            triangle.before_eye =
+                triangle.before_eye &&
+                (!sight.perspective || sight.depth(triangle.corners[i]) > sight.near_depth);
+        }
+        triangle.normal = (triangle.corners[1] - triangle.corners[0])
+                              .cross(triangle.corners[2] - triangle.corners[0]);
+        const auto& normals = mesh.geometry->normals;
+        triangle.shading_normal = triangle.normal;
+        if (k + 2 < normals.size()) {
+            const Eigen::Vector3f mean = normals[k] + normals[k + 1] + normals[k + 2];
+            if (mean.norm() > 1e-6f) triangle.shading_normal = turned * mean.cast<double>();
+        }
+        if (!triangle.before_eye) continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+            triangle.paper[i] = sight.paper(triangle.corners[i]);
+            low = low.cwiseMin(triangle.paper[i]);
+            high = high.cwiseMax(triangle.paper[i]);
+        }
+        triangles_.push_back(triangle);
+    }
+    if (triangles_.empty()) return;
+    // About one triangle a cell.
+    constexpr double most_cells = 4e6;
+    const double n_cells = std::clamp(static_cast<double>(triangles_.size()), 16.0, most_cells);
+    const Eigen::Vector2d size = (high - low).cwiseMax(1e-9);
+    cell_pt_ = std::max(std::sqrt(size.x() * size.y() / n_cells), size.maxCoeff() / n_cells);
+    corner_ = low;
+    n_columns_ = static_cast<int>(size.x() / cell_pt_) + 1;
+    n_rows_ = static_cast<int>(size.y() / cell_pt_) + 1;
+    cells_.resize(static_cast<std::size_t>(n_columns_) * static_cast<std::size_t>(n_rows_));
+    for (std::size_t k = 0; k < triangles_.size(); ++k) {
+        const Triangle& t = triangles_[k];
+        const auto column = [&](double x) {
+            return std::clamp(static_cast<int>((x - low.x()) / cell_pt_), 0, n_columns_ - 1);
+        };
+        const auto row = [&](double y) {
+            return std::clamp(static_cast<int>((y - low.y()) / cell_pt_), 0, n_rows_ - 1);
+        };
+        const auto [x0, x1] = std::minmax({t.paper[0].x(), t.paper[1].x(), t.paper[2].x()});
+        const auto [y0, y1] = std::minmax({t.paper[0].y(), t.paper[1].y(), t.paper[2].y()});
+        for (int j = row(y0); j <= row(y1); ++j)
+            for (int i = column(x0); i <= column(x1); ++i)
+                cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(n_columns_) +
+                       static_cast<std::size_t>(i)]
+                    .push_back(static_cast<std::uint32_t>(k));
+    }
+}
+
+const std::vector<std::uint32_t>* MeshSight::cell_at(const Eigen::Vector2d& paper) const {
+    const Eigen::Vector2d in = (paper - corner_) / cell_pt_;
+    if (!(in.x() >= 0.0 && in.y() >= 0.0 && in.x() < n_columns_ && in.y() < n_rows_))
+        return nullptr;
+    return &cells_[static_cast<std::size_t>(in.y()) * static_cast<std::size_t>(n_columns_) +
+                   static_cast<std::size_t>(in.x())];
+}
+
+bool MeshSight::hides(const Eigen::Vector3d& point) const {
+    if (cells_.empty()) return false;
+    const double depth = sight_.depth(point);
+    if (sight_.perspective && depth <= sight_.near_depth) return false;
+    const Eigen::Vector2d at = sight_.paper(point);
+    const auto* cell = cell_at(at);
+    if (cell == nullptr) return false;
+    const double touching = 1e-6 * (sight_.perspective ? depth : 1.0);
+    const Eigen::Vector3d origin = sight_.ray_origin(at), ray = sight_.ray(at);
+    return std::any_of(cell->begin(), cell->end(), [&](std::uint32_t k) {
+        const Triangle& t = triangles_[k];
+        if (!holds(t, at)) return false;
+        const double descent = t.normal.dot(ray);
+        if (descent == 0.0) return false;
+        const double there = t.normal.dot(t.corners[0] - origin) / descent;
+        // Along the ray as along the axis: its component there is 1.
+        const double front = sight_.perspective ? there : sight_.depth(origin + there * ray);
+        return front < depth - touching;
+    });
+}
+
+}  // namespace poinsot::vector

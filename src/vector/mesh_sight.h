@@ -1,0 +1,45 @@
+// A mesh as lines of sight meet it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "vector/sight.h"
+
+namespace poinsot::vector {
+
+// The triangles of a mesh on paper, in cells, so that those at a place are found at once.
+class MeshSight {
+ public:
+    MeshSight(const Mesh& mesh, const Sight& sight);
+
+    struct Triangle {
+        Eigen::Vector3d corners[3];  // view axes
+        Eigen::Vector2d paper[3];
+        Eigen::Vector3d normal;  // outward, of the plane; not of unit length
+        // Of the surface that it stands for: the mean of its corners'; likewise.
+        Eigen::Vector3d shading_normal;
+        bool before_eye = true;  // else none of its places on paper is known
+    };
+
+    // Whether a triangle lies between the point and the eye. One that the point lies on does not:
+    // what is nearer to it than a millionth of its depth counts as that.
+    bool hides(const Eigen::Vector3d& point) const;
+
+    double opacity() const { return opacity_; }
+    const std::vector<Triangle>& triangles() const { return triangles_; }
+
+ private:
+    const std::vector<std::uint32_t>* cell_at(const Eigen::Vector2d& paper) const;
+
+    const Sight& sight_;
+    double opacity_ = 1.0;
+    std::vector<Triangle> triangles_;
+    Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();
+    double cell_pt_ = 1.0;
+    int n_columns_ = 0, n_rows_ = 0;
+    std::vector<std::vector<std::uint32_t>> cells_;
+};
+
+}  // namespace poinsot::vector

@@ -1,0 +1,266 @@
+#include "vector/occluders.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/bracketed_root.h"
+#include "vector/light.h"
+
+namespace poinsot::vector {
+
+namespace {
+
+// Opacities of a fading plane are drawn in steps of this.
+constexpr int n_plane_levels = 8;
+
+// Half axes with a least length, so that a flattened ellipsoid still has an inside.
+Eigen::Matrix3d thickened(const Eigen::Matrix3d& half_axes) {
+    Eigen::Matrix3d axes = half_axes;
+    const double longest = axes.colwise().norm().maxCoeff();
+    const double least = longest > 0.0 ? 1e-6 * longest : 1e-12;
+    for (int k = 0; k < 3; ++k) {
+        if (axes.col(k).norm() >= least) continue;
+        Eigen::Vector3d direction = axes.col((k + 1) % 3).cross(axes.col((k + 2) % 3));
+        if (direction.norm() <= least * least) direction = axes.col((k + 1) % 3).unitOrthogonal();
+        axes.col(k) = least * direction.normalized();
+    }
+    return axes;
+}
+
+// Where the line of sight of a point crosses a plane, as distance from its centre.
+double crossing_distance(const Sight& sight, const Plane& plane, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d towards = sight.towards_eye(point);
+    const double rise = plane.normal.dot(towards);
+    const double height = plane.normal.dot(point - plane.centre);
+    if (std::abs(rise) < 1e-12 * towards.norm()) return 1e12;
+    return (point - (height / rise) * towards - plane.centre).norm();
+}
+
+// How far in front of a plane a point is, towards the eye.
+double before_plane(const Sight& sight, const Plane& plane, const Eigen::Vector3d& point) {
+    const double eye_side = sight.perspective ? plane.normal.dot(sight.eye - plane.centre)
+                                              : -plane.normal.dot(sight.forward);
+    const double height = plane.normal.dot(point - plane.centre);
+    return eye_side < 0.0 ? -height : height;
+}
+
+double level(double opacity) { return std::round(opacity * n_plane_levels) / n_plane_levels; }
+
+// The roots of a function in an interval that it changes its sign in, or touches zero in.
+class RootFinder {
+ public:
+    RootFinder(const std::function<double(double)>& function, std::vector<double>& roots)
+        : function_(function), roots_(roots) {}
+
+    // Between places (ascending) that are near enough to each other to tell its changes.
+    void search(std::span<const double> at) {
+        std::vector<double> value;
+        for (const double s : at) value.push_back(function_(s));
+        for (std::size_t k = 1; k < at.size(); ++k) {
+            if ((value[k - 1] < 0.0) != (value[k] < 0.0))
+                root(at[k - 1], at[k]);
+            else if (k + 1 < at.size() && nears_zero(value[k - 1], value[k], value[k + 1]))
+                search_pair(at[k - 1], at[k + 1], value[k] < 0.0);
+        }
+        // A pair of roots may hide beside either end.
+        if (at.size() < 2) return;
+        const std::size_t last = at.size() - 1;
+        if (is_same_side(value[0], value[1]) && std::abs(value[0]) < std::abs(value[1]))
+            search_pair(at[0], at[1], value[0] < 0.0);
+        if (is_same_side(value[last - 1], value[last]) &&
+            std::abs(value[last]) < std::abs(value[last - 1]))
+            search_pair(at[last - 1], at[last], value[last] < 0.0);
+    }
+
+ private:
+    static bool is_same_side(double a, double b) { return (a < 0.0) == (b < 0.0) && a != b; }
+    static bool nears_zero(double before, double here, double after) {
+        return (before < 0.0) == (here < 0.0) && (here < 0.0) == (after < 0.0) &&
+               std::abs(here) <= std::abs(before) && std::abs(here) <= std::abs(after) &&
+               !(here == before && here == after);
+    }
+    void root(double low, double high) { roots_.push_back(bracketed_root(function_, low, high)); }
+
+    // Golden sections down to where the function comes nearest to zero, and the roots on both sides
+    // if it crosses there.
+    void search_pair(double low, double high, bool below) {
+        const double sign = below ? -1.0 : 1.0;
+        double a = low, b = high;
+        constexpr double golden = 0.38196601125010515;
+        double c = a + golden * (b - a), d = b - golden * (b - a);
+        double at_c = sign * function_(c), at_d = sign * function_(d);
+        for (int k = 0; k < 48; ++k) {
+            if (at_c < at_d) {
+                b = d, d = c, at_d = at_c;
+                c = a + golden * (b - a);
+                at_c = sign * function_(c);
+            } else {
+                a = c, c = d, at_c = at_d;
+                d = b - golden * (b - a);
+                at_d = sign * function_(d);
+            }
+            if (std::min(at_c, at_d) < 0.0) {
+                const double crossed = at_c < at_d ? c : d;
+                if (sign * function_(low) > 0.0) root(low, crossed);
+                if (sign * function_(high) > 0.0) root(crossed, high);
+                return;
+            }
+        }
+    }
+
+    const std::function<double(double)>& function_;
+    std::vector<double>& roots_;
+};
+
+}  // namespace
+
+SphereSight::SphereSight(const Ellipsoid& ellipsoid, const Sight& sight)
+    : axes(thickened(ellipsoid.half_axes)),
+      to_u(axes.inverse()),
+      centre(ellipsoid.centre),
+      perspective(sight.perspective),
+      hiding(ellipsoid.opacity * ellipsoid.presence) {
+    eye_u = perspective ? u(sight.eye) : (to_u * -sight.forward).normalized();
+    surrounds_eye = perspective && eye_u.norm() <= 1.0;
+}
+
+double SphereSight::within_outline(const Eigen::Vector3d& u) const {
+    // |d|² − |m|² of the line of sight by its direction and moment, for a direction of unit length.
+    if (!perspective) return 1.0 - u.cross(eye_u).squaredNorm();
+    const Eigen::Vector3d d = u - eye_u;
+    return 1.0 - u.cross(eye_u).squaredNorm() / std::max(d.squaredNorm(), 1e-300);
+}
+
+double SphereSight::before_limb(const Eigen::Vector3d& u) const {
+    return perspective ? u.dot(eye_u) - 1.0 : u.dot(eye_u);
+}
+
+bool SphereSight::hides(const Eigen::Vector3d& u) const {
+    // What touches the surface from outside is a rounding away from it.
+    constexpr double rounding = 1e-9;
+    if (surrounds_eye) return false;
+    if (outside(u) < -rounding) return true;
+    return within_outline(u) > rounding && before_limb(u) < -rounding;
+}
+
+Occluders::Occluders(const View& view, const Sight& sight) : view_(view), sight_(sight) {
+    for (const Ellipsoid& ellipsoid : view.ellipsoids) spheres_.emplace_back(ellipsoid, sight);
+    for (const Mesh& mesh : view.meshes)
+        if (mesh.geometry != nullptr && mesh.opacity > 0.0) meshes_.emplace_back(mesh, sight);
+}
+
+Cover Occluders::at(const Eigen::Vector3d& point, const Membership& of) const {
+    Cover cover;
+    for (std::size_t k = 0; k < spheres_.size(); ++k) {
+        const SphereSight& sphere = spheres_[k];
+        if (!(sphere.hiding > 0.0)) continue;
+        const Eigen::Vector3d u = sphere.u(point);
+        const bool own = of.ellipsoid == static_cast<int>(k);
+        const bool hidden =
+            own ? !sphere.surrounds_eye && sphere.before_limb(u) < 0.0 : sphere.hides(u);
+        if (!hidden) continue;
+        // One that fades away lets go of what it hides.
+        cover.clear *= 1.0 - std::clamp(4.0 * sphere.hiding, 0.0, 1.0);
+        cover.transmitted *= 1.0 - sphere.hiding;
+    }
+    for (std::size_t k = 0; k < view_.planes.size(); ++k) {
+        const Plane& plane = view_.planes[k];
+        if (of.plane == static_cast<int>(k) || before_plane(sight_, plane, point) > -1e-9) continue;
+        const double opacity = level(plane_opacity(plane, crossing_distance(sight_, plane, point)));
+        cover.clear *= 1.0 - opacity;
+        cover.transmitted *= 1.0 - opacity;
+    }
+    for (const MeshSight& mesh : meshes_) {
+        if (!mesh.hides(point)) continue;
+        cover.clear = 0.0;
+        cover.transmitted *= 1.0 - mesh.opacity();
+    }
+    return cover;
+}
+
+std::vector<Occluders::Condition> Occluders::conditions(const Membership& of) const {
+    std::vector<Condition> all;
+    if (sight_.perspective)
+        all.emplace_back(
+            [this](const Eigen::Vector3d& x) { return sight_.depth(x) - sight_.near_depth; });
+    for (std::size_t k = 0; k < spheres_.size(); ++k) {
+        const SphereSight& sphere = spheres_[k];
+        if (!(sphere.hiding > 0.0) || sphere.surrounds_eye) continue;
+        all.emplace_back(
+            [&sphere](const Eigen::Vector3d& x) { return sphere.before_limb(sphere.u(x)); });
+        if (of.ellipsoid == static_cast<int>(k)) continue;
+        all.emplace_back(
+            [&sphere](const Eigen::Vector3d& x) { return sphere.outside(sphere.u(x)); });
+        all.emplace_back(
+            [&sphere](const Eigen::Vector3d& x) { return sphere.within_outline(sphere.u(x)); });
+    }
+    for (std::size_t k = 0; k < view_.planes.size(); ++k) {
+        if (of.plane == static_cast<int>(k)) continue;
+        const Plane& plane = view_.planes[k];
+        all.emplace_back(
+            [this, &plane](const Eigen::Vector3d& x) { return before_plane(sight_, plane, x); });
+        // Where the opacity goes from one step to the next.
+        for (int step = 0; step < n_plane_levels; ++step) {
+            const double there = (step + 0.5) / n_plane_levels;
+            if (there >= plane.opacity) break;
+            double near = plane.fade_from * plane.radius, far = plane.radius;
+            for (int k2 = 0; k2 < 60; ++k2) {
+                const double middle = 0.5 * (near + far);
+                (plane_opacity(plane, middle) > there ? near : far) = middle;
+            }
+            all.emplace_back([this, &plane, near](const Eigen::Vector3d& x) {
+                return before_plane(sight_, plane, x) > 0.0
+                           ? 1.0
+                           : crossing_distance(sight_, plane, x) - near;
+            });
+        }
+    }
+    for (const MeshSight& mesh : meshes_)
+        all.emplace_back([&mesh](const Eigen::Vector3d& x) { return mesh.hides(x) ? -1.0 : 1.0; });
+    return all;
+}
+
+std::vector<Span> Occluders::spans(const Track& track, const Membership& of) const {
+    std::vector<double> breaks;
+    if (track.knots.size() < 2) return {};
+    const double first = track.knots.front(), last = track.knots.back();
+    // Samples enough that no two roots of a condition lie between two of them unseen, but for pairs
+    // about a touch, which are looked for.
+    const int n = std::clamp(static_cast<int>(128 / track.knots.size()), 2, 64);
+    std::vector<double> places{first};
+    for (std::size_t k = 1; k < track.knots.size(); ++k)
+        for (int i = 1; i <= n; ++i)
+            places.push_back(i == n ? track.knots[k]
+                                    : track.knots[k - 1] +
+                                          (track.knots[k] - track.knots[k - 1]) * i / n);
+    for (const Condition& condition : conditions(of)) {
+        const std::function<double(double)> along = [&](double s) {
+            return condition(track.flow(s).position);
+        };
+        RootFinder(along, breaks).search(places);
+    }
+    breaks.push_back(first);
+    breaks.push_back(last);
+    std::sort(breaks.begin(), breaks.end());
+    // Two ways to the same break may differ in the last places.
+    const double same = 1e-13 * std::max(std::abs(first), std::abs(last));
+    breaks.erase(std::unique(breaks.begin(), breaks.end(),
+                             [same](double a, double b) { return b - a <= same; }),
+                 breaks.end());
+
+    std::vector<Span> spans;
+    for (std::size_t k = 1; k < breaks.size(); ++k) {
+        const double from = breaks[k - 1], to = breaks[k];
+        const Eigen::Vector3d middle = track.flow(0.5 * (from + to)).position;
+        if (sight_.perspective && sight_.depth(middle) <= sight_.near_depth) continue;
+        const Cover cover = at(middle, of);
+        if (!spans.empty() && spans.back().to == from && spans.back().cover == cover)
+            spans.back().to = to;
+        else
+            spans.push_back({from, to, cover});
+    }
+    return spans;
+}
+
+}  // namespace poinsot::vector

@@ -1,0 +1,126 @@
+// What stands on a page, ready to be written: paths, fills and type in points (1/72 inch), x right,
+// y down from the upper left corner. The only thing that the writers of PDF and SVG see.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "shapes/colour.h"
+#include "vector/fit.h"
+
+namespace poinsot::vector {
+
+struct Step {
+    enum class Kind { move, line, cubic, close };
+    Kind kind = Kind::move;
+    Eigen::Vector2d control_1 = Eigen::Vector2d::Zero(), control_2 = Eigen::Vector2d::Zero();
+    Eigen::Vector2d to = Eigen::Vector2d::Zero();
+};
+
+struct Path {
+    std::vector<Step> steps;
+
+    void move(const Eigen::Vector2d& to);
+    void line(const Eigen::Vector2d& to);
+    void cubic(const Eigen::Vector2d& control_1, const Eigen::Vector2d& control_2,
+               const Eigen::Vector2d& to);
+    void close();
+    // Béziers that follow each other; a straight one becomes a line.
+    void add(const std::vector<Bezier>& beziers, bool begins = true);
+    void add_rectangle(const Eigen::Vector2d& corner, const Eigen::Vector2d& size);
+    void add(const Path& other);
+};
+
+struct Ink {
+    Colour colour;
+    double alpha = 1.0;
+    bool operator==(const Ink&) const = default;
+};
+
+struct Stop {
+    double at = 0.0;  // 0…1
+    Ink ink;
+};
+
+// Colours that follow a line.
+struct LinearFade {
+    Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::UnitX();
+    std::vector<Stop> stops;
+};
+
+// Colours that run from a focus out to a circle, drawn through an affine map: in its axes the
+// circle is that of radius 1 about the origin.
+struct RadialFade {
+    Eigen::Affine2d page_from_circle = Eigen::Affine2d::Identity();
+    Eigen::Vector2d focus = Eigen::Vector2d::Zero();  // within the circle
+    std::vector<Stop> stops;
+};
+
+// A lit surface: colours over a disc, given at rings and spokes. Ring k of n_rings + 1 has the
+// radius sin(½π k/n_rings), so that they crowd at the limb.
+struct ShadedDisc {
+    Eigen::Affine2d page_from_disc = Eigen::Affine2d::Identity();
+    double alpha = 1.0;
+    int n_rings = 0, n_spokes = 0;
+    std::vector<Colour> colours;  // (n_rings + 1) × n_spokes, ring by ring
+
+    double radius(int ring) const;
+    const Colour& at(int ring, int spoke) const;
+    // Between them, linearly; beyond the last ring as on it.
+    Colour at(const Eigen::Vector2d& in_disc) const;
+};
+
+using Paint = std::variant<Ink, LinearFade, RadialFade, ShadedDisc>;
+
+struct Fill {
+    Path path;
+    Paint paint;
+    bool even_odd = false;
+    double seam_pt = 0.0;  // it is as much larger all round by half of this, where its ink is plain
+};
+
+struct Stroke {
+    Path path;
+    Ink ink;
+    double width_pt = 1.0;
+    std::vector<double> dashes_pt;  // drawn, left out, …; empty: solid
+    double dash_offset_pt = 0.0;
+    bool round = true;  // caps; joins always are
+};
+
+// A glyph on its baseline.
+struct PlacedLetter {
+    const std::filesystem::path* font_file = nullptr;
+    std::uint32_t glyph = 0;
+    double x_pt = 0.0, y_pt = 0.0;
+    double em_pt = 10.0;
+};
+
+struct Type {
+    std::vector<PlacedLetter> letters;
+    Path rules;  // filled with the same ink
+    Ink ink;
+    Ink halo;  // alpha 0: none
+    double halo_pt = 0.0;
+};
+
+// From here to its end, only what lies inside is drawn.
+struct ClipBegin {
+    Path path;
+    bool even_odd = false;
+};
+struct ClipEnd {};
+
+using Item = std::variant<Fill, Stroke, Type, ClipBegin, ClipEnd>;
+
+struct Page {
+    double width_pt = 0.0, height_pt = 0.0;
+    std::vector<Item> items;
+    double off_pt = 0.0;  // no path is further than this from what it draws, before rounding
+};
+
+}  // namespace poinsot::vector

@@ -1,0 +1,417 @@
+#include "vector/pdf.h"
+
+#include <cairo-ft.h>
+#include <cairo-pdf.h>
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "error/error.h"
+#include "text/utf8.h"
+#include "vector/font_face.h"
+
+namespace poinsot::vector {
+
+namespace {
+
+template <auto Destroy>
+struct Deleter {
+    template <typename T>
+    void operator()(T* handle) const {
+        Destroy(handle);
+    }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Deleter<cairo_surface_destroy>>;
+using Context = std::unique_ptr<cairo_t, Deleter<cairo_destroy>>;
+using Pattern = std::unique_ptr<cairo_pattern_t, Deleter<cairo_pattern_destroy>>;
+using Face = std::unique_ptr<cairo_font_face_t, Deleter<cairo_font_face_destroy>>;
+using Options = std::unique_ptr<cairo_font_options_t, Deleter<cairo_font_options_destroy>>;
+
+void check(cairo_status_t status) {
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw EnvironmentError(
+            fmt::format("Cairo cannot make the PDF: {}", cairo_status_to_string(status)));
+}
+
+cairo_matrix_t matrix_of(const Eigen::Affine2d& map) {
+    const auto& m = map.matrix();
+    return {m(0, 0), m(1, 0), m(0, 1), m(1, 1), m(0, 2), m(1, 2)};
+}
+
+class Writer {
+ public:
+    explicit Writer(cairo_t* cairo) : cairo_(cairo) {
+        cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+        cairo_set_tolerance(cairo, 0.01);
+    }
+
+    void operator()(const Fill& fill) {
+        if (const ShadedDisc* disc = std::get_if<ShadedDisc>(&fill.paint)) {
+            shade(fill.path, *disc);
+            return;
+        }
+        trace(fill.path);
+        cairo_set_fill_rule(cairo_,
+                            fill.even_odd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
+        set_paint(fill.paint);
+        if (fill.seam_pt <= 0.0) {
+            cairo_fill(cairo_);
+            return;
+        }
+        cairo_fill_preserve(cairo_);
+        cairo_set_line_width(cairo_, fill.seam_pt);
+        cairo_set_dash(cairo_, nullptr, 0, 0.0);
+        cairo_stroke(cairo_);
+    }
+
+    void operator()(const Stroke& stroke) {
+        trace(stroke.path);
+        set_ink(stroke.ink);
+        cairo_set_line_width(cairo_, stroke.width_pt);
+        cairo_set_line_cap(cairo_, stroke.round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+        cairo_set_dash(cairo_, stroke.dashes_pt.data(), static_cast<int>(stroke.dashes_pt.size()),
+                       stroke.dash_offset_pt);
+        cairo_stroke(cairo_);
+    }
+
+    void operator()(const Type& type) {
+        if (type.halo.alpha > 0.0 && type.halo_pt > 0.0) draw_halo(type);
+        set_ink(type.ink);
+        // Runs of letters of one font and size.
+        for (std::size_t from = 0; from < type.letters.size();) {
+            std::size_t to = from;
+            while (to < type.letters.size() && is_one_run(type.letters[from], type.letters[to]))
+                ++to;
+            show(type, from, to);
+            from = to;
+        }
+        if (type.rules.steps.empty()) return;
+        trace(type.rules);
+        cairo_set_fill_rule(cairo_, CAIRO_FILL_RULE_WINDING);
+        cairo_fill(cairo_);
+    }
+
+    void operator()(const ClipBegin& clip) {
+        cairo_save(cairo_);
+        trace(clip.path);
+        cairo_set_fill_rule(cairo_,
+                            clip.even_odd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
+        cairo_clip(cairo_);
+    }
+    void operator()(const ClipEnd&) { cairo_restore(cairo_); }
+
+ private:
+    static bool is_one_run(const PlacedLetter& a, const PlacedLetter& b) {
+        return *a.font_file == *b.font_file && a.em_pt == b.em_pt;
+    }
+
+    void trace(const Path& path) {
+        cairo_new_path(cairo_);
+        for (const Step& step : path.steps) {
+            switch (step.kind) {
+                case Step::Kind::move:
+                    cairo_move_to(cairo_, step.to.x(), step.to.y());
+                    break;
+                case Step::Kind::line:
+                    cairo_line_to(cairo_, step.to.x(), step.to.y());
+                    break;
+                case Step::Kind::cubic:
+                    cairo_curve_to(cairo_, step.control_1.x(), step.control_1.y(),
+                                   step.control_2.x(), step.control_2.y(), step.to.x(),
+                                   step.to.y());
+                    break;
+                case Step::Kind::close:
+                    cairo_close_path(cairo_);
+            }
+        }
+    }
+
+    void set_ink(const Ink& ink) {
+        cairo_set_source_rgba(cairo_, ink.colour.r, ink.colour.g, ink.colour.b, ink.alpha);
+    }
+
+    static void add_stops(const std::vector<Stop>& stops, cairo_pattern_t* pattern) {
+        for (const Stop& stop : stops)
+            cairo_pattern_add_color_stop_rgba(pattern, stop.at, stop.ink.colour.r,
+                                              stop.ink.colour.g, stop.ink.colour.b, stop.ink.alpha);
+    }
+
+    void set_paint(const Paint& paint) {
+        if (const Ink* ink = std::get_if<Ink>(&paint)) {
+            set_ink(*ink);
+        } else if (const LinearFade* linear = std::get_if<LinearFade>(&paint)) {
+            const Pattern pattern(cairo_pattern_create_linear(linear->from.x(), linear->from.y(),
+                                                              linear->to.x(), linear->to.y()));
+            add_stops(linear->stops, pattern.get());
+            cairo_set_source(cairo_, pattern.get());
+        } else if (const RadialFade* radial = std::get_if<RadialFade>(&paint)) {
+            const Pattern pattern(cairo_pattern_create_radial(radial->focus.x(), radial->focus.y(),
+                                                              0.0, 0.0, 0.0, 1.0));
+            const cairo_matrix_t matrix = matrix_of(radial->page_from_circle.inverse());
+            cairo_pattern_set_matrix(pattern.get(), &matrix);
+            add_stops(radial->stops, pattern.get());
+            cairo_set_source(cairo_, pattern.get());
+        }
+    }
+
+    static Eigen::Vector2d on_rim(const ShadedDisc& disc, double spoke) {
+        const double angle = 2.0 * std::numbers::pi * spoke / disc.n_spokes;
+        return {std::cos(angle), std::sin(angle)};
+    }
+
+    // Readers cut patches off at whole pixels. So sectors in the colours of the limb make the edge,
+    // under patches that end just within it; both as one sheet.
+    void shade(const Path& path, const ShadedDisc& disc) {
+        const auto clip_to = [this](const Path& outline) {
+            cairo_save(cairo_);
+            trace(outline);
+            cairo_set_fill_rule(cairo_, CAIRO_FILL_RULE_WINDING);
+            cairo_clip(cairo_);
+        };
+        cairo_push_group(cairo_);
+        clip_to(path);
+        for (int spoke = 0; spoke < disc.n_spokes; ++spoke) {
+            // Each reaches under the next, the last under the first.
+            const double reach = spoke + 1 < disc.n_spokes ? 1.5 : 0.5;
+            Path sector;
+            sector.move(disc.page_from_disc * Eigen::Vector2d::Zero());
+            sector.line(disc.page_from_disc * (1.2 * on_rim(disc, spoke - 0.5)));
+            sector.line(disc.page_from_disc * (1.2 * on_rim(disc, spoke + reach)));
+            sector.close();
+            set_ink({disc.at(disc.n_rings, spoke), 1.0});
+            trace(sector);
+            cairo_fill(cairo_);
+        }
+        cairo_restore(cairo_);
+        const double size_pt = std::sqrt(std::abs(disc.page_from_disc.linear().determinant()));
+        const double inset = std::max(1.0 - 0.5 / std::max(size_pt, 1e-9), 0.5);
+        Path inner;
+        const Eigen::Vector2d middle = disc.page_from_disc.translation();
+        for (Step step : path.steps) {
+            for (Eigen::Vector2d* p : {&step.control_1, &step.control_2, &step.to})
+                *p = middle + inset * (*p - middle);
+            inner.steps.push_back(step);
+        }
+        clip_to(inner);
+        const Pattern mesh = mesh_of(disc);
+        cairo_set_source(cairo_, mesh.get());
+        cairo_paint(cairo_);
+        cairo_restore(cairo_);
+        cairo_pop_group_to_source(cairo_);
+        cairo_paint_with_alpha(cairo_, disc.alpha);
+    }
+
+    // Patches between rings and spokes. The outermost reach a little beyond the disc, whose path
+    // clips them.
+    static Pattern mesh_of(const ShadedDisc& disc) {
+        Pattern mesh(cairo_pattern_create_mesh());
+        const auto place = [&](int ring, int spoke) {
+            const double outside = ring == disc.n_rings ? 1.06 : 1.0;
+            return (disc.page_from_disc * (outside * disc.radius(ring) * on_rim(disc, spoke)))
+                .eval();
+        };
+        for (int ring = 0; ring < disc.n_rings; ++ring) {
+            for (int spoke = 0; spoke < disc.n_spokes; ++spoke) {
+                const std::array<std::pair<int, int>, 4> corners{
+                    {{ring, spoke}, {ring, spoke + 1}, {ring + 1, spoke + 1}, {ring + 1, spoke}}};
+                cairo_mesh_pattern_begin_patch(mesh.get());
+                unsigned int k = 0;
+                for (const auto& [r, s] : corners) {
+                    const Eigen::Vector2d at = place(r, s);
+                    if (k == 0)
+                        cairo_mesh_pattern_move_to(mesh.get(), at.x(), at.y());
+                    else
+                        cairo_mesh_pattern_line_to(mesh.get(), at.x(), at.y());
+                    const Colour& colour = disc.at(r, s);
+                    cairo_mesh_pattern_set_corner_color_rgb(mesh.get(), k++, colour.r, colour.g,
+                                                            colour.b);
+                }
+                cairo_mesh_pattern_end_patch(mesh.get());
+            }
+        }
+        return mesh;
+    }
+
+    void set_font(const PlacedLetter& letter) {
+        Face& face = faces_[*letter.font_file];
+        if (!face) face = cairo_face(*letter.font_file);
+        cairo_set_font_face(cairo_, face.get());
+        cairo_set_font_size(cairo_, letter.em_pt);
+        const Options options(cairo_font_options_create());
+        cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+        cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+        cairo_set_font_options(cairo_, options.get());
+    }
+
+    // Cairo keeps fonts as long as it likes: this one goes with the last that it has of it.
+    static Face cairo_face(const std::filesystem::path& file) {
+        static const cairo_user_data_key_t key{};
+        auto own = std::make_unique<FontFace>(file);
+        constexpr int no_hinting = 2;  // FT_LOAD_NO_HINTING
+        Face face(cairo_ft_font_face_create_for_ft_face(own->handle(), no_hinting));
+        check(cairo_font_face_set_user_data(
+            face.get(), &key, own.get(), [](void* font) { delete static_cast<FontFace*>(font); }));
+        static_cast<void>(own.release());
+        return face;
+    }
+
+    static std::vector<cairo_glyph_t> glyphs_of(const Type& type, std::size_t from,
+                                                std::size_t to) {
+        std::vector<cairo_glyph_t> glyphs;
+        for (std::size_t k = from; k < to; ++k)
+            glyphs.push_back({type.letters[k].glyph, type.letters[k].x_pt, type.letters[k].y_pt});
+        return glyphs;
+    }
+
+    void show(const Type& type, std::size_t from, std::size_t to) {
+        set_font(type.letters[from]);
+        const FontFace& font = fonts_.of(*type.letters[from].font_file);
+        const std::vector<cairo_glyph_t> glyphs = glyphs_of(type, from, to);
+        std::string text;
+        std::vector<cairo_text_cluster_t> clusters;
+        for (const cairo_glyph_t& glyph : glyphs) {
+            std::string says;
+            for (const char32_t c : font.meaning(static_cast<std::uint32_t>(glyph.index)))
+                says += utf8_of(c);
+            clusters.push_back({static_cast<int>(says.size()), 1});
+            text += says;
+        }
+        cairo_show_text_glyphs(cairo_, text.data(), static_cast<int>(text.size()), glyphs.data(),
+                               static_cast<int>(glyphs.size()), clusters.data(),
+                               static_cast<int>(clusters.size()), cairo_text_cluster_flags_t{});
+    }
+
+    void draw_halo(const Type& type) {
+        set_ink(type.halo);
+        cairo_new_path(cairo_);
+        for (const PlacedLetter& letter : type.letters) {
+            const Path outline = fonts_.of(*letter.font_file).outline(letter.glyph);
+            cairo_save(cairo_);
+            cairo_translate(cairo_, letter.x_pt, letter.y_pt);
+            cairo_scale(cairo_, letter.em_pt, letter.em_pt);
+            add(outline);
+            cairo_restore(cairo_);
+        }
+        add(type.rules);
+        cairo_set_line_width(cairo_, 1.5 * type.halo_pt);
+        cairo_set_dash(cairo_, nullptr, 0, 0.0);
+        cairo_stroke(cairo_);
+    }
+
+    void add(const Path& path) {
+        for (const Step& step : path.steps) {
+            if (step.kind == Step::Kind::move)
+                cairo_move_to(cairo_, step.to.x(), step.to.y());
+            else if (step.kind == Step::Kind::line)
+                cairo_line_to(cairo_, step.to.x(), step.to.y());
+            else if (step.kind == Step::Kind::cubic)
+                cairo_curve_to(cairo_, step.control_1.x(), step.control_1.y(), step.control_2.x(),
+                               step.control_2.y(), step.to.x(), step.to.y());
+            else
+                cairo_close_path(cairo_);
+        }
+    }
+
+    cairo_t* cairo_;
+    FontFaces fonts_;
+    std::map<std::filesystem::path, Face> faces_;
+};
+
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
+    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+// A text string of PDF in UTF-8 (ISO 32000-2, 7.9.2.2), between parentheses.
+std::string pdf_string(std::string_view text) {
+    std::string out = "(\xEF\xBB\xBF";
+    for (const char c : text) {
+        if (c == '(' || c == ')' || c == '\\') out += '\\';
+        if (c == '\r')
+            out += "\\r";
+        else
+            out += c;
+    }
+    return out + ")";
+}
+
+// The number after the last of these words.
+std::string_view last_after(std::string_view pdf, std::string_view word) {
+    const std::size_t at = pdf.rfind(word);
+    if (at == std::string_view::npos) return {};
+    std::string_view rest = pdf.substr(at + word.size());
+    while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\n')) rest.remove_prefix(1);
+    return rest.substr(0, rest.find_first_not_of("0123456789"));
+}
+
+}  // namespace
+
+std::string pdf_of(const Page& page, std::string_view title) {
+    std::string bytes;
+    const Surface surface(
+        cairo_pdf_surface_create_for_stream(append, &bytes, page.width_pt, page.height_pt));
+    check(cairo_surface_status(surface.get()));
+    cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
+    // The same scene gives the same bytes at any time.
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
+                                   "2000-01-01T00:00:00Z");
+    if (!title.empty())
+        cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE,
+                                       std::string(title).c_str());
+    {
+        const Context cairo(cairo_create(surface.get()));
+        Writer writer(cairo.get());
+        for (const Item& item : page.items) std::visit(writer, item);
+        check(cairo_status(cairo.get()));
+        cairo_show_page(cairo.get());
+    }
+    cairo_surface_finish(surface.get());
+    check(cairo_surface_status(surface.get()));
+    return bytes;
+}
+
+std::string with_pdf_text(std::string pdf, std::string_view name, std::string_view text) {
+    const std::string_view size = last_after(pdf, "/Size"), root = last_after(pdf, "/Root"),
+                           before = last_after(pdf, "startxref");
+    if (size.empty() || root.empty() || before.empty())
+        throw EnvironmentError("Cairo has written a PDF without a trailer");
+    const std::string n(size), root_number(root), previous(before);
+    const std::string more = std::to_string(std::strtol(n.c_str(), nullptr, 10) + 1);
+    if (pdf.back() != '\n') pdf += '\n';
+    const std::size_t at = pdf.size();
+    pdf += fmt::format("{} 0 obj\n<< /Creator (poinsot)\n/{} {}\n>>\nendobj\n", n, name,
+                       pdf_string(text));
+    const std::size_t table = pdf.size();
+    pdf += fmt::format(
+        "xref\n{} 1\n{:010} 00000 n \ntrailer\n<< /Size {}\n/Root {} 0 R\n/Info {} 0 R\n/Prev "
+        "{}\n>>\nstartxref\n{}\n%%EOF\n",
+        n, at, more, root_number, n, previous, table);
+    return pdf;
+}
+
+PdfText pdf_text(std::string_view pdf, std::string_view name) {
+    const std::string opening =
+        fmt::format(" 0 obj\n<< /Creator (poinsot)\n/{} (\xEF\xBB\xBF", name);
+    const std::size_t at = pdf.rfind(opening);
+    if (at == std::string_view::npos) return {};
+    PdfText found;
+    found.before = pdf.substr(0, pdf.rfind('\n', at) + 1);
+    for (std::size_t k = at + opening.size(); k < pdf.size() && pdf[k] != ')'; ++k) {
+        if (pdf[k] == '\\' && k + 1 < pdf.size()) {
+            ++k;
+            found.text += pdf[k] == 'r' ? '\r' : pdf[k];
+        } else {
+            found.text += pdf[k];
+        }
+    }
+    return found;
+}
+
+}  // namespace poinsot::vector

@@ -1,0 +1,27 @@
+// A page as PDF, by Cairo: paths, gradients and embedded fonts; nothing of it is a picture. The
+// same page gives the same bytes. Coordinates are rounded to 1/256 pt (1.4 µm).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "vector/page.h"
+
+namespace poinsot::vector {
+
+// The bytes of the file. title: of the document; may be empty.
+// Throws EnvironmentError where a font cannot be read or Cairo fails.
+std::string pdf_of(const Page& page, std::string_view title);
+
+// The same file with a text of its own in the document's information, under this name, as an
+// update appended to it (ISO 32000-1, 7.5.6).
+std::string with_pdf_text(std::string pdf, std::string_view name, std::string_view text);
+
+// That text, and the file before it was added; both empty if there is none.
+struct PdfText {
+    std::string text;
+    std::string_view before;
+};
+PdfText pdf_text(std::string_view pdf, std::string_view name);
+
+}  // namespace poinsot::vector

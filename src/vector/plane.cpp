@@ -1,0 +1,171 @@
+// A plane's disc, fading to its rim, and its grid.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "vector/canvas.h"
+
+namespace poinsot::vector {
+
+namespace {
+
+constexpr int n_levels = 8;
+
+// A disc of the plane about its centre.
+Conic circle_of(const Plane& plane, double radius) {
+    return {plane.centre, radius * plane.along, radius * plane.normal.cross(plane.along)};
+}
+
+// The largest disc of it that is all before the eye, as a share of its radius.
+double share_before_eye(const Canvas& canvas, const Plane& plane) {
+    if (!canvas.sight.perspective) return 1.0;
+    const Eigen::Vector3d across = plane.normal.cross(plane.along);
+    const double tilt =
+        std::hypot(canvas.sight.forward.dot(plane.along), canvas.sight.forward.dot(across));
+    const double room = canvas.sight.depth(plane.centre) - 2.0 * canvas.sight.near_depth;
+    return std::clamp(room / std::max(tilt * plane.radius, 1e-12), 0.0, 1.0);
+}
+
+void fill_disc(const Canvas& canvas, const Plane& plane, double share) {
+    const auto rim = picture_of(circle_of(plane, share * plane.radius), canvas.sight);
+    const auto inner =
+        picture_of(circle_of(plane, share * plane.fade_from * plane.radius), canvas.sight);
+    if (!rim || !inner) return;
+    RadialFade fade;
+    fade.page_from_circle = rim->page_from_circle();
+    // Pictures of the discs between shrink about a point, nearly.
+    const Eigen::Affine2d to_circle = fade.page_from_circle.inverse();
+    const Eigen::Vector2d inner_centre = to_circle * inner->centre;
+    const Eigen::Matrix2d shrunk = to_circle.linear() * inner->page_from_circle().linear();
+    const double inner_radius = std::sqrt(std::abs(shrunk.determinant()));
+    fade.focus = inner_centre / std::max(1.0 - inner_radius, 1e-6);
+    if (fade.focus.norm() > 0.95) fade.focus *= 0.95 / fade.focus.norm();
+    const Colour behind = canvas.behind(canvas.sight.paper(plane.centre));
+    const auto ink = [&](double radius) {
+        return as_in_light(plane.colour, plane_opacity(plane, radius), behind);
+    };
+    fade.stops.push_back({0.0, ink(0.0)});
+    constexpr int n_stops = 8;
+    for (int k = 0; k <= n_stops; ++k) {
+        const double part = static_cast<double>(k) / n_stops;
+        const double radius =
+            plane.radius * share * (plane.fade_from + (1.0 - plane.fade_from) * part);
+        fade.stops.push_back({inner_radius + (1.0 - inner_radius) * part, ink(radius)});
+    }
+    Fill fill;
+    fill.path = canvas.path_of(*rim);
+    fill.paint = std::move(fade);
+    canvas.add(std::move(fill));
+}
+
+// Both ends of a segment moved to where it is before the eye; false if none of it is.
+bool cut_before_eye(const Sight& sight, Eigen::Vector3d& a, Eigen::Vector3d& b) {
+    if (!sight.perspective) return true;
+    const double least = 2.0 * sight.near_depth;
+    const double depth_a = sight.depth(a), depth_b = sight.depth(b);
+    if (std::max(depth_a, depth_b) <= least) return false;
+    const Eigen::Vector3d crossing = a + (least - depth_a) / (depth_b - depth_a) * (b - a);
+    if (depth_a < least) a = crossing;
+    if (depth_b < least) b = crossing;
+    return true;
+}
+
+// Lines of the grid in pieces of even opacity.
+class Grid {
+ public:
+    Grid(const Canvas& canvas, const Plane& plane) : canvas_(canvas), plane_(plane) {
+        across_ = plane.normal.cross(plane.along);
+        // Distances at which the opacity goes from one level to the next.
+        for (int k = 0; k <= n_levels; ++k) {
+            const double part = static_cast<double>(k) / n_levels;
+            radii_.push_back(plane.radius * (plane.fade_from + (1.0 - plane.fade_from) * part));
+        }
+    }
+
+    void draw() {
+        const double spacing = plane_.grid_spacing;
+        const int n = static_cast<int>(std::min(plane_.radius / spacing, 500.0));
+        for (int k = -n; k <= n; ++k) {
+            add_line(plane_.along, across_, k * spacing);
+            add_line(across_, plane_.along, k * spacing);
+        }
+        for (auto& [level, path] : paths_) {
+            const double alpha = static_cast<double>(level) / n_shades;
+            Stroke stroke;
+            stroke.path = std::move(path);
+            stroke.ink = as_in_light(plane_.grid_colour, alpha,
+                                     canvas_.behind(canvas_.sight.paper(plane_.centre)));
+            stroke.width_pt = canvas_.line_pt(plane_.grid_px);
+            stroke.round = false;
+            canvas_.add(std::move(stroke));
+        }
+    }
+
+ private:
+    static constexpr int n_shades = 16;
+
+    void add_line(const Eigen::Vector3d& direction, const Eigen::Vector3d& side, double offset) {
+        std::vector<double> ends;
+        for (auto radius = radii_.rbegin(); radius != radii_.rend(); ++radius)
+            if (std::abs(offset) < *radius) ends.push_back(-chord(*radius, offset));
+        const std::size_t n = ends.size();
+        for (std::size_t k = n; k-- > 0;) ends.push_back(-ends[k]);
+        for (std::size_t k = 1; k < ends.size(); ++k)
+            add_piece(direction, side, offset, ends[k - 1], ends[k]);
+    }
+    static double chord(double radius, double offset) {
+        return std::sqrt(std::max(radius * radius - offset * offset, 0.0));
+    }
+    void add_piece(const Eigen::Vector3d& direction, const Eigen::Vector3d& side, double offset,
+                   double from, double to) {
+        const Eigen::Vector3d foot = plane_.centre + offset * side;
+        Eigen::Vector3d a = foot + from * direction, b = foot + to * direction;
+        if (!cut_before_eye(canvas_.sight, a, b)) return;
+        const Eigen::Vector3d middle = 0.5 * (a + b);
+        // Lines closer than a few pixels would merge into a tone.
+        const Eigen::Vector2d here = canvas_.sight.paper(middle);
+        const Eigen::Vector2d next = canvas_.sight.paper(middle + plane_.grid_spacing * side);
+        const Eigen::Vector2d along =
+            (canvas_.sight.paper(b) - canvas_.sight.paper(a)).normalized();
+        const Eigen::Vector2d apart = next - here;
+        const double apart_px =
+            std::abs(apart.x() * along.y() - apart.y() * along.x()) / canvas_.sight.pt_per_px;
+        const double t = std::clamp((apart_px - 3.0) / 11.0, 0.0, 1.0);
+        const double alpha =
+            plane_opacity(plane_, std::hypot(offset, 0.5 * (from + to))) * t * t * (3.0 - 2.0 * t);
+        const int level = static_cast<int>(std::lround(alpha * n_shades));
+        if (level == 0) return;
+        const Eigen::Vector2d begin = canvas_.sight.paper(a), end = canvas_.sight.paper(b);
+        Path& path = paths_[level];
+        if (path.steps.empty() || path.steps.back().to != begin) path.move(begin);
+        path.line(end);
+    }
+
+    const Canvas& canvas_;
+    const Plane& plane_;
+    Eigen::Vector3d across_;
+    std::vector<double> radii_;
+    std::map<int, Path> paths_;
+};
+
+}  // namespace
+
+bool is_before_solids(const Canvas& canvas, const Plane& plane) {
+    const Sight& sight = canvas.sight;
+    const double eye_side = sight.perspective ? plane.normal.dot(sight.eye - plane.centre)
+                                              : -plane.normal.dot(sight.forward);
+    double far_side = 0.0;
+    for (const Ellipsoid& ellipsoid : canvas.view.ellipsoids)
+        far_side += plane.normal.dot(ellipsoid.centre - plane.centre) * eye_side < 0.0 ? 1.0 : -1.0;
+    return far_side > 0.0;
+}
+
+void draw_plane(const Canvas& canvas, const Plane& plane) {
+    if (plane.opacity <= 0.0 || plane.radius <= 0.0) return;
+    const double share = share_before_eye(canvas, plane);
+    if (share > 0.0 && canvas.shading != Shading::none) fill_disc(canvas, plane, share);
+    if (plane.grid_px > 0.0 && plane.grid_spacing > 0.0) Grid(canvas, plane).draw();
+}
+
+}  // namespace poinsot::vector

@@ -1,0 +1,29 @@
+// Labels as letters on their baselines.
+#include "vector/canvas.h"
+
+namespace poinsot::vector {
+
+void draw_label(const Canvas& canvas, const Label& label) {
+    if (label.mask == nullptr || label.opacity <= 0.0) return;
+    const GlyphMask& mask = *label.mask;
+    if (mask.letters.empty() && mask.rules.empty()) return;
+    const double pt = canvas.pt(mask.samples);
+    const Eigen::Vector2d corner = canvas.sight.pt_per_px * label.top_left_px;
+    Type type;
+    for (const MaskLetter& letter : mask.letters)
+        type.letters.push_back({letter.font_file, letter.glyph, corner.x() + pt * letter.x_px,
+                                corner.y() + pt * letter.baseline_px, pt * letter.em_px});
+    for (const MaskRule& rule : mask.rules)
+        type.rules.add_rectangle(corner + pt * Eigen::Vector2d(rule.left_px, rule.top_px),
+                                 pt * Eigen::Vector2d(rule.width_px, rule.height_px));
+    type.ink = {label.colour, label.opacity};
+    // Type that stands over lines has a halo; over an even ground none would be seen.
+    const View& view = canvas.view;
+    const bool may_cover = !(view.curves.empty() && view.arrows.empty() && view.planes.empty() &&
+                             view.ellipsoids.empty() && view.meshes.empty());
+    type.halo = {label.halo_colour, may_cover ? label.opacity : 0.0};
+    type.halo_pt = canvas.pt(label.halo_px);
+    canvas.add(std::move(type));
+}
+
+}  // namespace poinsot::vector

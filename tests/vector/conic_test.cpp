@@ -1,0 +1,109 @@
+// Outlines and circles on paper, against points and lines of sight one by one.
+#include "vector/conic.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "random_views.h"
+#include "vector/canvas.h"
+
+namespace poinsot::vector {
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+
+// How far a point on paper is from a conic of the view: Newton's method on the distance from the
+// conic's picture, point by point.
+double distance_um(const Conic& conic, const Sight& sight, const Eigen::Vector2d& at) {
+    const auto place = [&](double s) { return sight.paper(conic.at(s)); };
+    double best = 0.0, least = 1e300;
+    for (int k = 0; k < 720; ++k) {
+        const double s = two_pi * k / 720.0, d = (place(s) - at).squaredNorm();
+        if (d < least) least = d, best = s;
+    }
+    double low = best - two_pi / 720.0, high = best + two_pi / 720.0;
+    for (int k = 0; k < 100; ++k) {
+        const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+        ((place(a) - at).squaredNorm() < (place(b) - at).squaredNorm() ? high : low) =
+            (place(a) - at).squaredNorm() < (place(b) - at).squaredNorm() ? b : a;
+    }
+    return um((place(0.5 * (low + high)) - at).norm());
+}
+
+TEST(Conic, ItsPictureIsAnEllipseThroughItsPoints) {
+    RandomViews random(1);
+    int n_seen = 0;
+    for (int k = 0; k < 100; ++k) {
+        const View view = random.view(k);
+        const Sight sight(view, print_pt_per_px);
+        const Conic conic = random.conic();
+        const auto picture = picture_of(conic, sight);
+        if (!picture) continue;
+        ++n_seen;
+        for (int i = 0; i < 16; ++i) {
+            const Eigen::Vector2d at = sight.paper(conic.at(two_pi * i / 16.0));
+            EXPECT_NEAR(picture->radius_of(at), 1.0, 1e-9) << "view " << k;
+        }
+    }
+    EXPECT_GT(n_seen, 70);
+}
+
+TEST(Conic, BeziersStayWithinAMicrometre) {
+    RandomViews random(2);
+    double worst_um = 0.0;
+    std::size_t n_most = 0;
+    for (int k = 0; k < 60; ++k) {
+        const View view = random.view(k);
+        const Sight sight(view, print_pt_per_px);
+        const auto limb = limb_of(SphereSight(view.ellipsoids[0], sight));
+        const auto picture = limb ? picture_of(*limb, sight) : std::nullopt;
+        if (!picture) continue;
+        double bound_pt = 0.0;
+        const auto beziers = beziers_of(*picture, conic_tolerance_pt, bound_pt);
+        n_most = std::max(n_most, beziers.size());
+        EXPECT_LE(um(bound_pt), 1.0);
+        double worst_here_um = 0.0;
+        for (std::size_t i = 0; i < beziers.size(); ++i) {
+            EXPECT_LT((beziers[i][3] - beziers[(i + 1) % beziers.size()][0]).norm(), 1e-9);
+            // Where the radial error of an arc is greatest, and beside it.
+            for (const double t : {0.1, 0.2, 0.211, 0.3, 0.5, 0.789, 0.9})
+                worst_here_um =
+                    std::max(worst_here_um, distance_um(*limb, sight, at(beziers[i], t)));
+        }
+        EXPECT_LE(worst_here_um, um(bound_pt) + 1e-3) << "view " << k;
+        worst_um = std::max(worst_um, worst_here_um);
+    }
+    EXPECT_GT(worst_um, 0.01);  // no more arcs than it takes
+    EXPECT_LE(worst_um, 1.0);
+    EXPECT_LE(n_most, 24u);
+}
+
+// Along the limb lines of sight touch the ellipsoid: they are at right angles to its normal.
+TEST(Conic, TheLimbIsWhereLinesOfSightTouch) {
+    RandomViews random(3);
+    for (int k = 0; k < 60; ++k) {
+        const View view = random.view(k);
+        const Sight sight(view, print_pt_per_px);
+        const Ellipsoid& ellipsoid = view.ellipsoids[0];
+        const auto limb = limb_of(SphereSight(ellipsoid, sight));
+        if (!limb) continue;
+        const Eigen::Matrix3d to_u = ellipsoid.half_axes.inverse();
+        for (int i = 0; i < 12; ++i) {
+            const Eigen::Vector3d u = to_u * (limb->at(two_pi * i / 12.0) - ellipsoid.centre);
+            EXPECT_NEAR(u.norm(), 1.0, 1e-9);
+            const Eigen::Vector3d towards = to_u * sight.towards_eye(limb->at(two_pi * i / 12.0));
+            EXPECT_NEAR(u.dot(towards) / towards.norm(), 0.0, 1e-9);
+        }
+    }
+}
+
+TEST(Conic, AnEyeInsideSeesNoOutline) {
+    View view = RandomViews(4).view(1);
+    view.ellipsoids[0].centre = view.camera.eye;
+    EXPECT_FALSE(limb_of(SphereSight(view.ellipsoids[0], Sight(view, print_pt_per_px))));
+}
+
+}  // namespace
+}  // namespace poinsot::vector

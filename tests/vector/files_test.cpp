@@ -1,0 +1,140 @@
+// Pages as files: the same bytes each time, sound to other programs, and what was put in comes out.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "random_views.h"
+#include "vector/font_face.h"
+#include "vector/pdf.h"
+#include "vector/picture.h"
+#include "vector/svg.h"
+
+namespace poinsot::vector {
+namespace {
+
+// A view with one of everything.
+struct Everything {
+    Everything() {
+        drawing.width_px = 1000;
+        drawing.height_px = 750;
+        View& view = drawing.views.emplace_back();
+        view.width_px = 1000;
+        view.height_px = 750;
+        view.camera.eye = {2.5, -4.5, 2.2};
+        view.camera.target = {0.0, 0.0, -0.2};
+        Ellipsoid& ellipsoid = view.ellipsoids.emplace_back();
+        ellipsoid.half_axes = Eigen::Vector3d(1.0, 0.7, 0.55).asDiagonal();
+        Plane& plane = view.planes.emplace_back();
+        plane.centre = {0.0, 0.0, -0.7};
+        for (int k = 0; k < 200; ++k)
+            circle.points.emplace_back(1.3 * std::cos(2.0 * std::numbers::pi * k / 200.0),
+                                       1.3 * std::sin(2.0 * std::numbers::pi * k / 200.0), 0.1);
+        circle.closed = true;
+        Curve& curve = view.curves.emplace_back();
+        curve.geometry = &circle;
+        curve.colour = {0.7, 0.1, 0.1};
+        Arrow& arrow = view.arrows.emplace_back();
+        arrow.tip = {0.3, 0.2, 1.5};
+        arrow.colour = {0.1, 0.2, 0.7};
+        Dot& dot = view.dots.emplace_back();
+        dot.at = {0.0, -0.7, 0.0};
+        Cone& cone = view.cones.emplace_back();
+        cone.apex = {-1.5, 0.0, 0.0};
+        cone.half_angle_rad = 0.4;
+        cone.length = 0.8;
+        for (const auto& corner :
+             {Eigen::Vector3f(1.2f, 0.0f, 0.0f), Eigen::Vector3f(1.9f, 0.0f, 0.0f),
+              Eigen::Vector3f(1.5f, 0.0f, 0.7f)})
+            triangle.positions.push_back(corner);
+        view.meshes.emplace_back().geometry = &triangle;
+    }
+    CurveGeometry circle;
+    MeshGeometry triangle;
+    Drawing drawing;
+};
+
+Page page_of_everything(Shading shading = Shading::tone) {
+    const Everything everything;
+    return page_of(everything.drawing, {.pt_per_px = print_pt_per_px, .shading = shading});
+}
+
+std::string output_of(const std::string& command) {
+    std::string out;
+    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+    if (pipe == nullptr) return "cannot run";
+    std::array<char, 4096> buffer{};
+    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
+        out.append(buffer.data(), n);
+    const int code = pclose(pipe);
+    return code == 0 ? out : "exit " + std::to_string(code) + ": " + out;
+}
+
+class Files : public ::testing::Test {
+ protected:
+    Files() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "vectorXXXXXX").string();
+        folder_ = mkdtemp(pattern.data());
+    }
+    ~Files() override { std::filesystem::remove_all(folder_); }
+    std::string write(const std::string& name, const std::string& bytes) const {
+        const std::string path = (folder_ / name).string();
+        std::ofstream(path, std::ios::binary) << bytes;
+        return path;
+    }
+    std::filesystem::path folder_;
+};
+
+TEST_F(Files, AreTheSameBytesEachTime) {
+    EXPECT_EQ(pdf_of(page_of_everything(), "a"), pdf_of(page_of_everything(), "a"));
+    EXPECT_EQ(svg_of(page_of_everything(), "a", "b"), svg_of(page_of_everything(), "a", "b"));
+}
+
+TEST_F(Files, APdfIsSoundAndHasNoPicture) {
+    for (const Shading shading : {Shading::tone, Shading::none}) {
+        const std::string text = "a (text) with \\ and ω\r\nin it";
+        const std::string pdf = with_pdf_text(pdf_of(page_of_everything(shading), "t"), "X", text);
+        const std::string path = write("a.pdf", pdf);
+        EXPECT_EQ(output_of("qpdf --check " + path).find("exit"), std::string::npos)
+            << output_of("qpdf --check " + path);
+        const std::string images = output_of("pdfimages -list " + path);
+        EXPECT_EQ(std::count(images.begin(), images.end(), '\n'), 2) << images;
+        const PdfText found = pdf_text(pdf, "X");
+        EXPECT_EQ(found.text, text);
+        EXPECT_EQ(found.before, pdf_of(page_of_everything(shading), "t"));
+    }
+}
+
+TEST_F(Files, AnSvgIsWellFormedAndHasNoPicture) {
+    for (const Shading shading : {Shading::tone, Shading::none}) {
+        const std::string text = "<&> and ω\r\nin it";
+        const std::string svg = svg_of(page_of_everything(shading), "t & t", text);
+        const std::string path = write("a.svg", svg);
+        EXPECT_EQ(output_of("xmllint --noout " + path), "");
+        EXPECT_EQ(svg.find("<image"), std::string::npos);
+        EXPECT_EQ(svg_text(svg), text);
+    }
+}
+
+TEST_F(Files, WithoutShadingThereAreNoGradients) {
+    const std::string svg = svg_of(page_of_everything(Shading::none), "", "");
+    EXPECT_EQ(svg.find("Gradient"), std::string::npos);
+    EXPECT_NE(svg_of(page_of_everything(), "", "").find("Gradient"), std::string::npos);
+}
+
+TEST(PlainLetter, IsWhatOneWouldSearchFor) {
+    EXPECT_EQ(plain_letter(U'\U0001D6DA'), U'ω');  // bold small omega
+    EXPECT_EQ(plain_letter(U'\U0001D74E'), U'ω');  // bold italic
+    EXPECT_EQ(plain_letter(U'\U0001D43F'), U'L');
+    EXPECT_EQ(plain_letter(U'\U0001D40B'), U'L');
+    EXPECT_EQ(plain_letter(U'\U0001D7CF'), U'1');
+    EXPECT_EQ(plain_letter(U'√'), U'√');
+}
+
+}  // namespace
+}  // namespace poinsot::vector

@@ -1,0 +1,181 @@
+// What hides what, against casting rays: lines of sight followed by themselves.
+#include "vector/occluders.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "random_views.h"
+#include "vector/conic.h"
+
+namespace poinsot::vector {
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+
+// Whether the line of sight from the eye down to the point passes through the ellipsoid before it:
+// the least value of a quadratic over a segment, nothing of poles or outlines.
+bool ray_meets(const Ellipsoid& ellipsoid, const Camera& camera, const Eigen::Vector3d& point) {
+    const Eigen::Matrix3d to_u = ellipsoid.half_axes.inverse();
+    const Eigen::Vector3d away = (camera.target - camera.eye).normalized();
+    const Eigen::Vector3d from =
+        camera.orthographic ? Eigen::Vector3d(point - 50.0 * away) : camera.eye;
+    const Eigen::Vector3d u = to_u * (from - ellipsoid.centre), d = to_u * (point - from);
+    const double nearest = std::clamp(-u.dot(d) / d.squaredNorm(), 0.0, 1.0);
+    // The square at the nearest place, with few digits lost: |u × d|²/|d|² for the whole line.
+    return nearest < 1.0 ? u.cross(d).squaredNorm() < d.squaredNorm() : (u + d).squaredNorm() < 1.0;
+}
+
+bool ray_crosses(const Plane& plane, const Camera& camera, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d away = (camera.target - camera.eye).normalized();
+    const double here = plane.normal.dot(point - plane.centre);
+    if (camera.orthographic) return here * plane.normal.dot(-away) < 0.0;
+    return here * plane.normal.dot(camera.eye - plane.centre) < 0.0;
+}
+
+// Two bits: behind or within the ellipsoid, behind the plane.
+int hidden_by_rays(const View& view, const Eigen::Vector3d& point) {
+    return (ray_meets(view.ellipsoids[0], view.camera, point) ? 1 : 0) +
+           (ray_crosses(view.planes[0], view.camera, point) ? 2 : 0);
+}
+
+int hidden(const View& view, const Cover& cover) {
+    const double ellipsoid = view.ellipsoids[0].opacity;
+    const double plane = 0.875;  // of 0.9, in eighths
+    for (int bits = 0; bits < 4; ++bits) {
+        const double transmitted =
+            ((bits & 1) != 0 ? 1.0 - ellipsoid : 1.0) * ((bits & 2) != 0 ? 1.0 - plane : 1.0);
+        if (std::abs(cover.transmitted - transmitted) < 1e-9) return bits;
+    }
+    return -1;
+}
+
+// Two hundred views, each with a conic in it.
+template <typename Check>
+void in_random_views(Check check) {
+    RandomViews random(20261122);
+    for (int k = 0; k < 200; ++k) {
+        View view = random.view(k);
+        Conic conic = random.conic();
+        // Every sixth conic touches the ellipsoid's outline from within a hair.
+        const Sight sight(view, print_pt_per_px);
+        if (k % 6 == 0) {
+            const SphereSight sphere(view.ellipsoids[0], sight);
+            if (const auto limb = limb_of(sphere)) {
+                conic = *limb;
+                conic.cosine_axis *= 1.0 + random.between(-1e-3, 1e-3);
+                conic.centre += 0.2 * (view.camera.target - view.camera.eye).normalized();
+            }
+        }
+        if (Occluders(view, sight).spheres()[0].surrounds_eye) continue;
+        check(k, view, sight, track_of(conic, 0.0, two_pi), random);
+    }
+}
+
+TEST(Occluders, AgreeWithRaysAtTenThousandRandomPoints) {
+    int n_points = 0, n_hidden = 0, n_beside_breaks = 0;
+    in_random_views([&](int k, const View& view, const Sight& sight, const Track& track,
+                        RandomViews& random) {
+        const std::vector<Span> spans = Occluders(view, sight).spans(track, {});
+        for (int i = 0; i < 60; ++i) {
+            const double s = random.between(0.0, two_pi);
+            const Eigen::Vector3d point = track.flow(s).position;
+            if (sight.perspective && sight.depth(point) <= 1.01 * sight.near_depth) continue;
+            const auto span = std::find_if(spans.begin(), spans.end(),
+                                           [s](const Span& x) { return x.from <= s && s <= x.to; });
+            ASSERT_NE(span, spans.end()) << "view " << k << " at " << s;
+            ++n_points;
+            const int truth = hidden_by_rays(view, point);
+            n_hidden += truth != 0 ? 1 : 0;
+            if (hidden(view, span->cover) == truth) continue;
+            const Eigen::Vector2d here = sight.paper(point);
+            const double from_break =
+                std::min((sight.paper(track.flow(span->from).position) - here).norm(),
+                         (sight.paper(track.flow(span->to).position) - here).norm());
+            ++n_beside_breaks;
+            EXPECT_LT(um(from_break), 3.0) << "view " << k << " at " << s;
+        }
+    });
+    EXPECT_GT(n_points, 10'000);
+    EXPECT_GT(n_hidden, 2'000);
+    EXPECT_LT(n_points - n_hidden, n_points);
+    EXPECT_LT(n_beside_breaks, 5);
+}
+
+TEST(Occluders, BreakWhereBisectionPutsIt) {
+    int n_breaks = 0;
+    double worst_um = 0.0;
+    in_random_views([&](int n, const View& view, const Sight& sight, const Track& track,
+                        RandomViews&) {
+        const std::vector<Span> spans = Occluders(view, sight).spans(track, {});
+        for (std::size_t k = 1; k < spans.size(); ++k) {
+            if (spans[k].from != spans[k - 1].to) continue;  // behind the eye between them
+            const double at = spans[k].from;
+            double low = 0.5 * (spans[k - 1].from + at), high = 0.5 * (at + spans[k].to);
+            const int before = hidden_by_rays(view, track.flow(low).position);
+            if (before == hidden_by_rays(view, track.flow(high).position)) {
+                // A graze that rays and roots tell apart by rounding alone.
+                const auto length_um = [&](const Span& span) {
+                    return um((sight.paper(track.flow(span.to).position) -
+                               sight.paper(track.flow(span.from).position))
+                                  .norm());
+                };
+                EXPECT_LT(std::min(length_um(spans[k - 1]), length_um(spans[k])), 3.0)
+                    << "view " << n << " at " << at;
+                continue;
+            }
+            for (int i = 0; i < 80; ++i) {
+                const double middle = 0.5 * (low + high);
+                (hidden_by_rays(view, track.flow(middle).position) == before ? low : high) = middle;
+            }
+            ++n_breaks;
+            const double off_um =
+                um((sight.paper(track.flow(low).position) - sight.paper(track.flow(at).position))
+                       .norm());
+            worst_um = std::max(worst_um, off_um);
+        }
+    });
+    EXPECT_GT(n_breaks, 300);
+    EXPECT_LT(worst_um, 3.0) << n_breaks << " breaks";
+    RecordProperty("worst_um", std::to_string(worst_um));
+}
+
+TEST(Occluders, ACurveOnTheSurfaceIsHiddenWhereTheSurfaceTurnsAway) {
+    RandomViews random(7);
+    for (int k = 0; k < 50; ++k) {
+        const View view = random.view(k);
+        const Sight sight(view, print_pt_per_px);
+        const Occluders occluders(view, sight);
+        if (occluders.spheres()[0].surrounds_eye) continue;
+        const Ellipsoid& ellipsoid = view.ellipsoids[0];
+        const Conic equator{ellipsoid.centre, ellipsoid.half_axes.col(0),
+                            ellipsoid.half_axes.col(1)};
+        const Eigen::Matrix3d to_u = ellipsoid.half_axes.inverse();
+        for (const Span& span : occluders.spans(track_of(equator, 0.0, two_pi), {0, 0})) {
+            const Eigen::Vector3d at = equator.at(0.5 * (span.from + span.to));
+            // The gradient of |u|² is the outward normal.
+            const Eigen::Vector3d normal = to_u.transpose() * (to_u * (at - ellipsoid.centre));
+            EXPECT_EQ(span.cover.clear == 1.0, normal.dot(sight.towards_eye(at)) > 0.0) << k;
+        }
+    }
+}
+
+TEST(Occluders, WhatFadesLetsGo) {
+    RandomViews random(3);
+    View view = random.view(1);
+    view.planes.clear();
+    const Eigen::Vector3d inside = view.ellipsoids[0].centre;
+    for (const double presence : {1.0, 0.2, 0.1, 0.0}) {
+        view.ellipsoids[0].presence = presence;
+        const Sight sight(view, print_pt_per_px);
+        const Cover cover = Occluders(view, sight).at(inside, {});
+        const double hiding = presence * view.ellipsoids[0].opacity;
+        EXPECT_NEAR(cover.transmitted, 1.0 - hiding, 1e-12);
+        EXPECT_NEAR(cover.clear, 1.0 - std::min(1.0, 4.0 * hiding), 1e-12);
+    }
+}
+
+}  // namespace
+}  // namespace poinsot::vector
