@@ -23,6 +23,7 @@ struct StillChoices {
     ContextOptions context;
     PrintChoices print;
     int bit_depth = 8;
+    VectorChoices vectors;
     std::optional<double> time_s;
     bool quiet = false;
 };
@@ -31,10 +32,12 @@ std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choi
                                    const Telling& telling) {
     SceneRequest request = scene_request_of(job.scene, choices.scene);
     request.print = choices.print;
+    // Vectors lie on paper, whether or not the command line speaks of it.
+    if (is_vector_name(job.output) && !request.print.dpi) request.print.dpi = default_dpi;
     if (choices.time_s) request.times_s = {*choices.time_s};
-    return std::make_unique<StillJob>(
-        open_session(request, Purpose::pictures, telling),
-        StillRequest{job.output, choices.time_s, choices.print, choices.bit_depth});
+    return std::make_unique<StillJob>(open_session(request, Purpose::pictures, telling),
+                                      StillRequest{job.output, choices.time_s, request.print,
+                                                   choices.bit_depth, choices.vectors});
 }
 
 // Each scene is read and staged while the one before it is drawn.
@@ -46,7 +49,8 @@ int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Eas
             [&job = jobs[k], &choices, &telling] { return still_of(job, choices, telling); });
     };
     // Opened before there is another thread: it changes the environment that libraries read.
-    easel.context();
+    const auto is_pixels = [](const SceneJob& job) { return !is_vector_name(job.output); };
+    if (std::any_of(jobs.begin(), jobs.end(), is_pixels)) easel.context();
     int worst = 0;
     std::future<std::unique_ptr<StillJob>> next = begin(0);
     for (std::size_t k = 0; k < jobs.size(); ++k) {
@@ -65,7 +69,7 @@ void draw_alone(const SceneJob& job, const StillChoices& choices, Easel& easel, 
                 const Telling& telling) {
     constexpr std::int64_t small_px = 1 << 24;
     const std::unique_ptr<StillJob> still = still_of(job, choices, telling);
-    if (still->n_pixels() <= small_px) easel.compile_quickly();
+    if (still->is_pixels() && still->n_pixels() <= small_px) easel.compile_quickly();
     still->draw(easel, writer, telling);
 }
 
@@ -97,6 +101,10 @@ CommandLine line(std::any& room) {
              {"--dpi", "dots per inch on paper; 300 if not given", &c.print.dpi, "dots per inch"},
              {"--type-pt", "size of labels on paper in points, 8.5 if not given; lines follow it",
               &c.print.type_pt, "points"},
+             {"--shading",
+              "how vectors fill surfaces: tone (follows the light, the default) or none (lines "
+              "alone)",
+              &c.vectors.shading, "", "tone|none", false, "tone|none"},
              {"--depth", "bits a colour component: 8 or 16", &c.bit_depth, "8 or 16"},
              quality_option(c.scene),
              theme_option(c.scene),

@@ -17,6 +17,7 @@
 #include "output/film_metadata.h"
 #include "output/film_packets.h"
 #include "output/frame_sink.h"
+#include "production/vector_still.h"
 #include "scene/toml_document.h"
 #include "scene/write_scene.h"
 #include "system/file_kind.h"
@@ -121,6 +122,15 @@ std::string mesh_hash_of(const Scene& scene) {
 
 Record record_of(const Session& session, const PictureMaker& pictures, bool portable) {
     const ContextInfo& context = pictures.context_info();
+    Record record =
+        record_of(session, pictures.stage(), in_words(pictures.bound(), session.scene.accuracy_px));
+    record.portable = portable;
+    record.renderer = context.renderer;
+    record.mesa = mesa_version(context.version);
+    return record;
+}
+
+Record record_of(const Session& session, const Stage& stage, const std::string& bounds) {
     Record record;
     record.version = POINSOT_VERSION;
     record.scene_name = session.scene.name;
@@ -134,11 +144,8 @@ Record record_of(const Session& session, const PictureMaker& pictures, bool port
     record.mesh_hash = mesh_hash_of(session.scene);
     record.scene_hash = sha256_of(record.scene_toml + record.mesh_hash);
     record.method = method_in_words(session.motion);
-    record.bounds = in_words(pictures.bound(), session.scene.accuracy_px);
-    record.portable = portable;
-    record.renderer = context.renderer;
-    record.mesa = mesa_version(context.version);
-    record.fonts = fonts_in_words(pictures.stage());
+    record.bounds = bounds;
+    record.fonts = fonts_in_words(stage);
     record.width_px = session.scene.film.width_px;
     record.height_px = session.scene.film.height_px;
     return record;
@@ -164,12 +171,14 @@ std::string to_text(const Record& record) {
     if (record.dpi) add("dpi", fmt::format("{}", *record.dpi));
     if (record.type_pt) add("type-pt", fmt::format("{}", *record.type_pt));
     if (record.bit_depth != 8) add("depth", fmt::format("{}", record.bit_depth));
+    if (!record.shading.empty()) add("shading", record.shading);
     if (record.frames)
         add("frames", fmt::format("{}-{}", record.frames->first, record.frames->second));
     if (record.run) add("run", fmt::format("{}-{}", record.run->first, record.run->second));
     if (record.frame) add("frame", fmt::format("{}", *record.frame));
     if (!record.pixels.empty()) add("pixels-xxh64", record.pixels);
     if (!record.packets.empty()) add("packets-sha256", record.packets);
+    if (!record.page.empty()) add("page-sha256", record.page);
     return text + "\n" + record.scene_toml;
 }
 
@@ -269,6 +278,8 @@ Record parse_record(std::string_view text, const std::string& name) {
         record.frame = number<std::int64_t>(field(fields, "frame", name), name);
     if (fields.contains("pixels-xxh64")) record.pixels = field(fields, "pixels-xxh64", name);
     if (fields.contains("packets-sha256")) record.packets = field(fields, "packets-sha256", name);
+    if (fields.contains("page-sha256")) record.page = field(fields, "page-sha256", name);
+    if (fields.contains("shading")) record.shading = field(fields, "shading", name);
     if (record.time_s.has_value() == record.frames.has_value())
         refuse(name, "must say either an instant or frames");
     check_frames(record, name);
@@ -277,7 +288,9 @@ Record parse_record(std::string_view text, const std::string& name) {
 
 Record read_record(const std::filesystem::path& file) {
     std::string text;
-    if (suffix_of(file) == ".png") {
+    if (is_vector_name(file)) {
+        text = read_vector_text(file).text;
+    } else if (suffix_of(file) == ".png") {
         text = read_png_info(file).texts[kMetadataName];
     } else {
         text = film_metadata(file);
@@ -292,12 +305,15 @@ Record read_record(const std::filesystem::path& file) {
 
 Verification verify(const std::filesystem::path& file, const Record& record) {
     const bool is_picture = suffix_of(file) == ".png";
-    const std::string& then = is_picture ? record.pixels : record.packets;
+    const bool is_page = is_vector_name(file);
+    const std::string& then = is_page ? record.page : is_picture ? record.pixels : record.packets;
     if (!record.sealed || then.empty())
         return {Verified::cannot_be,
                 "its record holds no hash, as those of older versions do not: cannot be verified"};
     bool same = false;
-    if (is_picture) {
+    if (is_page) {
+        same = read_vector_text(file).page_hash == then;
+    } else if (is_picture) {
         const PngInfo info = read_png_info(file);
         same = info.width_px == record.width_px && info.height_px == record.height_px &&
                pixel_check_of(file) == then;
@@ -307,7 +323,9 @@ Verification verify(const std::filesystem::path& file, const Record& record) {
     if (same) return {Verified::yes, "as it was written, record and pictures"};
     return {Verified::no,
             fmt::format("its {} not those that its record was written with; it was changed since",
-                        is_picture ? "pixels are" : "pictures are")};
+                        is_page      ? "page is"
+                        : is_picture ? "pixels are"
+                                     : "pictures are")};
 }
 
 bool is_quickly_verified(const std::filesystem::path& file, const Record& record) {

@@ -37,6 +37,8 @@ struct Record {
     std::optional<std::int64_t> frame;  // of a picture of a sequence, whose frames those are
     std::string pixels;                 // of a picture, hash; see image/pixel_check.h
     std::string packets;                // of a film, hash; see output/film_packets.h
+    std::string page;                   // of vectors, hash; see production/vector_still.h
+    std::string shading;                // likewise: how surfaces are filled
     bool sealed = false;                // it was read with a hash of all of it, which fits
     std::string scene_toml;             // every key, defaults included
     std::string text;                   // of one that was read, all of it
@@ -46,6 +48,9 @@ struct Record {
 
 // SHA-256 of the surfaces and the inertia that a scene has from a mesh file; empty without one.
 std::string mesh_hash_of(const Scene& scene);
+
+// The record of what a stage shows, without time or frames and without what drew it.
+Record record_of(const Session& session, const Stage& stage, const std::string& bounds);
 
 // The record of pictures of a session, without time or frames.
 Record record_of(const Session& session, const PictureMaker& pictures, bool portable);

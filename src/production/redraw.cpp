@@ -89,6 +89,7 @@ StillRequest still_request_of(const RedrawRequest& request, const Record& record
     still.print.dpi = record.dpi;
     still.print.type_pt = record.type_pt;
     still.bit_depth = record.bit_depth;
+    if (!record.shading.empty()) still.vectors.shading = record.shading;
     return still;
 }
 
@@ -98,11 +99,15 @@ void redraw(const RedrawRequest& asked, const Telling& telling) {
     const Record record = read_record(asked.file);
     const RedrawRequest request = with_its_names(asked, record);
     const bool is_picture = suffix_of(request.file) == ".png";
-    if (is_picture != (suffix_of(request.output) == ".png"))
+    const bool is_page = is_vector_name(request.file);
+    if (is_picture != (suffix_of(request.output) == ".png") ||
+        (is_page && suffix_of(request.file) != suffix_of(request.output)))
         throw InputError(fmt::format("{}: {} is drawn again as one of its kind; choose a name {}",
                                      printable(request.output.string()),
                                      printable(request.file.string()),
-                                     is_picture ? "in .png" : "in .mp4, .webm or .gif"));
+                                     is_page      ? "in " + suffix_of(request.file)
+                                     : is_picture ? "in .png"
+                                                  : "in .mp4, .webm or .gif"));
 
     const double time_s = record.time_s.value_or(0.0);
     Session session =

@@ -15,6 +15,7 @@
 #include "production/banded_still.h"
 #include "production/output_place.h"
 #include "production/record.h"
+#include "system/atomic_file.h"
 #include "system/file_kind.h"
 #include "system/interrupt.h"
 #include "text/printable.h"
@@ -45,9 +46,19 @@ FilmMoment moment_asked(const Session& session, const StillRequest& request) {
 
 // The request of a still that can be made so.
 StillRequest accepted(StillRequest request) {
-    if (!request.output.empty() && suffix_of(request.output) != ".png")
+    const bool is_vectors = is_vector_name(request.output);
+    if (!request.output.empty() && !is_vectors && suffix_of(request.output) != ".png")
         throw InputError(
-            fmt::format("{}: a still is a PNG; end its name in .png", printable(request.output)));
+            fmt::format("{}: a still is a PNG, a PDF or an SVG; end its name in .png, .pdf or .svg",
+                        printable(request.output)));
+    check_vector_choices(request.vectors);
+    if (!is_vectors && request.vectors != VectorChoices{})
+        throw InputError(fmt::format("--shading {}: is for vectors; name the output .pdf or .svg",
+                                     request.vectors.shading));
+    if (is_vectors && request.bit_depth != 8)
+        throw InputError(
+            fmt::format("--depth {}: vectors have no pixels; leave it out, or name the output .png",
+                        request.bit_depth));
     if (request.bit_depth != 8 && request.bit_depth != 16)
         throw InputError(
             fmt::format("--depth {}: a component has 8 or 16 bits", request.bit_depth));
@@ -59,16 +70,38 @@ PictureSpan span_of(const Session& session, double time_s) {
     return {.first_time_s = std::min(film_plan(session).start_s, time_s), .last_time_s = time_s};
 }
 
+PictureSetting setting_for(const Scene& scene, const StillRequest& request) {
+    return is_vector_name(request.output) ? vector_setting(scene, request.print)
+                                          : setting_of(scene, request.print);
+}
+
 }  // namespace
 
 StillJob::StillJob(Session&& session, StillRequest request)
     : session_(std::move(session)),
       request_(accepted(std::move(request))),
       moment_(moment_asked(session_, request_)),
-      staging_(session_, span_of(session_, moment_.time_s), request_.print) {}
+      staging_(session_, span_of(session_, moment_.time_s), setting_for(session_.scene, request_)) {
+}
 
 std::int64_t StillJob::n_pixels() const {
     return std::int64_t{session_.scene.film.width_px} * session_.scene.film.height_px;
+}
+
+void StillJob::draw_vectors(OutputPlace place, Record record, const Telling& telling) {
+    record.time_s = moment_.time_s;
+    record.dpi = request_.print.dpi;
+    record.type_pt = request_.print.type_pt.value_or(default_type_pt);
+    record.shading = request_.vectors.shading;
+    // The same on every machine: no renderer but this one has a part in it.
+    record.portable = true;
+    record.renderer = "vectors";
+    record.mesa = "none";
+    const VectorStill still = vector_still(place.path(), staging_.stage, moment_, request_.vectors,
+                                           record.dpi.value_or(default_dpi), std::move(record));
+    write_whole(place.path(), still.bytes);
+    telling.say(fmt::format("{}\npaths within {:.2g} um of what they show",
+                            printable(place.path().string()), still.off_um));
 }
 
 void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
@@ -76,6 +109,11 @@ void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
     tell_notes(scene, telling);
     tell_type_notes(staging_.stage, telling);
     OutputPlace place(request_.output, scene, ".png");
+    if (!is_pixels()) {
+        const std::string bounds = in_words(staging_.bound, scene.accuracy_px);
+        draw_vectors(std::move(place), record_of(session_, staging_.stage, bounds), telling);
+        return;
+    }
     PictureMaker pictures(std::move(staging_), easel);
     Record record = record_of(session_, pictures, easel.is_portable());
     record.time_s = moment_.time_s;

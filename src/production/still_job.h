@@ -5,11 +5,14 @@
 #include <optional>
 #include <string>
 
+#include "production/output_place.h"
 #include "production/picture.h"
 #include "production/print_size.h"
+#include "production/record.h"
 #include "production/session.h"
 #include "production/still_writer.h"
 #include "production/telling.h"
+#include "production/vector_still.h"
 
 namespace poinsot {
 
@@ -18,6 +21,7 @@ struct StillRequest {
     std::optional<double> time_s{};  // of the motion; nothing: where the scene says
     PrintChoices print{};
     int bit_depth = 8;  // of a component
+    VectorChoices vectors{};
 };
 
 // A picture ready to be drawn. Any thread may make it.
@@ -29,11 +33,15 @@ class StillJob {
     StillJob& operator=(const StillJob&) = delete;
 
     std::int64_t n_pixels() const;
+    // Whether its drawing opens the easel's context.
+    bool is_pixels() const { return !is_vector_name(request_.output); }
     // Draws it; the writer may still have it in hand. Throws InputError, EnvironmentError, and what
     // the writer throws of an earlier one.
     void draw(Easel& easel, StillWriter& writer, const Telling& telling);
 
  private:
+    void draw_vectors(OutputPlace place, Record record, const Telling& telling);
+
     Session session_;
     StillRequest request_;
     FilmMoment moment_;

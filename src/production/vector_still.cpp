@@ -1,0 +1,122 @@
+#include "production/vector_still.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "error/error.h"
+#include "system/file_kind.h"
+#include "system/sha256.h"
+#include "text/nearest.h"
+#include "text/printable.h"
+#include "vector/pdf.h"
+#include "vector/picture.h"
+#include "vector/svg.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr std::string_view text_name = "Poinsot";
+constexpr double pt_per_inch = 72.0;
+constexpr double mm_per_inch = 25.4;
+constexpr double longest_inches = 200.0;  // ISO 32000-1, annex C: 14,400 units
+
+constexpr std::array<std::pair<std::string_view, vector::Shading>, 2> shadings{
+    {{"none", vector::Shading::none}, {"tone", vector::Shading::tone}}};
+
+vector::Shading shading_named(const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const auto& [known, shading] : shadings) {
+        if (known == name) return shading;
+        names.push_back(known);
+    }
+    throw InputError(fmt::format("--shading {}: no such shading{}; known: {}", printable(name),
+                                 did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
+bool is_svg(const std::filesystem::path& name) { return suffix_of(name) == ".svg"; }
+
+// The same file without its record.
+std::string without_text(std::string svg, const std::string& text) {
+    const std::string empty = vector::svg_text(svg);
+    if (empty != text) return svg;
+    const std::size_t from = svg.find("<metadata"), end = svg.find("</metadata>", from);
+    if (from != std::string::npos && end != std::string::npos) svg.erase(from, end - from);
+    return svg;
+}
+
+}  // namespace
+
+bool is_vector_name(const std::filesystem::path& name) {
+    return suffix_of(name) == ".pdf" || suffix_of(name) == ".svg";
+}
+
+PrintChoices on_paper(PrintChoices print, int width_px, int height_px) {
+    if (!print.dpi) print.dpi = default_dpi;
+    const auto size = print_size_of(print, width_px, height_px);
+    const double longest_px = std::max(size->width_px, size->height_px);
+    if (longest_px > longest_inches * *print.dpi)
+        throw InputError(fmt::format(
+            "a side of {:.0f} mm: a page has {:.0f} mm at most; make it smaller and print it "
+            "larger: vectors stay sharp",
+            longest_px / *print.dpi * mm_per_inch, longest_inches * mm_per_inch));
+    return print;
+}
+
+void check_vector_choices(const VectorChoices& choices) { shading_named(choices.shading); }
+
+PictureSetting vector_setting(const Scene& scene, const PrintChoices& print) {
+    const auto paper = print_size_of(on_paper(print, scene.film.width_px, scene.film.height_px),
+                                     scene.film.width_px, scene.film.height_px);
+    return {1.0, 1, paper ? paper->line_scale : 0.0};
+}
+
+VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
+                         const FilmMoment& moment, const VectorChoices& choices, double dpi,
+                         Record record) {
+    const Drawing drawing = stage.at(moment);
+    const vector::Page page = vector::page_of(
+        drawing, {.pt_per_px = pt_per_inch / dpi, .shading = shading_named(choices.shading)});
+    constexpr double um_per_pt = 1000.0 * mm_per_inch / pt_per_inch;
+    VectorStill still;
+    still.off_um = page.off_pt * um_per_pt;
+    record.bounds = fmt::format("{}; paths within {:.2g} um of what they show, before rounding",
+                                record.bounds, still.off_um);
+    const std::string& title = record.scene_name;
+    if (is_svg(path)) {
+        record.page = sha256_of(without_text(vector::svg_of(page, title, "record"), "record"));
+        still.bytes = vector::svg_of(page, title, sealed_text(record));
+    } else {
+        std::string pdf = vector::pdf_of(page, title);
+        record.page = sha256_of(pdf);
+        still.bytes = vector::with_pdf_text(std::move(pdf), text_name, sealed_text(record));
+    }
+    return still;
+}
+
+VectorText read_vector_text(const std::filesystem::path& file) {
+    const FileKind kind = kind_of_file(file);
+    if (kind != FileKind::regular)
+        throw InputError(fmt::format("{}: {}", printable(file.string()), in_words(kind)));
+    std::ifstream stream(file, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream.good() && !stream.eof())
+        throw InputError(fmt::format("{}: cannot be read", printable(file.string())));
+    VectorText found;
+    if (is_svg(file)) {
+        found.text = vector::svg_text(bytes);
+        found.page_hash = sha256_of(without_text(bytes, found.text));
+    } else {
+        vector::PdfText text = vector::pdf_text(bytes, text_name);
+        found.page_hash = sha256_of(std::string(text.before));
+        found.text = std::move(text.text);
+    }
+    return found;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,136 @@
+// Stills as vectors: sound files with real type, their records, and what is refused.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "cli/program_run.h"
+#include "places.h"
+
+namespace poinsot::testing {
+namespace {
+
+std::string scene(const std::string& name) {
+    return (source_folder() / "scenes" / (name + ".toml")).string();
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+bool is_one_line(const std::string& text) {
+    return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1;
+}
+
+// What another program says, both streams; its exit code in front if that is not 0.
+std::string said(const ScratchFolder& folder, const std::string& command) {
+    std::string out;
+    FILE* pipe =
+        popen(("cd '" + folder.path().string() + "' && " + command + " 2>&1").c_str(), "r");
+    if (pipe == nullptr) return "cannot run";
+    std::array<char, 4096> buffer{};
+    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
+        out.append(buffer.data(), n);
+    const int code = pclose(pipe);
+    return code == 0 ? out : "failed: " + out;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t end = std::min(text.find('\n', from), text.size());
+        lines.push_back(text.substr(from, end - from));
+        from = end + 1;
+    }
+    return lines;
+}
+
+TEST(VectorStill, APdfIsSoundSmallAndHasNoPicture) {
+    const ScratchFolder folder;
+    const ProgramRun run = run_program_in(folder, "still '" + scene("generic") + "' -o g.pdf");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_FALSE(contains(said(folder, "qpdf --check g.pdf"), "failed"))
+        << said(folder, "qpdf --check g.pdf");
+    EXPECT_EQ(lines_of(said(folder, "pdfimages -list g.pdf")).size(), 2u);
+    // Every font is embedded, as a subset, with what its glyphs mean.
+    const auto fonts = lines_of(said(folder, "pdffonts g.pdf"));
+    ASSERT_GT(fonts.size(), 3u);
+    for (std::size_t k = 2; k < fonts.size(); ++k)
+        EXPECT_TRUE(contains(fonts[k], "yes yes yes")) << fonts[k];
+    const std::string pdf = text_of(folder.path() / "g.pdf");
+    EXPECT_LT(pdf.size(), 60'000u);
+}
+
+TEST(VectorStill, ItsTypeIsFoundByWhatItSays) {
+    const ScratchFolder folder;
+    ASSERT_EQ(run_program_in(folder, "still '" + scene("invariable_plane") + "' -o i.pdf").code, 0);
+    const std::string text = said(folder, "pdftotext i.pdf -");
+    for (const char* part : {"invariable plane", "ω", "L", "ρ", "√"})
+        EXPECT_TRUE(contains(text, part)) << part << " in\n" << text;
+    ASSERT_EQ(run_program_in(folder, "still '" + scene("invariable_plane") + "' -o i.svg").code, 0);
+    const std::string svg = text_of(folder.path() / "i.svg");
+    EXPECT_TRUE(contains(svg, ">The invariable plane</text>"));
+    EXPECT_TRUE(contains(svg, "@font-face"));
+    EXPECT_FALSE(contains(svg, "<image"));
+    EXPECT_EQ(said(folder, "xmllint --noout i.svg"), "");
+}
+
+TEST(VectorStill, HasTheSizeThatIsAskedFor) {
+    const ScratchFolder folder;
+    const std::string command = "still '" + scene("generic") + "' --width-mm 85 -o ";
+    ASSERT_EQ(run_program_in(folder, command + "a.pdf").code, 0);
+    // 85 mm = 240.94 pt.
+    EXPECT_TRUE(contains(said(folder, "pdfinfo a.pdf"), "Page size:       240.9") ||
+                contains(said(folder, "pdfinfo a.pdf"), "Page size:       241"))
+        << said(folder, "pdfinfo a.pdf");
+    ASSERT_EQ(run_program_in(folder, command + "a.svg").code, 0);
+    EXPECT_TRUE(contains(text_of(folder.path() / "a.svg"), "width=\"85"));
+}
+
+TEST(VectorStill, SaysHowItWasMadeAndIsMadeAgainToTheByte) {
+    const ScratchFolder folder;
+    for (const std::string kind : {"pdf", "svg"}) {
+        const std::string name = "a." + kind;
+        ASSERT_EQ(run_program_in(folder, "still '" + scene("generic") +
+                                             "' --shading none --time 3 --type-pt 9 -o " + name)
+                      .code,
+                  0);
+        const ProgramRun told = run_program_in(folder, "explain --verify " + name);
+        EXPECT_EQ(told.code, 0) << told.err;
+        EXPECT_TRUE(contains(told.out, "shading: none")) << told.out;
+        EXPECT_TRUE(contains(told.out, "paths within")) << told.out;
+        const ProgramRun again = run_program_in(folder, "rerender " + name + " -o b." + kind);
+        ASSERT_EQ(again.code, 0) << again.err;
+        EXPECT_EQ(text_of(folder.path() / name), text_of(folder.path() / ("b." + kind)));
+
+        // One byte of what it shows.
+        std::string bytes = text_of(folder.path() / name);
+        bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+        folder.write("c." + kind, bytes);
+        const ProgramRun changed = run_program_in(folder, "explain --verify c." + kind);
+        EXPECT_NE(changed.code, 0);
+        EXPECT_TRUE(is_one_line(changed.err)) << changed.err;
+    }
+}
+
+TEST(VectorStill, RefusesWhatItCannotBeInOneLine) {
+    const ScratchFolder folder;
+    const std::string still = "still '" + scene("generic") + "' ";
+    for (const std::string& options :
+         {std::string("--depth 16 -o a.pdf"), std::string("--shading tome -o a.svg"),
+          std::string("--shading none -o a.png"), std::string("--width-mm 10000 -o a.pdf"),
+          std::string("-o a.eps")}) {
+        const ProgramRun run = run_program_in(folder, still + options);
+        EXPECT_EQ(run.code, 2) << options;
+        EXPECT_TRUE(is_one_line(run.err)) << options << ": " << run.err;
+        EXPECT_EQ(folder.listing(), "") << options;
+    }
+    EXPECT_TRUE(contains(run_program_in(folder, still + "--shading tome -o a.svg").err,
+                         "did you mean \"tone\"?"));
+}
+
+}  // namespace
+}  // namespace poinsot::testing
