@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <optional>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -235,7 +235,7 @@ class Mp4Sink : public FrameSink {
           converter_(plan.width_px),
           frame_(make_yuv_frame(AV_PIX_FMT_YUV420P, plan.width_px, plan.height_px)),
           packet_(libav::make_packet()),
-          encoder_(std::in_place, settings_, plan.path),
+          encoder_(std::make_unique<VideoEncoder>(settings_, plan.path)),
           log_(plan, description_of(settings_, encoder_->context()), kChunkFrames),
           n_kept_(log_.n_entries()),
           n_written_(n_kept_) {}
@@ -273,7 +273,7 @@ class Mp4Sink : public FrameSink {
     void start_chunk() {
         end_chunk();
         encoder_.reset();  // first, so that there are never two
-        encoder_.emplace(settings_, plan_.path);
+        encoder_ = std::make_unique<VideoEncoder>(settings_, plan_.path);
         n_in_chunk_ = 0;
         check_room(plan_.path, log_.n_bytes(), n_written_, plan_.n_frames);
     }
@@ -299,7 +299,7 @@ class Mp4Sink : public FrameSink {
     libav::Frame frame_;
     libav::Packet packet_;
     Image flat_;
-    std::optional<VideoEncoder> encoder_;
+    std::unique_ptr<VideoEncoder> encoder_;
     FrameLog log_;
     std::int64_t n_kept_;
     std::int64_t n_written_;
