@@ -14,7 +14,7 @@ namespace poinsot {
 
 namespace {
 
-const std::array<Easing, 6> table{{
+const std::array<Easing, 7> table{{
     {"linear", "evenly", [](double u) { return u; }, [](double u) { return 0.5 * u * u; }},
     {"smooth", "begins and ends at rest", [](double u) { return u * u * (3.0 - 2.0 * u); },
      [](double u) { return u * u * u * (1.0 - 0.5 * u); }},
@@ -25,6 +25,9 @@ const std::array<Easing, 6> table{{
      [](double u) { return u * u * u / 3.0; }},
     {"out", "ends at rest", [](double u) { return u * (2.0 - u); },
      [](double u) { return u * u * (1.0 - u / 3.0); }},
+    {"through", "goes on through the keyframe without a halt, where another follows",
+     [](double u) { return u * u * (3.0 - 2.0 * u); },
+     [](double u) { return u * u * u * (1.0 - 0.5 * u); }, true},
     {"hold", "stays, and jumps at the end", [](double u) { return u < 1.0 ? 0.0 : 1.0; },
      [](double) { return 0.0; }},
 }};

@@ -13,6 +13,9 @@ struct Easing {
     std::string_view summary;
     double (*value)(double u);
     double (*integral)(double u);
+    // Whether the way goes on through the key where it arrives: then a Track lays a cubic through
+    // it and its neighbours, and the functions stand for a way that has none.
+    bool goes_on = false;
 };
 
 std::span<const Easing> easings();

@@ -2,6 +2,7 @@
 // closed form.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "scene/easing.h"
@@ -9,7 +10,9 @@
 namespace poinsot {
 
 // Between two keys the value goes as the later one's easing says; before the first and after the
-// last it stays.
+// last it stays. Through a key whose easing goes on it passes with the velocity that the keys
+// beside it suggest, on cubics that stay between the keys' values. Source: Fritsch & Butland, SIAM
+// J. Sci. Stat. Comput. 5 (1984) 300.
 class Track {
  public:
     // Starts at a value, from film second 0 on.
@@ -39,7 +42,12 @@ class Track {
         double value = 0.0;
         const Easing* easing = nullptr;
         double integral = 0.0;  // from film second 0 to here
+        double velocity = 0.0;  // with which the value passes through
     };
+    // Whether the way from a key to the next is a cubic between velocities.
+    static bool is_cubic(const Key& from, const Key& to);
+    void pass_through(std::size_t key);
+    double integral_of(const Key& from, const Key& to, double u) const;
     // The last key at or before an instant.
     const Key* key_before(double film_s) const;
 
