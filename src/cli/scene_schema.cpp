@@ -27,6 +27,7 @@ bool take(std::string_view& phrase, std::string_view words) {
 std::string strings(const std::vector<std::string>& names) {
     if (names.empty()) return R"("type": "string")";
     std::vector<std::string> quoted;
+    quoted.reserve(names.size());
     for (const std::string& name : names) quoted.push_back(json_string(name));
     return fmt::format(R"("enum": [{}])", fmt::join(quoted, ", "));
 }

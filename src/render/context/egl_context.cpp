@@ -98,9 +98,9 @@ class Devices {
 
 FoundDevice find_device(const SharedLibrary& library, EglDevice kind) {
     const Devices devices(library);
-    const FoundDevice found = devices.known()               ? devices.first(kind)
-                              : kind == EglDevice::software ? devices.surfaceless()
-                                                            : FoundDevice{};
+    FoundDevice found = devices.known()               ? devices.first(kind)
+                        : kind == EglDevice::software ? devices.surfaceless()
+                                                      : FoundDevice{};
     if (found.display != nullptr) return found;
     throw EnvironmentError(
         kind == EglDevice::gpu
