@@ -192,4 +192,9 @@ std::span<const std::uint8_t> FrameLog::read(std::int64_t k) {
     return buffer_;
 }
 
+void FrameLog::refuse_entry() const {
+    throw InputError(fmt::format("{}: holds what poinsot does not write; remove it",
+                                 frame_log_path(file_.path()).string()));
+}
+
 }  // namespace poinsot

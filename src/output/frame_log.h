@@ -42,6 +42,10 @@ class FrameLog {
 
     void discard() noexcept { file_.discard(); }
 
+    // An entry that is whole by its checksum and yet none of this format's: the file was made by
+    // another program.
+    [[noreturn]] void refuse_entry() const;
+
  private:
     struct Entry {
         std::int64_t at;  // of its contents

@@ -88,6 +88,14 @@ void take_packets(VideoEncoder& encoder, libav::Muxer& muxer, AVPacket* packet) 
     while (encoder.receive(*packet)) muxer.write(packet, encoder.context().time_base);
 }
 
+// Frame k of a log, of the film's size.
+Image frame_of(FrameLog& log, std::int64_t k) {
+    Image frame = decode_png(log.read(k), log.plan().path.string());
+    if (frame.width() != log.plan().width_px || frame.height() != log.plan().height_px)
+        log.refuse_entry();
+    return frame;
+}
+
 // Puts the film together from the frames in the log, whose colours have been counted.
 void write_whole(FrameLog& log, const ColourCount& count, const OutputPlan& plan) {
     AtomicFile file(plan.path);
@@ -105,8 +113,7 @@ void write_whole(FrameLog& log, const ColourCount& count, const OutputPlan& plan
     for (std::int64_t k = 0; k < log.n_entries(); ++k) {
         libav::checked(av_frame_make_writable(frame.get()), plan.path, "video frame");
         set_palette(*frame, palette);
-        ditherer.apply(decode_png(log.read(k), plan.path.string()), frame->data[0],
-                       frame->linesize[0]);
+        ditherer.apply(frame_of(log, k), frame->data[0], frame->linesize[0]);
         frame->pts = k;
         encoder.send(*frame);
         take_packets(encoder, muxer, packet.get());
@@ -126,8 +133,7 @@ void write_whole(FrameLog& log, const ColourCount& count, const OutputPlan& plan
 
 ColourCount colours_of(FrameLog& log) {
     ColourCount count;
-    for (std::int64_t k = 0; k < log.n_entries(); ++k)
-        count.add(decode_png(log.read(k), log.plan().path.string()));
+    for (std::int64_t k = 0; k < log.n_entries(); ++k) count.add(frame_of(log, k));
     return count;
 }
 
@@ -196,6 +202,7 @@ std::int64_t recover_gif(const std::filesystem::path& path, const Tell& tell) {
     FrameLog log = FrameLog::left_of(path);
     OutputPlan plan = log.plan();
     plan.tell = tell;
+    check_film(plan);
     write_whole(log, colours_of(log), plan);
     log.discard();
     return plan.n_frames;

@@ -168,11 +168,18 @@ void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::pat
     packet.duration = 1;
 }
 
+// Entry k of a log, which has a head.
+std::span<const std::uint8_t> entry_of(FrameLog& log, std::int64_t k) {
+    const auto entry = log.read(k);
+    if (entry.size() < kEntryHead) log.refuse_entry();
+    return entry;
+}
+
 // How many first packets show exactly the frames 0 … n−1, n being the return value.
 std::int64_t n_frames_without_gap(FrameLog& log) {
     std::int64_t last_shown = -1, n_whole = 0;
     for (std::int64_t k = 0; k < log.n_entries(); ++k) {
-        last_shown = std::max(last_shown, shown_at(log.read(k)));
+        last_shown = std::max(last_shown, shown_at(entry_of(log, k)));
         if (last_shown == k) n_whole = k + 1;
     }
     return n_whole;
@@ -203,7 +210,7 @@ void describe_stream(AVStream& stream, const OutputPlan& plan, const Bytes& head
 
 std::string text_of_film(FrameLog& log, const OutputPlan& plan, std::int64_t n_frames) {
     PacketHash hash(kChunkFrames);
-    for (std::int64_t k = 0; k < n_frames; ++k) hash.add(log.read(k).subspan(kEntryHead));
+    for (std::int64_t k = 0; k < n_frames; ++k) hash.add(entry_of(log, k).subspan(kEntryHead));
     return text_of(plan, {.n_frames = n_frames, .packets = hash.of_film()});
 }
 
@@ -220,7 +227,7 @@ void write_whole(FrameLog& log, const OutputPlan& plan, std::int64_t n_frames) {
     muxer.write_header(options);
     const libav::Packet packet = libav::make_packet();
     for (std::int64_t k = 0; k < n_frames; ++k) {
-        unpack(log.read(k), *packet, plan.path);
+        unpack(entry_of(log, k), *packet, plan.path);
         muxer.write(packet.get(), av_inv_q(as_rational(plan.rate)));
     }
     muxer.write_trailer();
@@ -320,6 +327,7 @@ std::int64_t recover_mp4(const fs::path& path, const Tell& tell) {
     FrameLog log = FrameLog::left_of(path);
     OutputPlan plan = log.plan();
     plan.tell = tell;
+    check_mp4(plan);
     const std::int64_t n_frames = n_frames_without_gap(log);
     if (n_frames == 0)
         throw InputError(fmt::format("no frame of {} had been finished", path.string()));

@@ -91,6 +91,14 @@ std::size_t n_beside_of(std::span<const std::uint8_t> entry) {
     return n_beside;
 }
 
+// Entry k of a log, whose head fits what follows.
+std::span<const std::uint8_t> entry_of(FrameLog& log, std::int64_t k) {
+    const auto entry = log.read(k);
+    if (entry.size() < kEntryHead || n_beside_of(entry) > entry.size() - kEntryHead)
+        log.refuse_entry();
+    return entry;
+}
+
 void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::path& path) {
     const std::size_t n_beside = n_beside_of(entry);
     const auto data = entry.subspan(kEntryHead + n_beside);
@@ -104,7 +112,7 @@ void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::pat
     std::copy_n(entry.data() + kEntryHead, n_beside, beside);
 }
 
-bool has_alpha(FrameLog& log) { return log.n_entries() > 0 && n_beside_of(log.read(0)) > 0; }
+bool has_alpha(FrameLog& log) { return log.n_entries() > 0 && n_beside_of(entry_of(log, 0)) > 0; }
 
 void describe_stream(AVStream& stream, const OutputPlan& plan, bool alpha) {
     AVCodecParameters& parameters = *stream.codecpar;
@@ -128,7 +136,7 @@ void describe_stream(AVStream& stream, const OutputPlan& plan, bool alpha) {
 std::string text_of_film(FrameLog& log, const OutputPlan& plan, std::int64_t n_frames) {
     PacketHash hash(kChunkFrames);
     for (std::int64_t k = 0; k < n_frames; ++k) {
-        const auto entry = log.read(k);
+        const auto entry = entry_of(log, k);
         const std::size_t n_beside = n_beside_of(entry);
         hash.add(entry.subspan(kEntryHead + n_beside), entry.subspan(kEntryHead, n_beside));
     }
@@ -149,7 +157,7 @@ void write_whole(FrameLog& log, const OutputPlan& plan, std::int64_t n_frames) {
     muxer.write_header(options);
     const libav::Packet packet = libav::make_packet();
     for (std::int64_t k = 0; k < n_frames; ++k) {
-        unpack(log.read(k), *packet, plan.path);
+        unpack(entry_of(log, k), *packet, plan.path);
         packet->pts = packet->dts = k;
         packet->duration = 1;
         muxer.write(packet.get(), av_inv_q(as_rational(plan.rate)));
@@ -254,6 +262,7 @@ std::int64_t recover_webm(const fs::path& path, const Tell& tell) {
     FrameLog log = FrameLog::left_of(path);
     OutputPlan plan = log.plan();
     plan.tell = tell;
+    check_film(plan);
     write_whole(log, plan, plan.n_frames);
     log.discard();
     return plan.n_frames;

@@ -1,7 +1,9 @@
 // Films that were interrupted: killed, cut, out of room; then recovered or gone on with.
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <zlib.h>
 
+#include <cstring>
 #include <random>
 #include <thread>
 
@@ -238,6 +240,34 @@ TEST_P(InterruptedFilm, OfGarbageStartsAgain) {
               "no frame of " + plan_.path.string() + " had been finished");
     write_film(plan_);
     EXPECT_EQ(frames_of(plan_.path).size(), 400u);
+}
+
+// Whole by its checksums, and yet by no run: entries of a byte, and pictures of another size.
+TEST_P(InterruptedFilm, OfAnotherProgramIsRefused) {
+    const std::string log = frame_log_path(plan_.path).string();
+    std::vector<std::string> contents{"x"};
+    {
+        const auto png = encode_png(Image(200, 100), {});
+        contents.emplace_back(png.begin(), png.end());
+    }
+    for (const std::string& content : contents) {
+        write_unfinished(plan_, 130);
+        // The head of the film, and then this as its one entry.
+        const std::string whole = bytes_of(log);
+        std::uint32_t n_head = 0;
+        std::memcpy(&n_head, whole.data(), 4);
+        const auto size = static_cast<std::uint32_t>(content.size());
+        const auto sum = ~static_cast<std::uint32_t>(
+            crc32(0, reinterpret_cast<const Bytef*>(content.data()), size));
+        std::string forged = whole.substr(0, 8 + n_head);
+        forged.append(reinterpret_cast<const char*>(&size), 4);
+        forged.append(reinterpret_cast<const char*>(&sum), 4);
+        std::ofstream(log, std::ios::binary) << forged + content;
+        const std::string refused = input_error_of([&] { recover_film(plan_.path); });
+        EXPECT_NE(refused, "");
+        EXPECT_FALSE(fs::exists(plan_.path));
+        fs::remove(log);
+    }
 }
 
 TEST_P(InterruptedFilm, IsNotThereWithoutOne) {
