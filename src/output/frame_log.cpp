@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kBlockHead = 8;
 
 std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
+    if (bytes.empty()) return ~0u;  // FFmpeg reads where the bytes would be
     return av_crc(av_crc_get_table(AV_CRC_32_IEEE_LE), ~0u, bytes.data(), bytes.size());
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
 #include <span>
 
 #include "error/error.h"
@@ -89,6 +90,16 @@ void VideoReader::Impl::open_decoder() {
     check(avcodec_open2(decoder.get(), codec, nullptr), "its decoder");
 }
 
+// Whether one of FFmpeg's names of colours is one: a file may say any number, and that is looked at
+// before it is read as what it is not.
+template <typename Name>
+bool is_known(const Name& stored, int n_names) {
+    static_assert(sizeof(Name) == sizeof(int));
+    int number = 0;
+    std::memcpy(&number, &stored, sizeof number);
+    return 0 <= number && number < n_names;
+}
+
 void VideoReader::Impl::describe() {
     const AVCodecParameters& parameters = *stream->codecpar;
     info.width_px = parameters.width;
@@ -100,11 +111,16 @@ void VideoReader::Impl::describe() {
     info.container = demuxer->iformat->name;
     info.codec = avcodec_get_name(parameters.codec_id);
     info.pixel_format = text_of(av_get_pix_fmt_name(decoder->pix_fmt));
-    info.range = text_of(av_color_range_name(parameters.color_range));
-    info.matrix = text_of(av_color_space_name(parameters.color_space));
-    info.primaries = text_of(av_color_primaries_name(parameters.color_primaries));
-    info.transfer = text_of(av_color_transfer_name(parameters.color_trc));
-    info.chroma_location = text_of(av_chroma_location_name(parameters.chroma_location));
+    if (is_known(parameters.color_range, AVCOL_RANGE_NB))
+        info.range = text_of(av_color_range_name(parameters.color_range));
+    if (is_known(parameters.color_space, AVCOL_SPC_NB))
+        info.matrix = text_of(av_color_space_name(parameters.color_space));
+    if (is_known(parameters.color_primaries, AVCOL_PRI_NB))
+        info.primaries = text_of(av_color_primaries_name(parameters.color_primaries));
+    if (is_known(parameters.color_trc, AVCOL_TRC_NB))
+        info.transfer = text_of(av_color_transfer_name(parameters.color_trc));
+    if (is_known(parameters.chroma_location, AVCHROMA_LOC_NB))
+        info.chroma_location = text_of(av_chroma_location_name(parameters.chroma_location));
     const AVDictionaryEntry* entry = nullptr;
     while ((entry = av_dict_get(demuxer->metadata, "", entry, AV_DICT_IGNORE_SUFFIX)))
         info.texts[entry->key] = entry->value;
@@ -166,9 +182,14 @@ void VideoReader::Impl::convert(Image& image) {
             decoded->width, decoded->height, static_cast<AVPixelFormat>(decoded->format),
             decoded->width, decoded->height, AV_PIX_FMT_RGBA, exact, nullptr, nullptr, nullptr));
         if (!scaler) throw EnvironmentError("no memory for a colour conversion");
-        const int matrix =
-            decoded->colorspace == AVCOL_SPC_UNSPECIFIED ? SWS_CS_ITU709 : decoded->colorspace;
-        const int full = decoded->color_range == AVCOL_RANGE_JPEG ? 1 : 0;
+        const int matrix = !is_known(decoded->colorspace, AVCOL_SPC_NB) ||
+                                   decoded->colorspace == AVCOL_SPC_UNSPECIFIED
+                               ? SWS_CS_ITU709
+                               : decoded->colorspace;
+        const int full = is_known(decoded->color_range, AVCOL_RANGE_NB) &&
+                                 decoded->color_range == AVCOL_RANGE_JPEG
+                             ? 1
+                             : 0;
         sws_setColorspaceDetails(scaler.get(), sws_getCoefficients(matrix), full,
                                  sws_getCoefficients(SWS_CS_ITU709), 1, 0, 1 << 16, 1 << 16);
     }

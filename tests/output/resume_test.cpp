@@ -270,6 +270,15 @@ TEST_P(InterruptedFilm, OfAnotherProgramIsRefused) {
     }
 }
 
+// As a file system may leave a file that was growing when the machine failed.
+TEST_P(InterruptedFilm, OfZeroesStartsAgain) {
+    for (const std::size_t size : {8u, 4096u}) {
+        std::ofstream(part_of(plan_), std::ios::binary) << std::string(size, '\0');
+        EXPECT_EQ(input_error_of([&] { recover_film(plan_.path); }),
+                  "no frame of " + plan_.path.string() + " had been finished");
+    }
+}
+
 TEST_P(InterruptedFilm, IsNotThereWithoutOne) {
     EXPECT_EQ(input_error_of([&] { recover_film(plan_.path); }),
               "there is no unfinished film of " + plan_.path.string());
