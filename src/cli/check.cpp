@@ -2,9 +2,14 @@
 // modelled.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/sweep.h"
 #include "production/findings.h"
 #include "text/json_text.h"
 #include "text/printable.h"
@@ -15,12 +20,15 @@ namespace {
 
 struct CheckChoices {
     std::vector<std::string> scenes;
+    std::vector<std::string> sweeps;
     SceneOptions scene;
     bool json = false, plan = false, quiet = false;
 };
 
-void print_json(const std::vector<Fact>& facts) {
+void print_json(const std::vector<Fact>& facts, const SweepPoint& point) {
     fmt::print("{{\n");
+    for (const auto& [key, value] : point)
+        fmt::print("  {}: {},\n", json_string(key), json_string(value));
     for (std::size_t i = 0; i < facts.size(); ++i)
         fmt::print("  {}: {}{}\n", json_string(facts[i].key), facts[i].json,
                    i + 1 < facts.size() ? "," : "");
@@ -39,24 +47,44 @@ void print_words(const Findings& findings) {
     if (findings.certificate) fmt::print("\n{}", text_of(*findings.certificate));
 }
 
-int run(const CheckChoices& choices) {
-    Progress progress(choices.quiet);
-    const Telling telling = progress.telling();
-    const Session session = open_session(scene_request_of(choices.scenes.at(0), choices.scene),
+// One scene, at one point of its sweeps.
+int check(const CheckChoices& choices, const SceneJob& job, const SweepPoint& point,
+          const Telling& telling) {
+    const Session session = open_session(scene_request_of(job.scene, choices.scene, job.overrides),
                                          Purpose::pictures, telling);
     tell_notes(session.scene, telling);
     const Findings findings = examine(session, choices.plan, telling);
-    if (choices.json)
-        print_json(findings.facts);
-    else
+    if (choices.json) {
+        print_json(findings.facts, point);
+    } else {
+        if (!point.empty()) fmt::print("{}:\n", printable(in_words(point), any_length));
         print_words(findings);
+    }
     return !findings.certificate || findings.certificate->holds() ? 0 : 1;
+}
+
+// A sweep prints a blank line between its runs, in JSON an array of them.
+int run(const CheckChoices& choices) {
+    Progress progress(choices.quiet);
+    const Telling telling = progress.telling();
+    const std::vector<SweepPoint> points = points_of(choices.sweeps);
+    const bool is_array = choices.json && !choices.sweeps.empty();
+    if (is_array) fmt::print("[\n");
+    int worst = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (k > 0) fmt::print("{}\n", is_array ? "," : "");
+        const SceneJob job{choices.scenes.at(0), "", overrides_of(points[k])};
+        worst = std::max(worst, check(choices, job, points[k], telling));
+    }
+    if (is_array) fmt::print("]\n");
+    return worst;
 }
 
 CommandLine line(std::any& room) {
     auto& c = room.emplace<CheckChoices>();
     return {&c.scenes,
             {set_option(c.scene),
+             sweep_option(c.sweeps),
              size_option(c.scene),
              fps_option(c.scene),
              quality_option(c.scene),

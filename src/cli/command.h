@@ -54,5 +54,8 @@ extern const Command approve_command;
 extern const Command explain_command;
 extern const Command rerender_command;
 extern const Command recover_command;
+extern const Command join_command;
+extern const Command submit_command;
+extern const Command status_command;
 
 }  // namespace poinsot

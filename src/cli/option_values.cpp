@@ -61,6 +61,20 @@ std::pair<std::int64_t, std::int64_t> parse_frames(std::string_view text) {
     return {*first, *last};
 }
 
+std::pair<std::int64_t, std::int64_t> parse_part(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    std::optional<std::int64_t> number, n_parts;
+    if (slash != std::string_view::npos) {
+        number = whole_text<std::int64_t>(text.substr(0, slash));
+        n_parts = whole_text<std::int64_t>(text.substr(slash + 1));
+    }
+    if (!number || !n_parts || *number < 1 || *number > *n_parts)
+        throw InputError(fmt::format(
+            "--part {}: not a part; write K/N with 1 <= K <= N, as 3/8 for the third of eight",
+            printable(text)));
+    return {*number, *n_parts};
+}
+
 std::vector<double> parse_times(std::string_view text) {
     std::vector<double> times;
     while (true) {

@@ -23,6 +23,9 @@ int parse_whole(std::string_view option, std::string_view text, std::string_view
 // "A-B" with 0 <= A <= B, or "A" for that frame alone. Throws InputError.
 std::pair<std::int64_t, std::int64_t> parse_frames(std::string_view text);
 
+// "K/N" with 1 <= K <= N. Throws InputError.
+std::pair<std::int64_t, std::int64_t> parse_part(std::string_view text);
+
 // "T,T,…" in seconds. Throws InputError.
 std::vector<double> parse_times(std::string_view text);
 

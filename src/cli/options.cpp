@@ -73,10 +73,12 @@ Option allow_outside_option(bool& allow_outside) {
     return {"--allow-outside", "let the scene name files outside of its folder", &allow_outside};
 }
 
-SceneRequest scene_request_of(const std::string& file, const SceneOptions& options) {
+SceneRequest scene_request_of(const std::string& file, const SceneOptions& options,
+                              const std::vector<std::string>& more_overrides) {
     SceneRequest request;
     request.file = scene_file(file);
     request.overrides = options.overrides;
+    request.overrides.insert(request.overrides.end(), more_overrides.begin(), more_overrides.end());
     request.outside = outside_files(options.allow_outside);
     return request;
 }

@@ -24,7 +24,8 @@ Option quality_option(SceneOptions& scene);
 Option theme_option(SceneOptions& scene);
 Option allow_outside_option(bool& allow_outside);
 
-SceneRequest scene_request_of(const std::string& file, const SceneOptions& options);
+SceneRequest scene_request_of(const std::string& file, const SceneOptions& options,
+                              const std::vector<std::string>& more_overrides = {});
 OutsideFiles outside_files(bool allow_outside);
 
 // Of commands that draw.

@@ -107,10 +107,10 @@ void flush_stdout() {
 }  // namespace
 
 std::span<const Command> commands() {
-    static const std::array table{render_command,   still_command,    check_command,
-                                  sample_command,   compare_command,  approve_command,
-                                  explain_command,  rerender_command, recover_command,
-                                  tradeoff_command, list_command,     doctor_command};
+    static const std::array table{
+        render_command,  still_command,   check_command,    sample_command,  compare_command,
+        approve_command, explain_command, rerender_command, recover_command, join_command,
+        submit_command,  status_command,  tradeoff_command, list_command,    doctor_command};
     return table;
 }
 

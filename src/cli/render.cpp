@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -10,8 +11,11 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/scenes.h"
+#include "cli/sweep.h"
 #include "error/error.h"
+#include "output/frame_name.h"
 #include "production/film_job.h"
+#include "production/parts/jobs.h"
 
 namespace poinsot {
 
@@ -20,9 +24,12 @@ namespace {
 struct RenderChoices {
     std::vector<std::string> scenes;
     std::string output;
+    std::vector<std::string> sweeps;
     SceneOptions scene;
     ContextOptions context;
     std::optional<std::pair<std::int64_t, std::int64_t>> frames;  // inclusive
+    std::optional<std::pair<std::int64_t, std::int64_t>> part;    // K of N, from 1
+    int n_jobs = 1;
     bool certify = false;
     bool quiet = false;
 };
@@ -41,38 +48,71 @@ bool certified(const Session& session, const FilmPlan& film, const Telling& tell
 int render(const SceneJob& job, const RenderChoices& choices, Easel& easel) {
     Progress progress(choices.quiet);
     const Telling telling = progress.telling();
-    const Session session =
-        open_session(scene_request_of(job.scene, choices.scene), Purpose::pictures, telling);
-    const FilmJob film(session, {job.output, choices.frames});
+    const Session session = open_session(scene_request_of(job.scene, choices.scene, job.overrides),
+                                         Purpose::pictures, telling);
+    FilmRequest request{job.output, choices.frames};
+    request.part = choices.part;
+    const FilmJob film(session, request);
     // A film that is not what its method promises is refused before it is drawn.
     if (choices.certify && !certified(session, film.film(), telling)) return 1;
-    film.make(easel, telling);
+    if (choices.n_jobs > 1)
+        make_in_jobs(session, request, choices.n_jobs, context_choice_of(choices.context), telling);
+    else
+        film.make(easel, telling);
     return 0;
 }
 
+// Parts of one name would replace each other: the first #### of a film's name is the part's number.
+std::string output_of(const RenderChoices& choices) {
+    const std::filesystem::path output(choices.output);
+    if (!choices.part || output.extension() == ".png" || !has_frame_number(output))
+        return choices.output;
+    return frame_name(output, choices.part->first).string();
+}
+
+void check(const RenderChoices& choices) {
+    if (choices.n_jobs < 1)
+        throw InputError(
+            fmt::format("--jobs {}: at least one process draws; take 1 or more", choices.n_jobs));
+    if (choices.n_jobs > 1 && choices.part)
+        throw InputError(
+            "--part is drawn by one process; leave --jobs out, or draw all parts here "
+            "with --jobs alone");
+}
+
 int run(const RenderChoices& choices) {
+    check(choices);
     Easel easel(context_choice_of(choices.context));
-    return for_each_scene(jobs_of(choices.scenes, choices.output, OutputKind::film),
-                          [&](const SceneJob& job) { return render(job, choices, easel); });
+    return for_each_scene(
+        jobs_of(choices.scenes, output_of(choices), OutputKind::film, choices.sweeps),
+        [&](const SceneJob& job) { return render(job, choices, easel); });
 }
 
 CommandLine line(std::any& room) {
     auto& c = room.emplace<RenderChoices>();
-    return {&c.scenes,
-            {output_option(c.output),
-             set_option(c.scene),
-             size_option(c.scene),
-             fps_option(c.scene),
-             theme_option(c.scene),
-             quality_option(c.scene),
-             {"--frames", "A-B: only these frames, from 0, both included",
-              ReadText([&c](const std::string& text) { c.frames = parse_frames(text); })},
-             quiet_option(c.quiet),
-             backend_option(c.context),
-             portable_option(c.context),
-             {"--certify", "measure how well it is Poinsot's, over all frames", &c.certify},
-             allow_outside_option(c.scene.allow_outside)},
-            [&c] { return run(c); }};
+    return {
+        &c.scenes,
+        {output_option(c.output),
+         set_option(c.scene),
+         sweep_option(c.sweeps),
+         size_option(c.scene),
+         fps_option(c.scene),
+         theme_option(c.scene),
+         quality_option(c.scene),
+         {"--frames", "A-B: only these frames, from 0, both included",
+          ReadText([&c](const std::string& text) { c.frames = parse_frames(text); })},
+         {"--part",
+          "K/N: part K of N alone, K from 1, for join to put together; in a film's name #### is "
+          "its number",
+          ReadText([&c](const std::string& text) { c.part = parse_part(text); })},
+         {"--jobs", "processes that draw parts side by side, to the same bytes; 1 if not given",
+          &c.n_jobs, "a number of processes"},
+         quiet_option(c.quiet),
+         backend_option(c.context),
+         portable_option(c.context),
+         {"--certify", "measure how well it is Poinsot's, over all frames", &c.certify},
+         allow_outside_option(c.scene.allow_outside)},
+        [&c] { return run(c); }};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <utility>
 
 #include "error/error.h"
 #include "output/frame_name.h"
@@ -23,11 +24,15 @@ std::string scene_name(const std::string& file) {
     return std::filesystem::path(file).stem().string();
 }
 
+// Whether #### may number the frames of each output.
+bool is_sequence(const std::filesystem::path& output, OutputKind kind) {
+    return kind == OutputKind::film && suffix_of(output) == ".png";
+}
+
 // Whether #### in the output counts scenes.
 bool counts_scenes(std::size_t n_scenes, const std::filesystem::path& output, OutputKind kind) {
-    const bool is_sequence = kind == OutputKind::film && suffix_of(output) == ".png";
     const bool told_apart = n_scenes == 1 || has_scene_name(output.string());
-    return has_frame_number(output) && !(is_sequence && told_apart);
+    return has_frame_number(output) && !(is_sequence(output, kind) && told_apart);
 }
 
 // One output would replace the other without a word.
@@ -42,7 +47,8 @@ void refuse_one_name(const std::vector<SceneJob>& jobs, OutputKind kind) {
         if (!is_new)
             throw InputError(fmt::format(
                 "{} and {} would both be written to {}; name the output with -o and "
-                "put #### into it for the scene's number",
+                "put #### into it for a number, {{scene}} for the scene, or {{KEY}} for what is "
+                "swept",
                 printable(other->second), printable(job.scene), printable(output.string())));
     }
 }
@@ -77,19 +83,32 @@ std::string scene_file(const std::string& given) {
 
 std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std::string& output,
                               OutputKind kind) {
-    const bool counts = counts_scenes(scenes.size(), output, kind);
-    if (scenes.size() > 1 && !output.empty() && !counts && !has_scene_name(output))
+    if (scenes.size() > 1 && !output.empty() && !counts_scenes(scenes.size(), output, kind) &&
+        !has_scene_name(output))
         throw InputError(fmt::format(
             "{}: {} scenes cannot go to one name; put #### into it for the scene's number or "
             "{{scene}} for its name, or leave -o out to name each after its scene",
             printable(output), scenes.size()));
     std::vector<SceneJob> jobs;
-    for (const std::string& scene : scenes) {
-        const auto number = static_cast<std::int64_t>(jobs.size());
-        const std::string name = scene_name(scene);
-        const std::filesystem::path own =
-            counts ? numbered_output(output, number, name) : with_scene_name(output, name);
-        jobs.push_back({scene, own.string()});
+    for (const std::string& scene : scenes) jobs.push_back({scene, output, {}});
+    return named_jobs(std::move(jobs), output, kind);
+}
+
+std::vector<SceneJob> named_jobs(std::vector<SceneJob> jobs, const std::string& output,
+                                 OutputKind kind) {
+    // Outputs that differ without a number need none.
+    const bool told_apart = std::any_of(jobs.begin(), jobs.end(), [&](const SceneJob& job) {
+        return job.output != jobs.front().output;
+    });
+    const bool counts = told_apart ? has_frame_number(output) && !is_sequence(output, kind)
+                                   : counts_scenes(jobs.size(), output, kind);
+    std::int64_t number = 0;
+    for (SceneJob& job : jobs) {
+        const std::string name = scene_name(job.scene);
+        job.output =
+            (counts ? numbered_output(job.output, number, name) : with_scene_name(job.output, name))
+                .string();
+        ++number;
     }
     refuse_one_name(jobs, kind);
     return jobs;

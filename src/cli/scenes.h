@@ -18,7 +18,8 @@ std::string scene_file(const std::string& given);
 
 struct SceneJob {
     std::string scene;
-    std::string output;  // empty: named after the scene
+    std::string output;                  // empty: named after the scene
+    std::vector<std::string> overrides;  // "key=value", after those of the command line
 };
 
 // What a command makes of a scene. In the name of a film of pictures, #### may number its frames.
@@ -29,6 +30,10 @@ enum class OutputKind { picture, film };
 // no count. Throws InputError if two scenes would be written to one name.
 std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std::string& output,
                               OutputKind kind);
+
+// The same of jobs whose outputs are still names to be filled in; `output` is what the user said.
+std::vector<SceneJob> named_jobs(std::vector<SceneJob> jobs, const std::string& output,
+                                 OutputKind kind);
 
 // The exit code of a job over one of several scenes: one that is refused is said on stderr and
 // counts as 2.

@@ -1,15 +1,19 @@
 // poinsot still SCENE -o OUT.png: one picture.
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <future>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/scenes.h"
+#include "cli/sweep.h"
+#include "production/contact_sheet.h"
 #include "production/still_job.h"
 
 namespace poinsot {
@@ -19,18 +23,43 @@ namespace {
 struct StillChoices {
     std::vector<std::string> scenes;
     std::string output;
+    std::vector<std::string> sweeps;
     SceneOptions scene;
     ContextOptions context;
     PrintChoices print;
     int bit_depth = 8;
     VectorChoices vectors;
     std::optional<double> time_s;
+    std::optional<std::pair<int, int>> sheet;  // columns, rows
     bool quiet = false;
 };
 
+// All scenes at all points of the sweep in one picture.
+int draw_sheet_of(const StillChoices& choices) {
+    SheetRequest sheet;
+    std::tie(sheet.n_columns, sheet.n_rows) = *choices.sheet;
+    sheet.output = choices.output;
+    sheet.time_s = choices.time_s;
+    for (const std::string& scene : choices.scenes) {
+        for (const SweepPoint& point : points_of(choices.sweeps)) {
+            SheetCell& cell = sheet.cells.emplace_back();
+            cell.scene = scene_request_of(scene, choices.scene, overrides_of(point));
+            if (choices.time_s) cell.scene.times_s = {*choices.time_s};
+            cell.caption = caption_of(point);
+            if (choices.scenes.size() > 1 || point.empty())
+                cell.caption = std::filesystem::path(scene).stem().string() +
+                               (point.empty() ? "" : ": ") + cell.caption;
+        }
+    }
+    Progress progress(choices.quiet);
+    Easel easel(context_choice_of(choices.context));
+    draw_sheet(sheet, easel, progress.telling());
+    return 0;
+}
+
 std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choices,
                                    const Telling& telling) {
-    SceneRequest request = scene_request_of(job.scene, choices.scene);
+    SceneRequest request = scene_request_of(job.scene, choices.scene, job.overrides);
     request.print = choices.print;
     // Vectors lie on paper, whether or not the command line speaks of it.
     if (is_vector_name(job.output) && !request.print.dpi) request.print.dpi = default_dpi;
@@ -74,7 +103,9 @@ void draw_alone(const SceneJob& job, const StillChoices& choices, Easel& easel, 
 }
 
 int run(const StillChoices& choices) {
-    const std::vector<SceneJob> jobs = jobs_of(choices.scenes, choices.output, OutputKind::picture);
+    if (choices.sheet) return draw_sheet_of(choices);
+    const std::vector<SceneJob> jobs =
+        jobs_of(choices.scenes, choices.output, OutputKind::picture, choices.sweeps);
     Progress progress(choices.quiet);
     const Telling telling = progress.telling();
     StillWriter writer;
@@ -94,6 +125,7 @@ CommandLine line(std::any& room) {
     return {&c.scenes,
             {output_option(c.output),
              set_option(c.scene),
+             sweep_option(c.sweeps),
              size_option(c.scene),
              {"--width-mm", "width on paper in millimetres", &c.print.width_mm, "millimetres"},
              {"--height-mm", "height on paper; from the scene's shape if not given",
@@ -106,6 +138,9 @@ CommandLine line(std::any& room) {
               "alone)",
               &c.vectors.shading, "", "tone|none", false, "tone|none"},
              {"--depth", "bits a colour component: 8 or 16", &c.bit_depth, "8 or 16"},
+             {"--sheet",
+              "CxR: all of them in one picture of C columns and R rows, each with its values",
+              ReadText([&c](const std::string& text) { c.sheet = parse_sheet(text); })},
              quality_option(c.scene),
              theme_option(c.scene),
              {"--time",

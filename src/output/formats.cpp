@@ -17,16 +17,18 @@ namespace {
 // The two PNG rows share a suffix: a file name with '#' in it asks for the first.
 constexpr std::array<OutputFormat, 7> kFormats = {{
     {"mp4", ".mp4", "film, H.264; plays everywhere, no transparency", true, false, kChunkFrames,
-     open_mp4, recover_mp4},
+     open_mp4, recover_mp4, join_mp4, true},
     {"webm", ".webm", "film, VP9; small, keeps transparency", true, true, kChunkFrames, open_webm,
-     recover_webm},
+     recover_webm, join_webm, true},
     {"gif", ".gif", "film of 255 colours, for pages that take no other", true, true, 1, open_gif,
-     recover_gif},
+     recover_gif, join_gif, true},
     {"png-sequence", ".png", "numbered pictures; #### in the name is the frame", false, true, 1,
-     open_png_sequence, nullptr},
-    {"png", ".png", "one picture", false, true, 1, open_png_still, nullptr},
-    {"md5", ".md5", "the hash of every frame, a line each", false, true, 1, open_md5, nullptr},
-    {"null", "", "nothing: frames are drawn and dropped", false, true, 1, open_null, nullptr},
+     open_png_sequence, nullptr, nullptr, true},
+    {"png", ".png", "one picture", false, true, 1, open_png_still, nullptr, nullptr, false},
+    {"md5", ".md5", "the hash of every frame, a line each", false, true, 1, open_md5, nullptr,
+     join_md5, true},
+    {"null", "", "nothing: frames are drawn and dropped", false, true, 1, open_null, nullptr,
+     nullptr, false},
 }};
 
 std::string known_suffixes() {
@@ -45,6 +47,10 @@ std::string text_of(const OutputPlan& plan, const Contents& contents) {
 
 std::int64_t n_shown_of(const OutputPlan& plan, std::int64_t n_frames) {
     return plan.n_shown == 0 ? n_frames : std::min(plan.n_shown, n_frames);
+}
+
+std::int64_t first_number(const OutputPlan& plan) {
+    return plan.first_frame + (plan.part ? plan.part->n_before : 0);
 }
 
 std::span<const OutputFormat> output_formats() { return kFormats; }

@@ -19,6 +19,9 @@ std::string text_of(const OutputPlan& plan, const Contents& contents);
 // How many frames of those that came a film made as planned has.
 std::int64_t n_shown_of(const OutputPlan& plan, std::int64_t n_frames);
 
+// The number of the first frame that comes.
+std::int64_t first_number(const OutputPlan& plan);
+
 std::unique_ptr<FrameSink> open_mp4(const OutputPlan& plan);
 std::unique_ptr<FrameSink> open_webm(const OutputPlan& plan);
 std::unique_ptr<FrameSink> open_gif(const OutputPlan& plan);
@@ -30,5 +33,10 @@ std::unique_ptr<FrameSink> open_null(const OutputPlan& plan);
 std::int64_t recover_mp4(const std::filesystem::path& path, const Tell& tell);
 std::int64_t recover_webm(const std::filesystem::path& path, const Tell& tell);
 std::int64_t recover_gif(const std::filesystem::path& path, const Tell& tell);
+
+void join_mp4(FrameEntries& entries, const OutputPlan& plan);
+void join_webm(FrameEntries& entries, const OutputPlan& plan);
+void join_gif(FrameEntries& entries, const OutputPlan& plan);
+void join_md5(FrameEntries& entries, const OutputPlan& plan);
 
 }  // namespace poinsot

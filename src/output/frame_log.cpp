@@ -43,14 +43,36 @@ std::uint32_t get_u32(const std::uint8_t* at) {
 // The plan and the settings as text: numbers, then the texts, whose lengths stand among the
 // numbers.
 std::string head_of(const OutputPlan& plan, const std::string& settings) {
-    return fmt::format("{} {} {} {} {} {} {}\n{}{}{}", plan.width_px, plan.height_px,
-                       plan.rate.numerator, plan.rate.denominator, plan.first_frame,
-                       settings.size(), plan.metadata.size(), settings, plan.metadata,
-                       chapters_text(plan.chapters));
+    const std::string part = plan.part ? part_text(*plan.part) : "";
+    return fmt::format("{}{} {} {} {} {} {} {}\n{}{}{}",
+                       plan.part ? fmt::format("part {}\n{}", part.size(), part) : "",
+                       plan.width_px, plan.height_px, plan.rate.numerator, plan.rate.denominator,
+                       plan.first_frame, settings.size(), plan.metadata.size(), settings,
+                       plan.metadata, chapters_text(plan.chapters));
 }
 
-// Reads the plan back; false for what head_of does not write.
+// Of a part, what it says of itself comes first: its size, and that text.
+constexpr std::string_view kPartKey = "part ";
+
+bool take_part(std::string_view& head, OutputPlan& plan) {
+    head.remove_prefix(kPartKey.size());
+    std::size_t size = 0;
+    const auto [end, error] = std::from_chars(head.data(), head.data() + head.size(), size);
+    if (error != std::errc{} || end == head.data() + head.size() || *end != '\n') return false;
+    head.remove_prefix(static_cast<std::size_t>(end - head.data()) + 1);
+    if (size > head.size() || !parse_part(head.substr(0, size), plan.part.emplace())) return false;
+    head.remove_prefix(size);
+    return true;
+}
+
+std::span<const std::uint8_t> bytes_of(std::string_view text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+}  // namespace
+
 bool read_head(std::string_view head, OutputPlan& plan, std::string& settings) {
+    if (head.starts_with(kPartKey) && !take_part(head, plan)) return false;
     std::array<std::int64_t, 7> numbers{};
     for (std::int64_t& number : numbers) {
         const auto [end, error] = std::from_chars(head.data(), head.data() + head.size(), number);
@@ -73,11 +95,28 @@ bool read_head(std::string_view head, OutputPlan& plan, std::string& settings) {
     return true;
 }
 
-std::span<const std::uint8_t> bytes_of(std::string_view text) {
-    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+bool read_block(int descriptor, const fs::path& path, std::int64_t at, FrameBlock& block,
+                std::vector<std::uint8_t>& contents) {
+    const auto read_fully = [&](std::int64_t from, std::span<std::uint8_t> bytes) {
+        for (std::size_t done = 0; done < bytes.size();) {
+            const ssize_t n = ::pread(descriptor, bytes.data() + done, bytes.size() - done,
+                                      from + static_cast<std::int64_t>(done));
+            if (n < 0 && errno == EINTR) continue;
+            if (n < 0) throw_write_error(path, errno);
+            if (n == 0) return false;
+            done += static_cast<std::size_t>(n);
+        }
+        return true;
+    };
+    std::array<std::uint8_t, kBlockHead> head{};
+    struct stat status {};
+    if (fstat(descriptor, &status) != 0) throw_write_error(path, errno);
+    if (!read_fully(at, head)) return false;
+    block = {at + static_cast<std::int64_t>(kBlockHead), get_u32(head.data())};
+    if (block.size > status.st_size - block.at) return false;
+    contents.resize(block.size);
+    return read_fully(block.at, contents) && checksum(contents) == get_u32(head.data() + 4);
 }
-
-}  // namespace
 
 fs::path frame_log_path(const fs::path& film) { return aside_path_of(film, ".part.frames"); }
 
@@ -106,6 +145,11 @@ FrameLog::FrameLog(const fs::path& film) : file_(film, frame_log_path(film), tru
     const std::string head = scan();
     if (n_entries() == 0 || !read_head(head, plan_, settings_))
         throw InputError(fmt::format("no frame of {} had been finished", film.string()));
+    if (plan_.part)
+        throw InputError(
+            fmt::format("{}: is part {} of {} of a film; give its render command again, which goes "
+                        "on with it, and join the parts",
+                        film.string(), plan_.part->number, plan_.part->n_parts));
     plan_.path = film;
     plan_.n_frames = n_entries();
     plan_.resume = true;
@@ -121,8 +165,8 @@ FrameLog::~FrameLog() {
 // Finds the blocks that are whole and returns the first one's text.
 std::string FrameLog::scan() {
     std::string head;
-    Entry block{};
-    while (read_block(end_, block)) {
+    FrameBlock block;
+    while (read_block(file_.descriptor(), file_.path(), end_, block, buffer_)) {
         const bool is_head = end_ == 0;
         end_ = block.at + block.size;
         if (is_head) {
@@ -133,29 +177,6 @@ std::string FrameLog::scan() {
         }
     }
     return head;
-}
-
-// Reads the block that begins at a place into the buffer; false if there is no whole one.
-bool FrameLog::read_block(std::int64_t at, Entry& block) {
-    const auto read_fully = [this](std::int64_t from, std::span<std::uint8_t> bytes) {
-        for (std::size_t done = 0; done < bytes.size();) {
-            const ssize_t n = ::pread(file_.descriptor(), bytes.data() + done, bytes.size() - done,
-                                      from + static_cast<std::int64_t>(done));
-            if (n < 0 && errno == EINTR) continue;
-            if (n < 0) throw_write_error(file_.path(), errno);
-            if (n == 0) return false;
-            done += static_cast<std::size_t>(n);
-        }
-        return true;
-    };
-    std::array<std::uint8_t, kBlockHead> head{};
-    struct stat status {};
-    if (fstat(file_.descriptor(), &status) != 0) throw_write_error(file_.path(), errno);
-    if (!read_fully(at, head)) return false;
-    block = {at + static_cast<std::int64_t>(kBlockHead), get_u32(head.data())};
-    if (block.size > status.st_size - block.at) return false;
-    buffer_.resize(block.size);
-    return read_fully(block.at, buffer_) && checksum(buffer_) == get_u32(head.data() + 4);
 }
 
 void FrameLog::keep_first(std::int64_t n_entries) {
@@ -184,9 +205,10 @@ void FrameLog::append(std::span<const std::uint8_t> entry) {
 }
 
 std::span<const std::uint8_t> FrameLog::read(std::int64_t k) {
-    const Entry& wanted = entries_.at(static_cast<std::size_t>(k));
-    Entry found{};
-    if (!read_block(wanted.at - static_cast<std::int64_t>(kBlockHead), found) ||
+    const FrameBlock& wanted = entries_.at(static_cast<std::size_t>(k));
+    FrameBlock found;
+    if (!read_block(file_.descriptor(), file_.path(),
+                    wanted.at - static_cast<std::int64_t>(kBlockHead), found, buffer_) ||
         found.size != wanted.size)
         throw EnvironmentError(fmt::format("cannot write {}: what lies aside cannot be read back",
                                            file_.path().string()));

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "output/frame_sink.h"
@@ -14,7 +15,35 @@
 
 namespace poinsot {
 
-class FrameLog {
+// Entries in the order of the film, wherever they lie.
+class FrameEntries {
+ public:
+    virtual ~FrameEntries() = default;
+    virtual std::int64_t n_entries() const = 0;
+    // All that they depend on besides the frames and the plan.
+    virtual const std::string& settings() const = 0;
+    // Entry k, valid until the next call. Throws EnvironmentError if it is not what was written.
+    virtual std::span<const std::uint8_t> read(std::int64_t k) = 0;
+    // An entry that is whole by its checksum and yet none of this format's: the file was made by
+    // another program. Throws InputError.
+    [[noreturn]] virtual void refuse_entry() const = 0;
+};
+
+// A block of a file of them, without its head.
+struct FrameBlock {
+    std::int64_t at = 0;  // of its contents
+    std::uint32_t size = 0;
+};
+
+// Reads the block that begins at a place of an open file; false if there is no whole one. Throws
+// EnvironmentError, with the path.
+bool read_block(int descriptor, const std::filesystem::path& path, std::int64_t at,
+                FrameBlock& block, std::vector<std::uint8_t>& contents);
+
+// Reads what the first block says back into a plan and settings; false for what is no such text.
+bool read_head(std::string_view head, OutputPlan& plan, std::string& settings);
+
+class FrameLog : public FrameEntries {
  public:
     // settings says everything that the entries depend on besides the frames and the plan. With
     // plan.resume, the entries of an earlier log of the same plan and settings are kept: as many
@@ -25,43 +54,38 @@ class FrameLog {
     // Throws: InputError if there is nothing; EnvironmentError.
     static FrameLog left_of(const std::filesystem::path& film);
 
-    ~FrameLog();  // leaves the entries aside for a later run where the plan says so
+    ~FrameLog() override;  // leaves the entries aside for a later run where the plan says so
     FrameLog(FrameLog&&) noexcept = default;
     FrameLog& operator=(FrameLog&&) noexcept = default;
 
     const OutputPlan& plan() const { return plan_; }
-    const std::string& settings() const { return settings_; }
-    std::int64_t n_entries() const { return static_cast<std::int64_t>(entries_.size()); }
+    const std::string& settings() const override { return settings_; }
+    std::int64_t n_entries() const override { return static_cast<std::int64_t>(entries_.size()); }
     std::uint64_t n_bytes() const { return static_cast<std::uint64_t>(end_); }  // on disk so far
 
     // Throws EnvironmentError.
     void append(std::span<const std::uint8_t> entry);
 
-    // Entry k, valid until the next call. Throws EnvironmentError if it is not what was written.
-    std::span<const std::uint8_t> read(std::int64_t k);
+    std::span<const std::uint8_t> read(std::int64_t k) override;
+
+    // Under the final name stands this very file: a part of a film, whose frames all are here.
+    // Throws EnvironmentError.
+    void become_part() { file_.commit(); }
 
     void discard() noexcept { file_.discard(); }
 
-    // An entry that is whole by its checksum and yet none of this format's: the file was made by
-    // another program.
-    [[noreturn]] void refuse_entry() const;
+    [[noreturn]] void refuse_entry() const override;
 
  private:
-    struct Entry {
-        std::int64_t at;  // of its contents
-        std::uint32_t size;
-    };
-
     explicit FrameLog(const std::filesystem::path& film);
     std::string scan();
     void append_block(std::span<const std::uint8_t> contents);
-    bool read_block(std::int64_t at, Entry& block);
     void keep_first(std::int64_t n_entries);
 
     OutputPlan plan_;
     std::string settings_;
     AtomicFile file_;
-    std::vector<Entry> entries_;
+    std::vector<FrameBlock> entries_;
     std::int64_t head_end_ = 0;  // of the block that says what film this is
     std::int64_t end_ = 0;       // of what is whole
     std::vector<std::uint8_t> buffer_;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "output/film_part.h"
 
 namespace poinsot {
 
@@ -60,6 +61,11 @@ struct OutputPlan {
     // Go on from what an interrupted run with the same plan has left aside, and leave it aside when
     // interrupted again. Formats that cannot start from the first frame.
     bool resume = false;
+    // Of those frames, n_frames from the n_before-th on, as a part of the film; metadata, chapters
+    // and first_frame stay the film's. Formats that have parts.
+    std::optional<FilmPart> part = {};
+    // Whether the film's first frame is transparent anywhere; known to a part that begins later.
+    std::optional<bool> has_alpha = {};
 };
 
 // Called on the thread that writes, once a frame.
@@ -84,6 +90,8 @@ class FrameSink {
     virtual void finish() = 0;  // flushes, syncs and renames; throws EnvironmentError
 };
 
+class FrameEntries;  // see output/frame_log.h
+
 // A row of the table of formats.
 struct OutputFormat {
     std::string_view name;        // "mp4"
@@ -97,6 +105,10 @@ struct OutputFormat {
     std::unique_ptr<FrameSink> (*open)(const OutputPlan& plan);
     // As recover_film; null where nothing unfinished is left, or is whole as it is.
     std::int64_t (*recover)(const std::filesystem::path& path, const Tell& tell);
+    // Puts a film together from the entries of its parts, under the plan's name. Null where a
+    // part's frames are whole as they are, or where there are no parts.
+    void (*join)(FrameEntries& entries, const OutputPlan& plan);
+    bool has_parts;
 };
 
 std::span<const OutputFormat> output_formats();

@@ -89,15 +89,14 @@ void take_packets(VideoEncoder& encoder, libav::Muxer& muxer, AVPacket* packet) 
 }
 
 // Frame k of a log, of the film's size.
-Image frame_of(FrameLog& log, std::int64_t k) {
-    Image frame = decode_png(log.read(k), log.plan().path.string());
-    if (frame.width() != log.plan().width_px || frame.height() != log.plan().height_px)
-        log.refuse_entry();
+Image frame_of(FrameEntries& log, const OutputPlan& plan, std::int64_t k) {
+    Image frame = decode_png(log.read(k), plan.path.string());
+    if (frame.width() != plan.width_px || frame.height() != plan.height_px) log.refuse_entry();
     return frame;
 }
 
 // Puts the film together from the frames in the log, whose colours have been counted.
-void write_whole(FrameLog& log, const ColourCount& count, const OutputPlan& plan) {
+void write_whole(FrameEntries& log, const ColourCount& count, const OutputPlan& plan) {
     AtomicFile file(plan.path);
     const std::vector<Rgba8> palette = palette_for(count, kTransparentIndex);
     Ditherer ditherer(palette, kTransparentIndex);
@@ -113,7 +112,7 @@ void write_whole(FrameLog& log, const ColourCount& count, const OutputPlan& plan
     for (std::int64_t k = 0; k < log.n_entries(); ++k) {
         libav::checked(av_frame_make_writable(frame.get()), plan.path, "video frame");
         set_palette(*frame, palette);
-        ditherer.apply(frame_of(log, k), frame->data[0], frame->linesize[0]);
+        ditherer.apply(frame_of(log, plan, k), frame->data[0], frame->linesize[0]);
         frame->pts = k;
         encoder.send(*frame);
         take_packets(encoder, muxer, packet.get());
@@ -131,9 +130,9 @@ void write_whole(FrameLog& log, const ColourCount& count, const OutputPlan& plan
     file.commit();
 }
 
-ColourCount colours_of(FrameLog& log) {
+ColourCount colours_of(FrameEntries& log, const OutputPlan& plan) {
     ColourCount count;
-    for (std::int64_t k = 0; k < log.n_entries(); ++k) count.add(frame_of(log, k));
+    for (std::int64_t k = 0; k < log.n_entries(); ++k) count.add(frame_of(log, plan, k));
     return count;
 }
 
@@ -143,7 +142,7 @@ class GifSink : public FrameSink {
         : plan_(plan),
           log_(plan, "PNG frames of holes and opaque pixels", 1),
           n_kept_(log_.n_entries()),
-          count_(colours_of(log_)),
+          count_(plan.part ? ColourCount() : colours_of(log_, plan_)),
           spooler_(PngOptions{.texts = {}, .pixels_per_metre = 0, .deflate_level = 1}) {}
 
     std::int64_t n_frames_kept() const override { return n_kept_; }
@@ -154,7 +153,7 @@ class GifSink : public FrameSink {
         const bool opaque = is_opaque(frame);
         if (!opaque) flatten_keeping_holes(frame);
         const Image& shown = opaque ? frame : flat_;
-        count_.add(shown);
+        if (!plan_.part) count_.add(shown);
         log_.append(spooler_.encode(shown));
         if (log_.n_entries() == n_kept_ + 1)
             check_room(plan_.path, log_.n_bytes(), log_.n_entries(), plan_.n_frames);
@@ -162,6 +161,7 @@ class GifSink : public FrameSink {
 
     void finish() override {
         check_any_frame(log_.n_entries(), plan_);
+        if (plan_.part) return log_.become_part();
         write_whole(log_, count_, plan_);
         log_.discard();
     }
@@ -197,13 +197,18 @@ std::unique_ptr<FrameSink> open_gif(const OutputPlan& plan) {
     return std::make_unique<GifSink>(plan);
 }
 
+void join_gif(FrameEntries& entries, const OutputPlan& plan) {
+    silence_libav();
+    write_whole(entries, colours_of(entries, plan), plan);
+}
+
 std::int64_t recover_gif(const std::filesystem::path& path, const Tell& tell) {
     silence_libav();
     FrameLog log = FrameLog::left_of(path);
     OutputPlan plan = log.plan();
     plan.tell = tell;
     check_film(plan);
-    write_whole(log, colours_of(log), plan);
+    write_whole(log, colours_of(log, plan), plan);
     log.discard();
     return plan.n_frames;
 }

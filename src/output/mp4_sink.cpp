@@ -169,7 +169,7 @@ void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::pat
 }
 
 // Entry k of a log, which has a head.
-std::span<const std::uint8_t> entry_of(FrameLog& log, std::int64_t k) {
+std::span<const std::uint8_t> entry_of(FrameEntries& log, std::int64_t k) {
     const auto entry = log.read(k);
     if (entry.size() < kEntryHead) log.refuse_entry();
     return entry;
@@ -208,14 +208,14 @@ void describe_stream(AVStream& stream, const OutputPlan& plan, const Bytes& head
     stream.avg_frame_rate = as_rational(plan.rate);
 }
 
-std::string text_of_film(FrameLog& log, const OutputPlan& plan, std::int64_t n_frames) {
+std::string text_of_film(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
     PacketHash hash(kChunkFrames);
     for (std::int64_t k = 0; k < n_frames; ++k) hash.add(entry_of(log, k).subspan(kEntryHead));
     return text_of(plan, {.n_frames = n_frames, .packets = hash.of_film()});
 }
 
 // Puts the film together from the first entries of the log, its index in front.
-void write_whole(FrameLog& log, const OutputPlan& plan, std::int64_t n_frames) {
+void write_whole(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
     const std::string text = text_of_film(log, plan, n_frames);
     AtomicFile file(plan.path);
     libav::Muxer muxer("mp4", file.descriptor(), plan.path, file.aside());
@@ -244,6 +244,7 @@ class Mp4Sink : public FrameSink {
           packet_(libav::make_packet()),
           encoder_(std::make_unique<VideoEncoder>(settings_, plan.path)),
           log_(plan, description_of(settings_, encoder_->context()), kChunkFrames),
+          n_before_(plan.part ? plan.part->n_before : 0),
           n_kept_(log_.n_entries()),
           n_written_(n_kept_) {}
 
@@ -263,7 +264,7 @@ class Mp4Sink : public FrameSink {
                            {frame_->data[0], frame_->data[1], frame_->data[2], frame_->linesize[0],
                             frame_->linesize[1], frame_->linesize[2]});
         was_read();
-        frame_->pts = n_written_++;
+        frame_->pts = n_before_ + n_written_++;
         ++n_in_chunk_;
         encoder_->send(*frame_);
         take_packets();
@@ -272,6 +273,7 @@ class Mp4Sink : public FrameSink {
     void finish() override {
         check_any_frame(n_written_, plan_);
         end_chunk();
+        if (plan_.part) return log_.become_part();
         write_whole(log_, plan_, n_shown_of(plan_, n_written_));
         log_.discard();
     }
@@ -308,6 +310,7 @@ class Mp4Sink : public FrameSink {
     Image flat_;
     std::unique_ptr<VideoEncoder> encoder_;
     FrameLog log_;
+    std::int64_t n_before_;  // frames of the film before the first that comes
     std::int64_t n_kept_;
     std::int64_t n_written_;
     Bytes entry_;
@@ -320,6 +323,11 @@ std::unique_ptr<FrameSink> open_mp4(const OutputPlan& plan) {
     check_mp4(plan);
     silence_libav();
     return std::make_unique<Mp4Sink>(plan);
+}
+
+void join_mp4(FrameEntries& entries, const OutputPlan& plan) {
+    silence_libav();
+    write_whole(entries, plan, entries.n_entries());
 }
 
 std::int64_t recover_mp4(const fs::path& path, const Tell& tell) {

@@ -29,20 +29,28 @@ std::map<std::string, std::string> texts_of(const OutputPlan& plan, std::int64_t
     return {{kMetadataName, text_of(plan, {.frame = frame, .pixels = pixel_check(image)})}};
 }
 
+// Parts of one sequence are written side by side.
+std::filesystem::path lock_path_of(const OutputPlan& plan) {
+    return aside_path_of(
+        plan.path,
+        plan.part ? fmt::format(".{}-of-{}.part", plan.part->number, plan.part->n_parts) : ".part");
+}
+
 // As many frames at a time as there are threads. Each is whole under its own name as soon as it is
 // there at all, so an interrupted sequence leaves good frames, from which another run may go on.
 class PngSequenceSink : public FrameSink {
  public:
     explicit PngSequenceSink(const OutputPlan& plan)
         : plan_(plan),
-          lock_(plan.path),
+          lock_(plan.path, lock_path_of(plan)),
+          first_number_(first_number(plan)),
           encoders_(
               static_cast<std::size_t>(plan.encoder_threads > 0 ? plan.encoder_threads : kThreads)),
           there_(frames_that_are_there()) {
         // A killed run may have been about to replace a frame that now stays.
         for (const std::int64_t k : there_) {
             std::error_code not_there;
-            std::filesystem::remove(aside_path_of(frame_name(plan_.path, plan_.first_frame + k)),
+            std::filesystem::remove(aside_path_of(frame_name(plan_.path, first_number_ + k)),
                                     not_there);
         }
         workers_ = std::make_unique<FrameWorkers>(
@@ -73,7 +81,7 @@ class PngSequenceSink : public FrameSink {
     static constexpr std::size_t kPictures = 4;
 
     void write_one(PngEncoder& encoder, std::int64_t number, const Image& frame) const {
-        const std::int64_t frame_number = plan_.first_frame + frame_of(number);
+        const std::int64_t frame_number = first_number_ + frame_of(number);
         encoder.set_texts(texts_of(plan_, frame_number, frame));
         const auto contents = encoder.encode(frame);
         write_whole(frame_name(plan_.path, frame_number), contents);
@@ -95,7 +103,7 @@ class PngSequenceSink : public FrameSink {
     std::vector<std::int64_t> frames_that_are_there() const {
         if (!plan_.resume || plan_.metadata.empty()) return {};
         std::vector<std::int64_t> frames = frames_there(plan_.path);
-        for (std::int64_t& frame : frames) frame -= plan_.first_frame;
+        for (std::int64_t& frame : frames) frame -= first_number_;
         std::erase_if(frames, [this](std::int64_t k) {
             return k < 0 || k >= plan_.n_frames || !is_there(k);
         });
@@ -107,8 +115,8 @@ class PngSequenceSink : public FrameSink {
     bool is_there(std::int64_t k) const {
         try {
             PngInfo info;
-            const Image image = read_png(frame_name(plan_.path, plan_.first_frame + k), &info);
-            return info.texts == texts_of(plan_, plan_.first_frame + k, image) &&
+            const Image image = read_png(frame_name(plan_.path, first_number_ + k), &info);
+            return info.texts == texts_of(plan_, first_number_ + k, image) &&
                    image.width() == plan_.width_px && image.height() == plan_.height_px;
         } catch (const Error&) {
             return false;
@@ -117,6 +125,7 @@ class PngSequenceSink : public FrameSink {
 
     OutputPlan plan_;
     AtomicFile lock_;  // never committed: its file aside says that this sequence is being written
+    std::int64_t first_number_;
     std::vector<PngEncoder> encoders_;
     std::vector<std::int64_t> there_;  // in order, counted from the plan's first
     std::unique_ptr<FrameWorkers> workers_;

@@ -92,7 +92,7 @@ std::size_t n_beside_of(std::span<const std::uint8_t> entry) {
 }
 
 // Entry k of a log, whose head fits what follows.
-std::span<const std::uint8_t> entry_of(FrameLog& log, std::int64_t k) {
+std::span<const std::uint8_t> entry_of(FrameEntries& log, std::int64_t k) {
     const auto entry = log.read(k);
     if (entry.size() < kEntryHead || n_beside_of(entry) > entry.size() - kEntryHead)
         log.refuse_entry();
@@ -112,7 +112,9 @@ void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::pat
     std::copy_n(entry.data() + kEntryHead, n_beside, beside);
 }
 
-bool has_alpha(FrameLog& log) { return log.n_entries() > 0 && n_beside_of(entry_of(log, 0)) > 0; }
+bool has_alpha(FrameEntries& log) {
+    return log.n_entries() > 0 && n_beside_of(entry_of(log, 0)) > 0;
+}
 
 void describe_stream(AVStream& stream, const OutputPlan& plan, bool alpha) {
     AVCodecParameters& parameters = *stream.codecpar;
@@ -133,7 +135,7 @@ void describe_stream(AVStream& stream, const OutputPlan& plan, bool alpha) {
     if (alpha) av_dict_set(&stream.metadata, "alpha_mode", "1", 0);
 }
 
-std::string text_of_film(FrameLog& log, const OutputPlan& plan, std::int64_t n_frames) {
+std::string text_of_film(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
     PacketHash hash(kChunkFrames);
     for (std::int64_t k = 0; k < n_frames; ++k) {
         const auto entry = entry_of(log, k);
@@ -144,7 +146,7 @@ std::string text_of_film(FrameLog& log, const OutputPlan& plan, std::int64_t n_f
 }
 
 // Puts the film together from the first entries of the log. VP9's packets come in the order shown.
-void write_whole(FrameLog& log, const OutputPlan& plan, std::int64_t n_frames) {
+void write_whole(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
     const std::string text = text_of_film(log, plan, n_frames);
     AtomicFile file(plan.path);
     libav::Muxer muxer("webm", file.descriptor(), plan.path, file.aside());
@@ -166,7 +168,7 @@ void write_whole(FrameLog& log, const OutputPlan& plan, std::int64_t n_frames) {
     file.commit();
 }
 
-// Whether the film carries alpha is known from its first frame.
+// Whether the film carries alpha is known from its first frame, which a later part is told of.
 class WebmSink : public FrameSink {
  public:
     explicit WebmSink(const OutputPlan& plan)
@@ -174,6 +176,7 @@ class WebmSink : public FrameSink {
           converter_(plan.width_px),
           packet_(libav::make_packet()),
           log_(plan, description_of(settings_for(plan, false)), kChunkFrames),
+          n_before_(plan.part ? plan.part->n_before : 0),
           n_kept_(log_.n_entries()),
           alpha_(has_alpha(log_)),
           n_written_(n_kept_) {}
@@ -186,7 +189,7 @@ class WebmSink : public FrameSink {
 
     void write_telling(const Image& frame, const WasRead& was_read) override {
         check_frame(frame, plan_);
-        if (n_written_ == 0) alpha_ = !is_opaque(frame);
+        if (n_written_ == 0) alpha_ = plan_.has_alpha.value_or(!is_opaque(frame));
         if (n_written_ % kChunkFrames == 0) end_chunk();
         if (!encoder_) start_chunk();
         libav::checked(av_frame_make_writable(frame_.get()), plan_.path, "video frame");
@@ -197,7 +200,7 @@ class WebmSink : public FrameSink {
                             frame_->linesize[1], frame_->linesize[2]});
         if (alpha_) copy_alpha(frame, frame_->data[3], frame_->linesize[3]);
         was_read();
-        frame_->pts = n_written_++;
+        frame_->pts = n_before_ + n_written_++;
         encoder_->send(*frame_);
         take_packets();
     }
@@ -205,6 +208,7 @@ class WebmSink : public FrameSink {
     void finish() override {
         check_any_frame(n_written_, plan_);
         end_chunk();
+        if (plan_.part) return log_.become_part();
         write_whole(log_, plan_, n_shown_of(plan_, log_.n_entries()));
         log_.discard();
     }
@@ -239,6 +243,7 @@ class WebmSink : public FrameSink {
     YuvConverter converter_;
     libav::Packet packet_;
     FrameLog log_;
+    std::int64_t n_before_;  // frames of the film before the first that comes
     std::int64_t n_kept_;
     bool alpha_;
     std::int64_t n_written_;
@@ -255,6 +260,11 @@ std::unique_ptr<FrameSink> open_webm(const OutputPlan& plan) {
     quality_named(kQualities, plan.quality);
     silence_libav();
     return std::make_unique<WebmSink>(plan);
+}
+
+void join_webm(FrameEntries& entries, const OutputPlan& plan) {
+    silence_libav();
+    write_whole(entries, plan, entries.n_entries());
 }
 
 std::int64_t recover_webm(const fs::path& path, const Tell& tell) {

@@ -28,8 +28,8 @@ std::int64_t frame_at(const FilmPlan& film, double film_s) {
 }
 
 // The first lines of the file, by which it is known for that of a film.
-std::string head_of(const OutputPlan& plan) {
-    return fmt::format("{{\n  \"film\": {},\n", json_string(plan.path.filename().string()));
+std::string head_of(const std::filesystem::path& film) {
+    return fmt::format("{{\n  \"film\": {},\n", json_string(film.filename().string()));
 }
 
 }  // namespace
@@ -66,20 +66,18 @@ void remove_stale_chapters(const OutputPlan& plan) {
     const std::filesystem::path path = chapters_path(plan.path);
     if (kind_of_file(path) != FileKind::regular) return;
     std::ifstream file(path, std::ios::binary);
-    std::string beginning(head_of(plan).size(), '\0');
+    std::string beginning(head_of(plan.path).size(), '\0');
     file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
     std::error_code ignored;
-    if (file && beginning == head_of(plan)) std::filesystem::remove(path, ignored);
+    if (file && beginning == head_of(plan.path)) std::filesystem::remove(path, ignored);
 }
 
-void write_chapters(const OutputPlan& plan, const FilmPlan& film) {
+std::string chapters_text_of(const OutputPlan& plan, const FilmPlan& film) {
     const double per_second = plan.rate.per_second();
-    std::string text =
-        head_of(plan) + fmt::format(
-                            "  \"frames_per_second\": \"{}/{}\",\n  \"n_frames\": {},\n"
-                            "  \"loops\": {},\n  \"chapters\": [\n",
-                            plan.rate.numerator, plan.rate.denominator, plan.n_frames,
-                            film.loop_s > 0.0);
+    std::string text = fmt::format(
+        "  \"frames_per_second\": \"{}/{}\",\n  \"n_frames\": {},\n"
+        "  \"loops\": {},\n  \"chapters\": [\n",
+        plan.rate.numerator, plan.rate.denominator, plan.n_frames, film.loop_s > 0.0);
     for (std::size_t i = 0; i < plan.chapters.size(); ++i) {
         const FilmChapter& chapter = plan.chapters[i];
         const std::int64_t shown = plan.first_frame + chapter.first_frame;
@@ -92,8 +90,15 @@ void write_chapters(const OutputPlan& plan, const FilmPlan& film) {
             plan.first_frame + chapter.end_frame - 1, json_number(film.time_of(shown)),
             i + 1 < plan.chapters.size() ? "," : "");
     }
-    text += "  ]\n}\n";
-    write_whole(chapters_path(plan.path), text);
+    return text + "  ]\n}\n";
+}
+
+void write_chapters(const std::filesystem::path& film, const std::string& text) {
+    write_whole(chapters_path(film), head_of(film) + text);
+}
+
+void write_chapters(const OutputPlan& plan, const FilmPlan& film) {
+    write_chapters(plan.path, chapters_text_of(plan, film));
 }
 
 }  // namespace poinsot

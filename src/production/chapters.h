@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "output/frame_sink.h"
@@ -22,5 +23,10 @@ void remove_stale_chapters(const OutputPlan& plan);
 
 // Writes that file, whole or not at all. Throws EnvironmentError.
 void write_chapters(const OutputPlan& plan, const FilmPlan& film);
+
+// What it says after the film's name, which is known only where the parts of a film are joined;
+// and the file of a film whose parts have carried it.
+std::string chapters_text_of(const OutputPlan& plan, const FilmPlan& film);
+void write_chapters(const std::filesystem::path& film, const std::string& text);
 
 }  // namespace poinsot

@@ -6,17 +6,44 @@
 #include <vector>
 
 #include "error/error.h"
+#include "image/alpha.h"
+#include "output/film_parts.h"
 #include "output/frame_name.h"
 #include "output/pipeline.h"
 #include "production/chapters.h"
 #include "production/output_place.h"
 #include "production/record.h"
+#include "system/file_kind.h"
 #include "system/interrupt.h"
 #include "text/printable.h"
 
 namespace poinsot {
 
 namespace {
+
+// The first frame that a plan has.
+std::int64_t first_of(const OutputPlan& plan) {
+    return plan.first_frame + (plan.part ? plan.part->n_before : 0);
+}
+
+// Whether a part lies where it is to go. What is no part, or another of the same film, is not
+// replaced: most likely all of them were given one name.
+bool is_there(const OutputPlan& plan) {
+    if (format_for(plan.path).join == nullptr || kind_of_file(plan.path) != FileKind::regular)
+        return false;
+    const std::string name = printable(plan.path.string());
+    if (!looks_like_part(plan.path))
+        throw InputError(fmt::format(
+            "{}: is there, and no part of a film; remove it, or name the part otherwise", name));
+    const PartFile there(plan.path);
+    if (there.plan().metadata != plan.metadata) return false;
+    if (there.part().n_parts == plan.part->n_parts && there.part().number != plan.part->number)
+        throw InputError(fmt::format(
+            "{}: holds part {} of this film; give each part a name of its own, as #### in it "
+            "becomes the part's number",
+            name, there.part().number));
+    return there.is_whole() && there.part() == *plan.part;
+}
 
 // What an interrupted run has left is gone on from, and the user is told. n_there: of the frames.
 void note_kept(const OutputPlan& plan, const FrameSink& sink, std::int64_t n_there, bool film,
@@ -34,7 +61,7 @@ void note_kept(const OutputPlan& plan, const FrameSink& sink, std::int64_t n_the
     if (n_there == sink.n_frames_kept())
         return telling.say(
             fmt::format("note: going on with frame {} of {}, where an interrupted run ended",
-                        plan.first_frame + n_there, name));
+                        first_of(plan) + n_there, name));
     telling.say(fmt::format(
         "note: going on with {}: {} of its {} frames are there as they were drawn, the others are "
         "drawn",
@@ -87,13 +114,82 @@ OutputPlan FilmJob::output_plan(const std::filesystem::path& path) const {
     return plan;
 }
 
+// Makes the plan that of a part; false if the film has so few that this one has no frames.
+bool FilmJob::take_part(OutputPlan& plan, const Telling& telling) const {
+    const OutputFormat& format = format_for(plan.path);
+    const auto [number, n_parts] = *request_.part;
+    const std::string name = printable(plan.path.string());
+    if (!format.has_parts)
+        throw InputError(format.suffix == ".png"
+                             ? fmt::format("{}: one picture has no parts; a sequence has #### in "
+                                           "its name",
+                                           name)
+                             : fmt::format("{}: has no parts", name));
+    FilmPart part = part_of_film(number, n_parts, plan.n_frames, format.n_chunk_frames);
+    if (part.n_parts < n_parts)
+        telling.say(
+            fmt::format("note: the seams of parts lie every {} frames, so {} frames have {} "
+                        "part{}, not {}",
+                        format.n_chunk_frames, plan.n_frames, part.n_parts,
+                        part.n_parts == 1 ? "" : "s", n_parts));
+    if (part.n_frames == 0) {
+        telling.say(fmt::format("note: there is no part {}, and nothing to do", number));
+        return false;
+    }
+    part.format = format.name;
+    if (!plan.chapters.empty() && format.film) part.beside = chapters_text_of(plan, film_);
+    plan.n_frames = part.n_frames;
+    plan.part = std::move(part);
+    return true;
+}
+
+void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan, const Telling& telling) const {
+    const OutputFormat& format = format_for(plan.path);
+    AsyncSink sink(format.open(plan));
+    std::int64_t n_done = 0;
+    for (std::int64_t k = 0; k < plan.n_frames; ++k) n_done += sink.has_frame(k) ? 1 : 0;
+    note_kept(plan, sink, n_done, format.film || format.join != nullptr, telling);
+    telling.begin(session_->scene.name, plan.n_frames);
+    const std::int64_t begin = first_of(plan);
+    for (std::int64_t k = 0; k < plan.n_frames; ++k) {
+        if (sink.has_frame(k)) continue;
+        stop_if_interrupted();
+        Image image = sink.spare();
+        pictures.draw(film_.moment_of(begin + k), image);
+        sink.write_moved(std::move(image));
+        telling.done(++n_done);
+    }
+    sink.finish();
+}
+
+void FilmJob::write_beside(OutputPlan plan, const Telling& telling) const {
+    const OutputFormat& format = format_for(plan.path);
+    if (plan.n_shown > 0) {
+        plan.n_frames = plan.n_shown;
+        plan.chapters = chapters_of(session_->scene, film_, first_, first_ + plan.n_shown - 1);
+    }
+    if (!plan.chapters.empty() && (format.film || format.name == "png-sequence"))
+        write_chapters(plan, film_);
+    else
+        remove_stale_chapters(plan);
+    if (format.name == "png-sequence") note_others(plan, telling);
+}
+
+void FilmJob::end_sequence(const std::filesystem::path& pattern, const Telling& telling) const {
+    write_beside(output_plan(pattern), telling);
+}
+
 void FilmJob::make(Easel& easel, const Telling& telling) const {
     const Scene& scene = session_->scene;
     tell_notes(scene, telling);
-    const OutputPlace place(request_.output, scene, ".mp4");
+    const OutputPlace place(
+        request_.output, scene,
+        request_.part ? fmt::format(".{}-of-{}.mp4", request_.part->first, request_.part->second)
+                      : ".mp4");
     OutputPlan plan = output_plan(place.path());
     watch_for_interrupts();
     const OutputFormat& format = format_for(plan.path);
+    if (request_.part && !take_part(plan, telling)) return;
     if (request_.n_shown > 0 && request_.n_shown < plan.n_frames) {
         // Packets know of the frames that follow in their chunk.
         const std::int64_t chunk = format.n_chunk_frames;
@@ -107,31 +203,18 @@ void FilmJob::make(Easel& easel, const Telling& telling) const {
     record.frames = {first_, last_};
     plan.metadata = to_text(record);
     plan.tell = told;
-    AsyncSink sink(format.open(plan));
-    std::int64_t n_done = 0;
-    for (std::int64_t k = 0; k < plan.n_frames; ++k) n_done += sink.has_frame(k) ? 1 : 0;
-    note_kept(plan, sink, n_done, format.film, telling);
-    telling.begin(scene.name, plan.n_frames);
-
-    for (std::int64_t k = 0; k < plan.n_frames; ++k) {
-        if (sink.has_frame(k)) continue;
-        stop_if_interrupted();
-        Image image = sink.spare();
-        pictures.draw(film_.moment_of(first_ + k), image);
-        sink.write_moved(std::move(image));
-        telling.done(++n_done);
+    const std::string name = printable(plan.path.string());
+    if (plan.part && is_there(plan))
+        return telling.say(fmt::format("note: part {} of {} is there, {}", plan.part->number,
+                                       plan.part->n_parts, name));
+    if (plan.part && plan.part->n_before > 0 && format.alpha) {
+        Image first;
+        pictures.draw(film_.moment_of(first_), first);
+        plan.has_alpha = !is_opaque(first);
     }
-    sink.finish();
-    if (plan.n_shown > 0) {
-        plan.n_frames = plan.n_shown;
-        plan.chapters = chapters_of(scene, film_, first_, first_ + plan.n_shown - 1);
-    }
-    if (!plan.chapters.empty() && (format.film || format.name == "png-sequence"))
-        write_chapters(plan, film_);
-    else
-        remove_stale_chapters(plan);
-    if (format.name == "png-sequence") note_others(plan, telling);
-    telling.finish(printable(plan.path.string()));
+    draw(pictures, plan, telling);
+    if (!plan.part) write_beside(plan, telling);
+    telling.finish(name);
     telling.say(in_words(pictures.bound(), scene.accuracy_px));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +20,8 @@ struct FilmRequest {
     // Of a film the first so many of those frames alone, with the bytes of a run that was
     // interrupted after them; 0: all.
     std::int64_t n_shown = 0;
+    // Part K of N of those frames, both from 1; nothing: all of them.
+    std::optional<std::pair<std::int64_t, std::int64_t>> part{};
 };
 
 class FilmJob {
@@ -28,12 +31,22 @@ class FilmJob {
 
     const FilmPlan& film() const { return film_; }
 
+    // Those asked for, of which a part has its share.
+    std::int64_t n_frames() const { return last_ - first_ + 1; }
+
     // Draws and writes it, from where an interrupted run of the same film ended. Throws InputError
     // and EnvironmentError.
     void make(Easel& easel, const Telling& telling) const;
 
+    // Writes what lies beside a sequence whose pictures are there: its chapters. Throws
+    // EnvironmentError.
+    void end_sequence(const std::filesystem::path& pattern, const Telling& telling) const;
+
  private:
     OutputPlan output_plan(const std::filesystem::path& path) const;
+    bool take_part(OutputPlan& plan, const Telling& telling) const;
+    void draw(PictureMaker& pictures, const OutputPlan& plan, const Telling& telling) const;
+    void write_beside(OutputPlan plan, const Telling& telling) const;
 
     const Session* session_;
     FilmRequest request_;

@@ -70,6 +70,16 @@ PlanLine frames_line(const char* what, bool asked, std::int64_t n_frames, const 
             asked ? why : why_not};
 }
 
+// Where the film of a table's row may be divided.
+PlanLine parts_line(const FilmPlan& film) {
+    const std::int64_t chunk = format_for("film.mp4").n_chunk_frames;
+    const std::int64_t n_parts = (film.n_frames + chunk - 1) / chunk;
+    return {"parts",
+            n_parts <= 1 ? "one: the film is shorter than two of them"
+                         : fmt::format("at most {}, seams every {} frames", n_parts, chunk),
+            "the encoders of MP4 and WebM start anew there; GIF and PNG have seams anywhere"};
+}
+
 }  // namespace
 
 std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, const Stage& stage) {
@@ -105,6 +115,7 @@ std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, cons
                                      stepped != nullptr ? stepped->counters().n_steps : 0),
                          "the scene has a [beside]"});
     }
+    lines.push_back(parts_line(film));
     lines.push_back({"curves",
                      fmt::format("{} kept, within {:.2g} px of the picture drawn",
                                  data.curves.size(), stage.curve_error_px()),

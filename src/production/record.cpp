@@ -21,6 +21,7 @@
 #include "scene/toml_document.h"
 #include "scene/write_scene.h"
 #include "system/file_kind.h"
+#include "system/processor.h"
 #include "system/sha256.h"
 #include "text/printable.h"
 
@@ -125,6 +126,7 @@ Record record_of(const Session& session, const PictureMaker& pictures, bool port
     Record record =
         record_of(session, pictures.stage(), in_words(pictures.bound(), session.scene.accuracy_px));
     record.portable = portable;
+    if (!portable) record.processor = processor_capabilities();
     record.renderer = context.renderer;
     record.mesa = mesa_version(context.version);
     return record;
@@ -163,6 +165,7 @@ std::string to_text(const Record& record) {
     add("method", record.method);
     add("bounds", record.bounds);
     add("profile", record.portable ? "portable" : "native");
+    if (!record.processor.empty()) add("processor", record.processor);
     add("renderer", record.renderer);
     add("mesa", record.mesa);
     if (!record.fonts.empty()) add("fonts", record.fonts);
@@ -260,6 +263,7 @@ Record parse_record(std::string_view text, const std::string& name) {
     record.method = field(fields, "method", name);
     record.bounds = field(fields, "bounds", name);
     record.portable = field(fields, "profile", name) == "portable";
+    if (fields.contains("processor")) record.processor = field(fields, "processor", name);
     record.renderer = field(fields, "renderer", name);
     record.mesa = field(fields, "mesa", name);
     if (fields.contains("fonts")) record.fonts = field(fields, "fonts", name);

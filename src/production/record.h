@@ -23,6 +23,7 @@ struct Record {
     std::string method;      // of the motion
     std::string bounds;      // what was promised of motion and picture
     bool portable = false;   // profile
+    std::string processor;   // what it can do, of a native profile; see system/processor.h
     std::string renderer;    // GL_RENDERER
     std::string mesa;        // version of Mesa, or all of GL_VERSION where that names none
     std::string fonts;  // of the system, that stood in for ours: "NAME SHA-256, …"; most often none

@@ -2,26 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "error/error.h"
 #include "output/frame_sink.h"
 #include "production/chapters.h"
-#include "production/record.h"
 #include "production/session.h"
 #include "scene/load_scene.h"
 #include "text/printable.h"
 
 namespace poinsot {
 
-namespace {
-
-// The chapters beside a film that ends early, as they lie beside a whole one.
-void write_chapters_beside(const std::filesystem::path& path, const Telling& telling) {
-    const Record record = read_record(path);
+void write_chapters_beside(const std::filesystem::path& path, const Record& record,
+                           const Telling& telling) {
     // The record's scene is read as a file of its name in this folder would be.
-    const Session session = session_of(
-        parse_scene(record.scene_toml, record.scene_name + ".toml", {}, OutsideFiles::refused), {},
-        Purpose::pictures, telling);
-    if (session.scene.chapters.empty() || !record.frames) return;
+    Scene scene =
+        parse_scene(record.scene_toml, record.scene_name + ".toml", {}, OutsideFiles::refused);
+    if (scene.chapters.empty() || !record.frames) return;
+    const Session session = session_of(std::move(scene), {}, Purpose::pictures, telling);
     const FilmPlan film = film_plan(session);
     const auto [first, last] = *record.frames;
     OutputPlan plan;
@@ -33,12 +31,10 @@ void write_chapters_beside(const std::filesystem::path& path, const Telling& tel
     write_chapters(plan, film);
 }
 
-}  // namespace
-
 std::int64_t recover(const std::filesystem::path& film, const Telling& telling) {
     const std::int64_t n_frames = recover_film(film, told);
     try {
-        write_chapters_beside(film, telling);
+        write_chapters_beside(film, read_record(film), telling);
     } catch (const InputError& error) {
         // The film is there; only what stands beside it needs the scene's files.
         telling.say(fmt::format("note: no {}: {}", printable(chapters_path(film).string()),

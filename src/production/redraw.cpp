@@ -31,6 +31,7 @@ void note_differences(const Record& then, const Record& now, const Telling& tell
     };
     note("poinsot", then.version, now.version);
     note("the renderer", then.renderer, now.renderer);
+    if (!then.processor.empty()) note("the processor", then.processor, now.processor);
     note("Mesa", then.mesa, now.mesa);
     note("the fonts", then.fonts, now.fonts);
 }

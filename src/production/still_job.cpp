@@ -104,6 +104,10 @@ void StillJob::draw_vectors(OutputPlace place, Record record, const Telling& tel
                             printable(place.path().string()), still.off_um));
 }
 
+void StillJob::draw_into(Easel& easel, Image& image) {
+    PictureMaker(std::move(staging_), easel).draw(moment_, image);
+}
+
 void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
     const Scene& scene = session_.scene;
     tell_notes(scene, telling);

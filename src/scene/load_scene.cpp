@@ -108,7 +108,10 @@ Override parse_override(const std::string& text) {
     std::string key = text.substr(0, equals);
     key.erase(key.find_last_not_of(" \t") + 1);
     key.erase(0, key.find_first_not_of(" \t"));
-    const std::string path = without_indices(key);
+    std::string path = without_indices(key);
+    // An item of an array of values: start.omega_rad_s[1].
+    if (path.ends_with("[]") && find_scene_key(path.substr(0, path.size() - 2)) != nullptr)
+        path.resize(path.size() - 2);
     const SceneKey* row = find_scene_key(path);
     if (row == nullptr && find_scene_array(path) == nullptr) {
         throw SceneError(where, is_scene_table(path)
@@ -141,6 +144,26 @@ TomlEntry& entry_of(TomlValue& table, std::string_view key, const SourceLocation
     return table.entries.back();
 }
 
+// The item that "omega_rad_s[1]" names, of the array with the brackets off; arrays of arrays have
+// several.
+TomlValue& item_of(TomlValue& array, std::string_view part, const SourceLocation& where) {
+    TomlValue* item = &array;
+    for (std::size_t bracket = part.find('['); bracket != std::string_view::npos;
+         bracket = part.find('[', bracket + 1)) {
+        std::size_t index = 0;
+        const char* const digits = part.data() + bracket + 1;
+        const auto [end, failed] = std::from_chars(digits, part.data() + part.size(), index);
+        if (failed != std::errc{} || index >= item->items.size()) {
+            throw SceneError(where,
+                             fmt::format("there is no {}: the scene gives {} of them, counted from "
+                                         "0; name one of those",
+                                         part, item->items.size()));
+        }
+        item = &item->items[index];
+    }
+    return *item;
+}
+
 void apply_override(TomlValue& root, const std::string& text) {
     Override given = parse_override(text);
     TomlValue* table = &root;
@@ -153,8 +176,9 @@ void apply_override(TomlValue& root, const std::string& text) {
         const std::size_t bracket = part.find('[');
         TomlEntry& entry = entry_of(*table, part.substr(0, bracket), given.where);
         if (dot == std::string_view::npos) {
+            TomlValue& value = item_of(entry.value, part, given.where);
             entry.where = given.where;
-            entry.value = std::move(given.value);
+            value = std::move(given.value);
             return;
         }
         table = &entry.value;
@@ -162,16 +186,7 @@ void apply_override(TomlValue& root, const std::string& text) {
         if (bracket == std::string_view::npos) continue;
 
         // One item of an array of tables, which the file must have.
-        std::size_t index = 0;
-        const char* const digits = part.data() + bracket + 1;
-        const auto [end, failed] = std::from_chars(digits, part.data() + part.size(), index);
-        if (failed != std::errc{} || index >= entry.value.items.size()) {
-            throw SceneError(given.where,
-                             fmt::format("there is no {}: the scene gives {} of them, counted from "
-                                         "0; name one of those",
-                                         part, entry.value.items.size()));
-        }
-        table = &entry.value.items[index];
+        table = &item_of(entry.value, part, given.where);
     }
 }
 

@@ -54,6 +54,7 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"mechanics/free", {}},
     {"mechanics/top", {}},
     {"mechanics/stepped", {}},
+    {"production/parts", {}},
     {"drawing/type", {}},
     {"drawing/charts", {"drawing/type"}},
     {"drawing/elements", {"drawing/type"}},

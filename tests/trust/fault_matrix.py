@@ -399,6 +399,70 @@ class Matrix:
                 done = self.run(self.command(name, place), env=environment(point))
                 self.judge("failing allocation", name, place, done, input_may_fail=True)
 
+    def parts(self, n_kills):
+        """A join that runs out of room or is killed, and processes that draw parts side by side, one of them killed."""
+        name = "a.mp4"
+        made = self.fresh()
+        files = [str(made / f"{k}.mp4") for k in (1, 2)]
+        for k, part in enumerate(files, 1):
+            command = self.command(name, made, "--part", f"{k}/2")
+            subprocess.run([*command[:-1], part], check=True)
+
+        def join(place):
+            return [self.program, "join", *files, "-q", "-o", str(place / name)]
+
+        for size in ("4k", "12k", "40k"):
+            place, kept = self.fresh(), self.fresh()
+            script = 'mount -t tmpfs -o size=$1 none "$2" || exit 99; shift; p=$1; k=$2; shift 2; "$@"; s=$?; cp -a "$p"/. "$k"; exit $s'
+            done = self.run(["unshare", "-m", "sh", "-c", script, "sh", size, str(place), str(kept), *join(place)])
+            if done.returncode == 99 or b"unshare" in done.stderr:
+                self.say("join: full tmpfs", name, True, "skipped: this machine does not let us mount")
+            else:
+                self.judge("join: full tmpfs", name, kept, done)
+        for n_kib in (1, 4, 16):
+            place = self.fresh()
+            done = self.run(["bash", "-c", f'ulimit -f {n_kib}; exec "$@"', "bash", *join(place)])
+            self.judge("join: ulimit -f", name, place, done)
+        for call, error in self.CALLS.items() if shutil.which("strace") else ():
+            for n in self.places_of(join(self.fresh()), call, self.dice("parts", call)):
+                place = self.fresh()
+                self.traced(join(place), "-o", "/dev/null", "-e", f"trace={call}", "-e", f"inject={call}:signal=KILL:when={n}")
+                self.finish(f"join: killed at {call}", name, f"{call}:{n}", join(place), place, self.expected[name])
+                place = self.fresh()
+                done = self.traced(join(place), "-o", "/dev/null", "-e", f"trace={call}", "-e", f"inject={call}:error={error}:when={n}")
+                self.judge(f"join: {call} fails", name, place, done, trial=f"{call}:{n}")
+                self.finish(f"join: {call} fails", name, f"{call}:{n}", join(place), place, self.expected[name])
+        for k in range(max(2, n_kills // 5)):
+            if not self.wants("jobs", k):
+                continue
+            dice, place = self.dice("jobs", k), self.fresh()
+            command = self.command(name, place, "--jobs", "2")
+            for _ in range(3):
+                process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+                time.sleep(dice.uniform(0.0, 0.5))
+                children = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True).stdout.split()
+                victim, number = dice.choice([(process.pid, signal.SIGKILL), (process.pid, signal.SIGINT),
+                                              *[(int(child), signal.SIGKILL) for child in children]])
+                try:
+                    os.kill(victim, number)
+                except ProcessLookupError:
+                    pass
+                said = process.communicate(timeout=60)[1].decode(errors="replace").strip()
+                found = self.contents(place)
+                right = found == self.expected[name] if process.returncode == 0 else not found or found == self.expected[name]
+                right = right and (process.returncode in (0, 3, -signal.SIGKILL, -signal.SIGINT)) and said.count("\n") == 0
+                self.say("jobs: one is killed", name, right, f"exit {process.returncode}, at most one line" if right else
+                         f"exit {process.returncode}, left {sorted(found)}, said {said[-200:]!r} (trial jobs:{k})")
+                # Children of a killed parent end by themselves.
+                deadline = time.monotonic() + 20
+                while any(os.path.exists(f"/proc/{child}") for child in children) and time.monotonic() < deadline:
+                    time.sleep(0.01)
+            done = self.run(command)
+            left = [p.name for p in place.iterdir() if p.name.startswith(".")]
+            same = done.returncode == 0 and self.contents(place) == self.expected[name] and not left
+            self.say("jobs: then the same command", name, same, "the bytes of one job, and nothing else" if same else
+                     f"exit {done.returncode}, left {left}, said {done.stderr[-200:]} (trial jobs:{k})")
+
     def room(self):
         """A run that cannot fit ends early: on 2 MB, before 5 % of its frames are drawn."""
         for name, frames in (("a.mp4", 54000), ("a_####.png", 54000)):
@@ -432,7 +496,7 @@ def main():
         cases = {"full_disk": matrix.full_disk, "full_device": matrix.full_device, "limit": matrix.small_limit,
                  "quota": lambda: matrix.quota(chosen.quota),
                  "folders": matrix.closed_folders, "pipe": matrix.broken_pipe, "second_run": matrix.second_run,
-                 "room": matrix.room, "kills": lambda: matrix.kills(chosen.kills),
+                 "parts": lambda: matrix.parts(chosen.kills), "room": matrix.room, "kills": lambda: matrix.kills(chosen.kills),
                  "system_calls": matrix.system_calls, "approvals": matrix.approvals,
                  "libfiu": lambda: matrix.failing_calls(chosen.runs),
                  "allocation": lambda: matrix.failing_allocation(chosen.failing_new, 8)}

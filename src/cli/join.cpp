@@ -1,0 +1,45 @@
+// poinsot join PART… -o OUT: the film of its parts.
+#include "production/parts/join.h"
+
+#include "cli/command.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "error/error.h"
+
+namespace poinsot {
+
+namespace {
+
+struct JoinChoices {
+    std::vector<std::string> parts;
+    std::string output;
+    bool quiet = false;
+};
+
+int run(const JoinChoices& choices) {
+    if (choices.output.empty())
+        throw InputError("poinsot join: say with -o where the film is to go");
+    Progress progress(choices.quiet);
+    const Telling telling = progress.telling();
+    telling.say(join(choices.parts, choices.output, telling));
+    return 0;
+}
+
+CommandLine line(std::any& room) {
+    auto& c = room.emplace<JoinChoices>();
+    return {&c.parts, {output_option(c.output), quiet_option(c.quiet)}, [&c] { return run(c); }};
+}
+
+}  // namespace
+
+const Command join_command{
+    "join",
+    "PART",
+    1,
+    any_number,
+    "make a film of its parts, with the bytes of one run",
+    line,
+    {{{"poinsot join part1.mp4 part2.mp4 -o film.mp4", "the film of its parts, in any order"},
+      {"poinsot join 'f_####.png' -o 'f_####.png'", "whether all of a sequence are there"}}}};
+
+}  // namespace poinsot

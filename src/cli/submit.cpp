@@ -1,0 +1,153 @@
+// poinsot submit SCENE… -o OUT --parts N: films in parts on a Slurm cluster.
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/option_values.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "cli/scenes.h"
+#include "cli/sweep.h"
+#include "error/error.h"
+#include "output/frame_sink.h"
+#include "production/film_job.h"
+#include "production/parts/slurm.h"
+#include "production/parts/submission.h"
+#include "system/run_program.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+struct SubmitChoices {
+    std::vector<std::string> scenes;
+    std::string output;
+    std::vector<std::string> sweeps;
+    SceneOptions scene;
+    ContextOptions context;
+    std::optional<std::pair<std::int64_t, std::int64_t>> frames;  // inclusive
+    int n_parts = 0;
+    std::string slurm;
+    bool native = false, dry_run = false, quiet = false;
+};
+
+void check(const SubmitChoices& choices) {
+    if (choices.output.empty())
+        throw InputError("poinsot submit: say with -o where the film is to go");
+    if (choices.n_parts < 1)
+        throw InputError("poinsot submit: say with --parts N, from 1, how many parts a film has");
+    context_choice_of(choices.context);
+}
+
+// The options that every render of the submission gets.
+std::vector<std::string> render_options(const SubmitChoices& choices) {
+    std::vector<std::string> options;
+    if (!choices.native) options.emplace_back("--portable");
+    if (choices.context.backend != "auto")
+        options.insert(options.end(), {"--backend", choices.context.backend});
+    if (choices.scene.allow_outside) options.emplace_back("--allow-outside");
+    if (choices.frames)
+        options.insert(options.end(), {"--frames", fmt::format("{}-{}", choices.frames->first,
+                                                               choices.frames->second)});
+    for (const std::string& given : choices.scene.overrides)
+        options.insert(options.end(), {"--set", given});
+    return options;
+}
+
+// Each scene is read here, so that what no task could draw is refused before any is submitted.
+std::vector<FilmToSubmit> films_of(const SubmitChoices& choices, const Telling& telling) {
+    std::vector<FilmToSubmit> films;
+    for (const SceneJob& job :
+         jobs_of(choices.scenes, choices.output, OutputKind::film, choices.sweeps)) {
+        const Session session = open_session(
+            scene_request_of(job.scene, choices.scene, job.overrides), Purpose::pictures, telling);
+        FilmToSubmit& film = films.emplace_back();
+        film.scene = job.scene;
+        for (const std::string& given : job.overrides)
+            film.options.insert(film.options.end(), {"--set", given});
+        film.output = job.output;
+        film.n_frames = FilmJob(session, {job.output, choices.frames}).n_frames();
+        const std::filesystem::path folder = film.output.parent_path();
+        if (!folder.empty() && !std::filesystem::is_directory(folder))
+            throw EnvironmentError(fmt::format("{}: there is no folder {}; make it first",
+                                               printable(film.output.string()),
+                                               printable(folder.string())));
+    }
+    return films;
+}
+
+void print(const Submission& submission, const SlurmIds& ids) {
+    for (const auto& [what, list] : {std::pair{"parts", &ids.parts}, {"joins", &ids.joins}})
+        for (const std::string& id : *list) fmt::print("{} {}\n", what, id);
+    fmt::print("folder {}\n", submission.folder.string());
+}
+
+int run(const SubmitChoices& choices) {
+    check(choices);
+    Progress progress(choices.quiet);
+    const Telling telling = progress.telling();
+    const std::vector<FilmToSubmit> films = films_of(choices, telling);
+    const Submission submission = write_submission(submission_folder(choices.output), films,
+                                                   render_options(choices), choices.n_parts);
+    std::vector<std::string> options = site_options();
+    for (const std::string& word : shell_words(choices.slurm)) options.push_back(word);
+    const std::vector<SlurmCall> calls =
+        slurm_calls(submission, options, choices.dry_run ? 1001 : largest_array());
+    const std::string folder = printable(submission.folder.string(), any_length);
+    if (calls.empty()) {
+        telling.say(fmt::format("note: all of it is done, by {}", folder));
+        return 0;
+    }
+    if (choices.dry_run) {
+        fmt::print("{}", in_shell(calls));
+        telling.say(fmt::format("written, not submitted: {}", folder));
+        return 0;
+    }
+    print(submission, submit(calls));
+    telling.say(fmt::format("watch with: poinsot status {}", shell_word(folder)));
+    return 0;
+}
+
+CommandLine line(std::any& room) {
+    auto& c = room.emplace<SubmitChoices>();
+    return {&c.scenes,
+            {output_option(c.output),
+             {"--parts", "N: parts that a film is drawn in", &c.n_parts, "a number of parts"},
+             {"--slurm", "options of sbatch, as \"--partition=short --time=10\"", &c.slurm, "",
+              "OPTIONS"},
+             {"--dry-run", "write the folder with the scripts, and submit nothing", &c.dry_run},
+             {"--native", "as each machine draws fastest; otherwise --portable", &c.native},
+             set_option(c.scene),
+             sweep_option(c.sweeps),
+             size_option(c.scene),
+             fps_option(c.scene),
+             theme_option(c.scene),
+             quality_option(c.scene),
+             {"--frames", "A-B: only these frames, from 0, both included",
+              ReadText([&c](const std::string& text) { c.frames = parse_frames(text); })},
+             backend_option(c.context),
+             quiet_option(c.quiet),
+             allow_outside_option(c.scene.allow_outside)},
+            [&c] { return run(c); }};
+}
+
+}  // namespace
+
+const Command submit_command{
+    "submit",
+    "SCENE",
+    1,
+    any_number,
+    "draw films in parts on a Slurm cluster, then join them",
+    line,
+    {{{"poinsot submit generic -o film.mp4 --parts 8", "an array of eight parts, then the join"},
+      {"poinsot submit generic -o film.mp4 --parts 8 --dry-run", "the scripts alone"}}}};
+
+}  // namespace poinsot

@@ -1,0 +1,184 @@
+#include "cli/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "error/error.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr std::size_t most_runs = 100000;
+
+template <typename Number>
+std::optional<Number> whole_number(std::string_view text) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+// Pieces between separators that stand in no brackets and no quotes.
+std::vector<std::string> pieces_of(std::string_view text, char separator) {
+    std::vector<std::string> pieces(1);
+    int depth = 0;
+    char quote = 0;
+    for (const char c : text) {
+        if (quote != 0) {
+            if (c == quote) quote = 0;
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+        } else if (c == '[' || c == '{') {
+            ++depth;
+        } else if (c == ']' || c == '}') {
+            --depth;
+        } else if (c == separator && depth == 0) {
+            pieces.emplace_back();
+            continue;
+        }
+        pieces.back() += c;
+    }
+    return pieces;
+}
+
+// The values of from:to:n; empty for what is not written so.
+std::vector<std::string> range_of(std::string_view text) {
+    const std::vector<std::string> pieces = pieces_of(text, ':');
+    if (pieces.size() != 3) return {};
+    const auto from = whole_number<double>(pieces[0]), to = whole_number<double>(pieces[1]);
+    const auto n = whole_number<std::int64_t>(pieces[2]);
+    if (!from || !to || !n || !std::isfinite(*from) || !std::isfinite(*to)) return {};
+    if (*n < 2 || *n > static_cast<std::int64_t>(most_runs))
+        throw InputError(fmt::format(
+            "--sweep: {} has {} values; from:to:n has 2 to {} of them, both ends included",
+            printable(text), *n, most_runs));
+    std::vector<std::string> values;
+    for (std::int64_t i = 0; i < *n; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(*n - 1);
+        const double value = i + 1 == *n ? *to : *from + (*to - *from) * share;
+        // As one would write it: 0.1 + 0.2·2 is 0.5 to the last digit but one.
+        values.push_back(fmt::format("{}", std::stod(fmt::format("{:.15g}", value))));
+    }
+    return values;
+}
+
+void replace_all(std::string& text, const std::string& what, std::string with) {
+    // A value is no folder, and counts nothing.
+    std::replace_if(
+        with.begin(), with.end(), [](char c) { return c == '/' || c == '#'; }, '_');
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
+        text.replace(at, what.size(), with);
+}
+
+std::string with_values(std::string output, const SweepPoint& point) {
+    for (const auto& [key, value] : point) replace_all(output, "{" + key + "}", value);
+    if (point.size() == 1) replace_all(output, "{key}", point.front().second);
+    return output;
+}
+
+}  // namespace
+
+Option sweep_option(std::vector<std::string>& sweeps) {
+    return {"--sweep",
+            "KEY=a,b,c or KEY=from:to:n: a run for each value; several give their product",
+            Repeated{&sweeps}, "", "KEY=VALUES"};
+}
+
+Sweep parse_sweep(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos || equals == 0 || equals + 1 == text.size())
+        throw InputError(
+            fmt::format("--sweep {}: write KEY=a,b,c or KEY=from:to:n, as "
+                        "start.omega_rad_s[1]=0:2:5",
+                        printable(text)));
+    Sweep sweep{std::string(text.substr(0, equals)), range_of(text.substr(equals + 1))};
+    if (sweep.values.empty()) sweep.values = pieces_of(text.substr(equals + 1), ',');
+    for (const std::string& value : sweep.values)
+        if (value.empty())
+            throw InputError(fmt::format("--sweep {}: a value is empty; leave no comma without one",
+                                         printable(text)));
+    return sweep;
+}
+
+std::vector<SweepPoint> points_of(const std::vector<std::string>& sweeps) {
+    std::vector<SweepPoint> points(1);
+    for (const std::string& text : sweeps) {
+        const Sweep sweep = parse_sweep(text);
+        if (std::any_of(points[0].begin(), points[0].end(),
+                        [&](const auto& swept) { return swept.first == sweep.key; }))
+            throw InputError(fmt::format("--sweep {}: is swept twice; give all its values in one",
+                                         printable(sweep.key)));
+        if (sweep.values.size() > most_runs / points.size())
+            throw InputError(
+                fmt::format("--sweep: more than {} runs; take fewer values", most_runs));
+        std::vector<SweepPoint> more;
+        for (const SweepPoint& point : points) {
+            for (const std::string& value : sweep.values) {
+                more.push_back(point);
+                more.back().emplace_back(sweep.key, value);
+            }
+        }
+        points = std::move(more);
+    }
+    return points;
+}
+
+std::vector<std::string> overrides_of(const SweepPoint& point) {
+    std::vector<std::string> overrides;
+    for (const auto& [key, value] : point) overrides.push_back(fmt::format("{}={}", key, value));
+    return overrides;
+}
+
+std::string in_words(const SweepPoint& point) {
+    std::string text;
+    for (const auto& [key, value] : point)
+        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, value);
+    return text;
+}
+
+std::string caption_of(const SweepPoint& point) {
+    SweepPoint named = point;
+    for (auto& [key, value] : named) key.erase(0, key.rfind('.') + 1);
+    return in_words(named);
+}
+
+std::pair<int, int> parse_sheet(std::string_view text) {
+    constexpr int most = 1000;
+    const std::size_t cross = text.find('x');
+    std::optional<int> columns, rows;
+    if (cross != std::string_view::npos) {
+        columns = whole_number<int>(text.substr(0, cross));
+        rows = whole_number<int>(text.substr(cross + 1));
+    }
+    if (!columns || !rows || *columns < 1 || *rows < 1 || *columns > most || *rows > most)
+        throw InputError(fmt::format(
+            "--sheet {}: not a sheet; write CxR, as 4x3 for four columns and three rows",
+            printable(text)));
+    return {*columns, *rows};
+}
+
+std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std::string& output,
+                              OutputKind kind, const std::vector<std::string>& sweeps) {
+    if (sweeps.empty()) return jobs_of(scenes, output, kind);
+    std::vector<SceneJob> wanted;
+    const std::vector<SweepPoint> points = points_of(sweeps);
+    for (const std::string& scene : scenes) {
+        for (const SweepPoint& point : points) {
+            SceneJob& job = wanted.emplace_back();
+            job.scene = scene;
+            job.output = with_values(output, point);
+            job.overrides = overrides_of(point);
+        }
+    }
+    return named_jobs(std::move(wanted), output, kind);
+}
+
+}  // namespace poinsot

@@ -1,0 +1,73 @@
+#include "output/film_part.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace poinsot {
+
+namespace {
+
+// Lines "NAME LENGTH" with so many bytes after each, whatever is in them.
+void append(std::string& text, std::string_view value) {
+    text += fmt::format("{}\n{}\n", value.size(), value);
+}
+
+bool take_number(std::string_view& text, std::int64_t& number, char after) {
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, number);
+    if (error != std::errc{} || end == last || *end != after || number < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()) + 1);
+    return true;
+}
+
+bool take(std::string_view& text, std::string& value) {
+    std::int64_t size = 0;
+    if (!take_number(text, size, '\n') || static_cast<std::size_t>(size) >= text.size())
+        return false;
+    value = text.substr(0, static_cast<std::size_t>(size));
+    text.remove_prefix(static_cast<std::size_t>(size) + 1);
+    return true;
+}
+
+}  // namespace
+
+FilmPart part_of_film(std::int64_t number, std::int64_t n_parts, std::int64_t n_film_frames,
+                      std::int64_t n_chunk_frames) {
+    const std::int64_t n_chunks = (n_film_frames + n_chunk_frames - 1) / n_chunk_frames;
+    FilmPart part;
+    part.number = number;
+    part.n_parts = std::min(n_parts, n_chunks);
+    part.n_film_frames = n_film_frames;
+    // Chunks are dealt out evenly: n_chunks·k/N without its product, which might not fit.
+    const std::int64_t each = n_chunks / part.n_parts, more = n_chunks % part.n_parts;
+    const auto end_of = [&](std::int64_t k) {
+        return std::min(n_film_frames, (each * k + std::min(k, more)) * n_chunk_frames);
+    };
+    if (number > part.n_parts) return part;
+    part.n_before = end_of(number - 1);
+    part.n_frames = end_of(number) - part.n_before;
+    return part;
+}
+
+std::string part_text(const FilmPart& part) {
+    std::string text = fmt::format("{} {} {} {} {}\n", part.number, part.n_parts, part.n_before,
+                                   part.n_frames, part.n_film_frames);
+    for (const std::string* value : {&part.format, &part.beside}) append(text, *value);
+    return text;
+}
+
+bool parse_part(std::string_view text, FilmPart& part) {
+    const std::array<std::int64_t*, 5> numbers{&part.number, &part.n_parts, &part.n_before,
+                                               &part.n_frames, &part.n_film_frames};
+    for (std::int64_t* number : numbers)
+        if (!take_number(text, *number, number == numbers.back() ? '\n' : ' ')) return false;
+    for (std::string* value : {&part.format, &part.beside})
+        if (!take(text, *value)) return false;
+    return text.empty() && part.number >= 1 && part.number <= part.n_parts && part.n_frames >= 1 &&
+           part.n_before <= part.n_film_frames - part.n_frames;
+}
+
+}  // namespace poinsot

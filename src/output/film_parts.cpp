@@ -1,0 +1,119 @@
+#include "output/film_parts.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include "error/error.h"
+#include "system/interrupt.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kBlockHead = 8;        // see output/frame_log.cpp
+constexpr std::string_view kBegin = "part ";  // of the first block's contents
+
+// An open file that is read.
+class Reading {
+ public:
+    explicit Reading(const fs::path& path)
+        : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+        if (descriptor_ < 0)
+            throw InputError(
+                fmt::format("{} cannot be read: {}", path.string(), std::strerror(errno)));
+    }
+    ~Reading() { ::close(descriptor_); }
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
+    int descriptor() const { return descriptor_; }
+
+ private:
+    int descriptor_;
+};
+
+}  // namespace
+
+PartFile::PartFile(fs::path path) : path_(std::move(path)) {
+    const Reading file(path_);
+    std::vector<std::uint8_t> contents;
+    FrameBlock block;
+    std::int64_t end = 0;
+    if (!looks_like_part(path_) || !read_block(file.descriptor(), path_, end, block, contents) ||
+        !read_head({reinterpret_cast<const char*>(contents.data()), contents.size()}, plan_,
+                   settings_) ||
+        !plan_.part)
+        throw InputError(fmt::format(
+            "{}: is no part of a film; parts are what render --part writes", path_.string()));
+    part_ = *plan_.part;
+    plan_.path = path_;
+    plan_.n_frames = part().n_frames;
+    for (end = block.at + block.size; read_block(file.descriptor(), path_, end, block, contents);
+         end = block.at + block.size) {
+        stop_if_interrupted();
+        blocks_.push_back(block);
+    }
+    struct stat status {};
+    is_clean_ = fstat(file.descriptor(), &status) == 0 && status.st_size == end;
+}
+
+bool looks_like_part(const fs::path& path) {
+    const Reading file(path);
+    std::array<char, kBlockHead + kBegin.size()> start{};
+    const ssize_t n = ::pread(file.descriptor(), start.data(), start.size(), 0);
+    return n == static_cast<ssize_t>(start.size()) &&
+           std::string_view(start.data(), start.size()).substr(kBlockHead) == kBegin;
+}
+
+JoinedEntries::JoinedEntries(const std::vector<PartFile>& parts) : parts_(&parts) {
+    for (const PartFile& part : parts) n_entries_ += part.n_there();
+    open(0);
+}
+
+JoinedEntries::~JoinedEntries() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void JoinedEntries::open(std::size_t part) {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    const fs::path& path = (*parts_)[part].path();
+    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ < 0)
+        throw EnvironmentError(
+            fmt::format("{} cannot be read: {}", path.string(), std::strerror(errno)));
+    open_part_ = part;
+}
+
+std::span<const std::uint8_t> JoinedEntries::read(std::int64_t k) {
+    stop_if_interrupted();
+    const auto after = std::upper_bound(
+        parts_->begin(), parts_->end(), k,
+        [](std::int64_t frame, const PartFile& part) { return frame < part.part().n_before; });
+    const auto index = static_cast<std::size_t>(after - parts_->begin() - 1);
+    if (index != open_part_) open(index);
+    const PartFile& part = (*parts_)[index];
+    const FrameBlock& wanted = part.blocks().at(static_cast<std::size_t>(k - part.part().n_before));
+    FrameBlock found;
+    if (!read_block(descriptor_, part.path(), wanted.at - kBlockHead, found, buffer_) ||
+        found.size != wanted.size)
+        throw EnvironmentError(
+            fmt::format("{} has changed while it was read; make it again", part.path().string()));
+    return buffer_;
+}
+
+void JoinedEntries::refuse_entry() const {
+    throw InputError(fmt::format("{}: holds what poinsot does not write; make the part again",
+                                 (*parts_)[open_part_].path().string()));
+}
+
+}  // namespace poinsot

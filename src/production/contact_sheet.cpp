@@ -1,0 +1,140 @@
+#include "production/contact_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <utility>
+
+#include "error/error.h"
+#include "image/png.h"
+#include "production/still_job.h"
+#include "system/interrupt.h"
+#include "text/printable.h"
+#include "typeset/typesetter.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr int kMostPixels = 16384;  // of a side
+
+// What a caption takes of a picture's height, and how large its type is in that.
+constexpr double kCaptionShare = 0.09, kTypeShare = 0.62;
+
+// A caption's characters that a label would take for formulas.
+std::string plain(std::string text) {
+    std::erase_if(text, [](char c) { return c == '$' || c == '\\' || c == '{' || c == '}'; });
+    return text;
+}
+
+class ContactSheet {
+ public:
+    // Pictures like the first, on the ground that its corner has.
+    ContactSheet(const SheetRequest& request, const Image& first)
+        : request_(&request),
+          width_px_(first.width()),
+          height_px_(first.height()),
+          caption_px_(std::max(14, static_cast<int>(kCaptionShare * first.height()))),
+          ground_(first.at(0, 0)) {
+        const std::int64_t width = std::int64_t{width_px_} * request.n_columns;
+        const std::int64_t height = std::int64_t{height_px_ + caption_px_} * request.n_rows;
+        if (width > kMostPixels || height > kMostPixels)
+            throw InputError(fmt::format(
+                "--sheet {}x{}: the sheet would have {}×{} pixels, more than {} a side; draw "
+                "smaller pictures with --size",
+                request.n_columns, request.n_rows, width, height, kMostPixels));
+        image_ = Image(static_cast<int>(width), static_cast<int>(height));
+        for (int y = 0; y < image_.height(); ++y)
+            for (int x = 0; x < image_.width(); ++x) image_.set(x, y, ground_);
+    }
+
+    void put(std::size_t index, const Image& picture) {
+        if (picture.width() != width_px_ || picture.height() != height_px_)
+            throw InputError(
+                fmt::format("--sheet: its pictures are of one size, and {}×{} is not {}×{}",
+                            picture.width(), picture.height(), width_px_, height_px_));
+        const auto columns = static_cast<std::size_t>(request_->n_columns);
+        const int left = static_cast<int>(index % columns) * width_px_;
+        const int top = static_cast<int>(index / columns) * (height_px_ + caption_px_);
+        for (int y = 0; y < height_px_; ++y)
+            for (int x = 0; x < width_px_; ++x) image_.set(left + x, top + y, picture.at(x, y));
+        write(request_->cells[index].caption, left, top + height_px_);
+    }
+
+    const Image& image() const { return image_; }
+
+ private:
+    // Centred, as large as there is room for.
+    void write(const std::string& caption, int left, int top) {
+        TypeStyle style;
+        style.mode = TypeMode::text;
+        style.size_px = kTypeShare * caption_px_;
+        const std::string text = plain(caption);
+        const double room_px = 0.94 * width_px_;
+        const TypeExtent extent = typesetter_.measure(text, style);
+        if (extent.width > room_px) style.size_px *= room_px / extent.width;
+        style.size_px = std::max(1.0, style.size_px);
+        const TypesetMask mask = typesetter_.set(text, style);
+        const int x0 = left + (width_px_ - mask.width) / 2;
+        const int y0 = top + (caption_px_ - mask.height) / 2;
+        for (int y = 0; y < mask.height; ++y)
+            for (int x = 0; x < mask.width; ++x)
+                ink(x0 + x, y0 + y,
+                    mask.coverage[static_cast<std::size_t>(y) *
+                                      static_cast<std::size_t>(mask.width) +
+                                  static_cast<std::size_t>(x)]);
+    }
+
+    // Dark on a light ground, light on a dark one.
+    void ink(int x, int y, int coverage) {
+        if (x < 0 || y < 0 || x >= image_.width() || y >= image_.height() || coverage == 0) return;
+        const int brightness = (2 * ground_.r + 5 * ground_.g + ground_.b) / 8;
+        const int shade = ground_.a < 128 || brightness > 127 ? 24 : 232;
+        const auto mixed = [&](int under) {
+            return static_cast<std::uint8_t>((under * (255 - coverage) + shade * coverage) / 255);
+        };
+        const Rgba8 under = image_.at(x, y);
+        image_.set(x, y,
+                   {mixed(under.r), mixed(under.g), mixed(under.b),
+                    std::max(under.a, static_cast<std::uint8_t>(coverage))});
+    }
+
+    const SheetRequest* request_;
+    int width_px_, height_px_, caption_px_;
+    Rgba8 ground_;
+    Image image_;
+    Typesetter typesetter_;
+};
+
+}  // namespace
+
+void draw_sheet(const SheetRequest& request, Easel& easel, const Telling& telling) {
+    const auto n_places =
+        static_cast<std::size_t>(request.n_columns) * static_cast<std::size_t>(request.n_rows);
+    if (request.cells.size() > n_places)
+        throw InputError(fmt::format("--sheet {}x{}: has {} places for {} pictures; take more",
+                                     request.n_columns, request.n_rows, n_places,
+                                     request.cells.size()));
+    if (std::filesystem::path(request.output).extension() != ".png")
+        throw InputError(fmt::format("{}: a sheet is a PNG; say with -o where it is to go",
+                                     printable(request.output)));
+    watch_for_interrupts();
+    telling.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
+    std::optional<ContactSheet> sheet;
+    Image picture;
+    for (std::size_t k = 0; k < request.cells.size(); ++k) {
+        stop_if_interrupted();
+        const SheetCell& cell = request.cells[k];
+        StillJob(open_session(cell.scene, Purpose::pictures, telling), {"", request.time_s})
+            .draw_into(easel, picture);
+        if (!sheet) sheet.emplace(request, picture);
+        sheet->put(k, picture);
+        telling.done(static_cast<std::int64_t>(k + 1));
+    }
+    write_png(request.output, sheet->image(), {});
+    telling.finish(printable(request.output));
+}
+
+}  // namespace poinsot

@@ -1,0 +1,30 @@
+// Many pictures laid out in one, each with its values below.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "production/picture.h"
+#include "production/session.h"
+#include "production/telling.h"
+
+namespace poinsot {
+
+struct SheetCell {
+    SceneRequest scene;
+    std::string caption;
+};
+
+struct SheetRequest {
+    std::vector<SheetCell> cells;  // row by row
+    int n_columns = 1, n_rows = 1;
+    std::string output;              // a PNG
+    std::optional<double> time_s{};  // of the motion; nothing: where each scene says
+};
+
+// Draws it; places beyond the last cell stay empty. Throws: InputError for more cells than places,
+// for pictures of several sizes, for a sheet larger than a picture may be; EnvironmentError.
+void draw_sheet(const SheetRequest& request, Easel& easel, const Telling& telling);
+
+}  // namespace poinsot

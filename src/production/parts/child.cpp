@@ -1,0 +1,172 @@
+#include "production/parts/child.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <string_view>
+
+#include "error/error.h"
+#include "system/interrupt.h"
+
+namespace poinsot {
+
+namespace {
+
+// What a line on the pipe is, by its first letter.
+constexpr char kDone = 'd', kSays = 's', kRefused = 'r', kFailed = 'f';
+
+// A message of several lines is one on the pipe.
+constexpr char kLineBreak = '\x1e';
+
+void tell(int pipe, char what, std::string text) {
+    std::replace(text.begin(), text.end(), '\n', kLineBreak);
+    text = what + text + '\n';
+    for (std::string_view rest = text; !rest.empty();) {
+        const ssize_t n = ::write(pipe, rest.data(), rest.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) return;  // nobody listens: the signal is on its way
+        rest.remove_prefix(static_cast<std::size_t>(n));
+    }
+}
+
+Telling telling_on(int pipe) {
+    Telling telling;
+    telling.say = [pipe](const std::string& line) { tell(pipe, kSays, line); };
+    telling.done = [pipe](std::int64_t n) { tell(pipe, kDone, fmt::format("{}", n)); };
+    return telling;
+}
+
+[[noreturn]] void run(const Children::Work& work, int pipe) {
+    int code = 1;
+    try {
+        work(telling_on(pipe));
+        code = 0;
+    } catch (const InputError& error) {
+        tell(pipe, kRefused, error.what());
+    } catch (const std::bad_alloc&) {
+        tell(pipe, kFailed, "out of memory; take fewer jobs, a smaller picture or a shorter film");
+    } catch (const std::exception& error) {
+        tell(pipe, kFailed, error.what());
+    }
+    // Nothing of the parent's is flushed or destroyed here.
+    ::_exit(code);
+}
+
+}  // namespace
+
+void Children::start(const Work& work) {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+        throw EnvironmentError(fmt::format("no pipe to another process: {}", std::strerror(errno)));
+    const pid_t parent = ::getpid();
+    const pid_t process = ::fork();
+    if (process == 0) {
+        ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+        if (::getppid() != parent) ::_exit(1);
+        ::close(ends[0]);
+        for (const Child& other : children_) ::close(other.pipe);
+        run(work, ends[1]);
+    }
+    ::close(ends[1]);
+    if (process < 0) {
+        ::close(ends[0]);
+        throw EnvironmentError(
+            fmt::format("no process could be started: {}", std::strerror(errno)));
+    }
+    Child& child = children_.emplace_back();
+    child.process = process;
+    child.pipe = ends[0];
+}
+
+Children::~Children() {
+    for (const Child& child : children_)
+        if (child.process > 0) ::kill(child.process, SIGTERM);
+    for (Child& child : children_) {
+        if (child.process > 0)
+            while (::waitpid(child.process, nullptr, 0) < 0 && errno == EINTR) {
+            }
+        if (child.pipe >= 0) ::close(child.pipe);
+    }
+}
+
+void Children::take_line(Child& child, const std::string& line, const Telling& telling) {
+    std::string text = line.substr(1);
+    std::replace(text.begin(), text.end(), kLineBreak, '\n');
+    if (line[0] == kDone) {
+        std::from_chars(text.data(), text.data() + text.size(), child.n_done);
+        std::int64_t n_done = 0;
+        for (const Child& each : children_) n_done += each.n_done;
+        telling.done(n_done);
+    } else if (line[0] == kSays) {
+        // All would say the same of the scene.
+        if (&child == &children_.front()) telling.say(text);
+    } else {
+        child.failure = text;
+        child.refused = line[0] == kRefused;
+    }
+}
+
+// Reads what a child has written; its end of the pipe closed, it has ended.
+void Children::listen(Child& child, const Telling& telling) {
+    std::array<char, 4096> buffer{};
+    const ssize_t n = ::read(child.pipe, buffer.data(), buffer.size());
+    if (n < 0 && errno == EINTR) return;
+    if (n <= 0) return end(child);
+    child.heard.append(buffer.data(), static_cast<std::size_t>(n));
+    for (std::size_t at = 0; (at = child.heard.find('\n')) != std::string::npos;) {
+        const std::string line = child.heard.substr(0, at);
+        child.heard.erase(0, at + 1);
+        if (!line.empty()) take_line(child, line, telling);
+    }
+}
+
+void Children::end(Child& child) {
+    int status = 0;
+    while (::waitpid(child.process, &status, 0) < 0 && errno == EINTR) {
+    }
+    child.process = -1;
+    ::close(child.pipe);
+    child.pipe = -1;
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+    if (child.refused) throw InputError(child.failure);
+    if (!child.failure.empty()) throw EnvironmentError(child.failure);
+    const std::string how = WIFSIGNALED(status)
+                                ? fmt::format("was ended by signal {} ({})", WTERMSIG(status),
+                                              ::strsignal(WTERMSIG(status)))
+                                : fmt::format("ended with code {}", WEXITSTATUS(status));
+    throw EnvironmentError(
+        fmt::format("job {} of {} {}; the same command goes on from what is there",
+                    &child - children_.data() + 1, children_.size(), how));
+}
+
+void Children::wait(const Telling& telling) {
+    for (;;) {
+        stop_if_interrupted();
+        std::vector<pollfd> pipes;
+        std::vector<Child*> heard;
+        for (Child& child : children_) {
+            if (child.pipe < 0) continue;
+            pipes.push_back({.fd = child.pipe, .events = POLLIN, .revents = 0});
+            heard.push_back(&child);
+        }
+        if (pipes.empty()) return;
+        // A signal between the question above and this call waits no longer than this.
+        constexpr int patience_ms = 200;
+        if (::poll(pipes.data(), pipes.size(), patience_ms) <= 0) continue;
+        for (std::size_t i = 0; i < pipes.size(); ++i)
+            if (pipes[i].revents != 0) listen(*heard[i], telling);
+    }
+}
+
+}  // namespace poinsot

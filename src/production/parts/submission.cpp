@@ -1,0 +1,285 @@
+#include "production/parts/submission.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <system_error>
+
+#include "error/error.h"
+#include "output/film_part.h"
+#include "output/film_parts.h"
+#include "output/frame_log.h"
+#include "output/frame_sink.h"
+#include "system/atomic_file.h"
+#include "system/run_program.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Runs a line of a list. A program that was killed (out of memory, by hand) is started again: it
+// goes on from where it was. So does a task that the scheduler puts back into its queue.
+constexpr const char* kTaskScript = R"(#!/bin/sh
+# task.sh LIST [LINE]: runs one line of a list (a name, a tab, a command), here or as a task of a Slurm array.
+cd {folder} || exit 3
+line=$(sed -n "${{2:-$((SLURM_ARRAY_TASK_ID + ${{POINSOT_OFFSET:-0}}))}}p" "$1")
+name=${{line%%{tab}*}}
+exec >>"logs/$name.log" 2>&1
+rm -f "state/$name.failed"
+: >"state/$name.started"
+# On one core a second thread only takes turns with the first.
+[ "${{SLURM_CPUS_PER_TASK:-1}}" -gt 1 ] || export LP_NUM_THREADS=0
+tries=3
+while :; do
+    (eval "${{line#*{tab}}}")
+    code=$?
+    tries=$((tries - 1))
+    if [ $code -lt 128 ] || [ $tries -eq 0 ]; then break; fi
+    echo "ended by signal $((code - 128)); going on"
+done
+if [ $code -eq 0 ]; then : >"state/$name.done"; else echo $code >"state/$name.failed"; fi
+exit $code
+)";
+
+// A name for logs and states, which no other film of the submission has.
+std::string name_for(const fs::path& output, std::set<std::string>& taken) {
+    std::string stem = output.stem().string();
+    std::replace_if(
+        stem.begin(), stem.end(), [](char c) { return c == '#' || c == ' ' || c == '\t'; }, '_');
+    std::string name = stem;
+    for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}-{}", stem, i);
+    return name;
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw EnvironmentError(
+            fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+}
+
+std::string in_shell(const std::vector<std::string>& words) {
+    std::string line;
+    for (const std::string& word : words) line += (line.empty() ? "" : " ") + shell_word(word);
+    return line;
+}
+
+std::string program() {
+    std::error_code error;
+    const fs::path path = fs::read_symlink("/proc/self/exe", error);
+    return error ? "poinsot" : path.string();
+}
+
+bool is_there(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+// Whether a file is there and was written after another.
+bool is_newer(const fs::path& path, const fs::path& other) {
+    std::error_code not_there, ignored;
+    const auto written = fs::last_write_time(path, not_there);
+    return !not_there && written > fs::last_write_time(other, ignored);
+}
+
+// The tasks of one film: its parts, and their join.
+void add_film(Submission& submission, const FilmToSubmit& film,
+              const std::vector<std::string>& options, std::int64_t n_asked,
+              const std::string& name) {
+    const OutputFormat& format = format_for(film.output);
+    if (!format.has_parts)
+        throw InputError(fmt::format("{}: has no parts; name a film, or a sequence with ####",
+                                     printable(film.output.string())));
+    const std::int64_t n_parts =
+        part_of_film(1, n_asked, film.n_frames, format.n_chunk_frames).n_parts;
+    const fs::path output = fs::absolute(film.output);
+    const fs::path parts = submission.folder / "parts" / name;
+    const bool is_film = format.join != nullptr;
+    if (is_film) make_folder(parts);
+    std::vector<std::string> join{program(), "join", "-q", "-o", output.string()};
+    if (!is_film) join.push_back(output.string());
+    for (std::int64_t number = 1; number <= n_parts; ++number) {
+        const fs::path part = is_film ? parts / fmt::format("{}-of-{}{}", number, n_parts,
+                                                            output.extension().string())
+                                      : output;
+        if (is_film) join.push_back(part.string());
+        std::vector<std::string> command{program(), "render", fs::absolute(film.scene).string()};
+        command.insert(command.end(), options.begin(), options.end());
+        command.insert(command.end(), film.options.begin(), film.options.end());
+        for (const std::string& word :
+             {std::string("-q"), std::string("--part"), fmt::format("{}/{}", number, n_parts),
+              std::string("-o"), part.string()})
+            command.push_back(word);
+        submission.parts.push_back(
+            {fmt::format("{}.{}", name, number), in_shell(command), film.scene});
+    }
+    std::string command = in_shell(join);
+    if (is_film) command += fmt::format(" && rm -rf {}", shell_word(parts.string()));
+    submission.joins.push_back({name + ".join", command, film.scene});
+}
+
+std::string list_of(const std::vector<SubmittedTask>& tasks) {
+    std::string text;
+    for (const SubmittedTask& task : tasks)
+        text += fmt::format("{}\t{}\n", task.name, task.command);
+    return text;
+}
+
+std::string text_of_file(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// What was submitted before and is to be done in the same way is done; anything else begins anew.
+void keep_what_is_done(Submission& submission) {
+    const fs::path& folder = submission.folder;
+    if (text_of_file(folder / "tasks") != list_of(submission.parts) ||
+        text_of_file(folder / "joins") != list_of(submission.joins)) {
+        std::error_code ignored;
+        fs::remove_all(folder / "state", ignored);
+        fs::remove_all(folder / "logs", ignored);
+        return;
+    }
+    for (auto* tasks : {&submission.parts, &submission.joins})
+        for (SubmittedTask& task : *tasks)
+            task.is_done = is_newer(folder / "state" / (task.name + ".done"), task.scene);
+}
+
+}  // namespace
+
+fs::path submission_folder(const fs::path& output) {
+    std::string name = output.filename().string();
+    std::erase_if(name, [](char c) { return c == '#' || c == '{' || c == '}'; });
+    return output.parent_path() / (name + ".job");
+}
+
+Submission write_submission(const fs::path& folder, const std::vector<FilmToSubmit>& films,
+                            const std::vector<std::string>& options, std::int64_t n_parts) {
+    make_folder(folder);
+    Submission submission;
+    submission.folder = fs::canonical(folder);
+    std::set<std::string> taken;
+    std::string list;
+    for (const FilmToSubmit& film : films) {
+        const std::string name = name_for(film.output, taken);
+        const std::size_t n_before = submission.parts.size();
+        add_film(submission, film, options, n_parts, name);
+        list += fmt::format("{}\t{}\t{}\n", name, submission.parts.size() - n_before,
+                            fs::absolute(film.output).string());
+    }
+    keep_what_is_done(submission);
+    make_folder(submission.folder / "state");
+    make_folder(submission.folder / "logs");
+    write_whole(submission.folder / "task.sh",
+                fmt::format(fmt::runtime(kTaskScript),
+                            fmt::arg("folder", shell_word(submission.folder.string())),
+                            fmt::arg("tab", "\t")));
+    write_whole(submission.folder / "films", list);
+    write_whole(submission.folder / "joins", list_of(submission.joins));
+    write_whole(submission.folder / "tasks", list_of(submission.parts));
+    return submission;
+}
+
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> pieces;
+    std::string rest = text;
+    for (std::size_t at = 0; (at = rest.find(separator)) != std::string::npos;) {
+        pieces.push_back(rest.substr(0, at));
+        rest.erase(0, at + 1);
+    }
+    if (!rest.empty()) pieces.push_back(rest);
+    return pieces;
+}
+
+// Whether a file was written within the last minutes, by the clock of the file system.
+bool is_fresh(const fs::path& path) {
+    constexpr auto patience = std::chrono::minutes(5);
+    std::error_code error;
+    const auto written = fs::last_write_time(path, error);
+    return !error && fs::file_time_type::clock::now() - written < patience;
+}
+
+std::string last_line_of(const fs::path& log) {
+    const std::vector<std::string> lines = split(text_of_file(log), '\n');
+    return lines.empty() ? "" : lines.back();
+}
+
+TaskStatus status_of_task(const fs::path& folder, const std::string& name, const fs::path& part) {
+    const auto state = [&](const char* what) { return folder / "state" / (name + what); };
+    TaskStatus status;
+    status.name = name;
+    if (is_there(state(".done"))) {
+        status.state = TaskState::done;
+    } else if (is_there(state(".failed"))) {
+        status.state = TaskState::failed;
+        status.why = last_line_of(folder / "logs" / (name + ".log"));
+    } else if (is_there(state(".started"))) {
+        const fs::path aside = part.empty() ? fs::path() : frame_log_path(part);
+        const bool alive = is_fresh(state(".started")) || is_fresh(aside);
+        status.state = alive ? TaskState::running : TaskState::stopped;
+        try {
+            if (is_there(aside)) {
+                const PartFile under_way(aside);
+                status.n_frames_done = under_way.n_there();
+                status.n_frames = under_way.part().n_frames;
+            }
+        } catch (const Error&) {
+            // It has just been finished, or begun.
+        }
+    }
+    return status;
+}
+
+// The folder itself, or the one submission in it.
+fs::path folder_with_tasks(const fs::path& folder) {
+    if (is_there(folder / "films")) return folder;
+    std::vector<fs::path> found;
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator();
+         at.increment(error))
+        if (at->path().extension() == ".job" && is_there(at->path() / "films"))
+            found.push_back(at->path());
+    if (found.size() == 1) return found.front();
+    throw InputError(fmt::format("{}: {}", printable(folder.string()),
+                                 found.empty()
+                                     ? "is no folder of a submission; submit has printed its name"
+                                     : "has several submissions; name one of its folders in .job"));
+}
+
+}  // namespace
+
+std::vector<FilmStatus> status_of(const fs::path& asked) {
+    const fs::path folder = folder_with_tasks(asked);
+    std::vector<FilmStatus> films;
+    for (const std::string& line : split(text_of_file(folder / "films"), '\n')) {
+        const std::vector<std::string> fields = split(line, '\t');
+        if (fields.size() != 3)
+            throw InputError(fmt::format("{}: is no list of films; submit them again",
+                                         printable((folder / "films").string())));
+        FilmStatus film;
+        film.name = fields[0];
+        film.output = fields[2];
+        const std::int64_t n_parts = std::strtoll(fields[1].c_str(), nullptr, 10);
+        const std::string suffix = fs::path(film.output).extension().string();
+        for (std::int64_t number = 1; number <= n_parts; ++number)
+            film.parts.push_back(status_of_task(
+                folder, fmt::format("{}.{}", film.name, number),
+                folder / "parts" / film.name / fmt::format("{}-of-{}{}", number, n_parts, suffix)));
+        film.join = status_of_task(folder, film.name + ".join", {});
+        films.push_back(film);
+    }
+    return films;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,217 @@
+// Films in parts and by several processes, as a user makes them: the bytes of one run, or a
+// sentence.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/program_run.h"
+
+namespace poinsot::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A film of 372 frames: four chunks, the last of them short.
+constexpr const char* kScene = R"(title = "In parts"
+[body]
+moments_kg_m2 = [3.0, 2.0, 1.0]
+[start]
+omega_rad_s = [0.3, 2.0, 0.1]
+[film]
+size = [96, 54]
+duration_s = 12.4
+quality = "draft"
+[[chapters]]
+at_s = 0.0
+title = "One"
+[[chapters]]
+at_s = 5.0
+title = "Two \"quoted\""
+)";
+
+class Parts : public ::testing::Test {
+ protected:
+    Parts() { folder_.write("a.toml", kScene); }
+
+    ProgramRun run(const std::string& arguments) { return run_program_in(folder_, arguments); }
+    void make(const std::string& arguments) {
+        const ProgramRun done = run(arguments);
+        EXPECT_EQ(done.code, 0) << arguments << ": " << done.err;
+    }
+    std::string bytes(const std::string& name) { return text_of(folder_.path() / name); }
+    // The sentence of a refusal.
+    std::string refusal(const std::string& arguments, int code = 2) {
+        const ProgramRun done = run(arguments);
+        EXPECT_EQ(done.code, code) << arguments << ": " << done.err;
+        EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
+        return done.err;
+    }
+    void expect_refusal(const std::string& arguments, const std::string& words, int code = 2) {
+        const std::string said = refusal(arguments, code);
+        EXPECT_NE(said.find(words), std::string::npos) << arguments << ": " << said;
+    }
+    std::vector<std::string> names() {
+        std::vector<std::string> found;
+        for (const auto& entry : fs::directory_iterator(folder_.path()))
+            found.push_back(entry.path().filename().string());
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+    ScratchFolder folder_;
+};
+
+TEST_F(Parts, AreJoinedToTheBytesOfOneRun) {
+    for (const std::string kind : {".mp4", ".webm", ".gif", ".md5"}) {
+        make("render a.toml -q -o one" + kind);
+        for (const char* k : {"3", "1", "2"})
+            make("render a.toml -q -o 'part##" + kind + "' --part " + k + "/3");
+        make("join part03" + kind + " part01" + kind + " part02" + kind + " -q -o '{scene}" + kind +
+             "'");
+        EXPECT_TRUE(bytes("a" + kind) == bytes("one" + kind)) << kind;
+    }
+    // Chapters lie beside as one run leaves them, the film's name apart.
+    std::string beside = bytes("one.chapters.json");
+    beside.replace(beside.find("one.mp4"), 7, "a.mp4");
+    EXPECT_EQ(bytes("a.chapters.json"), beside);
+    make("explain --verify a.mp4");
+}
+
+TEST_F(Parts, OfASequenceAreItsPictures) {
+    make("render a.toml -q -o 'one_###.png' --frames 0-40");
+    for (const char* k : {"2", "3", "1"})
+        make("render a.toml -q -o 'two_###.png' --frames 0-40 --part " + std::string(k) + "/3");
+    make("join 'two_###.png' -q -o 'two_###.png'");
+    make("join two_*.png -q -o 'three_###.png'");
+    for (const char* frame : {"000", "013", "014", "040"})
+        for (const char* name : {"two_", "three_"})
+            EXPECT_TRUE(bytes(std::string(name) + frame + ".png") ==
+                        bytes(std::string("one_") + frame + ".png"))
+                << name << frame;
+    fs::remove(folder_.path() / "two_020.png");
+    fs::remove(folder_.path() / "two_021.png");
+    expect_refusal("join 'two_###.png' -o 'four_###.png'", "missing: 20-21;");
+    fs::resize_file(folder_.path() / "three_007.png", 900);
+    refusal("join 'three_###.png' -o 'four_###.png'");
+    expect_refusal("join one_*.png two_004.png -o 'four_###.png'", "are both frame 4");
+    EXPECT_FALSE(fs::exists(folder_.path() / "four_000.png"));
+}
+
+TEST_F(Parts, ThatDoNotBelongTogetherAreRefusedInASentence) {
+    for (const char* k : {"1", "2", "3"})
+        make("render a.toml -q -o p" + std::string(k) + ".mp4 --part " + k + "/3 --portable");
+    expect_refusal("join p1.mp4 p3.mp4 -o f.mp4", "part 2 of 3 is missing (frames 240-");
+    expect_refusal("join p1.mp4 p2.mp4 p3.mp4 p2.mp4 -o f.mp4", "are both part 2 of 3");
+    expect_refusal("join p1.mp4 p2.mp4 p3.mp4 -o f.webm", "the parts are of a .mp4");
+    expect_refusal("join p1.mp4 p2.mp4 p3.mp4 -o p1.mp4", "is one of the parts");
+    expect_refusal("join p1.mp4 a.toml -o f.mp4", "a.toml: is no part of a film");
+    expect_refusal("join p1.mp4 none.mp4 -o f.mp4", "none.mp4 cannot be read");
+    make("render a.toml -q -o q.mp4 --part 2/3 --portable --set start.omega_rad_s[0]=0.31");
+    expect_refusal("join p1.mp4 q.mp4 p3.mp4 -o f.mp4", "their scenes or settings differ");
+    make("render a.toml -q -o native.mp4 --part 2/3");
+    expect_refusal("join p1.mp4 native.mp4 p3.mp4 -o f.mp4", "their profiles differ");
+    make("render a.toml -q -o other.mp4 --part 2/2 --portable");
+    expect_refusal("join p1.mp4 other.mp4 -o f.mp4", "one is of 3 parts, the other of 2");
+    // One byte less: the last frame is not whole.
+    const fs::path cut = folder_.path() / "p2.mp4";
+    fs::resize_file(cut, fs::file_size(cut) - 1);
+    expect_refusal("join p1.mp4 p2.mp4 p3.mp4 -o f.mp4", "unfinished or was cut");
+    EXPECT_FALSE(fs::exists(folder_.path() / "f.mp4"));
+    EXPECT_FALSE(fs::exists(folder_.path() / "f.chapters.json"));
+}
+
+// Who reads a native film's record knows what the processor could do; a portable one needs not.
+TEST_F(Parts, SayWhatTheProcessorCanDoUnlessPortable) {
+    make("render a.toml -q -o p1.md5 --part 1/2");
+    EXPECT_NE(bytes("p1.md5").find("\nprocessor: "), std::string::npos);
+    make("render a.toml -q -o p2.md5 --part 1/2 --portable");
+    EXPECT_EQ(bytes("p2.md5").find("\nprocessor: "), std::string::npos);
+}
+
+TEST_F(Parts, ThatCannotBeAreRefused) {
+    for (const char* part : {"0/4", "5/4", "1", "x/2", "1/2/3", "-1/2", "1/0"})
+        expect_refusal("render a.toml -o p.mp4 --part " + std::string(part), "--part ");
+    expect_refusal("render a.toml -o p.png --part 1/2", "one picture has no parts");
+    expect_refusal("render a.toml -o null --part 1/2", "has no parts");
+    expect_refusal("render a.toml -o p.mp4 --jobs 0", "--jobs 0");
+    expect_refusal("render a.toml -o p.mp4 --jobs 2 --part 1/2", "--part is drawn by one process");
+    // A name without room for the parts would let one replace the other, or the film.
+    make("render a.toml -q -o p.mp4 --part 1/2");
+    expect_refusal("render a.toml -q -o p.mp4 --part 2/2", "holds part 1 of this film");
+    folder_.write("film.mp4", "a film");
+    expect_refusal("render a.toml -q -o film.mp4 --part 1/2", "is there, and no part");
+    EXPECT_EQ(bytes("film.mp4"), "a film");
+    expect_refusal("recover p.mp4", "no unfinished film");
+}
+
+TEST_F(Parts, MoreThanTheChunksAreFewer) {
+    make("render a.toml -q -o one.mp4");
+    for (int k = 1; k <= 6; ++k) {
+        const ProgramRun done = run("render a.toml -o p" + std::to_string(k) + ".mp4 --part " +
+                                    std::to_string(k) + "/6");
+        EXPECT_EQ(done.code, 0) << done.err;
+        EXPECT_NE(done.err.find("4 parts, not 6"), std::string::npos) << done.err;
+        EXPECT_EQ(fs::exists(folder_.path() / ("p" + std::to_string(k) + ".mp4")), k <= 4);
+    }
+    make("join p1.mp4 p2.mp4 p3.mp4 p4.mp4 -q -o a.mp4");
+    EXPECT_TRUE(bytes("a.mp4") == bytes("one.mp4"));
+    // What is there is not drawn again.
+    const ProgramRun again = run("render a.toml -o p2.mp4 --part 2/6");
+    EXPECT_NE(again.err.find("part 2 of 4 is there"), std::string::npos) << again.err;
+}
+
+TEST_F(Parts, OfManyJobsAreTheBytesOfOne) {
+    for (const std::string kind : {"a.mp4", "a.webm", "a.gif", "a.md5"}) {
+        make("render a.toml -q -o one_" + kind);
+        make("render a.toml -q --jobs 3 -o " + kind);
+        EXPECT_TRUE(bytes(kind) == bytes("one_" + kind)) << kind;
+    }
+    make("render a.toml -q --frames 5-30 -o 'one_##.png'");
+    make("render a.toml -q --frames 5-30 --jobs 2 -o 'two_##.png'");
+    for (const char* frame : {"05", "17", "18", "30"})
+        EXPECT_TRUE(bytes(std::string("two_") + frame + ".png") ==
+                    bytes(std::string("one_") + frame + ".png"));
+    for (const std::string& name : names()) EXPECT_NE(name.front(), '.') << name;
+}
+
+// The processes that a shell's child has started, by their command.
+std::string kill_one_of(const ScratchFolder& folder, const std::string& how) {
+    return "(\"$1\" render a.toml -o k.mp4 --jobs 2 --set film.size=[640,360] -q; echo $? >code) & "
+           "parent=$!; " +
+           how + " wait $parent; cd '" + folder.path().string() + "'";
+}
+
+ProgramRun run_shell(const ScratchFolder& folder, const std::string& script) {
+    folder.write("script", script);
+    return run_program_in(folder, "", "bash script");
+}
+
+TEST_F(Parts, OfAKilledJobAreGoneOnWith) {
+    const std::string big = "render a.toml -q --set film.size=[640,360] ";
+    make(big + "-o one.mp4");
+    // Until both children are drawing, then one of them or their parent.
+    const std::string started =
+        "for i in $(seq 3000); do program=$(pgrep -P $parent); [ -n \"$program\" ] && "
+        "children=$(pgrep -P $program) && [ $(echo \"$children\" | wc -l) = 2 ] && break; "
+        "sleep 0.01; done; sleep 0.3; ";
+    for (const auto& [kill, code] :
+         {std::pair<std::string, std::string>{"kill -9 $(echo \"$children\" | tail -1);", "3"},
+          {"kill -INT $program;", "3"},
+          {"kill -TERM $program;", "3"}}) {
+        const ProgramRun done = run_shell(folder_, kill_one_of(folder_, started + kill));
+        EXPECT_EQ(bytes("code"), code + "\n") << kill << done.err;
+        EXPECT_FALSE(fs::exists(folder_.path() / "k.mp4"));
+        EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
+    }
+    make(big + "-o k.mp4 --jobs 2");
+    EXPECT_TRUE(bytes("k.mp4") == bytes("one.mp4"));
+    for (const std::string& name : names()) EXPECT_NE(name.front(), '.') << name;
+}
+
+}  // namespace
+}  // namespace poinsot::testing

@@ -1,0 +1,148 @@
+// submit and status without a cluster: a stand-in for sbatch keeps what it was called with.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "cli/program_run.h"
+
+namespace poinsot::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kScene = R"(title = "Submitted"
+[body]
+moments_kg_m2 = [3.0, 2.0, 1.0]
+[start]
+omega_rad_s = [0.3, 2.0, 0.1]
+[film]
+size = [96, 54]
+duration_s = 12.0
+quality = "draft"
+)";
+
+class Submit : public ::testing::Test {
+ protected:
+    Submit() {
+        folder_.write("a.toml", kScene);
+        folder_.write("b.toml", kScene);
+        fs::create_directory(folder_.path() / "bin");
+        fs::create_directory(folder_.path() / "config");
+    }
+    // A stand-in that is found before any other.
+    void stand_in(const std::string& name, const std::string& script) {
+        const std::string file = folder_.write("bin/" + name, "#!/bin/sh\n" + script);
+        fs::permissions(file, fs::perms::owner_all);
+    }
+    ProgramRun run(const std::string& arguments) {
+        return run_program_in(folder_, arguments,
+                              "PATH=\"$PWD/bin:$PATH\" XDG_CONFIG_HOME=\"$PWD/config\"");
+    }
+    std::string text(const std::string& name) { return text_of(folder_.path() / name); }
+    int n_lines(const std::string& name) {
+        const std::string all = text(name);
+        return static_cast<int>(std::count(all.begin(), all.end(), '\n'));
+    }
+
+    ScratchFolder folder_;
+};
+
+// Numbers its answers from 100, and keeps its words a line a call.
+constexpr const char* kAccepts = "echo \"$@\" >>calls\necho $((99 + $(wc -l <calls)))\n";
+
+TEST_F(Submit, HandsOverAnArrayAndTheJoinsAfterIt) {
+    stand_in("sbatch", kAccepts);
+    stand_in("scontrol", "echo 'MaxArraySize            = 6'\n");
+    folder_.write("config/x", "");
+    fs::create_directory(folder_.path() / "config/poinsot");
+    folder_.write("config/poinsot/slurm.options", "# here\n--account=physics --qos=\"a b\"\n");
+    const ProgramRun done =
+        run("submit a.toml b.toml -o '{scene}.mp4' --parts 8 --slurm '--partition=short'");
+    ASSERT_EQ(done.code, 0) << done.err;
+    // Three chunks each: six tasks, of which five fit into an array.
+    const std::string calls = text("calls");
+    EXPECT_EQ(n_lines("calls"), 3) << calls;
+    EXPECT_NE(calls.find("--array=1-5 "), std::string::npos) << calls;
+    EXPECT_NE(calls.find("--array=1 "), std::string::npos) << calls;
+    EXPECT_NE(calls.find("POINSOT_OFFSET=5 "), std::string::npos) << calls;
+    EXPECT_NE(calls.find("--dependency=afterok:100:101 "), std::string::npos) << calls;
+    EXPECT_NE(calls.find("--account=physics --qos=a b --partition=short "), std::string::npos);
+    EXPECT_NE(done.out.find("parts 100\nparts 101\njoins 102\n"), std::string::npos) << done.out;
+    EXPECT_EQ(n_lines("scene.mp4.job/tasks"), 6);
+    EXPECT_NE(text("scene.mp4.job/tasks").find("--portable"), std::string::npos);
+}
+
+// The tasks are what an array would run, here one after the other.
+TEST_F(Submit, EndsInTheBytesOfOneRun) {
+    stand_in("sbatch", kAccepts);
+    const ProgramRun written = run("submit a.toml -o a.mp4 --parts 2 --dry-run");
+    ASSERT_EQ(written.code, 0) << written.err;
+    EXPECT_NE(written.out.find("parts=$parts:$(sbatch --parsable --array=1-2"), std::string::npos);
+    EXPECT_FALSE(fs::exists(folder_.path() / "calls"));
+    EXPECT_NE(run("status a.mp4.job").out.find("2 waiting; join waiting"), std::string::npos);
+    folder_.write("go",
+                  "cd \"$(dirname \"$0\")\"\nfor k in 1 2; do sh a.mp4.job/task.sh tasks $k; "
+                  "done\n");
+    ASSERT_EQ(run_program_in(folder_, "--version", "sh go &&").code, 0);
+    EXPECT_NE(run("status .").out.find("2 done; join waiting"), std::string::npos);
+    folder_.write("go", "cd \"$(dirname \"$0\")\"\nsh a.mp4.job/task.sh joins 1\n");
+    run_program_in(folder_, "--version", "sh go;");
+    const ProgramRun over = run("status a.mp4.job");
+    EXPECT_NE(over.out.find("2 done; join done"), std::string::npos) << over.out;
+    ASSERT_EQ(run("render a.toml -q --portable -o one.mp4").code, 0);
+    EXPECT_TRUE(text("a.mp4") == text("one.mp4"));
+    EXPECT_TRUE(fs::is_empty(folder_.path() / "a.mp4.job/parts"));
+    // Nothing is left to be submitted.
+    const ProgramRun again = run("submit a.toml -o a.mp4 --parts 2");
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.err.find("all of it is done"), std::string::npos) << again.err;
+    EXPECT_FALSE(fs::exists(folder_.path() / "calls"));
+}
+
+TEST_F(Submit, SaysWhatFailed) {
+    ASSERT_EQ(run("submit a.toml -o a.mp4 --parts 2 --dry-run -q").code, 0);
+    fs::remove(folder_.path() / "a.toml");
+    folder_.write("go", "cd \"$(dirname \"$0\")\"\nsh a.mp4.job/task.sh tasks 2\n");
+    run_program_in(folder_, "--version", "sh go;");
+    const ProgramRun done = run("status a.mp4.job");
+    EXPECT_EQ(done.code, 1);
+    EXPECT_NE(done.out.find("a.2 failed: "), std::string::npos) << done.out;
+    EXPECT_NE(run("status a.mp4.job --json").out.find("\"state\": \"failed\""), std::string::npos);
+}
+
+TEST_F(Submit, IsRefusedInASentence) {
+    const auto expect = [&](const std::string& arguments, int code, const std::string& words) {
+        const ProgramRun done = run(arguments);
+        EXPECT_EQ(done.code, code) << arguments << done.err;
+        EXPECT_NE(done.err.find(words), std::string::npos) << done.err;
+        EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
+    };
+    expect("submit a.toml -o a.mp4", 2, "--parts N");
+    expect("submit a.toml -o a.mp4 --parts 0", 2, "--parts N");
+    expect("submit a.toml --parts 2", 2, "say with -o");
+    expect("submit a.toml -o a.png --parts 2", 2, "has no parts");
+    expect("submit none.toml -o a.mp4 --parts 2", 2, "none.toml");
+    expect("submit a.toml -o no/a.mp4 --parts 2", 3, "there is no folder no");
+    expect("status .", 2, "no folder of a submission");
+    // Refused at the second call: the first is cancelled.
+    stand_in("scontrol", "echo 'MaxArraySize = 3'\n");
+    stand_in("sbatch",
+             "echo \"$@\" >>calls\n[ $(wc -l <calls) = 1 ] && echo 7 && exit\necho 'no such "
+             "partition' >&2; exit 1\n");
+    stand_in("scancel", "echo \"$@\" >cancelled\n");
+    expect("submit a.toml -q -o a.mp4 --parts 3", 3,
+           "sbatch refused: no such partition; cancelled");
+    EXPECT_EQ(text("cancelled"), "7\n");
+}
+
+TEST_F(Submit, NeedsSbatch) {
+    const ProgramRun done =
+        run_program_in(folder_, "submit a.toml -q -o a.mp4 --parts 2", "PATH=\"$PWD/bin\"");
+    EXPECT_EQ(done.code, 3);
+    EXPECT_NE(done.err.find("sbatch: there is no such program"), std::string::npos) << done.err;
+}
+
+}  // namespace
+}  // namespace poinsot::testing

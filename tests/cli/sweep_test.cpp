@@ -1,0 +1,151 @@
+// --sweep and --sheet: many scenes from one.
+#include "cli/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "cli/program_run.h"
+#include "error/error.h"
+#include "image/png.h"
+
+namespace poinsot::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kScene = R"(title = "Swept"
+[body]
+moments_kg_m2 = [3.0, 2.0, 1.0]
+[start]
+omega_rad_s = [0.3, 2.0, 0.1]
+[film]
+size = [192, 108]
+duration_s = 0.1
+)";
+
+TEST(Sweep, ReadsListsAndRanges) {
+    using Values = std::vector<std::string>;
+    EXPECT_EQ(parse_sweep("a.b=1,2.5,x").values, (Values{"1", "2.5", "x"}));
+    EXPECT_EQ(parse_sweep("a=0:1:5").values, (Values{"0", "0.25", "0.5", "0.75", "1"}));
+    EXPECT_EQ(parse_sweep("a=0:0.3:4").values, (Values{"0", "0.1", "0.2", "0.3"}));
+    EXPECT_EQ(parse_sweep("a=1:-1:3").values, (Values{"1", "0", "-1"}));
+    EXPECT_EQ(parse_sweep("a=[1,2],[3,4]").values, (Values{"[1,2]", "[3,4]"}));
+    EXPECT_EQ(parse_sweep("a=\"x,y\",z").values, (Values{"\"x,y\"", "z"}));
+    for (const char* wrong : {"a", "=1", "a=", "a=1,,2", "a=0:1:1", "a=0:1:-3"})
+        EXPECT_THROW(parse_sweep(wrong), InputError) << wrong;
+    const auto points = points_of({"a=1,2", "b=x,y,z"});
+    ASSERT_EQ(points.size(), 6u);
+    EXPECT_EQ(in_words(points[1]), "a = 1, b = y");
+    EXPECT_EQ(in_words(points[3]), "a = 2, b = x");
+    EXPECT_THROW(points_of({"a=1,2", "a=3,4"}), InputError);
+    EXPECT_THROW(points_of({"a=0:1:1000", "b=0:1:1000"}), InputError);
+}
+
+class Swept : public ::testing::Test {
+ protected:
+    Swept() { folder_.write("a.toml", kScene); }
+    Image image(const std::string& name) { return read_png(folder_.path() / name); }
+    ProgramRun run(const std::string& arguments) { return run_program_in(folder_, arguments); }
+
+    ScratchFolder folder_;
+};
+
+TEST_F(Swept, IsDrawnAsEachValueSetAlone) {
+    const std::string key = "start.omega_rad_s[1]";
+    ASSERT_EQ(
+        run("still a.toml -q -o '{scene}_{" + key + "}.png' --sweep '" + key + "=1:2:3'").code, 0);
+    ASSERT_EQ(run("still a.toml -q -o '##.png' --sweep '" + key + "=1,1.5,2'").code, 0);
+    ASSERT_EQ(run("still a.toml -q -o 'k{key}.png' --sweep '" + key + "=1,1.5,2'").code, 0);
+    int number = 0;
+    for (const std::string value : {"1", "1.5", "2"}) {
+        ASSERT_EQ(run("still a.toml -q -o one.png --set '" + key + "=" + value + "'").code, 0);
+        const std::string right = text_of(folder_.path() / "one.png");
+        EXPECT_EQ(text_of(folder_.path() / ("a_" + value + ".png")), right);
+        EXPECT_EQ(text_of(folder_.path() / ("k" + value + ".png")), right);
+        EXPECT_EQ(text_of(folder_.path() / ("0" + std::to_string(number++) + ".png")), right);
+        // The item alone is set, the others stay as the scene has them.
+        ASSERT_EQ(
+            run("still a.toml -q -o all.png --set 'start.omega_rad_s=[0.3, " + value + ", 0.1]'")
+                .code,
+            0);
+        EXPECT_TRUE(image("all.png") == image("one.png"));
+    }
+    EXPECT_FALSE(image("00.png") == image("01.png"));
+}
+
+TEST_F(Swept, MakesFilmsOfAProduct) {
+    const ProgramRun done =
+        run("render a.toml -q -o '{film.fps}_{theme}.md5' --sweep film.fps=30,60 --sweep "
+            "theme=light,dark");
+    ASSERT_EQ(done.code, 0) << done.err;
+    const auto n_lines = [&](const char* name) {
+        const std::string text = text_of(folder_.path() / name);
+        return std::count(text.begin(), text.end(), '\n');
+    };
+    EXPECT_EQ(n_lines("30_light.md5"), 3);
+    EXPECT_EQ(n_lines("60_dark.md5"), 6);
+    EXPECT_NE(text_of(folder_.path() / "60_dark.md5"), text_of(folder_.path() / "60_light.md5"));
+}
+
+TEST_F(Swept, IsCheckedValueByValue) {
+    const ProgramRun words = run("check a.toml -q --sweep 'start.omega_rad_s[0]=0.3,0.6'");
+    EXPECT_EQ(words.code, 0) << words.err;
+    EXPECT_NE(words.out.find("start.omega_rad_s[0] = 0.3:\n"), std::string::npos) << words.out;
+    EXPECT_NE(words.out.find("\n\nstart.omega_rad_s[0] = 0.6:\n"), std::string::npos) << words.out;
+    const ProgramRun json = run("check a.toml -q --json --sweep 'start.omega_rad_s[0]=0.3,0.6'");
+    EXPECT_EQ(json.out.substr(0, 2), "[\n");
+    EXPECT_NE(json.out.find("\"start.omega_rad_s[0]\": \"0.6\""), std::string::npos) << json.out;
+}
+
+TEST_F(Swept, IsRefusedInASentence) {
+    const auto expect = [&](const std::string& arguments, const std::string& words) {
+        const ProgramRun done = run(arguments);
+        EXPECT_EQ(done.code, 2) << arguments;
+        EXPECT_NE(done.err.find(words), std::string::npos) << done.err;
+        EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
+    };
+    expect("still a.toml -o one.png --sweep film.fps=30,60", "would both be written to one.png");
+    expect("still a.toml -o '##.png' --sweep 'start.omega_rad_s[3]=1'",
+           "there is no omega_rad_s[3]");
+    expect("still a.toml -o '##.png' --sweep 'film.duration_s[0]=1'", "there is no duration_s[0]");
+    expect("still a.toml -o s.png --sheet 2x1 --sweep film.fps=10,20,30",
+           "2 places for 3 pictures");
+    expect("still a.toml -o s.png --sheet 2 --sweep film.fps=10,20", "write CxR");
+    expect("still a.toml -o s.gif --sheet 2x1 --sweep film.fps=10,20", "a sheet is a PNG");
+    EXPECT_FALSE(fs::exists(folder_.path() / "one.png"));
+}
+
+// Each picture stands in its place as it is alone, and has something written below it.
+TEST_F(Swept, IsLaidOutInASheet) {
+    const std::string key = "start.omega_rad_s[1]";
+    const ProgramRun done =
+        run("still a.toml -q -o sheet.png --sheet 2x2 --sweep '" + key + "=1,1.5,2'");
+    ASSERT_EQ(done.code, 0) << done.err;
+    ASSERT_EQ(run("still a.toml -q -o '#.png' --sweep '" + key + "=1,1.5,2'").code, 0);
+    const Image sheet = image("sheet.png");
+    ASSERT_EQ(sheet.width(), 2 * 192);
+    const int row = sheet.height() / 2;
+    ASSERT_GT(row, 108);
+    for (int k = 0; k < 3; ++k) {
+        const Image one = image(std::to_string(k) + ".png");
+        bool same = true, written = false;
+        for (int x = 0; x < 192; ++x) {
+            for (int y = 0; y < row; ++y) {
+                const Rgba8 there = sheet.at(192 * (k % 2) + x, row * (k / 2) + y);
+                if (y < 108)
+                    same = same && there == one.at(x, y);
+                else
+                    written = written || !(there == one.at(0, 0));
+            }
+        }
+        EXPECT_TRUE(same) << k;
+        EXPECT_TRUE(written) << k;
+    }
+    for (int x = 192; x < 384; ++x) EXPECT_TRUE(sheet.at(x, row + 50) == sheet.at(0, 0));
+}
+
+}  // namespace
+}  // namespace poinsot::testing
