@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -392,6 +393,75 @@ TEST(LectureClaims, ConesShareTheGeneratorThatOmegaRunsAlong) {  // pages 18–1
             EXPECT_NEAR(circle.placement.linear().col(0).norm(), (tip - centre).norm(), 1e-14);
             EXPECT_NEAR((tip - centre).norm() / centre.norm(), A / std::abs(omega0[2]), 1e-13);
         }
+    }
+}
+
+// Where an arc that begins at its geometry's first point ends, by the angle that is drawn of it.
+struct DrawnArc {
+    Vector3d first, last;
+    double angle_rad;
+};
+DrawnArc drawn_arc(const Curve& arc) {
+    const double angle =
+        2.0 * std::numbers::pi * arc.last / static_cast<double>(arc.geometry->points.size());
+    const Vector3d from = arc.placement.linear().col(0).normalized();
+    const Vector3d towards = arc.placement.linear().col(1).normalized();
+    return {from, std::cos(angle) * from + std::sin(angle) * towards, angle};
+}
+
+// The angles φ, θ, ψ of the drawn line of nodes and axes, each about the axis that it turns about.
+Vector3d drawn_euler_angles(const View& view, const Theme& theme, Vector3d& node) {
+    for (const Curve* line : curves_of(view, theme.text)) {
+        if (line->dash_px > 0.0) node = (end_of(*line) - start_of(*line)).normalized();
+    }
+    const Vector3d e1 = arrow_of(view, theme.axes[0]).tip.normalized();
+    const Vector3d e3 = arrow_of(view, theme.axes[2]).tip.normalized();
+    const Vector3d z = Vector3d::UnitZ();
+    const auto about = [](const Vector3d& axis, const Vector3d& from, const Vector3d& to) {
+        return std::atan2(axis.dot(from.cross(to)), from.dot(to));
+    };
+    return {about(z, Vector3d::UnitX(), node), about(node, z, e3), about(e3, node, e1)};
+}
+
+TEST(LectureClaims, EulerAnglesAreTurnedWhereTheyAreDrawn) {  // pages 20–21
+    const Lecture lecture("euler_angles");
+    const double A = lecture.moments()[0];
+    const double C = lecture.moments()[2];
+    for (const double t : lecture.instants()) {
+        const Drawing drawing = lecture.staged.stage.at(t);
+        const View& view = drawing.views.front();
+        const Vector3d e1 = arrow_of(view, lecture.theme().axes[0]).tip.normalized();
+        const Vector3d e3 = arrow_of(view, lecture.theme().axes[2]).tip.normalized();
+        Vector3d node = Vector3d::Zero();
+        const Vector3d angles = drawn_euler_angles(view, lecture.theme(), node);
+        // The line of nodes lies in the level plane and in that of the body, along z × e₃.
+        EXPECT_LT((node - Vector3d::UnitZ().cross(e3).normalized()).norm(), 1e-14);
+        // Each arc begins and ends on the lines that its angle lies between.
+        const Vector3d from[] = {Vector3d::UnitZ(), Vector3d::UnitX(), node};
+        const Vector3d to[] = {e3, node, e1};
+        const double angle[] = {angles[1], angles[0], angles[2]};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const DrawnArc arc = drawn_arc(*curves_of(view, lecture.theme().angles[i]).back());
+            EXPECT_LT((arc.first - from[i]).norm(), 1e-14) << i;
+            EXPECT_LT((arc.last - to[i]).norm(), 1e-13) << i;
+            EXPECT_NEAR(arc.angle_rad, std::abs(angle[i]), 1e-13) << i;
+        }
+
+        // T by the rates of the drawn angles is that of ω.
+        const double h = 1e-5;
+        const auto drawn_at = [&](double time_s) {
+            Vector3d ignored = Vector3d::Zero();
+            return drawn_euler_angles(lecture.staged.stage.at(time_s).views.front(),
+                                      lecture.theme(), ignored);
+        };
+        const Vector3d rates = (drawn_at(t + h) - drawn_at(t - h)) / (2.0 * h);
+        const double sine = std::sin(angles[1]);
+        const double spin = rates[0] * std::cos(angles[1]) + rates[2];
+        const double T = 0.5 * A * (rates[1] * rates[1] + rates[0] * rates[0] * sine * sine) +
+                         0.5 * C * spin * spin;
+        const Vector3d omega = lecture.staged.motion.at(t).omega_body;
+        EXPECT_NEAR(T, 0.5 * omega.dot(lecture.moments().cwiseProduct(omega)), 1e-9);
+        EXPECT_NEAR(spin, lecture.scene.start.top->omega3_rad_s, 1e-9);
     }
 }
 

@@ -89,7 +89,8 @@ Drawer make_momentum(Panel& panel) {
 
 Drawer make_omega(Panel& panel) {
     const SetType type = set_label(panel, "\\boldsymbol{\\omega}");
-    const bool beyond = is_shown(*panel.stage, "radius") || !is_shown(*panel.stage, "contact");
+    // Beyond the tip of ρ, which lies on it; alone it ends where ρ would.
+    const bool beyond = is_shown(*panel.stage, "radius");
     return [&panel, type, beyond](const Instant& instant, Sheet& sheet) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
         Arrow arrow =
