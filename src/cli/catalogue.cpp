@@ -1,6 +1,7 @@
 #include "cli/catalogue.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -12,12 +13,14 @@
 #include "drawing/elements/elements.h"
 #include "drawing/panel.h"
 #include "drawing/theme.h"
+#include "drawing/type/overlay.h"
 #include "error/error.h"
 #include "mechanics/methods.h"
 #include "mechanics/solids.h"
 #include "mesh/named_objects.h"
 #include "output/frame_sink.h"
 #include "production/quality.h"
+#include "production/sampling/sample_table.h"
 #include "scene/camera_views.h"
 #include "scene/easing.h"
 #include "scene/load_scene.h"
@@ -110,6 +113,17 @@ std::vector<CatalogueEntry> document_entries() {
     return entries;
 }
 
+std::vector<CatalogueEntry> column_entries() {
+    std::vector<CatalogueEntry> entries;
+    for (const SampleQuantity& quantity : sample_quantities()) {
+        std::vector<std::string_view> names;
+        for (const SampleColumn& column : quantity.columns) names.push_back(column.name);
+        entries.push_back({std::string(quantity.name),
+                           fmt::format("{}: {}", quantity.summary, fmt::join(names, ", "))});
+    }
+    return entries;
+}
+
 const auto table = std::to_array<Catalogue>({
     {"scenes", scene_entries},
     {"keys", key_entries},
@@ -118,6 +132,8 @@ const auto table = std::to_array<Catalogue>({
     {"elements", [] { return rows_of(elements()); }},
     {"panels", [] { return rows_of(panel_kinds()); }},
     {"quantities", [] { return rows_of(plot_quantities()); }},
+    {"columns", column_entries},
+    {"overlays", [] { return rows_of(overlays()); }},
     {"views", [] { return rows_of(camera_views()); }},
     {"easings", [] { return rows_of(easings()); }},
     {"themes", [] { return rows_of(themes()); }},

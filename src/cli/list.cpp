@@ -1,10 +1,12 @@
 // poinsot list WHAT: the tables that the program is made of.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "cli/catalogue.h"
@@ -26,6 +28,83 @@ struct ListChoices {
     bool json = false;
 };
 
+// Columns of the terminal that stdout is, or nothing where it is none: then lines stay whole.
+std::optional<std::size_t> terminal_width() {
+    winsize size{};
+    if (isatty(STDOUT_FILENO) == 0) return std::nullopt;
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+    return size.ws_col;
+}
+
+// The text in lines of at most `width` characters, broken at spaces, every line but the first
+// indented.
+std::string folded(std::string_view text, std::size_t width, std::size_t indent) {
+    std::string lines;
+    std::size_t column = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(' '), text.size());
+        const std::string_view word = text.substr(0, end);
+        const std::size_t length = static_cast<std::size_t>(
+            std::count_if(word.begin(), word.end(), [](char c) { return (c & '\xC0') != '\x80'; }));
+        if (column > 0 && column + 1 + length > width) {
+            lines += "\n" + std::string(indent, ' ');
+            column = 0;
+        }
+        if (column > 0) lines += ' ';
+        lines += word;
+        column += length + (column > 0 ? 1 : 0);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+// "[camera]" of "camera.view": the table that a key stands in; empty for the scene's own.
+std::string_view group_of(std::string_view key) {
+    const std::size_t dot = key.rfind('.');
+    return dot == std::string_view::npos ? std::string_view{} : key.substr(0, dot);
+}
+
+void print_entries(const std::vector<CatalogueEntry>& entries, bool grouped) {
+    constexpr std::size_t between = 2;
+    constexpr std::size_t least_summary = 24;
+    std::size_t width = 0;
+    for (const CatalogueEntry& entry : entries) width = std::max(width, entry.name.size());
+    const auto terminal = terminal_width();
+    const std::size_t summary_width =
+        terminal ? std::max(least_summary, *terminal - std::min(*terminal, width + between))
+                 : any_length;
+    std::optional<std::string_view> group;
+    for (const CatalogueEntry& entry : entries) {
+        if (grouped && group && *group != group_of(entry.name)) fmt::print("\n");
+        group = group_of(entry.name);
+        fmt::print(
+            "{:{}}  {}\n", printable(entry.name), width,
+            folded(printable(entry.summary, most_of_a_message), summary_width, width + between));
+    }
+}
+
+void print_json(const std::vector<CatalogueEntry>& entries) {
+    fmt::print("[\n");
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        fmt::print("  {{\"name\": {}, \"summary\": {}}}{}\n", json_string(entries[i].name),
+                   json_string(entries[i].summary), i + 1 < entries.size() ? "," : "");
+    fmt::print("]\n");
+}
+
+// The entries whose name or summary has the word, in letters of either case.
+std::vector<CatalogueEntry> holding(std::vector<CatalogueEntry> entries, const std::string& word) {
+    const auto lower = [](std::string text) {
+        for (char& c : text)
+            if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        return text;
+    };
+    std::erase_if(entries, [&](const CatalogueEntry& entry) {
+        return lower(entry.name).find(lower(word)) == std::string::npos &&
+               lower(entry.summary).find(lower(word)) == std::string::npos;
+    });
+    return entries;
+}
+
 int run(const ListChoices& choices) {
     std::vector<std::string_view> names;
     for (const Catalogue& catalogue : catalogues()) names.push_back(catalogue.name);
@@ -43,20 +122,20 @@ int run(const ListChoices& choices) {
     }
     for (const Catalogue& catalogue : catalogues()) {
         if (catalogue.name != what) continue;
-        const std::vector<CatalogueEntry> entries = catalogue.entries();
-        std::size_t width = 0;
-        for (const CatalogueEntry& entry : entries) width = std::max(width, entry.name.size());
-        if (choices.json) fmt::print("[\n");
-        for (std::size_t i = 0; i < entries.size(); ++i) {
-            if (choices.json) {
-                fmt::print("  {{\"name\": {}, \"summary\": {}}}{}\n", json_string(entries[i].name),
-                           json_string(entries[i].summary), i + 1 < entries.size() ? "," : "");
-            } else {
-                fmt::print("{:{}}  {}\n", printable(entries[i].name), width,
-                           printable(entries[i].summary, most_of_a_message));
-            }
+        std::vector<CatalogueEntry> entries = catalogue.entries();
+        if (choices.what.size() > 1) {
+            entries = holding(std::move(entries), choices.what[1]);
+            if (entries.empty())
+                throw InputError(
+                    fmt::format("poinsot list {}: nothing there has \"{}\"; poinsot list {} shows "
+                                "all",
+                                what, printable(choices.what[1]), what));
         }
-        if (choices.json) fmt::print("]\n");
+        if (choices.json) {
+            print_json(entries);
+        } else {
+            print_entries(entries, catalogue.name == "keys");
+        }
         if (!catalogue.note.empty()) say(catalogue.note);
         return 0;
     }
@@ -74,11 +153,12 @@ CommandLine line(std::any& room) {
 
 const Command list_command{
     "list",
-    "WHAT",
+    "WHAT WORD",
     0,
-    1,
+    2,
     "list scenes, keys, methods, elements, panels, objects, …",
     line,
-    {{{"poinsot list", "what can be listed"}, {"poinsot list keys", "every key of a scene file"}}}};
+    {{{"poinsot list", "what can be listed"},
+      {"poinsot list keys camera", "every key of a scene file that has the word"}}}};
 
 }  // namespace poinsot

@@ -75,20 +75,4 @@ std::pair<std::int64_t, std::int64_t> parse_part(std::string_view text) {
     return {*number, *n_parts};
 }
 
-std::vector<double> parse_times(std::string_view text) {
-    std::vector<double> times;
-    while (true) {
-        const std::size_t comma = text.find(',');
-        const std::string_view item = text.substr(0, comma);
-        const auto time = finite_number(item);
-        if (!time)
-            throw InputError(
-                fmt::format("--times: \"{}\" is not a time in seconds; write T,T,… as in 0,0.5,1",
-                            printable(item)));
-        times.push_back(*time);
-        if (comma == std::string_view::npos) return times;
-        text.remove_prefix(comma + 1);
-    }
-}
-
 }  // namespace poinsot

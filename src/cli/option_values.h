@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace poinsot {
 
@@ -25,8 +24,5 @@ std::pair<std::int64_t, std::int64_t> parse_frames(std::string_view text);
 
 // "K/N" with 1 <= K <= N. Throws InputError.
 std::pair<std::int64_t, std::int64_t> parse_part(std::string_view text);
-
-// "T,T,…" in seconds. Throws InputError.
-std::vector<double> parse_times(std::string_view text);
 
 }  // namespace poinsot

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -91,8 +92,57 @@ void bind(CLI::App& app, const Option& option) {
 }
 
 // CLI11 splits "--set a=b" rightly but has its own words for what is wrong; these are ours.
-[[noreturn]] void refuse(const std::string& what) {
-    throw InputError(fmt::format("poinsot: {}; see poinsot --help", what));
+// `command` is whose help is named, empty for the program's.
+[[noreturn]] void refuse(const std::string& what, std::string_view command = {}) {
+    throw InputError(fmt::format("poinsot{0}{1}: {2}; see poinsot{0}{1} --help",
+                                 command.empty() ? "" : " ", command, what));
+}
+
+// "-o" and "--output" of "-o,--output", each with whether a value follows it.
+std::map<std::string, bool> flags_of(const std::vector<Option>& options) {
+    std::map<std::string, bool> flags{{"--help", false}, {"-h", false}};
+    for (const Option& option : options) {
+        std::size_t begin = 0;
+        while (begin < option.flags.size()) {
+            const std::size_t end = std::min(option.flags.find(',', begin), option.flags.size());
+            flags[option.flags.substr(begin, end - begin)] =
+                !std::holds_alternative<bool*>(option.value);
+            begin = end + 1;
+        }
+    }
+    return flags;
+}
+
+// Whether an argument can only be meant as an option: "-1.5" is a number, "-" a file.
+bool looks_like_option(std::string_view argument) {
+    return argument.size() > 1 && argument[0] == '-' &&
+           std::string_view("0123456789.").find(argument[1]) == std::string_view::npos;
+}
+
+// An option that a command does not have is called so, whatever else is wrong with the line: CLI11
+// counts it, with its value, among the arguments.
+void refuse_unknown_option(std::span<const char* const> arguments, const Command& command,
+                           const std::vector<Option>& options) {
+    const std::map<std::string, bool> flags = flags_of(options);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string_view argument = arguments[i];
+        if (argument == "--") return;
+        if (!looks_like_option(argument)) continue;
+        const bool is_long = argument.starts_with("--");
+        const std::size_t equals = argument.find('=');
+        // A letter may have its value behind it: "-oturn.png".
+        const std::string name(argument.substr(0, is_long ? equals : 2));
+        const auto known = flags.find(name);
+        if (known == flags.end()) {
+            std::vector<std::string_view> names;
+            for (const auto& [flag, has_value] : flags) names.push_back(flag);
+            refuse(fmt::format("unknown option \"{}\"{}", printable(argument.substr(0, equals)),
+                               is_long ? did_you_mean(name, names) : ""),
+                   command.name);
+        }
+        const bool holds_value = is_long ? equals != std::string_view::npos : argument.size() > 2;
+        if (known->second && !holds_value) ++i;
+    }
 }
 
 // Data that could not be printed must not look like success.
@@ -133,6 +183,7 @@ CommandToRun read_command_line(int argc, const char* const* argv) {
     // Every command's choices, which CLI11 fills in and the one that was named reads.
     CommandToRun chosen;
     chosen.rooms.resize(commands().size());
+    std::string_view named;
     for (std::size_t i = 0; i < commands().size(); ++i) {
         const Command& command = commands()[i];
         const CommandLine line = command.line(chosen.rooms[i]);
@@ -145,6 +196,10 @@ CommandToRun read_command_line(int argc, const char* const* argv) {
             return help_of(command);
         });
         sub->callback([&chosen, run = line.run] { chosen.run = run; });
+        if (argc > 1 && command.name == argv[1]) {
+            named = command.name;
+            refuse_unknown_option({argv + 2, argv + argc}, command, line.options);
+        }
     }
 
     try {
@@ -154,7 +209,7 @@ CommandToRun read_command_line(int argc, const char* const* argv) {
         app.exit(success);
         chosen.run = [] { return 0; };
     } catch (const CLI::ParseError& error) {
-        refuse(error.what());
+        refuse(error.what(), named);
     }
     return chosen;
 }

@@ -70,7 +70,7 @@ std::vector<std::string> names_of(const SceneKey& key) {
     std::vector<std::string> names = words_of(list);
     // What is drawn over the picture is shown by its name, too.
     if (list == "elements")
-        for (const std::string_view overlay : overlay_names()) names.emplace_back(overlay);
+        for (const OverlayName& overlay : overlays()) names.emplace_back(overlay.name);
     return names;
 }
 

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "error/error.h"
 #include "output/frame_name.h"
 #include "system/file_kind.h"
+#include "text/nearest.h"
 
 namespace poinsot {
 
@@ -37,6 +39,39 @@ std::string known_suffixes() {
         if (!format.suffix.empty() && format.name != "png")
             list += fmt::format("{}{}", list.empty() ? "" : ", ", format.suffix);
     return list;
+}
+
+// What a suffix that is not written here has beside it, and how to come from there to it.
+struct NearestWay {
+    std::string_view suffix;
+    std::string_view instead;
+};
+constexpr std::array<NearestWay, 13> ways = {{
+    {".mov", "write .mp4, and `ffmpeg -i film.mp4 -c copy film.mov` puts it into one unchanged"},
+    {".mkv", "write .mp4, and `ffmpeg -i film.mp4 -c copy film.mkv` puts it into one unchanged"},
+    {".m4v", "write .mp4, which it is by another name"},
+    {".avi", "write .mp4, which all that play .avi play"},
+    {".ogv", "write .webm"},
+    {".apng", "write .gif, or .webm, which keeps all colours"},
+    {".webp", "write .webm for a film, .png for a picture"},
+    {".jpg", "write .png, which loses nothing"},
+    {".jpeg", "write .png, which loses nothing"},
+    {".tif", "write .png, 16 bits a component by `still --depth 16`"},
+    {".tiff", "write .png, 16 bits a component by `still --depth 16`"},
+    {".bmp", "write .png"},
+    {".exr", "write .png, 16 bits a component by `still --depth 16`"},
+}};
+
+// For a suffix that is unknown: the way of one that many write, or the known one that it is a slip
+// of; empty for others.
+std::string nearest_way(std::string_view suffix) {
+    for (const NearestWay& way : ways)
+        if (way.suffix == suffix) return std::string(way.instead);
+    std::vector<std::string_view> known;
+    for (const OutputFormat& format : kFormats)
+        if (!format.suffix.empty()) known.push_back(format.suffix);
+    const std::string meant = suffix.size() < 3 ? "" : did_you_mean(suffix, known);
+    return meant.empty() ? "" : meant.substr(2);
 }
 
 }  // namespace
@@ -69,10 +104,11 @@ const OutputFormat& format_for(const std::filesystem::path& path) {
             return format;
         }
     }
+    const std::string way = nearest_way(suffix);
     throw InputError(fmt::format(
-        "{}: no output is known by {}; the known are {}", path.string(),
+        "{}: no output is known by {}; {}the known are {}", path.string(),
         suffix.empty() ? "a name without suffix" : fmt::format("the suffix \"{}\"", suffix),
-        known_suffixes()));
+        way.empty() ? "" : way + "; ", known_suffixes()));
 }
 
 std::int64_t recover_film(const std::filesystem::path& path, const Tell& tell) {

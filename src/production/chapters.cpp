@@ -58,7 +58,7 @@ std::filesystem::path chapters_path(const std::filesystem::path& film) {
         stem.erase(stem.find_last_not_of("_-. ") + 1);
     }
     // Films of one name in two formats each have theirs.
-    if (film.extension() != ".mp4" && !stem.empty()) stem += film.extension().string();
+    if (suffix_of(film) != ".mp4" && !stem.empty()) stem += film.extension().string();
     return film.parent_path() / (stem.empty() ? "chapters.json" : stem + ".chapters.json");
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "drawing/theme.h"
 #include "error/error.h"
 #include "image/alpha.h"
 #include "output/film_parts.h"
@@ -85,6 +86,17 @@ void note_others(const OutputPlan& plan, const Telling& telling) {
         others.size() == 1 ? "it" : "them"));
 }
 
+// A theme without a ground, in a format that cannot keep what is seen through.
+void note_transparency(const Scene& scene, const OutputFormat& format, const Telling& telling) {
+    if (theme_named(scene.theme).background.alpha >= 1.0) return;
+    const bool one_bit = format.name == "gif";
+    if (format.alpha && !one_bit) return;
+    telling.say(fmt::format(
+        "note: theme = \"{}\": {}; .webm and a .png sequence keep it whole", printable(scene.theme),
+        one_bit ? "a GIF's pixels are seen through or not, nothing between"
+                : fmt::format(".{} keeps no transparency, its ground is black", format.name)));
+}
+
 }  // namespace
 
 FilmJob::FilmJob(const Session& session, FilmRequest request)
@@ -145,7 +157,8 @@ bool FilmJob::take_part(OutputPlan& plan, const Telling& telling) const {
 
 void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan, const Telling& telling) const {
     const OutputFormat& format = format_for(plan.path);
-    AsyncSink sink(format.open(plan));
+    // What a format refuses of a plan is its size.
+    AsyncSink sink(at_scene_key(session_->scene, "film.size", [&] { return format.open(plan); }));
     std::int64_t n_done = 0;
     for (std::int64_t k = 0; k < plan.n_frames; ++k) n_done += sink.has_frame(k) ? 1 : 0;
     note_kept(plan, sink, n_done, format.film || format.join != nullptr, telling);
@@ -190,6 +203,7 @@ void FilmJob::make(Easel& easel, const Telling& telling) const {
     watch_for_interrupts();
     const OutputFormat& format = format_for(plan.path);
     if (request_.part && !take_part(plan, telling)) return;
+    note_transparency(scene, format, telling);
     if (request_.n_shown > 0 && request_.n_shown < plan.n_frames) {
         // Packets know of the frames that follow in their chunk.
         const std::int64_t chunk = format.n_chunk_frames;

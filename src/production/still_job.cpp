@@ -46,8 +46,10 @@ FilmMoment moment_asked(const Session& session, const StillRequest& request) {
 
 // The request of a still that can be made so.
 StillRequest accepted(StillRequest request) {
+    const std::filesystem::path output(request.output);
     const bool is_vectors = is_vector_name(request.output);
-    if (!request.output.empty() && !is_vectors && suffix_of(request.output) != ".png")
+    const bool is_named = !output.empty() && output != "-";
+    if (is_named && !is_vectors && suffix_of(output) != ".png")
         throw InputError(
             fmt::format("{}: a still is a PNG, a PDF or an SVG; end its name in .png, .pdf or .svg",
                         printable(request.output)));

@@ -120,8 +120,13 @@ void check_renderer(const Candidate& candidate, const BaselineManifest& manifest
     }
 }
 
-void check_reason(const Candidate& candidate, const BaselineManifest& manifest) {
-    if (!manifest.contains(candidate.name) || !candidate.baseline.why.empty()) return;
+// Whether the manifest has a line for it or not, a picture that is there is not replaced by another
+// without a reason.
+void check_reason(const Candidate& candidate, const BaselineWriter& baselines) {
+    if (!candidate.baseline.why.empty()) return;
+    const std::string there = baselines.pixels_of(candidate.name);
+    const bool replaces = !there.empty() && there != candidate.baseline.pixels;
+    if (!replaces && !baselines.manifest().contains(candidate.name)) return;
     throw InputError(fmt::format(
         "{}: another picture than the baseline; say with --why \"…\" why it is the right one now",
         printable(candidate.name)));
@@ -154,7 +159,7 @@ void approve(const ApprovalRequest& request, const ApprovalTelling& telling) {
             outcomes.emplace_back("put back; what was there was not what had been approved");
         } else {
             check_renderer(candidate, manifest, request);
-            check_reason(candidate, manifest);
+            check_reason(candidate, baselines);
             if (candidate.baseline.why.empty()) candidate.baseline.why = "first picture";
             outcomes.emplace_back(before == manifest.end() ? "new" : "changed");
         }

@@ -50,6 +50,16 @@ void check_place(const fs::path& path) {
                         path.string(), folder.string()));
 }
 
+// Nothing can be made in a folder: that is what is wrong, not the name.
+[[noreturn]] void throw_open_error(const fs::path& path, int error_number) {
+    const bool of_folder = error_number == EACCES || error_number == EPERM ||
+                           error_number == EROFS || error_number == ENOENT;
+    if (!of_folder) throw_write_error(path, error_number);
+    throw EnvironmentError(
+        fmt::format("cannot write {}: the folder {} cannot be written ({}); name another",
+                    path.string(), folder_of(path).string(), reason(error_number)));
+}
+
 // Whether the name still means the open file: between opening and locking, the run that held the
 // lock may have renamed or removed it.
 bool names(const fs::path& path, int descriptor) {
@@ -70,6 +80,11 @@ fs::path aside_path_of(const fs::path& path, std::string_view suffix) {
 }
 
 AtomicFile::AtomicFile(const fs::path& path) : path_(followed(path)) {
+    if (path_ == "-") {
+        descriptor_ = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+        if (descriptor_ < 0) throw_write_error("stdout", errno);
+        return;
+    }
     check_place(path_);
     if (is_device(path_)) {
         descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
@@ -112,7 +127,7 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
 void AtomicFile::open_aside(const std::function<void()>& when_held) {
     while (descriptor_ < 0) {
         const int opened = ::open(aside_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-        if (opened < 0) throw_write_error(path_, errno);
+        if (opened < 0) throw_open_error(path_, errno);
         // A file system that cannot lock still gets its file; it only cannot refuse a second run.
         int locked = flock(opened, LOCK_EX | LOCK_NB);
         if (locked != 0 && errno == EWOULDBLOCK && when_held) {
@@ -148,6 +163,7 @@ void AtomicFile::write(std::span<const std::uint8_t> bytes) {
         const ssize_t n_written = ::write(descriptor_, bytes.data(), bytes.size());
         if (n_written < 0) {
             if (errno == EINTR) continue;
+            if (errno == EPIPE && path_ == "-") throw ReaderGone("stdout is closed");
             throw_write_error(path_, errno);
         }
         bytes = bytes.subspan(static_cast<std::size_t>(n_written));

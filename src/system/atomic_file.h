@@ -20,7 +20,8 @@ std::filesystem::path aside_path_of(const std::filesystem::path& path,
 
 // Holds the file aside open and locked, so that a second run on the same output is refused. A file
 // aside that a killed run has left is taken over. Where the final name is a device or a pipe there
-// is nothing to make aside: bytes go straight to it. A symbolic link is followed. Move-only.
+// is nothing to make aside: bytes go straight to it. A symbolic link is followed. "-" is standard
+// output; writing to it throws ReaderGone where nobody reads. Move-only.
 //
 // Writing past a limit on file sizes raises SIGXFSZ, which the program must ignore for the error to
 // arrive here.

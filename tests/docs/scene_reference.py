@@ -33,8 +33,8 @@ TABLES = {
 # Lists of names that keys take, with the key.
 LISTS = {
     "elements": "show", "panels": "panels[].kind", "quantities": "panels[].quantity", "themes": "theme", "methods": "motion.method",
-    "qualities": "film.quality", "views": "camera.view", "easings": "keyframes[].easing", "solids": "body.shape",
-    "objects": "body.object", "formats": "the name of the output",
+    "qualities": "film.quality", "overlays": "show", "views": "camera.view", "easings": "keyframes[].easing", "solids": "body.shape",
+    "objects": "body.object", "formats": "the name of the output", "columns": "`sample --columns`",
 }
 
 

@@ -151,7 +151,9 @@ TEST(AtomicFile, FolderWithoutPermissionIsReported) {
         drop_privileges();
         AtomicFile file(folder / "a.png");
     });
-    EXPECT_EQ(outcome, "cannot write " + (folder / "a.png").string() + ": Permission denied");
+    EXPECT_EQ(outcome, "cannot write " + (folder / "a.png").string() + ": the folder " +
+                           folder.string() +
+                           " cannot be written (Permission denied); name another");
 }
 
 TEST(AtomicFile, LimitOnFileSizeIsReportedAndLeavesNothing) {

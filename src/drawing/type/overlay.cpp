@@ -165,14 +165,19 @@ int rows_added_by_type(const Scene& scene, int width_px, double px) {
     return std::max(0, bands.top_px + bands.bottom_px - on_screen.top_px - on_screen.bottom_px);
 }
 
-std::span<const std::string_view> overlay_names() {
-    static constexpr std::array<std::string_view, 3> names{"title", "caption", "clock"};
+std::span<const OverlayName> overlays() {
+    static constexpr std::array<OverlayName, 3> names{{
+        {"title", "the scene's title, at the top left"},
+        {"caption", "the scene's caption, at the foot, with live numbers"},
+        {"clock", "the instant of the motion, at the top right"},
+    }};
     return names;
 }
 
 bool is_overlay(std::string_view name) {
-    const auto names = overlay_names();
-    return std::find(names.begin(), names.end(), name) != names.end();
+    const auto names = overlays();
+    return std::any_of(names.begin(), names.end(),
+                       [name](const OverlayName& overlay) { return overlay.name == name; });
 }
 
 }  // namespace poinsot

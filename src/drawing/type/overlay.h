@@ -29,8 +29,14 @@ int rows_added_by_type(const Scene& scene, int width_px, double px);
 // Between the overlays and the picture's sides, pixels at 1080 rows.
 constexpr double overlay_margin = 40.0;
 
+// What they are called in `show` and in fades.
+struct OverlayName {
+    std::string_view name;
+    std::string_view summary;
+};
+std::span<const OverlayName> overlays();
+
 // Whether a name in `show` is one of these.
-std::span<const std::string_view> overlay_names();
 bool is_overlay(std::string_view name);
 
 }  // namespace poinsot

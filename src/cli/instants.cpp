@@ -1,0 +1,161 @@
+#include "cli/instants.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+#include "error/error.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+// No table holds more.
+constexpr double most_instants = 1e8;
+
+// A finite number that is all of the text. Of more digits than a double has, so that the k-th of
+// first + k·step is the double that its decimals name: 0:1:0.1 gives 0.3, as one would write it.
+std::optional<long double> whole_number(std::string_view text) {
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+    long double number{};
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, number);
+    const bool whole = error == std::errc{} && end == last;
+    if (!whole || !std::isfinite(static_cast<double>(number))) return std::nullopt;
+    return number;
+}
+
+[[noreturn]] void throw_no_time(std::string_view item) {
+    throw InputError(fmt::format(
+        "--times: \"{}\" is not a time in seconds; write T,T,… as in 0,0.5,1, first:last:step or "
+        "first:last/n",
+        printable(item)));
+}
+
+[[noreturn]] void throw_bad_range(std::string_view item, std::string_view what) {
+    throw InputError(fmt::format("--times: \"{}\" {}", printable(item), what));
+}
+
+void check_count(std::string_view item, long double count) {
+    if (count > most_instants)
+        throw_bad_range(item, "is more than 100000000 instants; ask for them in several");
+}
+
+void append_stepped(std::string_view item, long double first, long double last, long double step,
+                    std::vector<double>& times) {
+    const long double steps = (last - first) / step;
+    if (step == 0 || !(steps >= 0))
+        throw_bad_range(item, "never reaches its last instant; give a step that leads there");
+    check_count(item, steps);
+    // A last instant that the steps reach but for rounding is one of them.
+    const auto n = static_cast<std::int64_t>(std::floor(steps * (1 + 1e-15L) + 1e-12L));
+    for (std::int64_t k = 0; k <= n; ++k)
+        times.push_back(static_cast<double>(first + static_cast<long double>(k) * step));
+}
+
+void append_divided(std::string_view item, long double first, long double last, long double n_given,
+                    std::vector<double>& times) {
+    check_count(item, n_given);
+    if (!(n_given >= 2) || n_given != std::floor(n_given))
+        throw_bad_range(item, "needs a whole number of instants, 2 or more, after its /");
+    const auto n = static_cast<std::int64_t>(n_given);
+    for (std::int64_t k = 0; k < n; ++k)
+        times.push_back(static_cast<double>(
+            (first * static_cast<long double>(n - 1 - k) + last * static_cast<long double>(k)) /
+            static_cast<long double>(n - 1)));
+}
+
+void append_item(std::string_view item, std::vector<double>& times) {
+    const std::size_t colon = item.find(':');
+    if (colon == std::string_view::npos) {
+        const auto time = whole_number(item);
+        if (!time) throw_no_time(item);
+        times.push_back(static_cast<double>(*time));
+        return;
+    }
+    const std::string_view rest = item.substr(colon + 1);
+    const std::size_t split = rest.find_first_of(":/");
+    if (split == std::string_view::npos) throw_no_time(item);
+    const auto first = whole_number(item.substr(0, colon));
+    const auto last = whole_number(rest.substr(0, split));
+    const auto third = whole_number(rest.substr(split + 1));
+    if (!first || !last || !third) throw_no_time(item);
+    if (rest[split] == ':') {
+        append_stepped(item, *first, *last, *third, times);
+    } else {
+        append_divided(item, *first, *last, *third, times);
+    }
+}
+
+std::string all_of(const std::string& file) {
+    std::ostringstream text;
+    if (file == "-") {
+        text << std::cin.rdbuf();
+        return std::move(text).str();
+    }
+    std::ifstream stream(file, std::ios::binary);
+    errno = 0;
+    text << stream.rdbuf();
+    if (!stream.is_open() || text.bad() || errno != 0)
+        throw InputError(fmt::format("--times-file {}: cannot be read; name a file of instants",
+                                     printable(file)));
+    return std::move(text).str();
+}
+
+// The instants of one line; where one stands is counted from 1.
+void append_line(std::string_view line, const std::string& file, std::size_t line_number,
+                 std::vector<double>& times) {
+    constexpr std::string_view between = " \t\r,";
+    std::size_t begin = 0;
+    while ((begin = line.find_first_not_of(between, begin)) != std::string_view::npos) {
+        const std::size_t end = std::min(line.find_first_of(between, begin), line.size());
+        const std::string_view item = line.substr(begin, end - begin);
+        const auto time = whole_number(item);
+        if (!time)
+            throw InputError(
+                fmt::format("{}:{}:{}: \"{}\" is not a time in seconds; write one instant a line",
+                            file == "-" ? "standard input" : printable(file), line_number,
+                            begin + 1, printable(item)));
+        times.push_back(static_cast<double>(*time));
+        begin = end;
+    }
+}
+
+}  // namespace
+
+std::vector<double> parse_times(std::string_view text) {
+    if (text == "-") return instants_in("-");
+    std::vector<double> times;
+    while (true) {
+        const std::size_t comma = text.find(',');
+        append_item(text.substr(0, comma), times);
+        if (comma == std::string_view::npos) return times;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+std::vector<double> instants_in(const std::string& file) {
+    const std::string text = all_of(file);
+    std::vector<double> times;
+    std::string_view rest = text;
+    for (std::size_t line_number = 1; !rest.empty(); ++line_number) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        const std::string_view line = rest.substr(0, end);
+        append_line(line.substr(0, line.find('#')), file, line_number, times);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    if (times.empty())
+        throw InputError(fmt::format("{}: no instant stands in it; write one a line, in seconds",
+                                     file == "-" ? "standard input" : printable(file)));
+    return times;
+}
+
+}  // namespace poinsot

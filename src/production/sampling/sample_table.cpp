@@ -1,0 +1,189 @@
+#include "production/sampling/sample_table.h"
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <iterator>
+
+#include "error/error.h"
+#include "production/sampling/sampled_instant.h"
+#include "system/atomic_file.h"
+#include "system/file_kind.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+// Bytes gathered before they are handed on.
+constexpr std::size_t block_bytes = std::size_t{1} << 20;
+
+// Shortest decimals that give the double back.
+void append_number(std::string& text, double value) {
+    fmt::format_to(std::back_inserter(text), FMT_COMPILE("{}"), value);
+}
+
+void write_csv(const SampleTable& table, const WriteBytes& write) {
+    std::string text = fmt::format("{}\n", fmt::join(table.headings, ","));
+    const std::size_t width = table.headings.size();
+    for (std::size_t i = 0; i < table.values.size(); ++i) {
+        append_number(text, table.values[i]);
+        text += (i + 1) % width == 0 ? '\n' : ',';
+        if (text.size() >= block_bytes) {
+            write(text);
+            text.clear();
+        }
+    }
+    write(text);
+}
+
+void write_json_lines(const SampleTable& table, const WriteBytes& write) {
+    std::vector<std::string> openings;
+    for (const std::string& heading : table.headings)
+        openings.push_back(
+            fmt::format("{}{}:", openings.empty() ? "{" : ",", json_string(heading)));
+    std::string text;
+    const std::size_t width = table.headings.size();
+    for (std::size_t i = 0; i < table.values.size(); ++i) {
+        text += openings[i % width];
+        // JSON knows neither infinity nor what is no number.
+        if (std::isfinite(table.values[i])) {
+            append_number(text, table.values[i]);
+        } else {
+            text += "null";
+        }
+        if ((i + 1) % width == 0) text += "}\n";
+        if (text.size() >= block_bytes) {
+            write(text);
+            text.clear();
+        }
+    }
+    write(text);
+}
+
+// NumPy's format 1.0: a line of Python that says what follows, padded so that the numbers start at
+// a multiple of 64 bytes. Source: numpy.lib.format, "Format Version 1.0".
+void write_npy(const SampleTable& table, const WriteBytes& write) {
+    constexpr char order = std::endian::native == std::endian::little ? '<' : '>';
+    std::string described;
+    for (const std::string& heading : table.headings)
+        described += fmt::format("('{}', '{}f8'), ", heading, order);
+    std::string header = fmt::format("{{'descr': [{}], 'fortran_order': False, 'shape': ({},), }}",
+                                     described, table.n_rows());
+    constexpr std::size_t before = 10;  // magic, version and the header's length
+    header.append(63 - (before + header.size()) % 64, ' ');
+    header += '\n';
+    const auto length = static_cast<unsigned>(header.size());
+    std::string opening = "\x93NUMPY";
+    opening += '\x01';
+    opening += '\0';
+    opening += static_cast<char>(length & 0xFFU);
+    opening += static_cast<char>(length >> 8U);
+    write(opening + header);
+    const auto bytes = std::as_bytes(std::span(table.values));
+    write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+constexpr std::array<TableFormat, 3> formats{{
+    {"csv", ".csv", "a line an instant, numbers between commas", write_csv},
+    {"jsonl", ".jsonl", "an object of JSON a line", write_json_lines},
+    {"npy", ".npy", "a NumPy array whose fields are the columns", write_npy},
+}};
+
+Quantities wanted_of(const Motion& motion, std::span<const ChosenColumn> columns) {
+    Quantities wanted{.attitude = false};
+    for (const ChosenColumn& column : columns) {
+        const Quantities& q = column.quantity->wanted;
+        wanted.attitude = wanted.attitude || q.attitude;
+        wanted.herpolhode = wanted.herpolhode || q.herpolhode;
+        wanted.euler_angles = wanted.euler_angles || q.euler_angles;
+    }
+    wanted.euler_angles = wanted.euler_angles && motion.regime() == Regime::heavy_top;
+    return wanted;
+}
+
+// Columns of one quantity that stand side by side: its numbers are found once.
+struct Run {
+    const SampleQuantity* quantity = nullptr;
+    std::vector<std::size_t> indices;
+};
+
+std::vector<Run> runs_of(std::span<const ChosenColumn> columns) {
+    std::vector<Run> runs;
+    for (const ChosenColumn& column : columns) {
+        if (runs.empty() || runs.back().quantity != column.quantity)
+            runs.push_back({column.quantity, {}});
+        runs.back().indices.push_back(column.index);
+    }
+    return runs;
+}
+
+void append_row(const SampledInstant& instant, std::span<const Run> runs,
+                std::vector<double>& values) {
+    std::array<double, 8> of_quantity{};
+    for (const Run& run : runs) {
+        run.quantity->values(instant, of_quantity.data());
+        for (const std::size_t index : run.indices) values.push_back(of_quantity[index]);
+    }
+}
+
+}  // namespace
+
+SampleTable sample_table(const Motion& motion, std::span<const ChosenColumn> columns,
+                         std::span<const double> times_s, std::string_view asked_by) {
+    if (!columns.empty() && times_s.size() > most_sampled_values / columns.size())
+        throw InputError(fmt::format(
+            "{}: {} instants of {} columns are more than the {} numbers that one table holds; ask "
+            "for them in several",
+            asked_by, times_s.size(), columns.size(), most_sampled_values));
+    SampleTable table;
+    for (const ChosenColumn& column : columns) table.headings.push_back(column.heading);
+    table.values.reserve(times_s.size() * columns.size());
+    const Quantities wanted = wanted_of(motion, columns);
+    const std::vector<Run> runs = runs_of(columns);
+    SampledInstant instant;
+    instant.has_angles = wanted.euler_angles;
+    instant.tensor_body = motion.problem().inertia.matrix_body();
+    const bool certifies = std::any_of(columns.begin(), columns.end(), [](const auto& column) {
+        return column.quantity->offered != nullptr;
+    });
+    if (certifies) instant.construction.emplace(motion.problem().inertia, motion.problem().start);
+    for (const double time_s : times_s) {
+        try {
+            instant.time_s = time_s;
+            instant.sample = motion.sample(time_s, wanted);
+            append_row(instant, runs, table.values);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{} {}: {}", asked_by, time_s, error.what()));
+        }
+    }
+    return table;
+}
+
+std::span<const TableFormat> table_formats() { return formats; }
+
+const TableFormat& table_format_for(const std::filesystem::path& path) {
+    const std::string suffix = suffix_of(path);
+    std::string known;
+    for (const TableFormat& format : formats) {
+        if (format.suffix == suffix) return format;
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", format.suffix);
+    }
+    throw InputError(fmt::format("{}: numbers go into files called {}; name it so",
+                                 printable(path.string()), known));
+}
+
+void write_table(const SampleTable& table, const TableFormat& format,
+                 const std::filesystem::path& path) {
+    AtomicFile file(path);
+    format.write(table, [&file](std::string_view bytes) {
+        file.write({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    });
+    file.commit();
+}
+
+}  // namespace poinsot

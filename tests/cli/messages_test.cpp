@@ -1,0 +1,210 @@
+// What a user is told who mistypes, asks for what is not there, or gives another name than meant.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "cli/program_run.h"
+
+namespace poinsot::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string scene = R"(title = "Told"
+[body]
+moments_kg_m2 = [1.0, 2.0, 2.5]
+[start]
+omega_rad_s = [0.3, 1.0, 0.2]
+[film]
+size = [64, 48]
+duration_s = 0.2
+)";
+
+class Messages : public ::testing::Test {
+ protected:
+    Messages() { folder_.write("scene.toml", scene); }
+
+    ProgramRun run(const std::string& arguments) const {
+        return run_program_in(folder_, arguments);
+    }
+
+    // One line on stderr with every part, the exit code, and no file.
+    void refuses(const std::string& arguments, int code, const std::vector<std::string>& parts) {
+        const std::string before = folder_.listing();
+        const ProgramRun answer = run(arguments);
+        EXPECT_EQ(answer.code, code) << arguments;
+        EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+        for (const std::string& part : parts)
+            EXPECT_NE(answer.err.find(part), std::string::npos) << arguments << ": " << answer.err;
+        EXPECT_EQ(folder_.listing(), before) << arguments;
+    }
+
+    ScratchFolder folder_;
+};
+
+TEST_F(Messages, AnUnknownOptionIsCalledSoWithTheNearest) {
+    refuses("compare a b --max-difering 1", 2,
+            {"unknown option \"--max-difering\"", "did you mean \"--max-differing\"?",
+             "see poinsot compare --help"});
+    refuses("compare a b --tolerance 1", 2, {"unknown option \"--tolerance\""});
+    refuses("sample scene.toml --time 0", 2,
+            {"unknown option \"--time\"", "did you mean \"--times\"?", "poinsot sample --help"});
+    refuses("still scene.toml --colour", 2, {"unknown option \"--colour\""});
+    refuses("still scene.toml --colour=red", 2, {"unknown option \"--colour\""});
+    refuses("still scene.toml -x", 2, {"unknown option \"-x\""});
+    refuses("check a.toml b.toml", 2, {"SCENE", "poinsot check --help"});
+}
+
+// What stands behind an option that takes a value is that value, whatever it looks like.
+TEST_F(Messages, AValueThatLooksLikeAnOptionIsNone) {
+    EXPECT_EQ(run("still scene.toml --time -0.1 -o a.png").code, 0);
+    EXPECT_EQ(run("still scene.toml -ob.png").code, 0);
+    EXPECT_EQ(run("still scene.toml --time=-0.1 -o ./-c.png").code, 0);
+    EXPECT_EQ(run("sample scene.toml --times -1,2").code, 0);
+    EXPECT_EQ(run("check -- scene.toml").code, 0);
+    for (const char* name : {"a.png", "b.png", "-c.png"})
+        EXPECT_TRUE(fs::exists(folder_.path() / name)) << name;
+}
+
+TEST_F(Messages, ABaselineThatDiffersIsNotReplacedWithoutAReason) {
+    fs::create_directory(folder_.path() / "new");
+    fs::create_directory(folder_.path() / "ref");
+    ASSERT_EQ(run("still scene.toml --portable -o new/a.png").code, 0);
+    ASSERT_EQ(run("still scene.toml --portable --time 0 -o ref/a.png").code, 0);
+    const std::string before = text_of(folder_.path() / "ref/a.png");
+    // The manifest knows nothing of it.
+    for (const char* what : {"a", "--all"}) {
+        const ProgramRun refused =
+            run(std::string("approve ") + what + " --results new --baselines ref");
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_NE(refused.err.find("--why"), std::string::npos) << refused.err;
+        EXPECT_EQ(text_of(folder_.path() / "ref/a.png"), before);
+    }
+    EXPECT_EQ(run("approve a --results new --baselines ref --why 'the other end'").code, 0);
+    EXPECT_EQ(text_of(folder_.path() / "ref/a.png"), text_of(folder_.path() / "new/a.png"));
+    // One that is the same, or new, needs none.
+    fs::copy(folder_.path() / "new/a.png", folder_.path() / "new/b.png");
+    EXPECT_EQ(run("approve --all --results new --baselines ref").code, 0);
+}
+
+TEST_F(Messages, TransparencyThatIsLostIsSaid) {
+    const auto said = [this](const std::string& theme, const std::string& output) {
+        const ProgramRun made =
+            run("render scene.toml --frames 0-0 --theme " + theme + " -o " + output);
+        EXPECT_EQ(made.code, 0) << made.err;
+        return made.err;
+    };
+    for (const char* theme : {"transparent", "transparent-dark"}) {
+        EXPECT_NE(said(theme, "a.mp4").find(".mp4 keeps no transparency"), std::string::npos);
+        EXPECT_NE(said(theme, "a.mp4").find(".webm and a .png sequence keep it"),
+                  std::string::npos);
+        EXPECT_NE(said(theme, "a.gif").find("a GIF's pixels are seen through or not"),
+                  std::string::npos);
+        EXPECT_EQ(said(theme, "a.webm").find("note"), std::string::npos);
+        EXPECT_EQ(said(theme, "'a_####.png'").find("transparency"), std::string::npos);
+    }
+    EXPECT_EQ(said("light", "a.mp4").find("transparen"), std::string::npos);
+}
+
+TEST_F(Messages, AFolderThatCannotBeWrittenIsCalledThat) {
+    for (const char* command :
+         {"still scene.toml -o /proc/a.png", "render scene.toml --frames 0-0 -o /proc/a.webm",
+          "sample scene.toml --times 0 -o /proc/a.csv"})
+        refuses(command, 3, {"the folder /proc cannot be written", "name another"});
+    if (geteuid() == 0) return;  // who may write everywhere
+    fs::create_directory(folder_.path() / "kept");
+    fs::permissions(folder_.path() / "kept", fs::perms::owner_read | fs::perms::owner_exec);
+    refuses("still scene.toml -o kept/a.png", 3, {"the folder kept cannot be written"});
+}
+
+TEST_F(Messages, ASuffixInCapitalsIsTheSame) {
+    ASSERT_EQ(run("render scene.toml --frames 0-1 -o a.mp4").code, 0);
+    ASSERT_EQ(run("render scene.toml --frames 0-1 -o B.MP4").code, 0);
+    EXPECT_EQ(text_of(folder_.path() / "a.mp4"), text_of(folder_.path() / "B.MP4"));
+    ASSERT_EQ(run("still scene.toml -o A.PNG").code, 0);
+    ASSERT_EQ(run("rerender A.PNG -o B.Png").code, 0);
+    EXPECT_EQ(text_of(folder_.path() / "A.PNG"), text_of(folder_.path() / "B.Png"));
+    EXPECT_EQ(run("explain B.MP4").code, 0);
+}
+
+TEST_F(Messages, ASuffixThatIsNotWrittenNamesTheNearestWay) {
+    refuses("render scene.toml -o a.mov", 2, {"\".mov\"", "write .mp4", "ffmpeg -i film.mp4"});
+    refuses("render scene.toml -o a.mpg4", 2, {"did you mean \".mp4\"?"});
+    refuses("render scene.toml -o a.avi", 2, {"write .mp4"});
+    refuses("render scene.toml -o a.jpg", 2, {"write .png"});
+    refuses("render scene.toml -o a.xyzzy", 2, {"the known are .mp4, .webm, .gif"});
+}
+
+TEST_F(Messages, ASizeAndAQuantityHaveTheirPlace) {
+    folder_.write("odd.toml",
+                  "film.size = [1, 2]\n[body]\nmoments_kg_m2 = [1.0, 2.0, 2.5]\n"
+                  "[start]\nomega_rad_s = [0.3, 1.0, 0.2]\n");
+    refuses("render odd.toml -o a.mp4", 2, {"odd.toml:1:6: an MP4 film needs an even width"});
+    folder_.write("plot.toml", scene +
+                                   "[[panels]]\nkind = \"space\"\n[[panels]]\nkind = "
+                                   "\"plot\"\ncolumn = 1\n  quantity = \"omeg\"\n"
+                                   "[grid]\ncolumns = [1, 1]\n");
+    refuses("still plot.toml -o a.png", 2,
+            {"plot.toml:14:14: unknown quantity \"omeg\"; did you mean \"omega\"?"});
+}
+
+TEST_F(Messages, AStillGoesToStandardOutput) {
+    ASSERT_EQ(run("still scene.toml -o a.png").code, 0);
+    const ProgramRun printed = run("still scene.toml -o -");
+    ASSERT_EQ(printed.code, 0) << printed.err;
+    EXPECT_EQ(printed.out, text_of(folder_.path() / "a.png"));
+    ASSERT_EQ(run("still scene.toml --depth 16 -o b.png").code, 0);
+    EXPECT_EQ(run("still scene.toml --depth 16 -o -").out, text_of(folder_.path() / "b.png"));
+    refuses("still scene.toml scene.toml -o -", 2, {"cannot go to one name"});
+    const std::string full = "cd '" + folder_.path().string() + "' && '" + program_path() +
+                             "' still scene.toml -q -o - >/dev/full 2>/dev/null";
+    EXPECT_EQ(WEXITSTATUS(std::system(full.c_str())), 3);
+}
+
+TEST_F(Messages, ListsAreGroupedFilteredAndFolded) {
+    const std::string all = run("list keys").out;
+    // Tables stand apart: as many gaps as there are changes of table.
+    EXPECT_NE(all.find("\n\nbody."), std::string::npos);
+    const ProgramRun camera = run("list keys CAMERA");
+    ASSERT_EQ(camera.code, 0) << camera.err;
+    EXPECT_NE(camera.out.find("camera.azimuth_deg"), std::string::npos);
+    EXPECT_EQ(camera.out.find("motion.step_s"), std::string::npos);
+    EXPECT_LT(camera.out.size(), all.size() / 2);
+    refuses("list keys xyzzy", 2, {"nothing there has \"xyzzy\"", "poinsot list keys"});
+    const std::string overlays = run("list overlays").out;
+    for (const char* name : {"title", "caption", "clock"})
+        EXPECT_NE(overlays.find(name), std::string::npos);
+
+    // On a terminal of 60 columns no line is longer; script makes one.
+    if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "no script(1)";
+    const std::string typescript = (folder_.path() / "typescript").string();
+    const std::string command = "script -qec \"stty cols 60; '" POINSOT_PROGRAM "' list keys\" '" +
+                                typescript + "' >/dev/null";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    std::ifstream lines(typescript);
+    std::size_t n_lines = 0;
+    for (std::string line; std::getline(lines, line); ++n_lines) {
+        if (line.starts_with("Script ")) continue;
+        const auto n = std::count_if(line.begin(), line.end(),
+                                     [](char c) { return (c & '\xC0') != '\x80' && c != '\r'; });
+        EXPECT_LE(n, 60) << line;
+    }
+    EXPECT_GT(n_lines, 100u);
+}
+
+TEST_F(Messages, HelpHasExamples) {
+    for (const char* command : {"render", "still", "check", "sample", "compare", "approve",
+                                "explain", "rerender", "recover", "tradeoff", "list", "doctor"}) {
+        const ProgramRun help = run(std::string(command) + " --help");
+        EXPECT_EQ(help.code, 0);
+        EXPECT_NE(help.out.find(std::string("poinsot ") + command + " "), std::string::npos)
+            << help.out;
+    }
+}
+
+}  // namespace
+}  // namespace poinsot::testing

@@ -1,0 +1,288 @@
+// What sample takes and gives: ranges and files of instants, columns by name, and three formats.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/instants.h"
+#include "error/error.h"
+#include "program_run.h"
+
+namespace poinsot {
+namespace {
+
+using testing::ProgramRun;
+using testing::run_program_in;
+using testing::ScratchFolder;
+using testing::text_of;
+
+constexpr const char* racket = R"([body]
+moments_kg_m2 = [3.0, 2.0, 1.0]
+[start]
+omega_rad_s = [0.01, 2.0, 0.01]
+)";
+
+constexpr const char* tilted = R"([body]
+tensor_kg_m2 = [[3.0, 0.2, 0.1], [0.2, 2.5, -0.3], [0.1, -0.3, 2.0]]
+[start]
+omega_rad_s = [0.4, 1.1, -0.7]
+)";
+
+std::vector<std::string> split(const std::string& text, char at) {
+    std::vector<std::string> parts;
+    std::stringstream stream(text);
+    for (std::string part; std::getline(stream, part, at);) parts.push_back(part);
+    return parts;
+}
+
+// The rows of a CSV without its heading.
+std::vector<std::vector<double>> rows_of(const std::string& csv) {
+    std::vector<std::vector<double>> rows;
+    const std::vector<std::string> lines = split(csv, '\n');
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        rows.emplace_back();
+        for (const std::string& item : split(lines[i], ',')) rows.back().push_back(std::stod(item));
+    }
+    return rows;
+}
+
+TEST(SampleTimes, ARangeGivesTheDoublesThatItsDecimalsName) {
+    EXPECT_EQ(parse_times("0:1:0.1"),
+              (std::vector<double>{0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0}));
+    EXPECT_EQ(parse_times("0:1/11"), parse_times("0:1:0.1"));
+    EXPECT_EQ(parse_times("5:-1:-2,7"), (std::vector<double>{5.0, 3.0, 1.0, -1.0, 7.0}));
+    EXPECT_EQ(parse_times("0:1:0.4"), (std::vector<double>{0.0, 0.4, 0.8}));
+    EXPECT_EQ(parse_times("2:2:1"), std::vector<double>{2.0});
+    // The ends of a division are what was written, whatever lies between.
+    const std::vector<double> thirds = parse_times("-0.7:1e9/1000");
+    ASSERT_EQ(thirds.size(), 1000u);
+    EXPECT_EQ(thirds.front(), -0.7);
+    EXPECT_EQ(thirds.back(), 1e9);
+    // Every k/1000 is the double nearest to it.
+    const std::vector<double> fine = parse_times("0:1000:0.001");
+    ASSERT_EQ(fine.size(), 1'000'001u);
+    for (std::size_t k = 0; k < fine.size(); ++k)
+        ASSERT_EQ(fine[k], static_cast<double>(k) / 1000.0) << k;
+}
+
+TEST(SampleTimes, ABadRangeIsRefusedByName) {
+    for (const char* bad : {"0:1", "0:1:0", "0:1:-0.1", "1:0:0.1", "0:1/1", "0:1/2.5", "0:1/0",
+                            "0:x:1", "0:1:1:1", ":1:1", "0:1:1e-12", "0:1/1e12", "0:1/"}) {
+        try {
+            parse_times(bad);
+            ADD_FAILURE() << bad;
+        } catch (const InputError& error) {
+            EXPECT_TRUE(std::string(error.what()).starts_with("--times: \"" + std::string(bad)))
+                << error.what();
+        }
+    }
+}
+
+TEST(SampleTimes, AFileAndStandardInputNameInstants) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    folder.write("times.txt", "# seconds\n0, 0.5\r\n\n1e0 2 # and the last\n");
+    const ProgramRun asked = run_program_in(folder, "sample scene.toml --times 0,0.5,1,2");
+    ASSERT_EQ(asked.code, 0) << asked.err;
+    EXPECT_EQ(run_program_in(folder, "sample scene.toml --times-file times.txt").out, asked.out);
+    EXPECT_EQ(run_program_in(folder, "sample scene.toml --times - <times.txt").out, asked.out);
+    EXPECT_EQ(run_program_in(folder, "sample scene.toml --times-file - <times.txt").out, asked.out);
+
+    folder.write("bad.txt", "0\n 1 two\n");
+    const ProgramRun bad = run_program_in(folder, "sample scene.toml --times-file bad.txt");
+    EXPECT_EQ(bad.code, 2);
+    EXPECT_EQ(bad.err, "bad.txt:2:4: \"two\" is not a time in seconds; write one instant a line\n");
+    folder.write("empty.txt", "# nothing\n");
+    for (const char* file : {"empty.txt", "missing.txt", "."}) {
+        const ProgramRun run =
+            run_program_in(folder, std::string("sample scene.toml --times-file ") + file);
+        EXPECT_EQ(run.code, 2) << file;
+        EXPECT_NE(run.err.find(file), std::string::npos) << run.err;
+        EXPECT_EQ(run.out, "");
+    }
+    const ProgramRun none = run_program_in(folder, "sample scene.toml");
+    EXPECT_EQ(none.code, 2);
+    EXPECT_NE(none.err.find("give --times"), std::string::npos) << none.err;
+    EXPECT_EQ(run_program_in(folder, "sample scene.toml --times 0 --times-file times.txt").code, 2);
+}
+
+// T, L, ρ and the rotation are found again from the plain columns, with other formulas.
+TEST(SampleColumns, AgreeWithWhatThePlainColumnsSay) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", tilted);
+    const ProgramRun run = run_program_in(
+        folder,
+        "sample scene.toml --times 0:20/41 --columns "
+        "omega_body,q,omega_space,kinetic_energy,momentum,momentum_space,contact_space,euler");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(split(run.out, '\n')[0],
+              "omega_body_1_rad_s,omega_body_2_rad_s,omega_body_3_rad_s,q_w,q_x,q_y,q_z,"
+              "omega_space_x_rad_s,omega_space_y_rad_s,omega_space_z_rad_s,kinetic_energy_J,"
+              "momentum_kg_m2_s,momentum_space_x_kg_m2_s,momentum_space_y_kg_m2_s,"
+              "momentum_space_z_kg_m2_s,contact_space_x_per_sqrt_kg_m2,"
+              "contact_space_y_per_sqrt_kg_m2,contact_space_z_per_sqrt_kg_m2,theta_rad,phi_rad,"
+              "psi_rad");
+    const double J[3][3] = {{3.0, 0.2, 0.1}, {0.2, 2.5, -0.3}, {0.1, -0.3, 2.0}};
+    const auto rows = rows_of(run.out);
+    ASSERT_EQ(rows.size(), 41u);
+    for (const auto& v : rows) {
+        const double w = v[3];
+        const double x = v[4];
+        const double y = v[5];
+        const double z = v[6];
+        const double R[3][3] = {
+            {1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+            {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+            {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
+        double twice_T = 0.0;
+        double L[3] = {0, 0, 0};
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                L[i] += J[i][j] * v[static_cast<std::size_t>(j)];
+                twice_T +=
+                    v[static_cast<std::size_t>(i)] * J[i][j] * v[static_cast<std::size_t>(j)];
+            }
+        EXPECT_NEAR(v[10], 0.5 * twice_T, 1e-14 * twice_T);
+        EXPECT_NEAR(v[11], std::hypot(L[0], L[1], L[2]), 1e-14 * v[11]);
+        for (std::size_t i = 0; i < 3; ++i) {
+            double omega = 0.0;
+            double momentum = 0.0;
+            for (std::size_t j = 0; j < 3; ++j) {
+                omega += R[i][j] * v[j];
+                momentum += R[i][j] * L[j];
+            }
+            EXPECT_NEAR(v[7 + i], omega, 5e-15);
+            EXPECT_NEAR(v[12 + i], momentum, 2e-14);
+            EXPECT_NEAR(v[15 + i], omega / std::sqrt(twice_T), 5e-15);
+        }
+        // R = Rz(φ) Rx(θ) Rz(ψ): its last column and row hold θ, φ and ψ.
+        EXPECT_NEAR(std::cos(v[18]), R[2][2], 5e-15);
+        EXPECT_NEAR(std::sin(v[18]) * std::sin(v[19]), R[0][2], 5e-15);
+        EXPECT_NEAR(std::sin(v[18]) * std::sin(v[20]), R[2][0], 5e-15);
+    }
+    // L stays, and every residual is a rounding.
+    for (std::size_t i = 12; i < 15; ++i) EXPECT_NEAR(rows.back()[i], rows.front()[i], 1e-13);
+    const auto residuals = rows_of(
+        run_program_in(folder, "sample scene.toml --times 0:20/41 --columns residuals").out);
+    ASSERT_EQ(residuals.size(), 41u);
+    for (const auto& row : residuals) {
+        ASSERT_EQ(row.size(), 6u);
+        for (const double residual : row) EXPECT_LT(residual, 2e-14);
+    }
+}
+
+TEST(SampleColumns, OneColumnIsNamedWithOrWithoutItsUnit) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    const std::string run = "sample scene.toml --times 0:1:0.5 --columns ";
+    EXPECT_EQ(run_program_in(folder, run + "time,omega_body_2").out,
+              run_program_in(folder, run + "time_s,omega_body_2_rad_s").out);
+    EXPECT_TRUE(run_program_in(folder, run + "omega_body_2,time")
+                    .out.starts_with("omega_body_2_rad_s,time_s\n2,0\n"));
+}
+
+TEST(SampleColumns, WhatIsUnknownTwiceOrNotThereIsRefused) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    folder.write("driven.toml", std::string(racket) + "[torque]\nkind = \"constant-space\"\n");
+    const std::string run = "sample scene.toml --times 0 --columns ";
+    const auto said = [&](const std::string& names, const std::string& what) {
+        const ProgramRun answer = run_program_in(folder, run + names);
+        EXPECT_EQ(answer.code, 2);
+        EXPECT_NE(answer.err.find(what), std::string::npos) << answer.err;
+        EXPECT_EQ(answer.out, "");
+    };
+    said("omega_bdy", "did you mean \"omega_body\"");
+    said("omega_body,omega_body_1", "named twice");
+    said("time,", "nothing called \"\"");
+}
+
+TEST(SampleFiles, AllFormatsHoldTheSameNumbers) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", tilted);
+    const std::string run = "sample scene.toml --times=-3:1e6/77";
+    const ProgramRun printed = run_program_in(folder, run);
+    ASSERT_EQ(printed.code, 0) << printed.err;
+    for (const char* file : {"a.csv", "a.jsonl", "a.npy", "B.NPY"})
+        ASSERT_EQ(run_program_in(folder, run + " -o " + file).code, 0) << file;
+    EXPECT_EQ(text_of(folder.path() / "a.csv"), printed.out);
+
+    // Every line of JSON gives the names and decimals of the CSV.
+    const std::vector<std::string> csv = split(printed.out, '\n');
+    const std::vector<std::string> json = split(text_of(folder.path() / "a.jsonl"), '\n');
+    const std::vector<std::string> names = split(csv[0], ',');
+    ASSERT_EQ(json.size() + 1, csv.size());
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const std::vector<std::string> numbers = split(csv[i + 1], ',');
+        std::string line = "{";
+        for (std::size_t k = 0; k < names.size(); ++k)
+            line += (k > 0 ? ",\"" : "\"") + names[k] + "\":" + numbers[k];
+        EXPECT_EQ(json[i], line + "}");
+    }
+
+    // numpy.lib.format: magic, version 1.0, a header of little-endian length, then the numbers.
+    const std::string npy = text_of(folder.path() / "a.npy");
+    EXPECT_EQ(npy, text_of(folder.path() / "B.NPY"));
+    ASSERT_TRUE(npy.starts_with(std::string("\x93NUMPY\x01\x00", 8)));
+    const std::size_t length =
+        static_cast<unsigned char>(npy[8]) + std::size_t{256} * static_cast<unsigned char>(npy[9]);
+    EXPECT_EQ((10 + length) % 64, 0u);
+    const std::string header = npy.substr(10, length);
+    EXPECT_TRUE(header.starts_with("{'descr': [('time_s', '<f8'), ('omega_body_1', '<f8'), "))
+        << header;
+    EXPECT_NE(header.find("'fortran_order': False, 'shape': (77,), }"), std::string::npos);
+    EXPECT_EQ(header.back(), '\n');
+    const auto rows = rows_of(printed.out);
+    ASSERT_EQ(npy.size(), 10 + length + 77 * names.size() * sizeof(double));
+    std::vector<double> stored(77 * names.size());
+    std::memcpy(stored.data(), npy.data() + 10 + length, stored.size() * sizeof(double));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (std::size_t k = 0; k < names.size(); ++k)
+            EXPECT_EQ(stored[i * names.size() + k], rows[i][k]);
+}
+
+TEST(SampleFiles, AnotherSuffixAndAFailureLeaveNothing) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    const ProgramRun suffix = run_program_in(folder, "sample scene.toml --times 0 -o a.xlsx");
+    EXPECT_EQ(suffix.code, 2);
+    EXPECT_NE(suffix.err.find(".csv, .jsonl, .npy"), std::string::npos) << suffix.err;
+    EXPECT_EQ(run_program_in(folder, "sample scene.toml --times 0,1e308 -o a.csv").code, 2);
+    EXPECT_EQ(run_program_in(folder, "sample scene.toml --times 0 -o no/a.csv").code, 3);
+    EXPECT_EQ(run_program_in(folder, "sample scene.toml --times 0:1:1e-9 -o a.csv").code, 2);
+    EXPECT_EQ(folder.listing(), "scene.toml\n");
+}
+
+#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// Seconds of CPU that the programs run here have taken.
+double children_cpu_s() {
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+TEST(SampleFiles, AMillionInstantsTakeASecondOfCpuAsArray) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    const double start_s = children_cpu_s();
+    ASSERT_EQ(run_program_in(folder, "sample scene.toml --times 0:1000/1000000 -o a.npy").code, 0);
+    const double array_s = children_cpu_s() - start_s;
+    ASSERT_EQ(run_program_in(folder, "sample scene.toml --times 0:1000/1000000 -o a.csv").code, 0);
+    const double text_s = children_cpu_s() - start_s - array_s;
+    EXPECT_LT(array_s, 1.0);
+    EXPECT_LT(text_s, 3.0);
+    RecordProperty("array_s", std::to_string(array_s));
+    RecordProperty("text_s", std::to_string(text_s));
+}
+#endif
+
+}  // namespace
+}  // namespace poinsot
