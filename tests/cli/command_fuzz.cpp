@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/instants.h"
 #include "cli/option_values.h"
 #include "cli/program.h"
 #include "cli/scenes.h"
@@ -56,7 +57,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         [&] { poinsot::read_command_line(static_cast<int>(arguments.size()), arguments.data()); });
     for (std::size_t k = 1; k < words.size(); ++k) {
         refusable([&] { poinsot::parse_frames(words[k]); });
-        refusable([&] { poinsot::parse_times(words[k]); });
+        // "-" would read standard input.
+        if (words[k] != "-") refusable([&] { poinsot::parse_times(words[k]); });
         refusable([&] { poinsot::parse_number("--time", words[k], "an instant"); });
         refusable([&] { poinsot::parse_whole("--depth", words[k], "8 or 16"); });
     }

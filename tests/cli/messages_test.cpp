@@ -182,8 +182,8 @@ TEST_F(Messages, ListsAreGroupedFilteredAndFolded) {
     // On a terminal of 60 columns no line is longer; script makes one.
     if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "no script(1)";
     const std::string typescript = (folder_.path() / "typescript").string();
-    const std::string command = "script -qec \"stty cols 60; '" POINSOT_PROGRAM "' list keys\" '" +
-                                typescript + "' >/dev/null";
+    const std::string command = "script -qec \"stty cols 60; '" + program_path() +
+                                "' list keys\" '" + typescript + "' >/dev/null";
     ASSERT_EQ(std::system(command.c_str()), 0);
     std::ifstream lines(typescript);
     std::size_t n_lines = 0;
