@@ -93,7 +93,7 @@ std::string help_of(const Command& command) {
 std::string_view completes_arguments(const Command& command) {
     const std::string_view takes = command.arguments;
     if (takes.starts_with("SCENE")) return "scenes";
-    if (takes == "WHAT") return "lists";
+    if (takes.starts_with("WHAT")) return "lists";
     if (takes.starts_with("FOLDER")) return "folder";
     return takes.empty() || takes == "NAME" ? "" : "file";
 }

@@ -185,10 +185,13 @@ void StageData::make_panels() {
         Drawer header;
         if (specs.size() > 1)
             header = header_of(panel, spec.title.value_or(std::string(kind.title)));
-        const std::size_t i = static_cast<std::size_t>(&spec - specs.data());
-        at_scene_key(scene,
-                     fmt::format("panels[{}]{}", i, spec.quantity.empty() ? "" : ".quantity"),
-                     [&] { kind.make(panel); });
+        if (spec.quantity.empty()) {
+            kind.make(panel);
+        } else {
+            // What a chart refuses is its quantity.
+            at_scene_key(scene, fmt::format("panels[{}].quantity", &spec - specs.data()),
+                         [&] { kind.make(panel); });
+        }
         asks = united(asks, panel.asks);
         shows_beside = shows_beside || panel.shows_beside;
         if (header) {

@@ -149,7 +149,7 @@ TEST_F(Messages, ASizeAndAQuantityHaveTheirPlace) {
                                    "\"plot\"\ncolumn = 1\n  quantity = \"omeg\"\n"
                                    "[grid]\ncolumns = [1, 1]\n");
     refuses("still plot.toml -o a.png", 2,
-            {"plot.toml:14:14: unknown quantity \"omeg\"; did you mean \"omega\"?"});
+            {"plot.toml:14:3: unknown quantity \"omeg\"; did you mean \"omega\"?"});
 }
 
 TEST_F(Messages, AStillGoesToStandardOutput) {

@@ -152,7 +152,7 @@ TEST(AtomicFile, FolderWithoutPermissionIsReported) {
         AtomicFile file(folder / "a.png");
     });
     EXPECT_EQ(outcome, "cannot write " + (folder / "a.png").string() + ": the folder " +
-                           folder.string() +
+                           folder.path().string() +
                            " cannot be written (Permission denied); name another");
 }
 
