@@ -53,6 +53,7 @@ void read_all(const std::array<int, 2>& from, const std::array<std::string*, 2>&
 ProgramOutcome run_program(const std::vector<std::string>& command) {
     std::vector<std::string> words = command;
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     const Ends out = make_pipe(), err = make_pipe();
