@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "vector/canvas.h"
 
@@ -163,8 +164,9 @@ void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shap
     point.paint = paint(shape.neck_pt, head, shape.head_radius / std::max(head_length, 1e-9));
     // The nearer part lies on top: the shaft when the arrow points away.
     const bool away = shape.axis.dot(-canvas.sight.towards_eye(shape.neck)) > 0.0;
-    canvas.add(away ? std::move(point) : std::move(shaft));
-    canvas.add(away ? std::move(shaft) : std::move(point));
+    if (away) std::swap(shaft, point);
+    canvas.add(std::move(shaft));
+    canvas.add(std::move(point));
 }
 
 // All of the arrow beside a part of its axis: a strip across it.

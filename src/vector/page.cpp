@@ -78,7 +78,8 @@ double ShadedDisc::radius(int ring) const {
 }
 
 const Colour& ShadedDisc::at(int ring, int spoke) const {
-    return colours[static_cast<std::size_t>(ring * n_spokes + spoke % n_spokes)];
+    const auto at = [](int count) { return static_cast<std::size_t>(count); };
+    return colours[at(ring) * at(n_spokes) + at(spoke % n_spokes)];
 }
 
 Colour ShadedDisc::at(const Eigen::Vector2d& in_disc) const {

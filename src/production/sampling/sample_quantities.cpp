@@ -175,9 +175,10 @@ std::vector<ChosenColumn> columns_called(std::string_view name) {
 
 [[noreturn]] void throw_unknown(std::string_view name) {
     std::vector<std::string_view> known;
-    for (const SampleQuantity& quantity : table) known.push_back(quantity.name);
-    for (const SampleQuantity& quantity : table)
+    for (const SampleQuantity& quantity : table) {
+        known.push_back(quantity.name);
         for (const SampleColumn& column : quantity.columns) known.push_back(column.name);
+    }
     throw InputError(
         fmt::format("--columns: nothing called \"{}\"{}; poinsot list columns names them",
                     printable(name), did_you_mean(name, known)));
