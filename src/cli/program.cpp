@@ -135,6 +135,7 @@ void refuse_unknown_option(std::span<const char* const> arguments, const Command
         const auto known = flags.find(name);
         if (known == flags.end()) {
             std::vector<std::string_view> names;
+            names.reserve(flags.size());
             for (const auto& [flag, has_value] : flags) names.push_back(flag);
             refuse(fmt::format("unknown option \"{}\"{}", printable(argument.substr(0, equals)),
                                is_long ? did_you_mean(name, names) : ""),

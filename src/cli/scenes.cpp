@@ -90,6 +90,7 @@ std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std:
             "{{scene}} for its name, or leave -o out to name each after its scene",
             printable(output), scenes.size()));
     std::vector<SceneJob> jobs;
+    jobs.reserve(scenes.size());
     for (const std::string& scene : scenes) jobs.push_back({scene, output, {}});
     return named_jobs(std::move(jobs), output, kind);
 }
