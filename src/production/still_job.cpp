@@ -99,8 +99,9 @@ void StillJob::draw_vectors(OutputPlace place, Record record, const Telling& tel
     record.portable = true;
     record.renderer = "vectors";
     record.mesa = "none";
+    const double dpi = record.dpi.value_or(default_dpi);
     const VectorStill still = vector_still(place.path(), staging_.stage, moment_, request_.vectors,
-                                           record.dpi.value_or(default_dpi), std::move(record));
+                                           dpi, std::move(record));
     write_whole(place.path(), still.bytes);
     telling.say(fmt::format("{}\npaths within {:.2g} um of what they show",
                             printable(place.path().string()), still.off_um));

@@ -46,7 +46,7 @@ std::string picture_name(const std::string& argument, const fs::path& results) {
 fs::path file_of_picture(const fs::path& results, const std::string& name) {
     fs::path usual = results / (name + ".png");
     if (kind_of_file(usual) != FileKind::missing) return usual;
-    const fs::path whole = results / name;
+    fs::path whole = results / name;
     if (suffix_of(whole) == ".png" && kind_of_file(whole) != FileKind::missing) return whole;
     std::error_code error;
     fs::directory_iterator at(usual.parent_path(), error);
