@@ -9,21 +9,6 @@
 namespace poinsot {
 namespace {
 
-// Half axes with a least length, so that a flattened ellipsoid still has an inside.
-Eigen::Matrix3d thickened(const Eigen::Matrix3d& half_axes) {
-    Eigen::Matrix3d axes = half_axes;
-    const double longest = axes.colwise().norm().maxCoeff();
-    const double least = longest > 0.0 ? 1e-6 * longest : 1e-12;
-    for (int k = 0; k < 3; ++k) {
-        if (axes.col(k).norm() >= least) continue;
-        // The direction of a vanished axis follows from the others.
-        Eigen::Vector3d direction = axes.col((k + 1) % 3).cross(axes.col((k + 2) % 3));
-        if (direction.norm() <= least * least) direction = axes.col((k + 1) % 3).unitOrthogonal();
-        axes.col(k) = least * direction.normalized();
-    }
-    return axes;
-}
-
 // A polygon with its corners on the ellipse middle + cos·a + sin·b.
 PixelPolygon polygon_in(const Eigen::Vector2d& middle, const Eigen::Vector2d& a,
                         const Eigen::Vector2d& b) {
@@ -39,9 +24,7 @@ PixelPolygon polygon_in(const Eigen::Vector2d& middle, const Eigen::Vector2d& a,
 }  // namespace
 
 Quadric::Quadric(const Ellipsoid& ellipsoid, const Projection& projection)
-    : axes(thickened(ellipsoid.half_axes)),
-      to_u(axes.inverse()),
-      centre(ellipsoid.centre),
+    : UnitSphere(ellipsoid),
       depth(projection.depth(centre)),
       presence(ellipsoid.presence),
       hiding(ellipsoid.opacity * ellipsoid.presence) {

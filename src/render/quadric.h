@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "render/projection.h"
+#include "shapes/unit_sphere.h"
 #include "shapes/views.h"
 
 namespace poinsot {
@@ -12,10 +13,7 @@ namespace poinsot {
 // has direction d and moment m = o × d (Plücker coordinates), both affine in the pixel. It meets
 // the sphere where |d|² - |m|² ≥ 0, at u = (d × m ∓ d √(|d|² - |m|²)) / |d|². Unlike a quadratic
 // in the distance from the eye, this loses no digits for flat, thin or far ellipsoids.
-struct Quadric {
-    Eigen::Matrix3d axes;    // columns: half axes, none shorter than 1e-6 of the longest
-    Eigen::Matrix3d to_u;    // inverse of `axes`
-    Eigen::Vector3d centre;  // view axes
+struct Quadric : UnitSphere {
     Eigen::Vector2d anchor_px;
     Eigen::Vector3d d0, dx, dy, m0, mx, my;  // scaled alike
     Eigen::Vector3d gx, gy;                  // to_u·right/focal and to_u·down/focal

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "shapes/depth_order.h"
 #include "vector/canvas.h"
 
 namespace poinsot::vector {
@@ -290,55 +291,20 @@ void draw_dot(const Canvas& canvas, const Dot& dot, ArrowLayer layer) {
     canvas.add(ClipEnd{});
 }
 
-// Depth of an arrow's axis where it passes nearest to a place.
-double depth_near(const Sight& sight, const Arrow& arrow, const Eigen::Vector2d& at) {
-    const Eigen::Vector2d a = sight.paper(arrow.tail);
-    const Eigen::Vector2d run = sight.paper(arrow.tip) - a;
-    const double square = run.squaredNorm();
-    const double t = square > 0.0 ? std::clamp(run.dot(at - a) / square, 0.0, 1.0) : 0.0;
-    const double from = sight.depth(arrow.tail), to = sight.depth(arrow.tip);
-    return sight.perspective ? from * to / (to + t * (from - to)) : from + t * (to - from);
-}
-
-// Where two arrows cover each other, if they do: the crossing of their axes, or the middle of the
-// shorter.
-Eigen::Vector2d meeting_of(const Sight& sight, const Arrow& a, const Arrow& b) {
-    const Eigen::Vector2d a0 = sight.paper(a.tail), a1 = sight.paper(a.tip);
-    const Eigen::Vector2d b0 = sight.paper(b.tail), b1 = sight.paper(b.tip);
-    const Eigen::Vector2d u = a1 - a0, v = b1 - b0, w = b0 - a0;
-    const double area = cross(u, v);
-    if (std::abs(area) > 1e-9 * sight.pt_per_px * sight.pt_per_px) {
-        const double s = cross(w, v) / area, t = cross(w, u) / area;
-        // A common tail is no crossing: what counts there is which leaves towards the eye.
-        if (s > 0.02 && s < 1.0 && t > 0.02 && t < 1.0) return a0 + s * u;
-    }
-    return 0.5 * (u.norm() < v.norm() ? a0 + a1 : b0 + b1);
-}
-
-// Numbers of arrows, then of dots, from the back to the front: each is put before the first that
-// it is not in front of.
+// Numbers of arrows, then of dots, from the back to the front.
 std::vector<std::size_t> order_of(const Canvas& canvas) {
     const Sight& sight = canvas.sight;
-    const auto& arrows = canvas.view.arrows;
-    const auto& dots = canvas.view.dots;
-    std::vector<std::size_t> order;
-    for (std::size_t k = 0; k < arrows.size() + dots.size(); ++k) {
-        const auto is_behind = [&](std::size_t other) {
-            if (k < arrows.size()) {
-                const Eigen::Vector2d there = meeting_of(sight, arrows[k], arrows[other]);
-                return depth_near(sight, arrows[other], there) >=
-                       depth_near(sight, arrows[k], there);
-            }
-            const Dot& dot = dots[k - arrows.size()];
-            if (other >= arrows.size())
-                return sight.depth(dots[other - arrows.size()].at) >= sight.depth(dot.at);
-            // A dot on an arrow lies on top of it.
-            return depth_near(sight, arrows[other], sight.paper(dot.at)) >=
-                   sight.depth(dot.at) * (1.0 - 1e-2);
-        };
-        order.insert(std::find_if_not(order.begin(), order.end(), is_behind), k);
-    }
-    return order;
+    const auto seen = [&sight](const Eigen::Vector3d& point) {
+        return SeenPoint{sight.paper(point), sight.depth(point)};
+    };
+    std::vector<SeenAxis> arrows;
+    arrows.reserve(canvas.view.arrows.size());
+    for (const Arrow& arrow : canvas.view.arrows)
+        arrows.push_back({seen(arrow.tail), seen(arrow.tip)});
+    std::vector<SeenPoint> dots;
+    dots.reserve(canvas.view.dots.size());
+    for (const Dot& dot : canvas.view.dots) dots.push_back(seen(dot.at));
+    return back_to_front(arrows, dots, sight.perspective, 1e-9 * sight.pt_per_px * sight.pt_per_px);
 }
 
 }  // namespace

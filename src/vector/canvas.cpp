@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "shapes/soft_shadow.h"
 #include "vector/picture.h"
 
 namespace poinsot::vector {
@@ -44,7 +45,7 @@ Colour Canvas::behind(const Eigen::Vector2d& at) const {
         const Plane& plane = view.planes[k];
         const Eigen::Vector3d point = sight.on_plane(at, plane.centre, plane.normal);
         if (!point.allFinite() || sight.depth(point) <= sight.near_depth) continue;
-        const double opacity = plane_opacity(plane, (point - plane.centre).norm());
+        const double opacity = opacity_at(plane, (point - plane.centre).norm());
         colour = encoded(opacity * linear(plane.colour) + (1.0 - opacity) * linear(colour));
         if (!is_before_solids(*this, plane)) colour = shadowed(*this, plane, point, colour);
     }

@@ -130,10 +130,4 @@ Eigen::Vector3d mesh_surface(const Colour& colour, const Lights& lights,
                                      lights.sky * 0.15 * limb * up);
 }
 
-double plane_opacity(const Plane& plane, double distance) {
-    const double from = plane.fade_from * plane.radius;
-    const double t = std::clamp((distance - from) / std::max(plane.radius - from, 1e-12), 0.0, 1.0);
-    return plane.opacity * (1.0 - t * t * (3.0 - 2.0 * t));
-}
-
 }  // namespace poinsot::vector

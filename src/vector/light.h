@@ -49,7 +49,4 @@ Eigen::Vector3d arrow_surface(const Colour& colour, const Lights& lights,
                               const SurfacePoint& point);
 Eigen::Vector3d mesh_surface(const Colour& colour, const Lights& lights, const SurfacePoint& point);
 
-// The opacity of a plane at a distance from its centre.
-double plane_opacity(const Plane& plane, double distance);
-
 }  // namespace poinsot::vector

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "numerics/bracketed_root.h"
-#include "vector/light.h"
+#include "shapes/soft_shadow.h"
 
 namespace poinsot::vector {
 
@@ -13,20 +13,6 @@ namespace {
 
 // Opacities of a fading plane are drawn in steps of this.
 constexpr int n_plane_levels = 8;
-
-// Half axes with a least length, so that a flattened ellipsoid still has an inside.
-Eigen::Matrix3d thickened(const Eigen::Matrix3d& half_axes) {
-    Eigen::Matrix3d axes = half_axes;
-    const double longest = axes.colwise().norm().maxCoeff();
-    const double least = longest > 0.0 ? 1e-6 * longest : 1e-12;
-    for (int k = 0; k < 3; ++k) {
-        if (axes.col(k).norm() >= least) continue;
-        Eigen::Vector3d direction = axes.col((k + 1) % 3).cross(axes.col((k + 2) % 3));
-        if (direction.norm() <= least * least) direction = axes.col((k + 1) % 3).unitOrthogonal();
-        axes.col(k) = least * direction.normalized();
-    }
-    return axes;
-}
 
 // Where the line of sight of a point crosses a plane, as distance from its centre.
 double crossing_distance(const Sight& sight, const Plane& plane, const Eigen::Vector3d& point) {
@@ -116,9 +102,7 @@ class RootFinder {
 }  // namespace
 
 SphereSight::SphereSight(const Ellipsoid& ellipsoid, const Sight& sight)
-    : axes(thickened(ellipsoid.half_axes)),
-      to_u(axes.inverse()),
-      centre(ellipsoid.centre),
+    : UnitSphere(ellipsoid),
       perspective(sight.perspective),
       hiding(ellipsoid.opacity * ellipsoid.presence) {
     eye_u = perspective ? u(sight.eye) : (to_u * -sight.forward).normalized();
@@ -167,7 +151,7 @@ Cover Occluders::at(const Eigen::Vector3d& point, const Membership& of) const {
     for (std::size_t k = 0; k < view_.planes.size(); ++k) {
         const Plane& plane = view_.planes[k];
         if (of.plane == static_cast<int>(k) || before_plane(sight_, plane, point) > -1e-9) continue;
-        const double opacity = level(plane_opacity(plane, crossing_distance(sight_, plane, point)));
+        const double opacity = level(opacity_at(plane, crossing_distance(sight_, plane, point)));
         cover.clear *= 1.0 - opacity;
         cover.transmitted *= 1.0 - opacity;
     }
@@ -207,7 +191,7 @@ std::vector<Occluders::Condition> Occluders::conditions(const Membership& of) co
             double near = plane.fade_from * plane.radius, far = plane.radius;
             for (int k2 = 0; k2 < 60; ++k2) {
                 const double middle = 0.5 * (near + far);
-                (plane_opacity(plane, middle) > there ? near : far) = middle;
+                (opacity_at(plane, middle) > there ? near : far) = middle;
             }
             all.emplace_back([this, &plane, near](const Eigen::Vector3d& x) {
                 return before_plane(sight_, plane, x) > 0.0

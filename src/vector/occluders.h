@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "shapes/unit_sphere.h"
 #include "vector/mesh_sight.h"
 #include "vector/sight.h"
 
@@ -20,8 +21,8 @@ struct Cover {
     bool operator==(const Cover&) const = default;
 };
 
-// An ellipsoid in axes where it is the unit sphere about the origin.
-struct SphereSight {
+// An ellipsoid as lines of sight meet it.
+struct SphereSight : UnitSphere {
     SphereSight(const Ellipsoid& ellipsoid, const Sight& sight);
 
     Eigen::Vector3d u(const Eigen::Vector3d& point) const { return to_u * (point - centre); }
@@ -34,8 +35,6 @@ struct SphereSight {
     double before_limb(const Eigen::Vector3d& u) const;
     bool hides(const Eigen::Vector3d& u) const;
 
-    Eigen::Matrix3d axes, to_u;
-    Eigen::Vector3d centre;
     Eigen::Vector3d eye_u;    // the eye, or the unit direction towards it
     bool perspective = true;  // whether it is the eye
     bool surrounds_eye = false;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "shapes/soft_shadow.h"
 #include "vector/canvas.h"
 
 namespace poinsot::vector {
@@ -43,7 +44,7 @@ void fill_disc(const Canvas& canvas, const Plane& plane, double share) {
     if (fade.focus.norm() > 0.95) fade.focus *= 0.95 / fade.focus.norm();
     const Colour behind = canvas.behind(canvas.sight.paper(plane.centre));
     const auto ink = [&](double radius) {
-        return as_in_light(plane.colour, plane_opacity(plane, radius), behind);
+        return as_in_light(plane.colour, opacity_at(plane, radius), behind);
     };
     fade.stops.push_back({0.0, ink(0.0)});
     constexpr int n_stops = 8;
@@ -133,7 +134,7 @@ class Grid {
             std::abs(apart.x() * along.y() - apart.y() * along.x()) / canvas_.sight.pt_per_px;
         const double t = std::clamp((apart_px - 3.0) / 11.0, 0.0, 1.0);
         const double alpha =
-            plane_opacity(plane_, std::hypot(offset, 0.5 * (from + to))) * t * t * (3.0 - 2.0 * t);
+            opacity_at(plane_, std::hypot(offset, 0.5 * (from + to))) * t * t * (3.0 - 2.0 * t);
         const int level = static_cast<int>(std::lround(alpha * n_shades));
         if (level == 0) return;
         const Eigen::Vector2d begin = canvas_.sight.paper(a), end = canvas_.sight.paper(b);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "shapes/soft_shadow.h"
 #include "vector/canvas.h"
 
 namespace poinsot::vector {
@@ -13,84 +14,29 @@ namespace poinsot::vector {
 namespace {
 
 constexpr int n_levels = 16, n_spokes = 14;
-constexpr double unseen = 1.0 / 256.0;
-
-double smoothstep(double from, double to, double x) {
-    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
+// How far along a direction from the hub it is darker: found from outside inwards.
+double extent(const SoftShadow& shadow, const Eigen::Vector3d& direction, double level) {
+    constexpr int n_steps = 48;
+    const double limit = shadow.limit(direction);
+    const auto is_darker = [&](double r) {
+        return shadow.darkness(shadow.hub() + r * direction) > level;
+    };
+    double light = limit, dark = 0.0;
+    for (int k = n_steps; k-- > 0;) {
+        const double r = limit * k / n_steps;
+        if (is_darker(r)) {
+            dark = r;
+            break;
+        }
+        light = r;
+    }
+    if (light <= 0.0) return 0.0;
+    for (int k = 0; k < 24; ++k) {
+        const double middle = 0.5 * (dark + light);
+        (is_darker(middle) ? dark : light) = middle;
+    }
+    return dark;
 }
-
-// What an ellipsoid takes from a plane's light.
-class Shade {
- public:
-    Shade(const Plane& plane, const SphereSight& caster, double presence, const Lights& lights)
-        : plane_(plane), caster_(caster), presence_(presence), lights_(lights) {
-        const double height = plane.normal.dot(caster.centre - plane.centre);
-        const Eigen::Vector3d up = (height < 0.0 ? -1.0 : 1.0) * plane.normal;
-        const Eigen::Vector3d lean = caster.axes.transpose() * up;
-        const Eigen::Vector3d lowest =
-            caster.centre - caster.axes * lean / std::max(lean.norm(), 1e-12);
-        hub_ = lowest - plane.normal.dot(lowest - plane.centre) * plane.normal;
-        // The lamp stands higher than the key light.
-        constexpr double raised = 0.8;
-        const Eigen::Vector3d towards =
-            (lights.towards + (raised + std::max(0.0, -lights.towards.dot(up))) * up).normalized();
-        normal_u_ = lean.normalized();
-        lamp_u_ = (caster.to_u * towards).normalized();
-        reach_ = 3.0 * caster.axes.colwise().norm().maxCoeff() + std::abs(height);
-    }
-
-    // Share of the light that is taken at a point of the plane, times the plane's opacity there.
-    double darkness(const Eigen::Vector3d& point) const {
-        constexpr double lamp = 0.33;  // sine of half the angle that the key light fills
-        constexpr double far_sky = 0.07;
-        const Eigen::Vector3d u = caster_.u(point);
-        const double nearness = std::min(1.0 / u.norm(), 1.0);
-        const Eigen::Vector3d towards = -nearness * u;
-        const double hidden = std::max(normal_u_.dot(towards), 0.0) * nearness * nearness;
-        const double sky_taken = std::max(hidden - far_sky, 0.0) / (1.0 - far_sky);
-        const double towards_lamp = lamp_u_.dot(towards);
-        double beside_lamp = std::sqrt(std::max(1.0 - towards_lamp * towards_lamp, 0.0));
-        if (towards_lamp < 0.0) beside_lamp = 2.0 - beside_lamp;
-        const double cosine = std::sqrt(1.0 - nearness * nearness);
-        const double overlap = nearness * towards_lamp - cosine * beside_lamp;
-        const double largest = std::min(nearness / lamp, 1.0);
-        const double key_taken = 0.75 * smoothstep(-lamp, lamp, overlap) * largest * largest;
-        const double taken = (lights_.key * key_taken + lights_.sky * sky_taken) /
-                             std::max(lights_.key + lights_.sky, 1e-6);
-        return presence_ * taken * plane_opacity(plane_, (point - plane_.centre).norm()) - unseen;
-    }
-
-    // How far along a direction from the hub it is at least so dark: found from outside inwards.
-    double extent(const Eigen::Vector3d& direction, double level) const {
-        constexpr int n_steps = 48;
-        double light = reach_, dark = 0.0;
-        for (int k = n_steps; k-- > 0;) {
-            const double r = reach_ * k / n_steps;
-            if (darkness(hub_ + r * direction) >= level) {
-                dark = r;
-                break;
-            }
-            light = r;
-        }
-        if (light <= 0.0) return 0.0;
-        for (int k = 0; k < 24; ++k) {
-            const double middle = 0.5 * (dark + light);
-            (darkness(hub_ + middle * direction) >= level ? dark : light) = middle;
-        }
-        return dark;
-    }
-
-    const Eigen::Vector3d& hub() const { return hub_; }
-
- private:
-    const Plane& plane_;
-    const SphereSight& caster_;
-    double presence_;
-    const Lights& lights_;
-    Eigen::Vector3d hub_, normal_u_, lamp_u_;
-    double reach_ = 1.0;
-};
 
 // A smooth closed path through places on paper.
 Path smooth_through(const std::array<Eigen::Vector2d, n_spokes>& places) {
@@ -118,9 +64,9 @@ Colour shadowed(const Canvas& canvas, const Plane& plane, const Eigen::Vector3d&
     const Eigen::Vector3d tint = 0.06 * linear(plane.grid_colour);
     for (std::size_t k = 0; k < canvas.view.ellipsoids.size(); ++k) {
         if (!casts(canvas.view.ellipsoids[k])) continue;
-        const Shade shade(plane, canvas.occluders.spheres()[k], canvas.view.ellipsoids[k].presence,
-                          canvas.lights);
-        const double darkness = std::max(shade.darkness(point), 0.0);
+        const SoftShadow shade(plane, canvas.occluders.spheres()[k],
+                               canvas.view.ellipsoids[k].presence, canvas.view.light);
+        const double darkness = shade.darkness(point);
         light = darkness * tint + (1.0 - darkness) * light;
     }
     return encoded(light);
@@ -129,7 +75,8 @@ Colour shadowed(const Canvas& canvas, const Plane& plane, const Eigen::Vector3d&
 void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
     const Ellipsoid& ellipsoid = canvas.view.ellipsoids[caster];
     if (canvas.shading == Shading::none || !casts(ellipsoid)) return;
-    const Shade shade(plane, canvas.occluders.spheres()[caster], ellipsoid.presence, canvas.lights);
+    const SoftShadow shade(plane, canvas.occluders.spheres()[caster], ellipsoid.presence,
+                           canvas.view.light);
     const double deepest = shade.darkness(shade.hub());
     if (deepest <= 0.0) return;
     const Eigen::Vector3d across = plane.normal.cross(plane.along);
@@ -143,7 +90,7 @@ void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
             const Eigen::Vector3d direction =
                 std::cos(angle) * plane.along + std::sin(angle) * across;
             const Eigen::Vector3d point =
-                shade.hub() + shade.extent(direction, deepest * level / n_levels) * direction;
+                shade.hub() + extent(shade, direction, deepest * level / n_levels) * direction;
             if (canvas.sight.perspective &&
                 canvas.sight.depth(point) <= 2.0 * canvas.sight.near_depth)
                 return;

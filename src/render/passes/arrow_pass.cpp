@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/passes/colour.h"
+#include "shapes/depth_order.h"
 
 namespace poinsot {
 namespace {
@@ -103,34 +104,6 @@ double layer_number(ArrowPass::Layer layer) {
     return layer == ArrowPass::Layer::visible ? 1.0 : 0.0;
 }
 
-// Depth of an arrow's axis where it passes nearest to a pixel.
-double depth_near(const Projection& p, const Arrow& arrow, const Eigen::Vector2d& pixel) {
-    const Eigen::Vector2d a = p.pixel(arrow.tail);
-    const Eigen::Vector2d run = p.pixel(arrow.tip) - a;
-    const double square = run.squaredNorm();
-    const double t = square > 0.0 ? std::clamp(run.dot(pixel - a) / square, 0.0, 1.0) : 0.0;
-    const double from = p.depth(arrow.tail), to = p.depth(arrow.tip);
-    return p.perspective ? from * to / (to + t * (from - to)) : from + t * (to - from);
-}
-
-// A pixel where two arrows cover each other, if they do: the crossing of their axes, or the end of
-// one that lies nearest to the other.
-Eigen::Vector2d meeting_of(const Projection& p, const Arrow& a, const Arrow& b) {
-    const Eigen::Vector2d a0 = p.pixel(a.tail), a1 = p.pixel(a.tip);
-    const Eigen::Vector2d b0 = p.pixel(b.tail), b1 = p.pixel(b.tip);
-    const Eigen::Vector2d u = a1 - a0, v = b1 - b0, w = b0 - a0;
-    const auto cross = [](const Eigen::Vector2d& x, const Eigen::Vector2d& y) {
-        return x.x() * y.y() - x.y() * y.x();
-    };
-    const double area = cross(u, v);
-    if (std::abs(area) > 1e-9) {
-        const double s = cross(w, v) / area, t = cross(w, u) / area;
-        // A common tail is no crossing: what counts there is which leaves towards the eye.
-        if (s > 0.02 && s < 1.0 && t > 0.02 && t < 1.0) return a0 + s * u;
-    }
-    return 0.5 * (u.norm() < v.norm() ? a0 + a1 : b0 + b1);
-}
-
 }  // namespace
 
 ArrowPass::ArrowProgram::ArrowProgram(const Solids& solids)
@@ -142,36 +115,21 @@ ArrowPass::DotProgram::DotProgram(const Solids& solids)
 void ArrowPass::order(const ViewScene& scene) {
     const View& view = *scene.view;
     const Projection& p = scene.projection;
-    const auto n_arrows = static_cast<int>(view.arrows.size());
-    order_.clear();
-    for (int k = 0; k < n_arrows + static_cast<int>(view.dots.size()); ++k) {
-        const bool is_dot = k >= n_arrows;
-        const auto arrow = [&](int i) -> const Arrow& {
-            return view.arrows[static_cast<std::size_t>(i)];
-        };
-        const auto dot = [&](int i) -> const Dot& {
-            return view.dots[static_cast<std::size_t>(i - n_arrows)];
-        };
-        // Whether `other`, already in the list, lies behind: insertion keeps the rest in order.
-        const auto is_behind = [&](int other) {
-            if (is_dot && other >= n_arrows) return p.depth(dot(other).at) >= p.depth(dot(k).at);
-            if (is_dot) {
-                // A dot on an arrow lies on top of it.
-                const double there = depth_near(p, arrow(other), p.pixel(dot(k).at));
-                return there >= p.depth(dot(k).at) * (1.0 - 1e-2);
-            }
-            const Eigen::Vector2d meeting = meeting_of(p, arrow(k), arrow(other));
-            return depth_near(p, arrow(other), meeting) >= depth_near(p, arrow(k), meeting);
-        };
-        const auto place = std::find_if_not(order_.begin(), order_.end(), is_behind);
-        order_.insert(place, k);
-    }
+    const auto seen = [&p](const Eigen::Vector3d& point) {
+        return SeenPoint{p.pixel(point), p.depth(point)};
+    };
+    std::vector<SeenAxis> arrows;
+    arrows.reserve(view.arrows.size());
+    for (const Arrow& arrow : view.arrows) arrows.push_back({seen(arrow.tail), seen(arrow.tip)});
+    std::vector<SeenPoint> dots;
+    dots.reserve(view.dots.size());
+    for (const Dot& dot : view.dots) dots.push_back(seen(dot.at));
+    order_ = back_to_front(arrows, dots, p.perspective, 1e-9);
 }
 
 void ArrowPass::draw(const ViewScene& scene, Layer layer) {
     const auto n_arrows = scene.view->arrows.size();
-    for (const int k : order_) {
-        const auto i = static_cast<std::size_t>(k);
+    for (const std::size_t i : order_) {
         if (i < n_arrows)
             draw_arrow(scene, scene.view->arrows[i], layer);
         else

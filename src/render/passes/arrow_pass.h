@@ -30,7 +30,7 @@ class ArrowPass {
     };
     BySolids<ArrowProgram> arrow_programs_;
     BySolids<DotProgram> dot_programs_;
-    std::vector<int> order_;  // arrows by index, dots after them
+    std::vector<std::size_t> order_;  // arrows by index, dots after them
 };
 
 }  // namespace poinsot

@@ -1,0 +1,76 @@
+#include "shapes/soft_shadow.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace poinsot {
+namespace {
+
+// A sphere above the plane z = 0, which fades far away only.
+struct Setting {
+    Plane plane;
+    Ellipsoid sphere;
+    Light light;
+
+    Setting(double radius, double height) {
+        plane.radius = 1e6;
+        plane.opacity = 0.8;
+        sphere.centre = {0.0, 0.0, height};
+        sphere.half_axes = radius * Eigen::Matrix3d::Identity();
+    }
+    SoftShadow shadow() const { return {plane, UnitSphere(sphere), 1.0, light}; }
+};
+
+// A sphere hides h r²/d³ of a plane's cosine-weighted sky (h its height, d its distance; Lambert),
+// of which 0.07 is let off, and 1/256 of what is left.
+TEST(SoftShadow, TakesAsMuchOfTheSkyAsASphereHides) {
+    Setting setting(0.5, 0.8);
+    setting.light.key = 0.0;
+    const SoftShadow shadow = setting.shadow();
+    for (const double aside : {0.0, 0.1, 0.4, 0.7}) {
+        const double d = std::hypot(0.8, aside);
+        const double hidden = 0.8 * 0.25 / (d * d * d);
+        EXPECT_NEAR(shadow.darkness({aside, 0.0, 0.0}), 0.8 * (hidden - 0.07) / 0.93 - 1.0 / 256.0,
+                    1e-12);
+    }
+}
+
+// Where sphere and plane touch: no more than two levels of white, without the plane's own fading.
+TEST(SoftShadow, IsHardlySeenBeyondItsLimit) {
+    const SoftShadow shadow = Setting(0.5, 0.5).shadow();
+    for (int k = 0; k < 16; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / 16.0;
+        const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0.0);
+        const double limit = shadow.limit(direction);
+        for (const double further : {1.0, 1.2, 2.0})
+            EXPECT_LE(shadow.darkness(shadow.hub() + further * limit * direction), 2.5 / 255.0);
+    }
+}
+
+// Scaled along the plane's normal, everything is seen by the same numbers: the shadow of a disc
+// that touches is that of the sphere.
+TEST(SoftShadow, OfAnEllipsoidIsThatOfItsSphere) {
+    Setting flat(0.5, 0.1);
+    flat.sphere.half_axes.col(2) *= 0.2;
+    flat.light.key = 0.0;
+    Setting round(0.5, 0.5);
+    round.light.key = 0.0;
+    for (const double aside : {0.05, 0.3, 0.6})
+        EXPECT_NEAR(flat.shadow().darkness({aside, 0.0, 0.0}),
+                    round.shadow().darkness({aside, 0.0, 0.0}), 1e-12);
+}
+
+TEST(OpacityAt, FadesFromItsShareOfTheRadiusToTheRim) {
+    Plane plane;
+    plane.radius = 2.0;
+    plane.fade_from = 0.5;
+    plane.opacity = 0.8;
+    EXPECT_DOUBLE_EQ(opacity_at(plane, 1.0), 0.8);
+    EXPECT_DOUBLE_EQ(opacity_at(plane, 1.5), 0.4);
+    EXPECT_DOUBLE_EQ(opacity_at(plane, 2.0), 0.0);
+}
+
+}  // namespace
+}  // namespace poinsot
