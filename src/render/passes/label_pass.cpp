@@ -118,11 +118,9 @@ void LabelPass::empty_texture(int width_px, int height_px) {
     glBindTexture(GL_TEXTURE_2D, texture_.id());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, width_px, height_px, 0, GL_RG, GL_UNSIGNED_BYTE,
                  nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
 LabelPass::Slot LabelPass::slot_of(const Label& label) {
@@ -202,7 +200,7 @@ void LabelPass::draw(const ViewScene& scene,
         const Eigen::Vector2d to_texel =
             Eigen::Vector2d(slot.x + slot.margin, slot.y + slot.margin) - corner;
         Constants constants;
-        constants.add(to_texel.x(), to_texel.y(), 1.0 / width_px_, 1.0 / height_px_);
+        constants.add(to_texel.x(), to_texel.y(), 0.0, 0.0);
         constants.add4(linear_from_srgb(label.colour, label.opacity));
         constants.add4(linear_from_srgb(label.halo_colour, 1.0));
         constants.add(1.0 / n, 0.0, 0.0, 0.0);
