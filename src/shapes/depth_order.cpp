@@ -17,14 +17,14 @@ double depth_near(const SeenAxis& axis, const Eigen::Vector2d& at, bool perspect
 
 // Where two arrows cover each other, if they do: the crossing of their axes, or the middle of the
 // shorter.
-Eigen::Vector2d meeting_of(const SeenAxis& a, const SeenAxis& b, double least_area) {
+Eigen::Vector2d meeting_of(const SeenAxis& a, const SeenAxis& b) {
     const Eigen::Vector2d u = a.tip.at - a.tail.at, v = b.tip.at - b.tail.at;
     const Eigen::Vector2d w = b.tail.at - a.tail.at;
     const auto cross = [](const Eigen::Vector2d& x, const Eigen::Vector2d& y) {
         return x.x() * y.y() - x.y() * y.x();
     };
     const double area = cross(u, v);
-    if (std::abs(area) > least_area) {
+    if (std::abs(area) > 1e-9 * u.norm() * v.norm()) {
         const double s = cross(w, v) / area, t = cross(w, u) / area;
         // A common tail is no crossing: what counts there is which leaves towards the eye.
         if (s > 0.02 && s < 1.0 && t > 0.02 && t < 1.0) return a.tail.at + s * u;
@@ -35,19 +35,20 @@ Eigen::Vector2d meeting_of(const SeenAxis& a, const SeenAxis& b, double least_ar
 }  // namespace
 
 std::vector<std::size_t> back_to_front(std::span<const SeenAxis> arrows,
-                                       std::span<const SeenPoint> dots, bool perspective,
-                                       double least_area) {
+                                       std::span<const SeenPoint> dots, bool perspective) {
+    constexpr double same = 1.0 - 1e-9;
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < arrows.size() + dots.size(); ++k) {
         // Whether `other`, already in the list, lies behind: insertion keeps the rest in order.
         const auto is_behind = [&](std::size_t other) {
             if (k < arrows.size()) {
-                const Eigen::Vector2d meeting = meeting_of(arrows[k], arrows[other], least_area);
+                const Eigen::Vector2d meeting = meeting_of(arrows[k], arrows[other]);
                 return depth_near(arrows[other], meeting, perspective) >=
-                       depth_near(arrows[k], meeting, perspective);
+                       same * depth_near(arrows[k], meeting, perspective);
             }
             const SeenPoint& dot = dots[k - arrows.size()];
-            if (other >= arrows.size()) return dots[other - arrows.size()].depth >= dot.depth;
+            if (other >= arrows.size())
+                return dots[other - arrows.size()].depth >= same * dot.depth;
             // A dot on an arrow lies on top of it.
             return depth_near(arrows[other], dot.at, perspective) >= dot.depth * (1.0 - 1e-2);
         };

@@ -20,9 +20,9 @@ struct SeenAxis {
 };
 
 // Numbers of arrows, then of dots, from the back to the front: each is put before the first that it
-// is not in front of. Axes that span no more than `least_area` of the picture have no crossing.
+// is not in front of. Of two at one depth, as arrows on one line are, the later lies on top,
+// whatever the last bits of their depths say.
 std::vector<std::size_t> back_to_front(std::span<const SeenAxis> arrows,
-                                       std::span<const SeenPoint> dots, bool perspective,
-                                       double least_area);
+                                       std::span<const SeenPoint> dots, bool perspective);
 
 }  // namespace poinsot

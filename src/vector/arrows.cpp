@@ -304,7 +304,7 @@ std::vector<std::size_t> order_of(const Canvas& canvas) {
     std::vector<SeenPoint> dots;
     dots.reserve(canvas.view.dots.size());
     for (const Dot& dot : canvas.view.dots) dots.push_back(seen(dot.at));
-    return back_to_front(arrows, dots, sight.perspective, 1e-9 * sight.pt_per_px * sight.pt_per_px);
+    return back_to_front(arrows, dots, sight.perspective);
 }
 
 }  // namespace

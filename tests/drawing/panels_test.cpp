@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "drawing/elements/object_shapes.h"
 #include "drawing/panel.h"
@@ -325,6 +326,29 @@ TEST(PlotPanel, DotsLieOnTheirCurvesUnderTheCursor) {
             EXPECT_LT(nearest, 0.1);  // px: accuracy_px; measured 0.05
         }
         EXPECT_EQ(at, 3u);
+    }
+}
+
+// What rounding makes of zero is no curve, and no order of names.
+TEST(PlotPanel, ResidualsOfRoundingLieOnTheFloorInTheTablesOrder) {
+    for (const Eigen::Vector3d& omega : {generic_omega, Eigen::Vector3d(0.3, 2.0, 0.1)}) {
+        Scene scene = free_scene(generic_moments, omega, "plot");
+        scene.panels[0].quantity = "residuals";
+        const StagedScene staged(scene, 10.0);
+        const Drawing drawing = staged.stage.at(7.0);
+        const View& view = view_of(drawing);
+        ASSERT_EQ(view.dots.size(), 5u);
+        for (const Dot& dot : view.dots) EXPECT_EQ(dot.at.y(), view.dots[0].at.y());
+        for (const Curve& curve : view.curves) {
+            if (curve.geometry->points.size() < 3) continue;
+            for (const Eigen::Vector3d& point : curve.geometry->points)
+                ASSERT_EQ(point.y(), view.dots[0].at.y());
+        }
+        // The names are the last labels: the first of the table lowest, one above the other.
+        ASSERT_GE(view.labels.size(), 5u);
+        const std::span names(view.labels.end() - 5, view.labels.end());
+        for (std::size_t i = 1; i < names.size(); ++i)
+            EXPECT_LT(names[i].top_left_px.y(), names[i - 1].top_left_px.y()) << i;
     }
 }
 

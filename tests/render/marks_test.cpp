@@ -35,6 +35,37 @@ TEST(ArrowPicture, IsADiscWhenItPointsAtTheEye) {
     }
 }
 
+// As ω and ρ do: the longer one below, the shorter one drawn after it on top, whatever the last
+// bits of either say.
+TEST(ArrowPicture, OnOneLineTheLaterIsOnTop) {
+    const CurveGeometry none = circle(9302, 0.1, -0.8);
+    Drawing drawing = lecture_drawing(320, 180, none, none);
+    View& view = drawing.views[0];
+    view.planes.clear();
+    view.ellipsoids.clear();
+    view.curves.clear();
+    view.dots.clear();
+    const Eigen::Vector3d direction = Eigen::Vector3d(0.7, -0.9, 0.4).normalized();
+    const auto picture = [&](double bits, bool long_first) {
+        Arrow omega, rho;
+        omega.tip = (1.0 + bits) * 1.3 * direction;
+        omega.colour = {0.6, 0.1, 0.4};
+        rho.tip = (1.0 - bits) * direction;
+        rho.colour = {0.1, 0.2, 0.6};
+        view.arrows = long_first ? std::vector{omega, rho} : std::vector{rho, omega};
+        return renderer().render(drawing);
+    };
+    const Image rho_on_top = picture(0.0, true);
+    const Image omega_on_top = picture(0.0, false);
+    EXPECT_GT(n_different(rho_on_top, omega_on_top), 50u);
+    for (int n = 1; n <= 8; ++n) {
+        for (const double bits : {n * 0x1p-52, n * -0x1p-52}) {
+            EXPECT_EQ(n_different(picture(bits, true), rho_on_top), 0u) << bits;
+            EXPECT_EQ(n_different(picture(bits, false), omega_on_top), 0u) << bits;
+        }
+    }
+}
+
 TEST(ArrowPicture, ComesOutOfAnEllipsoidSolid) {
     Drawing drawing = flat_drawing(200, 100, 100.0);
     View& view = drawing.views[0];

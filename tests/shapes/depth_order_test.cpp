@@ -5,16 +5,14 @@
 namespace poinsot {
 namespace {
 
-constexpr double least_area = 1e-9;
-
 // Two axes that cross at the origin of the picture, `first` at depth 3 there, `second` at 2.
 const SeenAxis first{{{-1.0, 0.0}, 3.0}, {{1.0, 0.0}, 3.0}};
 const SeenAxis second{{{0.0, -1.0}, 1.0}, {{0.0, 1.0}, 3.0}};
 
 TEST(DepthOrder, TheNearerAtTheCrossingComesLast) {
     const SeenAxis ahead[] = {first, second}, behind[] = {second, first};
-    EXPECT_EQ(back_to_front(ahead, {}, false, least_area), (std::vector<std::size_t>{0, 1}));
-    EXPECT_EQ(back_to_front(behind, {}, false, least_area), (std::vector<std::size_t>{1, 0}));
+    EXPECT_EQ(back_to_front(ahead, {}, false), (std::vector<std::size_t>{0, 1}));
+    EXPECT_EQ(back_to_front(behind, {}, false), (std::vector<std::size_t>{1, 0}));
 }
 
 // Half way along in the picture, an axis from depth 1 to 3 seen in perspective is at depth 1.5
@@ -22,14 +20,14 @@ TEST(DepthOrder, TheNearerAtTheCrossingComesLast) {
 TEST(DepthOrder, PerspectiveIsLinearInTheInverseDepth) {
     const SeenAxis between{{{-1.0, 0.0}, 1.75}, {{1.0, 0.0}, 1.75}};
     const SeenAxis axes[] = {between, second};
-    EXPECT_EQ(back_to_front(axes, {}, true, least_area), (std::vector<std::size_t>{0, 1}));
-    EXPECT_EQ(back_to_front(axes, {}, false, least_area), (std::vector<std::size_t>{1, 0}));
+    EXPECT_EQ(back_to_front(axes, {}, true), (std::vector<std::size_t>{0, 1}));
+    EXPECT_EQ(back_to_front(axes, {}, false), (std::vector<std::size_t>{1, 0}));
 }
 
 TEST(DepthOrder, ADotOnAnArrowLiesOnTopOfIt) {
     const SeenAxis axes[] = {first};
     const SeenPoint dots[] = {{{0.5, 0.0}, 3.0}, {{0.5, 0.0}, 3.5}};
-    EXPECT_EQ(back_to_front(axes, dots, false, least_area), (std::vector<std::size_t>{2, 0, 1}));
+    EXPECT_EQ(back_to_front(axes, dots, false), (std::vector<std::size_t>{2, 0, 1}));
 }
 
 }  // namespace

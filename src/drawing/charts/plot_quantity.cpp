@@ -136,10 +136,12 @@ constexpr PlotCurve residual_curves[] = {
     {"\\mathrm{slip}", omega_colour, LineStyle::solid},
     {"|q|-1", plane_colour, LineStyle::dashed},
 };
+// Less than 10^-14 is rounding, of which the last bit decides how it looks: it is drawn on the
+// axis's floor. The exact motion's residuals reach 2e-15.
+constexpr double rounding_decade = -14.0;
 PlotValues residual_values(const StageData& stage, const Instant& instant) {
     const RollingResiduals r = stage.rolling->construction.residuals(instant.state);
-    // What a double cannot resolve beside 1 is drawn on the axis's floor.
-    const auto decade = [](double x) { return std::log10(std::max(x, 1e-17)); };
+    const auto decade = [](double x) { return std::max(std::log10(x), rounding_decade); };
     return {decade(r.energy), decade(r.momentum),
             decade(std::max(r.contact_plane_gap, r.tangency_gap)), decade(r.slip),
             decade(r.unit_quaternion)};

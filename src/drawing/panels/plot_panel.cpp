@@ -28,7 +28,9 @@ constexpr double beside_opacity = 0.6;
 Axis axis_for(const PlotQuantity& quantity, std::pair<double, double> range, int most_ticks) {
     auto [least, most] = range;
     if (quantity.decades)
-        return decade_axis(std::floor(least), std::max(most + 0.5, -14.0), most_ticks);
+        // Where all is rounding, the axis still shows how little that is.
+        return decade_axis(std::floor(least), std::max(most + 0.5, std::floor(least) + 4.0),
+                           most_ticks);
     if (quantity.from_zero) {
         least = std::min(least, 0.0);
         most = std::max(most, 0.0);

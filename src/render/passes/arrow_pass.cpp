@@ -124,7 +124,7 @@ void ArrowPass::order(const ViewScene& scene) {
     std::vector<SeenPoint> dots;
     dots.reserve(view.dots.size());
     for (const Dot& dot : view.dots) dots.push_back(seen(dot.at));
-    order_ = back_to_front(arrows, dots, p.perspective, 1e-9);
+    order_ = back_to_front(arrows, dots, p.perspective);
 }
 
 void ArrowPass::draw(const ViewScene& scene, Layer layer) {
