@@ -50,8 +50,8 @@ void print_words(const Findings& findings) {
 // One scene, at one point of its sweeps.
 int check(const CheckChoices& choices, const SceneJob& job, const SweepPoint& point,
           const Telling& telling) {
-    const Session session = open_session(scene_request_of(job.scene, choices.scene, job.overrides),
-                                         Purpose::pictures, telling);
+    const Session session =
+        open_session(scene_request_of(job.scene, choices.scene, job.overrides), telling);
     tell_notes(session.scene, telling);
     const Findings findings = examine(session, choices.plan, telling);
     if (choices.json) {

@@ -48,8 +48,8 @@ bool certified(const Session& session, const FilmPlan& film, const Telling& tell
 int render(const SceneJob& job, const RenderChoices& choices, Easel& easel) {
     Progress progress(choices.quiet);
     const Telling telling = progress.telling();
-    const Session session = open_session(scene_request_of(job.scene, choices.scene, job.overrides),
-                                         Purpose::pictures, telling);
+    const Session session =
+        open_session(scene_request_of(job.scene, choices.scene, job.overrides), telling);
     FilmRequest request{job.output, choices.frames};
     request.part = choices.part;
     const FilmJob film(session, request);

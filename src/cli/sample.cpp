@@ -56,7 +56,7 @@ int run(const SampleChoices& choices) {
     request.times_s = times_s;
     Progress progress(choices.quiet);
     const Telling telling = progress.telling();
-    const Session session = open_session(request, Purpose::numbers, telling);
+    const Session session = open_session(request, telling);
     tell_notes(session.scene, telling);
 
     const std::vector<ChosenColumn> columns = choices.columns.empty()

@@ -64,7 +64,7 @@ std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choi
     // Vectors lie on paper, whether or not the command line speaks of it.
     if (is_vector_name(job.output) && !request.print.dpi) request.print.dpi = default_dpi;
     if (choices.time_s) request.times_s = {*choices.time_s};
-    return std::make_unique<StillJob>(open_session(request, Purpose::pictures, telling),
+    return std::make_unique<StillJob>(open_session(request, telling),
                                       StillRequest{job.output, choices.time_s, request.print,
                                                    choices.bit_depth, choices.vectors});
 }

@@ -66,8 +66,8 @@ std::vector<FilmToSubmit> films_of(const SubmitChoices& choices, const Telling& 
     std::vector<FilmToSubmit> films;
     for (const SceneJob& job :
          jobs_of(choices.scenes, choices.output, OutputKind::film, choices.sweeps)) {
-        const Session session = open_session(
-            scene_request_of(job.scene, choices.scene, job.overrides), Purpose::pictures, telling);
+        const Session session =
+            open_session(scene_request_of(job.scene, choices.scene, job.overrides), telling);
         FilmToSubmit& film = films.emplace_back();
         film.scene = job.scene;
         for (const std::string& given : job.overrides)

@@ -36,8 +36,8 @@ void write_chart(const Chart& chart, const ContextChoice& context_choice, const 
 int run(const TradeoffChoices& choices) {
     Progress progress(choices.quiet);
     const Telling telling = progress.telling();
-    const Session session = open_session(scene_request_of(choices.scenes.at(0), choices.scene),
-                                         Purpose::numbers, telling);
+    const Session session =
+        open_session(scene_request_of(choices.scenes.at(0), choices.scene), telling);
     tell_notes(session.scene, telling);
     const ContextChoice context = context_choice_of(choices.context);
     const Tradeoff t = trade(session, context);

@@ -36,9 +36,8 @@ inline constexpr double exact_residual_bound = 2e-14;
 
 // The speeds are found by differences in time, whose own error this covers, relative to the
 // greatest speed. They are taken only where a step in time is large against the last place of the
-// time, and where the rounding of phases in one word leaves them this much at most.
+// time.
 inline constexpr double speed_difference_bound = 1e-9;
-inline constexpr double greatest_speed_difference_bound = 1e-6;
 
 // Evaluates the motion at every instant. `bound` is what the method promises, relative:
 // exact_residual_bound, or what the scene's accuracy allows a stepped method. At the surface of a

@@ -124,15 +124,6 @@ MotionTrades trade_motion(const Session& session, const FilmPlan& film, double p
             if (run_s > longest_run_s || trades.rows.back().attitude_rad < 2e-15) too_slow = series;
         }
     }
-    // The closed form again with its phases in one word.
-    if (truth.free_rotation() != nullptr) {
-        MotionProblem fast = problem;
-        fast.tier = Tier::fast;
-        MotionTrade row =
-            measure(fast, {"exact", {}, {}, {}}, truth, times, px_per_rad, trades.n_runs);
-        row.setting = "fast tier";
-        trades.rows.insert(trades.rows.begin() + 1, row);
-    }
     mark_front(trades.rows, &MotionTrade::ns_a_frame, &MotionTrade::attitude_rad);
     return trades;
 }

@@ -15,7 +15,7 @@ Solution solve(const MotionProblem& problem) {
     if (gravity != nullptr && HeavyTop::accepts(problem.inertia, *gravity)) {
         return HeavyTop(problem.inertia, *gravity, problem.start, problem.top_start);
     }
-    return FreeRotation(problem.inertia, problem.start, problem.tier);
+    return FreeRotation(problem.inertia, problem.start);
 }
 
 }  // namespace

@@ -51,7 +51,6 @@ struct MotionProblem {
         top_start;  // what start was rounded from, if so; the exact heavy top begins from it
     Torque torque;
     MethodChoice method;
-    Tier tier = Tier::exact;  // of the exact method without torque; others have one alone
     double first_time_s =
         0.0;  // span that stepped methods must cover; exact ones answer everywhere
     double last_time_s = 0.0;

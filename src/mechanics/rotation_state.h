@@ -4,8 +4,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "numerics/tier.h"
-
 namespace poinsot {
 
 // Attitude and angular velocity at one instant.
@@ -15,9 +13,6 @@ struct RotationState {
         Eigen::Quaterniond::Identity();  // unit; v_space = space_from_body * v_body
     Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();  // rad/s, body axes
 };
-
-// The growth of the fast tier's error, see Tier.
-inline constexpr double fast_tier_rad_a_turn = 1.05e-15;
 
 // z-x-z Euler angles R = Rz(φ) Rx(θ) Rz(ψ), φ and ψ unwrapped (continuous in time).
 struct EulerAngles {

@@ -10,7 +10,6 @@
 
 #include "numerics/double_double.h"
 #include "numerics/double_pair.h"
-#include "numerics/tier.h"
 
 namespace poinsot {
 
@@ -61,44 +60,22 @@ class PhasePair {
     DoubleDouble rate(int i) const { return {rate_[i], rate_low_[i]}; }
     DoubleDouble start(int i) const { return {start_[i], start_low_[i]}; }
 
-    // Exact: with the product to 106 bits (Dekker). Fast: in one word, so that the error grows by
-    // one rounding of the product. Throws InputError if time·rate overflows.
-    template <Tier tier>
+    // With the product to 106 bits (Dekker), so that no digit is lost with time. Throws InputError
+    // if time·rate overflows.
     [[gnu::always_inline]] QuarterTurnPair at(double time) const {
         if (!(std::abs(time) < far_)) [[unlikely]]
             return at_distant(time);
-        if constexpr (tier == Tier::fast) {
-            const Pair product = time * rate_;
-            const Pair rest = time * rate_low_ + start_;
-            const Pair shifted = (product + rest) + rounding_shift;
-            return {quarters(shifted), (product - (shifted - rounding_shift)) + rest, both(0.0)};
-        } else {
-            const DoubleDouble t = split(time);
-            const Pair product = time * rate_;
-            const Pair error =
-                ((t.hi * rate_high_ - product) + t.hi * rate_rest_ + t.lo * rate_high_) +
-                t.lo * rate_rest_;
-            // product + start in two words (Knuth).
-            const Pair sum = product + start_;
-            const Pair start_part = sum - product;
-            const Pair sum_low = (product - (sum - start_part)) + (start_ - start_part);
-            const Pair shifted = sum + rounding_shift;
-            return {quarters(shifted), sum - (shifted - rounding_shift),
-                    sum_low + (error + (time * rate_low_ + start_low_))};
-        }
-    }
-
-    // The same in 256ths of a turn.
-    template <Tier tier>
-    FineTurnPair fine_at(double time) const {
-        if constexpr (tier == Tier::exact) return fine(at<tier>(time));
-        if (!(std::abs(time) < 0x1p-5 * far_)) [[unlikely]]
-            return fine(at<tier>(time));
+        const DoubleDouble t = split(time);
         const Pair product = time * rate_;
-        const Pair rest = time * rate_low_ + start_;
-        const Pair shifted = (product + rest) + rounding_shift_to_64ths;
-        return {{low_bits(shifted[0]) & 255U, low_bits(shifted[1]) & 255U},
-                (product - (shifted - rounding_shift_to_64ths)) + rest};
+        const Pair error = ((t.hi * rate_high_ - product) + t.hi * rate_rest_ + t.lo * rate_high_) +
+                           t.lo * rate_rest_;
+        // product + start in two words (Knuth).
+        const Pair sum = product + start_;
+        const Pair start_part = sum - product;
+        const Pair sum_low = (product - (sum - start_part)) + (start_ - start_part);
+        const Pair shifted = sum + rounding_shift;
+        return {quarters(shifted), sum - (shifted - rounding_shift),
+                sum_low + (error + (time * rate_low_ + start_low_))};
     }
 
  private:
@@ -137,12 +114,11 @@ struct RestTurn {
     }
 };
 
-// The sines and the cosines of two phases; exact: to 0.6 units of 2^−53, fast: to 1.1.
+// The sines and the cosines of two phases, to 0.6 units of 2^−53.
 struct SinCosPair {
     Pair sin;
     Pair cos;
 };
-template <Tier tier>
 [[gnu::always_inline]] inline SinCosPair sin_cos(const FineTurnPair& turns) {
     const RestTurn<Pair> rest(turns.rest, turn_table.sin_factors, turn_table.cos_factors);
     const auto [i, j] = turns.whole;
@@ -150,21 +126,15 @@ template <Tier tier>
     const Pair cos = seconds(turn_table.rounded[i], turn_table.rounded[j]);
     Pair more_sin = sin * rest.cos_less_1 + cos * rest.sin;
     Pair more_cos = cos * rest.cos_less_1 - sin * rest.sin;
-    if constexpr (tier == Tier::exact) {
-        more_sin += firsts(turn_table.left[i], turn_table.left[j]);
-        more_cos += seconds(turn_table.left[i], turn_table.left[j]);
-    }
+    more_sin += firsts(turn_table.left[i], turn_table.left[j]);
+    more_cos += seconds(turn_table.left[i], turn_table.left[j]);
     return {sin + more_sin, cos + more_cos};
 }
 
 // (sin, cos) of one phase moved on by |turns| ≤ 1 quarter turns.
-template <Tier tier>
 [[gnu::always_inline]] inline Pair sin_cos(const QuarterTurns& phase, double turns = 0.0) {
-    DoubleDouble rest = phase.rest.hi + turns;
-    if constexpr (tier == Tier::exact) {
-        rest = two_sum(phase.rest.hi, turns);
-        rest.lo += phase.rest.lo;
-    }
+    DoubleDouble rest = two_sum(phase.rest.hi, turns);
+    rest.lo += phase.rest.lo;
     const double shifted = rest.hi + rounding_shift_to_64ths;
     const double h = (rest.hi - (shifted - rounding_shift_to_64ths)) + rest.lo;
     const auto& [s0, s1, s2] = turn_table.sin_factors;
@@ -174,7 +144,7 @@ template <Tier tier>
     const unsigned i = (64 * phase.whole + low_bits(shifted)) & 255U;
     const Pair entry = turn_table.rounded[i];
     Pair more = both(small.cos_less_1) * entry + second_negated(both(small.sin)) * swapped(entry);
-    if constexpr (tier == Tier::exact) more += turn_table.left[i];
+    more += turn_table.left[i];
     return entry + more;
 }
 

@@ -127,8 +127,7 @@ void draw_sheet(const SheetRequest& request, Easel& easel, const Telling& tellin
     for (std::size_t k = 0; k < request.cells.size(); ++k) {
         stop_if_interrupted();
         const SheetCell& cell = request.cells[k];
-        StillJob(open_session(cell.scene, Purpose::pictures, telling), {"", request.time_s})
-            .draw_into(easel, picture);
+        StillJob(open_session(cell.scene, telling), {"", request.time_s}).draw_into(easel, picture);
         if (!sheet) sheet.emplace(request, picture);
         sheet->put(k, picture);
         telling.done(static_cast<std::int64_t>(k + 1));

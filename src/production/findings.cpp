@@ -118,14 +118,11 @@ void add_free_motion(const Session& session, std::vector<Fact>& facts) {
 // What the scene's accuracy in pixels means here, and what is reached.
 void add_accuracy(const Session& session, const PictureBound& bound, std::vector<Fact>& facts) {
     const bool stepped = session.motion.integrated() != nullptr;
-    const bool fast = session.motion.problem().tier == Tier::fast;
     facts.push_back({"accuracy_px", json_number(session.scene.accuracy_px), "accuracy asked",
                      fmt::format("{:g} px", session.scene.accuracy_px)});
     facts.push_back({"motion_error_px", json_number(bound.motion_px), "accuracy of the motion",
                      fmt::format("{:.2g} px ({})", bound.motion_px,
-                                 stepped ? "measured over the film"
-                                 : fast  ? "a bound of rounding, phases in one word"
-                                         : "a bound of rounding, phases in two words")});
+                                 stepped ? "measured over the film" : "a bound of rounding")});
     facts.push_back({"curve_error_px", json_number(bound.curves_px), "accuracy of the curves",
                      fmt::format("{:.2g} px, by subdivision", bound.curves_px)});
     facts.push_back({"bound_px", json_number(bound.total_px()), "nothing drawn is further off than",

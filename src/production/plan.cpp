@@ -40,19 +40,6 @@ PlanLine motion_line(const Session& session) {
     }
 }
 
-PlanLine tier_line(const Session& session) {
-    const std::string error = fmt::format("{:.1g} px", motion_error_px(session));
-    if (session.motion.problem().tier == Tier::fast) {
-        return {"phases", "in one word, the fast tier",
-                fmt::format("off by at most {} over the film, a thousandth of accuracy_px or less",
-                            error)};
-    }
-    return {"phases", "in two words",
-            session.motion.free_rotation() != nullptr
-                ? "one word would take more than a thousandth of accuracy_px"
-                : "this closed form has no other"};
-}
-
 PlanLine torque_line(const Session& session) {
     if (std::holds_alternative<NoTorque>(session.motion.problem().torque)) {
         return {"torque", "none", "the scene has no [torque]"};
@@ -89,7 +76,6 @@ std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, cons
 
     std::vector<PlanLine> lines;
     lines.push_back(motion_line(session));
-    if (session.motion.sums_theta_series()) lines.push_back(tier_line(session));
     lines.push_back(torque_line(session));
     lines.push_back(
         frames_line("angular velocity", true, film.n_frames, "every panel shows it", ""));

@@ -19,7 +19,7 @@ void write_chapters_beside(const std::filesystem::path& path, const Record& reco
     Scene scene =
         parse_scene(record.scene_toml, record.scene_name + ".toml", {}, OutsideFiles::refused);
     if (scene.chapters.empty() || !record.frames) return;
-    const Session session = session_of(std::move(scene), {}, Purpose::pictures, telling);
+    const Session session = session_of(std::move(scene), {}, telling);
     const FilmPlan film = film_plan(session);
     const auto [first, last] = *record.frames;
     OutputPlan plan;

@@ -111,8 +111,7 @@ void redraw(const RedrawRequest& asked, const Telling& telling) {
                                                   : "in .mp4, .webm or .gif"));
 
     const double time_s = record.time_s.value_or(0.0);
-    Session session =
-        session_of(scene_of(request, record), {&time_s, 1}, Purpose::pictures, telling);
+    Session session = session_of(scene_of(request, record), {&time_s, 1}, telling);
     Easel easel({.backend = request.backend,
                  .portability = record.portable ? Portability::portable : Portability::native});
     if (record.time_s) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "drawing/reach.h"
 #include "drawing/type/overlay.h"
@@ -19,28 +18,6 @@
 namespace poinsot {
 
 namespace {
-
-// The greatest attitude error of the fast tier over a problem's span: a turn takes at least
-// 2π·I_min/L.
-double fast_tier_error_rad(const MotionProblem& problem) {
-    const double span_s = std::max(std::abs(problem.first_time_s), std::abs(problem.last_time_s));
-    const double rate = FreeRotation(problem.inertia, problem.start).constants().momentum_kg_m2_s /
-                        problem.inertia.moments_kg_m2().minCoeff();
-    const double n_turns = 1.0 + span_s * rate / (2.0 * std::numbers::pi);
-    return exact_residual_bound + fast_tier_rad_a_turn * n_turns;
-}
-
-// Rounding may take this share of accuracy_px and no more.
-constexpr double rounding_share = 1e-3;
-
-Tier tier_for(const Scene& scene, const MotionProblem& problem, Purpose purpose) {
-    const bool free = std::holds_alternative<NoTorque>(problem.torque);
-    if (purpose == Purpose::numbers || !free || find_method(problem.method.name).make != nullptr) {
-        return Tier::exact;
-    }
-    const double error_px = fast_tier_error_rad(problem) * pixels_per_radian(scene);
-    return error_px <= rounding_share * scene.accuracy_px ? Tier::fast : Tier::exact;
-}
 
 void note_unreached(Scene& scene, const StepChoice& step) {
     const bool given = scene.method.step_s || scene.method.tolerance;
@@ -141,14 +118,13 @@ SteppingPlan stepping_plan(const MotionProblem& problem) {
 
 }  // namespace
 
-Session open_session(const SceneRequest& request, Purpose purpose, const Telling& telling) {
+Session open_session(const SceneRequest& request, const Telling& telling) {
     Scene scene = load_scene(request.file, request.overrides, request.outside);
     set_size_on_paper(request, scene);
-    return session_of(std::move(scene), request.times_s, purpose, telling);
+    return session_of(std::move(scene), request.times_s, telling);
 }
 
-Session session_of(Scene scene, std::span<const double> times_s, Purpose purpose,
-                   const Telling& telling) {
+Session session_of(Scene scene, std::span<const double> times_s, const Telling& telling) {
     std::optional<Loop> loop = resolve_loop(scene);
     MotionProblem problem = problem_of(scene);
     extend(problem, times_s);
@@ -173,9 +149,9 @@ Session session_of(Scene scene, std::span<const double> times_s, Purpose purpose
     });
     note_unreached(scene, step);
     problem.method = step.method;
-    problem.tier =
-        at_key_of_error(scene, "start", "film", [&] { return tier_for(scene, problem, purpose); });
-    Motion motion = at_key_of_error(scene, key, "film", [&] { return Motion(problem); });
+    // What a closed form refuses is its start.
+    Motion motion =
+        at_key_of_error(scene, plan.steps ? key : "start", "film", [&] { return Motion(problem); });
 
     std::optional<Motion> beside;
     if (scene.beside) {
@@ -200,9 +176,7 @@ void throw_at_key(const Scene& scene, const std::string& key, const std::string&
 double motion_error_px(const Session& session) {
     const double px_per_rad = pixels_per_radian(session.scene);
     if (session.motion.integrated() != nullptr) return session.step.attitude_rad * px_per_rad;
-    const MotionProblem& problem = session.motion.problem();
-    const bool fast = problem.tier == Tier::fast;
-    return (fast ? fast_tier_error_rad(problem) : exact_residual_bound) * px_per_rad;
+    return exact_residual_bound * px_per_rad;
 }
 
 bool can_certify(const Session& session) {

@@ -32,10 +32,6 @@ struct Session {
     std::optional<Loop> loop;      // of a film that runs into itself
 };
 
-// What a motion is for: pictures take the closed form's fast tier where accuracy_px allows it,
-// numbers never do.
-enum class Purpose { pictures, numbers };
-
 // What is wanted of a scene file.
 struct SceneRequest {
     std::string file;
@@ -46,17 +42,15 @@ struct SceneRequest {
 };
 
 // Throws InputError.
-Session open_session(const SceneRequest& request, Purpose purpose = Purpose::pictures,
-                     const Telling& telling = {});
+Session open_session(const SceneRequest& request, const Telling& telling = {});
 
 // The motion of a scene over its film and further instants, its step chosen. Throws SceneError.
 // Stepping that would take longer than longest_stepping_s is refused, and what takes more than a
 // second is told.
-Session session_of(Scene scene, std::span<const double> times_s = {},
-                   Purpose purpose = Purpose::pictures, const Telling& telling = {});
+Session session_of(Scene scene, std::span<const double> times_s = {}, const Telling& telling = {});
 
 // How far the motion can carry anything drawn from the truth, in pixels: measured for a stepped
-// motion, the bound of the tier for a closed form.
+// motion, the bound of rounding for a closed form.
 double motion_error_px(const Session& session);
 
 // The instants of a film. Frame k shows second k/fps of it, from the ratio, never accumulated, and

@@ -25,11 +25,10 @@ inline const std::array<FreeBody, 8> regimes{{
     {"separatrix", {1.0, 2.0, 2.25}, {0.75, 0.5, 1.0}},
 }};
 
-inline MotionProblem problem_of(const FreeBody& body, Tier tier = Tier::exact) {
+inline MotionProblem problem_of(const FreeBody& body) {
     MotionProblem problem;
     problem.inertia = InertiaTensor::from_principal_moments(body.moments_kg_m2);
     problem.start.omega_body = body.omega_rad_s;
-    problem.tier = tier;
     return problem;
 }
 

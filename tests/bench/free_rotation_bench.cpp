@@ -12,14 +12,13 @@ namespace {
 using namespace poinsot;
 using namespace poinsot::bench;
 
-FreeRotation motion_of(const FreeBody& c, Tier tier = Tier::exact) {
-    const MotionProblem problem = problem_of(c, tier);
-    return {problem.inertia, problem.start, tier};
+FreeRotation motion_of(const FreeBody& c) {
+    const MotionProblem problem = problem_of(c);
+    return {problem.inertia, problem.start};
 }
 
-void evaluate(benchmark::State& state, const FreeBody& c, Tier tier, Quantities wanted,
-              double from) {
-    const FreeRotation motion = motion_of(c, tier);
+void evaluate(benchmark::State& state, const FreeBody& c, Quantities wanted, double from) {
+    const FreeRotation motion = motion_of(c);
     double t = from;
     for (auto unused : state) {
         benchmark::DoNotOptimize(motion.sample(t, wanted));
@@ -37,14 +36,13 @@ const bool registered = [] {
     const Quantities omega{.attitude = false, .herpolhode = false, .euler_angles = false};
     for (const FreeBody& c : regimes) {
         const std::string name = std::string("free/") + c.name;
-        const auto add = [&](const std::string& what, Tier tier, Quantities wanted, double from) {
-            benchmark::RegisterBenchmark((name + what).c_str(), evaluate, c, tier, wanted, from);
+        const auto add = [&](const std::string& what, Quantities wanted, double from) {
+            benchmark::RegisterBenchmark((name + what).c_str(), evaluate, c, wanted, from);
         };
-        add("/exact", Tier::exact, all, 0.0);
-        add("/exact_at_1e12_s", Tier::exact, all, 1e12);
-        add("/exact_without_herpolhode", Tier::exact, attitude, 0.0);
-        add("/exact_omega_alone", Tier::exact, omega, 0.0);
-        add("/fast", Tier::fast, all, 0.0);
+        add("/exact", all, 0.0);
+        add("/exact_at_1e12_s", all, 1e12);
+        add("/exact_without_herpolhode", attitude, 0.0);
+        add("/exact_omega_alone", omega, 0.0);
         benchmark::RegisterBenchmark((name + "/setup").c_str(), set_up, c);
     }
     return true;

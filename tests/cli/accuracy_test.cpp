@@ -48,7 +48,7 @@ std::string plan_line(const std::string& out, const std::string& what) {
 TEST(Plan, HasAReasonForEveryLine) {
     const std::string out = output_of(generic, "check scene.toml --plan");
     for (const char* what :
-         {"motion", "phases", "torque", "angular velocity", "attitude", "herpolhode's point",
+         {"motion", "torque", "angular velocity", "attitude", "herpolhode's point",
           "herpolhode's history", "Euler angles", "curves"}) {
         const std::string line = plan_line(out, what);
         const std::size_t reason = line.find('(');
@@ -62,7 +62,6 @@ TEST(Plan, FollowsTheScene) {
                                          "check scene.toml --plan --set "
                                          "'body.moments_kg_m2=[2, 2, 2]'");
     EXPECT_NE(plan_line(sphere, "motion").find("no elliptic function"), std::string::npos);
-    EXPECT_EQ(plan_line(sphere, "phases"), "");
     EXPECT_NE(plan_line(sphere, "herpolhode's history").find(": none ("), std::string::npos);
 
     const std::string body =
@@ -77,17 +76,7 @@ TEST(Plan, FollowsTheScene) {
     EXPECT_NE(plan_line(heavy, "torque").find("evaluated 4000 times"), std::string::npos) << heavy;
 }
 
-TEST(Plan, TakesTheFastTierWhereRoundingDoesNotShow) {
-    EXPECT_NE(plan_line(output_of(generic, "check scene.toml --plan"), "phases").find("fast tier"),
-              std::string::npos);
-    // 1e9 s of motion: one word would lose 7e-7 rad, more than a thousandth of 1e-4 px.
-    const std::string distant =
-        output_of(generic, "check scene.toml --plan --set film.start_s=1e9 --set accuracy_px=1e-4");
-    EXPECT_NE(plan_line(distant, "phases").find("two words"), std::string::npos) << distant;
-}
-
-// The number of `sample` are never those of the fast tier: they are the same whatever a picture
-// would allow.
+// The numbers of `sample` are the same whatever a picture would allow.
 TEST(Plan, DoesNotTouchNumbers) {
     const std::string arguments = "sample scene.toml --times 12345.678";
     EXPECT_EQ(output_of(generic, arguments),

@@ -26,10 +26,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr Quantities everything{.attitude = true, .herpolhode = true, .euler_angles = false};
 
-FreeRotation motion_of(const Vector3d& moments, const Vector3d& omega, Tier tier = Tier::exact) {
+FreeRotation motion_of(const Vector3d& moments, const Vector3d& omega) {
     RotationState start;
     start.omega_body = omega;
-    return {InertiaTensor::from_principal_moments(moments, Physicality::waived), start, tier};
+    return {InertiaTensor::from_principal_moments(moments, Physicality::waived), start};
 }
 
 // Angle between two attitudes, for small angles.

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "mechanics/families.h"
 #include "mechanics/motion.h"
 #include "mechanics/reference_cases.h"
 
@@ -86,11 +85,10 @@ using Eigen::Vector3d;
 
 constexpr Quantities everything{.attitude = true, .herpolhode = true, .euler_angles = false};
 
-FreeRotation free_rotation(const Vector3d& moments, const Vector3d& omega,
-                           Tier tier = Tier::exact) {
+FreeRotation free_rotation(const Vector3d& moments, const Vector3d& omega) {
     RotationState start;
     start.omega_body = omega;
-    return {InertiaTensor::from_principal_moments(moments), start, tier};
+    return {InertiaTensor::from_principal_moments(moments), start};
 }
 
 double angle(const Quaterniond& a, const Quaterniond& b) {
@@ -268,9 +266,7 @@ void expect_smooth(const FreeRotation& motion, double omega_norm) {
 TEST(FreeRotation, ContinuesSmoothlyThroughEveryInstant) {
     // Steps far smaller than the motion: a jump anywhere would stand out from ω·step.
     for (const Named& c : regimes) {
-        for (const Tier tier : {Tier::exact, Tier::fast}) {
-            expect_smooth(free_rotation(c.moments, c.omega, tier), c.omega.norm());
-        }
+        expect_smooth(free_rotation(c.moments, c.omega), c.omega.norm());
     }
 }
 
@@ -304,79 +300,25 @@ TEST(FreeRotation, EulerAnglesGiveBackTheAttitude) {
     }
 }
 
-// Turns of the fastest kind that the body's L allows.
-double seconds_a_turn(const FreeRotation& motion, const Vector3d& moments) {
-    return 6.283185307179586 * moments.minCoeff() / motion.constants().momentum_kg_m2_s;
-}
-
-TEST(FreeRotation, FastTierErrsByARoundingATurn) {
-    for (const Named& c : regimes) {
-        const FreeRotation exact = free_rotation(c.moments, c.omega);
-        const FreeRotation fast = free_rotation(c.moments, c.omega, Tier::fast);
-        for (const double turns : {0.3, 10.0, 1e3, 1e6, 1e9}) {
-            const double t = turns * seconds_a_turn(exact, c.moments);
-            const MotionSample a = exact.sample(t, everything);
-            const MotionSample b = fast.sample(t, everything);
-            const double allowed = 2e-15 + fast_tier_rad_a_turn * turns;
-            EXPECT_LE(angle(a.state.space_from_body, b.state.space_from_body), allowed);
-            EXPECT_LE((a.state.omega_body - b.state.omega_body).norm(), allowed * c.omega.norm());
-            EXPECT_LE((a.herpolhode_space - b.herpolhode_space).norm(), allowed * c.omega.norm());
-        }
-    }
-}
-
-TEST(FreeRotation, FastTierErrsByLessThanSixTimesTenToTheMinusSixteenATurnInTheMean) {
-    for (const families::Family& family : families::all()) {
-        double sum = 0.0;
-        double worst = 0.0;
-        constexpr int n_bodies = 40;
-        constexpr int n_instants = 8;
-        for (int i = 0; i < n_bodies; ++i) {
-            families::Random random(static_cast<families::Random::result_type>(i) + 1);
-            const families::Body body = family.draw(random);
-            const InertiaTensor inertia =
-                InertiaTensor::from_principal_moments(body.moments, Physicality::waived);
-            RotationState start;
-            start.omega_body = body.omega;
-            const FreeRotation exact(inertia, start);
-            const FreeRotation fast(inertia, start, Tier::fast);
-            for (int k = 0; k < n_instants; ++k) {
-                // 1e3 … 1e6 turns, so that what does not grow is nothing beside what does.
-                const double turns = std::pow(10.0, 3.0 + 3.0 * (k + 0.5) / n_instants) + i;
-                const double t = turns * seconds_a_turn(exact, body.moments);
-                if (!std::isfinite(t)) continue;
-                const double error = angle(exact.at(t).space_from_body, fast.at(t).space_from_body);
-                sum += error / turns;
-                worst = std::max(worst, error / turns);
-            }
-        }
-        EXPECT_LE(sum / (n_bodies * n_instants), 6e-16) << family.name;  // measured 2.5e-16
-        EXPECT_LE(worst, fast_tier_rad_a_turn) << family.name;           // measured 7.0e-16
-    }
-}
-
 TEST(FreeRotation, GivesItsStartBackExactlyAndWithoutAJump) {
     const Quaterniond attitude(0.5, -0.5, 0.5, 0.5);
     for (const Named& c : regimes) {
-        for (const Tier tier : {Tier::exact, Tier::fast}) {
-            for (const double start_s : {0.0, 2.5}) {
-                RotationState start;
-                start.time_s = start_s;
-                start.space_from_body = attitude;
-                start.omega_body = c.omega;
-                const FreeRotation motion(InertiaTensor::from_principal_moments(c.moments), start,
-                                          tier);
-                const RotationState given = motion.at(start_s);
-                EXPECT_EQ(given.omega_body, c.omega);
-                EXPECT_EQ(given.space_from_body.coeffs(), attitude.coeffs());
-                // The instants beside it come from the series.
-                for (const double beside : {-1e-300, 1e-300}) {
-                    const double t =
-                        start_s == 0.0 ? beside : std::nextafter(start_s, start_s + beside * 1e308);
-                    const RotationState state = motion.at(t);
-                    EXPECT_LE((state.omega_body - c.omega).norm(), 2e-15 * c.omega.norm());
-                    EXPECT_LE((state.space_from_body.coeffs() - attitude.coeffs()).norm(), 2e-15);
-                }
+        for (const double start_s : {0.0, 2.5}) {
+            RotationState start;
+            start.time_s = start_s;
+            start.space_from_body = attitude;
+            start.omega_body = c.omega;
+            const FreeRotation motion(InertiaTensor::from_principal_moments(c.moments), start);
+            const RotationState given = motion.at(start_s);
+            EXPECT_EQ(given.omega_body, c.omega);
+            EXPECT_EQ(given.space_from_body.coeffs(), attitude.coeffs());
+            // The instants beside it come from the series.
+            for (const double beside : {-1e-300, 1e-300}) {
+                const double t =
+                    start_s == 0.0 ? beside : std::nextafter(start_s, start_s + beside * 1e308);
+                const RotationState state = motion.at(t);
+                EXPECT_LE((state.omega_body - c.omega).norm(), 2e-15 * c.omega.norm());
+                EXPECT_LE((state.space_from_body.coeffs() - attitude.coeffs()).norm(), 2e-15);
             }
         }
     }

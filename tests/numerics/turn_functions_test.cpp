@@ -26,36 +26,33 @@ double error_in_units(Pair sin_cos_value, const QuarterTurns& phase, double smal
     return std::max(error(sin_cos_value[0], truth.sin), error(sin_cos_value[1], truth.cos));
 }
 
-template <Tier tier>
 double worst_of_random_phases() {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> rest(-0.5, 0.5);
     double worst = 0.0;
     for (int i = 0; i < 200'000; ++i) {
         const QuarterTurns phase{static_cast<unsigned>(i) % 4U, rest(random)};
-        worst = std::max(worst, error_in_units(sin_cos<tier>(phase), phase));
+        worst = std::max(worst, error_in_units(sin_cos(phase), phase));
         // The same phase as one of two.
         const QuarterTurnPair pair{{phase.whole, 1}, Pair{phase.rest.hi, 0.25}, Pair{0.0, 0.0}};
-        const SinCosPair two = sin_cos<tier>(fine(pair));
+        const SinCosPair two = sin_cos(fine(pair));
         worst = std::max(worst, error_in_units(firsts(two.sin, two.cos), phase));
     }
     return worst;
 }
 
 TEST(TurnFunctions, SineAndCosineAreGoodToHalfAUnitAndALittle) {
-    EXPECT_LE(worst_of_random_phases<Tier::exact>(), 0.60);
-    EXPECT_LE(worst_of_random_phases<Tier::fast>(), 1.10);
+    EXPECT_LE(worst_of_random_phases(), 0.60);
 }
 
 TEST(TurnFunctions, SineAndCosineKeepTheirRelativeAccuracyAtTheirZeros) {
     for (const double h : {1e-3, 1e-5, 1e-9, 1e-100, 1e-300, -1e-4, -1e-200}) {
         for (unsigned whole = 0; whole < 4; ++whole) {
             const QuarterTurns phase{whole, h};
-            EXPECT_LE(error_in_units(sin_cos<Tier::exact>(phase), phase, 0x1p-8), 2.0)
-                << h << whole;
+            EXPECT_LE(error_in_units(sin_cos(phase), phase, 0x1p-8), 2.0) << h << whole;
         }
     }
-    const Pair at_zero = sin_cos<Tier::exact>(QuarterTurns{});
+    const Pair at_zero = sin_cos(QuarterTurns{});
     EXPECT_EQ(at_zero[0], 0.0);
     EXPECT_EQ(at_zero[1], 1.0);
 }
@@ -82,7 +79,7 @@ TEST(TurnFunctions, PowersOfAHalfAndOneLessThemKeepTheirRelativeAccuracy) {
 }
 
 // Phases grow exactly: against the product in double-double, whole quarter turns taken off.
-TEST(TurnFunctions, PhasesKeepTheirDigitsInTwoWordsAndLoseThemInOneByARounding) {
+TEST(TurnFunctions, PhasesKeepTheirDigits) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> digits(-15.0, 18.0);
     std::uniform_real_distribution<double> number(-1.0, 1.0);
@@ -106,11 +103,9 @@ TEST(TurnFunctions, PhasesKeepTheirDigitsInTwoWordsAndLoseThemInOneByARounding) 
             }
             return std::abs(difference.rounded());
         };
-        const QuarterTurns exact = phases.at<Tier::exact>(time)[0];
+        const QuarterTurns exact = phases.at(time)[0];
         // Of the rest's own rounding nothing is lost; of 106 bits of the phase, 2^−100.
         EXPECT_LE(off(exact.whole, exact.rest), 0x1p-100 * (1.0 + std::abs(truth.hi)));
-        const QuarterTurns fast = phases.at<Tier::fast>(time)[0];
-        EXPECT_LE(off(fast.whole, fast.rest), 2.0 * unit + unit * std::abs(truth.hi));
     }
 }
 

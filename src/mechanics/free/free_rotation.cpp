@@ -49,8 +49,8 @@ WideDouble length(const WideDouble& x, const WideDouble& y) { return sqrt(square
 
 }  // namespace
 
-FreeRotation::FreeRotation(const InertiaTensor& inertia, const RotationState& start, Tier tier)
-    : tier_(tier), start_(start) {
+FreeRotation::FreeRotation(const InertiaTensor& inertia, const RotationState& start)
+    : start_(start) {
     check_start(start.omega_body, start.space_from_body, start.time_s);
     const Vector3d omega = principal(inertia, start.omega_body);
     const JacobiSolution solution = solve_free_rotation(inertia.moments_kg_m2(), omega);
@@ -155,7 +155,6 @@ void FreeRotation::set_output(const JacobiSolution& j, const InertiaTensor& iner
     start_.space_from_body = rounded(attitude);
     QuaternionDD axes_at_start{1.0, {0.0, 0.0, 0.0}};
     Matrix3d body_from_axes = Matrix3d::Identity();  // a, b, c
-    DoubleDouble turn_scale = 1.0;
     if (regime_ != Regime::at_rest && regime_ != Regime::permanent) {
         for (std::size_t n = 0; n < 3; ++n) {
             const Vector3d axis = j.sign[n] * inertia.body_from_principal().col(j.axis[n]);
@@ -169,13 +168,12 @@ void FreeRotation::set_output(const JacobiSolution& j, const InertiaTensor& iner
         herpolhode_bc_ = Pair{herpolhode(1), herpolhode(2)};
         const auto [re, im] = start_rotor(j);
         axes_at_start = conjugate(QuaternionDD{re, {im, 0.0, 0.0}} * start_turn(j));
-        if (tier_ == Tier::fast) turn_scale = DoubleDouble(1.0) / sqrt(kappa * 2.0);
     }
 
     // The attitude is linear in the turn: start ∘ (a, b, c → body) ∘ (axes at the start) ∘ turn.
     for (std::size_t k = 0; k < 4; ++k) {
         QuaternionDD turn{0.0, {0.0, 0.0, 0.0}};
-        (k == 0 ? turn.w : turn.v[k - 1]) = turn_scale;
+        (k == 0 ? turn.w : turn.v[k - 1]) = 1.0;
         const QuaternionDD inner = axes_at_start * turn;
         const QuaternionDD outer = attitude * QuaternionDD{inner.w, times(body_from_axes, inner.v)};
         attitude_from_turn_.set(k, rounded(outer));

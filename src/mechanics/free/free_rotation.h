@@ -40,7 +40,7 @@ class FreeRotation {
  public:
     // From a state at start.time_s. Throws InputError if ω, the attitude or the time is not finite,
     // if the attitude is zero, or if L overflows.
-    FreeRotation(const InertiaTensor& inertia, const RotationState& start, Tier tier = Tier::exact);
+    FreeRotation(const InertiaTensor& inertia, const RotationState& start);
 
     // Throws InputError if ω t overflows.
     RotationState at(double time_s) const;
@@ -48,7 +48,6 @@ class FreeRotation {
     MotionSample sample(double time_s, const Quantities& wanted) const;
 
     Regime regime() const { return regime_; }
-    Tier tier() const { return tier_; }
     // Whether an evaluation sums theta series (Jacobi's functions, or sine and cosine as their case
     // of nome 0); permanent rotation, the separatrix and rest need none.
     bool sums_theta_series() const {
@@ -62,17 +61,11 @@ class FreeRotation {
     double scaled_time(double time_s) const;
     void evaluate(double time_s, const Quantities& wanted, MotionSample& out) const;
     void steady(double time, const Quantities& wanted, MotionSample& out) const;
-    template <Tier tier>
     SeriesPoint trigonometric_point(double time) const;
-    template <Tier tier>
     SeriesPoint hyperbolic_point(double time) const;
-    template <Tier tier>
     SeriesPoint separatrix_point(double time) const;
-    template <Series series, Tier tier>
+    template <Series series>
     void evaluate_series(double time, const Quantities& wanted, MotionSample& out) const;
-    template <Tier tier>
-    void evaluate_in(double time, const Quantities& wanted, MotionSample& out) const;
-    template <Tier tier>
     void finish(const SeriesPoint& point, const Quantities& wanted, MotionSample& out) const;
     void set_constants(const JacobiSolution& solution, const InertiaTensor& inertia,
                        const RotationState& start);
@@ -81,7 +74,6 @@ class FreeRotation {
                     const RotationState& start, DoubleDouble kappa);
 
     Regime regime_ = Regime::at_rest;
-    Tier tier_ = Tier::exact;
     Series series_ = Series::none;
 
     // Times are taken in units of 2^−n s near 1/|ω|, so that no product over- or underflows.
@@ -96,10 +88,10 @@ class FreeRotation {
     Eigen::Vector3d steady_axis_body_ = Eigen::Vector3d::Zero();  // ω/|ω| of permanent rotation
     // What the output is linear in.
     ThreeRows<3> omega_from_direction_;  // of the momentum, along a, b, c: (L/I)·(the axis)
-    QuaternionRows attitude_from_turn_;  // fast: over √2κ, which normalises
-    ThreeRows<2> plane_space_;           // the invariable plane's two directions over κ
-    double herpolhode_a_ = 0.0;          // (L² − 2TI)/(I L) of a
-    Pair herpolhode_bc_{0.0, 0.0};       // and of b, c
+    QuaternionRows attitude_from_turn_;
+    ThreeRows<2> plane_space_;      // the invariable plane's two directions over κ
+    double herpolhode_a_ = 0.0;     // (L² − 2TI)/(I L) of a
+    Pair herpolhode_bc_{0.0, 0.0};  // and of b, c
     FreeRotationConstants constants_;
 };
 

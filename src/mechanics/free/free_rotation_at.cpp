@@ -18,32 +18,29 @@ inline double FreeRotation::scaled_time(double time_s) const {
 }
 
 // The point functions and the finish are inlined, which keeps a SeriesPoint in registers.
-template <Tier tier>
 [[gnu::always_inline]] inline SeriesPoint FreeRotation::trigonometric_point(double time) const {
-    const SinCosPair turns = sin_cos<tier>(phases_.fine_at<tier>(time));
+    const SinCosPair turns = sin_cos(fine(phases_.at(time)));
     SeriesPoint point = trigonometric_.at(firsts(turns.sin, turns.cos));
     point.rotor = complex_product(point.rotor, seconds(turns.cos, turns.sin));
     return point;
 }
 
-template <Tier tier>
 [[gnu::always_inline]] inline SeriesPoint FreeRotation::hyperbolic_point(double time) const {
-    const QuarterTurnPair turns = phases_.at<tier>(time);
+    const QuarterTurnPair turns = phases_.at(time);
     const QuarterTurns phase = turns[series_phase];
     const HyperbolicSeries::Place place = HyperbolicSeries::place(phase);
-    SeriesPoint point = hyperbolic_.at<tier>(phase, place);
-    const Pair turn = sin_cos<tier>(turns[mean_turn], hyperbolic_.phase_per_period * place.periods);
+    SeriesPoint point = hyperbolic_.at(phase, place);
+    const Pair turn = sin_cos(turns[mean_turn], hyperbolic_.phase_per_period * place.periods);
     point.rotor = complex_product(point.rotor, swapped(turn));
     return point;
 }
 
-template <Tier tier>
 [[gnu::always_inline]] inline SeriesPoint FreeRotation::separatrix_point(double time) const {
     const DoubleDouble rate = phases_.rate(series_phase);
     const DoubleDouble start = phases_.start(series_phase);
     DoubleDouble x = rate.hi * time + start.hi;
     const double side = x.hi < 0.0 ? -1.0 : 1.0;
-    if (tier == Tier::exact && std::abs(x.hi) < 2000.0) x = rate * time + start;
+    if (std::abs(x.hi) < 2000.0) x = rate * time + start;
     x = abs(DoubleDouble(128.0 * x.hi, 128.0 * x.lo));
     // The approach to the middle axis goes through the subnormal numbers to nothing.
     double E = 0.0;
@@ -56,16 +53,15 @@ template <Tier tier>
         E = 0x1p-600 * powers_of_half(x.hi - 76'800.0, x.lo, 0.0).powers[0];
     }
     SeriesPoint point = hyperbolic_.at_separatrix(E, one_less_E, side);
-    const Pair turn = sin_cos<tier>(phases_.at<tier>(time)[mean_turn]);
+    const Pair turn = sin_cos(phases_.at(time)[mean_turn]);
     point.rotor = complex_product(point.rotor, swapped(turn));
     return point;
 }
 
 // P = (1 + n_a, 0, n_c, −n_b) takes the momentum's direction to a, and the rotor turns about a:
 // |P|²·weight² = 2·weight·(weight + a), and |rotor|² = κ·(weight + a), for both sides of
-// Θ(u)Θ(−u) ∝ θ₄(u)·(1 + A/L·dn u) have the same zeros, ±iβ, and no pole. So no length has to be
-// taken; the exact tier takes the quaternion's, for one rounding where these products have five.
-template <Tier tier>
+// Θ(u)Θ(−u) ∝ θ₄(u)·(1 + A/L·dn u) have the same zeros, ±iβ, and no pole. So no length would
+// have to be taken; the quaternion's is, for one rounding where these products have five.
 [[gnu::always_inline]] inline void FreeRotation::finish(const SeriesPoint& point,
                                                         const Quantities& wanted,
                                                         MotionSample& out) const {
@@ -78,11 +74,8 @@ template <Tier tier>
     if (wanted.attitude || wanted.euler_angles) {
         const Pair across =
             both(point.b_c[1]) * point.rotor - both(point.b_c[0]) * times_i(point.rotor);
-        double scale = std::sqrt(weight) * g;
-        if constexpr (tier == Tier::exact) {
-            scale = 1.0 /
-                    std::sqrt((p0 * p0 + squared_length(point.b_c)) * squared_length(point.rotor));
-        }
+        const double scale =
+            1.0 / std::sqrt((p0 * p0 + squared_length(point.b_c)) * squared_length(point.rotor));
         attitude_from_turn_.product(point.rotor * p0, across, scale, out.state.space_from_body);
     }
     if (wanted.herpolhode) {
@@ -98,39 +91,22 @@ void FreeRotation::steady(double time, const Quantities& wanted, MotionSample& o
     out.state.omega_body = start_.omega_body;
     if (!wanted.attitude && !wanted.euler_angles) return;
     Pair half{0.0, 1.0};  // (sin, cos) of half the turn
-    if (series_ != Series::none)
-        half = sin_cos<Tier::exact>(phases_.at<Tier::exact>(time)[mean_turn]);
+    if (series_ != Series::none) half = sin_cos(phases_.at(time)[mean_turn]);
     const Eigen::Vector3d turn = half[0] * steady_axis_body_;
     attitude_from_turn_.product(Pair{half[1], turn[0]}, Pair{turn[1], turn[2]}, 1.0,
                                 out.state.space_from_body);
 }
 
-// One function for each series and tier, so that none saves registers for another.
-template <FreeRotation::Series series, Tier tier>
+// One function for each series, so that none saves registers for another.
+template <FreeRotation::Series series>
 [[gnu::noinline]] void FreeRotation::evaluate_series(double time, const Quantities& wanted,
                                                      MotionSample& out) const {
     if constexpr (series == Series::trigonometric) {
-        finish<tier>(trigonometric_point<tier>(time), wanted, out);
+        finish(trigonometric_point(time), wanted, out);
     } else if constexpr (series == Series::hyperbolic) {
-        finish<tier>(hyperbolic_point<tier>(time), wanted, out);
+        finish(hyperbolic_point(time), wanted, out);
     } else {
-        finish<tier>(separatrix_point<tier>(time), wanted, out);
-    }
-}
-
-template <Tier tier>
-[[gnu::always_inline]] inline void FreeRotation::evaluate_in(double time, const Quantities& wanted,
-                                                             MotionSample& out) const {
-    switch (series_) {
-        case Series::none:
-        case Series::permanent:
-            return steady(time, wanted, out);
-        case Series::trigonometric:
-            return evaluate_series<Series::trigonometric, tier>(time, wanted, out);
-        case Series::hyperbolic:
-            return evaluate_series<Series::hyperbolic, tier>(time, wanted, out);
-        case Series::separatrix:
-            return evaluate_series<Series::separatrix, tier>(time, wanted, out);
+        finish(separatrix_point(time), wanted, out);
     }
 }
 
@@ -138,10 +114,20 @@ inline void FreeRotation::evaluate(double time_s, const Quantities& wanted,
                                    MotionSample& out) const {
     out.state.time_s = time_s;
     const double time = scaled_time(time_s);
-    if (tier_ == Tier::exact) {
-        evaluate_in<Tier::exact>(time, wanted, out);
-    } else {
-        evaluate_in<Tier::fast>(time, wanted, out);
+    switch (series_) {
+        case Series::none:
+        case Series::permanent:
+            steady(time, wanted, out);
+            break;
+        case Series::trigonometric:
+            evaluate_series<Series::trigonometric>(time, wanted, out);
+            break;
+        case Series::hyperbolic:
+            evaluate_series<Series::hyperbolic>(time, wanted, out);
+            break;
+        case Series::separatrix:
+            evaluate_series<Series::separatrix>(time, wanted, out);
+            break;
     }
     // At the start the state is the one given, which the series give back but for their rounding.
     if (time_s == start_.time_s) [[unlikely]] {

@@ -80,21 +80,15 @@ struct HyperbolicSeries {
         return {sign, flip, 0.5 * phase.rest.hi, false};
     }
 
-    template <Tier tier>
     [[gnu::always_inline]] SeriesPoint at(const QuarterTurns& phase, const Place& place) const {
         // The larger of E and F is the exponential of the distance to the nearest multiple of K, so
         // that 1 − X and 1 − Y keep their relative accuracy at the zeros of sn and cn.
         const DoubleDouble h = abs(phase.rest);
-        PowersOfHalf near;
-        if constexpr (tier == Tier::fast) {
-            near = powers_of_half(h.hi * (exponent_high + exponent_low), 0.0, root_nome_up);
-        } else {
-            const DoubleDouble halves = split(h.hi);
-            near = powers_of_half(
-                halves.hi * exponent_high,
-                halves.hi * exponent_low + (halves.lo + h.lo) * (exponent_high + exponent_low),
-                root_nome_up);
-        }
+        const DoubleDouble halves = split(h.hi);
+        const PowersOfHalf near = powers_of_half(
+            halves.hi * exponent_high,
+            halves.hi * exponent_low + (halves.lo + h.lo) * (exponent_high + exponent_low),
+            root_nome_up);
         return place.nearer_odd
                    ? sum(swapped(near.powers), swapped(near.complements), place.side, place.parity)
                    : sum(near.powers, near.complements, place.side, place.parity);
