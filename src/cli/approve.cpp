@@ -58,7 +58,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command approve_command{
+extern const Command approve_command{
     "approve",
     "NAME",
     0,

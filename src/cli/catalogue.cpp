@@ -19,7 +19,7 @@
 #include "mechanics/solids.h"
 #include "mesh/named_objects.h"
 #include "output/frame_sink.h"
-#include "production/quality.h"
+#include "output/quality.h"
 #include "production/sampling/sample_table.h"
 #include "scene/camera_views.h"
 #include "scene/easing.h"

@@ -97,7 +97,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command check_command{
+extern const Command check_command{
     "check",
     "SCENE",
     1,

@@ -42,20 +42,4 @@ struct Command {
 
 std::span<const Command> commands();
 
-extern const Command render_command;
-extern const Command still_command;
-extern const Command check_command;
-extern const Command sample_command;
-extern const Command tradeoff_command;
-extern const Command list_command;
-extern const Command doctor_command;
-extern const Command compare_command;
-extern const Command approve_command;
-extern const Command explain_command;
-extern const Command rerender_command;
-extern const Command recover_command;
-extern const Command join_command;
-extern const Command submit_command;
-extern const Command status_command;
-
 }  // namespace poinsot

@@ -245,7 +245,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command compare_command{
+extern const Command compare_command{
     "compare",
     "REF NEW",
     2,

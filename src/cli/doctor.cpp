@@ -86,13 +86,14 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command doctor_command{"doctor",
-                             "",
-                             0,
-                             0,
-                             "say what this machine gives: contexts, codecs, fonts",
-                             line,
-                             {{{"poinsot doctor", "what draws, encodes and sets type here"},
-                               {"poinsot doctor --json", "the same for a program to read"}}}};
+extern const Command doctor_command{
+    "doctor",
+    "",
+    0,
+    0,
+    "say what this machine gives: contexts, codecs, fonts",
+    line,
+    {{{"poinsot doctor", "what draws, encodes and sets type here"},
+      {"poinsot doctor --json", "the same for a program to read"}}}};
 
 }  // namespace poinsot

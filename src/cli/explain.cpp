@@ -105,7 +105,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command explain_command{
+extern const Command explain_command{
     "explain",
     "FILE",
     1,

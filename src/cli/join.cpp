@@ -32,7 +32,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command join_command{
+extern const Command join_command{
     "join",
     "PART",
     1,

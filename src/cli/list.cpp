@@ -151,7 +151,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command list_command{
+extern const Command list_command{
     "list",
     "WHAT WORD",
     0,

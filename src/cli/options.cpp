@@ -6,7 +6,7 @@
 #include "cli/scenes.h"
 #include "drawing/theme.h"
 #include "error/error.h"
-#include "production/quality.h"
+#include "output/quality.h"
 #include "text/printable.h"
 
 namespace poinsot {

@@ -24,6 +24,23 @@
 
 namespace poinsot {
 
+// What the table names, one file each.
+extern const Command render_command;
+extern const Command still_command;
+extern const Command check_command;
+extern const Command sample_command;
+extern const Command tradeoff_command;
+extern const Command list_command;
+extern const Command doctor_command;
+extern const Command compare_command;
+extern const Command approve_command;
+extern const Command explain_command;
+extern const Command rerender_command;
+extern const Command recover_command;
+extern const Command join_command;
+extern const Command submit_command;
+extern const Command status_command;
+
 namespace {
 
 // "--output" of "-o,--output", by which a message names the option.

@@ -32,7 +32,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command recover_command{
+extern const Command recover_command{
     "recover",
     "FILM",
     1,

@@ -117,7 +117,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command render_command{
+extern const Command render_command{
     "render",
     "SCENE",
     1,

@@ -39,7 +39,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command rerender_command{
+extern const Command rerender_command{
     "rerender",
     "FILE",
     1,

@@ -128,7 +128,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command sample_command{
+extern const Command sample_command{
     "sample",
     "SCENE",
     1,

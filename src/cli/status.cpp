@@ -93,7 +93,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command status_command{
+extern const Command status_command{
     "status",
     "FOLDER",
     1,

@@ -156,7 +156,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command still_command{
+extern const Command still_command{
     "still",
     "SCENE",
     1,

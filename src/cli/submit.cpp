@@ -140,7 +140,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command submit_command{
+extern const Command submit_command{
     "submit",
     "SCENE",
     1,

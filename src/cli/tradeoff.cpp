@@ -80,7 +80,7 @@ CommandLine line(std::any& room) {
 
 }  // namespace
 
-const Command tradeoff_command{
+extern const Command tradeoff_command{
     "tradeoff",
     "SCENE",
     1,

@@ -14,6 +14,17 @@
 
 namespace poinsot {
 
+// The rows, one file each.
+void make_space_panel(Panel& panel);
+void make_body_panel(Panel& panel);
+void make_plan_panel(Panel& panel);
+void make_momentum_panel(Panel& panel);
+void make_plot_panel(Panel& panel);
+void make_potential_panel(Panel& panel);
+void make_top_panel(Panel& panel);
+void make_object_panel(Panel& panel);
+void make_sweep_panel(Panel& panel);
+
 namespace {
 
 bool rolls(const StageData& stage) { return stage.rolling.has_value(); }

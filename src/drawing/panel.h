@@ -54,15 +54,4 @@ const PanelKind& panel_kind_named(std::string_view name);
 // The kind of panel that suits a motion when the scene names none.
 std::string_view default_panel(const StageData& stage);
 
-// The rows, one file each.
-void make_space_panel(Panel& panel);
-void make_body_panel(Panel& panel);
-void make_plan_panel(Panel& panel);
-void make_momentum_panel(Panel& panel);
-void make_plot_panel(Panel& panel);
-void make_potential_panel(Panel& panel);
-void make_top_panel(Panel& panel);
-void make_object_panel(Panel& panel);
-void make_sweep_panel(Panel& panel);
-
 }  // namespace poinsot

@@ -15,9 +15,9 @@
 #include "lab/measure.h"
 #include "lab/tradeoff.h"
 #include "output/frame_sink.h"
+#include "output/quality.h"
 #include "output/video_reader.h"
 #include "production/picture.h"
-#include "production/quality.h"
 
 namespace poinsot {
 

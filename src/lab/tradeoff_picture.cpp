@@ -8,8 +8,8 @@
 
 #include "lab/measure.h"
 #include "lab/tradeoff.h"
+#include "output/quality.h"
 #include "production/picture.h"
-#include "production/quality.h"
 
 namespace poinsot {
 

@@ -11,12 +11,32 @@
 #include <vector>
 
 #include "error/error.h"
-#include "mechanics/stepped/integrators.h"
 #include "mechanics/top/heavy_top.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 
 namespace poinsot {
+
+// What the rows step by, in stepped/.
+
+// Explicit, for any torque.
+Propagator euler(const MethodStart& start);   // order 1
+Propagator rk4(const MethodStart& start);     // order 4
+Propagator dopri5(const MethodStart& start);  // order 5, adaptive, dense output of order 4
+// Runge–Kutta–Munthe-Kaas of order 4 for the attitude, with L in space: L is kept without a torque.
+Propagator rkmk4(const MethodStart& start);
+
+// Implicit midpoint rule in momentum with a Cayley update of the attitude, order 2: keeps L in
+// space and T to rounding at every step.
+Propagator midpoint(const MethodStart& start);
+
+// Strang splitting into exact rotations about the principal axes, order 2: symplectic, keeps L in
+// space; with gravity, half a kick before and after.
+Propagator splitting(const MethodStart& start);
+
+// Preprocessed discrete Moser–Veselov algorithm of order 2, 4, 6, 8 or 10: keeps L in space and T
+// to rounding at every step.
+Propagator dmv(const MethodStart& start);
 
 namespace {
 

@@ -14,6 +14,24 @@
 
 namespace poinsot {
 
+// What the rows open, one file each.
+std::unique_ptr<FrameSink> open_mp4(const OutputPlan& plan);
+std::unique_ptr<FrameSink> open_webm(const OutputPlan& plan);
+std::unique_ptr<FrameSink> open_gif(const OutputPlan& plan);
+std::unique_ptr<FrameSink> open_png_sequence(const OutputPlan& plan);
+std::unique_ptr<FrameSink> open_png_still(const OutputPlan& plan);
+std::unique_ptr<FrameSink> open_md5(const OutputPlan& plan);
+std::unique_ptr<FrameSink> open_null(const OutputPlan& plan);
+
+std::int64_t recover_mp4(const std::filesystem::path& path, const Tell& tell);
+std::int64_t recover_webm(const std::filesystem::path& path, const Tell& tell);
+std::int64_t recover_gif(const std::filesystem::path& path, const Tell& tell);
+
+void join_mp4(FrameEntries& entries, const OutputPlan& plan);
+void join_webm(FrameEntries& entries, const OutputPlan& plan);
+void join_gif(FrameEntries& entries, const OutputPlan& plan);
+void join_md5(FrameEntries& entries, const OutputPlan& plan);
+
 namespace {
 
 // The two PNG rows share a suffix: a file name with '#' in it asks for the first.

@@ -1,7 +1,5 @@
-// What the rows of the table of formats open. Known only to the table.
+// What the formats have in common.
 #pragma once
-
-#include <memory>
 
 #include "output/frame_sink.h"
 
@@ -21,22 +19,5 @@ std::int64_t n_shown_of(const OutputPlan& plan, std::int64_t n_frames);
 
 // The number of the first frame that comes.
 std::int64_t first_number(const OutputPlan& plan);
-
-std::unique_ptr<FrameSink> open_mp4(const OutputPlan& plan);
-std::unique_ptr<FrameSink> open_webm(const OutputPlan& plan);
-std::unique_ptr<FrameSink> open_gif(const OutputPlan& plan);
-std::unique_ptr<FrameSink> open_png_sequence(const OutputPlan& plan);
-std::unique_ptr<FrameSink> open_png_still(const OutputPlan& plan);
-std::unique_ptr<FrameSink> open_md5(const OutputPlan& plan);
-std::unique_ptr<FrameSink> open_null(const OutputPlan& plan);
-
-std::int64_t recover_mp4(const std::filesystem::path& path, const Tell& tell);
-std::int64_t recover_webm(const std::filesystem::path& path, const Tell& tell);
-std::int64_t recover_gif(const std::filesystem::path& path, const Tell& tell);
-
-void join_mp4(FrameEntries& entries, const OutputPlan& plan);
-void join_webm(FrameEntries& entries, const OutputPlan& plan);
-void join_gif(FrameEntries& entries, const OutputPlan& plan);
-void join_md5(FrameEntries& entries, const OutputPlan& plan);
 
 }  // namespace poinsot

@@ -50,7 +50,7 @@ struct OutputPlan {
     FrameRate rate;
     std::int64_t first_frame = 0;     // number of the first frame written, for sequences
     std::int64_t n_frames = 0;        // how many will come
-    std::string quality = "lecture";  // draft, lecture, print, reference
+    std::string quality = "lecture";  // a name of output/quality.h
     int encoder_threads = 0;          // 0: chosen by the sink
     std::string metadata;             // text carried in the file
     Tell tell;                        // makes that text of it; without, it is carried as it is

@@ -17,6 +17,7 @@
 #include "output/film_packets.h"
 #include "output/formats.h"
 #include "output/frame_log.h"
+#include "output/quality.h"
 #include "output/video_encoder.h"
 #include "output/yuv.h"
 #include "system/atomic_file.h"
@@ -29,32 +30,12 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
 
-// What a quality name asks of x264: points of the front that tests/bench/x264_search.py finds. At
-// the likeness of the preset medium at crf 18 (SSIM 0.9969, default scene, 1920×1080) and with
-// their presets' lookahead, "lecture" takes 0.46 of its CPU time and 1.11 of its size, "print" 0.67
-// and 0.99, "reference" 1.31 and 0.93. psy would add the grain that drawings lack; aq-mode 2 spends
-// a tenth more than aq-mode 1 for the same likeness. A short lookahead bounds memory and what a
-// kill can take, which stays under a second from 24 frames a second on: 10 frames instead of 20
-// make a print film 1 % smaller and its SSIM 0.00015 less. A lookahead thread of its own, before
-// which sync-lookahead frames wait (4 by default), changes no byte: with 2 a lecture film takes 6 %
-// less time and 20 MiB more, those below and above it gain nothing.
-struct Quality {
-    std::string_view name;
-    const char *preset, *crf, *x264;
-};
-constexpr std::array<Quality, 4> kQualities = {{
-    {"draft", "ultrafast", "23", "psy=0:sync-lookahead=0"},
-    {"lecture", "veryfast", "18", "psy=0:aq-mode=1:trellis=1:sync-lookahead=2"},
-    {"print", "fast", "17", "psy=0:aq-mode=1:rc-lookahead=10:sync-lookahead=0"},
-    {"reference", "slow", "14", "psy=0:aq-mode=1:rc-lookahead=10:sync-lookahead=0"},
-}};
-
 // x264 decides otherwise with another number of threads, so the number must not come from the
 // machine.
 constexpr int kThreads = 3;
 
 EncoderSettings settings_for(const OutputPlan& plan) {
-    const Quality& quality = quality_named(kQualities, plan.quality);
+    const X264Effort& effort = quality_named(plan.quality).x264;
     EncoderSettings settings;
     settings.codec = "libx264";
     settings.width_px = plan.width_px;
@@ -62,9 +43,9 @@ EncoderSettings settings_for(const OutputPlan& plan) {
     settings.rate = plan.rate;
     settings.n_threads = plan.encoder_threads > 0 ? plan.encoder_threads : kThreads;
     settings.header_in_container = true;
-    settings.options = {{"preset", quality.preset},
-                        {"crf", quality.crf},
-                        {"x264-params", fmt::format("cpu-independent=1:{}", quality.x264)}};
+    settings.options = {{"preset", effort.preset},
+                        {"crf", effort.crf},
+                        {"x264-params", fmt::format("cpu-independent=1:{}", effort.parameters)}};
     return settings;
 }
 

@@ -101,11 +101,6 @@ AVRational as_rational(const FrameRate& rate) {
     return {static_cast<int>(rate.numerator), static_cast<int>(rate.denominator)};
 }
 
-void throw_unknown_quality(const std::string& name) {
-    throw InputError(fmt::format(
-        "there is no quality \"{}\"; there are draft, lecture, print and reference", name));
-}
-
 void silence_libav() { av_log_set_level(AV_LOG_QUIET); }
 
 }  // namespace poinsot

@@ -55,17 +55,6 @@ void check_any_frame(std::int64_t n_written, const OutputPlan& plan);
 // The rate as FFmpeg's rational.
 AVRational as_rational(const FrameRate& rate);
 
-[[noreturn]] void throw_unknown_quality(const std::string& name);
-
-// The row of a format's table of qualities that a plan asks for. Throws InputError listing the
-// names.
-template <typename Quality, std::size_t n>
-const Quality& quality_named(const std::array<Quality, n>& table, const std::string& name) {
-    for (const Quality& quality : table)
-        if (quality.name == name) return quality;
-    throw_unknown_quality(name);
-}
-
 // FFmpeg prints to stderr by itself; what it has to say arrives in our errors instead.
 void silence_libav();
 

@@ -16,6 +16,7 @@
 #include "output/film_packets.h"
 #include "output/formats.h"
 #include "output/frame_log.h"
+#include "output/quality.h"
 #include "output/video_encoder.h"
 #include "output/yuv.h"
 #include "system/atomic_file.h"
@@ -27,23 +28,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a quality name asks of libvpx. Speed 8 exists in its realtime mode only.
-struct Quality {
-    std::string_view name;
-    const char *deadline, *speed, *crf;
-};
-constexpr std::array<Quality, 4> kQualities = {{
-    {"draft", "realtime", "8", "36"},
-    {"lecture", "realtime", "6", "28"},
-    {"print", "good", "4", "24"},
-    {"reference", "good", "2", "16"},
-}};
-
 // As with x264, the bytes depend on the number of threads.
 constexpr int kThreads = 2;
 
 EncoderSettings settings_for(const OutputPlan& plan, bool alpha) {
-    const Quality& quality = quality_named(kQualities, plan.quality);
+    const Vp9Effort& effort = quality_named(plan.quality).vp9;
     EncoderSettings settings;
     settings.codec = "libvpx-vp9";
     settings.pixel_format = alpha ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
@@ -52,9 +41,9 @@ EncoderSettings settings_for(const OutputPlan& plan, bool alpha) {
     settings.rate = plan.rate;
     settings.n_threads = plan.encoder_threads > 0 ? plan.encoder_threads : kThreads;
     // Frames that are never shown cannot carry alpha.
-    settings.options = {{"deadline", quality.deadline},
-                        {"cpu-used", quality.speed},
-                        {"crf", quality.crf},
+    settings.options = {{"deadline", effort.deadline},
+                        {"cpu-used", effort.speed},
+                        {"crf", effort.crf},
                         {"b", "0"},
                         {"row-mt", "1"},
                         {"lag-in-frames", "16"},
@@ -257,7 +246,7 @@ class WebmSink : public FrameSink {
 
 std::unique_ptr<FrameSink> open_webm(const OutputPlan& plan) {
     check_film(plan);
-    quality_named(kQualities, plan.quality);
+    quality_named(plan.quality);
     silence_libav();
     return std::make_unique<WebmSink>(plan);
 }

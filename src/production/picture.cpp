@@ -7,8 +7,8 @@
 
 #include "error/error.h"
 #include "image/downsample.h"
+#include "output/quality.h"
 #include "production/print_size.h"
-#include "production/quality.h"
 #include "scene/scene_error.h"
 #include "text/nearest.h"
 #include "text/utf8.h"

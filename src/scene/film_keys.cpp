@@ -125,7 +125,7 @@ const SceneKey film_rows[] = {
      [](const GivenValue& g, SceneDraft& d) { d.scene.film.speed = g.positive(); },
      [](const Scene& s, size_t) { return toml_text(s.film.speed); }},
     {"film.quality", "a string", "", R"("lecture")",
-     "draft, lecture, print or reference, see `poinsot list qualities`; default lecture",
+     "how finely drawn and encoded, see `poinsot list qualities`; default lecture",
      [](const GivenValue& g, SceneDraft& d) { d.scene.film.quality = g.text(); },
      [](const Scene& s, size_t) { return toml_text(std::string_view(s.film.quality)); }},
 };

@@ -78,4 +78,17 @@ struct Dot {
     Occlusion occlusion = Occlusion::by_solids;
 };
 
+// Those of a view, as SolidLists.
+struct LineLists {
+    std::vector<Curve> curves;
+    std::vector<Arrow> arrows;
+    std::vector<Dot> dots;
+};
+template <typename Function>
+void for_each(LineLists& lists, const Function& function) {
+    function(lists.curves);
+    function(lists.arrows);
+    function(lists.dots);
+}
+
 }  // namespace poinsot

@@ -74,4 +74,19 @@ struct Mesh {
     bool casts_shadow = true;
 };
 
+// Those of a view. for_each passes each list to a function.
+struct SolidLists {
+    std::vector<Plane> planes;
+    std::vector<Ellipsoid> ellipsoids;
+    std::vector<Cone> cones;
+    std::vector<Mesh> meshes;
+};
+template <typename Function>
+void for_each(SolidLists& lists, const Function& function) {
+    function(lists.planes);
+    function(lists.ellipsoids);
+    function(lists.cones);
+    function(lists.meshes);
+}
+
 }  // namespace poinsot

@@ -19,22 +19,23 @@
 namespace poinsot {
 
 // One picture within the picture, with its own axes and camera. Pixels, y down, row 0 on top.
-struct View {
+struct View : SolidLists, LineLists {
     int x_px = 0, y_px = 0, width_px = 0, height_px = 0;
     Camera camera;
     Light light;
     Background background;
-    std::vector<Plane> planes;
-    std::vector<Ellipsoid> ellipsoids;
-    std::vector<Cone> cones;
-    std::vector<Mesh> meshes;
-    std::vector<Curve> curves;
-    std::vector<Arrow> arrows;
-    std::vector<Dot> dots;
     std::vector<Label> labels;
     std::deque<GlyphMask> live_masks;       // of labels that belong to this drawing alone
     std::deque<CurveGeometry> live_curves;  // likewise of curves
 };
+
+// Passes each list of a view's shapes to a function, labels among them.
+template <typename Function>
+void for_each_list(View& view, const Function& function) {
+    for_each(static_cast<SolidLists&>(view), function);
+    for_each(static_cast<LineLists&>(view), function);
+    function(view.labels);
+}
 
 // A whole video frame or still, or a part of one that is drawn by itself.
 struct Drawing {

@@ -19,10 +19,10 @@
 #include "error/error.h"
 #include "lab/measure.h"
 #include "output/pipeline.h"
+#include "output/quality.h"
 #include "output/video_encoder.h"
 #include "output/yuv.h"
 #include "production/picture.h"
-#include "production/quality.h"
 #include "production/session.h"
 #include "scene/load_scene.h"
 

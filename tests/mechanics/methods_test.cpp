@@ -13,7 +13,7 @@
 #include "error/error.h"
 #include "mechanics/motion.h"
 #include "mechanics/stepped/integrated_rotation.h"
-#include "mechanics/stepped/integrators.h"
+#include "mechanics/stepped/moser_veselov_series.h"
 #include "mechanics/top/heavy_top.h"
 
 namespace poinsot {

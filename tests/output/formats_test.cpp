@@ -107,7 +107,7 @@ TEST(Formats, UnknownQualityListsTheKnown) {
         OutputPlan plan = small_plan(folder / name);
         plan.quality = "best";
         EXPECT_EQ(input_error_of([&] { format_for(plan.path).open(plan); }),
-                  "there is no quality \"best\"; there are draft, lecture, print and reference");
+                  "unknown quality \"best\"; choose from: draft, lecture, print, reference");
     }
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "error/error.h"
-#include "mechanics/stepped/integrators.h"
+#include "mechanics/methods.h"
 
 namespace poinsot {
 

@@ -1,5 +1,4 @@
-#include "mechanics/stepped/integrators.h"
-
+// The integrators: one function each, named by a row of the table in methods.cpp.
 #include <fmt/format.h>
 
 #include <Eigen/LU>
@@ -7,7 +6,9 @@
 #include <cmath>
 
 #include "error/error.h"
+#include "mechanics/methods.h"
 #include "mechanics/stepped/fixed_step.h"
+#include "mechanics/stepped/moser_veselov_series.h"
 
 namespace poinsot {
 

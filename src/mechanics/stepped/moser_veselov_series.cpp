@@ -8,11 +8,11 @@
 //
 // In this file 1, 2 are the axes of the lowest and highest moment, 3 the middle one; |L| = 1, and h
 // stands for h|L|/tr(I).
+#include "mechanics/stepped/moser_veselov_series.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "mechanics/stepped/integrators.h"
 
 namespace poinsot {
 

@@ -1,5 +1,4 @@
-// What the names of --quality mean for the picture; what they mean for an encoder stands with the
-// encoders.
+// What the names of --quality mean: for the picture, for each encoder, and what both come to.
 #pragma once
 
 #include <span>
@@ -17,10 +16,20 @@ struct QualityFigures {
     double film_ssim;   // structural similarity
 };
 
+// In the encoders' own words.
+struct X264Effort {
+    const char *preset, *crf, *parameters;
+};
+struct Vp9Effort {
+    const char *deadline, *speed, *crf;
+};
+
 struct Quality {
     std::string_view name;
     double curve_tolerance;  // factor on the scene's accuracy_px for the sampling of curves
     int samples;             // the picture is drawn samples × samples times as large and averaged
+    X264Effort x264;
+    Vp9Effort vp9;
     std::string_view summary;
     QualityFigures figures;
 };
