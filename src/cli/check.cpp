@@ -26,13 +26,10 @@ struct CheckChoices {
 };
 
 void print_json(const std::vector<Fact>& facts, const SweepPoint& point) {
-    fmt::print("{{\n");
-    for (const auto& [key, value] : point)
-        fmt::print("  {}: {},\n", json_string(key), json_string(value));
-    for (std::size_t i = 0; i < facts.size(); ++i)
-        fmt::print("  {}: {}{}\n", json_string(facts[i].key), facts[i].json,
-                   i + 1 < facts.size() ? "," : "");
-    fmt::print("}}\n");
+    JsonObject object;
+    for (const auto& [key, value] : point) object.add(key, value);
+    for (const Fact& fact : facts) object.json(fact.key, fact.json);
+    fmt::print("{}", object.lines());
 }
 
 void print_words(const Findings& findings) {

@@ -91,27 +91,33 @@ bool are_folders(const fs::path& expected, const fs::path& actual) {
 }
 
 void print_json(const std::vector<ComparedPicture>& pictures, const CompareLimits& limits) {
-    fmt::print(
-        "{{\n  \"passes\": {},\n  \"limits\": {{\"differing_share\": {}, \"level\": {}, "
-        "\"over_level_share\": {}}},\n  \"pictures\": [\n",
-        all_pass(pictures), json_number(limits.differing_share), limits.level,
-        json_number(limits.over_level_share));
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        const ComparedPicture& p = pictures[i];
+    std::vector<std::string> rows;
+    for (const ComparedPicture& p : pictures) {
         const Comparison& m = p.measured;
+        JsonObject row;
+        row.add("name", p.name).add("outcome", name_of(p.outcome));
+        row.add("passes", p.passes()).add("reason", p.reason);
+        row.json("expected_size", json_numbers(m.expected_width, m.expected_height));
+        row.json("actual_size", json_numbers(m.actual_width, m.actual_height));
+        row.add("n_pixels", m.n_pixels).add("n_differing", m.n_differing);
+        row.add("n_over_level", m.n_over_level);
+        row.add("largest_difference", m.largest_difference);
+        row.add("mean_difference", m.mean_difference);
         const bool measured = m.n_pixels > 0;
-        fmt::print(
-            "    {{\"name\": {}, \"outcome\": {}, \"passes\": {}, \"reason\": {}, "
-            "\"expected_size\": [{}, {}], \"actual_size\": [{}, {}], \"n_pixels\": {}, "
-            "\"n_differing\": {}, \"n_over_level\": {}, \"largest_difference\": {}, "
-            "\"mean_difference\": {}, \"ssim\": {}, \"flip\": {}}}{}\n",
-            json_string(p.name), json_string(name_of(p.outcome)), p.passes(), json_string(p.reason),
-            m.expected_width, m.expected_height, m.actual_width, m.actual_height, m.n_pixels,
-            m.n_differing, m.n_over_level, json_number(m.largest_difference),
-            json_number(m.mean_difference), measured ? json_number(m.ssim) : "null",
-            measured ? json_number(m.flip) : "null", i + 1 < pictures.size() ? "," : "");
+        row.json("ssim", measured ? json_number(m.ssim) : "null");
+        row.json("flip", measured ? json_number(m.flip) : "null");
+        rows.push_back(row.line());
     }
-    fmt::print("  ]\n}}\n");
+    const std::string allowed = JsonObject()
+                                    .add("differing_share", limits.differing_share)
+                                    .add("level", limits.level)
+                                    .add("over_level_share", limits.over_level_share)
+                                    .line();
+    fmt::print("{}", JsonObject()
+                         .add("passes", all_pass(pictures))
+                         .json("limits", allowed)
+                         .json("pictures", json_lines(rows, 2))
+                         .lines());
 }
 
 // A line for each picture that is not the same, worst first, and the count.

@@ -63,13 +63,15 @@ int run(const DoctorChoices& choices) {
     }
 
     if (choices.json) {
-        fmt::print("[\n");
-        for (std::size_t i = 0; i < findings.size(); ++i) {
-            fmt::print("  {{\"what\": {}, \"works\": {}, \"detail\": {}}}{}\n",
-                       json_string(findings[i].what), findings[i].works,
-                       json_string(findings[i].detail), i + 1 < findings.size() ? "," : "");
+        std::vector<std::string> rows;
+        for (const Finding& finding : findings) {
+            rows.push_back(JsonObject()
+                               .add("what", finding.what)
+                               .add("works", finding.works)
+                               .add("detail", finding.detail)
+                               .line());
         }
-        fmt::print("]\n");
+        fmt::print("{}\n", json_lines(rows));
     } else {
         for (const Finding& finding : findings) {
             fmt::print("{:34} {:8} {}\n", finding.what, finding.works ? "works" : "MISSING",

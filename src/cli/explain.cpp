@@ -34,33 +34,27 @@ std::string_view name_of(Verified verified) {
 }
 
 std::string json_of(const Record& record, const std::optional<Verification>& verification) {
-    std::string text = "{\n";
-    const auto add = [&text](std::string_view key, const std::string& json) {
-        text += fmt::format("  {}: {},\n", json_string(key), json);
-    };
-    add("version", json_string(record.version));
-    add("scene", json_string(record.scene_name));
-    add("scene_sha256", json_string(record.scene_hash));
-    if (!record.mesh_hash.empty()) add("mesh_sha256", json_string(record.mesh_hash));
-    add("method", json_string(record.method));
-    add("bounds", json_string(record.bounds));
-    add("profile", json_string(record.portable ? "portable" : "native"));
-    add("renderer", json_string(record.renderer));
-    add("mesa", json_string(record.mesa));
-    if (!record.fonts.empty()) add("fonts", json_string(record.fonts));
-    add("size", fmt::format("[{}, {}]", record.width_px, record.height_px));
-    if (record.time_s) add("time_s", json_number(*record.time_s));
-    if (record.dpi) add("dpi", json_number(*record.dpi));
-    if (record.type_pt) add("type_pt", json_number(*record.type_pt));
-    if (record.bit_depth != 8) add("depth", fmt::format("{}", record.bit_depth));
-    if (record.frames)
-        add("frames", fmt::format("[{}, {}]", record.frames->first, record.frames->second));
-    if (record.run) add("run", fmt::format("[{}, {}]", record.run->first, record.run->second));
-    if (record.frame) add("frame", fmt::format("{}", *record.frame));
-    if (!record.pixels.empty()) add("pixels_xxh64", json_string(record.pixels));
-    if (!record.packets.empty()) add("packets_sha256", json_string(record.packets));
-    if (verification) add("verified", json_string(name_of(verification->verified)));
-    return text + fmt::format("  \"scene_toml\": {}\n}}\n", json_string(record.scene_toml));
+    JsonObject object;
+    object.add("version", record.version).add("scene", record.scene_name);
+    object.add("scene_sha256", record.scene_hash);
+    if (!record.mesh_hash.empty()) object.add("mesh_sha256", record.mesh_hash);
+    object.add("method", record.method).add("bounds", record.bounds);
+    object.add("profile", record.portable ? "portable" : "native");
+    object.add("renderer", record.renderer).add("mesa", record.mesa);
+    if (!record.fonts.empty()) object.add("fonts", record.fonts);
+    object.json("size", json_numbers(record.width_px, record.height_px));
+    if (record.time_s) object.add("time_s", *record.time_s);
+    if (record.dpi) object.add("dpi", *record.dpi);
+    if (record.type_pt) object.add("type_pt", *record.type_pt);
+    if (record.bit_depth != 8) object.add("depth", record.bit_depth);
+    const auto range = [](const auto& of) { return fmt::format("[{}, {}]", of.first, of.second); };
+    if (record.frames) object.json("frames", range(*record.frames));
+    if (record.run) object.json("run", range(*record.run));
+    if (record.frame) object.add("frame", *record.frame);
+    if (!record.pixels.empty()) object.add("pixels_xxh64", record.pixels);
+    if (!record.packets.empty()) object.add("packets_sha256", record.packets);
+    if (verification) object.add("verified", name_of(verification->verified));
+    return object.add("scene_toml", record.scene_toml).lines();
 }
 
 // The text comes from a file: nothing in it may steer the terminal.

@@ -84,11 +84,11 @@ void print_entries(const std::vector<CatalogueEntry>& entries, bool grouped) {
 }
 
 void print_json(const std::vector<CatalogueEntry>& entries) {
-    fmt::print("[\n");
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        fmt::print("  {{\"name\": {}, \"summary\": {}}}{}\n", json_string(entries[i].name),
-                   json_string(entries[i].summary), i + 1 < entries.size() ? "," : "");
-    fmt::print("]\n");
+    std::vector<std::string> rows;
+    rows.reserve(entries.size());
+    for (const CatalogueEntry& entry : entries)
+        rows.push_back(JsonObject().add("name", entry.name).add("summary", entry.summary).line());
+    fmt::print("{}\n", json_lines(rows));
 }
 
 // The entries whose name or summary has the word, in letters of either case.

@@ -50,26 +50,29 @@ void print_words(const std::vector<FilmStatus>& films) {
 }
 
 std::string json_of(const TaskStatus& task) {
-    std::string text = fmt::format("{{\"name\": {}, \"state\": \"{}\"", json_string(task.name),
-                                   name_of(task.state));
+    JsonObject object;
+    object.add("name", task.name).add("state", name_of(task.state));
     if (task.n_frames_done >= 0)
-        text +=
-            fmt::format(", \"frames_done\": {}, \"frames\": {}", task.n_frames_done, task.n_frames);
-    if (!task.why.empty()) text += fmt::format(", \"why\": {}", json_string(task.why));
-    return text + "}";
+        object.add("frames_done", task.n_frames_done).add("frames", task.n_frames);
+    if (!task.why.empty()) object.add("why", task.why);
+    return object.line();
 }
 
 void print_json(const std::vector<FilmStatus>& films) {
-    fmt::print("[\n");
-    for (std::size_t i = 0; i < films.size(); ++i) {
-        const FilmStatus& film = films[i];
-        fmt::print("  {{\"film\": {}, \"output\": {}, \"join\": {}, \"parts\": [\n",
-                   json_string(film.name), json_string(film.output), json_of(film.join));
-        for (std::size_t k = 0; k < film.parts.size(); ++k)
-            fmt::print("    {}{}\n", json_of(film.parts[k]), k + 1 < film.parts.size() ? "," : "");
-        fmt::print("  ]}}{}\n", i + 1 < films.size() ? "," : "");
+    std::vector<std::string> rows;
+    rows.reserve(films.size());
+    for (const FilmStatus& film : films) {
+        std::vector<std::string> parts;
+        parts.reserve(film.parts.size());
+        for (const TaskStatus& part : film.parts) parts.push_back(json_of(part));
+        rows.push_back(JsonObject()
+                           .add("film", film.name)
+                           .add("output", film.output)
+                           .json("join", json_of(film.join))
+                           .json("parts", json_lines(parts, 2))
+                           .line());
     }
-    fmt::print("]\n");
+    fmt::print("{}\n", json_lines(rows));
 }
 
 int run(const StatusChoices& choices) {

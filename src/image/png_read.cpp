@@ -17,6 +17,7 @@
 #include "image/png.h"
 #include "system/file_kind.h"
 #include "system/sha256.h"
+#include "text/utf8.h"
 
 namespace poinsot {
 
@@ -92,15 +93,7 @@ bool read_pixels(Source& source, png_bytepp rows) {
 
 std::string utf8_of_latin1(std::string_view latin1) {
     std::string utf8;
-    for (const char c : latin1) {
-        const auto code = static_cast<unsigned char>(c);
-        if (code < 0x80) {
-            utf8 += c;
-        } else {
-            utf8 += static_cast<char>(0xc0 | (code >> 6));
-            utf8 += static_cast<char>(0x80 | (code & 0x3f));
-        }
-    }
+    for (const char c : latin1) utf8 += utf8_of(static_cast<unsigned char>(c));
     return utf8;
 }
 

@@ -127,52 +127,35 @@ std::string csv_of(const Tradeoff& t) {
 }
 
 std::string json_of(const Session& session, const Tradeoff& t) {
-    std::string json = fmt::format("{{\n  \"scene\": {},\n  \"measured\": {},\n  \"advice\": {},\n",
-                                   json_string(session.scene.name), json_string(how_measured(t)),
-                                   json_string(advice(session, t)));
-    const auto rows = [&json](const char* name, const auto& table, const auto& row_text,
-                              bool last) {
-        json += fmt::format("  \"{}\": [\n", name);
-        for (std::size_t i = 0; i < table.size(); ++i) {
-            json += "    " + row_text(table[i]) + (i + 1 < table.size() ? ",\n" : "\n");
-        }
-        json += last ? "  ]\n}\n" : "  ],\n";
-    };
-    rows(
-        "motion", t.motion.rows,
-        [](const MotionTrade& r) {
-            return fmt::format(
-                "{{\"method\": {}, \"setting\": {}, \"ns_a_frame\": {}, \"evaluations_a_frame\": "
-                "{}, "
-                "\"attitude_rad\": {}, \"energy\": {}, \"momentum\": {}, \"displacement_px\": {}, "
-                "\"on_front\": {}}}",
-                json_string(r.method), json_string(r.setting), json_number(r.ns_a_frame),
-                json_number(r.evaluations_a_frame), json_number(r.attitude_rad),
-                json_number(r.energy), json_number(r.momentum), json_number(r.displacement_px),
-                r.on_front);
-        },
-        false);
-    rows(
-        "picture", t.picture.rows,
-        [](const PictureTrade& r) {
-            return fmt::format(
-                "{{\"setting\": {}, \"quality\": {}, \"ms_a_frame\": {}, \"rms_levels\": {}, "
-                "\"on_front\": {}}}",
-                json_string(r.setting), json_string(r.quality), json_number(r.ms_a_frame),
-                json_number(r.rms_levels), r.on_front);
-        },
-        false);
-    rows(
-        "film", t.film.rows,
-        [](const FilmTrade& r) {
-            return fmt::format(
-                "{{\"quality\": {}, \"ms_a_frame\": {}, \"bytes_a_frame\": {}, \"ssim\": {}, "
-                "\"on_front\": {}}}",
-                json_string(r.quality), json_number(r.ms_a_frame), json_number(r.bytes_a_frame),
-                json_number(r.ssim), r.on_front);
-        },
-        true);
-    return json;
+    std::vector<std::string> motion, picture, film;
+    for (const MotionTrade& r : t.motion.rows) {
+        JsonObject row;
+        row.add("method", r.method).add("setting", r.setting).add("ns_a_frame", r.ns_a_frame);
+        row.add("evaluations_a_frame", r.evaluations_a_frame).add("attitude_rad", r.attitude_rad);
+        row.add("energy", r.energy).add("momentum", r.momentum);
+        row.add("displacement_px", r.displacement_px).add("on_front", r.on_front);
+        motion.push_back(row.line());
+    }
+    for (const PictureTrade& r : t.picture.rows) {
+        JsonObject row;
+        row.add("setting", r.setting).add("quality", r.quality).add("ms_a_frame", r.ms_a_frame);
+        row.add("rms_levels", r.rms_levels).add("on_front", r.on_front);
+        picture.push_back(row.line());
+    }
+    for (const FilmTrade& r : t.film.rows) {
+        JsonObject row;
+        row.add("quality", r.quality).add("ms_a_frame", r.ms_a_frame);
+        row.add("bytes_a_frame", r.bytes_a_frame).add("ssim", r.ssim).add("on_front", r.on_front);
+        film.push_back(row.line());
+    }
+    return JsonObject()
+        .add("scene", session.scene.name)
+        .add("measured", how_measured(t))
+        .add("advice", advice(session, t))
+        .json("motion", json_lines(motion, 2))
+        .json("picture", json_lines(picture, 2))
+        .json("film", json_lines(film, 2))
+        .lines();
 }
 
 }  // namespace poinsot

@@ -74,23 +74,27 @@ void remove_stale_chapters(const OutputPlan& plan) {
 
 std::string chapters_text_of(const OutputPlan& plan, const FilmPlan& film) {
     const double per_second = plan.rate.per_second();
-    std::string text = fmt::format(
-        "  \"frames_per_second\": \"{}/{}\",\n  \"n_frames\": {},\n"
-        "  \"loops\": {},\n  \"chapters\": [\n",
-        plan.rate.numerator, plan.rate.denominator, plan.n_frames, film.loop_s > 0.0);
-    for (std::size_t i = 0; i < plan.chapters.size(); ++i) {
-        const FilmChapter& chapter = plan.chapters[i];
+    std::vector<std::string> rows;
+    rows.reserve(plan.chapters.size());
+    for (const FilmChapter& chapter : plan.chapters) {
         const std::int64_t shown = plan.first_frame + chapter.first_frame;
-        text += fmt::format(
-            "    {{\"title\": {}, \"at_s\": {}, \"end_s\": {}, \"first_frame\": {}, "
-            "\"last_frame\": {}, \"motion_time_s\": {}}}{}\n",
-            json_string(chapter.title),
-            json_number(static_cast<double>(chapter.first_frame) / per_second),
-            json_number(static_cast<double>(chapter.end_frame) / per_second), shown,
-            plan.first_frame + chapter.end_frame - 1, json_number(film.time_of(shown)),
-            i + 1 < plan.chapters.size() ? "," : "");
+        JsonObject row;
+        row.add("title", chapter.title);
+        row.add("at_s", static_cast<double>(chapter.first_frame) / per_second);
+        row.add("end_s", static_cast<double>(chapter.end_frame) / per_second);
+        row.add("first_frame", shown).add("last_frame", plan.first_frame + chapter.end_frame - 1);
+        row.add("motion_time_s", film.time_of(shown));
+        rows.push_back(row.line());
     }
-    return text + "  ]\n}\n";
+    const std::string text = JsonObject()
+                                 .add("frames_per_second", fmt::format("{}/{}", plan.rate.numerator,
+                                                                       plan.rate.denominator))
+                                 .add("n_frames", plan.n_frames)
+                                 .add("loops", film.loop_s > 0.0)
+                                 .json("chapters", json_lines(rows, 2))
+                                 .lines();
+    // The head, with the opening brace and the film's name, is put before it when it is written.
+    return text.substr(std::string_view("{\n").size());
 }
 
 void write_chapters(const std::filesystem::path& film, const std::string& text) {

@@ -75,9 +75,7 @@ void add_free_motion(const Session& session, std::vector<Fact>& facts) {
     add_number(facts, "plane_distance", "plane at √(2T)/L", construction.plane_distance(),
                "1/√(kg m²)");
     const Eigen::Vector3d half_axes = construction.half_axes();
-    facts.push_back({"half_axes",
-                     fmt::format("[{}, {}, {}]", json_number(half_axes[0]),
-                                 json_number(half_axes[1]), json_number(half_axes[2])),
+    facts.push_back({"half_axes", json_numbers(half_axes[0], half_axes[1], half_axes[2]),
                      "half-axes 1/√I",
                      fmt::format("{:.6g}, {:.6g}, {:.6g} 1/√(kg m²)", half_axes[0], half_axes[1],
                                  half_axes[2])});
@@ -95,19 +93,16 @@ void add_free_motion(const Session& session, std::vector<Fact>& facts) {
                                      *constants.advance_per_period_rad, turns)});
     }
     const Polhode::Annulus annulus = Polhode(problem.inertia, problem.start.omega_body).annulus();
-    facts.push_back(
-        {"herpolhode_radii",
-         fmt::format("[{}, {}]", json_number(annulus.inner), json_number(annulus.outer)),
-         "herpolhode's radii",
-         fmt::format("{:.9g} … {:.9g} 1/√(kg m²)", annulus.inner, annulus.outer)});
+    facts.push_back({"herpolhode_radii", json_numbers(annulus.inner, annulus.outer),
+                     "herpolhode's radii",
+                     fmt::format("{:.9g} … {:.9g} 1/√(kg m²)", annulus.inner, annulus.outer)});
     if (const auto cones = rolling_cones(problem.inertia, problem.start.omega_body)) {
         add_number(facts, "body_precession_rad_s", "ω precesses in the body at Ω = (I₃−I₁)ω₃/I₁",
                    cones->body_precession_rad_s, "rad/s");
         add_number(facts, "space_precession_rad_s", "the axis precesses about L at L/I₁",
                    cones->space_precession_rad_s, "rad/s");
         facts.push_back({"cones_half_angles_rad",
-                         fmt::format("[{}, {}]", json_number(cones->body_half_angle_rad),
-                                     json_number(cones->space_half_angle_rad)),
+                         json_numbers(cones->body_half_angle_rad, cones->space_half_angle_rad),
                          "half-angles of the cones",
                          fmt::format("body {:.4f}°, space {:.4f}°",
                                      cones->body_half_angle_rad * 180.0 / std::numbers::pi,
@@ -163,9 +158,7 @@ void add_motion(const Session& session, std::vector<Fact>& facts) {
     facts.push_back({"title", json_string(session.scene.title), "title", session.scene.title});
     const Eigen::Vector3d& I = problem.inertia.moments_kg_m2();
     facts.push_back(
-        {"moments_kg_m2",
-         fmt::format("[{}, {}, {}]", json_number(I[0]), json_number(I[1]), json_number(I[2])),
-         "moments I₁, I₂, I₃",
+        {"moments_kg_m2", json_numbers(I[0], I[1], I[2]), "moments I₁, I₂, I₃",
          fmt::format("{:.9g}, {:.9g}, {:.9g} kg m²{}", I[0], I[1], I[2],
                      problem.inertia.planar() ? " (planar: one is the sum of the others)" : "")});
     facts.push_back({"method", json_string(problem.method.name), "method", problem.method.name});

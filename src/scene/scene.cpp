@@ -47,10 +47,4 @@ MotionProblem problem_of(const Scene& scene) {
     return problem;
 }
 
-MotionProblem problem_beside(const Scene& scene) {
-    MotionProblem problem = problem_of(scene);
-    problem.method = scene.beside.value();
-    return problem;
-}
-
 }  // namespace poinsot

@@ -197,7 +197,4 @@ struct Scene {
 // t = 0.
 MotionProblem problem_of(const Scene& scene);
 
-// The same by the method beside, at its own step. Precondition: the scene names one.
-MotionProblem problem_beside(const Scene& scene);
-
 }  // namespace poinsot

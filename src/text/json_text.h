@@ -1,7 +1,11 @@
-// Numbers in JSON; its strings are of text/.
+// JSON: numbers, objects and lists; its strings are of printable.h.
 #pragma once
 
+#include <concepts>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "text/printable.h"
 
@@ -9,5 +13,39 @@ namespace poinsot {
 
 // A finite double with enough digits to give it back, otherwise null.
 std::string json_number(double value);
+
+// Values on one line: "[1, 2]".
+std::string json_list(std::span<const std::string> values);
+template <typename... Numbers>
+std::string json_numbers(Numbers... values) {
+    return json_list(std::vector<std::string>{json_number(static_cast<double>(values))...});
+}
+
+// Values on a line each, the bracket's own line being indented so far.
+std::string json_lines(std::span<const std::string> values, int indent = 0);
+
+// An object, its members in the order in which they come.
+class JsonObject {
+ public:
+    // A member whose value is JSON already.
+    JsonObject& json(std::string_view key, std::string_view value);
+    JsonObject& add(std::string_view key, std::string_view text);
+    template <std::integral Whole>
+    JsonObject& add(std::string_view key, Whole value) {
+        if constexpr (std::same_as<Whole, bool>)
+            return json(key, value ? "true" : "false");
+        else
+            return json(key, std::to_string(value));
+    }
+    template <std::floating_point Real>
+    JsonObject& add(std::string_view key, Real value) {
+        return json(key, json_number(value));
+    }
+
+    std::string line() const;   // {"a": 1, "b": 2}
+    std::string lines() const;  // a member a line, and a line's end
+ private:
+    std::vector<std::string> members_;
+};
 
 }  // namespace poinsot

@@ -25,9 +25,14 @@ struct StagedBeside {
     StagedBeside(const Scene& scene_, const MethodChoice& choice)
         : scene(with(scene_, choice)),
           motion(problem_of(scene)),
-          beside(problem_beside(scene)),
+          beside(problem_beside()),
           stage(scene, motion, {.width_px = 640, .height_px = 360, .last_time_s = 10.0}, &beside) {}
 
+    MotionProblem problem_beside() const {
+        MotionProblem problem = motion.problem();
+        problem.method = *scene.beside;
+        return problem;
+    }
     static Scene with(Scene scene, const MethodChoice& choice) {
         scene.beside = choice;
         return scene;

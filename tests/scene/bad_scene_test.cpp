@@ -4,7 +4,6 @@
 #include <fstream>
 #include <string>
 
-#include "scene/motion_of.h"
 #include "scene/scene_keys.h"
 #include "scene_text.h"
 
@@ -279,18 +278,6 @@ TEST(BadScene, MethodOptionsAreRefusedAtTheirOwnPlace) {
     EXPECT_EQ(beginning("method = \"rk4\"\norder = 3\n"), "scenes/a.toml:8:1: m");
     EXPECT_EQ(beginning("method = \"dopri5\"\ntolerance = 1e-20\n"), "scenes/a.toml:8:1: t");
     EXPECT_EQ(beginning("method = \"dopri5\"\ntolerance = 0\n"), "scenes/a.toml:8:13: ");
-}
-
-TEST(BadScene, StepLongerThanTheFilmIsRefusedAtItsPlace) {
-    const Scene scene =
-        scene_of(a_scene + "[motion]\nmethod = \"rk4\"\nstep_s = 50.0\n[film]\nduration_s = 10\n");
-    try {
-        motion_of(scene);
-        FAIL() << "accepted";
-    } catch (const SceneError& error) {
-        EXPECT_EQ(std::string(error.what()).rfind("scenes/a.toml:8:1: step_s is 50 s", 0), 0u)
-            << error.what();
-    }
 }
 
 TEST(BadScene, FrameRateOutOfItsDomainIsRefused) {

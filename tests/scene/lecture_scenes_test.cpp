@@ -7,10 +7,10 @@
 #include <string>
 
 #include "mechanics/free/free_rotation.h"
+#include "mechanics/motion.h"
 #include "places.h"
 #include "scene/film_clock.h"
 #include "scene/load_scene.h"
-#include "scene/motion_of.h"
 
 namespace poinsot {
 
@@ -19,6 +19,8 @@ namespace {
 Scene lecture(const std::string& name) {
     return load_scene(source_folder() / "scenes" / (name + ".toml"));
 }
+
+Motion motion_of(const Scene& scene) { return Motion(problem_of(scene)); }
 
 Regime regime_of(const std::string& name) { return motion_of(lecture(name)).regime(); }
 
