@@ -24,9 +24,11 @@ struct Panel {
     Camera camera;           // at the film's beginning
     std::function<Camera(double)> camera_at;  // of a second of the film, if it moves
     double units_per_px = 0.001;              // at the camera's target
-    Light light;                              // the theme's, unless the panel turns it
-    Quantities asks = omega_alone;            // what its drawer reads of an instant besides ω
-    bool shows_beside = false;                // whether it reads Instant::beside
+    // What polylines may leave their curves by, in the panel's units.
+    double curve_units() const { return stage->curve_px * units_per_px; }
+    Light light;                    // the theme's, unless the panel turns it
+    Quantities asks = omega_alone;  // what its drawer reads of an instant besides ω
+    bool shows_beside = false;      // whether it reads Instant::beside
     Drawer draw;
 };
 

@@ -5,10 +5,10 @@
 #include <numbers>
 #include <utility>
 
+#include "drawing/accuracy.h"
 #include "drawing/elements/smooth_paths.h"
 #include "drawing/panel.h"
 #include "drawing/type/overlay.h"
-#include "mechanics/free/free_rotation.h"
 #include "scene/film_clock.h"
 #include "scene/scene_error.h"
 #include "shapes/identity.h"
@@ -17,12 +17,12 @@ namespace poinsot {
 
 namespace {
 
-// Drawn with radii up to half the picture's height: the sagitta r(1 − cos(π/n)) stays below half
-// of accuracy_px.
-CurveGeometry circle_of_radius_1(const StageOptions& options, double accuracy_px) {
+// Drawn with radii up to half the picture's height: the sagitta r(1 − cos(π/n)) stays below
+// curve_px.
+CurveGeometry circle_of_radius_1(const StageOptions& options, double curve_px) {
     CurveGeometry circle;
     circle.closed = true;
-    const double least = std::numbers::pi / std::sqrt(2.0 * accuracy_px / options.height_px);
+    const double least = std::numbers::pi / std::sqrt(4.0 * curve_px / options.height_px);
     const int n_points = static_cast<int>(std::clamp(std::ceil(least), 512.0, 65536.0));
     for (int k = 0; k < n_points; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / n_points;
@@ -76,12 +76,13 @@ StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOpti
     px = options.line_scale > 0.0 ? options.line_scale : options.height_px / 1080.0;
     film_first_s = std::min(scene.film.start_s, options.first_time_s);
     film_last_s = std::max(film_end_time_s(scene), options.last_time_s);
-    unit_circle = keep(circle_of_radius_1(options, scene.accuracy_px));
+    curve_px = options.curve_px > 0.0 ? options.curve_px : accuracy_of(scene).curve_px();
+    unit_circle = keep(circle_of_radius_1(options, curve_px));
     unit_segment = keep({.points = {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}});
     make_construction();
     timeline = Timeline(scene, rolling ? rolling->foot() : Eigen::Vector3d::Zero().eval());
-    // Curves are subdivided to half of accuracy_px; those that could not be note it.
-    note_curve_error(0.5 * scene.accuracy_px);
+    // Curves are subdivided to this; those that could not be note it.
+    note_curve_error(curve_px);
     make_panels();
     if (beside && !shows_beside) {
         throw SceneError(scene.location_of("beside"),
@@ -99,8 +100,7 @@ void StageData::make_construction() {
         return;
     }
     rolling.emplace(problem.inertia, problem.start, scene.construction.plane);
-    const FreeRotationConstants constants =
-        FreeRotation(problem.inertia, problem.start).constants();
+    const FreeRotationConstants constants = motion.motion().free_constants();
     polhode_period_s = constants.polhode_period_s;
     if (scene.camera.motion == "co-precessing") turn_rate_rad_s = constants.mean_advance_rate_rad_s;
 }

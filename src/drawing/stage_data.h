@@ -81,7 +81,8 @@ struct StageData {
     std::optional<CountedMotion> beside;  // by the scene's second method
     StageOptions options;
     const Theme* theme = nullptr;
-    double px = 1.0;  // pixels of the picture for one pixel at 1080 rows
+    double px = 1.0;         // pixels of the picture for one pixel at 1080 rows
+    double curve_px = 0.05;  // what polylines may leave their curves by
     double film_first_s =
         0.0;  // the stretch that time axes span: the film's, and all that is drawn
     double film_last_s = 1.0;

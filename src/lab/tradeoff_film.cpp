@@ -58,6 +58,7 @@ FilmTrades trade_film(const Session& session, const ContextChoice& choice, const
     const auto half_even = [](int side) { return std::max(16, side / 4 * 2); };
     trades.width_px = small.scene.film.width_px = half_even(session.scene.film.width_px);
     trades.height_px = small.scene.film.height_px = half_even(session.scene.film.height_px);
+    small.accuracy = accuracy_of(small.scene);
     trades.n_frames = std::min<std::int64_t>(film.n_frames, 60);
 
     const OffscreenContext context = make_context(choice);

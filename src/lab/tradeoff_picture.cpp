@@ -61,6 +61,7 @@ PictureTrades trade_picture(const Session& session, const ContextChoice& choice,
     PictureTrades trades;
     trades.width_px = small.scene.film.width_px = std::max(16, session.scene.film.width_px / 2);
     trades.height_px = small.scene.film.height_px = std::max(16, session.scene.film.height_px / 2);
+    small.accuracy = accuracy_of(small.scene);
     trades.n_runs = 1000;
 
     constexpr int reference_samples = 8;

@@ -43,7 +43,7 @@ const MotionTrade* cheapest_within(const MotionTrades& trades, double displaceme
 }
 
 std::string advice(const Session& session, const Tradeoff& t) {
-    const double accuracy_px = session.scene.accuracy_px;
+    const double accuracy_px = session.accuracy.asked_px;
     const MotionTrade* any = cheapest_within(t.motion, accuracy_px, true);
     const MotionTrade* stepped = cheapest_within(t.motion, accuracy_px, false);
     if (any == nullptr) {

@@ -38,6 +38,11 @@ Regime Motion::regime() const {
     return free_rotation()->regime();
 }
 
+FreeRotationConstants Motion::free_constants() const {
+    if (const FreeRotation* free = free_rotation()) return free->constants();
+    return FreeRotation(problem_.inertia, problem_.start).constants();
+}
+
 bool Motion::sums_theta_series() const {
     return heavy_top() != nullptr ||
            (free_rotation() != nullptr && free_rotation()->sums_theta_series());

@@ -31,6 +31,10 @@ class Motion {
     // top always does, a stepped motion never.
     bool sums_theta_series() const;
 
+    // The constants of a torque-free motion, by whatever method it is computed. Precondition: the
+    // problem has no torque.
+    FreeRotationConstants free_constants() const;
+
     // The solution in its own type, for what only it can tell; null if it is another one.
     const FreeRotation* free_rotation() const { return std::get_if<FreeRotation>(&solution_); }
     const HeavyTop* heavy_top() const { return std::get_if<HeavyTop>(&solution_); }

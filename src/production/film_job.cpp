@@ -229,7 +229,7 @@ void FilmJob::make(Easel& easel, const Telling& telling) const {
     draw(pictures, plan, telling);
     if (!plan.part) write_beside(plan, telling);
     telling.finish(name);
-    telling.say(in_words(pictures.bound(), scene.accuracy_px));
+    telling.say(in_words(pictures.bound(), session_->accuracy.asked_px));
 }
 
 }  // namespace poinsot

@@ -63,8 +63,7 @@ std::string regime_in_words(const MotionProblem& problem, Regime regime,
 // The facts of a torque-free motion and its construction.
 void add_free_motion(const Session& session, std::vector<Fact>& facts) {
     const MotionProblem& problem = session.motion.problem();
-    const FreeRotationConstants constants =
-        FreeRotation(problem.inertia, problem.start).constants();
+    const FreeRotationConstants constants = session.motion.free_constants();
     facts.push_back({"regime", json_string(name_of(session.motion.regime())), "regime",
                      regime_in_words(problem, session.motion.regime(), constants)});
     add_number(facts, "kinetic_energy_J", "T", constants.kinetic_energy_J, "J");
@@ -113,8 +112,8 @@ void add_free_motion(const Session& session, std::vector<Fact>& facts) {
 // What the scene's accuracy in pixels means here, and what is reached.
 void add_accuracy(const Session& session, const PictureBound& bound, std::vector<Fact>& facts) {
     const bool stepped = session.motion.integrated() != nullptr;
-    facts.push_back({"accuracy_px", json_number(session.scene.accuracy_px), "accuracy asked",
-                     fmt::format("{:g} px", session.scene.accuracy_px)});
+    facts.push_back({"accuracy_px", json_number(session.accuracy.asked_px), "accuracy asked",
+                     fmt::format("{:g} px", session.accuracy.asked_px)});
     facts.push_back({"motion_error_px", json_number(bound.motion_px), "accuracy of the motion",
                      fmt::format("{:.2g} px ({})", bound.motion_px,
                                  stepped ? "measured over the film" : "a bound of rounding")});

@@ -32,12 +32,11 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     options.first_time_s = span.first_time_s;
     options.last_time_s = span.last_time_s;
     options.loop_s = session.loop ? session.loop->loop_s : 0.0;
-    // Tolerances are pixels of the picture drawn, which is `samples` times as large as the one
-    // made.
-    Scene scene = session.scene;
-    scene.accuracy_px *= setting.curve_tolerance * setting.samples;
+    // In pixels of the picture drawn, which is `samples` times as large as the one made.
+    options.curve_px = session.accuracy.curve_px(setting.curve_tolerance * setting.samples);
     return at_key_of_error(session.scene, "motion", "film", [&] {
-        return Stage(scene, session.motion, options, session.beside ? &*session.beside : nullptr);
+        return Stage(session.scene, session.motion, options,
+                     session.beside ? &*session.beside : nullptr);
     });
 }
 

@@ -106,7 +106,7 @@ std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, cons
                      fmt::format("{} kept, within {:.2g} px of the picture drawn",
                                  data.curves.size(), stage.curve_error_px()),
                      fmt::format("half of accuracy_px = {:g} at quality {}",
-                                 session.scene.accuracy_px, session.scene.film.quality)});
+                                 session.accuracy.asked_px, session.scene.film.quality)});
     return lines;
 }
 

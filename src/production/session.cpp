@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/reach.h"
 #include "drawing/type/overlay.h"
 #include "error/error.h"
 #include "mechanics/methods.h"
@@ -19,16 +18,16 @@ namespace poinsot {
 
 namespace {
 
-void note_unreached(Scene& scene, const StepChoice& step) {
+void note_unreached(const Accuracy& accuracy, const StepChoice& step, Scene& scene) {
     const bool given = scene.method.step_s || scene.method.tolerance;
     if (step.reached || given) return;
     scene.notes.push_back(fmt::format(
         "{} does not reach accuracy_px = {:g} in a reasonable number of steps; at {} it is off "
         "by {:.2g} px",
-        step.method.name, scene.accuracy_px,
+        step.method.name, accuracy.asked_px,
         step.method.step_s ? fmt::format("step_s = {:.3g}", *step.method.step_s)
                            : fmt::format("tolerance = {:.0e}", step.method.tolerance.value_or(0.0)),
-        step.attitude_rad * pixels_per_radian(scene)));
+        step.attitude_rad * accuracy.px_per_rad));
 }
 
 // The key that a refusal of the mechanics is about.
@@ -131,7 +130,7 @@ Session session_of(Scene scene, std::span<const double> times_s, const Telling& 
     // The trails of a loop come from the time before.
     if (loop)
         problem.first_time_s = std::min(problem.first_time_s, scene.film.start_s - loop->loop_s);
-    const double tolerance_rad = scene.accuracy_px / pixels_per_radian(scene);
+    const Accuracy accuracy = accuracy_of(scene);
     const std::string key = key_of("motion", scene.method);
     SteppingPlan plan = at_key_of_error(scene, key, "film", [&] { return stepping_plan(problem); });
     if (scene.beside) {
@@ -145,9 +144,9 @@ Session session_of(Scene scene, std::span<const double> times_s, const Telling& 
         patience.emplace(fmt::format("{}: stepping the motion", printable(scene.name, 40)),
                          plan.estimate_s, telling);
     StepChoice step = at_key_of_error(scene, key, "film", [&] {
-        return choose_step(problem, tolerance_rad, plan.most_steps, plan.finest_tolerance);
+        return choose_step(problem, accuracy.motion_rad(), plan.most_steps, plan.finest_tolerance);
     });
-    note_unreached(scene, step);
+    note_unreached(accuracy, step, scene);
     problem.method = step.method;
     // What a closed form refuses is its start.
     Motion motion =
@@ -159,8 +158,8 @@ Session session_of(Scene scene, std::span<const double> times_s, const Telling& 
         beside = at_key_of_error(scene, key_of("beside", *scene.beside), "film",
                                  [&] { return Motion(problem); });
     }
-    return {std::move(scene), std::move(step), std::move(motion), std::move(beside),
-            std::move(loop)};
+    return {std::move(scene),  accuracy,          std::move(step),
+            std::move(motion), std::move(beside), std::move(loop)};
 }
 
 void throw_at_key(const Scene& scene, const std::string& key, const std::string& time_key,
@@ -174,9 +173,9 @@ void throw_at_key(const Scene& scene, const std::string& key, const std::string&
 }
 
 double motion_error_px(const Session& session) {
-    const double px_per_rad = pixels_per_radian(session.scene);
-    if (session.motion.integrated() != nullptr) return session.step.attitude_rad * px_per_rad;
-    return exact_residual_bound * px_per_rad;
+    const bool stepped = session.motion.integrated() != nullptr;
+    return (stepped ? session.step.attitude_rad : exact_residual_bound) *
+           session.accuracy.px_per_rad;
 }
 
 bool can_certify(const Session& session) {
@@ -200,8 +199,7 @@ Certificate certify_film(const Session& session, const FilmPlan& film, const Tel
     // A stepped method promises what the scene's accuracy asks of it, a closed form its rounding:
     // errors of phase along the motion leave T, L and the contact as they are.
     const bool stepped = session.motion.integrated() != nullptr;
-    const double bound = stepped ? session.scene.accuracy_px / pixels_per_radian(session.scene)
-                                 : exact_residual_bound;
+    const double bound = stepped ? session.accuracy.motion_rad() : exact_residual_bound;
     return certify(session.motion, times, bound);
 }
 

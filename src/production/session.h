@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "construction/certificate.h"
+#include "drawing/accuracy.h"
 #include "mechanics/motion.h"
 #include "mechanics/step_choice.h"
 #include "output/frame_sink.h"
@@ -26,6 +27,7 @@ namespace poinsot {
 // A scene that has been read and whose motion has been made.
 struct Session {
     Scene scene;
+    Accuracy accuracy;
     StepChoice step;  // of a stepped method; chosen from accuracy_px where the scene does not say
     Motion motion;
     std::optional<Motion> beside;  // by the scene's second method

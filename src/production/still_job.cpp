@@ -117,7 +117,7 @@ void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
     tell_type_notes(staging_.stage, telling);
     OutputPlace place(request_.output, scene, ".png");
     if (!is_pixels()) {
-        const std::string bounds = in_words(staging_.bound, scene.accuracy_px);
+        const std::string bounds = in_words(staging_.bound, session_.accuracy.asked_px);
         draw_vectors(std::move(place), record_of(session_, staging_.stage, bounds), telling);
         return;
     }
@@ -133,7 +133,7 @@ void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
     }
     record.bit_depth = request_.bit_depth;
     std::string words = fmt::format("{}\n{}", printable(place.path().string()),
-                                    in_words(pictures.bound(), scene.accuracy_px));
+                                    in_words(pictures.bound(), session_.accuracy.asked_px));
     if (record.bit_depth == 16 || wants_bands(pictures)) {
         writer.finish();
         watch_for_interrupts();

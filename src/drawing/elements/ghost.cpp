@@ -52,8 +52,7 @@ GhostPath ghost_path(Panel& panel,
     GhostPath ghost;
     ghost.path = sample_path(
         [&](double time_s) { return point(stage.beside->sample(time_s, attitude).state); },
-        stage.options.first_time_s, stage.options.last_time_s, half_turn_s,
-        0.5 * stage.scene.accuracy_px * panel.units_per_px);
+        stage.options.first_time_s, stage.options.last_time_s, half_turn_s, panel.curve_units());
     cut(ghost.path);
     CurveGeometry geometry;
     geometry.points = std::move(ghost.path.points);

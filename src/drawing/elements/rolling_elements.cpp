@@ -103,7 +103,7 @@ constexpr double mark_spacing = 0.45;
 
 Drawer make_polhode(Panel& panel) {
     const double per_rho = picture_of(panel).picture_per_rho;
-    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px / per_rho;
+    const double tolerance = panel.curve_units() / per_rho;
     const Polhode& polhode = picture_of(panel).polhode;
     const bool whole = panel.stage->scene.trail.polhode == "whole";
     CurveGeometry geometry;
@@ -147,7 +147,7 @@ Drawer make_polhode(Panel& panel) {
 
 Drawer make_herpolhode(Panel& panel) {
     const ConstructionPicture& picture = picture_of(panel);
-    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    const double tolerance = panel.curve_units();
     TimedCurve timed = herpolhode_trail(*panel.stage, tolerance / picture.picture_per_rho);
 
     const Eigen::Vector3d foot =
@@ -187,8 +187,8 @@ namespace {
 CurveGeometry circle_on_plane(const Panel& panel, double radius) {
     CurveGeometry circle;
     circle.closed = true;
-    // The sagitta r(1 − cos(π/n)) stays below half of accuracy_px.
-    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    // The sagitta r(1 − cos(π/n)) stays below the tolerance.
+    const double tolerance = panel.curve_units();
     const double least =
         std::numbers::pi / std::sqrt(2.0 * tolerance / std::max(radius, tolerance));
     const int n_points = static_cast<int>(std::clamp(std::ceil(least), 256.0, 65536.0));

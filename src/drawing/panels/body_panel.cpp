@@ -31,7 +31,7 @@ constexpr double family_spacing_rad = 0.13;
 // A polhode as geometry in principal axes and picture lengths.
 const CurveGeometry* keep_polhode(Panel& panel, const Polhode& polhode) {
     const ConstructionPicture& picture = *panel.stage->rolling;
-    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    const double tolerance = panel.curve_units();
     CurveGeometry geometry;
     geometry.closed = polhode.closed();
     for (const Eigen::Vector3d& point : polhode.sampled(tolerance / picture.picture_per_rho)) {
@@ -114,7 +114,7 @@ std::vector<Curve> family_of(Panel& panel) {
 // The two separatrices, dashed.
 std::vector<Curve> separatrices_of(Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
-    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    const double tolerance = panel.curve_units();
     std::vector<Curve> curves;
     for (const auto& points :
          separatrices(picture.construction.inertia(), tolerance / picture.picture_per_rho)) {

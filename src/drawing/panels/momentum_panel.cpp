@@ -37,7 +37,7 @@ Eigen::Vector3d momentum_at(const Panel& panel, const Eigen::Vector3d& contact_b
 // other.
 CurveGeometry meeting_curve(const Panel& panel) {
     const Polhode& polhode = panel.stage->rolling->polhode;
-    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    const double tolerance = panel.curve_units();
     const auto samples =
         sample_adaptively([&](double chi) { return momentum_at(panel, polhode.at(chi)); },
                           polhode.first_chi_rad(), polhode.last_chi_rad(), 16, tolerance);

@@ -98,7 +98,7 @@ struct HerpolhodeCurve {
 };
 
 HerpolhodeCurve herpolhode_of(Panel& panel, const PlanScale& scale) {
-    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    const double tolerance = panel.curve_units();
     TimedCurve timed = herpolhode_trail(*panel.stage, tolerance / scale.plan_per_rho);
     panel.stage->note_curve_error(timed.off * scale.plan_per_rho / panel.units_per_px);
     CurveGeometry geometry;

@@ -186,7 +186,7 @@ class PlotMaker {
         double off_px = 0.0;
         for (const CurveSample& sample :
              sample_adaptively(point, stage.film_first_s, stage.film_last_s, n_pieces_,
-                               0.5 * stage.scene.accuracy_px, 40'000, &off_px)) {
+                               stage.curve_px, 40'000, &off_px)) {
             geometry.points.push_back(sample.point);
         }
         stage.note_curve_error(off_px);

@@ -128,10 +128,9 @@ void make_potential_panel(Panel& panel) {
     const auto point = [&](double theta) {
         return chart.at(theta, potential_below(top, theta, well.last_J));
     };
-    for (const CurveSample& sample :
-         sample_adaptively(point, reaches(top, well.theta_bottom, x.first, well.last_J),
-                           reaches(top, well.theta_bottom, x.last, well.last_J), 64,
-                           0.5 * panel.stage->scene.accuracy_px)) {
+    for (const CurveSample& sample : sample_adaptively(
+             point, reaches(top, well.theta_bottom, x.first, well.last_J),
+             reaches(top, well.theta_bottom, x.last, well.last_J), 64, panel.stage->curve_px)) {
         geometry.points.push_back(sample.point);
     }
     const Eigen::Vector3d end = geometry.points.back();

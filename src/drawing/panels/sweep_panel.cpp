@@ -106,7 +106,7 @@ struct Trace {
 };
 
 Trace trace_of(Panel& panel, const Eigen::Vector3d& half_axes) {
-    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    const double tolerance = panel.curve_units();
     Trace trace;
     CurveGeometry geometry;
     double off = 0.0;
@@ -302,7 +302,7 @@ void make_energy_sweep(Panel& panel) {
         const Polhode polhode(principal, state.rho);
         if (polhode.kind() != Polhode::Kind::point) {
             const double per_rho = std::sqrt(inertia_of(panel).moments_kg_m2().minCoeff());
-            const double tolerance = 0.5 * stage.scene.accuracy_px * panel.units_per_px / per_rho;
+            const double tolerance = panel.curve_units() / per_rho;
             CurveGeometry& geometry = sheet.view.live_curves.emplace_back();
             geometry.id = next_identity();
             geometry.closed = polhode.closed();

@@ -97,8 +97,7 @@ Locus locus_of(Panel& panel) {
     const double rate = stage.quickest_rate_rad_s();
     Locus locus;
     locus.path = sample_path(axis_at, stage.options.first_time_s, stage.options.last_time_s,
-                             rate > 0.0 ? pi / rate : 1.0,
-                             0.5 * stage.scene.accuracy_px * panel.units_per_px);
+                             rate > 0.0 ? pi / rate : 1.0, panel.curve_units());
     locus.curve = curve_of(panel, panel.stage->keep({.points = std::move(locus.path.points)}),
                            stage.theme->axes[2], 4.0);
     locus.curve.on_surface = the_sphere;

@@ -1,4 +1,4 @@
-#include "drawing/reach.h"
+#include "drawing/accuracy.h"
 
 #include <cmath>
 #include <numbers>
@@ -8,14 +8,14 @@
 
 namespace poinsot {
 
-double pixels_per_radian(const Scene& scene) {
+Accuracy accuracy_of(const Scene& scene) {
     // Arrows reach longest_arrow_length; the nearest point of them to the eye is that much nearer
     // than the target.
     const CameraPose camera = Timeline(scene, Eigen::Vector3d::Zero()).nearest_camera();
     const double nearest = std::max(0.1, camera.distance - longest_arrow_length);
     const double field_rad = camera.field_deg * std::numbers::pi / 180.0;
     const double units_per_px = 2.0 * nearest * std::tan(0.5 * field_rad) / scene.film.height_px;
-    return longest_arrow_length / units_per_px;
+    return {scene.accuracy_px, longest_arrow_length / units_per_px};
 }
 
 }  // namespace poinsot
