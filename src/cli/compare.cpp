@@ -12,10 +12,10 @@
 #include "production/record.h"
 #include "report/compared_picture.h"
 #include "report/html_report.h"
+#include "report/json_report.h"
 #include "report/junit.h"
 #include "system/atomic_file.h"
 #include "system/file_kind.h"
-#include "text/json_text.h"
 #include "text/printable.h"
 #include "text/say.h"
 
@@ -88,36 +88,6 @@ bool are_folders(const fs::path& expected, const fs::path& actual) {
     if (folder && actual_kind == FileKind::missing)
         throw InputError(fmt::format("{}: no such folder", printable(actual.string())));
     return folder;
-}
-
-void print_json(const std::vector<ComparedPicture>& pictures, const CompareLimits& limits) {
-    std::vector<std::string> rows;
-    for (const ComparedPicture& p : pictures) {
-        const Comparison& m = p.measured;
-        JsonObject row;
-        row.add("name", p.name).add("outcome", name_of(p.outcome));
-        row.add("passes", p.passes()).add("reason", p.reason);
-        row.json("expected_size", json_numbers(m.expected_width, m.expected_height));
-        row.json("actual_size", json_numbers(m.actual_width, m.actual_height));
-        row.add("n_pixels", m.n_pixels).add("n_differing", m.n_differing);
-        row.add("n_over_level", m.n_over_level);
-        row.add("largest_difference", m.largest_difference);
-        row.add("mean_difference", m.mean_difference);
-        const bool measured = m.n_pixels > 0;
-        row.json("ssim", measured ? json_number(m.ssim) : "null");
-        row.json("flip", measured ? json_number(m.flip) : "null");
-        rows.push_back(row.line());
-    }
-    const std::string allowed = JsonObject()
-                                    .add("differing_share", limits.differing_share)
-                                    .add("level", limits.level)
-                                    .add("over_level_share", limits.over_level_share)
-                                    .line();
-    fmt::print("{}", JsonObject()
-                         .add("passes", all_pass(pictures))
-                         .json("limits", allowed)
-                         .json("pictures", json_lines(rows, 2))
-                         .lines());
 }
 
 // A line for each picture that is not the same, worst first, and the count.
@@ -209,7 +179,7 @@ int run(const CompareChoices& choices) {
     if (!choices.report.empty()) write_whole(choices.report, html_report(title, pictures));
     if (!choices.junit.empty()) write_whole(choices.junit, junit_xml(title, pictures));
     if (choices.json) {
-        print_json(pictures, limits);
+        fmt::print("{}", json_report(pictures, limits));
     } else {
         print_lines(pictures);
     }

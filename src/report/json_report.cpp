@@ -1,0 +1,37 @@
+#include "report/json_report.h"
+
+#include "text/json_text.h"
+
+namespace poinsot {
+
+std::string json_report(std::span<const ComparedPicture> pictures, const CompareLimits& limits) {
+    std::vector<std::string> rows;
+    for (const ComparedPicture& p : pictures) {
+        const Comparison& m = p.measured;
+        JsonObject row;
+        row.add("name", p.name).add("outcome", name_of(p.outcome));
+        row.add("passes", p.passes()).add("reason", p.reason);
+        row.json("expected_size", json_numbers(m.expected_width, m.expected_height));
+        row.json("actual_size", json_numbers(m.actual_width, m.actual_height));
+        row.add("n_pixels", m.n_pixels).add("n_differing", m.n_differing);
+        row.add("n_over_level", m.n_over_level);
+        row.add("largest_difference", m.largest_difference);
+        row.add("mean_difference", m.mean_difference);
+        const bool measured = m.n_pixels > 0;
+        row.json("ssim", measured ? json_number(m.ssim) : "null");
+        row.json("flip", measured ? json_number(m.flip) : "null");
+        rows.push_back(row.line());
+    }
+    const std::string allowed = JsonObject()
+                                    .add("differing_share", limits.differing_share)
+                                    .add("level", limits.level)
+                                    .add("over_level_share", limits.over_level_share)
+                                    .line();
+    return JsonObject()
+        .add("passes", all_pass(pictures))
+        .json("limits", allowed)
+        .json("pictures", json_lines(rows, 2))
+        .lines();
+}
+
+}  // namespace poinsot

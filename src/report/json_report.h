@@ -1,0 +1,14 @@
+// Pictures that were compared, for programs to read.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "report/compared_picture.h"
+
+namespace poinsot {
+
+// An object: whether all pass, what was allowed, and each picture with what was measured of it.
+std::string json_report(std::span<const ComparedPicture> pictures, const CompareLimits& limits);
+
+}  // namespace poinsot
