@@ -9,7 +9,8 @@ namespace poinsot {
 struct Accuracy {
     double asked_px = 0.1;  // accuracy_px, of the picture that is made
     // Pixels by which the tip of the longest thing that turns moves for an attitude wrong by one
-    // radian (small errors), in a space panel that fills the film's picture.
+    // radian (small errors), in a space panel that fills the film's picture, for a camera that
+    // looks at the fixed centre; a framed one looks a little beside it, which adds about 1e-3.
     double px_per_rad = 1.0;
 
     // What the motion may be off by.

@@ -123,8 +123,8 @@ std::string mesh_hash_of(const Scene& scene) {
 
 Record record_of(const Session& session, const PictureMaker& pictures, bool portable) {
     const ContextInfo& context = pictures.context_info();
-    Record record = record_of(session, pictures.stage(),
-                              in_words(pictures.bound(), session.accuracy.asked_px));
+    Record record =
+        record_of(session, pictures.stage(), in_words(pictures.bound(), session.accuracy.asked_px));
     record.portable = portable;
     if (!portable) record.processor = processor_capabilities();
     record.renderer = context.renderer;

@@ -18,6 +18,7 @@ namespace {
 TEST(Accuracy, OfTheMotionBoundsWhatAWrongAttitudeMoves) {
     Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, "space");
     scene.accuracy_px = 0.25;
+    scene.camera.target = Eigen::Vector3d::Zero();
     const Accuracy accuracy = accuracy_of(scene);
     EXPECT_EQ(accuracy.asked_px, 0.25);
     const StagedScene staged(scene, 10.0);
