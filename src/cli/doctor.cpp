@@ -64,6 +64,7 @@ int run(const DoctorChoices& choices) {
 
     if (choices.json) {
         std::vector<std::string> rows;
+        rows.reserve(findings.size());
         for (const Finding& finding : findings) {
             rows.push_back(JsonObject()
                                .add("what", finding.what)

@@ -48,9 +48,10 @@ WideDouble carlson_rf(WideDouble x, WideDouble y, WideDouble z) {
         const WideDouble X = (mean - x) / mean;
         const WideDouble Y = (mean - y) / mean;
         const WideDouble Z = -(X + Y);
-        const int size = std::max({X.exponent(), Y.exponent(), Z.exponent()});
+        const auto size_of = [](const WideDouble& w) { return w.is_zero() ? -1000 : w.exponent(); };
+        const int size = std::max({size_of(X), size_of(Y), size_of(Z)});
         // The series to the seventh order leaves an error below the eighth power of 2^−14.
-        if (size <= -14 || (X.is_zero() && Y.is_zero())) {
+        if (size <= -14) {
             const WideDouble e2 = X * Y - Z * Z;
             const WideDouble e3 = X * Y * Z;
             const WideDouble series = WideDouble(1.0) - e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 -
@@ -71,8 +72,12 @@ WideDouble carlson_rf(WideDouble x, WideDouble y, WideDouble z) {
 DoubleDouble exp(DoubleDouble x) {
     if (x.hi < -760.0) return 0.0;
     const double n = std::nearbyint(x.hi / ln2_dd.hi);
-    // |r| ≤ ln2/2 over 2^8; the Taylor series, then eight squarings.
-    const DoubleDouble r = ldexp(x - ln2_dd * n, -8);
+    return ldexp(exp_minus_one(x - ln2_dd * n) + 1.0, static_cast<int>(n));
+}
+
+DoubleDouble exp_minus_one(DoubleDouble x) {
+    // Over 2^8, the Taylor series, then eight squarings.
+    const DoubleDouble r = ldexp(x, -8);
     DoubleDouble term = r;
     DoubleDouble sum = r;
     for (int k = 2; k <= 10; ++k) {
@@ -81,7 +86,7 @@ DoubleDouble exp(DoubleDouble x) {
     }
     // With s = e^r − 1, squaring e^r takes s to s(2 + s): no digit is lost to the leading 1.
     for (int k = 0; k < 8; ++k) sum = sum * (sum + 2.0);
-    return ldexp(sum + 1.0, static_cast<int>(n));
+    return sum;
 }
 
 SinCosDD sin_cos(DoubleDouble x) {

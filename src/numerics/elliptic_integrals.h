@@ -23,6 +23,8 @@ WideDouble bulirsch_cel(const WideDouble& complementary_modulus, const WideDoubl
 // Carlson's R_F(x, y, z), symmetric; at most one argument is zero. Source: DLMF 19.36(i).
 WideDouble carlson_rf(WideDouble x, WideDouble y, WideDouble z);
 
+// e^x − 1 for |x| ≤ ½ ln 2.
+DoubleDouble exp_minus_one(DoubleDouble x);
 // exp(x); zero where a double underflows.
 DoubleDouble exp(DoubleDouble x);
 

@@ -58,6 +58,9 @@ class WideDouble {
     }
     friend bool operator<(const WideDouble& a, const WideDouble& b) { return (a - b).sign() < 0; }
     friend bool operator>(const WideDouble& a, const WideDouble& b) { return b < a; }
+    friend bool operator<=(const WideDouble& a, const WideDouble& b) { return !(b < a); }
+    friend bool operator>=(const WideDouble& a, const WideDouble& b) { return !(a < b); }
+    friend bool operator==(const WideDouble& a, const WideDouble& b) { return (a - b).is_zero(); }
 
     friend WideDouble abs(const WideDouble& a) { return a.sign() < 0 ? -a : a; }
     // Precondition: a ≥ 0.

@@ -73,13 +73,15 @@ HeavyTop::Phase HeavyTop::phase_at(double elapsed_s) const {
     if (series_.steady) return phase;
     DoubleDouble u = series_.lambda_1_s * elapsed_s + series_.u_start;
     if (std::isfinite(series_.quarter_u.hi)) {
-        // One pass, and more where the number of quarters exceeds 2^53.
+        // One pass, and more where the number of quarters nears 2^53: the series are those of the
+        // nearest turning point.
+        constexpr double half_a_quarter = 0.5 + 0x1p-10;
         do {
             const double quarters = std::round(u.hi / series_.quarter_u.hi);
             u = u + series_.quarter_u * -quarters;
             phase.quarters += quarters;
             phase.quarter += static_cast<std::int64_t>(std::fmod(quarters, 4.0));
-        } while (std::abs(u.hi) > series_.quarter_u.hi);
+        } while (std::abs(u.hi) > half_a_quarter * series_.quarter_u.hi);
     }
     phase.quarters += series_.quarter_start;
     phase.quarter += series_.quarter_start;

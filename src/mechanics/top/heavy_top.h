@@ -66,7 +66,7 @@ struct TopNutation {
     double spin_rate_rad_s = 0.0;        // mean ψ̇
 };
 
-// The exact motion of a heavy symmetric top; immutable. Setup is done once in 113-bit arithmetic,
+// The exact motion of a heavy symmetric top; immutable. Setup is done once in wide double-double,
 // whose range also holds θ0 = 1e-300; an evaluation is in double with a two-word phase.
 //
 // Source: Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI (Cayley–Klein parameters as
@@ -135,7 +135,7 @@ class HeavyTop {
     TopNutation nutation_;
     Eigen::Quaterniond body_from_top_ = Eigen::Quaterniond::Identity();
 
-    friend struct TopSetup;  // heavy_top_setup.h: the 113-bit solution
+    friend struct TopSetup;  // heavy_top_setup.h: the wide solution
 };
 
 }  // namespace poinsot

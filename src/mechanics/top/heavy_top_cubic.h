@@ -1,4 +1,4 @@
-// The cubic of Lagrange's top in 113-bit arithmetic: the first half of its setup.
+// The cubic of Lagrange's top in wide double-double arithmetic: the first half of its setup.
 //
 // x = 1 − cos θ, y = 2 − x, β = 2Mgl/A, a = Cω3/A, and with the primed derivative in time
 //   φ' sin²θ = d + a x,   e = d + 2a,   ω⊥² = γ + β x,
@@ -6,21 +6,17 @@
 // all with β ≥ 0, x3 ≤ 0 ≤ x2 ≤ x ≤ x1 ≤ 2. G in place of x3 makes β = 0 an ordinary case.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include "numerics/wide_double.h"
 
 namespace poinsot::top_setup {
 
-// 113 bits and an exponent of 15: where the angle is 1e-300, its fourth power is a number, too.
-using Real = boost::multiprecision::cpp_bin_float_quad;
-
-inline Real square(const Real& x) { return x * x; }
-inline int sign_of(const Real& x) { return x < 0 ? -1 : 1; }
+inline int sign_of(const WideDouble& x) { return x < 0 ? -1 : 1; }
 
 // The start with e3 along the symmetry axis, and β ≥ 0 after a possible reversal.
 struct TopAtStart {
-    Real A, C, mgl;
-    Real qw, qx, qy, qz;  // unit
-    Real omega1, omega2, omega3;
+    WideDouble A, C, mgl;
+    WideDouble qw, qx, qy, qz;  // unit
+    WideDouble omega1, omega2, omega3;
 };
 
 // The same top with its body axes turned half a turn about e1, which makes e3 point the other way.
@@ -28,13 +24,13 @@ TopAtStart reversed(const TopAtStart& start);
 
 // Everything about the cubic P.
 struct Cubic {
-    Real x0, y0, x_dot;  // at the start
-    Real beta, a, d, e, gamma;
-    Real p0, p1, p2;  // P(x0 + w) = p0 + p1 w + p2 w² − β w³
-    Real x1, x2, y1, y2;
-    Real above, below;  // x1 − x0, x0 − x2
-    Real delta;         // x1 − x2
-    Real G, X;          // −β x3, β x2
+    WideDouble x0, y0, x_dot;  // at the start
+    WideDouble beta, a, d, e, gamma;
+    WideDouble p0, p1, p2;  // P(x0 + w) = p0 + p1 w + p2 w² − β w³
+    WideDouble x1, x2, y1, y2;
+    WideDouble above, below;  // x1 − x0, x0 − x2
+    WideDouble delta;         // x1 − x2
+    WideDouble G, X;          // −β x3, β x2
     bool steady = false;
     bool unstable = false;  // steady at a maximum of the effective potential
 };

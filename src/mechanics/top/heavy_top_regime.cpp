@@ -5,7 +5,7 @@ namespace poinsot {
 namespace top_setup {
 
 TopRegime regime_of(const Cubic& c) {
-    const Real tolerance = 1e-12;
+    const WideDouble tolerance = 1e-12;
     if (c.beta == 0) return TopRegime::no_gravity;
     if (c.steady && c.x0 == 0) {
         return c.unstable ? TopRegime::sleeping_unstable : TopRegime::sleeping;
@@ -16,14 +16,14 @@ TopRegime regime_of(const Cubic& c) {
     if (c.steady || c.delta < tolerance * c.x1 * c.y2) {
         // The two precessions of this θ have the product β/(2 cos θ); without a real second
         // one, below the horizontal, the one with the sense of slow precession has φ' a > 0.
-        const Real cosine = (c.y0 - c.x0) / 2;
-        const Real precession = (c.d + c.a * c.x0) / (c.x0 * c.y0);
+        const WideDouble cosine = (c.y0 - c.x0) / 2;
+        const WideDouble precession = (c.d + c.a * c.x0) / (c.x0 * c.y0);
         const bool slow = 2 * square(precession) * abs(cosine) <= c.beta;
         return slow ? TopRegime::steady_slow : TopRegime::steady_fast;
     }
     if (c.x2 == 0 || c.y1 == 0) return TopRegime::through_vertical;
-    const Real at_upper = c.d + c.a * c.x2;
-    const Real at_lower = c.d + c.a * c.x1;
+    const WideDouble at_upper = c.d + c.a * c.x2;
+    const WideDouble at_lower = c.d + c.a * c.x1;
     if (abs(at_upper) <= tolerance * (abs(c.d) + abs(c.a) * c.x2)) return TopRegime::cusp;
     return sign_of(at_upper) == sign_of(at_lower) ? TopRegime::wavy : TopRegime::looping;
 }

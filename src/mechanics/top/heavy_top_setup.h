@@ -1,5 +1,5 @@
-// The setup of Lagrange's top in 113-bit arithmetic: from the cubic's roots to periods, nomes and
-// phase rates. The symbols are those of heavy_top_cubic.h.
+// The setup of Lagrange's top in wide double-double arithmetic: from the cubic's roots to periods,
+// nomes and phase rates. The symbols are those of heavy_top_cubic.h.
 #pragma once
 
 #include "mechanics/top/heavy_top.h"
@@ -9,13 +9,11 @@ namespace poinsot {
 
 // Fills a HeavyTop, whose friend it is.
 struct TopSetup {
-    using Real = top_setup::Real;
-
     HeavyTop& top;
     top_setup::Cubic cubic{};
-    Real half_spin = 0;           // (ω3 − a)/2
-    Real angle_rate[2] = {0, 0};  // mean rates of φ+ψ and φ−ψ
-    Real lambda = 0, quarter = 0;
+    WideDouble half_spin = 0;           // (ω3 − a)/2
+    WideDouble angle_rate[2] = {0, 0};  // mean rates of φ+ψ and φ−ψ
+    WideDouble lambda = 0, quarter = 0;
 
     explicit TopSetup(HeavyTop& filled) : top(filled) {}
 
@@ -24,8 +22,8 @@ struct TopSetup {
  private:
     void fill_steady(TopSeries& series);
     void fill_nutating(TopSeries& series);
-    void set_rate(TopFactor& factor, int which, const Real& regular);
-    void fill_amplitudes(TopSeries& series, const Real& k_prime) const;
+    void set_rate(TopFactor& factor, int which, const WideDouble& regular);
+    void fill_amplitudes(TopSeries& series, const WideDouble& k_prime) const;
     void fill_public(const top_setup::TopAtStart& given);
     void fill_nutation();
 };

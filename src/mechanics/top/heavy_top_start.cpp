@@ -6,6 +6,7 @@
 
 #include "error/error.h"
 #include "mechanics/top/heavy_top_setup.h"
+#include "numerics/wide_functions.h"
 
 namespace poinsot {
 
@@ -28,9 +29,8 @@ void require_moment(double value, const char* what) {
 }
 
 TopAtStart start_from_angles(double A, double C, double mgl, const TopStart& given) {
-    const Real half = Real(given.theta_rad) / 2;
-    const Real cosine = cos(half);
-    const Real sine = sin(half);
+    const WideDouble half = WideDouble(given.theta_rad) / 2;
+    const auto [sine, cosine] = sin_cos(half);
     return {A,
             C,
             mgl,
@@ -130,8 +130,8 @@ HeavyTop::HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity,
     }
     const Eigen::Quaterniond q = start.space_from_body * body_from_top_;
     const Eigen::Vector3d omega = body_from_top_.conjugate() * start.omega_body;
-    const Real norm =
-        sqrt(square(Real(q.w())) + square(Real(q.x())) + square(Real(q.y())) + square(Real(q.z())));
+    const WideDouble norm = sqrt(square(WideDouble(q.w())) + square(WideDouble(q.x())) +
+                                 square(WideDouble(q.y())) + square(WideDouble(q.z())));
     TopSetup(*this).solve({transverse, axial, mgl, q.w() / norm, q.x() / norm, q.y() / norm,
                            q.z() / norm, omega[0], omega[1], omega[2]});
 }
