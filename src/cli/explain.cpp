@@ -51,6 +51,7 @@ std::string json_of(const Record& record, const std::optional<Verification>& ver
     if (record.frames) object.json("frames", range(*record.frames));
     if (record.run) object.json("run", range(*record.run));
     if (record.frame) object.add("frame", *record.frame);
+    if (!record.sheet.empty()) object.add("sheet", record.sheet);
     if (!record.pixels.empty()) object.add("pixels_xxh64", record.pixels);
     if (!record.packets.empty()) object.add("packets_sha256", record.packets);
     if (verification) object.add("verified", name_of(verification->verified));

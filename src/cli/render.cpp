@@ -29,7 +29,7 @@ struct RenderChoices {
     ContextOptions context;
     std::optional<std::pair<std::int64_t, std::int64_t>> frames;  // inclusive
     std::optional<std::pair<std::int64_t, std::int64_t>> part;    // K of N, from 1
-    int n_jobs = 1;
+    std::optional<int> n_jobs;
     bool certify = false;
     bool quiet = false;
 };
@@ -55,10 +55,10 @@ int render(const SceneJob& job, const RenderChoices& choices, Easel& easel) {
     const FilmJob film(session, request);
     // A film that is not what its method promises is refused before it is drawn.
     if (choices.certify && !certified(session, film.film(), telling)) return 1;
-    if (choices.n_jobs > 1)
-        make_in_jobs(session, request, choices.n_jobs, context_choice_of(choices.context), telling);
-    else
+    if (choices.part)
         film.make(easel, telling);
+    else
+        make_in_jobs(session, request, choices.n_jobs, easel, telling);
     return 0;
 }
 
@@ -71,10 +71,11 @@ std::string output_of(const RenderChoices& choices) {
 }
 
 void check(const RenderChoices& choices) {
-    if (choices.n_jobs < 1)
-        throw InputError(
-            fmt::format("--jobs {}: at least one process draws; take 1 or more", choices.n_jobs));
-    if (choices.n_jobs > 1 && choices.part)
+    constexpr int most = 4096;
+    if (choices.n_jobs && (*choices.n_jobs < 1 || *choices.n_jobs > most))
+        throw InputError(fmt::format("--jobs {}: one process draws at least; take 1 to {}",
+                                     *choices.n_jobs, most));
+    if (choices.n_jobs && *choices.n_jobs > 1 && choices.part)
         throw InputError(
             "--part is drawn by one process; leave --jobs out, or draw all parts here "
             "with --jobs alone");
@@ -105,7 +106,9 @@ CommandLine line(std::any& room) {
           "K/N: part K of N alone, K from 1, for join to put together; in a film's name #### is "
           "its number",
           ReadText([&c](const std::string& text) { c.part = parse_part(text); })},
-         {"--jobs", "processes that draw parts side by side, to the same bytes; 1 if not given",
+         {"--jobs",
+          "processes that draw parts side by side, to the same bytes; if not given, as many as pay "
+          "here, which check --plan says",
           &c.n_jobs, "a number of processes"},
          quiet_option(c.quiet),
          backend_option(c.context),

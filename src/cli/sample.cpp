@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -12,9 +13,13 @@
 #include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/scenes.h"
+#include "cli/sweep.h"
 #include "error/error.h"
+#include "output/frame_name.h"
 #include "production/sampling/sample_table.h"
 #include "production/session.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -22,6 +27,7 @@ namespace {
 
 struct SampleChoices {
     std::vector<std::string> scenes;
+    std::vector<std::string> sweeps;
     SceneOptions scene;
     std::string times;       // as given; "-" is standard input
     std::string times_file;  // likewise
@@ -47,24 +53,95 @@ std::vector<double> instants_of(const SampleChoices& choices) {
     return choices.times.empty() ? instants_in(choices.times_file) : parse_times(choices.times);
 }
 
+// The table of a scene with some of its keys set.
+SampleTable table_of(const SampleChoices& choices, const std::string& scene,
+                     const std::vector<std::string>& overrides, const std::vector<double>& times_s,
+                     const Telling& telling) {
+    SceneRequest request = scene_request_of(scene, choices.scene, overrides);
+    request.times_s = times_s;
+    const Session session = open_session(request, telling);
+    tell_notes(session.scene, telling);
+    const std::vector<ChosenColumn> columns = choices.columns.empty()
+                                                  ? default_columns(session.motion)
+                                                  : columns_named(session.motion, choices.columns);
+    return sample_table(session.motion, columns, times_s,
+                        choices.times.empty() ? "--times-file" : "--times");
+}
+
+double number_of(const std::string& key, const std::string& value) {
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+    if (error != std::errc{} || end != value.data() + value.size())
+        throw InputError(fmt::format(
+            "--sweep {}: {} is no number, which one table's column could hold; name a file for "
+            "each value with -o and {{KEY}}, {{key}} or ####",
+            printable(key), printable(value)));
+    return number;
+}
+
+// One table of all runs: before each row the values that it belongs to.
+SampleTable table_of_sweep(const SampleChoices& choices, const std::vector<SweepPoint>& points,
+                           const std::vector<double>& times_s, const Telling& telling) {
+    SampleTable all;
+    for (const SweepPoint& point : points) {
+        std::vector<std::string> headings;
+        std::vector<double> values;
+        headings.reserve(point.size());
+        values.reserve(point.size());
+        for (const auto& [key, value] : point) {
+            headings.push_back(key);
+            values.push_back(number_of(key, value));
+        }
+        const SampleTable table =
+            table_of(choices, choices.scenes.at(0), overrides_of(point), times_s, telling);
+        headings.insert(headings.end(), table.headings.begin(), table.headings.end());
+        if (all.headings.empty()) all.headings = headings;
+        if (all.headings != headings)
+            throw InputError(
+                fmt::format("--sweep: {} has other columns than {}; name those of both with "
+                            "--columns, or a file for each with -o and {{KEY}}",
+                            printable(in_words(point)), printable(in_words(points.front()))));
+        if (all.values.size() + table.n_rows() * headings.size() > most_sampled_values)
+            throw InputError(fmt::format(
+                "--sweep: one table holds at most {} numbers; ask for fewer instants or values, or "
+                "name a file for each with -o and {{KEY}}",
+                most_sampled_values));
+        const std::size_t width = table.headings.size();
+        all.values.reserve(points.size() * table.n_rows() * headings.size());
+        for (std::size_t row = 0; row < table.n_rows(); ++row) {
+            all.values.insert(all.values.end(), values.begin(), values.end());
+            const double* const from = table.values.data() + row * width;
+            all.values.insert(all.values.end(), from, from + width);
+        }
+    }
+    return all;
+}
+
+// Whether an output's name tells the runs of a sweep apart.
+bool names_each(const std::string& output) {
+    return output.find('{') != std::string::npos || has_frame_number(output);
+}
+
 int run(const SampleChoices& choices) {
     const std::vector<double> times_s = instants_of(choices);
     // What cannot be written is refused before anything is computed.
     const TableFormat& format =
         choices.output.empty() ? table_formats().front() : table_format_for(choices.output);
-    SceneRequest request = scene_request_of(choices.scenes.at(0), choices.scene);
-    request.times_s = times_s;
+    const std::vector<SweepPoint> points = points_of(choices.sweeps);
     Progress progress(choices.quiet);
     const Telling telling = progress.telling();
-    const Session session = open_session(request, telling);
-    tell_notes(session.scene, telling);
-
-    const std::vector<ChosenColumn> columns = choices.columns.empty()
-                                                  ? default_columns(session.motion)
-                                                  : columns_named(session.motion, choices.columns);
+    if (!choices.sweeps.empty() && names_each(choices.output))
+        return for_each_scene(
+            jobs_of(choices.scenes, choices.output, OutputKind::picture, choices.sweeps),
+            [&](const SceneJob& job) {
+                write_table(table_of(choices, job.scene, job.overrides, times_s, telling), format,
+                            job.output);
+                return 0;
+            });
     // Written when all of it is known: an instant that cannot be had leaves no half a table.
-    const SampleTable table = sample_table(session.motion, columns, times_s,
-                                           choices.times.empty() ? "--times-file" : "--times");
+    const SampleTable table = choices.sweeps.empty()
+                                  ? table_of(choices, choices.scenes.at(0), {}, times_s, telling)
+                                  : table_of_sweep(choices, points, times_s, telling);
     if (choices.output.empty()) {
         format.write(table, print_bytes);
     } else {
@@ -88,6 +165,7 @@ CommandLine line(std::any& room) {
     auto& c = room.emplace<SampleChoices>();
     return {&c.scenes,
             {set_option(c.scene),
+             sweep_option(c.sweeps),
              {"--times",
               "T,T,…: instants in seconds, or ranges first:last:step, first:last/n; - reads them "
               "from standard input",

@@ -8,7 +8,10 @@
 #include <utility>
 
 #include "error/error.h"
+#include "image/pixel_check.h"
 #include "image/png.h"
+#include "output/film_metadata.h"
+#include "production/record.h"
 #include "production/still_job.h"
 #include "system/interrupt.h"
 #include "text/printable.h"
@@ -123,16 +126,28 @@ void draw_sheet(const SheetRequest& request, Easel& easel, const Telling& tellin
     watch_for_interrupts();
     telling.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
     std::optional<ContactSheet> sheet;
+    Record record;
     Image picture;
     for (std::size_t k = 0; k < request.cells.size(); ++k) {
         stop_if_interrupted();
         const SheetCell& cell = request.cells[k];
-        StillJob(open_session(cell.scene, telling), {"", request.time_s}).draw_into(easel, picture);
-        if (!sheet) sheet.emplace(request, picture);
+        const Record of_cell = StillJob(open_session(cell.scene, telling), {"", request.time_s})
+                                   .draw_into(easel, picture);
+        if (!sheet) {
+            sheet.emplace(request, picture);
+            record = of_cell;
+            record.sheet = fmt::format("{}x{}: ", request.n_columns, request.n_rows);
+        }
+        record.sheet += (k > 0 ? "; " : "") + cell.caption;
         sheet->put(k, picture);
         telling.done(static_cast<std::int64_t>(k + 1));
     }
-    write_png(request.output, sheet->image(), {});
+    record.width_px = sheet->image().width();
+    record.height_px = sheet->image().height();
+    record.pixels = pixel_check(sheet->image());
+    PngOptions png;
+    png.texts[kMetadataName] = sealed_text(record);
+    write_png(request.output, sheet->image(), png);
     telling.finish(printable(request.output));
 }
 

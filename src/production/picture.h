@@ -41,6 +41,8 @@ class Easel {
     // Throw as make_context does.
     const OffscreenContext& context();
     Renderer& renderer();
+    const ContextChoice& choice() const { return choice_; }
+    bool is_open() const { return context_.has_value(); }
     // Whether it draws the same bytes on every processor.
     bool is_portable() const { return choice_.portability == Portability::portable; }
 

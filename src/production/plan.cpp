@@ -6,6 +6,7 @@
 #include "mechanics/methods.h"
 #include "mechanics/stepped/integrated_rotation.h"
 #include "mechanics/top/heavy_top.h"
+#include "production/parts/job_choice.h"
 
 namespace poinsot {
 
@@ -67,6 +68,13 @@ PlanLine parts_line(const FilmPlan& film) {
             "the encoders of MP4 and WebM start anew there; GIF and PNG have seams anywhere"};
 }
 
+// The default of --jobs on this machine.
+PlanLine jobs_line(const Session& session, const FilmPlan& film) {
+    const JobChoice choice =
+        choose_jobs(work_of(session, film.n_frames, "film.mp4"), this_machine());
+    return {"jobs", in_words(choice), choice.why};
+}
+
 }  // namespace
 
 std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, const Stage& stage) {
@@ -102,6 +110,7 @@ std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, cons
                          "the scene has a [beside]"});
     }
     lines.push_back(parts_line(film));
+    lines.push_back(jobs_line(session, film));
     lines.push_back({"curves",
                      fmt::format("{} kept, within {:.2g} px of the picture drawn",
                                  data.curves.size(), stage.curve_error_px()),

@@ -179,6 +179,7 @@ std::string to_text(const Record& record) {
         add("frames", fmt::format("{}-{}", record.frames->first, record.frames->second));
     if (record.run) add("run", fmt::format("{}-{}", record.run->first, record.run->second));
     if (record.frame) add("frame", fmt::format("{}", *record.frame));
+    if (!record.sheet.empty()) add("sheet", record.sheet);
     if (!record.pixels.empty()) add("pixels-xxh64", record.pixels);
     if (!record.packets.empty()) add("packets-sha256", record.packets);
     if (!record.page.empty()) add("page-sha256", record.page);
@@ -280,6 +281,7 @@ Record parse_record(std::string_view text, const std::string& name) {
         record.run = number_pair<std::int64_t>(field(fields, "run", name), '-', name);
     if (fields.contains("frame"))
         record.frame = number<std::int64_t>(field(fields, "frame", name), name);
+    if (fields.contains("sheet")) record.sheet = field(fields, "sheet", name);
     if (fields.contains("pixels-xxh64")) record.pixels = field(fields, "pixels-xxh64", name);
     if (fields.contains("packets-sha256")) record.packets = field(fields, "packets-sha256", name);
     if (fields.contains("page-sha256")) record.page = field(fields, "page-sha256", name);

@@ -40,9 +40,11 @@ struct Record {
     std::string packets;                // of a film, hash; see output/film_packets.h
     std::string page;                   // of vectors, hash; see production/vector_still.h
     std::string shading;                // likewise: how surfaces are filled
-    bool sealed = false;                // it was read with a hash of all of it, which fits
-    std::string scene_toml;             // every key, defaults included
-    std::string text;                   // of one that was read, all of it
+    std::string
+        sheet;  // of many pictures in one: "2x1: fps = 30; fps = 60"; all else is the first's
+    bool sealed = false;     // it was read with a hash of all of it, which fits
+    std::string scene_toml;  // every key, defaults included
+    std::string text;        // of one that was read, all of it
 
     bool operator==(const Record&) const = default;
 };

@@ -7,6 +7,7 @@
 #include "error/error.h"
 #include "output/frame_sink.h"
 #include "production/chapters.h"
+#include "production/parts/jobs.h"
 #include "production/session.h"
 #include "scene/load_scene.h"
 #include "text/printable.h"
@@ -32,6 +33,8 @@ void write_chapters_beside(const std::filesystem::path& path, const Record& reco
 }
 
 std::int64_t recover(const std::filesystem::path& film, const Telling& telling) {
+    // What several processes have left is first made what one would have.
+    if (format_for(film).recover != nullptr) gather_parts_aside(film);
     const std::int64_t n_frames = recover_film(film, told);
     try {
         write_chapters_beside(film, read_record(film), telling);

@@ -98,6 +98,11 @@ StillRequest still_request_of(const RedrawRequest& request, const Record& record
 
 void redraw(const RedrawRequest& asked, const Telling& telling) {
     const Record record = read_record(asked.file);
+    if (!record.sheet.empty())
+        throw InputError(fmt::format(
+            "{}: is a sheet of many pictures, whose record holds the scene of the first and the "
+            "values of all; draw it again by still --sweep --sheet, with what explain prints",
+            printable(asked.file.string())));
     const RedrawRequest request = with_its_names(asked, record);
     const bool is_picture = suffix_of(request.file) == ".png";
     const bool is_page = is_vector_name(request.file);

@@ -107,8 +107,12 @@ void StillJob::draw_vectors(OutputPlace place, Record record, const Telling& tel
                             printable(place.path().string()), still.off_um));
 }
 
-void StillJob::draw_into(Easel& easel, Image& image) {
-    PictureMaker(std::move(staging_), easel).draw(moment_, image);
+Record StillJob::draw_into(Easel& easel, Image& image) {
+    PictureMaker pictures(std::move(staging_), easel);
+    Record record = record_of(session_, pictures, easel.is_portable());
+    record.time_s = moment_.time_s;
+    pictures.draw(moment_, image);
+    return record;
 }
 
 void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {

@@ -39,8 +39,8 @@ class StillJob {
     // the writer throws of an earlier one.
     void draw(Easel& easel, StillWriter& writer, const Telling& telling);
 
-    // Draws it into memory alone, as one of many. Throws as draw does.
-    void draw_into(Easel& easel, Image& image);
+    // Draws it into memory alone, as one of many; its record. Throws as draw does.
+    Record draw_into(Easel& easel, Image& image);
 
  private:
     void draw_vectors(OutputPlace place, Record record, const Telling& telling);

@@ -1,6 +1,7 @@
 // What the processor can do, where pixels depend on it.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace poinsot {
@@ -8,5 +9,12 @@ namespace poinsot {
 // The widest vectors, and whether products are rounded before they are added: "x86 sse4.1 avx avx2
 // fma". A renderer that is not told otherwise uses what is there.
 std::string processor_capabilities();
+
+// Processors that this process may use: those it is bound to, or as much of them as its control
+// group grants, 1 at least.
+int n_processors();
+
+// Memory of the machine; 0 if it does not say.
+std::int64_t memory_MiB();
 
 }  // namespace poinsot

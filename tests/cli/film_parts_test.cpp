@@ -167,7 +167,7 @@ TEST_F(Parts, MoreThanTheChunksAreFewer) {
 
 TEST_F(Parts, OfManyJobsAreTheBytesOfOne) {
     for (const std::string kind : {"a.mp4", "a.webm", "a.gif", "a.md5"}) {
-        make("render a.toml -q -o one_" + kind);
+        make("render a.toml -q --jobs 1 -o one_" + kind);
         make("render a.toml -q --jobs 3 -o " + kind);
         EXPECT_TRUE(bytes(kind) == bytes("one_" + kind)) << kind;
     }
@@ -193,7 +193,7 @@ ProgramRun run_shell(const ScratchFolder& folder, const std::string& script) {
 
 TEST_F(Parts, OfAKilledJobAreGoneOnWith) {
     const std::string big = "render a.toml -q --set film.size=[640,360] ";
-    make(big + "-o one.mp4");
+    make(big + "-o one.mp4 --jobs 1");
     // Until both children are drawing, then one of them or their parent.
     const std::string started =
         "for i in $(seq 3000); do program=$(pgrep -P $parent); [ -n \"$program\" ] && "
@@ -211,6 +211,65 @@ TEST_F(Parts, OfAKilledJobAreGoneOnWith) {
     make(big + "-o k.mp4 --jobs 2");
     EXPECT_TRUE(bytes("k.mp4") == bytes("one.mp4"));
     for (const std::string& name : names()) EXPECT_NE(name.front(), '.') << name;
+}
+
+// What several processes have left of a film: recover makes a film of it as far as it goes, and one
+// process goes on with it.
+TEST_F(Parts, OfAnInterruptedJobAreRecovered) {
+    const std::string big = "render a.toml -q --set film.size=[640,360] ";
+    make(big + "-o one.mp4 --jobs 1");
+    // The first part has two of the four chunks, of which more than one must be there.
+    const std::string enough =
+        std::to_string(fs::file_size(folder_.path() / "one.mp4") * 240 / 372 * 7 / 10);
+    const auto interrupted = [&] {
+        // Until the first part has frames of its own in the file, then all of them.
+        const ProgramRun done = run_shell(
+            folder_, kill_one_of(folder_,
+                                 "for i in $(seq 6000); do [ $(stat -c %s "
+                                 "\"$(dirname \"$0\")/.k.mp4.parts/.1-of-2.mp4.part.frames\" "
+                                 "2>/dev/null || echo 0) -gt " +
+                                     enough +
+                                     " ] && break; sleep 0.01; done; "
+                                     "kill -INT $(pgrep -P $parent);"));
+        EXPECT_EQ(bytes("code"), "3\n") << done.err;
+        EXPECT_TRUE(fs::exists(folder_.path() / ".k.mp4.parts"));
+    };
+    interrupted();
+    make("recover k.mp4 -q");
+    make("explain --verify k.mp4");
+    const std::string record = run("explain k.mp4").out;
+    EXPECT_NE(record.find("\nrun: 0-371\n"), std::string::npos) << record;
+    // Drawn again by one process it has the same bytes.
+    make("rerender k.mp4 -o again.mp4");
+    EXPECT_TRUE(bytes("again.mp4") == bytes("k.mp4"));
+    for (const std::string& name : names()) EXPECT_NE(name.front(), '.') << name;
+    fs::remove(folder_.path() / "k.mp4");
+    // Whoever says nothing goes on with as many processes as there were.
+    interrupted();
+    const ProgramRun done = run("render a.toml --set film.size=[640,360] -o k.mp4");
+    EXPECT_EQ(done.code, 0) << done.err;
+    EXPECT_NE(done.err.find("going on with frame"), std::string::npos) << done.err;
+    EXPECT_TRUE(bytes("k.mp4") == bytes("one.mp4"));
+    for (const std::string& name : names()) EXPECT_NE(name.front(), '.') << name;
+}
+
+// The default draws what one process does, whatever it chooses; several scenes share one process
+// once it has drawn.
+TEST_F(Parts, OfAnyNumberThatPaysAreTheBytesOfOne) {
+    folder_.write("b.toml", kScene);
+    const std::string big = " --set film.size=[640,360] -q ";
+    make("render b.toml a.toml --jobs 1 -o 'one_{scene}.mp4'" + big);
+    make("render b.toml a.toml -o '{scene}.mp4'" + big);
+    for (const char* name : {"a.mp4", "b.mp4"})
+        EXPECT_TRUE(bytes(name) == bytes(std::string("one_") + name)) << name;
+    EXPECT_NE(run("check a.toml --plan").out.find("\njobs: "), std::string::npos);
+}
+
+TEST_F(Parts, AreNothingThatAPictureHas) {
+    expect_refusal("still a.toml -o a.png --part 1/2", "--part");
+    expect_refusal("render a.toml -o null --jobs 2", "has no parts that --jobs could share out");
+    expect_refusal("render a.toml -o p.mp4 --jobs -3", "--jobs -3");
+    expect_refusal("render a.toml -o p.mp4 --jobs many", "--jobs");
 }
 
 }  // namespace

@@ -129,11 +129,12 @@ TEST_F(Submit, IsRefusedInASentence) {
     // Refused at the second call: the first is cancelled.
     stand_in("scontrol", "echo 'MaxArraySize = 3'\n");
     stand_in("sbatch",
-             "echo \"$@\" >>calls\n[ $(wc -l <calls) = 1 ] && echo 7 && exit\necho 'no such "
-             "partition' >&2; exit 1\n");
+             "echo \"$@\" >>calls\n[ $(wc -l <calls) = 1 ] && echo 7 && exit\n"
+             "printf 'sbatch: error: no such partition\\nsbatch: error: Batch failed\\n' >&2; "
+             "exit 1\n");
     stand_in("scancel", "echo \"$@\" >cancelled\n");
     expect("submit a.toml -q -o a.mp4 --parts 3", 3,
-           "sbatch refused: no such partition; cancelled");
+           "sbatch refused: no such partition; Batch failed; cancelled");
     EXPECT_EQ(text("cancelled"), "7\n");
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <string>
 
 #include "cli/program_run.h"
@@ -145,6 +146,44 @@ TEST_F(Swept, IsLaidOutInASheet) {
         EXPECT_TRUE(written) << k;
     }
     for (int x = 192; x < 384; ++x) EXPECT_TRUE(sheet.at(x, row + 50) == sheet.at(0, 0));
+}
+
+// One table with the values before each row, or a file for each value.
+TEST_F(Swept, IsSampledValueByValue) {
+    const std::string key = "start.omega_rad_s[1]";
+    const std::string what = "sample a.toml --times 0,1 --columns omega_body ";
+    std::string right = key + ",omega_body_1_rad_s,omega_body_2_rad_s,omega_body_3_rad_s\n";
+    for (const std::string value : {"1", "1.5"}) {
+        const ProgramRun one = run(what + "--set '" + key + "=" + value + "'");
+        ASSERT_EQ(one.code, 0) << one.err;
+        std::istringstream lines(one.out);
+        std::string line;
+        std::getline(lines, line);
+        while (std::getline(lines, line)) right += value + "," + line + "\n";
+        ASSERT_EQ(run(what + "--set '" + key + "=" + value + "' -o one.csv").code, 0);
+        ASSERT_EQ(run(what + "--sweep '" + key + "=1,1.5' -o '{scene}_{key}.csv'").code, 0);
+        EXPECT_EQ(text_of(folder_.path() / ("a_" + value + ".csv")),
+                  text_of(folder_.path() / "one.csv"));
+    }
+    const ProgramRun all = run(what + "--sweep '" + key + "=1,1.5'");
+    EXPECT_EQ(all.out, right);
+    ASSERT_EQ(run(what + "--sweep '" + key + "=1,1.5' -o all.csv").code, 0);
+    EXPECT_EQ(text_of(folder_.path() / "all.csv"), right);
+    const ProgramRun words = run(what + "--sweep theme=light,dark");
+    EXPECT_EQ(words.code, 2);
+    EXPECT_NE(words.err.find("light is no number"), std::string::npos) << words.err;
+    EXPECT_EQ(words.out, "");
+}
+
+// A sheet says what it is, and that it cannot be drawn again from that.
+TEST_F(Swept, SheetCarriesARecord) {
+    ASSERT_EQ(run("still a.toml -q -o sheet.png --sheet 2x1 --sweep film.fps=10,20").code, 0);
+    const ProgramRun said = run("explain --verify sheet.png");
+    EXPECT_EQ(said.code, 0) << said.err;
+    EXPECT_NE(said.out.find("\nsheet: 2x1: fps = 10; fps = 20\n"), std::string::npos) << said.out;
+    const ProgramRun again = run("rerender sheet.png -o again.png");
+    EXPECT_EQ(again.code, 2);
+    EXPECT_NE(again.err.find("is a sheet of many pictures"), std::string::npos) << again.err;
 }
 
 }  // namespace

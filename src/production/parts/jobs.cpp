@@ -3,25 +3,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cinttypes>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "error/error.h"
 #include "output/film_part.h"
+#include "output/film_parts.h"
 #include "output/frame_log.h"
 #include "production/output_place.h"
 #include "production/parts/child.h"
+#include "production/parts/job_choice.h"
 #include "production/parts/join.h"
 #include "system/atomic_file.h"
 #include "system/file_kind.h"
 #include "system/interrupt.h"
+#include "system/processor.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -30,13 +34,46 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path parts_folder(const fs::path& film) { return aside_path_of(film, ".parts"); }
+
+// Parts in such a folder: "2-of-8.mp4", and as long as it is drawn ".2-of-8.mp4.part.frames".
+struct LeftPart {
+    std::int64_t number = 0, n_parts = 0;
+    fs::path path;
+};
+std::vector<LeftPart> parts_left_of(const fs::path& film) {
+    std::vector<LeftPart> parts;
+    std::error_code error;
+    for (fs::directory_iterator at(parts_folder(film), error);
+         !error && at != fs::directory_iterator(); at.increment(error)) {
+        LeftPart part;
+        part.path = at->path();
+        const std::string name = part.path.filename().string();
+        const char* const begin = name.c_str() + (name.starts_with('.') ? 1 : 0);
+        if (std::sscanf(begin, "%" SCNd64 "-of-%" SCNd64, &part.number, &part.n_parts) == 2)
+            parts.push_back(std::move(part));
+    }
+    std::sort(parts.begin(), parts.end(), [](const LeftPart& a, const LeftPart& b) {
+        return std::pair(a.n_parts, a.number) < std::pair(b.n_parts, b.number);
+    });
+    return parts;
+}
+
+bool has_bytes(const fs::path& path) {
+    std::error_code none;
+    const auto size = fs::file_size(path, none);
+    return !none && size > 0;
+}
+
 // Where parts of a film wait for each other: a hidden folder beside it, which goes with the last of
-// them. Held by one run at a time.
+// them. Held by one run at a time, as is what one process would leave, which goes when the film is
+// there.
 class PartsAside {
  public:
     PartsAside(const fs::path& film, std::int64_t n_parts)
-        : folder_(aside_path_of(film, ".parts")),
-          suffix_(fmt::format("-of-{}{}", n_parts, film.extension().string())) {
+        : folder_(parts_folder(film)),
+          suffix_(fmt::format("-of-{}{}", n_parts, film.extension().string())),
+          of_one_process_(film, frame_log_path(film), true) {
         std::error_code error;
         fs::create_directory(folder_, error);
         if (error) throw_write_error(film, error.value());
@@ -59,6 +96,7 @@ class PartsAside {
         lock_.reset();
         std::error_code ignored;
         fs::remove_all(folder_, ignored);
+        of_one_process_.discard();
     }
 
  private:
@@ -77,14 +115,14 @@ class PartsAside {
 
     fs::path folder_;
     std::string suffix_;
+    AtomicFile of_one_process_;
     std::optional<AtomicFile> lock_;
 };
 
 // Jobs share the processor; each drawing with as many threads as there are cores would only make
 // them wait for each other.
-void take_a_share_of_the_cores(std::int64_t n_jobs) {
-    const std::int64_t n_cores = std::max(1u, std::thread::hardware_concurrency());
-    const std::int64_t n_threads = n_cores / n_jobs;
+void take_a_share_of_the_cores(int n_jobs) {
+    const int n_threads = n_drawing_threads(n_jobs, n_processors());
     // llvmpipe draws on the calling thread where it has no threads of its own.
     ::setenv("LP_NUM_THREADS", fmt::format("{}", n_threads > 1 ? n_threads : 0).c_str(), 0);
 }
@@ -99,7 +137,7 @@ void draw_parts(const Session& session, const FilmRequest& request, std::int64_t
         part.output = outputs[static_cast<std::size_t>(number - 1)];
         part.part = {number, n_parts};
         children.start([&session, &context, part, n_parts](const Telling& child_telling) {
-            take_a_share_of_the_cores(n_parts);
+            take_a_share_of_the_cores(static_cast<int>(n_parts));
             Easel easel(context);
             FilmJob(session, part).make(easel, child_telling);
         });
@@ -107,14 +145,44 @@ void draw_parts(const Session& session, const FilmRequest& request, std::int64_t
     children.wait(telling);
 }
 
+// How many where nothing is said: as an interrupted run had, of one process or several, or as many
+// as pay.
+int n_jobs_for(const Session& session, std::int64_t n_frames, const fs::path& path,
+               const Easel& easel) {
+    if (easel.is_open() || has_bytes(frame_log_path(path))) return 1;
+    const std::vector<LeftPart> left = parts_left_of(path);
+    constexpr std::int64_t most = 4096;
+    if (!left.empty() && left.front().n_parts >= 1 && left.front().n_parts <= most)
+        return static_cast<int>(left.front().n_parts);
+    return choose_jobs(work_of(session, n_frames, path), this_machine()).n_jobs;
+}
+
+// The entries of a part, in the log of the film.
+void append_all(const PartFile& part, FrameLog& log) {
+    const std::vector<PartFile> one{part};
+    JoinedEntries entries(one);
+    for (std::int64_t k = 0; k < part.n_there(); ++k)
+        log.append(entries.read(part.part().n_before + k));
+}
+
+void make_in_this_process(const FilmJob& film, const fs::path& path, Easel& easel,
+                          const Telling& telling) {
+    film.make(easel, telling);
+    // What several processes have left of it is of no use any more.
+    std::error_code ignored;
+    if (!parts_left_of(path).empty()) fs::remove_all(parts_folder(path), ignored);
+}
+
 }  // namespace
 
-void make_in_jobs(const Session& session, const FilmRequest& request, int n_jobs,
-                  const ContextChoice& context, const Telling& telling) {
+void make_in_jobs(const Session& session, const FilmRequest& request, std::optional<int> n_asked,
+                  Easel& easel, const Telling& telling) {
     const FilmJob film(session, request);
     const OutputPlace place(request.output, session.scene, ".mp4");
     const fs::path& path = place.path();
     const OutputFormat& format = format_for(path);
+    const int n_jobs = n_asked ? *n_asked : n_jobs_for(session, film.n_frames(), path, easel);
+    if (n_jobs == 1) return make_in_this_process(film, path, easel, telling);
     if (!format.has_parts)
         throw InputError(fmt::format("{}: has no parts that --jobs could share out; leave it out",
                                      printable(path.string())));
@@ -129,18 +197,47 @@ void make_in_jobs(const Session& session, const FilmRequest& request, int n_jobs
     if (format.join == nullptr) {
         // Pictures go to their own names at once.
         const std::vector<std::string> outputs(static_cast<std::size_t>(n_parts), path.string());
-        draw_parts(session, request, n_parts, context, outputs, telling);
+        draw_parts(session, request, n_parts, easel.choice(), outputs, telling);
         film.end_sequence(path, telling);
     } else {
         PartsAside aside(path, n_parts);
         std::vector<std::string> parts;
+        parts.reserve(static_cast<std::size_t>(n_parts));
         for (std::int64_t number = 1; number <= n_parts; ++number)
             parts.push_back(aside.part(number));
-        draw_parts(session, request, n_parts, context, parts, telling);
+        draw_parts(session, request, n_parts, easel.choice(), parts, telling);
         join(parts, path.string(), {});
         aside.clear();
     }
     telling.finish(printable(path.string()));
+}
+
+void gather_parts_aside(const fs::path& film) {
+    const std::vector<LeftPart> left = parts_left_of(film);
+    if (left.empty() || has_bytes(frame_log_path(film))) return;
+    // Another run that still draws holds it.
+    const AtomicFile lock(film, parts_folder(film) / "held");
+    std::optional<FrameLog> log;
+    std::int64_t n_before = 0;  // frames gathered
+    for (const LeftPart& part : left) {
+        if (part.n_parts != left.front().n_parts || !looks_like_part(part.path)) continue;
+        const PartFile file(part.path);
+        if (file.part().n_before != n_before || file.n_there() == 0) continue;
+        if (!log) {
+            OutputPlan plan = file.plan();
+            plan.path = film;
+            plan.part.reset();
+            plan.resume = true;
+            log.emplace(plan, file.settings(), 1);
+        }
+        append_all(file, *log);
+        n_before += file.n_there();
+        if (!file.is_whole()) break;
+    }
+    if (!log) return;
+    log.reset();
+    std::error_code ignored;
+    fs::remove_all(parts_folder(film), ignored);
 }
 
 }  // namespace poinsot

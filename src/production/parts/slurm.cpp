@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
+#include <string_view>
 
 #include "error/error.h"
 #include "system/run_program.h"
@@ -84,6 +86,19 @@ std::string id_of(const std::string& answer) {
     throw EnvironmentError(why + what_was);
 }
 
+// What a command of Slurm's said, as one line: its lines without the name and "error:" before each.
+std::string words_of(const std::string& said) {
+    std::string words;
+    std::istringstream lines(said);
+    for (std::string line; std::getline(lines, line);) {
+        for (const std::string_view before : {"sbatch: ", "error: "})
+            if (line.starts_with(before)) line.erase(0, before.size());
+        line.erase(line.find_last_not_of(" \t\r") + 1);
+        if (!line.empty()) words += (words.empty() ? "" : "; ") + line;
+    }
+    return words.empty() ? "without a word" : printable(words, most_of_a_message);
+}
+
 }  // namespace
 
 std::vector<SlurmCall> slurm_calls(const Submission& submission,
@@ -155,9 +170,7 @@ SlurmIds submit(const std::vector<SlurmCall>& calls) {
                     "are, or take --dry-run and run the tasks otherwise");
         const std::string id = id_of(answer.out);
         if (answer.code != 0 || id.empty())
-            give_up(ids, fmt::format("sbatch refused: {}",
-                                     printable(answer.err.substr(
-                                         0, answer.err.find_last_not_of(" \n") + 1))));
+            give_up(ids, fmt::format("sbatch refused: {}", words_of(answer.err)));
         (call.after_parts ? ids.joins : ids.parts).push_back(id);
     }
     return ids;

@@ -1,0 +1,116 @@
+#include "production/parts/job_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/film_part.h"
+#include "output/frame_sink.h"
+#include "output/quality.h"
+#include "system/file_kind.h"
+#include "system/processor.h"
+
+namespace poinsot {
+
+namespace {
+
+// CPU seconds of a frame: a millisecond, and what the table of qualities has for its pixels.
+// Measured of the default scene as MP4, lecture (2026-11-22): 2.3 ms at 320×180, 5.8 at 640×360, 33
+// at 1920×1080; this gives 2.2, 5.7 and 43.
+double frame_s(const FilmWork& film) {
+    const QualityFigures& figures = quality_named(film.quality).figures;
+    const double share = film.width_px * static_cast<double>(film.height_px) / (960.0 * 540.0);
+    return 1e-3 * (1.0 + (figures.picture_ms + figures.film_ms) * share);
+}
+
+// Work below which another process does not pay: its start takes 0.2 s of CPU, 0.5 s where the
+// shaders have to be compiled.
+constexpr double kLeast_s = 0.5;
+
+// A process's share of the memory: libraries, shaders and curves, and for its pixels layers,
+// pictures in the queue and the encoder's. Measured beside one other (Pss, lecture, 2026-11-22):
+// 127 MiB at 320×180, 357 at 1920×1080, 1,089 at 3840×2160; 505 at 1920×1080 with 2×2 samples a
+// pixel, 1,052 with 4×4.
+std::int64_t job_MiB(const FilmWork& film) {
+    const int samples = quality_named(film.quality).samples;
+    return 120 + std::int64_t{film.width_px} * film.height_px *
+                     (94 + std::int64_t{23} * samples * samples) / 1000000;
+}
+
+// How many cores a job of a format keeps busy with its encoder, so that more jobs would only make
+// them wait for each other; 0: one process ends sooner, since it encodes alone.
+int cores_a_job(const OutputFormat& format) {
+    if (format.name == "mp4" || format.name == "png-sequence") return 1;
+    // libvpx's threads wait for each other busily: two jobs on two cores took 1.3 times as long.
+    if (format.name == "webm") return 2;
+    return 0;
+}
+
+// The most that the memory, of which a half stays free, holds.
+std::int64_t most_in(const Machine& machine, std::int64_t each_MiB) {
+    return machine.memory_MiB <= 0 ? 1
+                                   : std::max<std::int64_t>(1, machine.memory_MiB / 2 / each_MiB);
+}
+
+}  // namespace
+
+Machine this_machine() { return {n_processors(), memory_MiB()}; }
+
+FilmWork work_of(const Session& session, std::int64_t n_frames,
+                 const std::filesystem::path& output) {
+    const FilmSpec& film = session.scene.film;
+    return {n_frames, film.width_px, film.height_px, film.quality, output};
+}
+
+int n_drawing_threads(int n_jobs, int n_cores) {
+    return std::max(1, n_cores / std::max(1, n_jobs));
+}
+
+JobChoice choose_jobs(const FilmWork& film, const Machine& machine) {
+    const OutputFormat& format = format_for(film.output);
+    JobChoice choice;
+    const std::int64_t each_MiB = job_MiB(film);
+    std::int64_t n_jobs = 1;
+    const auto limit = [&](std::int64_t most, const std::string& why) {
+        if (most >= n_jobs) return;
+        n_jobs = most;
+        choice.why = why;
+    };
+    const int cores = cores_a_job(format);
+    if (cores == 0 || !format.has_parts) {
+        choice.why = fmt::format("a .{} is put together by one process", format.name);
+    } else if (kind_of_file(film.output) == FileKind::special || film.output == "-") {
+        choice.why = "it goes to a pipe or a device";
+    } else {
+        n_jobs = std::max(1, machine.n_cores / cores);
+        choice.why = fmt::format(
+            "the machine has {} core{}{}", machine.n_cores, machine.n_cores == 1 ? "" : "s",
+            cores == 1 ? "" : fmt::format(", and its encoder takes {}", cores));
+        const std::int64_t n_chunks =
+            part_of_film(1, film.n_frames, film.n_frames, format.n_chunk_frames).n_parts;
+        limit(n_chunks, fmt::format("the film has {} part{} of {} frames", n_chunks,
+                                    n_chunks == 1 ? "" : "s", format.n_chunk_frames));
+        const double work_s = frame_s(film) * static_cast<double>(film.n_frames);
+        limit(std::max<std::int64_t>(1, std::llround(std::floor(std::min(work_s / kLeast_s, 1e6)))),
+              fmt::format("drawing and encoding take some {:.2g} s of processor time, and another "
+                          "process pays from {} s each on",
+                          work_s, kLeast_s));
+        limit(most_in(machine, each_MiB),
+              fmt::format("half of the memory has room for them, {} MiB each", each_MiB));
+    }
+    choice.n_jobs = static_cast<int>(n_jobs);
+    choice.n_threads = n_drawing_threads(choice.n_jobs, machine.n_cores);
+    choice.memory_MiB = each_MiB * choice.n_jobs;
+    return choice;
+}
+
+std::string in_words(const JobChoice& choice) {
+    if (choice.n_jobs == 1) return fmt::format("one process, about {} MiB", choice.memory_MiB);
+    return fmt::format(
+        "{} processes, each drawing with {}, about {} MiB together", choice.n_jobs,
+        choice.n_threads == 1 ? "one thread" : fmt::format("{} threads", choice.n_threads),
+        choice.memory_MiB);
+}
+
+}  // namespace poinsot
