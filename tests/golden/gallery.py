@@ -27,7 +27,7 @@ COLUMNS = 3
 # As a lecture would come to them.
 ORDER = ["tensor", "four_views", "momentum_sphere", "torque_axis", "torque_symmetric", "euler_drift", "inertia_ellipsoid", "gradient",
          "invariable_plane", "rolling", "generic", "lecture_construction", "sphere", "stable_largest", "stable_smallest",
-         "tennis_racket", "separatrix", "energy_sweep", "symmetric_oblate", "symmetric_prolate", "point_masses", "euler_angles",
+         "tennis_racket", "separatrix", "stability_map", "energy_sweep", "symmetric_oblate", "symmetric_prolate", "point_masses", "euler_angles",
          "heavy_top_conserved", "heavy_top_wavy", "heavy_top_cusp", "heavy_top_looping", "heavy_top_steady",
          "heavy_top_sleeping", "t_handle", "racket_thrown", "feynman_plate", "football", "earth_wobble", "toutatis"]
 # Of the lecture: those with a claim about rigid bodies.
@@ -50,12 +50,12 @@ def draw(program, names):
             palette(picture, GALLERY / f"{name}.png")
 
 
-def palette(picture, small):
+def palette(picture, small, colours=COLOURS, most_bytes=MOST_BYTES):
     """The picture with few colours, below the most that one may take."""
-    subprocess.run(["pngquant", "--force", "--nofs", "--speed", "1", "--strip", "-o", str(small), COLOURS, str(picture)],
+    subprocess.run(["pngquant", "--force", "--nofs", "--speed", "1", "--strip", "-o", str(small), colours, str(picture)],
                    check=True)
-    if small.stat().st_size > MOST_BYTES:
-        sys.exit(f"{small}: {small.stat().st_size} bytes, more than {MOST_BYTES}; take fewer colours")
+    if small.stat().st_size > most_bytes:
+        sys.exit(f"{small}: {small.stat().st_size} bytes, more than {most_bytes}; take fewer colours")
 
 
 def draw_first(program):
@@ -68,6 +68,16 @@ def draw_first(program):
         subprocess.run([program, "still", scene, "--portable", "--theme", "print", "--width-mm", "85", "--dpi", "144", "-q",
                         "-o", str(picture)], check=True)
         palette(picture, README_PICTURES / "print.png")
+    draw_map(program)
+
+
+def draw_map(program):
+    """The guide's: a sweep on a sheet."""
+    with tempfile.TemporaryDirectory() as folder:
+        sheet = pathlib.Path(folder) / "map.png"
+        subprocess.run([program, "still", str(ROOT / "scenes" / "stability_map.toml"), "--portable", "--size", "400x226", "--sweep",
+                        "start.omega_rad_s[1]=0:1.65:12", "--sheet", "4x3", "-q", "-o", str(sheet)], check=True)
+        palette(sheet, README_PICTURES / "stability_map.png", most_bytes=4 * MOST_BYTES)
 
 
 def lines_of(name):
