@@ -36,8 +36,7 @@ SlurmctldHost={host}(127.0.0.1)
 SlurmUser=root
 SlurmctldPort={port}
 SlurmdPort={daemon_port}
-AuthType=auth/none
-CredType=cred/none
+{authentication}
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 SelectType=select/cons_tres
@@ -85,7 +84,7 @@ class Slurm:
         host = socket.gethostname().split(".")[0]
         configuration = folder / "slurm.conf"
         configuration.write_text(CONFIGURATION.format(host=host, folder=folder, cpus=os.cpu_count(), port=free_port(),
-                                                      daemon_port=free_port()))
+                                                      daemon_port=free_port(), authentication=self.munge()))
         os.environ["SLURM_CONF"] = str(configuration)
         os.environ["PATH"] += ":/usr/sbin"
         self.start("slurmctld")
@@ -95,6 +94,24 @@ class Slurm:
             if time.monotonic() > deadline:
                 raise CannotStart("no node became idle in 20 s: " + (folder / "slurmd.log").read_text()[-300:])
             time.sleep(0.2)
+
+    def munge(self):
+        """A munged of the test's own, which vouches for who asks whom; its lines of slurm.conf. Without one nobody is asked."""
+        self.authentication = "none"
+        if shutil.which("munged") is None and not os.path.exists("/usr/sbin/munged"):
+            return "AuthType=auth/none\nCredType=cred/none"
+        place = self.folder / "munge"
+        place.mkdir(mode=0o711)
+        key = place / "key"
+        key.write_bytes(os.urandom(128))
+        key.chmod(0o600)
+        done = subprocess.run(["munged" if shutil.which("munged") else "/usr/sbin/munged", "--force", f"--key-file={key}",
+                               f"--socket={place / 'socket'}", f"--pid-file={self.folder / 'munged.pid'}",
+                               f"--log-file={place / 'log'}", f"--seed-file={place / 'seed'}"], capture_output=True, text=True)
+        if done.returncode != 0:
+            raise CannotStart(f"munged: {done.stderr.strip()[-300:]}")
+        self.authentication = "munge"
+        return f"AuthType=auth/munge\nAuthInfo=socket={place / 'socket'}\nCredType=cred/munge"
 
     def start(self, daemon):
         done = subprocess.run([daemon, "-f", os.environ["SLURM_CONF"]], capture_output=True, text=True)
@@ -130,6 +147,7 @@ class Slurm:
         self.wait_until_empty(5)
         self.stop("slurmd")
         self.stop("slurmctld")
+        self.stop("munged")
 
 
 class Trial:
@@ -255,6 +273,7 @@ def main():
             slurm.folder = folder / "slurm"
             slurm.__init__(folder / "slurm")
             trial = Trial(program, folder, slurm)
+            print(f"Slurm is up, daemons authenticated by {slurm.authentication}", flush=True)
             trial.film()
             trial.stills()
             trial.refusals()
