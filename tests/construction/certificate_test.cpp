@@ -116,6 +116,7 @@ TEST(Certificate, HoldsForTheLeastNumbers) {
         problem.inertia = InertiaTensor::from_principal_moments({1.0, 2.0, 2.5});
         problem.start.omega_body = rate * Eigen::Vector3d(0.3, 1.0, 0.2);
         std::vector<double> turns;
+        turns.reserve(instants.size());
         for (const double turn : instants) turns.push_back(turn / rate);
         const Certificate certificate = certify(Motion(problem), turns, exact_residual_bound);
         for (const CertifiedClaim& claim : certificate.claims)

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <deque>
+#include <set>
 
 #include "drawing/charts/plot_frame.h"
 #include "drawing/charts/plot_quantity.h"
@@ -50,6 +52,52 @@ TEST(FigureElements, RadiusEndsOnTheEllipsoidAndTheGradientStandsAlongL) {
         EXPECT_EQ(view.planes.front().centre, rho);
         EXPECT_EQ(view.planes.front().normal, Eigen::Vector3d::UnitZ());
     }
+}
+
+// The tangent patch goes with the contact; the curve's plane stands still, in whatever order the
+// scene names them.
+TEST(FigureElements, TheHerpolhodeLiesOnThePlaneThatStandsStill) {
+    for (const std::vector<std::string>& show :
+         {std::vector<std::string>{"tangent", "herpolhode", "plane"},
+          std::vector<std::string>{"plane", "tangent", "herpolhode"}}) {
+        const StagedScene staged(showing(show), 10.0);
+        std::vector<Eigen::Vector3d> centres;
+        for (const double t : {2.7, 9.1}) {
+            const View view = staged.stage.at(t).views.front();
+            ASSERT_EQ(view.planes.size(), 2u);
+            ASSERT_EQ(view.curves.size(), 1u);
+            ASSERT_GE(view.curves.front().on_plane, 0);
+            centres.push_back(
+                view.planes.at(static_cast<std::size_t>(view.curves.front().on_plane)).centre);
+        }
+        EXPECT_EQ(centres.front(), centres.back());
+    }
+}
+
+// A renderer keeps what it has uploaded by these numbers, of curves and of masks.
+TEST(FigureElements, NoTwoStagesGiveOneNumberToTwoThings) {
+    std::set<std::uint64_t> masks, geometry;
+    std::set<const GlyphMask*> seen_masks;
+    std::set<const CurveGeometry*> seen_geometry;
+    std::deque<StagedScene> stages;
+    for (int k = 0; k < 3; ++k) {
+        const Drawing drawing =
+            stages.emplace_back(showing({"ellipsoid", "polhode", "herpolhode", "axes"}), 10.0)
+                .stage.at(1.0 + k);
+        for (const View& view : drawing.views) {
+            for (const Label& label : view.labels) {
+                if (!seen_masks.insert(label.mask).second) continue;
+                EXPECT_TRUE(masks.insert(label.mask->id).second);
+            }
+            for (const Curve& curve : view.curves) {
+                if (!seen_geometry.insert(curve.geometry).second) continue;
+                EXPECT_TRUE(geometry.insert(curve.geometry->id).second);
+            }
+        }
+    }
+    EXPECT_GE(masks.size(), 9u);
+    EXPECT_GE(geometry.size(), 6u);
+    for (const std::uint64_t number : masks) EXPECT_FALSE(geometry.contains(number));
 }
 
 TEST(FigureElements, HalfAxesHaveTheirLengths) {
