@@ -179,16 +179,43 @@ TEST_F(Parts, OfManyJobsAreTheBytesOfOne) {
     for (const std::string& name : names()) EXPECT_NE(name.front(), '.') << name;
 }
 
+ProgramRun run_shell(const ScratchFolder& folder, const std::string& script) {
+    folder.write("script", script);
+    return run_program_in(folder, "", "bash script");
+}
+
+// What hangs on the whole film: a loop's changed start, and whether any of it is seen through.
+TEST_F(Parts, OfLoopsAndOfNoGroundAreTheBytesOfOne) {
+    for (const std::string film :
+         {"a.mp4 --set 'film.loop=\"period\"' --set 'camera.motion=\"co-precessing\"'",
+          "a.webm --theme transparent", "a.gif --theme transparent --set film.fps=20"}) {
+        make("render a.toml -q --jobs 1 -o one_" + film);
+        make("render a.toml -q --jobs 2 -o " + film);
+        const std::string name = film.substr(0, film.find(' '));
+        EXPECT_TRUE(bytes(name) == bytes("one_" + name)) << film;
+    }
+}
+
+// A second run on what processes draw side by side is refused, as beside one process.
+TEST_F(Parts, AreDrawnByOneRunAtATime) {
+    for (const std::string output : {"a.mp4", "a_####.png"}) {
+        const std::string held = output == "a.mp4" ? ".a.mp4.part.frames" : ".a_####.png.part";
+        const ProgramRun done = run_shell(
+            folder_, "\"$1\" render a.toml -q --jobs 2 --set film.size=[640,360] -o '" + output +
+                         "' & first=$!; for i in $(seq 3000); do [ -e '" + held +
+                         "' ] && [ -n \"$(pgrep -P $first)\" ] && break; sleep 0.01; done; "
+                         "\"$1\" render a.toml -q --jobs 1 --set film.size=[640,360] -o '" +
+                         output + "'; echo $? >code; kill -INT $first; wait $first");
+        EXPECT_EQ(bytes("code"), "3\n") << output << done.err;
+        EXPECT_NE(done.err.find("another run"), std::string::npos) << done.err;
+    }
+}
+
 // The processes that a shell's child has started, by their command.
 std::string kill_one_of(const ScratchFolder& folder, const std::string& how) {
     return "(\"$1\" render a.toml -o k.mp4 --jobs 2 --set film.size=[640,360] -q; echo $? >code) & "
            "parent=$!; " +
            how + " wait $parent; cd '" + folder.path().string() + "'";
-}
-
-ProgramRun run_shell(const ScratchFolder& folder, const std::string& script) {
-    folder.write("script", script);
-    return run_program_in(folder, "", "bash script");
 }
 
 TEST_F(Parts, OfAKilledJobAreGoneOnWith) {

@@ -195,7 +195,8 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
                                 n_parts));
     telling.begin(session.scene.name, film.n_frames());
     if (format.join == nullptr) {
-        // Pictures go to their own names at once.
+        // Pictures go to their own names at once, held against a second run as by one process.
+        const AtomicFile held(path, aside_path_of(path));
         const std::vector<std::string> outputs(static_cast<std::size_t>(n_parts), path.string());
         draw_parts(session, request, n_parts, easel.choice(), outputs, telling);
         film.end_sequence(path, telling);
