@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""The same page in several readers: each rasterises it, and they are compared with one another.
+
+Readers differ on type (hinting, weight of small letters) and in how they smooth an edge; away from type and edges they must not.
+Prints a table; exit code 1 if a reader fails or differs by more, 77 (skipped) where fewer than two are here.
+Usage: vector_readers.py POINSOT SCENES [NAME...]
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import numpy
+from PIL import Image
+
+DPI = 150
+# Levels of 255, mean over all pixels, and share of pixels over 24 levels, both with type and edges.
+MOST_MEAN = 2.0  # measured 1.42
+MOST_SHARE = 0.025  # measured 0.0175
+
+
+def chromium(folder, name, size):
+    page = folder / "page.html"
+    page.write_text(f'<body style="margin:0;background:#fff"><img src="{name}.svg" style="width:{size[0]}px;height:{size[1]}px">')
+    subprocess.run(["chromium", "--headless=new", "--no-sandbox", "--hide-scrollbars", f"--window-size={size[0]},{size[1]}",
+                    "--force-device-scale-factor=1", f"--screenshot={folder}/chromium.png", f"file://{page}"],
+                   capture_output=True, timeout=120, check=False)
+    return folder / "chromium.png"
+
+
+def raster(reader, folder, name, size):
+    """The file that a reader makes of the page."""
+    out = folder / f"{reader}.png"
+    commands = {
+        "pdftoppm": ["pdftoppm", "-png", "-singlefile", "-r", str(DPI), f"{name}.pdf", reader],
+        "gs": ["gs", "-q", "-dBATCH", "-dNOPAUSE", "-sDEVICE=png16m", f"-r{DPI}", "-dTextAlphaBits=4", "-dGraphicsAlphaBits=4",
+               f"-sOutputFile={reader}.png", f"{name}.pdf"],
+        "rsvg-convert": ["rsvg-convert", "--dpi-x", str(DPI), "--dpi-y", str(DPI), "-b", "white", "-o", f"{reader}.png",
+                         f"{name}.svg"],
+        "inkscape": ["inkscape", f"--export-dpi={DPI}", "--export-background=white", f"--export-filename={reader}.png",
+                     f"{name}.svg"]}
+    if reader == "chromium":
+        return chromium(folder, name, size)
+    subprocess.run(commands[reader], cwd=folder, capture_output=True, timeout=300, check=False)
+    return out
+
+
+def main():
+    program, scenes = sys.argv[1], pathlib.Path(sys.argv[2])
+    names = sys.argv[3:] or ["generic", "invariable_plane", "four_views", "momentum_sphere", "toutatis"]
+    readers = [r for r in ("pdftoppm", "gs", "rsvg-convert", "chromium", "inkscape") if shutil.which(r)]
+    if len(readers) < 2:
+        print("fewer than two readers are here")
+        return 77
+    failed = 0
+    print("against pdftoppm: mean of 255 levels / share of pixels over 24 levels")
+    print(f"{'scene':24}" + "".join(f"{r:>22}" for r in readers[1:]))
+    for name in names:
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = pathlib.Path(temporary)
+            for suffix in ("pdf", "svg"):
+                # Letters as paths: what is compared is geometry and tone.
+                subprocess.run([program, "still", str(scenes / f"{name}.toml"), "-q", "--theme", "print", "--text", "paths",
+                                "-o", f"{name}.{suffix}"], cwd=folder, check=True)
+            first = raster(readers[0], folder, name, (0, 0))
+            expected = numpy.asarray(Image.open(first).convert("RGB"), dtype=float)
+            size = (expected.shape[1], expected.shape[0])
+            row = f"{name:24}"
+            for reader in readers[1:]:
+                made = raster(reader, folder, name, size)
+                if not made.exists():
+                    row += f"{'failed':>22}"
+                    failed += 1
+                    continue
+                picture = Image.open(made).convert("RGB")
+                if abs(picture.width - size[0]) > 2 or abs(picture.height - size[1]) > 2:
+                    row += f"{'size ' + str(picture.size):>22}"
+                    failed += 1
+                    continue
+                width, height = min(picture.width, size[0]), min(picture.height, size[1])
+                apart = abs(numpy.asarray(picture, dtype=float)[:height, :width] - expected[:height, :width]).max(axis=2)
+                mean, share = apart.mean(), (apart > 24).mean()
+                row += f"{mean:14.2f} /{100 * share:5.2f}%"
+                failed += mean > MOST_MEAN or share > MOST_SHARE
+            print(row, flush=True)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
