@@ -14,6 +14,7 @@
 #include "report/html_report.h"
 #include "report/json_report.h"
 #include "report/junit.h"
+#include "report/rendered_page.h"
 #include "system/atomic_file.h"
 #include "system/file_kind.h"
 #include "text/printable.h"
@@ -125,8 +126,8 @@ void note_native(const std::vector<ComparedPicture>& pictures) {
 }
 
 // No output replaces a picture that is compared, or another output.
-void refuse_overwriting(const CompareChoices& choices,
-                        const std::vector<ComparedPicture>& pictures) {
+void refuse_overwriting(const CompareChoices& choices, const fs::path& expected,
+                        const fs::path& actual, const std::vector<ComparedPicture>& pictures) {
     const std::array<std::pair<std::string_view, fs::path>, 3> outputs{
         {{"--diff", choices.diff}, {"--report", choices.report}, {"--junit", choices.junit}}};
     const auto same = [](const fs::path& a, const fs::path& b) {
@@ -143,6 +144,8 @@ void refuse_overwriting(const CompareChoices& choices,
         for (std::size_t k = 0; k < i; ++k)
             if (same(path, outputs[k].second))
                 refuse(option, path, fmt::format("is what {} writes", outputs[k].first));
+        if (same(path, expected) || same(path, actual))
+            refuse(option, path, "is one of the files compared");
         for (const ComparedPicture& picture : pictures)
             if (same(path, picture.expected) || same(path, picture.actual))
                 refuse(option, path, "is one of the pictures compared");
@@ -160,7 +163,13 @@ int run(const CompareChoices& choices) {
                                      printable(choices.diff)));
 
     std::vector<ComparedPicture> pictures;
-    if (folders) {
+    std::optional<RenderedPages> pages;
+    if (is_page_name(expected) && is_page_name(actual)) {
+        pages.emplace();
+        const fs::path first = pages->picture_of(expected), second = pages->picture_of(actual);
+        pictures = {compare_files(actual.filename().string(), first, second, limits)};
+        if (pictures[0].outcome == Outcome::unreadable) throw InputError(pictures[0].reason);
+    } else if (folders) {
         pictures = compare_folders(expected, actual, limits);
         sort_by_severity(pictures);
     } else {
@@ -170,12 +179,12 @@ int run(const CompareChoices& choices) {
         if (pictures[0].outcome == Outcome::unreadable) throw InputError(pictures[0].reason);
     }
 
-    refuse_overwriting(choices, pictures);
+    refuse_overwriting(choices, expected, actual, pictures);
     const std::string title = fmt::format("{} compared with {}", printable(actual.string()),
                                           printable(expected.string()));
     if (!choices.diff.empty() && !pictures[0].actual.empty())
-        write_png(choices.diff,
-                  difference_picture(read_stored_png(expected), read_stored_png(actual)));
+        write_png(choices.diff, difference_picture(read_stored_png(pictures[0].expected),
+                                                   read_stored_png(pictures[0].actual)));
     if (!choices.report.empty()) write_whole(choices.report, html_report(title, pictures));
     if (!choices.junit.empty()) write_whole(choices.junit, junit_xml(title, pictures));
     if (choices.json) {
@@ -226,7 +235,7 @@ extern const Command compare_command{
     "REF NEW",
     2,
     2,
-    "compare two pictures, or two folders of them",
+    "compare two pictures, two pages of vectors, or two folders of pictures",
     line,
     {{{"poinsot compare expected.png new.png", "exit code 0: no pixel differs; 1: some do"},
       {"poinsot compare baselines/ results/ --report report.html",

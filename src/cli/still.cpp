@@ -78,8 +78,10 @@ int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Eas
             [&job = jobs[k], &choices, &telling] { return still_of(job, choices, telling); });
     };
     // Opened before there is another thread: it changes the environment that libraries read.
-    const auto is_pixels = [](const SceneJob& job) { return !is_vector_name(job.output); };
-    if (std::any_of(jobs.begin(), jobs.end(), is_pixels)) easel.context();
+    const auto opens_context = [&choices](const SceneJob& job) {
+        return !is_vector_name(job.output) || choices.vectors.shading == "picture";
+    };
+    if (std::any_of(jobs.begin(), jobs.end(), opens_context)) easel.context();
     int worst = 0;
     std::future<std::unique_ptr<StillJob>> next = begin(0);
     for (std::size_t k = 0; k < jobs.size(); ++k) {
@@ -98,7 +100,7 @@ void draw_alone(const SceneJob& job, const StillChoices& choices, Easel& easel, 
                 const Telling& telling) {
     constexpr std::int64_t small_px = 1 << 24;
     const std::unique_ptr<StillJob> still = still_of(job, choices, telling);
-    if (still->is_pixels() && still->n_pixels() <= small_px) easel.compile_quickly();
+    if (still->opens_context() && still->n_pixels() <= small_px) easel.compile_quickly();
     still->draw(easel, writer, telling);
 }
 
@@ -134,9 +136,11 @@ CommandLine line(std::any& room) {
              {"--type-pt", "size of labels on paper in points, 8.5 if not given; lines follow it",
               &c.print.type_pt, "points"},
              {"--shading",
-              "how vectors fill surfaces: tone (follows the light, the default) or none (lines "
-              "alone)",
-              &c.vectors.shading, "", "tone|none", false, "tone|none"},
+              "how vectors fill surfaces: tone (follows the light, the default), none (lines "
+              "alone) or picture (pixels, 600 an inch, within the exact outlines)",
+              &c.vectors.shading, "", "tone|none|picture", false, "tone|none|picture"},
+             {"--text", "type in vectors: font (real text, the default) or paths", &c.vectors.text,
+              "", "font|paths", false, "font|paths"},
              {"--depth", "bits a colour component: 8 or 16", &c.bit_depth, "8 or 16"},
              {"--sheet",
               "CxR: all of them in one picture of C columns and R rows, each with its values",

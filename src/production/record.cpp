@@ -17,7 +17,7 @@
 #include "output/film_metadata.h"
 #include "output/film_packets.h"
 #include "output/frame_sink.h"
-#include "production/vector_still.h"
+#include "production/vectors/vector_still.h"
 #include "scene/toml_document.h"
 #include "scene/write_scene.h"
 #include "system/file_kind.h"
@@ -121,14 +121,17 @@ std::string mesh_hash_of(const Scene& scene) {
     return hash.finish();
 }
 
-Record record_of(const Session& session, const PictureMaker& pictures, bool portable) {
-    const ContextInfo& context = pictures.context_info();
-    Record record =
-        record_of(session, pictures.stage(), in_words(pictures.bound(), session.accuracy.asked_px));
+void record_context(const ContextInfo& context, bool portable, Record& record) {
     record.portable = portable;
     if (!portable) record.processor = processor_capabilities();
     record.renderer = context.renderer;
     record.mesa = mesa_version(context.version);
+}
+
+Record record_of(const Session& session, const PictureMaker& pictures, bool portable) {
+    Record record =
+        record_of(session, pictures.stage(), in_words(pictures.bound(), session.accuracy.asked_px));
+    record_context(pictures.context_info(), portable, record);
     return record;
 }
 
@@ -175,6 +178,7 @@ std::string to_text(const Record& record) {
     if (record.type_pt) add("type-pt", fmt::format("{}", *record.type_pt));
     if (record.bit_depth != 8) add("depth", fmt::format("{}", record.bit_depth));
     if (!record.shading.empty()) add("shading", record.shading);
+    if (!record.lettering.empty()) add("type-as", record.lettering);
     if (record.frames)
         add("frames", fmt::format("{}-{}", record.frames->first, record.frames->second));
     if (record.run) add("run", fmt::format("{}-{}", record.run->first, record.run->second));
@@ -286,6 +290,7 @@ Record parse_record(std::string_view text, const std::string& name) {
     if (fields.contains("packets-sha256")) record.packets = field(fields, "packets-sha256", name);
     if (fields.contains("page-sha256")) record.page = field(fields, "page-sha256", name);
     if (fields.contains("shading")) record.shading = field(fields, "shading", name);
+    if (fields.contains("type-as")) record.lettering = field(fields, "type-as", name);
     if (record.time_s.has_value() == record.frames.has_value())
         refuse(name, "must say either an instant or frames");
     check_frames(record, name);

@@ -38,8 +38,9 @@ struct Record {
     std::optional<std::int64_t> frame;  // of a picture of a sequence, whose frames those are
     std::string pixels;                 // of a picture, hash; see image/pixel_check.h
     std::string packets;                // of a film, hash; see output/film_packets.h
-    std::string page;                   // of vectors, hash; see production/vector_still.h
+    std::string page;                   // of vectors, hash; see production/vectors/vector_still.h
     std::string shading;                // likewise: how surfaces are filled
+    std::string lettering;              // likewise: what type is; empty: fonts
     std::string
         sheet;  // of many pictures in one: "2x1: fps = 30; fps = 60"; all else is the first's
     bool sealed = false;     // it was read with a hash of all of it, which fits
@@ -54,6 +55,9 @@ std::string mesh_hash_of(const Scene& scene);
 
 // The record of what a stage shows, without time or frames and without what drew it.
 Record record_of(const Session& session, const Stage& stage, const std::string& bounds);
+
+// Puts in what drew the pixels.
+void record_context(const ContextInfo& context, bool portable, Record& record);
 
 // The record of pictures of a session, without time or frames.
 Record record_of(const Session& session, const PictureMaker& pictures, bool portable);

@@ -91,6 +91,7 @@ StillRequest still_request_of(const RedrawRequest& request, const Record& record
     still.print.type_pt = record.type_pt;
     still.bit_depth = record.bit_depth;
     if (!record.shading.empty()) still.vectors.shading = record.shading;
+    if (!record.lettering.empty()) still.vectors.text = record.lettering;
     return still;
 }
 

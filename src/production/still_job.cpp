@@ -24,6 +24,8 @@ namespace poinsot {
 
 namespace {
 
+constexpr int most_side_px = 16384;  // of a framebuffer
+
 FilmMoment moment_asked(const Session& session, const StillRequest& request) {
     const FilmPlan film = film_plan(session);
     const auto asked_s = request.time_s ? request.time_s : session.scene.film.still_s;
@@ -54,9 +56,13 @@ StillRequest accepted(StillRequest request) {
             fmt::format("{}: a still is a PNG, a PDF or an SVG; end its name in .png, .pdf or .svg",
                         printable(request.output)));
     check_vector_choices(request.vectors);
-    if (!is_vectors && request.vectors != VectorChoices{})
-        throw InputError(fmt::format("--shading {}: is for vectors; name the output .pdf or .svg",
-                                     request.vectors.shading));
+    if (!is_vectors && request.vectors != VectorChoices{}) {
+        const VectorChoices& vectors = request.vectors;
+        const bool is_shading = vectors.shading != VectorChoices{}.shading;
+        throw InputError(fmt::format("--{} {}: is for vectors; name the output .pdf or .svg",
+                                     is_shading ? "shading" : "text",
+                                     is_shading ? vectors.shading : vectors.text));
+    }
     if (is_vectors && request.bit_depth != 8)
         throw InputError(
             fmt::format("--depth {}: vectors have no pixels; leave it out, or name the output .png",
@@ -70,6 +76,21 @@ StillRequest accepted(StillRequest request) {
 // The histories shown begin with the film and end with the instant.
 PictureSpan span_of(const Session& session, double time_s) {
     return {.first_time_s = std::min(film_plan(session).start_s, time_s), .last_time_s = time_s};
+}
+
+// What a drawing of surfaces alone looks like.
+vector::Raster pixels_of(const Drawing& drawing, Easel& easel) {
+    constexpr double most_pixels = 1e8;
+    if (1.0 * drawing.width_px * drawing.height_px > most_pixels ||
+        std::max(drawing.width_px, drawing.height_px) > most_side_px)
+        throw InputError(fmt::format(
+            "--shading picture: {}x{} pixels at 600 dots an inch; at most {} a side and {:.0f} "
+            "million in all: make the figure smaller",
+            drawing.width_px, drawing.height_px, most_side_px, most_pixels / 1e6));
+    Image image;
+    easel.renderer().render_into(drawing, image);
+    const auto bytes = image.bytes();
+    return {image.width(), image.height(), {bytes.begin(), bytes.end()}};
 }
 
 PictureSetting setting_for(const Scene& scene, const StillRequest& request) {
@@ -90,18 +111,26 @@ std::int64_t StillJob::n_pixels() const {
     return std::int64_t{session_.scene.film.width_px} * session_.scene.film.height_px;
 }
 
-void StillJob::draw_vectors(OutputPlace place, Record record, const Telling& telling) {
+void StillJob::draw_vectors(OutputPlace place, Record record, Easel& easel,
+                            const Telling& telling) {
     record.time_s = moment_.time_s;
     record.dpi = request_.print.dpi;
     record.type_pt = request_.print.type_pt.value_or(default_type_pt);
     record.shading = request_.vectors.shading;
-    // The same on every machine: no renderer but this one has a part in it.
-    record.portable = true;
-    record.renderer = "vectors";
-    record.mesa = "none";
+    if (request_.vectors.text != VectorChoices{}.text) record.lettering = request_.vectors.text;
+    vector::DrawPixels draw_pixels;
+    if (has_pixels(request_.vectors)) {
+        record_context(easel.context().info(), easel.is_portable(), record);
+        draw_pixels = [&easel](const Drawing& drawing) { return pixels_of(drawing, easel); };
+    } else {
+        // The same on every machine: no renderer but this one has a part in it.
+        record.portable = true;
+        record.renderer = "vectors";
+        record.mesa = "none";
+    }
     const double dpi = record.dpi.value_or(default_dpi);
     const VectorStill still = vector_still(place.path(), staging_.stage, moment_, request_.vectors,
-                                           dpi, std::move(record));
+                                           dpi, std::move(record), draw_pixels);
     write_whole(place.path(), still.bytes);
     telling.say(fmt::format("{}\npaths within {:.2g} um of what they show",
                             printable(place.path().string()), still.off_um));
@@ -120,9 +149,9 @@ void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
     tell_notes(scene, telling);
     tell_type_notes(staging_.stage, telling);
     OutputPlace place(request_.output, scene, ".png");
-    if (!is_pixels()) {
+    if (is_vector_name(request_.output)) {
         const std::string bounds = in_words(staging_.bound, session_.accuracy.asked_px);
-        draw_vectors(std::move(place), record_of(session_, staging_.stage, bounds), telling);
+        draw_vectors(std::move(place), record_of(session_, staging_.stage, bounds), easel, telling);
         return;
     }
     PictureMaker pictures(std::move(staging_), easel);

@@ -12,7 +12,7 @@
 #include "production/session.h"
 #include "production/still_writer.h"
 #include "production/telling.h"
-#include "production/vector_still.h"
+#include "production/vectors/vector_still.h"
 
 namespace poinsot {
 
@@ -34,7 +34,9 @@ class StillJob {
 
     std::int64_t n_pixels() const;
     // Whether its drawing opens the easel's context.
-    bool is_pixels() const { return !is_vector_name(request_.output); }
+    bool opens_context() const {
+        return !is_vector_name(request_.output) || has_pixels(request_.vectors);
+    }
     // Draws it; the writer may still have it in hand. Throws InputError, EnvironmentError, and what
     // the writer throws of an earlier one.
     void draw(Easel& easel, StillWriter& writer, const Telling& telling);
@@ -43,7 +45,7 @@ class StillJob {
     Record draw_into(Easel& easel, Image& image);
 
  private:
-    void draw_vectors(OutputPlace place, Record record, const Telling& telling);
+    void draw_vectors(OutputPlace place, Record record, Easel& easel, const Telling& telling);
 
     Session session_;
     StillRequest request_;

@@ -70,6 +70,49 @@ void add_triangle(const MeshSight::Triangle& triangle, Path& path) {
     path.close();
 }
 
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+// All of several triangles that lie beside each other on paper, within their common outline: sides
+// that two share run both ways and fall away.
+Path common_outline(const std::vector<const MeshSight::Triangle*>& triangles) {
+    using Place = std::pair<double, double>;
+    std::map<Place, std::vector<Place>> sides;
+    const auto take = [&sides](const Place& from, const Place& to) {
+        const auto found = sides.find(from);
+        if (found == sides.end()) return false;
+        const auto at = std::find(found->second.begin(), found->second.end(), to);
+        if (at == found->second.end()) return false;
+        found->second.erase(at);
+        if (found->second.empty()) sides.erase(found);
+        return true;
+    };
+    for (const MeshSight::Triangle* t : triangles) {
+        const bool turned = cross(t->paper[1] - t->paper[0], t->paper[2] - t->paper[0]) < 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            Place a{t->paper[k].x(), t->paper[k].y()};
+            Place b{t->paper[(k + 1) % 3].x(), t->paper[(k + 1) % 3].y()};
+            if (turned) std::swap(a, b);
+            if (!take(b, a)) sides[a].push_back(b);
+        }
+    }
+    Path path;
+    while (!sides.empty()) {
+        const Place start = sides.begin()->first;
+        Place at = start;
+        path.move({at.first, at.second});
+        do {
+            const Place next = sides.at(at).back();
+            take(at, next);
+            at = next;
+            if (at != start) path.line({at.first, at.second});
+        } while (at != start && sides.contains(at));
+        path.close();
+    }
+    return path;
+}
+
 // Edges that an engraver would draw: where the surface turns away from the eye, where it ends, and
 // where it bends sharply.
 std::vector<std::array<Eigen::Vector3d, 2>> drawn_edges(const Sight& sight, const MeshSight& mesh) {
@@ -127,17 +170,18 @@ void draw_edges(const Canvas& canvas, const Mesh& mesh, const MeshSight& sight) 
 }
 
 void draw_mesh(const Canvas& canvas, const Mesh& mesh) {
+    if (canvas.shading == Shading::picture) return;
     constexpr std::size_t most_triangles = 20'000;
     if (mesh.geometry->positions.size() / 3 > most_triangles)
         throw InputError(fmt::format(
             "a body of {} triangles: as vectors at most {} can be drawn; take a simpler "
-            "mesh, or name the output .png",
+            "mesh, or --shading picture",
             mesh.geometry->positions.size() / 3, most_triangles));
     const MeshSight sight(mesh, canvas.sight);
     // What something hides in part comes first, from the back to the front; what nothing hides
     // covers none of its kind, and goes together by colour.
     std::vector<Facet> covered;
-    std::map<std::array<int, 3>, Path> clear;
+    std::map<std::array<int, 3>, std::vector<const MeshSight::Triangle*>> clear;
     for (const MeshSight::Triangle& triangle : sight.triangles()) {
         const Facet facet = facet_of(canvas, mesh, triangle);
         // Of a closed surface the far side is hidden by the near one.
@@ -147,7 +191,7 @@ void draw_mesh(const Canvas& canvas, const Mesh& mesh) {
         if (n_hidden > 0)
             covered.push_back(facet);
         else
-            add_triangle(triangle, clear[rounded(facet.colour)]);
+            clear[rounded(facet.colour)].push_back(&triangle);
     }
     std::stable_sort(covered.begin(), covered.end(),
                      [](const Facet& a, const Facet& b) { return a.depth > b.depth; });
@@ -156,9 +200,9 @@ void draw_mesh(const Canvas& canvas, const Mesh& mesh) {
         add_triangle(*facet.triangle, path);
         canvas.add(Fill{std::move(path), Ink{facet.colour, 1.0}, false, seam_pt});
     }
-    for (auto& [level, path] : clear) {
+    for (const auto& [level, triangles] : clear) {
         const Colour colour{level[0] / n_tones, level[1] / n_tones, level[2] / n_tones};
-        canvas.add(Fill{std::move(path), Ink{colour, 1.0}, false, seam_pt});
+        canvas.add(Fill{common_outline(triangles), Ink{colour, 1.0}, false, seam_pt});
     }
     if (canvas.shading == Shading::none) draw_edges(canvas, mesh, sight);
 }
@@ -208,7 +252,7 @@ void draw_cone(const Canvas& canvas, const Cone& cone) {
     if (!ellipse || (sight.perspective && sight.depth(cone.apex) <= sight.near_depth)) return;
     const Eigen::Vector2d apex = sight.paper(cone.apex);
 
-    if (canvas.shading != Shading::none) {
+    if (canvas.has_fills()) {
         // The sheets: within the rim a line of sight meets one of them, between it and the apex
         // both.
         const Eigen::Vector2d from_rim = ellipse->page_from_circle().inverse() * apex;

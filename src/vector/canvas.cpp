@@ -89,7 +89,7 @@ void draw_background(const Background& background, const Eigen::Vector2d& corner
                                 corner_pt + Eigen::Vector2d(0.0, size_pt.y()),
                                 {{0.0, {background.top, background.alpha}},
                                  {1.0, {background.bottom, background.alpha}}}};
-    page.items.emplace_back(std::move(fill));
+    page.add(std::move(fill));
 }
 
 namespace {
@@ -114,8 +114,12 @@ void draw_view(const Drawing& drawing, const View& view, const PageChoices& choi
     if (clips) {
         ClipBegin clip;
         clip.path.add_rectangle(sight.corner_pt, sight.size_pt);
-        canvas.add(std::move(clip));
+        page.add(std::move(clip));
     }
+    const bool has_surfaces = !(view.planes.empty() && view.ellipsoids.empty() &&
+                                view.cones.empty() && view.meshes.empty());
+    const bool has_pixels = choices.shading == Shading::picture && has_surfaces;
+    if (has_pixels) draw_ground_pixels(canvas, choices.draw_pixels);
     for (const Plane& plane : view.planes)
         if (!is_before_solids(canvas, plane)) {
             draw_plane(canvas, plane);
@@ -129,6 +133,7 @@ void draw_view(const Drawing& drawing, const View& view, const PageChoices& choi
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return sight.depth(view.ellipsoids[a].centre) > sight.depth(view.ellipsoids[b].centre);
     });
+    if (has_pixels) draw_ellipsoid_pixels(canvas, choices.draw_pixels);
     for (const std::size_t k : order) draw_ellipsoid(canvas, k);
     canvas.n_ellipsoids = view.ellipsoids.size();
     for (const Plane& plane : view.planes)
@@ -137,7 +142,7 @@ void draw_view(const Drawing& drawing, const View& view, const PageChoices& choi
     draw_arrows(canvas, ArrowLayer::hidden);
     for (const Curve& curve : view.curves) draw_curve(canvas, curve);
     draw_arrows(canvas, ArrowLayer::visible);
-    if (clips) canvas.add(ClipEnd{});
+    if (clips) page.add(ClipEnd{});
     for (const Label& label : view.labels) draw_label(canvas, label);
 }
 

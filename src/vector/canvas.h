@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "vector/conic.h"
@@ -16,8 +17,9 @@ namespace poinsot::vector {
 
 // How surfaces are filled.
 enum class Shading {
-    none,  // lines alone: the classical figure
-    tone   // colours that follow the light
+    none,    // lines alone: the classical figure
+    tone,    // colours that follow the light
+    picture  // pixels of whoever draws them, clipped by the outlines
 };
 
 // No path lies further from what it draws than this: 1 µm of a conic, 1.5 µm of other curves, to
@@ -38,7 +40,7 @@ struct Canvas {
     double pt(double px) const { return px * sight.pt_per_px; }
     // A line's width: none on paper is thinner than printers take.
     double line_pt(double px) const { return px > 0.0 ? std::max(pt(px), least_line_pt) : 0.0; }
-    void add(Item item) const { page.items.push_back(std::move(item)); }
+    void add(Item item) const { page.add(std::move(item)); }
     // A part of a track as Béziers; the page's bound grows to theirs, and by how far the track
     // itself is from what it stands for.
     Path path_of(const Track& track, double from, double to, double tolerance_pt,
@@ -52,6 +54,7 @@ struct Canvas {
     Lights lights;
     Shading shading;
     Page& page;
+    bool has_fills() const { return shading == Shading::tone; }
     // How far the picture has come, for behind().
     std::size_t n_planes = 0, n_ellipsoids = 0;
 };
@@ -59,6 +62,13 @@ struct Canvas {
 // canvas.cpp
 void draw_background(const Background& background, const Eigen::Vector2d& corner_pt,
                      const Eigen::Vector2d& size_pt, Page& page);
+// surfaces.cpp
+// Pixels of a drawing, as large as it says.
+using DrawPixels = std::function<Raster(const Drawing& drawing)>;
+// All that has a surface in pixels of 600 to an inch or more: what lies about the ellipsoids, which
+// are a little smaller in it. Then these, a little larger, clipped by their outlines.
+void draw_ground_pixels(const Canvas& canvas, const DrawPixels& draw);
+void draw_ellipsoid_pixels(const Canvas& canvas, const DrawPixels& draw);
 // plane.cpp
 bool is_before_solids(const Canvas& canvas, const Plane& plane);
 void draw_plane(const Canvas& canvas, const Plane& plane);

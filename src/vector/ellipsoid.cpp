@@ -195,7 +195,7 @@ void draw_ellipsoid(Canvas& canvas, std::size_t number) {
     if (!outline) return;
     if (canvas.shading == Shading::tone) {
         fill_lit(canvas, ellipsoid, sphere, *outline);
-    } else {
+    } else if (canvas.shading == Shading::none) {
         // What lies behind is paler, as through the surface.
         Fill veil;
         veil.path = canvas.path_of(*outline);

@@ -73,6 +73,8 @@ void Path::add(const Path& other) {
     steps.insert(steps.end(), other.steps.begin(), other.steps.end());
 }
 
+void Page::add(Item&& item) { items.push_back(std::move(item)); }
+
 double ShadedDisc::radius(int ring) const {
     return ring == n_rings ? 1.0 : std::sin(0.5 * std::numbers::pi * ring / n_rings);
 }

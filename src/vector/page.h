@@ -108,6 +108,17 @@ struct Type {
     double halo_pt = 0.0;
 };
 
+// Pixels: rows of sRGB-encoded R, G, B and alpha, not premultiplied, the upper first.
+struct Raster {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+struct Picture {
+    Raster raster;
+    Eigen::Vector2d corner_pt = Eigen::Vector2d::Zero(), size_pt = Eigen::Vector2d::UnitX();
+};
+
 // From here to its end, only what lies inside is drawn.
 struct ClipBegin {
     Path path;
@@ -115,11 +126,12 @@ struct ClipBegin {
 };
 struct ClipEnd {};
 
-using Item = std::variant<Fill, Stroke, Type, ClipBegin, ClipEnd>;
+using Item = std::variant<Fill, Stroke, Type, Picture, ClipBegin, ClipEnd>;
 
 struct Page {
     double width_pt = 0.0, height_pt = 0.0;
     std::vector<Item> items;
+    void add(Item&& item);
     double off_pt = 0.0;  // no path is further than this from what it draws, before rounding
 };
 

@@ -45,6 +45,30 @@ cairo_matrix_t matrix_of(const Eigen::Affine2d& map) {
     return {m(0, 0), m(1, 0), m(0, 1), m(1, 1), m(0, 2), m(1, 2)};
 }
 
+Surface image_of(const Raster& raster) {
+    Surface image(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, raster.width, raster.height));
+    check(cairo_surface_status(image.get()));
+    unsigned char* data = cairo_image_surface_get_data(image.get());
+    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(image.get()));
+    const auto width = static_cast<std::size_t>(raster.width);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(raster.height); ++y) {
+        auto* row = reinterpret_cast<std::uint32_t*>(data + y * stride);
+        const std::uint8_t* from = raster.rgba.data() + 4 * width * y;
+        for (std::size_t x = 0; x < width; ++x, from += 4) {
+            const std::uint32_t alpha = from[3];
+            const auto times = [alpha](std::uint32_t c) { return (c * alpha + 127) / 255; };
+            row[x] = alpha << 24U | times(from[0]) << 16U | times(from[1]) << 8U | times(from[2]);
+        }
+    }
+    cairo_surface_mark_dirty(image.get());
+    return image;
+}
+
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
+    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
 class Writer {
  public:
     explicit Writer(cairo_t* cairo) : cairo_(cairo) {
@@ -96,6 +120,18 @@ class Writer {
         trace(type.rules);
         cairo_set_fill_rule(cairo_, CAIRO_FILL_RULE_WINDING);
         cairo_fill(cairo_);
+    }
+
+    void operator()(const Picture& picture) {
+        const Surface image = image_of(picture.raster);
+        cairo_save(cairo_);
+        cairo_translate(cairo_, picture.corner_pt.x(), picture.corner_pt.y());
+        cairo_scale(cairo_, picture.size_pt.x() / picture.raster.width,
+                    picture.size_pt.y() / picture.raster.height);
+        cairo_set_source_surface(cairo_, image.get(), 0.0, 0.0);
+        cairo_pattern_set_filter(cairo_get_source(cairo_), CAIRO_FILTER_GOOD);
+        cairo_paint(cairo_);
+        cairo_restore(cairo_);
     }
 
     void operator()(const ClipBegin& clip) {
@@ -324,11 +360,6 @@ class Writer {
     std::map<std::filesystem::path, Face> faces_;
 };
 
-cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
-    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
-    return CAIRO_STATUS_SUCCESS;
-}
-
 // A text string of PDF in UTF-8 (ISO 32000-2, 7.9.2.2), between parentheses.
 std::string pdf_string(std::string_view text) {
     std::string out = "(\xEF\xBB\xBF";
@@ -352,6 +383,12 @@ std::string_view last_after(std::string_view pdf, std::string_view word) {
 }
 
 }  // namespace
+
+std::string png_of(const Raster& raster) {
+    std::string bytes;
+    check(cairo_surface_write_to_png_stream(image_of(raster).get(), append, &bytes));
+    return bytes;
+}
 
 std::string pdf_of(const Page& page, std::string_view title) {
     std::string bytes;

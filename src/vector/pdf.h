@@ -13,6 +13,9 @@ namespace poinsot::vector {
 // Throws EnvironmentError where a font cannot be read or Cairo fails.
 std::string pdf_of(const Page& page, std::string_view title);
 
+// Pixels as a PNG.
+std::string png_of(const Raster& raster);
+
 // The same file with a text of its own in the document's information, under this name, as an
 // update appended to it (ISO 32000-1, 7.5.6).
 std::string with_pdf_text(std::string pdf, std::string_view name, std::string_view text);

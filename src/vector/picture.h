@@ -11,6 +11,7 @@ namespace poinsot::vector {
 struct PageChoices {
     double pt_per_px = 0.24;  // points on paper for a pixel of the drawing
     Shading shading = Shading::tone;
+    DrawPixels draw_pixels{};  // asked by Shading::picture alone
 };
 
 // All that a drawing shows. The page refers to the drawing's fonts, which must outlive it.

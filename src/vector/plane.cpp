@@ -165,7 +165,9 @@ bool is_before_solids(const Canvas& canvas, const Plane& plane) {
 void draw_plane(const Canvas& canvas, const Plane& plane) {
     if (plane.opacity <= 0.0 || plane.radius <= 0.0) return;
     const double share = share_before_eye(canvas, plane);
-    if (share > 0.0 && canvas.shading != Shading::none) fill_disc(canvas, plane, share);
+    if (share > 0.0 && canvas.has_fills()) fill_disc(canvas, plane, share);
+    // Before bodies the grid is pixels as they are.
+    if (canvas.shading == Shading::picture && !canvas.view.meshes.empty()) return;
     if (plane.grid_px > 0.0 && plane.grid_spacing > 0.0) Grid(canvas, plane).draw();
 }
 

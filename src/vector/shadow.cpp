@@ -74,7 +74,7 @@ Colour shadowed(const Canvas& canvas, const Plane& plane, const Eigen::Vector3d&
 
 void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
     const Ellipsoid& ellipsoid = canvas.view.ellipsoids[caster];
-    if (canvas.shading == Shading::none || !casts(ellipsoid)) return;
+    if (!canvas.has_fills() || !casts(ellipsoid)) return;
     const SoftShadow shade(plane, canvas.occluders.spheres()[caster], ellipsoid.presence,
                            canvas.view.light);
     const double deepest = shade.darkness(shade.hub());

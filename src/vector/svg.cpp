@@ -10,6 +10,7 @@
 
 #include "text/utf8.h"
 #include "vector/font_face.h"
+#include "vector/pdf.h"
 
 namespace poinsot::vector {
 
@@ -218,6 +219,15 @@ class Writer {
         }
         if (any_shape) body_ += fmt::format("<path d=\"{}\"/>\n", shapes.take());
         body_ += "</g>\n";
+    }
+
+    void operator()(const Picture& picture) {
+        body_ += fmt::format(
+            "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
+            "href=\"data:image/png;base64,{}\"/>\n",
+            number(picture.corner_pt.x()), number(picture.corner_pt.y()),
+            number(picture.size_pt.x()), number(picture.size_pt.y()),
+            base64(png_of(picture.raster)));
     }
 
     void operator()(const ClipBegin& clip) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -130,6 +131,53 @@ TEST(VectorStill, RefusesWhatItCannotBeInOneLine) {
     }
     EXPECT_TRUE(contains(run_program_in(folder, still + "--shading tome -o a.svg").err,
                          "did you mean \"tone\"?"));
+}
+
+TEST(VectorStill, PathsAreTypeWithoutFonts) {
+    const ScratchFolder folder;
+    const std::string still = "still '" + scene("generic") + "' --text paths -o ";
+    ASSERT_EQ(run_program_in(folder, still + "a.pdf").code, 0);
+    EXPECT_EQ(lines_of(said(folder, "pdffonts a.pdf")).size(), 2u);
+    ASSERT_EQ(run_program_in(folder, still + "a.svg").code, 0);
+    EXPECT_FALSE(contains(text_of(folder.path() / "a.svg"), "<text"));
+    EXPECT_FALSE(contains(text_of(folder.path() / "a.svg"), "@font-face"));
+    // The record says so, and it is made again.
+    EXPECT_TRUE(contains(run_program_in(folder, "explain a.pdf").out, "type-as: paths"));
+    ASSERT_EQ(run_program_in(folder, "rerender a.pdf -o b.pdf").code, 0);
+    EXPECT_EQ(text_of(folder.path() / "a.pdf"), text_of(folder.path() / "b.pdf"));
+    // As letters and as outlines it is one picture, but for how small letters are smoothed.
+    ASSERT_EQ(run_program_in(folder, "still '" + scene("generic") + "' -o font.pdf").code, 0);
+    const ProgramRun same = run_program_in(
+        folder, "compare font.pdf a.pdf --max-differing 5% --max-over 1% --over-levels 64");
+    EXPECT_EQ(same.code, 0) << same.out << same.err;
+}
+
+TEST(VectorStill, PicturesStandBetweenTheLinesWhereAskedFor) {
+    const ScratchFolder folder;
+    const ProgramRun run =
+        run_program_in(folder, "still '" + scene("generic") +
+                                   "' --width-mm 40 --shading picture --portable -o a.pdf");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto images = lines_of(said(folder, "pdfimages -list a.pdf"));
+    ASSERT_GE(images.size(), 4u);  // two of heading, the ground, the ellipsoid
+    EXPECT_FALSE(contains(said(folder, "qpdf --check a.pdf"), "failed"));
+    ASSERT_EQ(run_program_in(folder, "rerender a.pdf -o b.pdf").code, 0);
+    EXPECT_EQ(text_of(folder.path() / "a.pdf"), text_of(folder.path() / "b.pdf"));
+}
+
+TEST(VectorStill, TwoPagesAreComparedAsPictures) {
+    const ScratchFolder folder;
+    const std::string still = "still '" + scene("generic") + "' --width-mm 60 -o ";
+    ASSERT_EQ(run_program_in(folder, still + "a.pdf").code, 0);
+    ASSERT_EQ(run_program_in(folder, still + "b.pdf").code, 0);
+    ASSERT_EQ(run_program_in(folder, still + "c.pdf --time 3").code, 0);
+    EXPECT_EQ(run_program_in(folder, "compare a.pdf b.pdf").code, 0);
+    const ProgramRun differs = run_program_in(folder, "compare a.pdf c.pdf --diff d.png");
+    EXPECT_EQ(differs.code, 1) << differs.out << differs.err;
+    EXPECT_TRUE(contains(folder.listing(), "d.png"));
+    folder.write("broken.pdf", "%PDF-1.4\n");
+    EXPECT_EQ(run_program_in(folder, "compare a.pdf broken.pdf").code, 2);
+    EXPECT_EQ(run_program_in(folder, "compare a.pdf none.pdf").code, 2);
 }
 
 }  // namespace

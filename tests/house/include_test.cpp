@@ -60,6 +60,7 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"drawing/elements", {"drawing/type"}},
     {"drawing/panels", {"drawing/type", "drawing/charts", "drawing/elements"}},
     {"production/sampling", {}},
+    {"production/vectors", {}},
     {"render/context", {}},
     {"render/passes", {"render/context", "render/keep"}},
     {"render/keep", {"render/context", "render/passes"}},

@@ -1,4 +1,5 @@
-// One picture of a scene as vectors: PDF or SVG, with its record. No OpenGL context is opened.
+// One picture of a scene as vectors: PDF or SVG, with its record. No OpenGL context is opened but
+// for pixels between the lines.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +10,13 @@
 #include "production/picture.h"
 #include "production/record.h"
 #include "production/session.h"
+#include "vector/picture.h"
 
 namespace poinsot {
 
-// How surfaces are filled; --shading.
 struct VectorChoices {
-    std::string shading = "tone";  // none, tone
+    std::string shading = "tone";  // how surfaces are filled: none, tone, picture
+    std::string text = "font";     // what type is: font, paths
     bool operator==(const VectorChoices&) const = default;
 };
 
@@ -25,7 +27,7 @@ bool is_vector_name(const std::filesystem::path& name);
 // Throws InputError for a side longer than a PDF has (200 inches).
 PrintChoices on_paper(PrintChoices print, int width_px, int height_px);
 
-// Throws InputError for a shading that does not exist, with those that do.
+// Throws InputError for a shading or a kind of type that does not exist, with those that do.
 void check_vector_choices(const VectorChoices& choices);
 
 // How finely a drawing is made that becomes vectors: curves are asked for as curves, and type is
@@ -37,10 +39,13 @@ struct VectorStill {
     double off_um = 0.0;  // no path is further than this from what it shows, before rounding
 };
 
+// Whether surfaces are pixels, for which a context is opened.
+bool has_pixels(const VectorChoices& choices);
+
 // The bytes of the file: `record` is completed with what the page says of itself.
 VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
                          const FilmMoment& moment, const VectorChoices& choices, double dpi,
-                         Record record);
+                         Record record, const vector::DrawPixels& draw_pixels);
 
 // What such a file carries, and the hash of all else in it. The text is empty if it carries none.
 struct VectorText {

@@ -1,4 +1,4 @@
-#include "production/vector_still.h"
+#include "production/vectors/vector_still.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +13,7 @@
 #include "system/sha256.h"
 #include "text/nearest.h"
 #include "text/printable.h"
+#include "vector/lettering.h"
 #include "vector/pdf.h"
 #include "vector/picture.h"
 #include "vector/svg.h"
@@ -26,18 +27,30 @@ constexpr double pt_per_inch = 72.0;
 constexpr double mm_per_inch = 25.4;
 constexpr double longest_inches = 200.0;  // ISO 32000-1, annex C: 14,400 units
 
-constexpr std::array<std::pair<std::string_view, vector::Shading>, 2> shadings{
-    {{"none", vector::Shading::none}, {"tone", vector::Shading::tone}}};
+enum class Lettering { font, paths };
 
-vector::Shading shading_named(const std::string& name) {
+constexpr std::array<std::pair<std::string_view, vector::Shading>, 3> shadings{
+    {{"none", vector::Shading::none},
+     {"tone", vector::Shading::tone},
+     {"picture", vector::Shading::picture}}};
+constexpr std::array<std::pair<std::string_view, Lettering>, 2> letterings{
+    {{"font", Lettering::font}, {"paths", Lettering::paths}}};
+
+// The row of a table that an option names.
+template <typename Rows>
+auto named(std::string_view option, const Rows& rows, const std::string& name) {
     std::vector<std::string_view> names;
-    for (const auto& [known, shading] : shadings) {
-        if (known == name) return shading;
+    for (const auto& [known, value] : rows) {
+        if (known == name) return value;
         names.push_back(known);
     }
-    throw InputError(fmt::format("--shading {}: no such shading{}; known: {}", printable(name),
+    throw InputError(fmt::format("{} {}: unknown{}; choose one of: {}", option, printable(name),
                                  did_you_mean(name, names), fmt::join(names, ", ")));
 }
+vector::Shading shading_named(const std::string& name) {
+    return named("--shading", shadings, name);
+}
+Lettering lettering_named(const std::string& name) { return named("--text", letterings, name); }
 
 bool is_svg(const std::filesystem::path& name) { return suffix_of(name) == ".svg"; }
 
@@ -68,7 +81,14 @@ PrintChoices on_paper(PrintChoices print, int width_px, int height_px) {
     return print;
 }
 
-void check_vector_choices(const VectorChoices& choices) { shading_named(choices.shading); }
+void check_vector_choices(const VectorChoices& choices) {
+    shading_named(choices.shading);
+    lettering_named(choices.text);
+}
+
+bool has_pixels(const VectorChoices& choices) {
+    return shading_named(choices.shading) == vector::Shading::picture;
+}
 
 PictureSetting vector_setting(const Scene& scene, const PrintChoices& print) {
     const auto paper = print_size_of(on_paper(print, scene.film.width_px, scene.film.height_px),
@@ -78,13 +98,16 @@ PictureSetting vector_setting(const Scene& scene, const PrintChoices& print) {
 
 VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
                          const FilmMoment& moment, const VectorChoices& choices, double dpi,
-                         Record record) {
+                         Record record, const vector::DrawPixels& draw_pixels) {
     const Drawing drawing = stage.at(moment);
-    const vector::Page page = vector::page_of(
-        drawing, {.pt_per_px = pt_per_inch / dpi, .shading = shading_named(choices.shading)});
+    vector::Page page = vector::page_of(drawing, {.pt_per_px = pt_per_inch / dpi,
+                                                  .shading = shading_named(choices.shading),
+                                                  .draw_pixels = draw_pixels});
     constexpr double um_per_pt = 1000.0 * mm_per_inch / pt_per_inch;
     VectorStill still;
     still.off_um = page.off_pt * um_per_pt;
+    const Lettering lettering = lettering_named(choices.text);
+    if (lettering == Lettering::paths) page = vector::with_outlined_type(std::move(page));
     record.bounds = fmt::format("{}; paths within {:.2g} um of what they show, before rounding",
                                 record.bounds, still.off_um);
     const std::string& title = record.scene_name;

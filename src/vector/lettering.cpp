@@ -1,0 +1,54 @@
+#include "vector/lettering.h"
+
+#include <iterator>
+#include <utility>
+
+#include "vector/font_face.h"
+
+namespace poinsot::vector {
+
+namespace {
+
+Path placed(const Path& outline, const PlacedLetter& letter) {
+    const auto place = [&letter](const Eigen::Vector2d& p) -> Eigen::Vector2d {
+        return Eigen::Vector2d(letter.x_pt, letter.y_pt) + letter.em_pt * p;
+    };
+    Path path = outline;
+    for (Step& step : path.steps) {
+        step.control_1 = place(step.control_1);
+        step.control_2 = place(step.control_2);
+        step.to = place(step.to);
+    }
+    return path;
+}
+
+}  // namespace
+
+Page with_outlined_type(Page page) {
+    FontFaces fonts;
+    std::vector<Item> items;
+    items.reserve(page.items.size());
+    for (Item& item : page.items) {
+        const Type* type = std::get_if<Type>(&item);
+        if (type == nullptr) {
+            items.push_back(std::move(item));
+            continue;
+        }
+        Path letters;
+        for (const PlacedLetter& letter : type->letters)
+            letters.add(placed(fonts.of(*letter.font_file).outline(letter.glyph), letter));
+        letters.add(type->rules);
+        if (type->halo.alpha > 0.0 && type->halo_pt > 0.0) {
+            Stroke halo;
+            halo.path = letters;
+            halo.ink = type->halo;
+            halo.width_pt = 1.5 * type->halo_pt;
+            items.emplace_back(std::move(halo));
+        }
+        items.emplace_back(Fill{std::move(letters), type->ink, false, 0.0});
+    }
+    page.items = std::move(items);
+    return page;
+}
+
+}  // namespace poinsot::vector
