@@ -16,7 +16,6 @@ struct CatalogueEntry {
 struct Catalogue {
     std::string_view name;
     std::vector<CatalogueEntry> (*entries)();
-    std::string_view note{};  // said on stderr after the list
 };
 
 std::span<const Catalogue> catalogues();

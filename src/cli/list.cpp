@@ -17,7 +17,6 @@
 #include "text/json_text.h"
 #include "text/nearest.h"
 #include "text/printable.h"
-#include "text/say.h"
 
 namespace poinsot {
 
@@ -136,7 +135,6 @@ int run(const ListChoices& choices) {
         } else {
             print_entries(entries, catalogue.name == "keys");
         }
-        if (!catalogue.note.empty()) say(catalogue.note);
         return 0;
     }
     throw InputError(fmt::format("poinsot list: nothing called \"{}\"{}; choose from: {}",

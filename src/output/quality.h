@@ -34,9 +34,6 @@ struct Quality {
     QualityFigures figures;
 };
 
-// When, where and from what the figures come, and how to renew them.
-extern const std::string_view figures_source;
-
 std::span<const Quality> qualities();
 
 // Throws InputError with the nearest name.

@@ -220,6 +220,7 @@ TEST(PngSequence, DrawsFramesAgainThatAreNotWhatTheySay) {
         return status.st_ino;
     };
     std::vector<ino_t> before;
+    before.reserve(6);
     for (int k = 0; k < 6; ++k) before.push_back(inode_of(k));
     write_film(plan);
     EXPECT_EQ(n_kept(), 6);
