@@ -21,22 +21,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct CloseInput {
-    void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
-};
-
 std::string hash_of_stream(const fs::path& film) {
-    silence_libav();
     const auto check = [&film](int result) {
         if (result < 0)
             throw InputError(fmt::format("{} cannot be read as a film: {}", film.string(),
                                          libav::error_text(result)));
         return result;
     };
-    AVFormatContext* context = nullptr;
-    check(avformat_open_input(&context, ("file:" + film.string()).c_str(), nullptr, nullptr));
-    const std::unique_ptr<AVFormatContext, CloseInput> input(context);
-    check(avformat_find_stream_info(context, nullptr));
+    const libav::DemuxContext input = libav::open_film(film);
+    AVFormatContext* const context = input.get();
     const int stream = check(av_find_best_stream(context, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0));
     const libav::Packet packet = libav::make_packet();
     PacketHash hash(kChunkFrames);

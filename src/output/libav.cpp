@@ -5,16 +5,39 @@
 
 #include <array>
 #include <cerrno>
+#include <climits>
+#include <cstdint>
+#include <filesystem>
 #include <system_error>
 
 #include "error/error.h"
+#include "output/video_encoder.h"
 #include "system/atomic_file.h"
 
 namespace poinsot::libav {
 
 namespace {
+
 constexpr int kBufferSize = 1 << 16;
+
+// The largest piece of memory that FFmpeg asks for, while it lives.
+class LargestPiece {
+ public:
+    explicit LargestPiece(std::size_t bytes) { av_max_alloc(bytes); }
+    ~LargestPiece() { av_max_alloc(INT_MAX); }  // FFmpeg's own
+    LargestPiece(const LargestPiece&) = delete;
+    LargestPiece& operator=(const LargestPiece&) = delete;
+};
+
+// Tables of samples take 24 bytes in memory for each of 4 in the file, and grow by half.
+std::size_t largest_piece_of(const std::filesystem::path& film) {
+    constexpr std::uintmax_t always = 64U << 20U, times = 16, most = INT_MAX;
+    std::error_code ignored;
+    const std::uintmax_t bytes = std::filesystem::file_size(film, ignored);
+    return bytes > (most - always) / times ? most : always + times * bytes;
 }
+
+}  // namespace
 
 Frame make_frame() {
     Frame frame(av_frame_alloc());
@@ -32,6 +55,21 @@ std::string error_text(int averror) {
     std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
     av_strerror(averror, text.data(), text.size());
     return text.data();
+}
+
+DemuxContext open_film(const std::filesystem::path& film) {
+    const auto check = [&film](int result) {
+        if (result < 0)
+            throw InputError(
+                fmt::format("{} cannot be read as a film: {}", film.string(), error_text(result)));
+    };
+    silence_libav();
+    const LargestPiece while_it_opens(largest_piece_of(film));
+    AVFormatContext* context = nullptr;
+    check(avformat_open_input(&context, ("file:" + film.string()).c_str(), nullptr, nullptr));
+    DemuxContext demuxer(context);
+    check(avformat_find_stream_info(context, nullptr));
+    return demuxer;
 }
 
 int checked(int result, const std::filesystem::path& path, std::string_view what) {

@@ -27,11 +27,21 @@ using Packet = std::unique_ptr<AVPacket, Deleter>;
 using CodecContext = std::unique_ptr<AVCodecContext, Deleter>;
 using MuxContext = std::unique_ptr<AVFormatContext, Deleter>;
 
+struct CloseInput {
+    void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
+};
+using DemuxContext = std::unique_ptr<AVFormatContext, CloseInput>;
+
 // Throw EnvironmentError if memory has run out.
 Frame make_frame();
 Packet make_packet();
 
 std::string error_text(int averror);
+
+// A film opened to be read, its streams known. A box of it may claim any size, for which FFmpeg
+// asks the system at once: no more is given than what a film of this length can need. Throws
+// InputError `FILM cannot be read as a film: REASON`.
+DemuxContext open_film(const std::filesystem::path& film);
 
 // Throws EnvironmentError `cannot write PATH: WHAT: REASON` if the result is negative.
 int checked(int result, const std::filesystem::path& path, std::string_view what);

@@ -15,9 +15,6 @@ namespace poinsot {
 
 namespace {
 
-struct CloseInput {
-    void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
-};
 struct FreeScaler {
     void operator()(SwsContext* context) const { sws_freeContext(context); }
 };
@@ -39,7 +36,7 @@ struct VideoReader::Impl {
     void seek(std::int64_t k);
 
     std::filesystem::path path;
-    std::unique_ptr<AVFormatContext, CloseInput> demuxer;
+    libav::DemuxContext demuxer;
     AVStream* stream = nullptr;
     libav::CodecContext decoder;
     libav::Frame decoded = libav::make_frame();
@@ -52,12 +49,8 @@ VideoReader::Impl::Impl(const std::filesystem::path& file) : path(file) {
     const FileKind kind = kind_of_file(path);
     if (kind != FileKind::regular)
         throw InputError(fmt::format("{}: cannot be read: {}", path.string(), in_words(kind)));
-    silence_libav();
-    AVFormatContext* context = nullptr;
-    const std::string name = "file:" + path.string();
-    check(avformat_open_input(&context, name.c_str(), nullptr, nullptr), "opening");
-    demuxer.reset(context);
-    check(avformat_find_stream_info(context, nullptr), "its streams");
+    demuxer = libav::open_film(path);
+    AVFormatContext* const context = demuxer.get();
     const int index = av_find_best_stream(context, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     check(index, "its pictures");
     stream = context->streams[index];
