@@ -26,8 +26,8 @@ namespace {
 
 // What may differ, and what is written.
 struct CompareChoices {
-    std::vector<std::string> pictures;  // two
-    std::string profile = "portable";
+    std::vector<std::string> pictures;         // two
+    std::string profile;                       // empty: what drew the baselines decides
     std::optional<std::string> max_differing;  // a share of the pixels
     std::optional<std::string> max_over;
     std::optional<int> over_levels;
@@ -52,12 +52,14 @@ double parse_share(std::string_view option, std::string_view text) {
 }
 
 // Within one portable profile no pixel may differ; otherwise the caps are those that tell a
-// processor's rounding from a defect, unless the command line gives its own.
-CompareLimits limits_of(const CompareChoices& choices) {
-    if (choices.profile != "portable" && choices.profile != "native")
+// processor's rounding from a defect, unless the command line gives its own. None where nothing was
+// said.
+std::optional<CompareLimits> limits_of(const CompareChoices& choices) {
+    if (!choices.profile.empty() && choices.profile != "portable" && choices.profile != "native")
         throw InputError(fmt::format("--profile {}: unknown; choose portable or native",
                                      printable(choices.profile)));
     const bool own = choices.max_differing || choices.max_over || choices.over_levels;
+    if (choices.profile.empty() && !own) return std::nullopt;
     if (choices.profile == "portable" && !own) return CompareLimits::exact();
     CompareLimits limits;
     if (choices.max_differing)
@@ -154,7 +156,7 @@ void refuse_overwriting(const CompareChoices& choices, const fs::path& expected,
 
 int run(const CompareChoices& choices) {
     const fs::path expected = choices.pictures.at(0), actual = choices.pictures.at(1);
-    const CompareLimits limits = limits_of(choices);
+    const std::optional<CompareLimits> limits = limits_of(choices);
     const bool folders = are_folders(expected, actual);
     if (folders && !choices.diff.empty())
         throw InputError("--diff shows one pair of pictures; for folders take --report FILE.html");
@@ -192,40 +194,41 @@ int run(const CompareChoices& choices) {
     } else {
         print_lines(pictures);
     }
-    if (choices.profile == "portable" && !choices.quiet) note_native(pictures);
+    if (choices.profile != "native" && !choices.quiet) note_native(pictures);
     return all_pass(pictures) ? 0 : 1;
 }
 
 CommandLine line(std::any& room) {
     auto& c = room.emplace<CompareChoices>();
-    return {
-        &c.pictures,
-        {{"--profile", "portable: no pixel may differ; native: as much as processors round apart",
-          &c.profile, "", "NAME", false, "portable|native"},
-         {"--max-differing", "share of the pixels that may differ at all, as 0.001 or 0.1%",
-          &c.max_differing, "", "SHARE"},
-         {"--max-over", "share of the pixels that may differ by more than --over-levels",
-          &c.max_over, "", "SHARE"},
-         {"--over-levels", "levels of 255 that --max-over counts from; 2 if not given",
-          &c.over_levels, "a level of 0 to 255"},
-         json_option(c.json),
-         {"--report",
-          "FILE.html: write a page that shows the pictures",
-          &c.report,
-          "",
-          {},
-          false,
-          "file"},
-         {"--junit", "FILE.xml: write test results", &c.junit, "", {}, false, "file"},
-         {"--diff",
-          "FILE.png: write expected | difference × 16 | actual",
-          &c.diff,
-          "",
-          {},
-          false,
-          "file"},
-         quiet_option(c.quiet)},
-        [&c] { return run(c); }};
+    return {&c.pictures,
+            {{"--profile",
+              "portable: no pixel may differ; native: as much as processors round apart; not "
+              "given: by what the baselines' manifest says drew them, else portable",
+              &c.profile, "", "NAME", false, "portable|native"},
+             {"--max-differing", "share of the pixels that may differ at all, as 0.001 or 0.1%",
+              &c.max_differing, "", "SHARE"},
+             {"--max-over", "share of the pixels that may differ by more than --over-levels",
+              &c.max_over, "", "SHARE"},
+             {"--over-levels", "levels of 255 that --max-over counts from; 2 if not given",
+              &c.over_levels, "a level of 0 to 255"},
+             json_option(c.json),
+             {"--report",
+              "FILE.html: write a page that shows the pictures",
+              &c.report,
+              "",
+              {},
+              false,
+              "file"},
+             {"--junit", "FILE.xml: write test results", &c.junit, "", {}, false, "file"},
+             {"--diff",
+              "FILE.png: write expected | difference × 16 | actual",
+              &c.diff,
+              "",
+              {},
+              false,
+              "file"},
+             quiet_option(c.quiet)},
+            [&c] { return run(c); }};
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ std::vector<std::string> names_wanted(const ApprovalRequest& request) {
         if (!request.names.empty())
             throw InputError("poinsot approve: give names or --all, not both");
         for (const ComparedPicture& picture : compare_folders(request.baselines, request.results,
-                                                              {.differing_share = 0,
+                                                              CompareLimits{.differing_share = 0,
                                                               .level = 0,
                                                               .over_level_share = 0,
                                                               .measures_likeness = false}))

@@ -10,6 +10,7 @@
 #include "error/error.h"
 #include "image/pixel_hash.h"
 #include "image/png.h"
+#include "production/record.h"
 #include "system/file_kind.h"
 #include "text/printable.h"
 
@@ -62,17 +63,33 @@ std::map<std::string, fs::path> pictures_in(const fs::path& folder) {
     return found;
 }
 
+std::optional<Record> record_of(const fs::path& picture) {
+    try {
+        return read_record(picture);
+    } catch (const InputError&) {
+        return std::nullopt;  // drawn by another program
+    }
+}
+
 }  // namespace
 
 std::string_view name_of(Outcome outcome) {
-    constexpr std::array<std::string_view, 10> names{
-        "unreadable", "missing", "baseline",   "size",          "depth",
+    constexpr std::array<std::string_view, 11> names{
+        "unreadable", "missing", "baseline",   "renderer",      "size", "depth",
         "colours",    "pixels",  "unexpected", "within limits", "same"};
     return names.at(static_cast<std::size_t>(outcome));
 }
 
+std::optional<CompareLimits> limits_between(const Baseline& approved, std::string_view renderer,
+                                            std::string_view mesa) {
+    if (approved.renderer == renderer && approved.mesa == mesa) return CompareLimits::exact();
+    const auto is_llvmpipe = [](std::string_view name) { return name.starts_with("llvmpipe"); };
+    if (!is_llvmpipe(approved.renderer) || !is_llvmpipe(renderer)) return std::nullopt;
+    return CompareLimits{.differing_share = 1e-3, .level = 1, .over_level_share = 0.0};
+}
+
 ComparedPicture compare_files(const std::string& name, const fs::path& expected,
-                              const fs::path& actual, const CompareLimits& limits,
+                              const fs::path& actual, const std::optional<CompareLimits>& limits,
                               const Baselines* baselines, const std::string& baseline_name) {
     ComparedPicture result;
     result.name = name;
@@ -97,9 +114,23 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
             "nothing says what this picture should look like; approve it if it is right";
         return result;
     }
+    std::optional<CompareLimits> allowed = limits ? limits : CompareLimits::exact();
+    if (!limits && is_listed) {
+        const Baseline& approved = baselines->manifest().at(baseline_name);
+        if (const auto now = record_of(actual))
+            allowed = limits_between(approved, now->renderer, now->mesa);
+        if (!allowed) {
+            result.outcome = Outcome::renderer;
+            result.reason = fmt::format(
+                "drawn by another renderer than the baseline, which is by {}, Mesa {}; draw it "
+                "with that, or say with --profile what may differ",
+                printable(approved.renderer), printable(approved.mesa));
+            return result;
+        }
+    }
     try {
         const StoredPicture picture = read_stored_png(expected);
-        result.measured = compare(picture, read_stored_png(actual), limits);
+        result.measured = compare(picture, read_stored_png(actual), *allowed);
         result.outcome = outcome_of(result.measured.verdict);
         result.reason = result.measured.reason;
         if (baselines == nullptr || !baselines->has_manifest()) return result;
@@ -116,7 +147,7 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
 }
 
 std::vector<ComparedPicture> compare_folders(const fs::path& expected, const fs::path& actual,
-                                             const CompareLimits& limits) {
+                                             const std::optional<CompareLimits>& limits) {
     const auto expected_files = pictures_in(expected);
     const auto actual_files = pictures_in(actual);
     std::map<std::string, std::pair<fs::path, fs::path>> names;

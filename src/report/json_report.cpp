@@ -4,7 +4,8 @@
 
 namespace poinsot {
 
-std::string json_report(std::span<const ComparedPicture> pictures, const CompareLimits& limits) {
+std::string json_report(std::span<const ComparedPicture> pictures,
+                        const std::optional<CompareLimits>& limits) {
     std::vector<std::string> rows;
     for (const ComparedPicture& p : pictures) {
         const Comparison& m = p.measured;
@@ -22,11 +23,12 @@ std::string json_report(std::span<const ComparedPicture> pictures, const Compare
         row.json("flip", measured ? json_number(m.flip) : "null");
         rows.push_back(row.line());
     }
-    const std::string allowed = JsonObject()
-                                    .add("differing_share", limits.differing_share)
-                                    .add("level", limits.level)
-                                    .add("over_level_share", limits.over_level_share)
-                                    .line();
+    const std::string allowed = limits ? JsonObject()
+                                             .add("differing_share", limits->differing_share)
+                                             .add("level", limits->level)
+                                             .add("over_level_share", limits->over_level_share)
+                                             .line()
+                                       : "null";
     return JsonObject()
         .add("passes", all_pass(pictures))
         .json("limits", allowed)

@@ -1,6 +1,7 @@
 // Pictures that were compared, for programs to read.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -9,6 +10,7 @@
 namespace poinsot {
 
 // An object: whether all pass, what was allowed, and each picture with what was measured of it.
-std::string json_report(std::span<const ComparedPicture> pictures, const CompareLimits& limits);
+std::string json_report(std::span<const ComparedPicture> pictures,
+                        const std::optional<CompareLimits>& limits);
 
 }  // namespace poinsot

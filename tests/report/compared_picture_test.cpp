@@ -53,6 +53,23 @@ class Folders : public ::testing::Test {
     TemporaryFolder folder_;
 };
 
+// Limits by what drew both: none, a level between two versions of llvmpipe, none that could be
+// told.
+TEST(LimitsBetween, FollowTheRenderers) {
+    Baseline approved;
+    approved.renderer = "llvmpipe (LLVM 15.0.6, 128 bits)";
+    approved.mesa = "22.3.6";
+    const auto same = limits_between(approved, approved.renderer, approved.mesa);
+    ASSERT_TRUE(same);
+    EXPECT_EQ(same->differing_share, 0.0);
+    const auto newer = limits_between(approved, "llvmpipe (LLVM 22.1.8, 128 bits)", "26.2.6");
+    ASSERT_TRUE(newer);
+    EXPECT_EQ(newer->differing_share, 1e-3);
+    EXPECT_EQ(newer->level, 1);
+    EXPECT_EQ(newer->over_level_share, 0.0);
+    EXPECT_FALSE(limits_between(approved, "NVIDIA H200", "26.2.6"));
+}
+
 TEST_F(Folders, GiveEachPictureItsOutcome) {
     const std::map<std::string, Outcome> expected = {
         {"same", Outcome::same},        {"gone", Outcome::missing},  {"a_little", Outcome::pixels},
