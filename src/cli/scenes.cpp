@@ -12,6 +12,7 @@
 #include "output/frame_name.h"
 #include "production/output_place.h"
 #include "system/file_kind.h"
+#include "system/own_files.h"
 #include "text/printable.h"
 #include "text/say.h"
 
@@ -58,9 +59,8 @@ void refuse_one_name(const std::vector<SceneJob>& jobs, OutputKind kind) {
 std::filesystem::path scenes_folder() {
     namespace fs = std::filesystem;
     std::error_code ignored;
-    const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
     for (const fs::path& folder :
-         {program / "../share/poinsot/scenes", program / "../../scenes", fs::path("scenes")})
+         {own_share() / "scenes", own_program().parent_path() / "../../scenes", fs::path("scenes")})
         if (fs::is_directory(folder, ignored)) return folder;
     throw EnvironmentError(
         "no folder of scenes beside the program; install it with its scenes, or name scene files");

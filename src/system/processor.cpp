@@ -39,4 +39,13 @@ std::int64_t memory_MiB() {
     return pages > 0 && page_bytes > 0 ? pages / 1024 * page_bytes / 1024 : 0;
 }
 
+bool has_sse41() {
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_cpu_init();
+    return __builtin_cpu_supports("sse4.1") != 0;
+#else
+    return true;
+#endif
+}
+
 }  // namespace poinsot

@@ -17,4 +17,8 @@ int n_processors();
 // Memory of the machine; 0 if it does not say.
 std::int64_t memory_MiB();
 
+// Whether it has SSE4.1, the least that portable pictures are drawn with. True on other families,
+// which the question is not for.
+bool has_sse41();
+
 }  // namespace poinsot

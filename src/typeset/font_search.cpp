@@ -8,11 +8,13 @@
 #include <utility>
 
 #include "error/error.h"
+#include "system/own_files.h"
 
 namespace poinsot {
 
 std::vector<std::filesystem::path> default_font_folders() {
-    return {"/usr/share/texmf/fonts/opentype/public/lm-math",
+    return {own_share() / "fonts",  // a bundle's
+            "/usr/share/texmf/fonts/opentype/public/lm-math",
             "/usr/share/texmf/fonts/opentype/public/lm",
             "/usr/share/texlive/texmf-dist/fonts/opentype/public/lm-math",
             "/usr/share/texlive/texmf-dist/fonts/opentype/public/lm",

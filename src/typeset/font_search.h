@@ -8,7 +8,8 @@
 
 namespace poinsot {
 
-// The folders in which Debian's fonts-lmodern and TeX Live put Latin Modern, first choice first.
+// The folder of fonts that came with the program, then those in which Debian's fonts-lmodern and
+// TeX Live put Latin Modern, first choice first.
 std::vector<std::filesystem::path> default_font_folders();
 
 // The folders in which systems keep all their fonts.

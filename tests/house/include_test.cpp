@@ -26,7 +26,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"mesh", {"error", "text", "system"}},
     {"mechanics", {"error", "text", "numerics"}},
     {"image", {"error", "text", "system"}},
-    {"typeset", {"error", "text"}},
+    {"typeset", {"error", "text", "system"}},
     {"scene", {"error", "text", "system", "mesh", "mechanics"}},
     {"construction", {"error", "numerics", "mechanics"}},
     {"shapes", {"error"}},

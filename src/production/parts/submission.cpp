@@ -16,6 +16,7 @@
 #include "output/frame_log.h"
 #include "output/frame_sink.h"
 #include "system/atomic_file.h"
+#include "system/own_files.h"
 #include "system/run_program.h"
 #include "text/printable.h"
 
@@ -74,9 +75,8 @@ std::string in_shell(const std::vector<std::string>& words) {
 }
 
 std::string program() {
-    std::error_code error;
-    const fs::path path = fs::read_symlink("/proc/self/exe", error);
-    return error ? "poinsot" : path.string();
+    const fs::path path = own_program();
+    return path.empty() ? "poinsot" : path.string();
 }
 
 bool is_there(const fs::path& path) {

@@ -11,6 +11,7 @@
 
 #include "error/error.h"
 #include "render/context/native_context.h"
+#include "system/processor.h"
 
 namespace poinsot {
 namespace {
@@ -35,6 +36,10 @@ std::atomic<bool>& processor_was_read() {
 
 // Without fused multiply-add and wide vectors llvmpipe gives the same bytes on every x86-64.
 void ask_for_portable_bytes() {
+    if (!has_sse41())
+        throw EnvironmentError(
+            "portable pictures need a processor with SSE4.1; draw native ones here, without "
+            "--portable");
     const char* caps = std::getenv("GALLIUM_OVERRIDE_CPU_CAPS");
     const bool already = caps != nullptr && std::string_view(caps) == "sse4.1";
     if (processor_was_read() && !already)
