@@ -57,7 +57,7 @@ RenderedPages::~RenderedPages() {
 std::filesystem::path RenderedPages::picture_of(const std::filesystem::path& page) {
     if (const FileKind kind = kind_of_file(page); kind != FileKind::regular)
         throw InputError(fmt::format("{}: {}", printable(page.string()), in_words(kind)));
-    const std::filesystem::path picture = folder_ / fmt::format("page{}.png", ++n_pages_);
+    std::filesystem::path picture = folder_ / fmt::format("page{}.png", ++n_pages_);
     const Rasteriser rasteriser = rasteriser_of(page, picture);
     const ProgramOutcome outcome = run_program(rasteriser.command);
     const std::string& program = rasteriser.command.front();
