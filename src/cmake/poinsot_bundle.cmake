@@ -5,9 +5,8 @@
 add_executable(poinsot_bundled EXCLUDE_FROM_ALL main.cpp)
 target_link_libraries(poinsot_bundled PRIVATE poinsot_cli)
 target_link_options(poinsot_bundled PRIVATE -Wl,--disable-new-dtags)
-set_target_properties(poinsot_bundled PROPERTIES SKIP_BUILD_RPATH ON OUTPUT_NAME poinsot
+set_target_properties(poinsot_bundled PROPERTIES BUILD_RPATH "$ORIGIN/../lib" OUTPUT_NAME poinsot
     RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bundled)
-target_link_options(poinsot_bundled PRIVATE "-Wl,-rpath,$ORIGIN/../lib")
 
 # What is opened at run time: FFmpeg by the versions that it was compiled for, and OSMesa, which needs no other part of Mesa.
 set(bundled_libraries libOSMesa.so.8)

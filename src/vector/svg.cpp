@@ -262,6 +262,13 @@ class Writer {
         std::string name;
         std::set<char32_t> characters;
     };
+    // By the fonts' names, wherever they lie: the same bytes on machines that keep them elsewhere.
+    struct ByName {
+        bool operator()(const std::filesystem::path& a, const std::filesystem::path& b) const {
+            const auto order = a.filename().compare(b.filename());
+            return order != 0 ? order < 0 : a < b;
+        }
+    };
 
     std::string next_id() { return fmt::format("p{}", ++n_ids_); }
 
@@ -372,7 +379,7 @@ class Writer {
     std::string defs_, body_;
     int n_ids_ = 0;
     FontFaces fonts_;
-    std::map<std::filesystem::path, UsedFont> used_;
+    std::map<std::filesystem::path, UsedFont, ByName> used_;
 };
 
 }  // namespace
