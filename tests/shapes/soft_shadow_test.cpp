@@ -39,7 +39,8 @@ TEST(SoftShadow, TakesAsMuchOfTheSkyAsASphereHides) {
 
 // Where sphere and plane touch: no more than two levels of white, without the plane's own fading.
 TEST(SoftShadow, IsHardlySeenBeyondItsLimit) {
-    const SoftShadow shadow = Setting(0.5, 0.5).shadow();
+    const Setting setting(0.5, 0.5);
+    const SoftShadow shadow = setting.shadow();
     for (int k = 0; k < 16; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / 16.0;
         const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0.0);
