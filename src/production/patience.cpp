@@ -7,6 +7,7 @@
 #include <cmath>
 #include <csignal>
 #include <ctime>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -56,16 +57,26 @@ void Patience::tell(const std::string& what, double estimate_s,
 
 namespace {
 
-// Of this thread alone: what a busy machine gives to others does not lengthen an estimate.
-double own_cpu_s() {
+// The least of three, as a virtual machine counts what its host takes away as time of the thread.
+double stepping_s(const MotionProblem& problem, double (*clock_s)(), double least_timed_s) {
+    double least_s = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3 && !(least_s < least_timed_s); ++k) {
+        const double before_s = clock_s();
+        const IntegratedRotation stepped(problem);
+        least_s = std::min(least_s, clock_s() - before_s);
+    }
+    return least_s;
+}
+
+}  // namespace
+
+double own_processor_s() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-}  // namespace
-
-double stepping_estimate_s(const MotionProblem& problem) {
+double stepping_estimate_s(const MotionProblem& problem, double (*clock_s)()) {
     const Method& method = find_method(problem.method.name);
     const double span_s = problem.last_time_s - problem.first_time_s;
     if (method.make == nullptr || !(span_s > 0.0)) return 0.0;
@@ -79,13 +90,12 @@ double stepping_estimate_s(const MotionProblem& problem) {
     part.overshoot_s = 0.0;
     for (double part_s = least_span_s;; part_s *= 2.0) {
         part.last_time_s = std::min(part_s, span_s);
-        const double before_s = own_cpu_s();
+        double timed_s = 0.0;
         try {
-            const IntegratedRotation stepped(part);
+            timed_s = stepping_s(part, clock_s, least_timed_s);
         } catch (const InputError&) {
             return 0.0;  // said by the one who steps over all of it
         }
-        const double timed_s = own_cpu_s() - before_s;
         if (timed_s >= least_timed_s || part.last_time_s >= span_s)
             return timed_s * (span_s / part.last_time_s);
     }

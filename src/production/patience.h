@@ -37,8 +37,11 @@ class Patience {
 // Stepping may take so long; more is refused beforehand.
 inline constexpr double longest_stepping_s = 600.0;
 
+// Of this thread alone: what a busy machine gives to others does not lengthen an estimate.
+double own_processor_s();
+
 // The seconds that stepping over a problem's span will take here, from a few thousandths of a
-// second of it. 0 for a method that does not step, and for what the method refuses.
-double stepping_estimate_s(const MotionProblem& problem);
+// second of it by a clock. 0 for a method that does not step, and for what the method refuses.
+double stepping_estimate_s(const MotionProblem& problem, double (*clock_s)() = own_processor_s);
 
 }  // namespace poinsot
