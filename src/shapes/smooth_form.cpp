@@ -3,7 +3,6 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace poinsot {
@@ -52,44 +51,6 @@ class CubicFitter {
     double tolerance_;
 };
 
-// The arc of a conic by Bézier points whose tangents are the conic's. On a unit circle it is
-// outside by (4/27)·sin⁶(θ/4)/cos²(θ/4) at most, θ being the arc's angle.
-CubicPiece arc_of(const Conic& conic, double first, double last) {
-    const double handle = 4.0 / 3.0 * std::tan(0.25 * (last - first));
-    const auto velocity = [&](double s) -> Eigen::Vector3d {
-        return conic.sine_axis * std::cos(s) - conic.cosine_axis * std::sin(s);
-    };
-    const Eigen::Vector3d begin = conic.at(first), end = conic.at(last);
-    return {
-        first, last, {begin, begin + handle * velocity(first), end - handle * velocity(last), end}};
-}
-
-// How far those Bézier points' cubic is from the arc, for a circle of radius 1.
-double arc_error(double angle) {
-    const double sine = std::sin(0.25 * angle), cosine = std::cos(0.25 * angle);
-    return 4.0 / 27.0 * std::pow(sine, 6) / (cosine * cosine);
-}
-
-std::vector<CubicPiece> arcs_between(const Conic& conic, double first, double last,
-                                     double tolerance) {
-    const double size = std::hypot(conic.cosine_axis.norm(), conic.sine_axis.norm());
-    // No arc is longer than a quarter turn, so that a cubic has its shape.
-    std::size_t n = static_cast<std::size_t>(
-        std::max(1.0, std::ceil((last - first) / (0.5 * std::numbers::pi) - 1e-9)));
-    while (n < most_pieces && size * arc_error((last - first) / static_cast<double>(n)) > tolerance)
-        n *= 2;
-    std::vector<CubicPiece> arcs;
-    for (std::size_t k = 0; k < n; ++k) {
-        const auto at = [&](std::size_t i) {
-            return i == n
-                       ? last
-                       : first + (last - first) * static_cast<double>(i) / static_cast<double>(n);
-        };
-        arcs.push_back(arc_of(conic, at(k), at(k + 1)));
-    }
-    return arcs;
-}
-
 }  // namespace
 
 Eigen::Vector3d Conic::at(double s) const {
@@ -101,27 +62,6 @@ Eigen::Vector3d CubicPiece::at(double s) const {
     const double u = 1.0 - t;
     return u * u * u * points[0] + 3.0 * u * u * t * points[1] + 3.0 * u * t * t * points[2] +
            t * t * t * points[3];
-}
-
-CubicPiece CubicPiece::part(double first, double last) const {
-    // The blossom of the cubic at (first, first, first) … (last, last, last), by de Casteljau.
-    const auto blossom = [&](double s0, double s1, double s2) {
-        std::array<Eigen::Vector3d, 4> p = points;
-        int n = 3;
-        for (const double s : {s0, s1, s2}) {
-            const double t = to > from ? (s - from) / (to - from) : 0.0;
-            for (int i = 0; i < n; ++i) {
-                const auto k = static_cast<std::size_t>(i);
-                p[k] = (1.0 - t) * p[k] + t * p[k + 1];
-            }
-            --n;
-        }
-        return p[0];
-    };
-    return {first,
-            last,
-            {blossom(first, first, first), blossom(first, first, last), blossom(first, last, last),
-             blossom(last, last, last)}};
 }
 
 Eigen::Vector3d SmoothForm::at(double s) const {
@@ -176,20 +116,6 @@ std::vector<CubicPiece> cubics_through(const std::function<CurveFlow(double)>& c
     }
     off = fitter.worst_off;
     return std::move(fitter.pieces);
-}
-
-std::vector<CubicPiece> cubics_between(const SmoothForm& smooth, double first, double last,
-                                       double tolerance) {
-    if (!(first < last)) return {};
-    if (const Conic* conic = std::get_if<Conic>(&smooth.form))
-        return arcs_between(*conic, first, last, tolerance);
-    std::vector<CubicPiece> cut;
-    for (const CubicPiece& piece : std::get<std::vector<CubicPiece>>(smooth.form)) {
-        const double from = std::max(piece.from, first), to = std::min(piece.to, last);
-        if (from >= to) continue;
-        cut.push_back(from == piece.from && to == piece.to ? piece : piece.part(from, to));
-    }
-    return cut;
 }
 
 }  // namespace poinsot

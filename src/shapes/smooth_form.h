@@ -26,8 +26,6 @@ struct CubicPiece {
     std::array<Eigen::Vector3d, 4> points{};
 
     Eigen::Vector3d at(double s) const;
-    // The part of it over a range within its own.
-    CubicPiece part(double first, double last) const;
 };
 
 // The form of a whole geometry, in its axes and lengths.
@@ -67,9 +65,5 @@ struct CurveFlow {
 std::vector<CubicPiece> cubics_through(const std::function<CurveFlow(double)>& curve,
                                        std::span<const double> knots, double tolerance,
                                        double& off);
-
-// The form from one s to a later one as cubics, a conic within `tolerance` of itself.
-std::vector<CubicPiece> cubics_between(const SmoothForm& smooth, double first, double last,
-                                       double tolerance);
 
 }  // namespace poinsot
