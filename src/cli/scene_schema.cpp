@@ -12,6 +12,7 @@
 #include "drawing/type/overlay.h"
 #include "scene/scene_keys.h"
 #include "text/json_text.h"
+#include "text/units.h"
 
 namespace poinsot {
 
@@ -32,20 +33,28 @@ std::string strings(const std::vector<std::string>& names) {
     return fmt::format(R"("enum": [{}])", fmt::join(quoted, ", "));
 }
 
+// A number, or one with a unit in a string where the key has a unit.
+std::string number(bool has_unit) {
+    if (!has_unit) return R"("type": "number")";
+    return R"("anyOf": [{"type": "number"}, {"type": "string", "pattern": "[0-9].*[A-Za-z°]"}])";
+}
+
 // What the phrase of a row's type allows, as members of a schema: "three rows of three numbers".
 // A phrase that is not known allows anything, and a test names it.
-std::string members_of(std::string_view phrase, const std::vector<std::string>& names) {
+std::string members_of(std::string_view phrase, const std::vector<std::string>& names,
+                       bool has_unit) {
     if (phrase == "true or false") return R"("type": "boolean")";
     if (const std::size_t either = phrase.find(" or "); either != std::string_view::npos)
         return fmt::format(R"("anyOf": [{{{}}}, {{{}}}])",
-                           members_of(phrase.substr(0, either), names),
-                           members_of(phrase.substr(either + 4), names));
+                           members_of(phrase.substr(0, either), names, has_unit),
+                           members_of(phrase.substr(either + 4), names, has_unit));
     if (phrase == "a string" || phrase == "a ratio in a string" || phrase == "strings")
         return strings(names);
-    if (phrase == "a number" || phrase == "numbers") return R"("type": "number")";
+    if (phrase == "a number" || phrase == "numbers") return number(has_unit);
     if (phrase == "an integer" || phrase == "integers") return R"("type": "integer")";
     if (take(phrase, "a list of "))
-        return fmt::format(R"("type": "array", "items": {{{}}})", members_of(phrase, names));
+        return fmt::format(R"("type": "array", "items": {{{}}})",
+                           members_of(phrase, names, has_unit));
     constexpr std::array<std::string_view, 7> counts{"",      "one ",  "two ", "three ",
                                                      "four ", "five ", "six "};
     for (std::size_t n = 1; n < counts.size(); ++n) {
@@ -54,7 +63,7 @@ std::string members_of(std::string_view phrase, const std::vector<std::string>& 
         // "four numbers w, x, y, z" also says what they are.
         const std::string_view item = phrase.starts_with("numbers ") ? "numbers" : phrase;
         return fmt::format(R"("type": "array", "items": {{{}}}, "minItems": {}, "maxItems": {})",
-                           members_of(item, names), n, n);
+                           members_of(item, names, has_unit), n, n);
     }
     return "";
 }
@@ -105,7 +114,8 @@ Node tree_of_keys() {
 }
 
 std::string schema_of_key(const SceneKey& key) {
-    const std::string members = members_of(key.type, names_of(key));
+    const std::string members =
+        members_of(key.type, names_of(key), unit_named(key.unit).has_value());
     return fmt::format(
         R"({{"description": {}{}{}}})",
         json_string(fmt::format("{}{}{}; {}", key.type, key.unit.empty() ? "" : " in ", key.unit,

@@ -13,9 +13,7 @@ namespace poinsot {
 Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
               double vertical_field_rad, std::span<const Eigen::Vector3d> points,
               double margin_px) {
-    const double margin = std::min(margin_px, std::min(box.width_px, box.height_px) / 3.0);
-    return framed(box, towards_eye, up, vertical_field_rad, points,
-                  Margins{margin, margin, margin, margin});
+    return framed(box, towards_eye, up, vertical_field_rad, points, even_margins(box, margin_px));
 }
 
 Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
@@ -61,15 +59,68 @@ Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eig
     return camera;
 }
 
+Margins even_margins(const PanelBox& box, double margin_px) {
+    const double margin = std::min(margin_px, std::min(box.width_px, box.height_px) / 3.0);
+    return {margin, margin, margin, margin};
+}
+
+namespace {
+
+// Along parallel lines of sight nothing depends on the eye's depth: the frame is the rectangle that
+// the points fill.
+Camera framed_flat(const PanelBox& box, const Eigen::Vector3d& towards_eye,
+                   const Eigen::Vector3d& up, double vertical_field_rad,
+                   std::span<const Eigen::Vector3d> points, const Margins& margins) {
+    Camera camera;
+    camera.eye = towards_eye.normalized();
+    camera.target = Eigen::Vector3d::Zero();
+    camera.up = up;
+    camera.vertical_field_rad = vertical_field_rad;
+    const Eigen::Matrix3d axes = camera_axes(camera);
+    Eigen::AlignedBox3d seen;
+    for (const Eigen::Vector3d& point : points) seen.extend(axes.transpose() * point);
+    if (points.empty()) seen.extend(Eigen::Vector3d::Zero());
+
+    const Eigen::Vector2d room(box.width_px - margins.left_px - margins.right_px,
+                               box.height_px - margins.top_px - margins.bottom_px);
+    double units_per_px = seen.sizes().head<2>().cwiseQuotient(room).maxCoeff();
+    if (!(units_per_px > 1e-9)) units_per_px = 1.0 / box.height_px;
+    const Eigen::Vector2d aside(0.5 * (margins.left_px - margins.right_px),
+                                0.5 * (margins.bottom_px - margins.top_px));
+    Eigen::Vector3d target = seen.center();
+    target.head<2>() -= units_per_px * aside;
+    camera.target = axes * target;
+    camera.eye = camera.target + 0.5 * units_per_px * box.height_px /
+                                     std::tan(0.5 * vertical_field_rad) * towards_eye.normalized();
+    return camera;
+}
+
+}  // namespace
+
+Camera framed(const Panel& panel, const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
+              double vertical_field_rad, std::span<const Eigen::Vector3d> points,
+              const Margins& margins) {
+    return panel.orthographic
+               ? framed_flat(panel.box, towards_eye, up, vertical_field_rad, points, margins)
+               : framed(panel.box, towards_eye, up, vertical_field_rad, points, margins);
+}
+
 void aim_around(Panel& panel, std::vector<Eigen::Vector3d> points, double margin_px) {
-    const auto camera_at = [&panel, points = std::move(points), margin_px](double film_s) {
-        const CameraPose pose = panel.stage->timeline.camera_at(film_s);
-        return framed(panel.box, direction_of(pose.azimuth_deg, pose.elevation_deg),
-                      up_of(pose.azimuth_deg, pose.elevation_deg), field_of(panel), points,
-                      margin_px);
+    aim_around(panel, std::move(points), even_margins(panel.box, margin_px));
+}
+
+void aim_around(Panel& panel, std::vector<Eigen::Vector3d> points, const Margins& margins) {
+    const auto camera_at = [&panel, points = std::move(points), margins](double film_s) {
+        const CameraPose pose = timeline_of(panel).camera_at(film_s);
+        return framed(panel, direction_of(pose.azimuth_deg, pose.elevation_deg),
+                      up_of(pose.azimuth_deg, pose.elevation_deg),
+                      pose.field_deg * std::numbers::pi / 180.0, points, margins);
     };
     aim(panel, camera_at(0.0));
-    if (panel.stage->timeline.camera_moves()) panel.camera_at = camera_at;
+    if (timeline_of(panel).camera_moves())
+        panel.camera_at = [&panel, camera_at](double film_s) {
+            return projected(panel, camera_at(film_s));
+        };
 }
 
 std::vector<Eigen::Vector3d> points_of_ellipsoid(const Eigen::Matrix3d& half_axes) {
@@ -87,10 +138,6 @@ std::vector<Eigen::Vector3d> points_of_ellipsoid(const Eigen::Matrix3d& half_axe
         }
     }
     return points;
-}
-
-double field_of(const Panel& panel) {
-    return panel.stage->scene.camera.field_deg * std::numbers::pi / 180.0;
 }
 
 Eigen::Vector3d direction_of(double azimuth_deg, double elevation_deg) {

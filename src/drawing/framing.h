@@ -24,16 +24,23 @@ Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eig
               double vertical_field_rad, std::span<const Eigen::Vector3d> points,
               const Margins& margins);
 
-// Aims a panel's camera so from where the scene's camera stands, z upwards, and lets it follow when
-// keyframes move that.
+// The same for a panel, whose camera may be orthographic: then the frame is that of parallel lines
+// of sight, and the distance returned is the one at which `vertical_field_rad` has its height.
+Camera framed(const Panel& panel, const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
+              double vertical_field_rad, std::span<const Eigen::Vector3d> points,
+              const Margins& margins);
+
+// Aims a panel's camera so from where the scene's camera stands, or its own, z upwards, and lets it
+// follow when keyframes move that.
 void aim_around(Panel& panel, std::vector<Eigen::Vector3d> points, double margin_px);
+void aim_around(Panel& panel, std::vector<Eigen::Vector3d> points, const Margins& margins);
+
+// A margin on every side, a third of the box's smaller side at most.
+Margins even_margins(const PanelBox& box, double margin_px);
 
 // Points whose frame holds an ellipsoid about the origin: the corners of a polyhedron about it
 // would be too many, so these are points of the surface, dense enough for a frame with a margin.
 std::vector<Eigen::Vector3d> points_of_ellipsoid(const Eigen::Matrix3d& half_axes);
-
-// The vertical field of view that the scene asks for, rad.
-double field_of(const Panel& panel);
 
 // The direction in which a camera of the scene stands: azimuth about z from x, elevation above the
 // xy plane, degrees.

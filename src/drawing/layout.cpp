@@ -4,15 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "drawing/elements/body_axes.h"
 #include "drawing/fade.h"
+#include "drawing/marks.h"
 #include "drawing/panel.h"
 #include "drawing/stage_data.h"
 #include "drawing/type/overlay.h"
+#include "scene/camera_views.h"
 #include "scene/scene_error.h"
+#include "text/languages.h"
 #include "text/nearest.h"
 
 namespace poinsot {
@@ -64,7 +69,7 @@ double line_scale(const PanelBox& box, const StageOptions& options) {
     return std::sqrt(std::min(1.0, share));
 }
 constexpr double least_type_share = 0.72;
-constexpr double least_type_px = 0.36;  // a label of 12 px
+constexpr double least_label_share = 0.36;  // a label of 12 px
 constexpr double header_share = 0.85;
 
 // A picture in which six such labels would not stand one above another is for its shapes alone:
@@ -79,7 +84,9 @@ Drawer header_of(Panel& panel, std::string_view text) {
     // One size for all, whatever their panels have.
     const StageData& stage = *panel.stage;
     const double size =
-        24.0 * std::max(header_share * stage.px, least_type_px * stage.options.samples);
+        std::max(24.0 * stage.scene.type_scale *
+                     std::max(header_share * stage.px, least_label_share * stage.options.samples),
+                 least_type_px(stage));
     const SetType type =
         panel.stage->type_case.set(text, {.size_px = size, .mode = TypeMode::text});
     panel.header_px = 1.7 * size;
@@ -95,7 +102,7 @@ Drawer header_of(Panel& panel, std::string_view text) {
         label.colour = panel.stage->theme->text;
         label.halo_colour = panel.stage->theme->halo;
         label.halo_px = 2.0 * panel.px;
-        label.opacity = 0.75;
+        label.opacity = 0.88;
         if (type.mask->width > 0) sheet.view.labels.push_back(label);
     };
 }
@@ -116,6 +123,83 @@ bool says_camera(const KeyframeSpec& key) {
            !key.look_at.empty();
 }
 
+// Keys of a panel's own camera that the panel takes nothing of; those of a view, which says all at
+// once, are not meant one by one.
+void check_own_camera(const Scene& scene, const PanelKind& kind, std::size_t panel) {
+    const auto refuse = [&](const std::string& key, std::string_view why) {
+        if (scene.locations.contains(key))
+            throw SceneError(scene.location_of(key),
+                             fmt::format("{} changes nothing: panel \"{}\" {}; leave it out", key,
+                                         kind.name, why));
+    };
+    std::vector<std::string> tables{fmt::format("panels[{}].camera", panel)};
+    for (std::size_t k = 0; k < scene.keyframes.size(); ++k)
+        if (scene.keyframes[k].panel == static_cast<int>(panel) && says_camera(scene.keyframes[k]))
+            tables.push_back(fmt::format("keyframes[{}]", k));
+    for (const std::string& table : tables) {
+        if (kind.camera == CameraUse::none)
+            refuse(table.starts_with("panels") ? table : table + ".panel",
+                   "is flat and has no camera");
+        if (kind.camera == CameraUse::all) continue;
+        for (const char* leaf : {"distance", "target", "look_at"})
+            refuse(fmt::format("{}.{}", table, leaf), "is framed whole");
+    }
+}
+
+// The camera of one panel: [camera], or where such a panel is seen from by itself, but for what the
+// panel or its view says.
+CameraSpec own_camera(const Panel& panel, const PanelKind& kind) {
+    const PanelCameraSpec& own = panel.spec.camera;
+    CameraSpec camera = panel.stage->scene.camera;
+    if (kind.camera == CameraUse::own_direction) {
+        const Eigen::Vector3d from = principal_view_direction(panel);
+        constexpr double deg = 180.0 / std::numbers::pi;
+        camera.azimuth_deg = deg * std::atan2(from.y(), from.x());
+        camera.elevation_deg = deg * std::atan2(from.z(), from.head<2>().norm());
+    }
+    if (!own.view.empty()) {
+        const CameraView& view = camera_view_named(own.view);
+        camera.azimuth_deg = view.azimuth_deg;
+        camera.elevation_deg = view.elevation_deg;
+        camera.distance = view.distance;
+        camera.field_deg = view.field_deg;
+        camera.look_at = view.look_at;
+        camera.target.reset();
+    }
+    camera.azimuth_deg = own.azimuth_deg.value_or(camera.azimuth_deg);
+    camera.elevation_deg = own.elevation_deg.value_or(camera.elevation_deg);
+    camera.distance = own.distance.value_or(camera.distance);
+    camera.field_deg = own.field_deg.value_or(camera.field_deg);
+    if (own.target) camera.target = own.target;
+    if (!own.look_at.empty()) {
+        camera.look_at = own.look_at;
+        camera.target.reset();
+    }
+    return camera;
+}
+
+bool says_camera(const PanelCameraSpec& own) {
+    return own.azimuth_deg || own.elevation_deg || own.distance || own.field_deg || own.target ||
+           !own.look_at.empty() || !own.view.empty();
+}
+
+// Gives a panel a camera of its own where it, or a keyframe for it, says one.
+void give_camera(Panel& panel, const PanelKind& kind, std::size_t index) {
+    const Scene& scene = panel.stage->scene;
+    const int number = static_cast<int>(index);
+    const bool moved = std::any_of(
+        scene.keyframes.begin(), scene.keyframes.end(),
+        [number](const KeyframeSpec& k) { return k.panel == number && says_camera(k); });
+    check_own_camera(scene, kind, index);
+    const std::string& projection = panel.spec.camera.projection;
+    panel.orthographic =
+        (projection.empty() ? scene.camera.projection : projection) == "orthographic";
+    if (!moved && !says_camera(panel.spec.camera)) return;
+    panel.own_timeline.emplace(
+        scene, own_camera(panel, kind), number,
+        panel.stage->rolling ? panel.stage->rolling->foot() : Eigen::Vector3d::Zero().eval());
+}
+
 }  // namespace
 
 void StageData::check_fades() const {
@@ -132,15 +216,17 @@ void StageData::check_fades() const {
 }
 
 void StageData::check_keyframes() const {
-    const auto moves = [](const Panel& panel) { return panel.camera_at != nullptr; };
+    const auto moves = [](const Panel& panel) {
+        return !panel.own_timeline && panel.camera_at != nullptr;
+    };
     if (!timeline.camera_moves() || std::any_of(panels.begin(), panels.end(), moves)) return;
     for (std::size_t i = 0; i < scene.keyframes.size(); ++i) {
-        if (!says_camera(scene.keyframes[i])) continue;
+        if (!says_camera(scene.keyframes[i]) || scene.keyframes[i].panel) continue;
         throw SceneError(
             scene.location_of(fmt::format("keyframes[{}]", i)),
-            fmt::format("keyframes[{}] moves the camera, but every panel here is seen "
-                        "from where it always is; add a panel \"space\", \"object\" or "
-                        "\"top\", or leave the camera out",
+            fmt::format("keyframes[{0}] moves the camera, but no panel here is seen as [camera] "
+                        "says; name one by its place, as in keyframes[{0}].panel = 0, add a panel "
+                        "\"space\", \"object\" or \"top\", or leave the camera out",
                         i));
     }
 }
@@ -176,22 +262,25 @@ void StageData::make_panels() {
         panel.spec = spec;
         panel.light = theme->light;
         panel.box = box_of(spec, columns, rows);
-        check_room(scene, panel.box, static_cast<std::size_t>(&spec - specs.data()));
+        const auto index = static_cast<std::size_t>(&spec - specs.data());
+        check_room(scene, panel.box, index);
+        give_camera(panel, kind, index);
         const double share = line_scale(panel.box, options);
         panel.px = px * share;
         panel.type_px = has_type(options) ? std::max(px * std::max(share, least_type_share),
-                                                     least_type_px * options.samples)
+                                                     least_label_share * options.samples)
                                           : px * share;
+        panel.type_px *= scene.type_scale;
         Drawer header;
         if (specs.size() > 1)
-            header = header_of(panel, spec.title.value_or(std::string(kind.title)));
-        if (spec.quantity.empty()) {
+            header = header_of(
+                panel, spec.title.value_or(std::string(translated(kind.title, scene.language))));
+        // What a chart refuses is its quantity.
+        if (spec.quantity.empty())
             kind.make(panel);
-        } else {
-            // What a chart refuses is its quantity.
-            at_scene_key(scene, fmt::format("panels[{}].quantity", &spec - specs.data()),
+        else
+            at_scene_key(scene, fmt::format("panels[{}].quantity", index),
                          [&] { kind.make(panel); });
-        }
         asks = united(asks, panel.asks);
         shows_beside = shows_beside || panel.shows_beside;
         if (header) {

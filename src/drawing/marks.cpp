@@ -1,10 +1,15 @@
 #include "drawing/marks.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "scene/scene_error.h"
 #include "shapes/projection.h"
 
 namespace poinsot {
@@ -45,6 +50,41 @@ Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen
     return arrow;
 }
 
+void mark_arrows_at_viewer(const Panel& panel, View& view) {
+    // Heads of arcs, and arrows hardly longer than their heads, are not meant.
+    const double least_length_px = 80.0 * panel.px;
+    for (Arrow& arrow : view.arrows) {
+        const Projected tip = project(view, arrow.tip);
+        const Eigen::Vector3d way = arrow.tip - arrow.tail;
+        const double length_px = way.norm() / units_per_pixel(view, tip.depth);
+        if (!(length_px > least_length_px) || !(arrow.opacity > 0.0)) continue;
+        const Eigen::Vector3d to_eye =
+            view.camera.orthographic ? Eigen::Vector3d(camera_axes(view.camera).col(2))
+                                     : Eigen::Vector3d((view.camera.eye - arrow.tip).normalized());
+        if (!(way.dot(to_eye) > 0.5 * way.norm())) continue;
+        const double seen_px = (tip.px - project(view, arrow.tail).px).norm();
+        const double u = std::clamp(1.6 - seen_px / (0.75 * arrow.head_length_px), 0.0, 1.0);
+        const double presence = u * u * (3.0 - 2.0 * u);
+        if (!(presence > 0.0)) continue;
+        Dot ring;
+        ring.at = arrow.tip;
+        ring.radius_px = 0.62 * arrow.head_px;
+        ring.rim_px = 0.2 * arrow.head_px;
+        ring.colour = panel.stage->theme->halo;
+        ring.rim_colour = arrow.colour;
+        ring.opacity = presence * arrow.opacity;
+        ring.hidden_opacity = arrow.hidden_opacity;
+        Dot point = ring;
+        point.at += 1e-3 * to_eye;
+        point.radius_px = 0.2 * arrow.head_px;
+        point.rim_px = 0.0;
+        point.colour = arrow.colour;
+        view.dots.push_back(ring);
+        view.dots.push_back(point);
+        arrow.opacity *= 1.0 - presence;
+    }
+}
+
 Ellipsoid ellipsoid_of(const Panel& panel) {
     Ellipsoid ellipsoid;
     ellipsoid.colour = panel.stage->theme->ellipsoid;
@@ -56,7 +96,37 @@ Ellipsoid ellipsoid_of(const Panel& panel) {
 }
 
 SetType set_label(const Panel& panel, std::string_view text, double scale) {
-    return panel.stage->type_case.set(text, {.size_px = scale * label_size * panel.type_px});
+    const TypeStyle style{
+        .size_px = std::max(scale * label_size * panel.type_px, least_type_px(*panel.stage))};
+    return at_scene_key(panel.stage->scene, "symbols", [&] {
+        return panel.stage->type_case.set(named_by_scene(panel.stage->scene, text), style);
+    });
+}
+
+std::string named_by_scene(const Scene& scene, std::string_view formula) {
+    const SymbolsSpec& own = scene.symbols;
+    const std::array<std::pair<std::string_view, const std::string*>, 9> names{{
+        {"\\boldsymbol{\\omega}", &own.omega},
+        {"\\mathbf{L}", &own.momentum},
+        {"\\boldsymbol{\\rho}", &own.rho},
+        {"\\mathbf{e}_1", &own.e1},
+        {"\\mathbf{e}_2", &own.e2},
+        {"\\mathbf{e}_3", &own.e3},
+        {"\\omega_", &own.omega},
+        {"L_", &own.momentum},
+        {"\\omega_i", &own.omega},
+    }};
+    std::string named(formula);
+    for (const auto& [symbol, name] : names) {
+        if (name->empty()) continue;
+        const bool has_index = symbol.back() == '_';
+        const std::string by = has_index ? fmt::format("{{{}}}_", *name) : *name;
+        // What was put in is not looked at again: it may hold the symbol itself.
+        for (std::size_t at = 0; (at = named.find(symbol, at)) != std::string::npos;
+             at += by.size())
+            named.replace(at, symbol.size(), by);
+    }
+    return named;
 }
 
 void wish_at_tip(const Panel& panel, const Arrow& arrow, const SetType& type, Sheet& sheet,
@@ -65,6 +135,8 @@ void wish_at_tip(const Panel& panel, const Arrow& arrow, const SetType& type, Sh
     // y is down in the picture, so that a positive angle is clockwise.
     Eigen::Vector2d& away = sheet.wishes.back().away;
     away = Eigen::Rotation2Dd(turn_rad) * away;
+    sheet.wishes.back().at = arrow.tip;
+    sheet.wishes.back().side = turn_rad < 0.0 ? -1 : 1;
 }
 
 void wish_beside(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& away_from,
@@ -76,6 +148,7 @@ void wish_beside(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vec
     wish.away = (anchor - project(sheet.view, away_from).px) / (100.0 * panel.px);
     wish.gap_px = 9.0 * panel.px;
     wish.colour = colour;
+    wish.at = at;
     sheet.wishes.push_back(wish);
 }
 
@@ -99,9 +172,9 @@ Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Colour& 
     return curve;
 }
 
-void set_dashes(const Panel& panel, const Dashes& dashes, Curve& curve) {
-    curve.dash_px = dashes.dash_px * panel.px;
-    curve.gap_px = dashes.gap_px * panel.px;
+double least_type_px(const StageData& stage) {
+    constexpr double least = 1080.0 / 45.0;
+    return stage.options.line_scale > 0.0 ? 0.0 : least * stage.scene.type_scale * stage.px;
 }
 
 Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,

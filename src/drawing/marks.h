@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <string_view>
 
 #include "drawing/panel.h"
@@ -49,8 +50,15 @@ inline Arrow arrow_to(const Panel& panel, const Eigen::Vector3d& tip, const Colo
 // The inertia ellipsoid in the theme's look, its half-axes still to be set.
 Ellipsoid ellipsoid_of(const Panel& panel);
 
+// Arrows that point at the viewer are drawn as such: a ring with a dot, for of the arrow itself
+// only the head's cone is seen, a disc. It comes as the arrow turns towards the eye.
+void mark_arrows_at_viewer(const Panel& panel, View& view);
+
 // A label in the panel's type, `scale` times the usual size.
 SetType set_label(const Panel& panel, std::string_view text, double scale = 1.0);
+
+// A formula of ours with the scene's own names of quantities, [symbols], in place of the usual.
+std::string named_by_scene(const Scene& scene, std::string_view formula);
 
 // The label of an arrow: at its tip, on the side that it points to, turned clockwise by an angle in
 // the picture. The names of arrows that may lie on one line are turned apart, and off that line.
@@ -71,8 +79,9 @@ Dot dot_at(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour,
 Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Colour& colour,
                double width_px);
 
-// Breaks a line as the theme does.
-void set_dashes(const Panel& panel, const Dashes& dashes, Curve& curve);
+// The least em of type in a film, 1/45 of its height, in pixels of the picture drawn; on paper,
+// where type has its size in points, 0.
+double least_type_px(const StageData& stage);
 
 // An arc of a circle about `centre` from the direction `from` towards the direction `towards` (unit
 // vectors at right angles), over an angle from 0 to 2π; a whole circle from 2π on. Negative angles

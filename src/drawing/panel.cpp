@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -27,7 +28,10 @@ void make_sweep_panel(Panel& panel);
 
 namespace {
 
-bool rolls(const StageData& stage) { return stage.rolling.has_value(); }
+bool keeps_momentum(const StageData& stage) { return stage.rolling.has_value(); }
+bool rolls(const StageData& stage) {
+    return stage.rolling.has_value() && !stage.rolling->dissipates;
+}
 
 bool any(const StageData&) { return true; }
 bool sweeps(const StageData& stage) { return !stage.scene.construction.sweep.empty(); }
@@ -35,32 +39,49 @@ bool is_heavy_top(const StageData& stage) { return stage.motion.motion().heavy_t
 
 constexpr std::string_view heavy_top = "a heavy symmetric top";
 constexpr std::string_view free_turning = "a torque-free body that turns";
+constexpr std::string_view turning = "a body that turns, free of torque but for friction inside it";
 
 const std::array<PanelKind, 9> table{{
-    {"space", "the ellipsoid rolling on the invariable plane", "Invariable plane", false, rolls,
-     free_turning, make_space_panel},
+    {"space", "the ellipsoid rolling on the invariable plane", "Invariable plane", false,
+     keeps_momentum, turning, make_space_panel, CameraUse::all},
     {"body", "the ellipsoid at rest, all its polhodes and the separatrices", "Body axes", true,
-     rolls, free_turning, make_body_panel},
+     keeps_momentum, turning, make_body_panel, CameraUse::own_direction},
     {"plan", "the herpolhode on the plane, seen along its normal", "Herpolhode", true, rolls,
      free_turning, make_plan_panel},
     {"momentum", "the sphere |L| and the energy ellipsoid meeting, in body axes",
-     "Momentum in body axes", true, rolls, free_turning, make_momentum_panel},
+     "Momentum in body axes", true, keeps_momentum, turning, make_momentum_panel,
+     CameraUse::own_direction},
     {"object", "the body itself turning, with its principal axes, ω and L", "Body in space", true,
-     any, "", make_object_panel},
+     any, "", make_object_panel, CameraUse::direction},
     {"plot", "ω, angles, energies or residuals against time, with a moving cursor", "", true, any,
      "", make_plot_panel},
     {"top", "a heavy top with its Euler angles and the path of its axis on the unit sphere",
-     "Heavy top", true, is_heavy_top, heavy_top, make_top_panel},
+     "Heavy top", true, is_heavy_top, heavy_top, make_top_panel, CameraUse::direction},
     {"potential", "effective potential of a heavy top with E and the moving point",
      "Effective potential", true, is_heavy_top, heavy_top, make_potential_panel},
     {"sweep", "what [construction] sweep runs through: an axis of a body at rest, or √(2T)/L", "",
-     true, sweeps, "[construction] sweep", make_sweep_panel},
+     true, sweeps, "[construction] sweep", make_sweep_panel, CameraUse::direction},
 }};
 
 }  // namespace
 
+const Timeline& timeline_of(const Panel& panel) {
+    return panel.own_timeline ? *panel.own_timeline : panel.stage->timeline;
+}
+
+Camera projected(const Panel& panel, const Camera& camera) {
+    if (!panel.orthographic || camera.orthographic) return camera;
+    constexpr double far_off = 100.0;
+    const Eigen::Vector3d sight = camera.eye - camera.target;
+    Camera flat = camera;
+    flat.orthographic = true;
+    flat.height_units = 2.0 * sight.norm() * std::tan(0.5 * camera.vertical_field_rad);
+    flat.eye = camera.target + far_off * sight.normalized();
+    return flat;
+}
+
 void aim(Panel& panel, const Camera& camera) {
-    panel.camera = camera;
+    panel.camera = projected(panel, camera);
     const double distance = (camera.eye - camera.target).norm();
     panel.units_per_px =
         camera.orthographic
@@ -72,10 +93,45 @@ std::string_view default_panel(const StageData& stage) {
     if (sweeps(stage)) return "sweep";
     if (is_heavy_top(stage)) return "top";
     const auto& torque = stage.motion.motion().problem().torque;
-    return std::holds_alternative<NoTorque>(torque) ? "space" : "object";
+    const bool keeps_L = std::holds_alternative<NoTorque>(torque) ||
+                         std::holds_alternative<DissipationTorque>(torque);
+    return keeps_L ? "space" : "object";
 }
 
 std::span<const PanelKind> panel_kinds() { return table; }
+
+std::vector<std::string> idle_camera_keys(const Scene& scene) {
+    // What the panels seen as [camera] says take of it.
+    CameraUse use = CameraUse::none;
+    bool any_view = scene.panels.empty();
+    for (const PanelSpec& spec : scene.panels) {
+        const auto kind = std::find_if(table.begin(), table.end(), [&spec](const PanelKind& row) {
+            return row.name == spec.kind;
+        });
+        if (kind == table.end()) return {};
+        // The plan is flat, and yet lies as the camera of the space panel sees the plane.
+        if (kind->name == "plan") return {};
+        any_view = any_view || kind->camera != CameraUse::none;
+        if (kind->camera != CameraUse::own_direction) use = std::max(use, kind->camera);
+    }
+    if (scene.panels.empty()) {
+        const bool keeps_L = std::holds_alternative<NoTorque>(scene.torque) ||
+                             std::holds_alternative<DissipationTorque>(scene.torque);
+        use = keeps_L && scene.construction.sweep.empty() ? CameraUse::all : CameraUse::direction;
+    }
+    std::vector<std::string> idle;
+    const auto add = [&](std::string_view leaf) {
+        std::string path = fmt::format("camera.{}", leaf);
+        if (scene.locations.contains(path)) idle.push_back(std::move(path));
+    };
+    if (!any_view)
+        for (const char* leaf : {"field_deg", "projection"}) add(leaf);
+    if (use < CameraUse::direction)
+        for (const char* leaf : {"azimuth_deg", "elevation_deg", "view"}) add(leaf);
+    if (use < CameraUse::all)
+        for (const char* leaf : {"distance", "target", "look_at"}) add(leaf);
+    return idle;
+}
 
 const PanelKind& panel_kind_named(std::string_view name) {
     std::vector<std::string_view> names;

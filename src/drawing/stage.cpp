@@ -1,7 +1,9 @@
 #include "drawing/stage.h"
 
+#include <cstddef>
 #include <utility>
 
+#include "drawing/marks.h"
 #include "drawing/panel.h"
 #include "drawing/stage_data.h"
 #include "drawing/type/labels.h"
@@ -48,7 +50,14 @@ Drawing Stage::at(const FilmMoment& moment) const {
             view.background.alpha = 0.0;
         }
         panel.draw(instant, sheet);
-        place_labels(sheet.wishes, data_->theme->halo, 3.0 * panel.px, view);
+        const auto n_dots = static_cast<std::ptrdiff_t>(view.dots.size());
+        mark_arrows_at_viewer(panel, view);
+        // A name stands off the ring that its arrow has become.
+        for (auto ring = view.dots.begin() + n_dots; ring != view.dots.end(); ++ring)
+            for (LabelWish& wish : sheet.wishes)
+                if (wish.at && (*wish.at - ring->at).isZero(0.0))
+                    wish.gap_px += 2.0 * ring->opacity * ring->radius_px;
+        place_labels(sheet.wishes, data_->theme->halo, 4.0 * panel.px, view, data_->unit_segment);
         drawing.views.push_back(std::move(view));
     }
 

@@ -12,6 +12,7 @@
 #include "scene/film_clock.h"
 #include "scene/scene_error.h"
 #include "shapes/identity.h"
+#include "text/units.h"
 
 namespace poinsot {
 
@@ -63,7 +64,25 @@ Eigen::Matrix3d ConstructionPicture::principal_axes(const Instant& instant) cons
 }
 
 Eigen::Vector3d ConstructionPicture::contact(const Instant& instant) const {
-    return picture_from_space * construction.contact_space(instant.state) * picture_per_rho;
+    const Eigen::Vector3d rho =
+        picture_from_space * construction.contact_space(instant.state) * picture_per_rho;
+    return dissipates ? Eigen::Vector3d(rho * rho_growth(instant.state.omega_body)) : rho;
+}
+
+Eigen::Vector3d ConstructionPicture::foot(const Instant& instant) const {
+    return dissipates ? Eigen::Vector3d(foot() / rho_growth(instant.state.omega_body)) : foot();
+}
+
+double ConstructionPicture::rho_growth(const Eigen::Vector3d& omega_body) const {
+    if (!dissipates) return 1.0;
+    // F(ω/√(2T(0))) = T/T(0).
+    const Eigen::Vector3d rho = construction.contact_body(omega_body);
+    return 1.0 / std::sqrt(rho.dot(construction.inertia().matrix_body() * rho));
+}
+
+Eigen::Vector3d ConstructionPicture::contact_body(const Eigen::Vector3d& omega_body) const {
+    if (!dissipates) return construction.contact_body(omega_body);
+    return construction.contact_body(omega_body) * rho_growth(omega_body);
 }
 
 StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOptions& options_,
@@ -96,13 +115,37 @@ StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOpti
 
 void StageData::make_construction() {
     const MotionProblem& problem = motion.motion().problem();
-    if (!std::holds_alternative<NoTorque>(problem.torque) || problem.start.omega_body.isZero(0.0)) {
+    const bool dissipates = std::holds_alternative<DissipationTorque>(problem.torque);
+    if (!(dissipates || std::holds_alternative<NoTorque>(problem.torque)) ||
+        problem.start.omega_body.isZero(0.0)) {
         return;
     }
     rolling.emplace(problem.inertia, problem.start, scene.construction.plane);
+    if (dissipates) {
+        rolling->dissipates = true;
+        rolling->cones.reset();  // their angles change
+        widen_herpolhode();
+        return;
+    }
     const FreeRotationConstants constants = motion.motion().free_constants();
     polhode_period_s = constants.polhode_period_s;
     if (scene.camera.motion == "co-precessing") turn_rate_rad_s = constants.mean_advance_rate_rad_s;
+}
+
+// As wide as ρ's component in the plane becomes over the film.
+void StageData::widen_herpolhode() {
+    constexpr int n_looks = 512;
+    constexpr Quantities in_plane{.attitude = false, .herpolhode = true, .euler_angles = false};
+    for (int k = 0; k <= n_looks; ++k) {
+        const double time_s =
+            options.first_time_s + (options.last_time_s - options.first_time_s) * k / n_looks;
+        const MotionSample sample = motion.motion().sample(time_s, in_plane);
+        const Eigen::Vector3d rho =
+            rolling->construction.contact_in_plane(sample.herpolhode_space) *
+            rolling->rho_growth(sample.state.omega_body);
+        rolling->herpolhode_radius =
+            std::max(rolling->herpolhode_radius, rho.norm() * rolling->picture_per_rho);
+    }
 }
 
 StageData::~StageData() = default;
@@ -159,6 +202,10 @@ double StageData::quickest_rate_rad_s() const {
 std::vector<LiveValue> StageData::live_values(const Scene& scene, const Instant& instant) {
     const Eigen::Vector3d& omega = instant.state.omega_body;
     const Eigen::Vector3d momentum = scene.body.inertia.matrix_body() * omega;
+    // In the unit that the scene shows such a quantity in.
+    const auto shown = [&scene](double value, std::string_view unit) {
+        return value * unit_shown(scene.units, unit).per_SI;
+    };
     return {{"time_s", instant.time_s},
             {"time_h", instant.time_s / 3600.0},
             {"time_d", instant.time_s / 86400.0},
@@ -166,7 +213,13 @@ std::vector<LiveValue> StageData::live_values(const Scene& scene, const Instant&
             {"omega_2_rad_s", omega[1]},
             {"omega_3_rad_s", omega[2]},
             {"kinetic_energy_J", 0.5 * omega.dot(momentum)},
-            {"momentum_kg_m2_s", momentum.stableNorm()}};
+            {"momentum_kg_m2_s", momentum.stableNorm()},
+            {"omega_1", shown(omega[0], "rad/s")},
+            {"omega_2", shown(omega[1], "rad/s")},
+            {"omega_3", shown(omega[2], "rad/s")},
+            {"omega", shown(omega.stableNorm(), "rad/s")},
+            {"kinetic_energy", shown(0.5 * omega.dot(momentum), "J")},
+            {"momentum", shown(momentum.stableNorm(), "kg m²/s")}};
 }
 
 }  // namespace poinsot

@@ -57,13 +57,21 @@ struct ConstructionPicture {
     Eigen::Vector3d normal = -Eigen::Vector3d::UnitZ();  // n = L/|L|, from the centre to the plane
     double plane_distance = 1.0;
     double herpolhode_radius = 0.0;  // outer radius of the annulus
+    // Whether friction inside the body takes T away: then the plane of an instant stands at that
+    // instant's √(2T)/L, and ρ is over its T. The numbers above are those of the start.
+    bool dissipates = false;
 
     // `plane`: "below" or "above", as [construction] says.
     ConstructionPicture(const InertiaTensor& inertia, const RotationState& start,
                         std::string_view plane);
 
-    // Where L meets the plane.
+    // Where L meets the plane; of a body that dissipates, at the start or at an instant.
     Eigen::Vector3d foot() const { return plane_distance * normal; }
+    Eigen::Vector3d foot(const Instant& instant) const;
+    // √(T(0)/T) at an ω: 1 where T stays.
+    double rho_growth(const Eigen::Vector3d& omega_body) const;
+    // ρ = ω/√(2T) in body axes, in the ellipsoid's lengths.
+    Eigen::Vector3d contact_body(const Eigen::Vector3d& omega_body) const;
 
     // Columns are e1, e2, e3 in picture axes.
     Eigen::Matrix3d principal_axes(const Instant& instant) const;
@@ -87,7 +95,7 @@ struct StageData {
         0.0;  // the stretch that time axes span: the film's, and all that is drawn
     double film_last_s = 1.0;
 
-    std::optional<ConstructionPicture> rolling;  // torque-free motions that turn
+    std::optional<ConstructionPicture> rolling;  // motions that turn and keep L
     std::optional<double> polhode_period_s;      // where it has one
     double turn_rate_rad_s = 0.0;  // of the space axes shown about L: a co-precessing camera's
 
@@ -143,6 +151,7 @@ struct StageData {
 
  private:
     void make_construction();
+    void widen_herpolhode();
     void make_panels();
     void check_fades() const;
     void check_keyframes() const;

@@ -9,13 +9,6 @@
 
 namespace poinsot {
 
-// How a line is broken, in pixels at 1080 rows; told apart where colour is not.
-struct Dashes {
-    double dash_px = 0.0;  // 0: solid
-    double gap_px = 0.0;
-    bool operator==(const Dashes&) const = default;
-};
-
 struct Theme {
     std::string_view name;
     std::string_view summary;
@@ -34,7 +27,7 @@ struct Theme {
 
     Colour polhode;
     Colour herpolhode;
-    Dashes herpolhode_dashes;  // the polhode is solid
+    double herpolhode_weight = 1.0;  // its width over the polhode's; a broken line means hidden
     Colour momentum;
     Colour omega;
     Colour axes[3];

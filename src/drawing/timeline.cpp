@@ -13,16 +13,20 @@ Eigen::Vector3d aim_point(std::string_view name, const Eigen::Vector3d& foot) {
 }
 
 Timeline::Timeline(const Scene& scene, const Eigen::Vector3d& foot)
-    : azimuth_deg_(scene.camera.azimuth_deg),
-      elevation_deg_(scene.camera.elevation_deg),
-      log_distance_(std::log(scene.camera.distance)),
-      field_deg_(scene.camera.field_deg),
-      framing_(!scene.camera.target && scene.camera.look_at == "middle" ? 1.0 : 0.0),
-      distance_(scene.camera.distance) {
-    const Eigen::Vector3d start =
-        scene.camera.target.value_or(aim_point(scene.camera.look_at, foot));
+    : Timeline(scene, scene.camera, std::nullopt, foot) {}
+
+Timeline::Timeline(const Scene& scene, const CameraSpec& camera, std::optional<int> panel,
+                   const Eigen::Vector3d& foot)
+    : azimuth_deg_(camera.azimuth_deg),
+      elevation_deg_(camera.elevation_deg),
+      log_distance_(std::log(camera.distance)),
+      field_deg_(camera.field_deg),
+      framing_(!camera.target && camera.look_at == "middle" ? 1.0 : 0.0),
+      distance_(camera.distance) {
+    const Eigen::Vector3d start = camera.target.value_or(aim_point(camera.look_at, foot));
     for (int i = 0; i < 3; ++i) target_[static_cast<std::size_t>(i)] = Track(start[i]);
     for (const KeyframeSpec& key : scene.keyframes) {
+        if (key.panel != panel) continue;
         const Easing& easing = easing_named(key.easing);
         if (key.azimuth_deg) azimuth_deg_.add(key.at_s, *key.azimuth_deg, easing);
         if (key.elevation_deg) elevation_deg_.add(key.at_s, *key.elevation_deg, easing);

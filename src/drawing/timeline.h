@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,9 @@ class Timeline {
     Timeline() = default;
     // `foot`: where L meets the invariable plane, picture axes, which places what look_at names.
     Timeline(const Scene& scene, const Eigen::Vector3d& foot);
+    // The same of one panel with a camera of its own, which the keyframes that name the panel move.
+    Timeline(const Scene& scene, const CameraSpec& camera, std::optional<int> panel,
+             const Eigen::Vector3d& foot);
 
     CameraPose camera_at(double film_s) const;
     bool camera_moves() const;

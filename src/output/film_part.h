@@ -15,7 +15,8 @@ struct FilmPart {
     std::int64_t n_before = 0;             // frames of the film that come before it
     std::int64_t n_frames = 0;             // of the part
     std::int64_t n_film_frames = 0;        // of the film
-    std::string beside;                    // what lies beside the film: its chapters, as text
+    // What lies beside the film, as text without its first lines; empty: nothing.
+    std::string chapters, subtitles;
 
     bool operator==(const FilmPart&) const = default;
 };

@@ -11,7 +11,8 @@
 #include "output/film_parts.h"
 #include "output/frame_name.h"
 #include "output/pipeline.h"
-#include "production/chapters.h"
+#include "production/beside/chapters.h"
+#include "production/beside/subtitles.h"
 #include "production/output_place.h"
 #include "production/record.h"
 #include "system/file_kind.h"
@@ -149,7 +150,8 @@ bool FilmJob::take_part(OutputPlan& plan, const Telling& telling) const {
         return false;
     }
     part.format = format.name;
-    if (!plan.chapters.empty() && format.film) part.beside = chapters_text_of(plan, film_);
+    if (!plan.chapters.empty() && format.film) part.chapters = chapters_text_of(plan, film_);
+    if (format.film) part.subtitles = subtitles_text(*session_, film_, first_, last_);
     plan.n_frames = part.n_frames;
     plan.part = std::move(part);
     return true;
@@ -185,6 +187,9 @@ void FilmJob::write_beside(OutputPlan plan, const Telling& telling) const {
         write_chapters(plan, film_);
     else
         remove_stale_chapters(plan);
+    if (format.film)
+        write_subtitles(plan.path, subtitles_text(*session_, film_, plan.first_frame,
+                                                  plan.first_frame + plan.n_frames - 1));
     if (format.name == "png-sequence") note_others(plan, telling);
 }
 

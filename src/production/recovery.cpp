@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "error/error.h"
+#include "output/frame_name.h"
 #include "output/frame_sink.h"
-#include "production/chapters.h"
+#include "production/beside/chapters.h"
+#include "production/beside/subtitles.h"
 #include "production/parts/jobs.h"
 #include "production/session.h"
 #include "scene/load_scene.h"
@@ -14,12 +16,12 @@
 
 namespace poinsot {
 
-void write_chapters_beside(const std::filesystem::path& path, const Record& record,
-                           const Telling& telling) {
+void write_what_lies_beside(const std::filesystem::path& path, const Record& record,
+                            const Telling& telling) {
     // The record's scene is read as a file of its name in this folder would be.
     Scene scene =
         parse_scene(record.scene_toml, record.scene_name + ".toml", {}, OutsideFiles::refused);
-    if (scene.chapters.empty() || !record.frames) return;
+    if ((scene.chapters.empty() && scene.captions.empty()) || !record.frames) return;
     const Session session = session_of(std::move(scene), {}, telling);
     const FilmPlan film = film_plan(session);
     const auto [first, last] = *record.frames;
@@ -29,7 +31,8 @@ void write_chapters_beside(const std::filesystem::path& path, const Record& reco
     plan.first_frame = first;
     plan.n_frames = last - first + 1;
     plan.chapters = chapters_of(session.scene, film, first, last);
-    write_chapters(plan, film);
+    if (!plan.chapters.empty()) write_chapters(plan, film);
+    if (!has_frame_number(path)) write_subtitles(path, subtitles_text(session, film, first, last));
 }
 
 std::int64_t recover(const std::filesystem::path& film, const Telling& telling) {
@@ -37,7 +40,7 @@ std::int64_t recover(const std::filesystem::path& film, const Telling& telling) 
     if (format_for(film).recover != nullptr) gather_parts_aside(film);
     const std::int64_t n_frames = recover_film(film, told);
     try {
-        write_chapters_beside(film, read_record(film), telling);
+        write_what_lies_beside(film, read_record(film), telling);
     } catch (const InputError& error) {
         // The film is there; only what stands beside it needs the scene's files.
         telling.say(fmt::format("note: no {}: {}", printable(chapters_path(film).string()),

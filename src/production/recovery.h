@@ -9,13 +9,14 @@
 
 namespace poinsot {
 
-// Makes the film of the frames that are there, and its chapters beside it, if what they need is
-// still to be had. Returns the number of frames. Throws InputError, EnvironmentError.
+// Makes the film of the frames that are there, and its chapters and subtitles beside it, if what
+// they need is still to be had. Returns the number of frames. Throws InputError, EnvironmentError.
 std::int64_t recover(const std::filesystem::path& film, const Telling& telling);
 
-// The chapters beside a film or sequence that carries a record, as they lie beside one that was
-// made in one run. Throws InputError where the scene needs files that are not there.
-void write_chapters_beside(const std::filesystem::path& film, const Record& record,
-                           const Telling& telling);
+// The chapters, and a film's subtitles, beside a film or sequence that carries a record, as they
+// lie beside one that was made in one run. Throws InputError where the scene needs files that are
+// not there.
+void write_what_lies_beside(const std::filesystem::path& film, const Record& record,
+                            const Telling& telling);
 
 }  // namespace poinsot

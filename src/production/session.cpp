@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/idle_keys.h"
 #include "drawing/type/overlay.h"
 #include "error/error.h"
 #include "mechanics/methods.h"
@@ -115,6 +116,12 @@ SteppingPlan stepping_plan(const MotionProblem& problem) {
     return plan;
 }
 
+// Where a key does nothing, silence would mislead.
+void note_idle_keys(Scene& scene) {
+    for (const auto& [key, why] : idle_keys(scene))
+        scene.notes.push_back(fmt::format("{}{} changes nothing: {}", scene.where(key), key, why));
+}
+
 }  // namespace
 
 Session open_session(const SceneRequest& request, const Telling& telling) {
@@ -124,6 +131,7 @@ Session open_session(const SceneRequest& request, const Telling& telling) {
 }
 
 Session session_of(Scene scene, std::span<const double> times_s, const Telling& telling) {
+    note_idle_keys(scene);
     std::optional<Loop> loop = resolve_loop(scene);
     MotionProblem problem = problem_of(scene);
     extend(problem, times_s);

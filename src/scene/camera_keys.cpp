@@ -66,6 +66,17 @@ const SceneKey camera_rows[] = {
      [](const GivenValue& g, SceneDraft& d) { d.scene.camera.motion = g.one_of(camera_motions); },
      [](const Scene& s, size_t) { return toml_text(std::string_view(s.camera.motion)); },
      camera_motions},
+    {"camera.projection", "a string", "", R"("orthographic")",
+     "perspective, or orthographic: along parallel lines, so that what is parallel stays so and "
+     "equal lengths are equal wherever they lie; default perspective",
+     [](const GivenValue& g, SceneDraft& d) {
+         d.scene.camera.projection = g.one_of(camera_projections());
+     },
+     [](const Scene& s, size_t) {
+         const std::string& projection = s.camera.projection;
+         return projection == "perspective" ? "" : toml_text(std::string_view(projection));
+     },
+     camera_projections()},
 
     // How the construction lies in the picture.
     {"construction.plane", "a string", "", R"("above")",

@@ -16,6 +16,7 @@ namespace poinsot {
 namespace {
 
 constexpr std::array<std::string_view, 3> aims{"middle", "centre", "foot"};
+constexpr std::array<std::string_view, 2> projections{"perspective", "orthographic"};
 
 const std::array<CameraView, 6> table{{
     {"lecture", "the usual view, a little from above", CameraSpec{}.azimuth_deg,
@@ -42,5 +43,7 @@ const CameraView& camera_view_named(std::string_view name) {
 }
 
 std::span<const std::string_view> camera_aims() { return aims; }
+
+std::span<const std::string_view> camera_projections() { return projections; }
 
 }  // namespace poinsot

@@ -21,6 +21,9 @@ std::span<const CameraView> camera_views();
 // Throws InputError with the nearest name and the list.
 const CameraView& camera_view_named(std::string_view name);
 
+// How space is thrown onto the picture: "perspective", or "orthographic", along parallel lines.
+std::span<const std::string_view> camera_projections();
+
 // What `look_at` may name: "middle" of the construction, "centre" of the body, "foot" of L on the
 // invariable plane.
 std::span<const std::string_view> camera_aims();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -88,10 +90,18 @@ void check_keyframes(SceneDraft& draft) {
                    fmt::format("{} says nothing; give a view, a value of the camera, or the speed",
                                item_name("keyframes", i)));
         }
+        const auto n_panels = static_cast<int>(std::max<std::size_t>(1, scene.panels.size()));
+        if (key.panel.value_or(0) >= n_panels)
+            refuse(scene, item_name("keyframes", i) + ".panel",
+                   fmt::format("{}.panel is {}, but the scene has {}, counted from 0; name one of "
+                               "those",
+                               item_name("keyframes", i), *key.panel,
+                               n_panels == 1 ? "one panel" : fmt::format("{} panels", n_panels)));
         for (std::size_t j = 0; j < i; ++j) {
             if (scene.keyframes[j].at_s != key.at_s) continue;
+            const bool other_camera = scene.keyframes[j].panel != key.panel;
             for (const std::string_view name : values_of(scene.keyframes[j])) {
-                if (!holds(names, name)) continue;
+                if (!holds(names, name) || (other_camera && name != "speed")) continue;
                 refuse(scene, item_name("keyframes", i) + ".at_s",
                        fmt::format("{} and {} both say the {} at {} s; leave one of them",
                                    item_name("keyframes", j), item_name("keyframes", i), name,
@@ -150,6 +160,34 @@ void check_chapters(const SceneDraft& draft) {
     }
 }
 
+// Each begins within the film and stands for a while; those of one place do not overlap.
+void check_captions(const SceneDraft& draft) {
+    const Scene& scene = draft.scene;
+    need(draft, "captions", scene.captions.size(), {"at_s", "text"});
+    need_order(scene, "captions", scene.captions);
+    const double length_s = FilmClock(scene).length_s().value_or(0.0);
+    std::map<std::string, std::size_t> before;
+    for (std::size_t i = 0; i < scene.captions.size(); ++i) {
+        const TimedCaptionSpec& caption = scene.captions[i];
+        const std::string item = item_name("captions", i);
+        if (scene.film.loop.empty() && caption.at_s >= length_s)
+            refuse(scene, item + ".at_s",
+                   fmt::format("{}.at_s is {}, but the film ends at {:.6g} s; begin it earlier",
+                               item, caption.at_s, length_s));
+        const auto last = before.find(caption.place);
+        if (last != before.end()) {
+            const TimedCaptionSpec& other = scene.captions[last->second];
+            const double end_s = other.at_s + other.over_s.value_or(0.0);
+            if (caption.at_s == other.at_s || end_s > caption.at_s)
+                refuse(scene, item + ".at_s",
+                       fmt::format("{} comes at {} s, while {} still stands in its place; begin "
+                                   "it later, or put one of them at another place",
+                                   item, caption.at_s, item_name("captions", last->second)));
+        }
+        before[caption.place] = i;
+    }
+}
+
 // A loop needs a motion that has a polhode.
 void check_loop(SceneDraft& draft) {
     Scene& scene = draft.scene;
@@ -187,6 +225,13 @@ void complete_camera(SceneDraft& draft) {
     if (camera.target && draft.has("camera.look_at") && camera.look_at != CameraSpec{}.look_at) {
         refuse(scene, "camera.target",
                "camera.target contradicts camera.look_at; give one of them");
+    }
+    for (std::size_t i = 0; i < scene.panels.size(); ++i) {
+        const PanelCameraSpec& own = scene.panels[i].camera;
+        if (own.target && !own.look_at.empty())
+            refuse(scene, item_name("panels", i) + ".camera.target",
+                   fmt::format("{0}.target contradicts {0}.look_at; give one of them",
+                               item_name("panels", i) + ".camera"));
     }
     if (camera.view.empty()) return;
     const CameraView& view = camera_view_named(camera.view);
@@ -228,6 +273,7 @@ void complete_film(SceneDraft& draft) {
                            film.length_s ? "film.length_s" : "film.duration_s"));
     }
     check_chapters(draft);
+    check_captions(draft);
 }
 
 }  // namespace poinsot

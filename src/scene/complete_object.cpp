@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -79,6 +80,29 @@ Eigen::Matrix3d axes_by_moment(const InertiaTensor& inertia) {
     return axes;
 }
 
+// The box that a solid of simple form fills, along the body's axes, in m; nothing for other bodies.
+std::optional<Eigen::Vector3d> extents_of(const BodySpec& body) {
+    if (body.given != BodySpec::Given::solid) return std::nullopt;
+    const std::vector<double>& size = body.size_m;
+    if (body.shape == "box") return Eigen::Vector3d(size[0], size[1], size[2]);
+    if (body.shape == "ellipsoid")
+        return Eigen::Vector3d(2.0 * size[0], 2.0 * size[1], 2.0 * size[2]);
+    if (body.shape == "cylinder") return Eigen::Vector3d(2.0 * size[0], 2.0 * size[0], size[1]);
+    return std::nullopt;
+}
+
+// Stretches the surfaces along the body's axes so that together they fill a box about the origin:
+// the skin of a thing on a body of one's own sizes.
+void fit(std::vector<BodySurface>& surfaces, const Eigen::Vector3d& extents_m) {
+    Eigen::AlignedBox3d box;
+    for (const BodySurface& surface : surfaces)
+        for (const Eigen::Vector3d& vertex : surface.mesh.vertices) box.extend(vertex);
+    const Eigen::Vector3d stretch = extents_m.cwiseQuotient(box.sizes());
+    for (BodySurface& surface : surfaces)
+        for (Eigen::Vector3d& vertex : surface.mesh.vertices)
+            vertex = stretch.cwiseProduct(vertex - box.center());
+}
+
 }  // namespace
 
 fs::path file_named(const SceneDraft& draft, const std::string& key, const std::string& name) {
@@ -141,11 +165,13 @@ void complete_look(SceneDraft& draft) {
     if (by_name && draft.has("object.mesh")) {
         refuse(scene, "object.mesh", "object.mesh contradicts object.name; give one of them");
     }
+    const std::optional<Eigen::Vector3d> extents_m = extents_of(scene.body);
     if (scene.body.given != BodySpec::Given::moments &&
-        scene.body.given != BodySpec::Given::tensor) {
+        scene.body.given != BodySpec::Given::tensor && !extents_m) {
         refuse(scene, key,
-               fmt::format("{} shows a body that is given by its moments or its tensor; this one "
-                           "has a form of its own, so remove it",
+               fmt::format("{} shows a body that is given by its moments, its tensor, or as a box, "
+                           "an ellipsoid or a cylinder; this one has a form of its own, so remove "
+                           "it",
                            key));
     }
     Thing thing = by_name ? at_scene_key(scene, key, [&] { return thing_named(scene.object.name); })
@@ -157,6 +183,7 @@ void complete_look(SceneDraft& draft) {
     const Eigen::Matrix3d turn =
         axes_by_moment(scene.body.inertia) * axes_by_moment(its_own).transpose();
     scene.surfaces = placed_surfaces(std::move(thing), turn, 1.0);
+    if (extents_m) fit(scene.surfaces, *extents_m);
 }
 
 }  // namespace poinsot

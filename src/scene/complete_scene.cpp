@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/half_life.h"
 #include "mechanics/methods.h"
 #include "scene/draft_checks.h"
 
@@ -22,18 +23,33 @@ struct TorqueKind {
     std::vector<std::string> its_keys;  // that key, too
 };
 
+// The friction of a half-life, for which the start must be known.
+void complete_half_life(SceneDraft& draft) {
+    const Scene& scene = draft.scene;
+    if (!scene.half_life_s) return;
+    if (draft.has("torque.rate_1_s"))
+        refuse(scene, "torque.rate_1_s",
+               "torque.half_life_s and torque.rate_1_s both say how strong the friction is; leave "
+               "one out");
+    draft.dissipation.rate_1_s = at_scene_key(scene, "start.omega_rad_s", [&] {
+        return dissipation_rate_of_half_life(scene.body.inertia, scene.start.omega_rad_s,
+                                             *scene.half_life_s);
+    });
+}
+
 void complete_torque(SceneDraft& draft) {
     static const std::array<TorqueKind, 5> kinds{{
         {"none", "", {}},
         {"gravity", "torque.mgl_N_m", {"torque.mgl_N_m", "torque.arm_body"}},
         {"constant_body", "torque.torque_body_N_m", {"torque.torque_body_N_m"}},
         {"constant_space", "torque.torque_space_N_m", {"torque.torque_space_N_m"}},
-        {"dissipation", "torque.rate_1_s", {"torque.rate_1_s"}},
+        {"dissipation", "torque.half_life_s", {"torque.half_life_s", "torque.rate_1_s"}},
     }};
     Scene& scene = draft.scene;
     for (const TorqueKind& kind : kinds) {
         if (kind.name == draft.torque_kind) {
-            if (kind.needed.empty() || draft.has(kind.needed)) continue;
+            const bool other_way = kind.name == "dissipation" && draft.has("torque.rate_1_s");
+            if (kind.needed.empty() || draft.has(kind.needed) || other_way) continue;
             refuse(scene, "torque.kind",
                    fmt::format("{} is missing; a torque of kind \"{}\" needs it", kind.needed,
                                kind.name));
@@ -57,6 +73,7 @@ void complete_torque(SceneDraft& draft) {
     } else if (draft.torque_kind == "constant_space") {
         scene.torque = draft.constant_space;
     } else if (draft.torque_kind == "dissipation") {
+        complete_half_life(draft);
         scene.torque = draft.dissipation;
     }
 }

@@ -1,5 +1,7 @@
 #include "scene/film_clock.h"
 
+#include <algorithm>
+
 #include "scene/scene.h"
 
 namespace poinsot {
@@ -62,6 +64,22 @@ double film_end_time_s(const Scene& scene) {
         return scene.film.start_s + *scene.film.duration_s;
     }
     return clock.time_at(clock.length_s().value_or(0.0));
+}
+
+std::pair<double, double> caption_span(const Scene& scene, std::size_t caption) {
+    const TimedCaptionSpec& spec = scene.captions.at(caption);
+    double end_s = FilmClock(scene).length_s().value_or(default_film_s);
+    if (spec.over_s) {
+        end_s = spec.at_s + *spec.over_s;
+    } else {
+        for (const TimedCaptionSpec& other : scene.captions) {
+            if (other.place == spec.place && other.at_s > spec.at_s) {
+                end_s = std::min(end_s, other.at_s);
+                break;
+            }
+        }
+    }
+    return {spec.at_s, end_s};
 }
 
 }  // namespace poinsot

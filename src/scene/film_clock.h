@@ -1,7 +1,9 @@
 // Which instant of the motion each second of the film shows: the exact integral of its speed.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "scene/track.h"
 
@@ -46,5 +48,9 @@ FilmMoment moment_of_time(const FilmClock& clock, double time_s);
 
 // The motion's time at the end of the film, or its start where there is no end.
 double film_end_time_s(const Scene& scene);
+
+// The seconds of the film between which one of [[captions]] stands: until its own end, the next one
+// of its place, or the film's end.
+std::pair<double, double> caption_span(const Scene& scene, std::size_t caption);
 
 }  // namespace poinsot

@@ -9,9 +9,27 @@
 
 #include "scene/scene_error.h"
 #include "text/nearest.h"
+#include "text/units.h"
 #include "text/utf8.h"
 
 namespace poinsot {
+
+namespace {
+
+// A number with a unit that people use where the key has this one.
+std::string_view measured_example(std::string_view unit) {
+    if (unit == "m") return "24 cm";
+    if (unit == "kg") return "800 g";
+    if (unit == "rad/s") return "33 1/3 rpm";
+    if (unit == "rad" || unit == "degrees") return "30 deg";
+    if (unit == "kg m²") return "120 g cm²";
+    if (unit == "s") return "5 min";
+    if (unit == "kg/m³") return "2.7 g/cm³";
+    if (unit == "N m") return "3 mN m";
+    return "2 1/s";
+}
+
+}  // namespace
 
 void GivenValue::refuse(std::string_view is, std::string_view remedy) const {
     throw SceneError(value_.where, fmt::format("{} is {}; {}", name_, is, remedy));
@@ -22,7 +40,29 @@ void GivenValue::refuse_type(const TomlValue& value, const std::string& name) co
                                               key_.expectation()));
 }
 
+// A number with its unit, as a string, in the key's own unit.
+double GivenValue::measured_number(const TomlValue& value, const std::string& name) const {
+    const auto unit = unit_named(key_.unit);
+    if (!unit) refuse_type(value, name);
+    const std::string given = text(value, name);
+    if (given.find_first_of("0123456789") == std::string::npos) refuse_type(value, name);
+    if (const auto number = measured_in(given, *unit)) {
+        if (std::isfinite(*number)) return *number;
+        throw SceneError(value.where,
+                         fmt::format("{} is \"{}\"; give a finite number", name, printable(given)));
+    }
+    const auto other = measured(given);
+    throw SceneError(value.where,
+                     fmt::format("{} is \"{}\", {}; give {}, or a string with another unit of "
+                                 "the same, as in \"{}\"",
+                                 name, printable(given),
+                                 other ? fmt::format("and that is no measure in {}", key_.unit)
+                                       : "which is no number with a unit",
+                                 key_.expectation(), measured_example(key_.unit)));
+}
+
 double GivenValue::number(const TomlValue& value, const std::string& name) const {
+    if (value.type == TomlValue::Type::text) return measured_number(value, name);
     if (value.type != TomlValue::Type::integer && value.type != TomlValue::Type::number) {
         refuse_type(value, name);
     }

@@ -13,7 +13,8 @@
 namespace poinsot {
 
 // Every reader throws SceneError at the value's own place: `film.fps is a string; it must be …`.
-// Numbers are finite; integers count as numbers.
+// Numbers are finite; integers count as numbers, and so does a string that holds a number with a
+// unit of what the key measures ("24 cm").
 class GivenValue {
  public:
     // `name` is the path as the user would say it: "body.masses[2].mass_kg".
@@ -50,6 +51,7 @@ class GivenValue {
     const std::vector<TomlValue>& items(const TomlValue& value, const std::string& name,
                                         std::size_t n) const;
     double number(const TomlValue& value, const std::string& name) const;
+    double measured_number(const TomlValue& value, const std::string& name) const;
     double positive(const TomlValue& value, const std::string& name) const;
     std::string text(const TomlValue& value, const std::string& name) const;
     Eigen::Vector3d vector(const TomlValue& value, const std::string& name) const;

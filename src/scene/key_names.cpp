@@ -76,8 +76,12 @@ bool is_scene_table(std::string_view path) {
 }
 
 std::string written_table(std::string_view path) {
-    if (!path.ends_with("[]")) return fmt::format("[{}]", path);
-    return fmt::format("[[{}]]", path.substr(0, path.size() - 2));
+    if (path.ends_with("[]")) return fmt::format("[[{}]]", path.substr(0, path.size() - 2));
+    // A table of an item stands below that item: [panels.camera].
+    std::string written(path);
+    for (std::size_t at = 0; (at = written.find("[]", at)) != std::string::npos;)
+        written.erase(at, 2);
+    return fmt::format("[{}]", written);
 }
 
 const SceneArray* find_scene_array(std::string_view path) {

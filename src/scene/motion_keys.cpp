@@ -103,10 +103,18 @@ const SceneKey motion_rows[] = {
      "constant_space: the torque in space axes",
      [](const GivenValue& g, SceneDraft& d) { d.constant_space.torque_space_N_m = g.vector(); },
      [](const Scene& s, size_t) { return torque_text(s, &ConstantSpaceTorque::torque_space_N_m); }},
+    {"torque.half_life_s", "a number", "s", "8.0",
+     "dissipation: time until half of the energy is gone that friction inside the body can take, "
+     "T − L²/(2 I_max); L is kept",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.half_life_s = g.positive(); },
+     [](const Scene& s, size_t) { return optional_text(s.half_life_s); }},
     {"torque.rate_1_s", "a number", "1/s", "0.05",
-     "dissipation: rate of internal friction, at which T decays while L is kept",
+     "dissipation, instead: the friction constant κ over a third of the trace of the moments; how "
+     "fast T then falls depends on the start, see half_life_s",
      [](const GivenValue& g, SceneDraft& d) { d.dissipation.rate_1_s = g.positive(); },
-     [](const Scene& s, size_t) { return torque_text(s, &DissipationTorque::rate_1_s); }},
+     [](const Scene& s, size_t) {
+         return s.half_life_s ? "" : torque_text(s, &DissipationTorque::rate_1_s);
+     }},
 
     // How the motion is computed.
     {"motion.method", "a string", "", R"("exact")",

@@ -97,6 +97,15 @@ struct CameraSpec {
     std::string look_at = "middle";         // of camera_aims()
     std::string view;              // of camera_views(), which set what is not said otherwise
     std::string motion = "fixed";  // fixed, co-precessing
+    std::string projection = "perspective";  // of camera_projections()
+};
+
+// [panels.camera]: what the camera of one panel says otherwise than [camera], or than where that
+// panel is seen from by itself. Empty and absent: not said.
+struct PanelCameraSpec {
+    std::optional<double> azimuth_deg, elevation_deg, distance, field_deg;
+    std::optional<Eigen::Vector3d> target;
+    std::string look_at, view, projection;
 };
 
 // [construction]: how Poinsot's construction is laid into the picture, and what runs over the film.
@@ -119,6 +128,7 @@ struct TrailSpec {
 // value, it does not bend that value's way.
 struct KeyframeSpec {
     double at_s = 0.0;              // of the film
+    std::optional<int> panel;       // whose camera moves; absent: of all that [camera] moves
     std::string easing = "smooth";  // how the values go here from the keyframe before
     std::string view;               // sets what of the camera is not said otherwise
     std::optional<double> azimuth_deg, elevation_deg, distance, field_deg;
@@ -142,13 +152,28 @@ struct ChapterSpec {
     std::string title;
 };
 
+// [[captions]]: text that comes and goes in the film's own seconds.
+struct TimedCaptionSpec {
+    double at_s = 0.0;             // of the film
+    std::optional<double> over_s;  // that it stands; absent: until the next in its place
+    std::string text;              // with live numbers, as the caption
+    std::string place = "bottom";  // bottom, top
+};
+
+// [symbols]: what quantities are called in labels, as formulas; empty: by their own names.
+struct SymbolsSpec {
+    std::string omega, momentum, rho, e1, e2, e3;
+};
+
 // [[panels]]: one view of the motion, in cells of the grid.
 struct PanelSpec {
     std::string kind = "space";
     int column = 0, row = 0;           // of its upper left cell
     int columns = 1, rows = 1;         // cells that it spans
     std::string quantity;              // of a plot, by name; empty: the one that suits the motion
+    std::optional<int> curves;         // of the body panel's families, each; absent: what fills it
     std::optional<std::string> title;  // over the panel, "" for none; absent: the kind's own
+    PanelCameraSpec camera;
 };
 
 // [grid]: relative widths of the columns and heights of the rows.
@@ -167,15 +192,22 @@ struct Scene {
     std::vector<BodySurface> surfaces;  // of an object or a mesh; empty: the body has another form
     StartSpec start;
     Torque torque;
+    std::optional<double> half_life_s;  // of a dissipation given so; its rate follows
     MethodChoice method;
     std::optional<MethodChoice> beside;  // a second method, shown beside the first as a ghost
     FilmSpec film;
     CameraSpec camera;
     ConstructionSpec construction;
     TrailSpec trail;
-    std::vector<KeyframeSpec> keyframes;  // in order of at_s
-    std::vector<FadeSpec> fades;          // likewise
-    std::vector<ChapterSpec> chapters;    // likewise
+    std::vector<KeyframeSpec> keyframes;     // in order of at_s
+    std::vector<FadeSpec> fades;             // likewise
+    std::vector<ChapterSpec> chapters;       // likewise
+    std::vector<TimedCaptionSpec> captions;  // likewise
+    SymbolsSpec symbols;
+    std::vector<std::string> units;  // that numbers are shown in, for what they measure; else SI
+    std::string language = "en";     // of the built-in words, of languages()
+    std::optional<bool> clock;       // whether it is shown; absent: where the film has one
+    double type_scale = 1.0;         // of all type in the picture
     std::vector<std::string> show;  // elements by name; empty: the defaults for this kind of motion
     GridSpec grid;
     std::vector<PanelSpec> panels;  // empty: the space panel alone

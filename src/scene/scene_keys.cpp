@@ -29,6 +29,8 @@ const SceneArray arrays[] = {
      [](const Scene& s) { return s.keyframes.size(); }},
     {"fades", [](SceneDraft& d) { d.scene.fades.emplace_back(); },
      [](const Scene& s) { return s.fades.size(); }},
+    {"captions", [](SceneDraft& d) { d.scene.captions.emplace_back(); },
+     [](const Scene& s) { return s.captions.size(); }},
     {"chapters", [](SceneDraft& d) { d.scene.chapters.emplace_back(); },
      [](const Scene& s) { return s.chapters.size(); }},
 };

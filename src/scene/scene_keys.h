@@ -63,7 +63,8 @@ std::string scene_key_remedy(std::string_view unknown_path, bool in_file);
 // The array of tables of a path, or null.
 const SceneArray* find_scene_array(std::string_view path);
 
-// A table as its header is written: "[body]", or "[[body.masses]]" for "body.masses[]".
+// A table as its header is written: "[body]", "[[body.masses]]" for "body.masses[]", or
+// "[panels.camera]" for "panels[].camera".
 std::string written_table(std::string_view path);
 
 // True if rows lie below this path: "body".

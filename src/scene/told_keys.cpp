@@ -1,5 +1,7 @@
 // Keys of the film as it is told: keyframes, fades and chapters.
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "scene/camera_views.h"
 #include "scene/easing.h"
@@ -27,6 +29,11 @@ FadeSpec& fade(const GivenValue& given, SceneDraft& draft) {
     return draft.scene.fades.at(given.item());
 }
 
+TimedCaptionSpec& caption(const GivenValue& given, SceneDraft& draft) {
+    return draft.scene.captions.at(given.item());
+}
+constexpr std::array<std::string_view, 2> caption_places{"bottom", "top"};
+
 const SceneKey told_rows[] = {
     // The film told in its own seconds: the camera's ways and the motion's speed, …
     {"keyframes[].at_s", "a number", "s", "3.0", "second of the film at which this is reached",
@@ -43,12 +50,16 @@ const SceneKey told_rows[] = {
      }},
     {"keyframes[].view", "a string", "", R"("front")",
      "a view by name, see `poinsot list views`, for all of the camera that this keyframe does not "
-     "say otherwise; the "
-     "camera of space, object and top moves, the other panels keep theirs",
+     "say otherwise",
      [](const GivenValue& g, SceneDraft& d) {
          keyframe(g, d).view = name_in_table(g, camera_view_named);
      },
      [](const Scene& s, size_t i) { return text_unless_empty(s.keyframes.at(i).view); }},
+    {"keyframes[].panel", "an integer", "", "0",
+     "the panel whose camera moves, by its place among [[panels]] from 0; default: all that are "
+     "seen as [camera] says, with no camera of their own",
+     [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).panel = g.integer_between(0, 999); },
+     [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).panel); }},
     {"keyframes[].azimuth_deg", "a number", "degrees", "30.0", "as in [camera]; it may go past 360",
      [](const GivenValue& g, SceneDraft& d) {
          keyframe(g, d).azimuth_deg = g.number_between(-36000.0, 36000.0);
@@ -103,6 +114,29 @@ const SceneKey told_rows[] = {
      "in the end, 0 to 1: 1 to come in (the default), 0 to go, less than 1 to grow pale",
      [](const GivenValue& g, SceneDraft& d) { fade(g, d).opacity = g.number_between(0.0, 1.0); },
      [](const Scene& s, size_t i) { return toml_text(s.fades.at(i).opacity); }},
+
+    // … what is said meanwhile, …
+    {"captions[].at_s", "a number", "s", "4.0", "second of the film at which it comes",
+     [](const GivenValue& g, SceneDraft& d) { caption(g, d).at_s = film_second(g); },
+     [](const Scene& s, size_t i) { return toml_text(s.captions.at(i).at_s); }},
+    {"captions[].over_s", "a number", "s", "3.0",
+     "how long it stands, in seconds of film; default: until the next in its place, or the end",
+     [](const GivenValue& g, SceneDraft& d) {
+         caption(g, d).over_s = g.number_between(0.1, most_film_s);
+     },
+     [](const Scene& s, size_t i) { return optional_text(s.captions.at(i).over_s); }},
+    {"captions[].text", "a string", "", R"("L stays; ω does not.")",
+     "what it says, with live numbers as in the caption",
+     [](const GivenValue& g, SceneDraft& d) { caption(g, d).text = g.text(); },
+     [](const Scene& s, size_t i) { return toml_text(std::string_view(s.captions.at(i).text)); }},
+    {"captions[].place", "a string", "", R"("top")",
+     "bottom (over the scene's caption) or top (under its title); default bottom",
+     [](const GivenValue& g, SceneDraft& d) { caption(g, d).place = g.one_of(caption_places); },
+     [](const Scene& s, size_t i) {
+         const std::string& place = s.captions.at(i).place;
+         return place == "bottom" ? "" : toml_text(std::string_view(place));
+     },
+     caption_places},
 
     // … and what its sections are called.
     {"chapters[].at_s", "a number", "s", "0.0", "second of the film at which the section begins",

@@ -21,13 +21,19 @@ std::string to_toml(const Scene& scene) {
         text += fmt::format("{} = {}\n", key.leaf(), value);
     }
     for (const SceneArray& array : scene_arrays()) {
-        const std::string items = fmt::format("{}[]", array.path);
+        const std::string items = fmt::format("{}[]", array.path);  // "panels[]"
         for (std::size_t i = 0; i < array.n_items(scene); ++i) {
             text += fmt::format("\n[[{}]]\n", array.path);
+            table = items;
             for (const SceneKey& key : scene_keys()) {
-                if (key.table() != items) continue;
+                if (!key.path.starts_with(items)) continue;
                 const std::string value = key.write(scene, i);
-                if (!value.empty()) text += fmt::format("{} = {}\n", key.leaf(), value);
+                if (value.empty()) continue;
+                if (key.table() != table) {
+                    table = key.table();
+                    text += fmt::format("\n{}\n", written_table(table));
+                }
+                text += fmt::format("{} = {}\n", key.leaf(), value);
             }
         }
     }

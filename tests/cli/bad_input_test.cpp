@@ -122,7 +122,8 @@ INSTANTIATE_TEST_SUITE_P(
                "no panel here shows a second motion"),
         motion("keyframe_where_no_camera_moves",
                "[[keyframes]]\nat_s = 1.0\nelevation_deg = 50.0\n[[panels]]\nkind = \"plan\"\n",
-               "scene.toml:6:1: keyframes[0] moves the camera, but every panel here is seen from"),
+               "scene.toml:6:1: keyframes[0] moves the camera, but no panel here is seen as "
+               "[camera] says"),
         Case{"panels_too_small",
              good +
                  "[grid]\ncolumns = [1.0, 0.01]\n[[panels]]\nkind = \"space\"\n[[panels]]\nkind = "

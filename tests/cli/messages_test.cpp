@@ -196,6 +196,17 @@ TEST_F(Messages, ListsAreGroupedFilteredAndFolded) {
     EXPECT_GT(n_lines, 100u);
 }
 
+// A camera that no panel takes is said, not swallowed.
+TEST_F(Messages, ACameraKeyWithoutEffectIsNoted) {
+    folder_.write("body.toml", scene + "[[panels]]\nkind = \"body\"\n");
+    const ProgramRun idle = run("still body.toml --set camera.azimuth_deg=30 -o a.png");
+    EXPECT_EQ(idle.code, 0);
+    EXPECT_NE(idle.err.find("camera.azimuth_deg changes nothing"), std::string::npos) << idle.err;
+    EXPECT_EQ(run("still body.toml -o b.png").err.find("changes nothing"), std::string::npos);
+    EXPECT_EQ(run("still scene.toml --set camera.azimuth_deg=30 -o c.png").err.find("changes"),
+              std::string::npos);
+}
+
 TEST_F(Messages, HelpHasExamples) {
     for (const char* command : {"render", "still", "check", "sample", "compare", "approve",
                                 "explain", "rerender", "recover", "tradeoff", "list", "doctor"}) {

@@ -26,9 +26,12 @@ TABLES = {
     "trail": "How much of the paths is shown.",
     "keyframes[]": "Camera and speed over the film, in seconds of film.",
     "fades[]": "What comes and goes.",
+    "captions[]": "Text that comes and goes, in seconds of film; also a `.vtt` beside a film.",
     "chapters[]": "Sections of the film.",
+    "symbols": "Names of quantities in labels, as formulas.",
     "grid": "Columns and rows that panels stand in.",
     "panels[]": "Views of the one motion, one table each.",
+    "panels[].camera": "From where one panel is seen, below its `[[panels]]`. `space`, `object`, `top` and `sweep` take from `[camera]` what is not said here; `body` and `momentum`, in body axes, from where they are seen by themselves.",
 }
 # Lists of names that keys take, with the key.
 LISTS = {
@@ -50,7 +53,7 @@ def listed(program, what):
 def header_of(table):
     if not table:
         return "Top of the file"
-    return f"`[[{table[:-2]}]]`" if table.endswith("[]") else f"`[{table}]`"
+    return f"`[[{table[:-2]}]]`" if table.endswith("[]") else f"`[{table.replace('[]', '')}]`"
 
 
 def key_sections(keys):

@@ -74,5 +74,80 @@ TEST_F(Labels, MoveContinuously) {
     EXPECT_LT(largest, 2.0);  // measured below 1 px a step of 2π/4000
 }
 
+// A view in pixels: one unit a pixel, x right, y up from the foot.
+View view_in_pixels() {
+    View view;
+    view.width_px = 800;
+    view.height_px = 600;
+    view.camera.orthographic = true;
+    view.camera.height_units = 600.0;
+    view.camera.target = {400.0, 300.0, 0.0};
+    view.camera.eye = {400.0, 300.0, 1000.0};
+    view.camera.up = Eigen::Vector3d::UnitY();
+    return view;
+}
+
+Arrow shaft_at(double from_x, double from_y, double to_x, double to_y) {
+    Arrow arrow;
+    arrow.tail = {from_x, 600.0 - from_y, 0.0};
+    arrow.tip = {to_x, 600.0 - to_y, 0.0};
+    return arrow;
+}
+
+TEST_F(Labels, KeepOffTheShaftsOfOthers) {
+    const CurveGeometry segment{1, {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}, false, {}};
+    for (const int side : {1, -1}) {
+        view = view_in_pixels();
+        view.arrows = {shaft_at(395, 100, 400, 300), shaft_at(420, 100, 425, 500)};
+        LabelWish name = wish(400, 300, 1, 0);
+        name.at = Eigen::Vector3d(400.0, 300.0, 0.0);
+        name.side = side;
+        place_labels({name}, {}, 2.0, view, &segment);
+        // The shaft runs down the picture: clockwise of it is left.
+        const double beyond = -side * (centre(0).x() - 422.5);
+        EXPECT_GT(beyond, 20.0) << side;
+        EXPECT_LT(beyond, 40.0) << side;
+        // One that had to go has a leader, from what it names to its box.
+        ASSERT_LE(view.curves.size(), 1u);
+        for (const Curve& curve : view.curves) {
+            EXPECT_EQ(curve.placement.translation(), *name.at);
+            const Eigen::Vector3d end = curve.placement * Eigen::Vector3d::UnitX();
+            EXPECT_NEAR(std::abs(end.x() - centre(0).x()), 20.0, 1e-9);
+        }
+    }
+    // Its own shaft, one that crosses it, and one that ends elsewhere move it nowhere.
+    view = view_in_pixels();
+    LabelWish name = wish(400, 300, 1, 0);
+    name.at = Eigen::Vector3d(400.0, 300.0, 0.0);
+    name.side = 1;
+    place_labels({name}, {}, 2.0, view, &segment);
+    const Eigen::Vector2d alone = centre(0);
+    view.labels.clear();
+    view.arrows = {shaft_at(395, 100, 400, 300), shaft_at(420, 400, 425, 500),
+                   shaft_at(300, 250, 600, 350)};
+    place_labels({name}, {}, 2.0, view, &segment);
+    EXPECT_EQ(centre(0), alone);
+    EXPECT_TRUE(view.curves.empty());
+}
+
+TEST_F(Labels, MoveContinuouslyWhereAShaftSweepsOverThem) {
+    Eigen::Vector2d before;
+    double largest = 0.0;
+    for (int k = 0; k <= 4000; ++k) {
+        view = view_in_pixels();
+        const double x = 300.0 + 0.06 * k;
+        view.arrows = {shaft_at(395, 100, 400, 300),
+                       shaft_at(x, 100, x + 0.02 * (k - 2000), 330.0 + 0.01 * k)};
+        LabelWish name = wish(400, 300, 1, 0);
+        name.at = Eigen::Vector3d(400.0, 300.0, 0.0);
+        name.side = 1;
+        place_labels({name}, {}, 2.0, view);
+        if (k > 0) largest = std::max(largest, (centre(0) - before).norm());
+        before = centre(0);
+    }
+    // The shaft comes by 0.08 px a step and turns.
+    EXPECT_LT(largest, 0.3);
+}
+
 }  // namespace
 }  // namespace poinsot

@@ -498,7 +498,7 @@ TEST(LectureClaims, MomentaAndEnergyOfATopStay) {  // page 22
         // The height of the centre of mass is marked on the vertical.
         const Drawing drawing = lecture.staged.stage.at(t);
         const auto lines = curves_of(drawing.views.front(), lecture.theme().potential);
-        ASSERT_EQ(lines.size(), 2u);
+        ASSERT_GE(lines.size(), 2u);  // and the leader of a name
         EXPECT_NEAR(end_of(*lines[1]).z() / start_of(*lines[0]).norm(),
                     std::cos(sample.euler.theta_rad), 1e-13);
     }

@@ -1,6 +1,7 @@
 // What the panels show, against the laws that it must satisfy; and every panel at every extreme.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -249,6 +250,7 @@ TEST(MomentumPanel, CurvesLieOnSphereAndEnergyEllipsoid) {
             const Eigen::Vector3d half_axes = view.ellipsoids[1].half_axes.diagonal();
             std::vector<Eigen::Vector3d> points{view.arrows.back().tip};
             for (const Curve& curve : view.curves) {
+                if (curve.geometry == staged.stage.data().unit_segment) continue;  // a leader
                 for (const Eigen::Vector3d& point : drawn_points(curve)) points.push_back(point);
             }
             for (const Eigen::Vector3d& point : points) {
@@ -381,10 +383,14 @@ TEST(TopPanel, AxisIsThatOfTheAttitude) {
                 staged.motion.at(t).space_from_body * Eigen::Vector3d::UnitZ();
             const Drawing drawing = staged.stage.at(t);
             EXPECT_LT((view_of(drawing).dots.back().at - e3).norm(), 2e-12) << one.name << " " << t;
-            // The path that is shown ends there.
-            const Curve& path = view_of(drawing).curves.back();
-            const auto i = static_cast<std::size_t>(path.last);
-            EXPECT_LT((path.geometry->points[i] - e3).norm(), 0.25) << one.name << " " << t;
+            // The path that is shown ends there; leaders of names follow.
+            const auto& curves = view_of(drawing).curves;
+            const auto path = std::find_if(curves.rbegin(), curves.rend(), [&](const Curve& curve) {
+                return curve.geometry != staged.stage.data().unit_segment;
+            });
+            ASSERT_NE(path, curves.rend());
+            const auto i = static_cast<std::size_t>(path->last);
+            EXPECT_LT((path->geometry->points[i] - e3).norm(), 0.25) << one.name << " " << t;
         }
     }
 }

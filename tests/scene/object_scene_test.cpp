@@ -135,10 +135,32 @@ TEST(ObjectScene, ContradictionsAreNamed) {
               "scenes/a.toml:3:1: body.mass_kg belongs to a shape, an object or a mesh, which the "
               "body is not given by; remove it");
     EXPECT_EQ(refusal("[body]\nobject = \"book\"\n" + a_start + "[object]\nname = \"coin\"\n"),
-              "scenes/a.toml:7:1: object.name shows a body that is given by its moments or its "
-              "tensor; this one has a form of its own, so remove it");
+              "scenes/a.toml:7:1: object.name shows a body that is given by its moments, its "
+              "tensor, or as a box, an ellipsoid or a cylinder; this one has a form of its own, so "
+              "remove it");
     EXPECT_EQ(refusal(a_scene + "[object]\nname = \"coin\"\nmesh = \"wedge.obj\"\n"),
               "scenes/a.toml:8:1: object.mesh contradicts object.name; give one of them");
+}
+
+// A book of one's own: the numbers are the box's, the looks those of the thing, at the box's sizes.
+TEST(ObjectScene, AThingsSkinFitsOnesOwnSizes) {
+    const Scene scene = scene_of(
+        "[body]\nshape = \"box\"\nsize_m = [\"24 cm\", \"17 cm\", \"3 cm\"]\nmass_kg = \"800 "
+        "g\"\n" +
+        a_start + "[object]\nname = \"book\"\n");
+    const Eigen::Vector3d size(0.24, 0.17, 0.03);
+    const double third = 0.8 / 12.0;
+    EXPECT_NEAR(scene.body.inertia.moments_kg_m2()[2], third * (0.24 * 0.24 + 0.17 * 0.17), 1e-17);
+    ASSERT_GT(scene.surfaces.size(), 1u);
+    Eigen::Vector3d low = Eigen::Vector3d::Constant(1e9);
+    Eigen::Vector3d high = -low;
+    for (const BodySurface& surface : scene.surfaces)
+        for (const Eigen::Vector3d& vertex : surface.mesh.vertices) {
+            low = low.cwiseMin(vertex);
+            high = high.cwiseMax(vertex);
+        }
+    EXPECT_LT((high - 0.5 * size).norm(), 1e-15);
+    EXPECT_LT((low + 0.5 * size).norm(), 1e-15);
 }
 
 }  // namespace

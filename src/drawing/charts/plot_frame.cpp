@@ -107,6 +107,8 @@ void aim_at_pixels(Panel& panel) {
     camera.eye = camera.target + Eigen::Vector3d(0.0, 0.0, 1000.0);
     camera.up = Eigen::Vector3d::UnitY();
     camera.orthographic = true;
+    // The numbers are a chart's smallest type: names and what keeps clear of it grow with them.
+    panel.type_px = std::max(panel.type_px, least_type_px(*panel.stage) / chart_number_size);
     camera.height_units = panel.box.height_px;
     aim(panel, camera);
 }

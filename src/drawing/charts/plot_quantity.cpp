@@ -37,7 +37,8 @@ Colour space_cone_colour(const Theme& theme) { return theme.space_cone; }
 
 bool any_motion(const StageData&) { return true; }
 bool is_heavy_top(const StageData& stage) { return stage.motion.motion().heavy_top() != nullptr; }
-bool rolls(const StageData& stage) { return stage.rolling.has_value(); }
+bool keeps_momentum(const StageData& stage) { return stage.rolling.has_value(); }
+bool rolls(const StageData& stage) { return keeps_momentum(stage) && !stage.rolling->dissipates; }
 bool has_cones(const StageData& stage) { return rolls(stage) && stage.rolling->cones; }
 
 constexpr Quantities attitude{.attitude = true, .herpolhode = false, .euler_angles = false};
@@ -94,6 +95,20 @@ PlotValues momentum_values(const StageData& stage, const Instant& instant) {
     const Eigen::Vector3d momentum = inertia.moments_kg_m2().cwiseProduct(
         inertia.body_from_principal().transpose() * instant.state.omega_body);
     return {momentum[0], momentum[1], momentum[2], momentum.stableNorm()};
+}
+
+constexpr PlotCurve tilt_curves[] = {
+    {"\\mathbf{e}_1", axis_colour<0>, LineStyle::solid},
+    {"\\mathbf{e}_2", axis_colour<1>, LineStyle::dashed},
+    {"\\mathbf{e}_3", axis_colour<2>, LineStyle::dotted},
+};
+// Angles of the principal axes from L, whole also near 0 and π.
+PlotValues tilt_values(const StageData& stage, const Instant& instant) {
+    const PlotValues L = momentum_values(stage, instant);
+    const auto angle = [&L](std::size_t i) {
+        return std::atan2(std::hypot(L[(i + 1) % 3], L[(i + 2) % 3]), L[i]);
+    };
+    return {angle(0), angle(1), angle(2)};
 }
 
 constexpr PlotCurve conserved_curves[] = {
@@ -156,6 +171,9 @@ constexpr PlotQuantity table[] = {
      attitude, any_motion, "", energy_curves, energy_values},
     {"momentum", "L1, L2, L3 along the principal axes, and L", "$L_i$, $L$", "kg m²/s", false,
      false, true, omega_alone, any_motion, "", momentum_curves, momentum_values},
+    {"tilt", "angles of the principal axes e1, e2, e3 from L", "angle from L", "rad", false, false,
+     true, omega_alone, keeps_momentum, "a body that turns, free of torque but for friction inside",
+     tilt_curves, tilt_values},
     {"conserved", "p_φ, p_ψ and E of a heavy top", "$p_\\varphi$, $p_\\psi$ / (kg m²/s);  $E$", "J",
      false, false, true, attitude, is_heavy_top, "a heavy symmetric top", conserved_curves,
      conserved_values},
@@ -170,6 +188,22 @@ constexpr PlotQuantity table[] = {
 }  // namespace
 
 std::span<const PlotQuantity> plot_quantities() { return table; }
+
+ShownUnit unit_of(const StageData& stage, const PlotQuantity& quantity) {
+    const bool one_unit =
+        !quantity.unit.empty() && quantity.title.find(" / ") == std::string_view::npos;
+    if (!one_unit) return {std::string(quantity.unit), 1.0};
+    return unit_shown(stage.scene.units, quantity.unit);
+}
+
+PlotValues shown_values(const StageData& stage, const PlotQuantity& quantity,
+                        const Instant& instant) {
+    PlotValues values = quantity.values(stage, instant);
+    const double per_SI = unit_of(stage, quantity).per_SI;
+    if (per_SI != 1.0)
+        for (double& value : values) value *= per_SI;
+    return values;
+}
 
 const PlotQuantity& plot_quantity_of(const StageData& stage, std::string_view name) {
     if (name.empty()) name = is_heavy_top(stage) ? "euler_angles" : "omega";

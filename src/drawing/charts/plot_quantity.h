@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "drawing/panel.h"
+#include "text/units.h"
 
 namespace poinsot {
 
@@ -42,5 +43,11 @@ std::span<const PlotQuantity> plot_quantities();
 // By name, or the one that suits the motion if the name is empty. Throws InputError with the
 // nearest name and the list, or for a motion that has no such quantity.
 const PlotQuantity& plot_quantity_of(const StageData& stage, std::string_view name);
+
+// The unit that a scene shows a quantity in, and its values in that unit. Quantities of several
+// units keep theirs.
+ShownUnit unit_of(const StageData& stage, const PlotQuantity& quantity);
+PlotValues shown_values(const StageData& stage, const PlotQuantity& quantity,
+                        const Instant& instant);
 
 }  // namespace poinsot

@@ -8,7 +8,7 @@ namespace poinsot {
 
 const PlotValues& PlotRecord::at(double time_s) {
     const auto [entry, is_new] = known_.try_emplace(time_s);
-    if (is_new) entry->second = quantity_->values(*stage_, instant(time_s));
+    if (is_new) entry->second = shown_values(*stage_, *quantity_, instant(time_s));
     return entry->second;
 }
 

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cmath>
-
-#include "drawing/framing.h"
+#include <numbers>
+#include <utility>
 
 namespace poinsot {
 
@@ -13,8 +13,8 @@ Eigen::Matrix3d principal_from_body(const Panel& panel) {
 
 Eigen::Vector3d rho_in_principal_axes(const Panel& panel, const Instant& instant) {
     const ConstructionPicture& picture = *panel.stage->rolling;
-    return principal_from_body(panel) *
-           picture.construction.contact_body(instant.state.omega_body) * picture.picture_per_rho;
+    return principal_from_body(panel) * picture.contact_body(instant.state.omega_body) *
+           picture.picture_per_rho;
 }
 
 Eigen::Vector3d principal_view_direction(const Panel& panel) {
@@ -33,6 +33,18 @@ Eigen::Vector3d principal_view_direction(const Panel& panel) {
     Eigen::Vector3d direction = direction_of(place.azimuth_deg, place.elevation_deg);
     direction[axis] = std::copysign(direction[axis], rho[axis]);
     return direction;
+}
+
+void aim_in_principal_axes(Panel& panel, std::vector<Eigen::Vector3d> points,
+                           const Margins& margins) {
+    if (panel.own_timeline) {
+        aim_around(panel, std::move(points), margins);
+    } else {
+        const double field_rad = panel.stage->scene.camera.field_deg * std::numbers::pi / 180.0;
+        aim(panel, framed(panel, principal_view_direction(panel), Eigen::Vector3d::UnitZ(),
+                          field_rad, points, margins));
+    }
+    light_from_camera(panel);
 }
 
 void light_from_camera(Panel& panel) {

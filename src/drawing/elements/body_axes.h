@@ -3,7 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
+#include "drawing/framing.h"
 #include "drawing/panel.h"
 
 namespace poinsot {
@@ -17,6 +19,11 @@ Eigen::Vector3d rho_in_principal_axes(const Panel& panel, const Instant& instant
 // From where principal axes are seen: the axis that the motion encircles leans towards us on ω's
 // side, e3 is up.
 Eigen::Vector3d principal_view_direction(const Panel& panel);
+
+// Aims the panel's camera from there, or from where a camera of its own stands in principal axes,
+// at all of these points, and its light with it.
+void aim_in_principal_axes(Panel& panel, std::vector<Eigen::Vector3d> points,
+                           const Margins& margins);
 
 // Turns the panel's light about e3 with its camera, as it stands to the space panel's usual one.
 void light_from_camera(Panel& panel);

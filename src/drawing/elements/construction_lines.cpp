@@ -75,13 +75,15 @@ Drawer make_momentum(Panel& panel) {
     const SetType type = set_label(panel, "\\mathbf{L}");
     const bool has_foot = shows_plane(*panel.stage);
     const Dot foot = dot_at(panel, picture.foot(), panel.stage->theme->momentum, 4.0);
-    return [&panel, arrow, type, has_foot, foot](const Instant&, Sheet& sheet) {
+    return [&panel, arrow, type, has_foot, foot](const Instant& instant, Sheet& sheet) {
         sheet.view.arrows.push_back(arrow);
         if (has_foot) {
+            Dot here = foot;
+            here.at = picture_of(panel).foot(instant);
             // On the side where the plane is seen: away from the camera's right.
-            add_right_angle(panel, foot.at, -right_of(sheet), -picture_of(panel).normal,
+            add_right_angle(panel, here.at, -right_of(sheet), -picture_of(panel).normal,
                             arrow.colour, sheet);
-            sheet.view.dots.push_back(foot);
+            sheet.view.dots.push_back(here);
         }
         wish_at_tip(panel, arrow, type, sheet);
     };
@@ -100,6 +102,7 @@ Drawer make_omega(Panel& panel) {
         // Its name stands on along the line, off the contact and what meets there.
         wish_beside(panel, beyond ? arrow.tip : past_contact(rho), arrow.tail, type, arrow.colour,
                     sheet);
+        sheet.wishes.back().side = 1;
     };
 }
 
@@ -170,7 +173,7 @@ Drawer make_projection(Panel& panel) {
         const ConstructionPicture& picture = picture_of(panel);
         const Colour& colour = panel.stage->theme->energy;
         const Eigen::Vector3d rho = picture.contact(instant);
-        const Eigen::Vector3d foot = picture.foot();
+        const Eigen::Vector3d foot = picture.foot(instant);
         Curve along = line_between(panel, Eigen::Vector3d::Zero(), foot, colour, 9.0);
         along.opacity = 0.55;
         along.hidden_opacity = 0.55;
@@ -188,11 +191,11 @@ Drawer make_projection(Panel& panel) {
 
 Drawer make_distance(Panel& panel) {
     const SetType type = set_label(panel, "\\sqrt{2T}/L", 0.9);
-    return [&panel, type](const Instant&, Sheet& sheet) {
+    return [&panel, type](const Instant& instant, Sheet& sheet) {
         // On the right of the ellipsoid's largest reach, as the camera sees it.
         constexpr double aside = 1.22;
         const Eigen::Vector3d from = aside * right_of(sheet);
-        const Eigen::Vector3d to = from + picture_of(panel).foot();
+        const Eigen::Vector3d to = from + picture_of(panel).foot(instant);
         const Colour& colour = panel.stage->theme->text;
         Curve level = line_between(panel, Eigen::Vector3d::Zero(), 1.06 * from, colour, 1.6);
         level.hidden_opacity = 0.5;
@@ -261,8 +264,8 @@ void LevelScale::add_to(Sheet& sheet, const Eigen::Vector3d& half_axes,
 
 Drawer make_levels(Panel& panel) {
     const LevelScale levels(panel);
-    return [&panel, levels](const Instant&, Sheet& sheet) {
-        levels.add_to(sheet, picture_of(panel).half_axes, picture_of(panel).foot());
+    return [&panel, levels](const Instant& instant, Sheet& sheet) {
+        levels.add_to(sheet, picture_of(panel).half_axes, picture_of(panel).foot(instant));
     };
 }
 

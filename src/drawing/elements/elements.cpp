@@ -25,7 +25,7 @@ bool always(const StageData&) { return true; }
 bool never(const StageData&) { return false; }
 bool has_cones(const StageData& stage) { return stage.rolling->cones.has_value(); }
 bool has_curves(const StageData& stage) {
-    return stage.rolling->polhode.kind() != Polhode::Kind::point;
+    return stage.rolling->dissipates || stage.rolling->polhode.kind() != Polhode::Kind::point;
 }
 bool has_beside(const StageData& stage) { return stage.beside.has_value(); }
 

@@ -87,9 +87,11 @@ Drawer make_plane(Panel& panel) {
     plane.grid_colour = panel.stage->theme->grid;
     plane.opacity = panel.stage->theme->plane_opacity;
     if (panel.stage->turns()) return ringed(panel, plane);
-    return [plane](const Instant&, Sheet& sheet) {
+    return [&panel, plane](const Instant& instant, Sheet& sheet) {
         sheet.view.planes.push_back(plane);
-        sheet.view.planes.back().opacity *= plane_presence(plane.centre, sheet.view.camera);
+        Plane& shown = sheet.view.planes.back();
+        shown.centre = picture_of(panel).foot(instant);
+        shown.opacity *= plane_presence(shown.centre, sheet.view.camera);
     };
 }
 
@@ -105,7 +107,8 @@ Drawer make_polhode(Panel& panel) {
     const double per_rho = picture_of(panel).picture_per_rho;
     const double tolerance = panel.curve_units() / per_rho;
     const Polhode& polhode = picture_of(panel).polhode;
-    const bool whole = panel.stage->scene.trail.polhode == "whole";
+    // What dissipates runs along no polhode twice: its path is found by time.
+    const bool whole = panel.stage->scene.trail.polhode == "whole" && !picture_of(panel).dissipates;
     CurveGeometry geometry;
     std::optional<Trail> trail;
     if (whole) {
@@ -150,8 +153,11 @@ Drawer make_herpolhode(Panel& panel) {
     const double tolerance = panel.curve_units();
     TimedCurve timed = herpolhode_trail(*panel.stage, tolerance / picture.picture_per_rho);
 
-    const Eigen::Vector3d foot =
-        picture.construction.plane_distance() * picture.construction.normal_space();
+    // A plane that moves carries what was traced on it along.
+    const Eigen::Vector3d foot = picture.dissipates
+                                     ? Eigen::Vector3d::Zero()
+                                     : Eigen::Vector3d(picture.construction.plane_distance() *
+                                                       picture.construction.normal_space());
     CurveGeometry geometry;
     geometry.points.reserve(timed.points.size());
     for (const Eigen::Vector3d& point : timed.points) {
@@ -166,17 +172,21 @@ Drawer make_herpolhode(Panel& panel) {
     panel.stage->note_curve_error(timed.off * picture.picture_per_rho / panel.units_per_px);
     Curve curve;
     curve.geometry = panel.stage->keep(std::move(geometry));
-    curve.width_px = 4.0 * panel.px;
+    curve.width_px = 4.0 * panel.stage->theme->herpolhode_weight * panel.px;
     curve.colour = panel.stage->theme->herpolhode;
-    set_dashes(panel, panel.stage->theme->herpolhode_dashes, curve);
     curve.on_plane = the_plane;
     curve.hidden_opacity = 0.72;
     std::optional<DirectionMarks> marks;
     if (wants_marks(panel)) marks.emplace(panel, *curve.geometry, mark_spacing, false);
-    return [curve, trail = std::move(timed.trail), marks](const Instant& instant, Sheet& sheet) {
+    return [&picture, curve, trail = std::move(timed.trail), marks](const Instant& instant,
+                                                                    Sheet& sheet) {
         Curve shown = curve;
         const ShownStretch stretch = trail.at(instant.time_s);
         stretch.apply_to(shown);
+        if (picture.dissipates) {
+            shown.placement.translation() = picture.foot(instant);
+            shown.lasting = false;
+        }
         sheet.view.curves.push_back(shown);
         if (marks) marks->add_to(sheet, shown, stretch.grows);
     };

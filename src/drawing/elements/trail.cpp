@@ -124,7 +124,11 @@ TimedCurve herpolhode_trail(const StageData& stage, double tolerance) {
     const PoinsotConstruction& construction = stage.rolling->construction;
     constexpr Quantities wanted{.attitude = false, .herpolhode = true, .euler_angles = false};
     const auto point = [&](double t) -> Eigen::Vector3d {
-        const Eigen::Vector3d space = stage.motion.motion().sample(t, wanted).herpolhode_space;
+        const MotionSample sample = stage.motion.motion().sample(t, wanted);
+        const Eigen::Vector3d& space = sample.herpolhode_space;
+        if (stage.rolling->dissipates)
+            return construction.contact_in_plane(space) *
+                   stage.rolling->rho_growth(sample.state.omega_body);
         return construction.contact_in_plane(stage.turns() ? stage.turned_from_space(t) * space
                                                            : space);
     };
@@ -140,9 +144,8 @@ TimedCurve herpolhode_trail(const StageData& stage, double tolerance) {
 }
 
 TimedCurve polhode_trail(const StageData& stage, double tolerance) {
-    const PoinsotConstruction& construction = stage.rolling->construction;
     const auto point = [&](double t) {
-        return construction.contact_body(
+        return stage.rolling->contact_body(
             stage.motion.motion().sample(t, omega_alone).state.omega_body);
     };
     // What a stepped method does with ω need not come back.

@@ -10,6 +10,7 @@
 #include "drawing/elements/body_axes.h"
 #include "drawing/elements/ghost.h"
 #include "drawing/elements/smooth_paths.h"
+#include "drawing/elements/trail.h"
 #include "drawing/framing.h"
 #include "drawing/marks.h"
 
@@ -91,7 +92,9 @@ std::vector<Curve> family_of(Panel& panel) {
     const double u_separatrix =
         std::atan2(std::sqrt(I[middle] - I[low]), std::sqrt(I[high] - I[middle]));
     const auto add_side = [&](double from, double extent) {
-        const int n_steps = static_cast<int>(std::round(std::abs(extent) / family_spacing_rad));
+        const int n_steps =
+            panel.spec.curves ? *panel.spec.curves + 1
+                              : static_cast<int>(std::round(std::abs(extent) / family_spacing_rad));
         for (int k = 1; k < n_steps; ++k) {
             const double u = from + extent * k / n_steps;
             if (is_curve && std::abs(u - u_motion) < 0.4 * family_spacing_rad) continue;
@@ -146,6 +149,28 @@ std::vector<Curve> motion_of(Panel& panel) {
     curve.on_surface = the_ellipsoid;
     curves.push_back(curve);
     return curves;
+}
+
+// What has been run along of the path that friction leads over the ellipsoid, from polhode to
+// polhode.
+Drawer make_spiral(Panel& panel) {
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    TimedCurve timed = polhode_trail(*panel.stage, tolerance / picture.picture_per_rho);
+    CurveGeometry geometry;
+    geometry.points.reserve(timed.points.size());
+    for (const Eigen::Vector3d& point : timed.points)
+        geometry.points.emplace_back(principal_from_body(panel) * point * picture.picture_per_rho);
+    panel.stage->note_curve_error(timed.off * picture.picture_per_rho / panel.units_per_px);
+    Curve curve =
+        curve_of(panel, panel.stage->keep(std::move(geometry)), panel.stage->theme->polhode, 4.0);
+    curve.hidden_opacity = 0.5;
+    curve.on_surface = the_ellipsoid;
+    return [curve, trail = std::move(timed.trail)](const Instant& instant, Sheet& sheet) {
+        Curve shown = curve;
+        trail.at(instant.time_s).apply_to(shown);
+        sheet.view.curves.push_back(shown);
+    };
 }
 
 // ρ = ω/√(2T) of the motion beside, with the T of the start: a drift takes it off its polhode and
@@ -215,6 +240,22 @@ std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
     }
     const Polhode& polhode = picture.polhode;
     const Eigen::Vector3d moments = picture.construction.inertia().moments_kg_m2();
+    if (picture.dissipates) {
+        // Where L and ω go over the film, by its own instants: the way spirals evenly round.
+        const StageData& stage = *panel.stage;
+        constexpr int n_looks = 512;
+        for (int k = 0; k <= n_looks; ++k) {
+            Instant instant;
+            instant.time_s =
+                stage.film_first_s + (stage.film_last_s - stage.film_first_s) * k / n_looks;
+            instant.state = stage.motion.sample(instant.time_s, omega_alone).state;
+            const Eigen::Vector3d rho = rho_in_principal_axes(panel, instant);
+            points.emplace_back(omega_share * omega_tip(rho));
+            points.emplace_back(moments.cwiseProduct(rho).stableNormalized() *
+                                body_momentum_length);
+        }
+        return points;
+    }
     constexpr int n = 48;
     for (int k = 0; k <= n; ++k) {
         const double chi =
@@ -232,16 +273,15 @@ std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
 void make_body_panel(Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     const double margin = 0.6 * label_size * panel.type_px + 26.0 * panel.px;
-    aim(panel, framed(panel.box, principal_view_direction(panel), Eigen::Vector3d::UnitZ(),
-                      field_of(panel), points_to_frame(panel), margin));
-    light_from_camera(panel);
+    aim_in_principal_axes(panel, points_to_frame(panel), even_margins(panel.box, margin));
 
     Ellipsoid ellipsoid = ellipsoid_of(panel);
     ellipsoid.half_axes = picture.half_axes.asDiagonal();
     ellipsoid.section_px = 0.8 * panel.px;  // the polhodes are what is to be read
     ellipsoid.ruling_px = 0.0;
     std::vector<Curve> curves = family_of(panel);
-    for (const auto& part : {separatrices_of(panel), motion_of(panel)}) {
+    for (const auto& part :
+         {separatrices_of(panel), picture.dissipates ? std::vector<Curve>{} : motion_of(panel)}) {
         curves.insert(curves.end(), part.begin(), part.end());
     }
 
@@ -253,7 +293,8 @@ void make_body_panel(Panel& panel) {
     const SetType momentum_type = set_label(panel, "\\mathbf{L}");
     const Drawer beside = make_beside(panel);
     const Drawer precession = make_precession_circle(panel);
-    panel.draw = [&panel, &picture, precession, ellipsoid, curves, axis_types, omega_type,
+    const Drawer spiral = picture.dissipates ? make_spiral(panel) : Drawer();
+    panel.draw = [&panel, &picture, precession, spiral, ellipsoid, curves, axis_types, omega_type,
                   momentum_type, beside](const Instant& instant, Sheet& sheet) {
         const Theme& theme = *panel.stage->theme;
         const auto add_arrow = [&](const Eigen::Vector3d& tip, const Colour& colour, double weight,
@@ -263,6 +304,7 @@ void make_body_panel(Panel& panel) {
         };
         sheet.view.ellipsoids.push_back(ellipsoid);
         sheet.view.curves = curves;
+        if (spiral) spiral(instant, sheet);
         for (int i = 0; i < 3; ++i) {
             add_arrow((picture.half_axes[i] + axis_overhang) * Eigen::Vector3d::Unit(i),
                       theme.axes[i], 0.85, axis_types[static_cast<std::size_t>(i)],

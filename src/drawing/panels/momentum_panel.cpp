@@ -13,6 +13,7 @@
 #include "drawing/charts/plot_frame.h"
 #include "drawing/elements/body_axes.h"
 #include "drawing/elements/ghost.h"
+#include "drawing/elements/trail.h"
 #include "drawing/framing.h"
 #include "drawing/marks.h"
 #include "drawing/type/overlay.h"
@@ -74,6 +75,26 @@ Drawer make_beside(Panel& panel) {
     };
 }
 
+// The way of L over the sphere as friction leads it, as much of it as the trail of the polhode.
+Drawer make_spiral(Panel& panel) {
+    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
+    TimedCurve timed =
+        polhode_trail(*panel.stage, tolerance / panel.stage->rolling->picture_per_rho);
+    CurveGeometry geometry;
+    geometry.points.reserve(timed.points.size());
+    for (const Eigen::Vector3d& point : timed.points)
+        geometry.points.push_back(momentum_at(panel, point));
+    Curve curve =
+        curve_of(panel, panel.stage->keep(std::move(geometry)), panel.stage->theme->polhode, 4.0);
+    curve.on_surface = the_sphere;
+    curve.hidden_opacity = 0.5;
+    return [curve, trail = std::move(timed.trail)](const Instant& instant, Sheet& sheet) {
+        Curve shown = curve;
+        trail.at(instant.time_s).apply_to(shown);
+        sheet.view.curves.push_back(shown);
+    };
+}
+
 Eigen::Vector3d energy_half_axes(const Panel& panel) {
     const PoinsotConstruction& construction = panel.stage->rolling->construction;
     return construction.plane_distance() * construction.inertia().moments_kg_m2().cwiseSqrt();
@@ -127,9 +148,7 @@ void make_momentum_panel(Panel& panel) {
     const std::vector<Label> legend = legend_of(panel);
     const Margins margins{margin, margin, margin + panel.header_px,
                           std::max(margin, legend_rows(panel, legend))};
-    aim(panel, framed(panel.box, principal_view_direction(panel), Eigen::Vector3d::UnitZ(),
-                      field_of(panel), points, margins));
-    light_from_camera(panel);
+    aim_in_principal_axes(panel, std::move(points), margins);
 
     Ellipsoid sphere = ellipsoid_of(panel);
     sphere.colour = panel.stage->theme->sphere;
@@ -142,7 +161,8 @@ void make_momentum_panel(Panel& panel) {
     energy.ruling_px = 0.0;
 
     std::vector<Curve> curves;
-    if (panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
+    const bool dissipates = panel.stage->rolling->dissipates;
+    if (!dissipates && panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
         Curve curve = curve_of(panel, panel.stage->keep(meeting_curve(panel)),
                                panel.stage->theme->polhode, 4.6);
         curve.on_surface = the_sphere;
@@ -162,12 +182,19 @@ void make_momentum_panel(Panel& panel) {
     }
     const SetType momentum_type = set_label(panel, "\\mathbf{L}");
     const Drawer beside = make_beside(panel);
-    panel.draw = [&panel, sphere, energy, curves, axis_lengths, axis_types, momentum_type, legend,
-                  beside](const Instant& instant, Sheet& sheet) {
+    const Drawer spiral = dissipates ? make_spiral(panel) : Drawer();
+    panel.draw = [&panel, spiral, sphere, energy, curves, axis_lengths, axis_types, momentum_type,
+                  legend, beside](const Instant& instant, Sheet& sheet) {
         const Theme& theme = *panel.stage->theme;
         sheet.view.labels = legend;
         sheet.view.ellipsoids = {sphere, energy};
         sheet.view.curves = curves;
+        if (spiral) {
+            // The ellipsoid of the T that is left.
+            sheet.view.ellipsoids.back().half_axes =
+                energy.half_axes / panel.stage->rolling->rho_growth(instant.state.omega_body);
+            spiral(instant, sheet);
+        }
         for (int i = 0; i < 3; ++i) {
             const Arrow arrow =
                 arrow_to(panel, axis_lengths[i] * Eigen::Vector3d::Unit(i), theme.axes[i], 0.85);

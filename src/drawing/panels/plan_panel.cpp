@@ -113,9 +113,9 @@ HerpolhodeCurve herpolhode_of(Panel& panel, const PlanScale& scale) {
         map.linear() = scale.plan_per_rho * flattened * scale.plan_from_space;
         geometry.smooth = placed(timed.smooth, map);
     }
-    Curve curve = curve_of(panel, panel.stage->keep(std::move(geometry)),
-                           panel.stage->theme->herpolhode, 4.0);
-    set_dashes(panel, panel.stage->theme->herpolhode_dashes, curve);
+    Curve curve =
+        curve_of(panel, panel.stage->keep(std::move(geometry)), panel.stage->theme->herpolhode,
+                 4.0 * panel.stage->theme->herpolhode_weight);
     curve.on_plane = the_plane;
     curve.occlusion = Occlusion::none;
     // Of the outer circle's radius.

@@ -13,6 +13,8 @@
 #include "drawing/charts/plot_quantity.h"
 #include "drawing/charts/plot_record.h"
 #include "drawing/charts/plotted_chart.h"
+#include "drawing/marks.h"
+#include "text/languages.h"
 
 namespace poinsot {
 
@@ -95,9 +97,21 @@ class PlotMaker {
     }
 
  private:
+    // A label or title with the scene's own symbols, its words in the scene's language.
+    std::string named(std::string_view label) const {
+        const Scene& scene = panel_->stage->scene;
+        constexpr std::string_view word = "\\mathrm{";
+        if (label.starts_with(word))
+            return fmt::format("\\mathrm{{{}}}",
+                               translated(label.substr(word.size(), label.size() - word.size() - 1),
+                                          scene.language));
+        return named_by_scene(scene, translated(label, scene.language));
+    }
+
     void set_names() {
         for (const PlotCurve& curve : quantity_->curves) {
-            names_.push_back(set_chart_type(*panel_, curve.label, TypeMode::math, chart_name_size));
+            names_.push_back(
+                set_chart_type(*panel_, named(curve.label), TypeMode::math, chart_name_size));
             widest_name_ = std::max(widest_name_, names_.back().width_px());
         }
     }
@@ -143,14 +157,15 @@ class PlotMaker {
         const TimeUnit unit = time_unit_of(stage.film_last_s - stage.film_first_s);
         const Axis x = time_axis(stage.film_first_s, stage.film_last_s, unit,
                                  n_ticks(place.region.width(), 120.0));
+        const std::string unit_name = unit_of(stage, *quantity_).name;
         std::string y_title =
             quantity_->stacked
-                ? axis_title(fmt::format("${}$", quantity_->curves[place.first_curve].label),
-                             quantity_->unit, place.y.exponent)
-                : axis_title(quantity_->title, quantity_->unit, place.y.exponent);
+                ? axis_title(fmt::format("${}$", named(quantity_->curves[place.first_curve].label)),
+                             unit_name, place.y.exponent)
+                : axis_title(named(quantity_->title), unit_name, place.y.exponent);
         if (beside_) {
-            y_title +=
-                fmt::format(";  thin lines: {}", stage.beside->motion().problem().method.name);
+            y_title += fmt::format(";  {}: {}", translated("thin lines", stage.scene.language),
+                                   stage.beside->motion().problem().method.name);
         }
         const std::string x_title = place.is_lowest ? axis_title("$t$", unit.name, x.exponent) : "";
         const double names_px = widest_name_ + 16.0 * panel_->px;
@@ -247,7 +262,7 @@ void make_plot_panel(Panel& panel) {
     panel.asks = quantity.asks;
     const std::vector<PlottedChart> charts = PlotMaker(panel, quantity).make();
     panel.draw = [&panel, &quantity, charts](const Instant& instant, Sheet& sheet) {
-        const PlotValues values = quantity.values(*panel.stage, instant);
+        const PlotValues values = shown_values(*panel.stage, quantity, instant);
         for (const PlottedChart& plotted : charts) {
             draw_chart(panel, plotted, instant.time_s, values, sheet);
         }

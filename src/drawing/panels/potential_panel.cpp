@@ -9,6 +9,7 @@
 #include "drawing/charts/plot_frame.h"
 #include "drawing/marks.h"
 #include "mechanics/top/heavy_top.h"
+#include "text/languages.h"
 
 namespace poinsot {
 
@@ -120,7 +121,8 @@ void make_potential_panel(Panel& panel) {
     const Axis y = linear_axis(well.first_J, well.last_J, n_ticks(region.height(), 75.0));
     const PlotFrame chart(
         panel, region, x, y, axis_title("$\\theta$", "rad", x.exponent),
-        axis_title("energy", "J", y.exponent), PlotFrame::numbers_px(panel, y),
+        axis_title(translated("energy", panel.stage->scene.language), "J", y.exponent),
+        PlotFrame::numbers_px(panel, y),
         std::max(energy_type.width_px(), potential_type.width_px()) + 16.0 * panel.px);
 
     // The curve, cut where it leaves the chart.

@@ -64,7 +64,7 @@ Camera framing_camera(const Panel& panel, const CameraPose& pose) {
         if (bands.title_right_px > 0.38 * picture.width_px) margins.top_px += bands.top_px;
     }
     margins.bottom_px = std::min(margins.bottom_px, 0.4 * panel.box.height_px);
-    Camera camera = framed(panel.box, towards_eye, up_of(pose.azimuth_deg, pose.elevation_deg),
+    Camera camera = framed(panel, towards_eye, up_of(pose.azimuth_deg, pose.elevation_deg),
                            field_rad, points, margins);
     const double distance = (camera.eye - camera.target).norm();
     camera.eye += std::max(0.0, pose.distance - distance) * towards_eye;
@@ -93,7 +93,7 @@ Camera camera_of(const Panel& panel, const CameraPose& pose) {
 // The first camera of the film, and how it moves. Pixels are measured at the nearest it comes, so
 // that curves keep their accuracy all along.
 void aim_along(Panel& panel) {
-    const Timeline& timeline = panel.stage->timeline;
+    const Timeline& timeline = timeline_of(panel);
     const Camera first = camera_of(panel, timeline.camera_at(0.0));
     aim(panel, first);
     if (!timeline.camera_moves()) return;
@@ -103,10 +103,10 @@ void aim_along(Panel& panel) {
         aim(panel, camera_of(panel, timeline.camera_at(timeline.last_key_s() * k / n_looks)));
         units_per_px = std::min(units_per_px, panel.units_per_px);
     }
-    panel.camera = first;
+    panel.camera = projected(panel, first);
     panel.units_per_px = units_per_px;
     panel.camera_at = [&panel](double film_s) {
-        return camera_of(panel, panel.stage->timeline.camera_at(film_s));
+        return projected(panel, camera_of(panel, timeline_of(panel).camera_at(film_s)));
     };
 }
 

@@ -265,7 +265,7 @@ void make_energy_sweep(Panel& panel) {
 
     std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
     points.push_back((farthest + momentum_beyond_plane) * normal);
-    const double azimuth = panel.stage->scene.camera.azimuth_deg * pi / 180.0;
+    const double azimuth = timeline_of(panel).camera_at(0.0).azimuth_deg * pi / 180.0;
     const Eigen::Vector3d right(-std::sin(azimuth), std::cos(azimuth), 0.0);
     for (const double side : {1.85, -1.85}) points.emplace_back(side * right);
     aim_around(panel, std::move(points), margins_of(panel).left_px);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "shapes/identity.h"
+#include "shapes/projection.h"
 
 namespace poinsot {
 
@@ -17,6 +19,93 @@ double nearness_to_view(const Eigen::Vector2d& at_px, const View& view) {
         std::max({view.x_px - at_px.x(), at_px.x() - view.x_px - view.width_px,
                   view.y_px - at_px.y(), at_px.y() - view.y_px - view.height_px, 0.0});
     return std::clamp(1.0 - outside_px / reach_px, 0.0, 1.0);
+}
+
+double smooth_step(double u) {
+    const double v = std::clamp(u, 0.0, 1.0);
+    return v * v * (3.0 - 2.0 * v);
+}
+
+struct Box {
+    Eigen::Vector2d centre;
+    Eigen::Vector2d half;
+};
+
+// An arrow as it lies in the picture.
+struct Shaft {
+    Eigen::Vector3d tip, direction;  // a unit vector
+    Eigen::Vector2d from, along;     // px; a unit vector
+    double length_px = 0.0, half_px = 0.0, opacity = 1.0;
+};
+
+std::vector<Shaft> shafts_of(const View& view) {
+    std::vector<Shaft> shafts;
+    shafts.reserve(view.arrows.size());
+    for (const Arrow& arrow : view.arrows) {
+        const Eigen::Vector2d from = project(view, arrow.tail).px;
+        const Eigen::Vector2d way = project(view, arrow.tip).px - from;
+        const double length = way.norm();
+        if (!(length > 0.0)) continue;
+        const Eigen::Vector3d direction = (arrow.tip - arrow.tail).stableNormalized();
+        shafts.push_back({arrow.tip, direction, from, way / length, length, 0.5 * arrow.shaft_px,
+                          std::clamp(arrow.opacity, 0.0, 1.0)});
+    }
+    return shafts;
+}
+
+// Moves a box to its side of every shaft that would run through it, of arrows that point nearly
+// where its own does. Others only pass: a name that made way for them would leap to and fro, and
+// they pass under it. It sets out while the shaft is still on its way from the other side, and is
+// clear of it when the shaft comes to where it wishes to stand.
+void keep_off(const std::vector<Shaft>& shafts, const LabelWish& wish, Box& box) {
+    constexpr double clear = 1.15;                        // of the box
+    constexpr double passes = 0.90, accompanies = 0.985;  // cosines: 26° and 10°
+    const auto own = std::find_if(shafts.begin(), shafts.end(), [&wish](const Shaft& shaft) {
+        return wish.at && (*wish.at - shaft.tip).isZero(0.0);
+    });
+    if (own == shafts.end()) return;
+    for (const Shaft& shaft : shafts) {
+        if (&shaft == &*own) continue;
+        const double company =
+            smooth_step((own->direction.dot(shaft.direction) - passes) / (accompanies - passes));
+        const Eigen::Vector2d normal =
+            wish.side * Eigen::Vector2d(-shaft.along.y(), shaft.along.x());
+        const Eigen::Vector2d from = box.centre - shaft.from;
+        const double reach =
+            clear * box.half.dot(normal.cwiseAbs()) + shaft.half_px + 0.3 * wish.gap_px;
+        const double aside = from.dot(normal);
+        const double reach_along = box.half.dot(shaft.along.cwiseAbs());
+        const double past = from.dot(shaft.along);
+        const double beside = std::min(past, shaft.length_px - past) + reach_along;
+        const double move =
+            std::min(reach * smooth_step(1.0 + 0.5 * aside / reach), std::max(reach - aside, 0.0));
+        box.centre += company * move * smooth_step(beside / reach_along) * shaft.opacity * normal;
+    }
+}
+
+// From what a label names to the nearest of its box, where that is farther than its place was.
+void add_leader(const LabelWish& wish, const Box& box, double before_px, double halo_px,
+                double opacity, const CurveGeometry* segment, View& view) {
+    const Eigen::Vector2d nearest =
+        wish.anchor_px.cwiseMax(box.centre - box.half).cwiseMin(box.centre + box.half);
+    const Eigen::Vector2d way = nearest - wish.anchor_px;
+    const double height = 2.0 * box.half.y();
+    const double presence = smooth_step((way.norm() - before_px - 0.35 * height) / (0.4 * height));
+    if (!(presence > 0.0)) return;
+    const Projected anchor = project(view, *wish.at);
+    const Eigen::Matrix3d axes = camera_axes(view.camera);
+    const Eigen::Vector3d along =
+        units_per_pixel(view, anchor.depth) * (axes.col(0) * way.x() - axes.col(1) * way.y());
+    Curve line;
+    line.geometry = segment;
+    line.placement.linear() << along, along.norm() * axes.col(2).cross(along).normalized(),
+        along.norm() * axes.col(2);
+    line.placement.translation() = *wish.at;
+    line.width_px = 0.4 * halo_px;
+    line.colour = wish.colour;
+    line.opacity = 0.85 * presence * opacity;
+    line.occlusion = Occlusion::none;
+    view.curves.push_back(line);
 }
 
 }  // namespace
@@ -55,17 +144,40 @@ SetType TypeCase::set(std::string_view text, const TypeStyle& style) {
     return type;
 }
 
+SetType TypeCase::band(double width_px, double height_px, bool dense_at_top) {
+    TypesetMask set;
+    set.width = static_cast<int>(std::lround(width_px / samples_));
+    set.height = static_cast<int>(std::lround(height_px / samples_));
+    set.coverage.resize(static_cast<std::size_t>(set.width) * static_cast<std::size_t>(set.height));
+    for (int row = 0; row < set.height; ++row) {
+        const int from_end = dense_at_top ? set.height - 1 - row : row;
+        const double density = smooth_step(1.8 * (from_end + 0.5) / set.height);
+        const auto begin = set.coverage.begin() + static_cast<std::ptrdiff_t>(row) * set.width;
+        std::fill(begin, begin + set.width, static_cast<std::uint8_t>(std::lround(255 * density)));
+    }
+    set.glyphs.clear();
+    set.rules = {{0.0, 0.0, static_cast<double>(set.width), static_cast<double>(set.height)}};
+    return keep(std::move(set), masks_);
+}
+
+double TypeCase::least_size_px() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [key, type] : known_)
+        if (type.mask->width > 0) least = std::min(least, std::get<1>(key));
+    return least;
+}
+
 SetType TypeCase::set_live(std::string_view text, const TypeStyle& style, View& view) const {
     return keep(set_legible(text, style), view.live_masks);
 }
 
 void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,
-                  View& view) {
-    struct Box {
-        Eigen::Vector2d centre;
-        Eigen::Vector2d half;
-    };
+                  View& view, const CurveGeometry* segment) {
+    const std::vector<Shaft> shafts = shafts_of(view);
     std::vector<Box> boxes;
+    std::vector<double> gaps;  // between what is named and its label, where it wishes to stand
+    boxes.reserve(wishes.size());
+    gaps.reserve(wishes.size());
     for (const LabelWish& wish : wishes) {
         const Eigen::Vector2d half =
             0.5 * Eigen::Vector2d(wish.type.width_px(), wish.type.height_px());
@@ -79,6 +191,8 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
         const double reach = std::hypot(half.x() * away.x(), half.y() * away.y());
         const double nearness = length / std::hypot(length, 0.25);
         boxes.push_back({wish.anchor_px + away * (nearness * (wish.gap_px + reach)), half});
+        gaps.push_back(nearness * wish.gap_px);
+        if (wish.side != 0) keep_off(shafts, wish, boxes.back());
     }
 
     // Overlapping pairs push each other apart along the line of their centres, as ellipses of their
@@ -119,6 +233,9 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
         label.opacity = wishes[i].opacity * nearness_to_view(wishes[i].anchor_px, view);
         if (!(label.opacity > 0.0)) continue;
         view.labels.push_back(label);
+        const Box placed{corner + boxes[i].half, boxes[i].half};
+        if (segment != nullptr && wishes[i].at)
+            add_leader(wishes[i], placed, gaps[i], halo_px, label.opacity, segment, view);
     }
 }
 

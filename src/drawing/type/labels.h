@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <deque>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -45,6 +46,13 @@ class TypeCase {
     // For type that changes with every frame: the mask goes with the view.
     SetType set_live(std::string_view text, const TypeStyle& style, View& view) const;
 
+    // A band on which type is read, as dense as can be at its top or at its foot and fading out
+    // over the other half. Pixels of the picture drawn, whole ones of that which is looked at.
+    SetType band(double width_px, double height_px, bool dense_at_top);
+
+    // The smallest em of what was set and kept, in pixels of the picture drawn; infinite for none.
+    double least_size_px() const;
+
     // What stood in for characters that the fonts of labels and captions lack.
     const Typesetter& typesetter() const { return typesetter_; }
 
@@ -68,11 +76,18 @@ struct LabelWish {
     double gap_px = 6.0;
     Colour colour;
     double opacity = 1.0;
+    // What it names, view axes: there ends the leader of a label that had to stand elsewhere.
+    std::optional<Eigen::Vector3d> at{};
+    // To which side of another's shaft it goes that runs through its place: 1, clockwise from the
+    // shaft's direction, or -1; 0 keeps off no shaft.
+    int side = 0;
 };
 
-// Adds the wishes as labels of the view: each at its place, then pushed apart where they would
-// cover each other, then kept inside the view.
+// Adds the wishes as labels of the view: each at its place, then off the shafts of arrows that it
+// does not name, pushed apart where they would cover each other, and kept inside the view. Those
+// that come to stand away from their places have leaders, lines along `segment` (from the origin to
+// x; none: no leaders).
 void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,
-                  View& view);
+                  View& view, const CurveGeometry* segment = nullptr);
 
 }  // namespace poinsot

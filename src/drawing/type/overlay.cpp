@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "drawing/fade.h"
+#include "drawing/panel.h"
 #include "drawing/type/clock_text.h"
 #include "drawing/type/time_unit.h"
+#include "scene/film_clock.h"
 #include "scene/scene_error.h"
 
 namespace poinsot {
@@ -37,13 +41,13 @@ constexpr double title_size = 40.0;
 constexpr double caption_size = 26.0;
 
 // Wrapped to a picture so wide, of so many samples to a pixel's side.
-TypeStyle text_style(int width_px, double px, double size, int samples) {
-    return {.size_px = size * px,
+TypeStyle text_style(const Scene& scene, int width_px, double px, double size, int samples) {
+    return {.size_px = size * px * scene.type_scale,
             .mode = TypeMode::text,
             .max_width_px = std::max(64.0 * samples, width_px - 2.0 * margin(px))};
 }
 TypeStyle text_style(const StageData& stage, double size) {
-    return text_style(stage.options.width_px, stage.px, size, stage.options.samples);
+    return text_style(stage.scene, stage.options.width_px, stage.px, size, stage.options.samples);
 }
 
 Drawer make_title(StageData& stage) {
@@ -92,7 +96,7 @@ Drawer make_clock(StageData& stage) {
     const double pen = stage.options.width_px - margin(stage) - widest_px;
     return [&stage, clock, style, pen](const Instant& instant, Sheet& sheet) {
         const SetType type = stage.type_case.set_live(clock.at(instant.time_s), style, sheet.view);
-        add_text(stage, type, pen, margin(stage) + 26.0 * stage.px, sheet);
+        add_text(stage, type, pen, margin(stage) + 26.0 * stage.px * stage.scene.type_scale, sheet);
     };
 }
 
@@ -101,8 +105,77 @@ bool wants(const Scene& scene, const char* name) {
     return show.empty() || std::find(show.begin(), show.end(), name) != show.end();
 }
 
+// One of [[captions]], set, and the film's seconds between which it is seen.
+struct TimedCaption {
+    const TimedCaptionSpec* spec = nullptr;
+    double begin_s = 0.0, end_s = 0.0;
+    std::optional<SetType> still;  // absent: its numbers run along
+
+    // How much of it is seen: it comes and goes within a third of a second, or of its time.
+    double presence(double film_s) const {
+        const double ramp_s = std::min(0.33, (end_s - begin_s) / 3.0);
+        const double in = (film_s - begin_s) / ramp_s;
+        const double out = (end_s - film_s) / ramp_s;
+        const double u = std::clamp(std::min(in, out), 0.0, 1.0);
+        return u * u * (3.0 - 2.0 * u);
+    }
+};
+
+// Where the scene's own caption begins, or the picture's foot.
+double bottom_of_captions(const StageData& stage, const TypeStyle& style) {
+    double bottom = stage.options.height_px - margin(stage);
+    const Scene& scene = stage.scene;
+    const bool captioned = !scene.caption.empty() && wants(scene, "caption");
+    if (!captioned) return bottom;
+    TypeCase type_case(stage.options.samples);
+    const SetType type =
+        type_case.set(expand_live_text(scene.caption, StageData::live_values(scene, {})), style);
+    return bottom - type.height_px() - 14.0 * stage.px;
+}
+
+Drawer make_timed_captions(StageData& stage) {
+    const Scene& scene = stage.scene;
+    const TypeStyle style = text_style(stage, caption_size);
+    std::vector<TimedCaption> captions;
+    for (std::size_t i = 0; i < scene.captions.size(); ++i) {
+        TimedCaption caption;
+        caption.spec = &scene.captions[i];
+        const auto [begin_s, end_s] = caption_span(scene, i);
+        caption.begin_s = begin_s;
+        caption.end_s = end_s;
+        const SetType type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
+            return stage.type_case.set(
+                expand_live_text(caption.spec->text, StageData::live_values(scene, {})), style);
+        });
+        if (!is_live(caption.spec->text)) caption.still = type;
+        captions.push_back(caption);
+    }
+    const double foot = bottom_of_captions(stage, style);
+    const bool titled = !scene.title.empty() && wants(scene, "title");
+    const double head = margin(stage) + (titled ? 62.0 * scene.type_scale * stage.px : 0.0);
+    return [&stage, captions, style, foot, head](const Instant& instant, Sheet& sheet) {
+        for (const TimedCaption& caption : captions) {
+            const double presence = caption.presence(instant.film_s);
+            if (!(presence > 0.0)) continue;
+            const SetType type =
+                caption.still ? *caption.still
+                              : stage.type_case.set_live(
+                                    expand_live_text(caption.spec->text,
+                                                     StageData::live_values(stage.scene, instant)),
+                                    style, sheet.view);
+            const double baseline = caption.spec->place == "top"
+                                        ? head + type.baseline_px
+                                        : foot - (type.height_px() - type.baseline_px);
+            const std::size_t n_before = sheet.view.labels.size();
+            add_text(stage, type, margin(stage), baseline, sheet);
+            if (sheet.view.labels.size() > n_before) sheet.view.labels.back().opacity *= presence;
+        }
+    };
+}
+
 // A loop has no first instant for a clock to count from, unless the scene wants one all the same.
 bool wants_clock(const Scene& scene) {
+    if (scene.clock) return *scene.clock;
     if (!scene.film.loop.empty() && scene.show.empty()) return false;
     return wants(scene, "clock");
 }
@@ -110,16 +183,60 @@ bool wants_clock(const Scene& scene) {
 bool wants_title(const Scene& scene) { return !scene.title.empty() && wants(scene, "title"); }
 bool wants_caption(const Scene& scene) { return !scene.caption.empty() && wants(scene, "caption"); }
 
+// Where the camera of the whole picture goes near, the figure runs under the title and the caption:
+// then they stand on bands of the ground's colour, which come as the camera leaves the view that
+// keeps them clear.
+Drawer make_bands(StageData& stage) {
+    const Panel& panel = stage.panels.front();
+    const bool runs_under = stage.panels.size() == 1 &&
+                            panel.box.height_px == stage.options.height_px &&
+                            stage.theme->background.alpha >= 1.0;
+    if (!runs_under) return {};
+    const OverlayBands rows = overlay_bands(stage);
+    const double width = stage.options.width_px;
+    struct Band {
+        SetType type;
+        double top_px;
+        Colour colour;
+        const char* of;
+    };
+    std::vector<Band> bands;
+    const Background& ground = stage.theme->background;
+    if (wants_title(stage.scene))
+        bands.push_back(
+            {stage.type_case.band(width, 1.9 * rows.top_px, true), 0.0, ground.top, "title"});
+    if (rows.bottom_px > 0) {
+        const SetType type = stage.type_case.band(width, 1.9 * rows.bottom_px, false);
+        bands.push_back(
+            {type, stage.options.height_px - type.height_px(), ground.bottom, "caption"});
+    }
+    return [&stage, &panel, bands](const Instant& instant, Sheet& sheet) {
+        constexpr double density = 0.86;
+        const double nearness = 1.0 - timeline_of(panel).camera_at(instant.film_s).framing;
+        if (!(nearness > 0.0)) return;
+        for (const Band& band : bands) {
+            Label label;
+            label.mask = band.type.mask;
+            label.top_left_px = {0.0, band.top_px};
+            label.colour = band.colour;
+            label.opacity = density * nearness * stage.timeline.opacity_of(band.of, instant.film_s);
+            sheet.view.labels.push_back(label);
+        }
+    };
+}
+
 }  // namespace
 
 std::vector<Drawer> make_overlays(StageData& stage) {
     std::vector<Drawer> overlays;
+    if (Drawer bands = make_bands(stage)) overlays.push_back(std::move(bands));
     if (wants_title(stage.scene)) {
         overlays.push_back(fading(stage, "title", make_title(stage)));
     }
     if (wants_caption(stage.scene)) {
         overlays.push_back(fading(stage, "caption", make_caption(stage)));
     }
+    if (!stage.scene.captions.empty()) overlays.push_back(make_timed_captions(stage));
     if (wants_clock(stage.scene)) overlays.push_back(fading(stage, "clock", make_clock(stage)));
     return overlays;
 }
@@ -133,11 +250,12 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samp
     };
     OverlayBands bands;
     if (wants_title(scene) || wants_clock(scene)) {
-        bands.top_px = rows(margin(px) + (wants_title(scene) ? 56.0 : 40.0) * px);
+        bands.top_px =
+            rows(margin(px) + scene.type_scale * (wants_title(scene) ? 56.0 : 40.0) * px);
     }
     if (wants_title(scene)) {
         const SetType type = at_scene_key(scene, "title", [&] {
-            return type_case.set(scene.title, text_style(width_px, px, title_size, samples));
+            return type_case.set(scene.title, text_style(scene, width_px, px, title_size, samples));
         });
         bands.title_right_px = margin(px) + type.width_px();
     }
@@ -145,10 +263,25 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samp
         // Live numbers change the text's width, and its lines hardly ever.
         const SetType type = at_scene_key(scene, "caption", [&] {
             return type_case.set(expand_live_text(scene.caption, StageData::live_values(scene, {})),
-                                 text_style(width_px, px, caption_size, samples));
+                                 text_style(scene, width_px, px, caption_size, samples));
         });
         bands.bottom_px = rows(margin(px) + type.height_px() + 18.0 * px);
     }
+    // Captions that come and go keep their rows all along, so that nothing moves for them.
+    double top_px = 0.0;
+    double bottom_px = 0.0;
+    for (std::size_t i = 0; i < scene.captions.size(); ++i) {
+        const TimedCaptionSpec& caption = scene.captions[i];
+        const SetType type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
+            return type_case.set(expand_live_text(caption.text, StageData::live_values(scene, {})),
+                                 text_style(scene, width_px, px, caption_size, samples));
+        });
+        double& room_px = caption.place == "top" ? top_px : bottom_px;
+        room_px = std::max(room_px, type.height_px() + 14.0 * px);
+    }
+    if (top_px > 0.0) bands.top_px = std::max(bands.top_px, rows(margin(px))) + rows(top_px);
+    if (bottom_px > 0.0)
+        bands.bottom_px = std::max(bands.bottom_px, rows(margin(px))) + rows(bottom_px);
     return bands;
 }
 

@@ -13,7 +13,8 @@
 #include "error/error.h"
 #include "output/film_parts.h"
 #include "output/frame_name.h"
-#include "production/chapters.h"
+#include "production/beside/chapters.h"
+#include "production/beside/subtitles.h"
 #include "production/output_place.h"
 #include "production/parts/kinship.h"
 #include "production/record.h"
@@ -118,10 +119,11 @@ std::string join_film(const std::vector<std::string>& names, const std::string& 
     plan.n_frames = entries.n_entries();
     telling.begin(record.scene_name, plan.n_frames);
     format.join(entries, plan);
-    if (const std::string& text = parts.front().part().beside; !text.empty())
+    if (const std::string& text = parts.front().part().chapters; !text.empty())
         write_chapters(plan.path, text);
     else
         remove_stale_chapters(plan);
+    write_subtitles(plan.path, parts.front().part().subtitles);
     telling.finish(name_of(plan.path));
     return record.bounds;
 }
@@ -227,7 +229,7 @@ std::string join_pictures(const std::vector<std::string>& names, const std::stri
         copy_picture(picture.path, frame_name(pattern, picture.frame));
         telling.done(picture.frame - begin + 1);
     }
-    write_chapters_beside(pattern, record, telling);
+    write_what_lies_beside(pattern, record, telling);
     telling.finish(name_of(pattern));
     return record.bounds;
 }

@@ -1,4 +1,4 @@
-#include "production/chapters.h"
+#include "production/beside/chapters.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,124 @@
+#include "drawing/idle_keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+
+#include "drawing/panel.h"
+#include "drawing/type/overlay.h"
+
+namespace poinsot {
+
+namespace {
+
+bool shows_element(const Scene& scene, std::string_view name) {
+    return scene.show.empty() ||
+           std::find(scene.show.begin(), scene.show.end(), name) != scene.show.end();
+}
+
+class Gathering {
+ public:
+    explicit Gathering(const Scene& scene) : scene_(scene) {
+        const bool keeps_L = std::holds_alternative<NoTorque>(scene.torque) ||
+                             std::holds_alternative<DissipationTorque>(scene.torque);
+        dissipates_ = std::holds_alternative<DissipationTorque>(scene.torque);
+        if (!scene.panels.empty()) return;
+        alone_ = !scene.construction.sweep.empty() ? "sweep" : keeps_L ? "space" : "object";
+    }
+
+    std::vector<IdleKey> made() && {
+        for (std::string& key : idle_camera_keys(scene_))
+            idle_.push_back({std::move(key),
+                             "no panel here takes it of [camera]; give a panel its own, as in "
+                             "[panels.camera], or leave it out"});
+        add_trails();
+        add_elements();
+        add_panels();
+        return std::move(idle_);
+    }
+
+ private:
+    bool any(std::initializer_list<std::string_view> kinds) const {
+        const auto is_one = [&kinds](std::string_view kind) {
+            return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+        };
+        return scene_.panels.empty()
+                   ? is_one(alone_)
+                   : std::any_of(scene_.panels.begin(), scene_.panels.end(),
+                                 [&is_one](const PanelSpec& panel) { return is_one(panel.kind); });
+    }
+
+    void add(std::string key, std::string why) {
+        if (scene_.locations.contains(key)) idle_.push_back({std::move(key), std::move(why)});
+    }
+
+    void add_trails() {
+        const bool polhode = (any({"space"}) && shows_element(scene_, "polhode")) ||
+                             (dissipates_ && any({"body", "momentum"}));
+        const bool herpolhode =
+            (any({"space"}) && shows_element(scene_, "herpolhode")) || any({"plan"});
+        if (!polhode) add("trail.polhode", "no panel here shows a polhode that is run along");
+        if (!herpolhode) add("trail.herpolhode", "no panel here shows the herpolhode");
+        const bool fades = scene_.trail.polhode == "fading" || scene_.trail.herpolhode == "fading";
+        if (!fades) add("trail.length_s", "no trail is \"fading\"; say which one, or leave it out");
+        if (!any({"space", "plan"}))
+            add("trail.direction_marks", "panels \"space\" and \"plan\" have such marks");
+    }
+
+    void add_elements() {
+        for (const std::string& name : scene_.show) {
+            if (any({"space"}) || is_overlay(name)) continue;
+            add("show", fmt::format("\"{}\" is an element of panel \"space\"; add one, or leave it "
+                                    "out",
+                                    name));
+            break;
+        }
+        const bool body = any({"object", "sweep"}) ||
+                          (any({"space"}) && !scene_.show.empty() && shows_element(scene_, "body"));
+        for (const char* key : {"object.name", "object.mesh"})
+            if (!body)
+                add(key,
+                    "no panel here shows the body itself; add a panel \"object\", or leave "
+                    "it out");
+    }
+
+    void add_panels() {
+        for (std::size_t i = 0; i < scene_.panels.size(); ++i) {
+            const std::string& kind = scene_.panels[i].kind;
+            const auto only_of = [&](std::string_view key, std::string_view owner) {
+                if (kind != owner)
+                    add(fmt::format("panels[{}].{}", i, key),
+                        fmt::format("it belongs to panel \"{}\", and this one is \"{}\"", owner,
+                                    kind));
+            };
+            only_of("quantity", "plot");
+            only_of("curves", "body");
+            if (scene_.panels.size() == 1 && scene_.panels[0].title.value_or("") != "")
+                add("panels[0].title", "one panel alone has no heading; give the scene a title");
+        }
+        // A keyframe of all cameras whose distance or aim no panel takes.
+        const bool aimed = std::any_of(
+            scene_.panels.begin(), scene_.panels.end(),
+            [](const PanelSpec& panel) { return panel.kind == "space" || panel.kind == "plan"; });
+        if (aimed || alone_ == "space") return;
+        for (std::size_t i = 0; i < scene_.keyframes.size(); ++i)
+            for (const char* leaf : {"distance", "target", "look_at"})
+                if (!scene_.keyframes[i].panel)
+                    add(fmt::format("keyframes[{}].{}", i, leaf),
+                        "every panel here is framed whole; panel \"space\" takes it");
+    }
+
+    const Scene& scene_;
+    bool dissipates_ = false;
+    std::string_view alone_;  // the kind of the one panel of a scene that names none
+    std::vector<IdleKey> idle_;
+};
+
+}  // namespace
+
+std::vector<IdleKey> idle_keys(const Scene& scene) { return Gathering(scene).made(); }
+
+}  // namespace poinsot

@@ -1,0 +1,24 @@
+// A film's captions as subtitles: WebVTT beside it, to be read, translated and heard.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "production/session.h"
+
+namespace poinsot {
+
+// "film.vtt" for "film.mp4", "film.webm.vtt" for "film.webm".
+std::filesystem::path subtitles_path(const std::filesystem::path& film);
+
+// The captions that stand in frames first … last of the film, with times from the first of those;
+// formulas as plain text, live numbers as they are when the caption comes; empty: none stands.
+// Source: W3C, WebVTT.
+std::string subtitles_text(const Session& session, const FilmPlan& film, std::int64_t first,
+                           std::int64_t last);
+
+// Writes such a text as the film's file, whole or not at all; where it is empty, removes the one
+// that an earlier film of the same name has left. Throws EnvironmentError.
+void write_subtitles(const std::filesystem::path& film, const std::string& text);
+
+}  // namespace poinsot

@@ -1,0 +1,130 @@
+// Poinsot's construction of a body that burns energy inside: L stays, the plane comes nearer, the
+// polhode is a spiral.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drawing/panel.h"
+#include "error/error.h"
+#include "mechanics/half_life.h"
+#include "scenes_by_hand.h"
+
+namespace poinsot {
+namespace {
+
+const Eigen::Vector3d moments{3.0, 2.0, 1.0};
+const Eigen::Vector3d omega{0.05, 0.02, 2.0};
+
+Scene burning(const std::string& panel) {
+    Scene scene = free_scene(moments, omega, panel);
+    scene.torque =
+        DissipationTorque{dissipation_rate_of_half_life(scene.body.inertia, omega, 10.0)};
+    scene.method = {.name = "dopri5", .step_s = {}, .tolerance = 1e-11, .order = {}};
+    scene.film.duration_s = 30.0;
+    scene.trail.polhode = "history";
+    return scene;
+}
+
+// T over that of the start, from the motion itself.
+double energy_share(const StagedScene& staged, double time_s) {
+    const Eigen::Vector3d w = staged.motion.at(time_s).omega_body;
+    return w.dot(moments.cwiseProduct(w)) / omega.dot(moments.cwiseProduct(omega));
+}
+
+TEST(Dissipation, ThePlaneStandsAtTheRootOfTheEnergyThatIsLeft) {
+    for (const char* side : {"below", "above"}) {
+        Scene scene = burning("space");
+        scene.construction.plane = side;
+        const StagedScene staged(scene, 30.0);
+        const Drawing first = staged.stage.at(0.0);
+        ASSERT_EQ(first.views[0].planes.size(), 1u);
+        const double start = first.views[0].planes[0].centre.z();
+        EXPECT_EQ(start > 0.0, std::string(side) == "above");
+        for (int k = 0; k <= 10; ++k) {
+            const double time_s = 3.0 * k;
+            const Drawing drawing = staged.stage.at(time_s);
+            const View& view = drawing.views[0];
+            const Plane& plane = view.planes[0];
+            EXPECT_NEAR(plane.centre.z(), start * std::sqrt(energy_share(staged, time_s)), 1e-12);
+            // It touches the ellipsoid: F at the point of the plane along its own normal's image.
+            const Eigen::Matrix3d axes = view.ellipsoids[0].half_axes;
+            const Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+            EXPECT_NEAR((axes.transpose() * normal).norm(), std::abs(plane.centre.z()), 1e-9);
+            // And the contact point lies on both.
+            bool has_contact = false;
+            for (const Dot& dot : view.dots) {
+                const bool on_plane = std::abs(dot.at.z() - plane.centre.z()) < 1e-9;
+                const bool on_ellipsoid = std::abs((axes.inverse() * dot.at).norm() - 1.0) < 1e-9;
+                has_contact = has_contact || (on_plane && on_ellipsoid);
+            }
+            EXPECT_TRUE(has_contact) << time_s;
+        }
+    }
+}
+
+// From about the axis of the least moment to about that of the largest, on the ellipsoid all along.
+TEST(Dissipation, ThePolhodeIsASpiralOnTheEllipsoid) {
+    for (const char* kind : {"space", "body"}) {
+        const StagedScene staged(burning(kind), 30.0);
+        const Drawing drawing = staged.stage.at(30.0);
+        const View& view = drawing.views[0];
+        const Curve* spiral = nullptr;
+        for (const Curve& curve : view.curves)
+            if (curve.on_surface == 0 && !curve.geometry->closed &&
+                (spiral == nullptr ||
+                 curve.geometry->points.size() > spiral->geometry->points.size()))
+                spiral = &curve;
+        ASSERT_NE(spiral, nullptr) << kind;
+        const auto& points = spiral->geometry->points;
+        const Eigen::Vector3d half_axes = moments.cwiseSqrt().cwiseInverse();
+        for (const Eigen::Vector3d& point : points)
+            EXPECT_NEAR(point.cwiseQuotient(half_axes).norm() * half_axes.maxCoeff(), 1.0, 1e-12);
+        EXPECT_GT(points.front().z(), 0.9);
+        EXPECT_GT(points.back().normalized().cwiseAbs().x(), 0.9);
+        // Of its whole length the end is shown, of the beginning nothing.
+        EXPECT_NEAR(spiral->last, static_cast<double>(points.size() - 1), 1.0);
+        EXPECT_LT(staged.stage.at(0.0).views[0].curves.size(), 1000u);
+    }
+}
+
+TEST(Dissipation, TheEnergyEllipsoidShrinksOnTheSphereOfMomentum) {
+    const StagedScene staged(burning("momentum"), 30.0);
+    const Drawing start = staged.stage.at(0.0);
+    const double before = start.views[0].ellipsoids[1].half_axes(0, 0);
+    for (const double time_s : {0.0, 7.0, 15.0, 30.0}) {
+        const Drawing drawing = staged.stage.at(time_s);
+        const View& view = drawing.views[0];
+        EXPECT_NEAR(view.ellipsoids[1].half_axes(0, 0) / before,
+                    std::sqrt(energy_share(staged, time_s)), 1e-12);
+        EXPECT_EQ(view.ellipsoids[0].half_axes.diagonal(), Eigen::Vector3d::Ones());
+        // L's tip is on both.
+        const Eigen::Vector3d tip = view.arrows.back().tip;
+        EXPECT_NEAR(tip.norm(), 1.0, 1e-14);
+        // As far as the stepping keeps L.
+        EXPECT_NEAR((view.ellipsoids[1].half_axes.inverse() * tip).norm(), 1.0, 1e-10);
+    }
+}
+
+TEST(Dissipation, PanelsSuitIt) {
+    Scene scene = burning("space");
+    for (const char* kind : {"space", "body", "momentum", "object", "plot"}) {
+        scene.panels[0].kind = kind;
+        EXPECT_NO_THROW(StagedScene(scene, 5.0)) << kind;
+    }
+    // A herpolhode on one plane, and residuals, need a T that stays.
+    scene.panels[0].kind = "plan";
+    EXPECT_THROW(StagedScene(scene, 5.0), InputError);
+    scene.panels[0].kind = "plot";
+    scene.panels[0].quantity = "residuals";
+    EXPECT_THROW(StagedScene(scene, 5.0), InputError);
+    for (const char* quantity : {"omega", "energy", "momentum", "tilt"}) {
+        scene.panels[0].quantity = quantity;
+        EXPECT_NO_THROW(StagedScene(scene, 5.0)) << quantity;
+    }
+    scene.panels.clear();
+    const StagedScene staged(scene, 5.0);
+    EXPECT_EQ(staged.stage.at(1.0).views[0].planes.size(), 1u);  // the space panel by itself
+}
+
+}  // namespace
+}  // namespace poinsot

@@ -1,0 +1,77 @@
+// No key is silently without an effect.
+#include "drawing/idle_keys.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "places.h"
+#include "scene/load_scene.h"
+
+namespace poinsot {
+namespace {
+
+std::vector<std::string> idle_in(const std::string& head, const std::string& more) {
+    const std::string body =
+        "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [1.4, 0.5, 1.6]\n";
+    std::vector<std::string> keys;
+    for (const IdleKey& idle : idle_keys(parse_scene(head + body + more, "a.toml")))
+        keys.push_back(idle.key);
+    return keys;
+}
+std::vector<std::string> idle_in(const std::string& more) { return idle_in("", more); }
+
+using Keys = std::vector<std::string>;
+
+TEST(IdleKeys, TrailsNeedAPanelWithThePaths) {
+    const std::string trails =
+        "[trail]\npolhode = \"history\"\nherpolhode = \"whole\"\nlength_s = 2.0\n"
+        "direction_marks = true\n";
+    EXPECT_EQ(idle_in(trails), Keys{"trail.length_s"});
+    EXPECT_EQ(
+        idle_in(trails + "[[panels]]\nkind = \"plot\"\n"),
+        (Keys{"trail.polhode", "trail.herpolhode", "trail.length_s", "trail.direction_marks"}));
+    EXPECT_EQ(idle_in(trails + "[[panels]]\nkind = \"plan\"\n"),
+              (Keys{"trail.polhode", "trail.length_s"}));
+    // With friction the panels in body axes show it, too.
+    EXPECT_EQ(idle_in("[trail]\npolhode = \"history\"\n[torque]\nkind = \"dissipation\"\n"
+                      "half_life_s = 3.0\n[motion]\nmethod = \"dopri5\"\n"
+                      "[[panels]]\nkind = \"body\"\n"),
+              Keys{});
+}
+
+TEST(IdleKeys, ElementsAndLooksNeedTheirPanels) {
+    const std::string plot = "[[panels]]\nkind = \"plot\"\n";
+    EXPECT_EQ(idle_in("show = [\"title\", \"clock\"]\n", plot), Keys{});
+    EXPECT_EQ(idle_in("show = [\"title\", \"levels\"]\n", plot), Keys{"show"});
+    EXPECT_EQ(idle_in("show = [\"title\", \"levels\"]\n", ""), Keys{});
+    EXPECT_EQ(idle_in("[object]\nname = \"book\"\n" + plot), Keys{"object.name"});
+    EXPECT_EQ(idle_in("[object]\nname = \"book\"\n[[panels]]\nkind = \"object\"\n"), Keys{});
+}
+
+TEST(IdleKeys, KeysOfPanelsBelongToTheirKind) {
+    EXPECT_EQ(idle_in("[[panels]]\nkind = \"space\"\nquantity = \"omega\"\ncurves = 3\n"
+                      "title = \"Alone\"\n"),
+              (Keys{"panels[0].quantity", "panels[0].curves", "panels[0].title"}));
+    EXPECT_EQ(idle_in("[[panels]]\nkind = \"plot\"\nquantity = \"omega\"\n"), Keys{});
+    EXPECT_EQ(idle_in("[[panels]]\nkind = \"body\"\ncurves = 3\n"), Keys{});
+}
+
+TEST(IdleKeys, KeyframesMoveWhatPanelsTake) {
+    const std::string keyframe = "[[keyframes]]\nat_s = 2.0\nazimuth_deg = 3.0\ndistance = 4.0\n";
+    EXPECT_EQ(idle_in(keyframe), Keys{});
+    EXPECT_EQ(idle_in(keyframe + "[[panels]]\nkind = \"object\"\n"), Keys{"keyframes[0].distance"});
+}
+
+TEST(IdleKeys, NoSceneOfOursHasOne) {
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes"))
+        if (entry.path().extension() == ".toml")
+            for (const IdleKey& idle : idle_keys(load_scene(entry.path())))
+                ADD_FAILURE() << entry.path().filename() << ": " << idle.key
+                              << " changes nothing: " << idle.why;
+}
+
+}  // namespace
+}  // namespace poinsot

@@ -1,0 +1,171 @@
+// Type that is read from the back row, and lines that say what they are.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "drawing/theme.h"
+#include "drawing/type/labels.h"
+#include "places.h"
+#include "scene/load_scene.h"
+#include "scenes_by_hand.h"
+
+namespace poinsot {
+namespace {
+
+std::vector<std::filesystem::path> scene_files() {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes"))
+        if (entry.path().extension() == ".toml") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+// WCAG's contrast of two luminances.
+double luminance(const Colour& c) {
+    const auto linear = [](double s) {
+        return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
+}
+double contrast(double a, double b) { return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05); }
+
+class Legible : public ::testing::Test {
+ protected:
+    static Scene scene_of(const std::filesystem::path& file) {
+        Scene scene = load_scene(file, {});
+        scene.film.duration_s = std::min(scene.film.duration_s.value_or(1.0), 1.0);
+        scene.film.loop.clear();
+        scene.fades.clear();
+        scene.keyframes.clear();
+        scene.chapters.clear();
+        return scene;
+    }
+};
+
+// In every scene, at two sizes: nothing under 1/45 of the height.
+TEST_F(Legible, NoTypeOfAFilmIsUnderAFortyFifthOfItsHeight) {
+    for (const auto& file : scene_files()) {
+        for (const auto& [width, height] : {std::pair{1920, 1080}, std::pair{640, 360}}) {
+            Scene scene = scene_of(file);
+            scene.film.width_px = width;
+            scene.film.height_px = height;
+            const Motion motion(problem_of(scene));
+            std::optional<Motion> beside;
+            if (scene.beside) {
+                MotionProblem problem = motion.problem();
+                problem.method = *scene.beside;
+                beside.emplace(problem);
+            }
+            const StageData data(scene, motion,
+                                 {.width_px = width,
+                                  .height_px = height,
+                                  .first_time_s = scene.film.start_s,
+                                  .last_time_s = scene.film.start_s + 1.0},
+                                 beside ? &*beside : nullptr);
+            EXPECT_GE(data.type_case.least_size_px(), height / 45.0 - 1e-9)
+                << file.filename() << " " << height;
+        }
+    }
+}
+
+// Headings are a little quieter than the text, and no more than can be read.
+TEST_F(Legible, HeadingsHaveAContrastOfFourAndAHalf) {
+    Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, "body");
+    PanelSpec plan;
+    plan.kind = "plan";
+    plan.column = 1;
+    scene.grid.columns = {1.0, 1.0};
+    scene.panels.push_back(plan);
+    for (const Theme& theme : themes()) {
+        scene.theme = theme.name;
+        const StagedScene staged(scene, 1.0);
+        const Drawing drawing = staged.stage.at(0.5);
+        for (std::size_t i = 0; i < 2; ++i)
+            for (const Label& label : drawing.views[i].labels)
+                for (const Colour& ground : {theme.background.top, theme.background.bottom}) {
+                    // Laid over in linear light.
+                    const double ground_Y = luminance(ground);
+                    const double seen =
+                        ground_Y + label.opacity * (luminance(label.colour) - ground_Y);
+                    const bool lit = theme.background.alpha >= 1.0;
+                    EXPECT_TRUE(!lit || label.opacity > 0.99 || contrast(seen, ground_Y) >= 4.5)
+                        << theme.name << " " << contrast(seen, ground_Y);
+                }
+    }
+}
+
+// Dashes mean hidden, or a curve that no motion runs along.
+TEST_F(Legible, TheHerpolhodeIsAWholeLineInEveryTheme) {
+    for (const char* panel : {"space", "plan"}) {
+        Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, panel);
+        for (const Theme& theme : themes()) {
+            scene.theme = theme.name;
+            const StagedScene staged(scene, 5.0);
+            const Drawing drawing = staged.stage.at(5.0);
+            std::size_t n = 0;
+            for (const Curve& curve : drawing.views[0].curves) {
+                if (!(curve.colour == theme.herpolhode)) continue;
+                EXPECT_EQ(curve.dash_px, 0.0) << theme.name << " " << panel;
+                ++n;
+            }
+            EXPECT_GE(n, 1u) << theme.name << " " << panel;
+        }
+    }
+}
+
+// An arrow that points at the viewer is a ring with a dot, and nothing of it is left as a disc.
+TEST_F(Legible, AnArrowTowardsTheViewerIsARingAndADot) {
+    Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, "body");
+    scene.camera.projection = "orthographic";
+    scene.panels[0].camera.azimuth_deg = 90.0;
+    scene.panels[0].camera.elevation_deg = 0.0;
+    const StagedScene staged(scene, 1.0);
+    const View view = staged.stage.at(0.5).views[0];
+    const Colour& colour = staged.stage.data().theme->axes[1];
+    int n_dots = 0;
+    const Arrow* axis = nullptr;
+    for (const Arrow& arrow : view.arrows)
+        if (arrow.colour == colour) axis = &arrow;
+    ASSERT_NE(axis, nullptr);
+    EXPECT_EQ(axis->opacity, 0.0);
+    for (const Dot& dot : view.dots) {
+        const bool at_tip = (dot.at - axis->tip).norm() < 0.01;
+        n_dots +=
+            at_tip && dot.opacity == 1.0 && (dot.colour == colour || dot.rim_colour == colour);
+    }
+    EXPECT_EQ(n_dots, 2);
+    // From beside, it is an arrow.
+    scene.panels[0].camera.azimuth_deg = 30.0;
+    const View beside = StagedScene(scene, 1.0).stage.at(0.5).views[0];
+    for (const Arrow& arrow : beside.arrows) EXPECT_EQ(arrow.opacity, 1.0);
+}
+
+// Where the camera goes near, title and caption stand on bands; where the figure keeps clear of
+// them, there are none.
+TEST_F(Legible, TitleAndCaptionKeepAQuietGround) {
+    Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, "space");
+    scene.title = "A title";
+    scene.caption = "A caption";
+    const auto bands = [&scene] {
+        int n = 0;
+        const StagedScene staged(scene, 1.0);
+        const Drawing drawing = staged.stage.at(0.5);
+        for (const Label& label : drawing.views.back().labels)
+            n += label.mask->width == scene.film.width_px && label.opacity > 0.8;
+        return n;
+    };
+    EXPECT_EQ(bands(), 0);
+    scene.camera.look_at = "foot";
+    scene.camera.distance = 3.3;
+    EXPECT_EQ(bands(), 2);
+    scene.theme = "transparent";
+    EXPECT_EQ(bands(), 0);
+}
+
+}  // namespace
+}  // namespace poinsot

@@ -1,0 +1,189 @@
+// What a scene says of its own look: words, symbols, units, the clock, sizes of type, captions.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "drawing/charts/plot_quantity.h"
+#include "drawing/elements/elements.h"
+#include "drawing/marks.h"
+#include "drawing/panel.h"
+#include "error/error.h"
+#include "scenes_by_hand.h"
+#include "text/languages.h"
+
+namespace poinsot {
+namespace {
+
+const Eigen::Vector3d moments{1.0, 2.0, 2.9};
+const Eigen::Vector3d omega{1.4, 0.5, 1.6};
+
+// Words of formulas are in \mathrm{}; symbols need none.
+std::string word_of(std::string_view label) {
+    constexpr std::string_view upright = "\\mathrm{";
+    if (label.starts_with(upright))
+        return std::string(label.substr(upright.size(), label.size() - upright.size() - 1));
+    const bool plain = label.find_first_of("$\\_|") == std::string_view::npos && label.size() > 1;
+    return plain ? std::string(label) : "";
+}
+
+TEST(OwnLook, EveryBuiltInWordIsThereInEveryLanguage) {
+    for (const PanelKind& kind : panel_kinds())
+        EXPECT_TRUE(kind.title.empty() || has_translations(kind.title)) << kind.title;
+    for (const PlotQuantity& quantity : plot_quantities()) {
+        const std::string title = word_of(quantity.title);
+        EXPECT_TRUE(title.empty() || has_translations(title)) << title;
+        for (const PlotCurve& curve : quantity.curves) {
+            const std::string word = word_of(curve.label);
+            EXPECT_TRUE(word.empty() || has_translations(word)) << word;
+        }
+    }
+    for (const char* word : {"energy", "thin lines"}) EXPECT_TRUE(has_translations(word)) << word;
+}
+
+// The languages of Latin letters are set with the fonts that are always there.
+TEST(OwnLook, WordsOfLatinLettersAreSet) {
+    Scene scene = free_scene(moments, omega, "body");
+    PanelSpec plot;
+    plot.kind = "plot";
+    plot.quantity = "energy";
+    plot.row = 1;
+    scene.grid.rows = {1.0, 1.0};
+    scene.panels.push_back(plot);
+    for (const char* language : {"en", "de", "fr", "es", "it"}) {
+        scene.language = language;
+        EXPECT_NO_THROW(StagedScene(scene, 1.0)) << language;
+    }
+}
+
+TEST(OwnLook, SymbolsStandForTheUsualNames) {
+    Scene scene;
+    EXPECT_EQ(named_by_scene(scene, "\\boldsymbol{\\omega}"), "\\boldsymbol{\\omega}");
+    scene.symbols.omega = "\\Omega";
+    scene.symbols.momentum = "\\mathbf{J}";
+    scene.symbols.e1 = "x";
+    EXPECT_EQ(named_by_scene(scene, "\\boldsymbol{\\omega}\\times\\mathbf{r}"),
+              "\\Omega\\times\\mathbf{r}");
+    EXPECT_EQ(named_by_scene(scene, "\\omega_1"), "{\\Omega}_1");
+    EXPECT_EQ(named_by_scene(scene, "\\boldsymbol{\\rho}\\cdot\\mathbf{L}/L"),
+              "\\boldsymbol{\\rho}\\cdot\\mathbf{J}/L");
+    EXPECT_EQ(named_by_scene(scene, "\\mathbf{e}_1"), "x");
+    EXPECT_EQ(named_by_scene(scene, "\\mathbf{e}_2"), "\\mathbf{e}_2");
+    // One that is no formula is refused.
+    Scene shown = free_scene(moments, omega, "body");
+    shown.symbols.omega = "\\nosuch";
+    EXPECT_THROW(StagedScene(shown, 1.0), InputError);
+    shown.symbols.omega = "x";
+    EXPECT_NO_THROW(StagedScene(shown, 1.0));
+}
+
+TEST(OwnLook, ChartsAreInTheUnitsWanted) {
+    Scene scene = free_scene(moments, omega, "plot");
+    scene.panels[0].quantity = "omega";
+    scene.units = {"rpm"};
+    const StagedScene staged(scene, 10.0);
+    const StageData data(scene, staged.motion, {.width_px = 640, .height_px = 360}, nullptr);
+    const PlotQuantity& quantity = plot_quantity_of(data, "omega");
+    EXPECT_EQ(unit_of(data, quantity).name, "rpm");
+    const Instant instant = data.instant_at({1.0, 1.0});
+    const PlotValues in_SI = quantity.values(data, instant);
+    const PlotValues shown = shown_values(data, quantity, instant);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_DOUBLE_EQ(shown[i], in_SI[i] * 60.0 / (2.0 * std::numbers::pi));
+    // What has units of its own keeps them.
+    EXPECT_EQ(unit_of(data, plot_quantity_of(data, "energy")).per_SI, 1.0);
+}
+
+TEST(OwnLook, LiveNumbersAreInTheUnitsWanted) {
+    Scene scene = free_scene(moments, omega, "space");
+    scene.units = {"rpm", "mJ"};
+    Instant instant;
+    instant.state.omega_body = {0.0, 0.0, 2.0 * std::numbers::pi};
+    const auto values = StageData::live_values(scene, instant);
+    EXPECT_EQ(expand_live_text("{omega_3:.0f} and {omega_3_rad_s:.3f}", values), "60 and 6.283");
+    EXPECT_EQ(expand_live_text("{kinetic_energy:.1f}", values),
+              fmt::format("{:.1f}", 1e3 * 0.5 * 2.9 * std::pow(2.0 * std::numbers::pi, 2.0)));
+}
+
+std::size_t n_overlaid(const Scene& scene, double film_s) {
+    const StagedScene staged(scene, 10.0);
+    const Drawing drawing = staged.stage.at(FilmMoment{film_s, film_s});
+    return drawing.views.size() > 1 ? drawing.views.back().labels.size() : 0;
+}
+
+TEST(OwnLook, TheClockIsShownOrNot) {
+    Scene scene = free_scene(moments, omega, "space");
+    EXPECT_EQ(n_overlaid(scene, 1.0), 1u);
+    scene.clock = false;
+    EXPECT_EQ(n_overlaid(scene, 1.0), 0u);
+    scene.clock = true;
+    scene.show = {"plane"};
+    EXPECT_EQ(n_overlaid(scene, 1.0), 1u);
+}
+
+TEST(OwnLook, TypeIsScaled) {
+    Scene scene = free_scene(moments, omega, "space");
+    scene.title = "Title";
+    scene.caption = "Caption";
+    const auto heights = [&scene](double type_scale) {
+        scene.type_scale = type_scale;
+        const StagedScene staged(scene, 1.0);
+        const Drawing drawing = staged.stage.at(0.5);
+        std::vector<double> found;
+        for (const View& view : drawing.views)
+            for (const Label& label : view.labels) found.push_back(label.mask->height);
+        return found;
+    };
+    const auto once = heights(1.0);
+    const auto twice = heights(2.0);
+    ASSERT_EQ(once.size(), twice.size());
+    for (std::size_t i = 0; i < once.size(); ++i) EXPECT_NEAR(twice[i], 2.0 * once[i], 3.0);
+}
+
+TEST(OwnLook, CaptionsComeAndGo) {
+    Scene scene = free_scene(moments, omega, "space");
+    scene.clock = false;
+    scene.film.duration_s = 10.0;
+    scene.captions = {{.at_s = 2.0, .over_s = 3.0, .text = "first", .place = "bottom"},
+                      {.at_s = 4.0, .over_s = {}, .text = "t = {time_s:.1f}", .place = "top"},
+                      {.at_s = 8.0, .over_s = {}, .text = "last", .place = "top"}};
+    for (const auto& [film_s, n] : std::vector<std::pair<double, std::size_t>>{
+             {0.0, 0}, {1.9, 0}, {3.0, 1}, {4.5, 2}, {6.0, 1}, {7.9, 1}, {9.0, 1}})
+        EXPECT_EQ(n_overlaid(scene, film_s), n) << film_s;
+    // It grows and pales without a step.
+    const StagedScene staged(scene, 10.0);
+    double before = 0.0;
+    for (double film_s = 1.9; film_s < 5.2; film_s += 1.0 / 60.0) {
+        const Drawing drawing = staged.stage.at(FilmMoment{film_s, film_s});
+        const double opacity =
+            drawing.views.size() > 1 ? drawing.views.back().labels.front().opacity : 0.0;
+        EXPECT_TRUE(film_s >= 4.0 || std::abs(opacity - before) < 0.09) << film_s;
+        before = opacity;
+    }
+}
+
+TEST(OwnLook, TheBodyPanelHasAsManyCurvesAsAsked) {
+    Scene scene = free_scene(moments, omega, "body");
+    const auto n_thin = [&scene] {
+        const StagedScene staged(scene, 1.0);
+        std::size_t n = 0;
+        const Drawing drawing = staged.stage.at(0.5);
+        for (const Curve& curve : drawing.views[0].curves)
+            n += curve.dash_px == 0.0 && curve.geometry->closed ? 1 : 0;
+        return n;
+    };
+    scene.panels[0].curves = 0;
+    const std::size_t own = n_thin();  // the motion's and its mirror image
+    EXPECT_EQ(own, 2u);
+    scene.panels[0].curves = 3;
+    // Two families of three, each with its mirror images, but for one beside the motion's own.
+    EXPECT_GE(n_thin(), own + 2u * 2u * 3u - 2u);
+    EXPECT_LE(n_thin(), own + 2u * 2u * 3u);
+}
+
+}  // namespace
+}  // namespace poinsot

@@ -1,0 +1,81 @@
+// Units as people write them, and the words of pictures in every language.
+#include "text/units.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "text/languages.h"
+
+namespace poinsot {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double in(std::string_view text, std::string_view unit) {
+    return measured_in(text, *unit_named(unit)).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+TEST(Units, GiveTheDoubleNearestToWhatIsWritten) {
+    // To the last bit what the SI number itself would be.
+    EXPECT_EQ(in("24 cm", "m"), 0.24);
+    EXPECT_EQ(in("800 g", "kg"), 0.8);
+    EXPECT_EQ(in("0.1 mm", "m"), 0.0001);
+    EXPECT_EQ(in("120 g cm²", "kg m²"), 1.2e-5);
+    EXPECT_EQ(in("120 g*cm^2", "kg m²"), 1.2e-5);
+    EXPECT_EQ(in("2.7 g/cm³", "kg/m³"), 2700.0);
+    EXPECT_EQ(in("5 min", "s"), 300.0);
+    EXPECT_EQ(in("180 deg", "rad"), pi);
+    EXPECT_EQ(in("-90°", "rad"), -pi / 2.0);
+    EXPECT_EQ(in("60 rpm", "rad/s"), 2.0 * pi);
+    EXPECT_EQ(in("360 deg/s", "rad/s"), 2.0 * pi);
+    EXPECT_EQ(in("1 turn/min", "rad/s"), in("1 rpm", "rad/s"));
+    EXPECT_EQ(in("30 deg", "degrees"), 30.0);
+    EXPECT_EQ(in("3 mN m", "N m"), 0.003);
+    EXPECT_EQ(in("7 1/s", "1/s"), 7.0);
+    EXPECT_EQ(in("4800g", "kg"), 4.8);
+}
+
+TEST(Units, KnowFractions) {
+    EXPECT_DOUBLE_EQ(in("33 1/3 rpm", "rad/s"), 100.0 / 3.0 * 2.0 * pi / 60.0);
+    EXPECT_EQ(in("1/3 m", "m"), 1.0 / 3.0);
+    EXPECT_EQ(in("-2 1/2 cm", "m"), -0.025);
+    EXPECT_EQ(in("1/2 kg m²", "kg m²"), 0.5);
+}
+
+TEST(Units, RefuseWhatIsNoneOrMeasuresSomethingElse) {
+    for (const char* text :
+         {"", "cm", "24", "24 parsec", "24 cmm", "24 m 3", "m 24", "1/0 m", "24 m^0", "24 /m",
+          "24 m//s", "0x10 m", "nan m", "inf m", "24 (m", "--3 m"})
+        EXPECT_FALSE(measured(text)) << text;
+    EXPECT_FALSE(measured_in("24 kg", *unit_named("m")));
+    // A turn is no number: a rate of turning is not any rate.
+    EXPECT_FALSE(measured_in("3 1/s", *unit_named("rad/s")));
+    EXPECT_FALSE(unit_named("largest half-axes"));
+    EXPECT_FALSE(unit_named("pixels"));
+    EXPECT_FALSE(unit_named(""));
+}
+
+TEST(Units, AreShownAsWantedForWhatTheyMeasure) {
+    const std::vector<std::string> wanted{"rpm", "deg", "g cm²/s"};
+    EXPECT_EQ(unit_shown(wanted, "rad/s").name, "rpm");
+    EXPECT_DOUBLE_EQ(2.0 * pi * unit_shown(wanted, "rad/s").per_SI, 60.0);
+    EXPECT_DOUBLE_EQ(pi * unit_shown(wanted, "rad").per_SI, 180.0);
+    EXPECT_DOUBLE_EQ(unit_shown(wanted, "kg m²/s").per_SI, 1e7);
+    EXPECT_EQ(unit_shown(wanted, "J").name, "J");
+    EXPECT_EQ(unit_shown(wanted, "J").per_SI, 1.0);
+}
+
+TEST(Languages, GiveWordsTheirOwn) {
+    EXPECT_EQ(languages().size(), 6u);
+    EXPECT_EQ(translated("Body axes", "en"), "Body axes");
+    EXPECT_EQ(translated("Body axes", "de"), "Körperfeste Achsen");
+    EXPECT_EQ(translated("a scene's own words", "de"), "a scene's own words");
+    EXPECT_FALSE(has_translations("a scene's own words"));
+}
+
+}  // namespace
+}  // namespace poinsot
