@@ -96,7 +96,7 @@ class Gathering {
             };
             only_of("quantity", "plot");
             only_of("curves", "body");
-            if (scene_.panels.size() == 1 && scene_.panels[0].title.value_or("") != "")
+            if (scene_.panels.size() == 1 && !scene_.panels[0].title.value_or("").empty())
                 add("panels[0].title", "one panel alone has no heading; give the scene a title");
         }
         // A keyframe of all cameras whose distance or aim no panel takes.
