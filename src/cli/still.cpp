@@ -139,8 +139,10 @@ CommandLine line(std::any& room) {
               "how vectors fill surfaces: tone (follows the light, the default), none (lines "
               "alone) or picture (pixels, 600 an inch, within the exact outlines)",
               &c.vectors.shading, "", "tone|none|picture", false, "tone|none|picture"},
-             {"--text", "type in vectors: font (real text, the default) or paths", &c.vectors.text,
-              "", "font|paths", false, "font|paths"},
+             {"--text",
+              "type in vectors: font (real text, the default), paths, or latex (none in the "
+              "figure; a .tex beside it sets it with your own LaTeX)",
+              &c.vectors.text, "", "font|paths|latex", false, "font|paths|latex"},
              {"--depth", "bits a colour component: 8 or 16", &c.bit_depth, "8 or 16"},
              {"--sheet",
               "CxR: all of them in one picture of C columns and R rows, each with its values",

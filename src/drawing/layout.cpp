@@ -103,6 +103,7 @@ Drawer header_of(Panel& panel, std::string_view text) {
         label.halo_colour = panel.stage->theme->halo;
         label.halo_px = 2.0 * panel.px;
         label.opacity = 0.88;
+        label.held_at = 0.0;
         if (type.mask->width > 0) sheet.view.labels.push_back(label);
     };
 }

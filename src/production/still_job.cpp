@@ -15,6 +15,7 @@
 #include "production/banded_still.h"
 #include "production/output_place.h"
 #include "production/record.h"
+#include "production/vectors/latex_figure.h"
 #include "system/atomic_file.h"
 #include "system/file_kind.h"
 #include "system/interrupt.h"
@@ -63,6 +64,7 @@ StillRequest accepted(StillRequest request) {
                                      is_shading ? "shading" : "text",
                                      is_shading ? vectors.shading : vectors.text));
     }
+    if (request.vectors.text == "latex") check_latex_place(output);
     if (is_vectors && request.bit_depth != 8)
         throw InputError(
             fmt::format("--depth {}: vectors have no pixels; leave it out, or name the output .png",
@@ -132,8 +134,13 @@ void StillJob::draw_vectors(OutputPlace place, Record record, Easel& easel,
     const VectorStill still = vector_still(place.path(), staging_.stage, moment_, request_.vectors,
                                            dpi, std::move(record), draw_pixels);
     write_whole(place.path(), still.bytes);
-    telling.say(fmt::format("{}\npaths within {:.2g} um of what they show",
-                            printable(place.path().string()), still.off_um));
+    std::string files = printable(place.path().string());
+    if (!still.latex.empty()) {
+        const std::filesystem::path beside = latex_path_of(place.path());
+        write_whole(beside, still.latex);
+        files += "\n" + printable(beside.string());
+    }
+    telling.say(fmt::format("{}\npaths within {:.2g} um of what they show", files, still.off_um));
 }
 
 Record StillJob::draw_into(Easel& easel, Image& image) {

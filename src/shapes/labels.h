@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "shapes/colour.h"
@@ -24,6 +25,15 @@ struct MaskRule {
     double left_px = 0.0, top_px = 0.0, width_px = 0.0, height_px = 0.0;
 };
 
+// What was set, for renderers that leave setting to another: the string as typeset/ takes it.
+struct SetText {
+    std::string text;
+    bool is_formula = true;     // else running text with formulas
+    double em_px = 0.0;         // of the mask's pixels, as are these
+    double baseline_px = 0.0;   // the first line's, from the mask's upper side
+    double max_width_px = 0.0;  // of its lines; 0: it has one
+};
+
 // A shape already flattened to the picture that is looked at: glyph outlines and rules as one
 // coverage mask. In a picture drawn with several samples a pixel each of the mask's pixels is
 // `samples` of the picture's a side, and all samples of a pixel show the same ink: their mean is
@@ -35,6 +45,7 @@ struct GlyphMask {
     std::vector<std::uint8_t> coverage;  // row 0 on top
     std::vector<MaskLetter> letters;     // what the coverage shows
     std::vector<MaskRule> rules;
+    SetText source;
 
     // In pixels of the picture that is drawn.
     int width_px() const { return samples * width; }
@@ -51,6 +62,9 @@ struct Label {
     Colour halo_colour{1.0, 1.0, 1.0};
     double halo_px = 0.0;
     double opacity = 1.0;
+    // From the left, the share of its width that stays in place where another sets its text and
+    // makes it wider or narrower.
+    double held_at = 0.5;
 };
 
 }  // namespace poinsot

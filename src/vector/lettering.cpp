@@ -51,4 +51,18 @@ Page with_outlined_type(Page page) {
     return page;
 }
 
+std::vector<Type> take_type(Page& page) {
+    std::vector<Type> taken;
+    std::vector<Item> left;
+    for (Item& item : page.items) {
+        Type* type = std::get_if<Type>(&item);
+        if (type != nullptr && !type->letters.empty())
+            taken.push_back(std::move(*type));
+        else
+            left.push_back(std::move(item));
+    }
+    page.items = std::move(left);
+    return taken;
+}
+
 }  // namespace poinsot::vector

@@ -100,7 +100,19 @@ struct PlacedLetter {
     double em_pt = 10.0;
 };
 
+// What the letters say, and where they stand: for who sets them anew.
+struct Wording {
+    std::string text;        // as typeset/ takes it
+    bool is_formula = true;  // else running text with formulas
+    double em_pt = 10.0;
+    Eigen::Vector2d corner_pt = Eigen::Vector2d::Zero(), size_pt = Eigen::Vector2d::Zero();
+    double baseline_pt = 0.0;   // the first line's, from the corner
+    double held_at = 0.5;       // share of the width that stays in place
+    double max_width_pt = 0.0;  // of its lines; 0: it has one
+};
+
 struct Type {
+    Wording wording;
     std::vector<PlacedLetter> letters;
     Path rules;  // filled with the same ink
     Ink ink;

@@ -10,6 +10,14 @@ void draw_label(const Canvas& canvas, const Label& label) {
     const double pt = canvas.pt(mask.samples);
     const Eigen::Vector2d corner = canvas.sight.pt_per_px * label.top_left_px;
     Type type;
+    type.wording = {mask.source.text,
+                    mask.source.is_formula,
+                    pt * mask.source.em_px,
+                    corner,
+                    canvas.sight.pt_per_px * Eigen::Vector2d(mask.width_px(), mask.height_px()),
+                    pt * mask.source.baseline_px,
+                    label.held_at,
+                    pt * mask.source.max_width_px};
     for (const MaskLetter& letter : mask.letters)
         type.letters.push_back({letter.font_file, letter.glyph, corner.x() + pt * letter.x_px,
                                 corner.y() + pt * letter.baseline_px, pt * letter.em_px});

@@ -152,6 +152,28 @@ TEST(VectorStill, PathsAreTypeWithoutFonts) {
     EXPECT_EQ(same.code, 0) << same.out << same.err;
 }
 
+TEST(VectorStill, LatexSetsTheTypeOfAFigureWithoutAny) {
+    const ScratchFolder folder;
+    const std::string still = "still '" + scene("invariable_plane") + "' --text latex -o ";
+    const ProgramRun run = run_program_in(folder, still + "fig.pdf");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_TRUE(contains(run.err, "fig.tex"));
+    EXPECT_EQ(lines_of(said(folder, "pdffonts fig.pdf")).size(), 2u);
+    const std::string tex = text_of(folder.path() / "fig.tex");
+    for (const char* part : {"\\includegraphics[width=\\unitlength]{fig.pdf}", "\\begin{picture}",
+                             "The invariable plane", "\\rho", "\\sqrt{2T}"})
+        EXPECT_TRUE(contains(tex, part)) << part;
+    // Again over its own file, but not over another's.
+    EXPECT_EQ(run_program_in(folder, still + "fig.pdf").code, 0);
+    folder.write("paper.tex", "\\documentclass{article}\n");
+    for (const char* name : {"paper.pdf", "a.svg", "100%.pdf", "a.png"}) {
+        const ProgramRun refused = run_program_in(folder, still + name);
+        EXPECT_EQ(refused.code, 2) << name;
+        EXPECT_TRUE(is_one_line(refused.err)) << name << ": " << refused.err;
+    }
+    EXPECT_EQ(text_of(folder.path() / "paper.tex"), "\\documentclass{article}\n");
+}
+
 TEST(VectorStill, PicturesStandBetweenTheLinesWhereAskedFor) {
     const ScratchFolder folder;
     const ProgramRun run =

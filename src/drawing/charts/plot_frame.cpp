@@ -145,6 +145,8 @@ Label chart_label(const Panel& panel, const SetType& type, double x, double y, A
     label.colour = colour;
     label.halo_colour = stage.theme->halo;
     label.halo_px = 2.0 * panel.px;
+    const bool right = anchor == Anchor::right_middle || anchor == Anchor::bottom_right;
+    label.held_at = right ? 1.0 : anchor == Anchor::top_centre ? 0.5 : 0.0;
     return label;
 }
 

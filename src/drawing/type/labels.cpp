@@ -135,11 +135,22 @@ SetType TypeCase::keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const {
     return {&mask, samples_ * set.left_px, samples_ * set.baseline_px};
 }
 
+SetType TypeCase::set_among(std::deque<GlyphMask>& masks, std::string_view text,
+                            const TypeStyle& style) const {
+    TypesetMask set = set_legible(text, style);
+    const bool is_formula = style.mode == TypeMode::math;
+    SetText source{std::string(text), is_formula, style.size_px / samples_, set.baseline_px,
+                   is_formula ? 0.0 : style.max_width_px / samples_};
+    const SetType type = keep(std::move(set), masks);
+    masks.back().source = std::move(source);
+    return type;
+}
+
 SetType TypeCase::set(std::string_view text, const TypeStyle& style) {
     const auto key = std::make_tuple(std::string(text), style.size_px, static_cast<int>(style.mode),
                                      style.max_width_px);
     if (const auto found = known_.find(key); found != known_.end()) return found->second;
-    const SetType type = keep(set_legible(text, style), masks_);
+    const SetType type = set_among(masks_, text, style);
     known_.emplace(key, type);
     return type;
 }
@@ -168,7 +179,7 @@ double TypeCase::least_size_px() const {
 }
 
 SetType TypeCase::set_live(std::string_view text, const TypeStyle& style, View& view) const {
-    return keep(set_legible(text, style), view.live_masks);
+    return set_among(view.live_masks, text, style);
 }
 
 void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,

@@ -59,6 +59,8 @@ class TypeCase {
  private:
     TypesetMask set_legible(std::string_view text, TypeStyle style) const;
     SetType keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const;
+    SetType set_among(std::deque<GlyphMask>& masks, std::string_view text,
+                      const TypeStyle& style) const;
 
     int samples_;
     Typesetter typesetter_;

@@ -30,6 +30,7 @@ void add_text(const StageData& stage, const SetType& type, double pen_x, double 
     label.colour = stage.theme->text;
     label.halo_colour = stage.theme->halo;
     label.halo_px = 2.0 * stage.px;
+    label.held_at = 0.0;
     sheet.view.labels.push_back(label);
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "error/error.h"
+#include "production/vectors/latex_figure.h"
 #include "system/file_kind.h"
 #include "system/sha256.h"
 #include "text/nearest.h"
@@ -27,14 +28,14 @@ constexpr double pt_per_inch = 72.0;
 constexpr double mm_per_inch = 25.4;
 constexpr double longest_inches = 200.0;  // ISO 32000-1, annex C: 14,400 units
 
-enum class Lettering { font, paths };
+enum class Lettering { font, paths, latex };
 
 constexpr std::array<std::pair<std::string_view, vector::Shading>, 3> shadings{
     {{"none", vector::Shading::none},
      {"tone", vector::Shading::tone},
      {"picture", vector::Shading::picture}}};
-constexpr std::array<std::pair<std::string_view, Lettering>, 2> letterings{
-    {{"font", Lettering::font}, {"paths", Lettering::paths}}};
+constexpr std::array<std::pair<std::string_view, Lettering>, 3> letterings{
+    {{"font", Lettering::font}, {"paths", Lettering::paths}, {"latex", Lettering::latex}}};
 
 // The row of a table that an option names.
 template <typename Rows>
@@ -108,6 +109,10 @@ VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
     still.off_um = page.off_pt * um_per_pt;
     const Lettering lettering = lettering_named(choices.text);
     if (lettering == Lettering::paths) page = vector::with_outlined_type(std::move(page));
+    if (lettering == Lettering::latex) {
+        const std::vector<vector::Type> type = vector::take_type(page);
+        still.latex = latex_figure(page, type, path);
+    }
     record.bounds = fmt::format("{}; paths within {:.2g} um of what they show, before rounding",
                                 record.bounds, still.off_um);
     const std::string& title = record.scene_name;

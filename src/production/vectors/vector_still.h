@@ -16,7 +16,7 @@ namespace poinsot {
 
 struct VectorChoices {
     std::string shading = "tone";  // how surfaces are filled: none, tone, picture
-    std::string text = "font";     // what type is: font, paths
+    std::string text = "font";     // what type is: font, paths, latex
     bool operator==(const VectorChoices&) const = default;
 };
 
@@ -36,6 +36,7 @@ PictureSetting vector_setting(const Scene& scene, const PrintChoices& print);
 
 struct VectorStill {
     std::string bytes;
+    std::string latex;    // what stands in the file beside it, with --text latex
     double off_um = 0.0;  // no path is further than this from what it shows, before rounding
 };
 

@@ -1,0 +1,101 @@
+#include "production/vectors/latex_figure.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "error/error.h"
+#include "system/file_kind.h"
+#include "text/printable.h"
+#include "typeset/latex.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr std::string_view signature = "% Written by poinsot: ";
+
+// Sizes and places are shares of the figure's width, which the document may choose; type keeps its
+// size.
+constexpr std::string_view preamble = R"(%
+%   \usepackage{{graphicx}}        in the preamble; xcolor or color for colours
+%   \input{{{0}}}   where the figure stands
+%
+% Another width: \def\figurewidth{{0.8\linewidth}} before it; type keeps its size. Other sizes of
+% type: define \poinsotsize (one argument, in big points) before it.
+\begingroup
+\providecommand\color[2][]{{}}%
+\providecommand\boldsymbol[1]{{\mbox{{\boldmath$#1$}}}}%
+\providecommand\dddot[1]{{\mathord{{\mathop{{#1}}\limits^{{\mbox{{\scriptsize...}}}}}}}}%
+\providecommand\mathbb[1]{{\mathbf{{#1}}}}%
+\providecommand\poinsotsize[1]{{\fontsize{{#1bp}}{{#1bp}}\selectfont}}%
+\makeatletter
+\ifx\figurewidth\undefined \setlength\unitlength{{{1:.3f}bp}}%
+\else \setlength\unitlength{{\figurewidth}}\fi
+\makeatother
+\begin{{picture}}(1,{2:.6f})%
+\put(0,0){{\includegraphics[width=\unitlength]{{{3}}}}}%
+)";
+
+std::string letter_of(double held_at) {
+    if (held_at < 0.25) return "[l]";
+    return held_at > 0.75 ? "[r]" : "";
+}
+
+std::string put(const vector::Page& page, const vector::Type& type) {
+    const vector::Wording& words = type.wording;
+    std::string text = latex_of(words.text, words.is_formula ? TypeMode::math : TypeMode::text);
+    if (words.max_width_pt > 0.0)
+        text = fmt::format("\\parbox[t]{{{:.5f}\\unitlength}}{{\\raggedright {}}}",
+                           words.max_width_pt / page.width_pt, text);
+    const double x = words.corner_pt.x() + words.held_at * words.size_pt.x();
+    const double y = page.height_pt - words.corner_pt.y() - words.baseline_pt;
+    // There is no transparent type: it is as pale as over its halo.
+    const double keep = type.ink.alpha;
+    const auto mixed = [keep](double ink, double halo) { return keep * ink + (1.0 - keep) * halo; };
+    return fmt::format(
+        "\\put({:.6f},{:.6f}){{\\makebox[0pt]{}{{\\poinsotsize{{{:.4g}}}"
+        "\\color[rgb]{{{:.3g},{:.3g},{:.3g}}}{}}}}}%\n",
+        x / page.width_pt, y / page.width_pt, letter_of(words.held_at), words.em_pt,
+        mixed(type.ink.colour.r, type.halo.colour.r), mixed(type.ink.colour.g, type.halo.colour.g),
+        mixed(type.ink.colour.b, type.halo.colour.b), text);
+}
+
+}  // namespace
+
+std::filesystem::path latex_path_of(const std::filesystem::path& figure) {
+    return std::filesystem::path(figure).replace_extension(".tex");
+}
+
+void check_latex_place(const std::filesystem::path& figure) {
+    const std::string name = figure.filename().string();
+    if (suffix_of(figure) != ".pdf")
+        throw InputError(fmt::format(
+            "--text latex: pdflatex includes a PDF, and {} is none; end its name in .pdf",
+            printable(name)));
+    if (name.find_first_of("%#{}\\~^$&\"") != std::string::npos)
+        throw InputError(fmt::format(
+            "--text latex: LaTeX cannot take {} as a figure's name; leave out % # $ & ~ ^ \\ \" "
+            "and braces",
+            printable(name)));
+    const std::filesystem::path beside = latex_path_of(figure);
+    std::ifstream there(beside);
+    std::string first;
+    if (there && std::getline(there, first) && !first.starts_with(signature))
+        throw InputError(
+            fmt::format("{}: is a file of your own, and --text latex would write one of that name; "
+                        "name the figure otherwise",
+                        printable(beside.string())));
+}
+
+std::string latex_figure(const vector::Page& page, const std::vector<vector::Type>& type,
+                         const std::filesystem::path& figure) {
+    const std::string name = figure.filename().string();
+    std::string text = fmt::format("{}the type of {}\n", signature, name);
+    text += fmt::format(preamble, figure.stem().string(), page.width_pt,
+                        page.height_pt / page.width_pt, name);
+    for (const vector::Type& one : type) text += put(page, one);
+    return text + "\\end{picture}%\n\\endgroup\n";
+}
+
+}  // namespace poinsot

@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""Figures whose type is set by LaTeX: each scene's compiled by pdflatex, in a document that is the figure alone.
+
+Labels must stand where the figure with our own type has them. Prints a table; exit code 1 if one does not compile or stands
+elsewhere, 77 (skipped) where there is no pdflatex or pdftotext.
+Usage: vector_latex.py POINSOT SCENES
+"""
+import html
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unicodedata
+
+# The figure's corner is the page's.
+DOCUMENT = r"""\documentclass{article}
+\usepackage{graphicx,color}
+\pdfpagewidth=%(width)sbp \pdfpageheight=%(height)sbp
+\hoffset=-1in \voffset=-1in \topmargin=0pt \headheight=0pt \headsep=0pt \oddsidemargin=0pt \topskip=0pt \parindent=0pt
+\textwidth=%(width)sbp \textheight=%(height)sbp \pagestyle{empty}
+\begin{document}\noindent\input{figure}\end{document}
+"""
+# Letters of another font have other widths and heights: what a label is held at stays in place.
+MOST_PT = 3.0  # measured 2.6
+
+
+def words_of(pdf):
+    """Each word of the page: what it says, left and right, and its lower edge, points."""
+    page = subprocess.run(["pdftotext", "-bbox", pdf, "-"], capture_output=True, text=True, check=True).stdout
+    found = re.findall(r'<word xMin="([\d.-]+)" yMin="[\d.-]+" xMax="([\d.-]+)" yMax="([\d.-]+)">([^<]*)<', page)
+    return [(unicodedata.normalize("NFKC", html.unescape(word)), float(x0), float(x1), float(y1)) for x0, x1, y1, word in found]
+
+
+def is_beside(word, other):
+    """Whether a word goes on from another on its left."""
+    return word is not other and abs(word[3] - other[3]) < 4.0 and -1.0 < word[1] - other[2] < 8.0
+
+
+def is_under(word, other):
+    """Whether a word begins the line below another's."""
+    return 4.0 < word[3] - other[3] < 18.0 and abs(word[1] - other[1]) < 2.0
+
+
+def beginnings(words):
+    """The words with which a label or a caption begins."""
+    return [word for word in words if not any(is_beside(word, other) or is_under(word, other) for other in words)]
+
+
+def end_of(word, words):
+    """Where the line ends that a word begins or goes on with."""
+    after = next((other for other in words if is_beside(other, word)), None)
+    return word[2] if after is None else end_of(after, words)
+
+
+def distance(one, ours, other, theirs):
+    """Of two labels: their nearest sides or middles, and their lower edges."""
+    left = other[1] - one[1]
+    right = end_of(other, theirs) - end_of(one, ours)
+    return max(min(abs(left), abs(right), abs(0.5 * (left + right))), abs(other[3] - one[3]))
+
+
+def trial(program, scene, folder):
+    still = [program, "still", str(scene), "-q", "--theme", "print", "--width-mm", "170", "-o"]
+    subprocess.run([*still, "ours.pdf"], cwd=folder, check=True)
+    subprocess.run([*still, "figure.pdf", "--text", "latex"], cwd=folder, check=True)
+    size = re.search(r"Page size:\s+([\d.]+) x ([\d.]+)",
+                     subprocess.run(["pdfinfo", "figure.pdf"], cwd=folder, capture_output=True, text=True).stdout)
+    (folder / "document.tex").write_text(DOCUMENT % {"width": size[1], "height": size[2]})
+    run = subprocess.run(["pdflatex", "-halt-on-error", "-interaction=nonstopmode", "document.tex"], cwd=folder,
+                         capture_output=True)
+    if run.returncode != 0:
+        log = run.stdout.decode("utf-8", "replace")
+        return "pdflatex: " + next((line for line in log.splitlines() if line.startswith("!")), "failed")
+    # Nothing in the figure itself is type.
+    if len(subprocess.run(["pdffonts", "figure.pdf"], cwd=folder, capture_output=True, text=True).stdout.splitlines()) > 2:
+        return "the figure without type has fonts"
+    ours, theirs = words_of(folder / "ours.pdf"), words_of(folder / "document.pdf")
+    # What each engine takes for a word differs in formulas.
+    plain = [word for word in beginnings(ours) if re.fullmatch("[A-Za-z0-9.]+", word[0])]
+    # Two that nearly touch are one word to pdftotext.
+    off = [min((distance(word, ours, other, theirs) for other in theirs if word[0] in other[0]), default=1e9) for word in plain]
+    worst = max(off, default=1e9)
+    print(f"{scene.stem:28} {len(plain):3} beginnings, at most {worst:.2f} pt off", flush=True)
+    if worst > MOST_PT:
+        return f"not in its place: {plain[off.index(worst)] if plain else 'no word was found'}"
+    return ""
+
+
+def main():
+    program, scenes = sys.argv[1], pathlib.Path(sys.argv[2])
+    for tool in ("pdflatex", "pdftotext"):
+        if shutil.which(tool) is None:
+            print(f"{tool} is not here")
+            return 77
+    failed = 0
+    for scene in sorted(scenes.glob("*.toml")):
+        with tempfile.TemporaryDirectory() as folder:
+            fault = trial(program, scene, pathlib.Path(folder))
+        if fault:
+            failed += 1
+            print(f"{scene.stem}: {fault}", flush=True)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
