@@ -33,10 +33,13 @@ std::string strings(const std::vector<std::string>& names) {
     return fmt::format(R"("enum": [{}])", fmt::join(quoted, ", "));
 }
 
-// A number, or one with a unit in a string where the key has a unit.
-std::string number(bool has_unit) {
-    if (!has_unit) return R"("type": "number")";
-    return R"("anyOf": [{"type": "number"}, {"type": "string", "pattern": "[0-9].*[A-Za-z°]"}])";
+// A number, greater than 0 where the phrase says so, or one with a unit in a string where the key
+// has a unit.
+std::string number(bool is_positive, bool has_unit) {
+    std::string bare = R"("type": "number")";
+    if (is_positive) bare += R"(, "minimum": 0, "exclusiveMinimum": true)";
+    if (!has_unit) return bare;
+    return R"("anyOf": [{)" + bare + R"(}, {"type": "string", "pattern": "[0-9].*[A-Za-z°]"}])";
 }
 
 // What the phrase of a row's type allows, as members of a schema: "three rows of three numbers".
@@ -50,7 +53,9 @@ std::string members_of(std::string_view phrase, const std::vector<std::string>& 
                            members_of(phrase.substr(either + 4), names, has_unit));
     if (phrase == "a string" || phrase == "a ratio in a string" || phrase == "strings")
         return strings(names);
-    if (phrase == "a number" || phrase == "numbers") return number(has_unit);
+    if (phrase == "a number" || phrase == "numbers") return number(false, has_unit);
+    if (phrase == "a positive number" || phrase == "positive numbers")
+        return number(true, has_unit);
     if (phrase == "an integer" || phrase == "integers") return R"("type": "integer")";
     if (take(phrase, "a list of "))
         return fmt::format(R"("type": "array", "items": {{{}}})",

@@ -14,7 +14,7 @@ using Given = BodySpec::Given;
 
 const SceneKey body_rows[] = {
     // The body, in exactly one of six ways.
-    {"body.moments_kg_m2", "three numbers", "kg m²", "[3.0, 2.0, 1.0]",
+    {"body.moments_kg_m2", "three positive numbers", "kg m²", "[3.0, 2.0, 1.0]",
      "principal moments, in any order: the axes keep the order given",
      [](const GivenValue& g, SceneDraft& d) { d.moments_kg_m2 = g.positive_vector(); },
      [](const Scene& s, size_t) {
@@ -33,7 +33,7 @@ const SceneKey body_rows[] = {
      [](const Scene& s, size_t) {
          return s.body.given == Given::solid ? toml_text(std::string_view(s.body.shape)) : "";
      }},
-    {"body.size_m", "a list of numbers", "m", "[0.3, 0.2, 0.1]",
+    {"body.size_m", "a list of positive numbers", "m", "[0.3, 0.2, 0.1]",
      "the solid's sizes: a box's edges, an ellipsoid's half-axes, a cylinder's radius and height, "
      "…",
      [](const GivenValue& g, SceneDraft& d) { d.size_m = g.positive_numbers(); },
@@ -41,7 +41,7 @@ const SceneKey body_rows[] = {
          return s.body.given == Given::solid ? toml_text(std::span<const double>(s.body.size_m))
                                              : "";
      }},
-    {"body.mass_kg", "a number", "kg", "2.0",
+    {"body.mass_kg", "a positive number", "kg", "2.0",
      "mass of the solid, object or mesh; default for an object: that of its materials",
      [](const GivenValue& g, SceneDraft& d) { d.mass_kg = g.positive(); },
      [](const Scene& s, size_t) {
@@ -62,14 +62,15 @@ const SceneKey body_rows[] = {
      "one unit of a mesh's lengths, or the factor on an object's; default 1",
      [](const GivenValue& g, SceneDraft& d) { d.scene.body.scale = g.number_between(1e-12, 1e12); },
      [](const Scene& s, size_t) { return s.body.scale == 1.0 ? "" : toml_text(s.body.scale); }},
-    {"body.density_kg_m3", "a number", "kg/m³", "2700.0", "density of a mesh, instead of its mass",
+    {"body.density_kg_m3", "a positive number", "kg/m³", "2700.0",
+     "density of a mesh, instead of its mass",
      [](const GivenValue& g, SceneDraft& d) { d.scene.body.density_kg_m3 = g.positive(); },
      [](const Scene& s, size_t) { return optional_text(s.body.density_kg_m3); }},
     {"body.allow_unphysical", "true or false", "", "true",
      "keep the mathematics where no real body has these moments; default false",
      [](const GivenValue& g, SceneDraft& d) { d.scene.body.allow_unphysical = g.boolean(); },
      [](const Scene& s, size_t) { return s.body.allow_unphysical ? toml_text(true) : ""; }},
-    {"body.masses[].mass_kg", "a number", "kg", "1.0", "mass of one point",
+    {"body.masses[].mass_kg", "a positive number", "kg", "1.0", "mass of one point",
      [](const GivenValue& g, SceneDraft& d) { d.masses.at(g.item()).mass_kg = g.positive(); },
      [](const Scene& s, size_t i) { return toml_text(s.body.masses_as_given.at(i).mass_kg); }},
     {"body.masses[].at_m", "three numbers", "m", "[0.5, 0.0, -0.25]",

@@ -106,7 +106,7 @@ const SceneKey camera_rows[] = {
      [](const GivenValue& g, SceneDraft& d) { d.scene.trail.herpolhode = g.one_of(trail_kinds); },
      [](const Scene& s, size_t) { return toml_text(std::string_view(s.trail.herpolhode)); },
      trail_kinds},
-    {"trail.length_s", "a number", "s", "4.0",
+    {"trail.length_s", "a positive number", "s", "4.0",
      "length of a fading trail, in seconds of motion; default: one polhode period",
      [](const GivenValue& g, SceneDraft& d) { d.scene.trail.length_s = g.positive(); },
      [](const Scene& s, size_t) { return optional_text(s.trail.length_s); }},

@@ -81,11 +81,11 @@ const SceneKey film_rows[] = {
      "instant of the motion that the film begins with; default 0",
      [](const GivenValue& g, SceneDraft& d) { d.scene.film.start_s = g.number(); },
      [](const Scene& s, size_t) { return toml_text(s.film.start_s); }},
-    {"film.duration_s", "a number", "s", "12.0",
+    {"film.duration_s", "a positive number", "s", "12.0",
      "stretch of the motion that is shown; default: ten seconds of film",
      [](const GivenValue& g, SceneDraft& d) { d.scene.film.duration_s = g.positive(); },
      [](const Scene& s, size_t) { return optional_text(s.film.duration_s); }},
-    {"film.length_s", "a number", "s", "20.0",
+    {"film.length_s", "a positive number", "s", "20.0",
      "length of the film instead, in seconds of film: keyframes and fades count those",
      [](const GivenValue& g, SceneDraft& d) { d.scene.film.length_s = g.positive(); },
      [](const Scene& s, size_t) { return optional_text(s.film.length_s); }},
@@ -121,7 +121,7 @@ const SceneKey film_rows[] = {
      [](const Scene& s, size_t) {
          return fmt::format("[{}, {}]", s.film.width_px, s.film.height_px);
      }},
-    {"film.speed", "a number", "", "1.0", "seconds of motion a second of film; default 1",
+    {"film.speed", "a positive number", "", "1.0", "seconds of motion a second of film; default 1",
      [](const GivenValue& g, SceneDraft& d) { d.scene.film.speed = g.positive(); },
      [](const Scene& s, size_t) { return toml_text(s.film.speed); }},
     {"film.quality", "a string", "", R"("lecture")",

@@ -103,12 +103,12 @@ const SceneKey motion_rows[] = {
      "constant_space: the torque in space axes",
      [](const GivenValue& g, SceneDraft& d) { d.constant_space.torque_space_N_m = g.vector(); },
      [](const Scene& s, size_t) { return torque_text(s, &ConstantSpaceTorque::torque_space_N_m); }},
-    {"torque.half_life_s", "a number", "s", "8.0",
+    {"torque.half_life_s", "a positive number", "s", "8.0",
      "dissipation: time until half of the energy is gone that friction inside the body can take, "
      "T − L²/(2 I_max); L is kept",
      [](const GivenValue& g, SceneDraft& d) { d.scene.half_life_s = g.positive(); },
      [](const Scene& s, size_t) { return optional_text(s.half_life_s); }},
-    {"torque.rate_1_s", "a number", "1/s", "0.05",
+    {"torque.rate_1_s", "a positive number", "1/s", "0.05",
      "dissipation, instead: the friction constant κ over a third of the trace of the moments; how "
      "fast T then falls depends on the start, see half_life_s",
      [](const GivenValue& g, SceneDraft& d) { d.dissipation.rate_1_s = g.positive(); },
@@ -121,7 +121,7 @@ const SceneKey motion_rows[] = {
      "how the motion is computed, see `poinsot list methods`; default exact",
      [](const GivenValue& g, SceneDraft& d) { d.scene.method.name = g.text(); },
      [](const Scene& s, size_t) { return toml_text(std::string_view(s.method.name)); }},
-    {"motion.step_s", "a number", "s", "0.01",
+    {"motion.step_s", "a positive number", "s", "0.01",
      "step of a stepping method; default: chosen from accuracy_px",
      [](const GivenValue& g, SceneDraft& d) { d.scene.method.step_s = g.positive(); },
      [](const Scene& s, size_t) { return optional_text(s.method.step_s); }},
@@ -142,7 +142,8 @@ const SceneKey motion_rows[] = {
      [](const Scene& s, size_t) {
          return s.beside ? toml_text(std::string_view(s.beside->name)) : "";
      }},
-    {"beside.step_s", "a number", "s", "0.05", "its step; default: a 200th of the shortest turn",
+    {"beside.step_s", "a positive number", "s", "0.05",
+     "its step; default: a 200th of the shortest turn",
      [](const GivenValue& g, SceneDraft& d) { beside(d).step_s = g.positive(); },
      [](const Scene& s, size_t) { return beside_text(s, &MethodChoice::step_s); }},
     {"beside.tolerance", "a number", "", "1e-4",

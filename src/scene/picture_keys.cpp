@@ -117,11 +117,11 @@ PanelCameraSpec& camera(const GivenValue& given, SceneDraft& draft) {
 
 const SceneKey panel_rows[] = {
     // Several views of one motion, in the cells of a grid.
-    {"grid.columns", "a list of numbers", "", "[2.0, 1.0]",
+    {"grid.columns", "a list of positive numbers", "", "[2.0, 1.0]",
      "relative widths of the columns that panels stand in; default: equal ones",
      [](const GivenValue& g, SceneDraft& d) { d.scene.grid.columns = grid_sizes(g); },
      [](const Scene& s, size_t) { return toml_text(std::span<const double>(s.grid.columns)); }},
-    {"grid.rows", "a list of numbers", "", "[1.0, 1.0]",
+    {"grid.rows", "a list of positive numbers", "", "[1.0, 1.0]",
      "relative heights of the rows that panels stand in; default: equal ones",
      [](const GivenValue& g, SceneDraft& d) { d.scene.grid.rows = grid_sizes(g); },
      [](const Scene& s, size_t) { return toml_text(std::span<const double>(s.grid.rows)); }},

@@ -52,12 +52,14 @@ TEST(BadScene, DotWithinQuotesIsNoPath) {
 }
 
 TEST(BadScene, WrongTypeSaysWhatIsExpected) {
-    EXPECT_EQ(refusal("[body]\nmoments_kg_m2 = \"big\"\n"),
-              "scenes/a.toml:2:17: body.moments_kg_m2 is a string; it must be three numbers in "
-              "kg m², as in moments_kg_m2 = [3.0, 2.0, 1.0]");
-    EXPECT_EQ(refusal("[body]\nmoments_kg_m2 = [3.0, true, 1.0]\n"),
-              "scenes/a.toml:2:23: body.moments_kg_m2[1] is a boolean; it must be three numbers in "
-              "kg m², as in moments_kg_m2 = [3.0, 2.0, 1.0]");
+    EXPECT_EQ(
+        refusal("[body]\nmoments_kg_m2 = \"big\"\n"),
+        "scenes/a.toml:2:17: body.moments_kg_m2 is a string; it must be three positive numbers "
+        "in kg m², as in moments_kg_m2 = [3.0, 2.0, 1.0]");
+    EXPECT_EQ(
+        refusal("[body]\nmoments_kg_m2 = [3.0, true, 1.0]\n"),
+        "scenes/a.toml:2:23: body.moments_kg_m2[1] is a boolean; it must be three positive numbers "
+        "in kg m², as in moments_kg_m2 = [3.0, 2.0, 1.0]");
     EXPECT_EQ(refusal("title = 3\n" + a_scene),
               "scenes/a.toml:1:9: title is an integer; it must be a string, as in title = "
               "\"Tennis racket\"");
@@ -67,8 +69,8 @@ TEST(BadScene, WrongTypeSaysWhatIsExpected) {
               "scenes/a.toml:1:7: body.masses is a table; it must be an array of tables, as in "
               "[[body.masses]]");
     EXPECT_EQ(refusal("[body.moments_kg_m2]\nx = 1\n"),
-              "scenes/a.toml:1:1: body.moments_kg_m2 is a table; it must be three numbers in kg "
-              "m², as in moments_kg_m2 = [3.0, 2.0, 1.0]");
+              "scenes/a.toml:1:1: body.moments_kg_m2 is a table; it must be three positive "
+              "numbers in kg m², as in moments_kg_m2 = [3.0, 2.0, 1.0]");
     EXPECT_EQ(refusal("[film]\nstart_s = 1979-05-27\n"),
               "scenes/a.toml:2:11: film.start_s is a date or time; it must be a number in s, as in "
               "start_s = 0.0");
@@ -76,8 +78,8 @@ TEST(BadScene, WrongTypeSaysWhatIsExpected) {
 
 TEST(BadScene, WrongCountSaysHowMany) {
     EXPECT_EQ(refusal("[body]\nmoments_kg_m2 = [3.0]\n"),
-              "scenes/a.toml:2:17: body.moments_kg_m2 has 1 entry; it must be three numbers in kg "
-              "m², as in moments_kg_m2 = [3.0, 2.0, 1.0]");
+              "scenes/a.toml:2:17: body.moments_kg_m2 has 1 entry; it must be three positive "
+              "numbers in kg m², as in moments_kg_m2 = [3.0, 2.0, 1.0]");
     EXPECT_EQ(refusal(a_body + "[start]\nomega_rad_s = [1, 2, 3]\nattitude = [1, 0, 0]\n"),
               "scenes/a.toml:5:12: start.attitude has 3 entries; it must be four numbers w, x, y, "
               "z, as in attitude = [0.5, 0.5, 0.5, 0.5]");
