@@ -13,8 +13,12 @@ namespace poinsot {
 struct Repeated {
     std::vector<std::string>* values;
 };
-// A text that is read when the line is; what it throws is what the user reads.
-using ReadText = std::function<void(const std::string& text)>;
+// A text that is read when the line is; what it throws is what the user reads. No std::function by
+// itself: libstdc++ 12 takes a variant of one for never without a value, and destroys what was
+// never made where memory runs out while one is copied.
+struct ReadText {
+    std::function<void(const std::string& text)> read;
+};
 
 using OptionValue =
     std::variant<bool*, int*, std::string*, std::optional<int>*, std::optional<double>*,

@@ -18,9 +18,9 @@ Option override_option(SceneOptions& scene, const char* flag, const char* key,
                        const std::string& help, const char* takes, const char* completes = "") {
     return {flag,
             help,
-            ReadText([&scene, flag, key](const std::string& value) {
+            ReadText{[&scene, flag, key](const std::string& value) {
                 scene.overrides.push_back(fmt::format("{}={}", key, parse_text(flag, value)));
-            }),
+            }},
             "",
             takes,
             false,

@@ -83,9 +83,9 @@ struct Binder {
             ->allow_extra_args(false)
             ->take_all();
     }
-    CLI::Option* operator()(const ReadText& read) const { return read_by(read); }
+    CLI::Option* operator()(const ReadText& text) const { return read_by(text.read); }
 
-    CLI::Option* read_by(const ReadText& read) const {
+    CLI::Option* read_by(const std::function<void(const std::string&)>& read) const {
         return app.add_option_function<std::string>(option.flags, read, option.help);
     }
     template <typename Text>

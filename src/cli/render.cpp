@@ -101,11 +101,11 @@ CommandLine line(std::any& room) {
          theme_option(c.scene),
          quality_option(c.scene),
          {"--frames", "A-B: only these frames, from 0, both included",
-          ReadText([&c](const std::string& text) { c.frames = parse_frames(text); })},
+          ReadText{[&c](const std::string& text) { c.frames = parse_frames(text); }}},
          {"--part",
           "K/N: part K of N alone, K from 1, for join to put together; in a film's name #### is "
           "its number",
-          ReadText([&c](const std::string& text) { c.part = parse_part(text); })},
+          ReadText{[&c](const std::string& text) { c.part = parse_part(text); }}},
          {"--jobs",
           "processes that draw parts side by side, to the same bytes; if not given, as many as pay "
           "here, which check --plan says",

@@ -169,32 +169,32 @@ CommandLine line(std::any& room) {
              {"--times",
               "T,T,…: instants in seconds, or ranges first:last:step, first:last/n; - reads them "
               "from standard input",
-              ReadText([&c](const std::string& text) {
+              ReadText{[&c](const std::string& text) {
                   // What is wrong with it is said before anything is read.
                   if (text != "-") parse_times(text);
                   c.times = text;
-              })},
+              }}},
              {"--times-file",
               "FILE: instants, one a line; - is standard input",
-              ReadText([&c](const std::string& file) {
+              ReadText{[&c](const std::string& file) {
                   c.times_file = parse_text("--times-file", file);
-              }),
+              }},
               "",
               {},
               false,
               "file"},
              {"--columns",
               "A,B,…: columns to give instead, with units in their names",
-              ReadText([&c](const std::string& text) {
+              ReadText{[&c](const std::string& text) {
                   c.columns = names_in(parse_text("--columns", text));
-              }),
+              }},
               "",
               {},
               false,
               "columns"},
              {"-o,--output",
               "FILE: .csv, .jsonl or .npy, instead of CSV on stdout",
-              ReadText([&c](const std::string& text) { c.output = parse_text("--output", text); }),
+              ReadText{[&c](const std::string& text) { c.output = parse_text("--output", text); }},
               "",
               {},
               false,

@@ -146,7 +146,7 @@ CommandLine line(std::any& room) {
              {"--depth", "bits a colour component: 8 or 16", &c.bit_depth, "8 or 16"},
              {"--sheet",
               "CxR: all of them in one picture of C columns and R rows, each with its values",
-              ReadText([&c](const std::string& text) { c.sheet = parse_sheet(text); })},
+              ReadText{[&c](const std::string& text) { c.sheet = parse_sheet(text); }}},
              quality_option(c.scene),
              theme_option(c.scene),
              {"--time",

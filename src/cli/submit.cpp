@@ -131,7 +131,7 @@ CommandLine line(std::any& room) {
              theme_option(c.scene),
              quality_option(c.scene),
              {"--frames", "A-B: only these frames, from 0, both included",
-              ReadText([&c](const std::string& text) { c.frames = parse_frames(text); })},
+              ReadText{[&c](const std::string& text) { c.frames = parse_frames(text); }}},
              backend_option(c.context),
              quiet_option(c.quiet),
              allow_outside_option(c.scene.allow_outside)},
