@@ -174,6 +174,32 @@ TEST(House, LibrariesStayInTheirFolder) {
     }
 }
 
+// fmt 11 has join in ranges.h alone; fmt 9 gives it without, so that Debian 12 misses nothing.
+TEST(House, WhoJoinsIncludesRanges) {
+    int n_joining = 0;
+    for (const std::string folder : {"src", "tests"}) {
+        for (const auto& entry :
+             fs::recursive_directory_iterator(poinsot::source_folder() / folder)) {
+            const std::string extension = entry.path().extension().string();
+            if (extension != ".h" && extension != ".cpp") continue;
+            std::ifstream file(entry.path());
+            bool joins = false;
+            bool includes_ranges = false;
+            for (std::string line; std::getline(file, line);) {
+                // In two, so that this file does not join.
+                joins = joins || line.find(std::string("fmt:") + ":join(") != std::string::npos;
+                includes_ranges = includes_ranges || included_header(line) == "<fmt/ranges.h";
+            }
+            n_joining += joins;
+            EXPECT_TRUE(!joins || includes_ranges)
+                << fs::relative(entry.path(), poinsot::source_folder()) << " uses fmt::"
+                << "join"
+                << " without <fmt/ranges.h>";
+        }
+    }
+    EXPECT_GT(n_joining, 10);
+}
+
 TEST(House, MainSeesOnlyTheCommandLine) {
     std::ifstream file(poinsot::source_folder() / "src" / "main.cpp");
     ASSERT_TRUE(file);

@@ -1,6 +1,7 @@
 #include "production/vectors/vector_still.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
