@@ -21,6 +21,7 @@
 #include "output/frame_sink.h"
 #include "output/quality.h"
 #include "production/sampling/sample_table.h"
+#include "production/vectors/journal.h"
 #include "scene/camera_views.h"
 #include "scene/easing.h"
 #include "scene/load_scene.h"
@@ -126,6 +127,15 @@ std::vector<CatalogueEntry> column_entries() {
     return entries;
 }
 
+// With where it stands.
+std::vector<CatalogueEntry> journal_entries() {
+    std::vector<CatalogueEntry> entries;
+    for (const Journal& journal : journals())
+        entries.push_back(
+            {std::string(journal.name), fmt::format("{} ({})", journal.summary, journal.source)});
+    return entries;
+}
+
 const auto table = std::to_array<Catalogue>({
     {"scenes", scene_entries},
     {"keys", key_entries},
@@ -139,6 +149,7 @@ const auto table = std::to_array<Catalogue>({
     {"views", [] { return rows_of(camera_views()); }},
     {"easings", [] { return rows_of(easings()); }},
     {"themes", [] { return rows_of(themes()); }},
+    {"journals", journal_entries},
     {"formats", [] { return rows_of(output_formats()); }},
     {"solids", solid_entries},
     {"objects", object_entries},

@@ -15,6 +15,7 @@
 #include "cli/sweep.h"
 #include "production/contact_sheet.h"
 #include "production/still_job.h"
+#include "production/vectors/journal.h"
 
 namespace poinsot {
 
@@ -61,6 +62,14 @@ std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choi
                                    const Telling& telling) {
     SceneRequest request = scene_request_of(job.scene, choices.scene, job.overrides);
     request.print = choices.print;
+    if (!choices.print.journal.empty()) {
+        set_journal(journal_named(choices.print.journal), request.print);
+        // On paper, unless the command line says otherwise.
+        const bool has_theme =
+            std::any_of(request.overrides.begin(), request.overrides.end(),
+                        [](const std::string& given) { return given.starts_with("theme"); });
+        if (!has_theme) request.overrides.emplace_back("theme=\"print\"");
+    }
     // Vectors lie on paper, whether or not the command line speaks of it.
     if (is_vector_name(job.output) && !request.print.dpi) request.print.dpi = default_dpi;
     if (choices.time_s) request.times_s = {*choices.time_s};
@@ -135,6 +144,13 @@ CommandLine line(std::any& room) {
              {"--dpi", "dots per inch on paper; 300 if not given", &c.print.dpi, "dots per inch"},
              {"--type-pt", "size of labels on paper in points, 8.5 if not given; lines follow it",
               &c.print.type_pt, "points"},
+             {"--journal",
+              "NAME: widths, type and lines as its author pages ask for them, and the theme print",
+              &c.print.journal,
+              "",
+              {},
+              false,
+              "journals"},
              {"--shading",
               "how vectors fill surfaces: tone (follows the light, the default), none (lines "
               "alone) or picture (pixels, 600 an inch, within the exact outlines)",

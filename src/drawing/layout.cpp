@@ -104,6 +104,7 @@ Drawer header_of(Panel& panel, std::string_view text) {
         label.halo_px = 2.0 * panel.px;
         label.opacity = 0.88;
         label.held_at = 0.0;
+        label.rank = rank_of_headings;
         if (type.mask->width > 0) sheet.view.labels.push_back(label);
     };
 }

@@ -174,7 +174,8 @@ Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Colour& 
 
 double least_type_px(const StageData& stage) {
     constexpr double least = 1080.0 / 45.0;
-    return stage.options.line_scale > 0.0 ? 0.0 : least * stage.scene.type_scale * stage.px;
+    return stage.options.line_scale > 0.0 ? stage.options.least.type_px
+                                          : least * stage.scene.type_scale * stage.px;
 }
 
 Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,

@@ -79,8 +79,8 @@ Dot dot_at(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour,
 Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Colour& colour,
                double width_px);
 
-// The least em of type in a film, 1/45 of its height, in pixels of the picture drawn; on paper,
-// where type has its size in points, 0.
+// The least em of type in a film, 1/45 of its height, in pixels of the picture drawn; on paper what
+// the stage's options say.
 double least_type_px(const StageData& stage);
 
 // An arc of a circle about `centre` from the direction `from` towards the direction `towards` (unit

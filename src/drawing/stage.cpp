@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <utility>
 
+#include "drawing/line_rules.h"
 #include "drawing/marks.h"
 #include "drawing/panel.h"
 #include "drawing/stage_data.h"
 #include "drawing/type/labels.h"
+#include "drawing/type/room_for_type.h"
 #include "scene/film_clock.h"
 
 namespace poinsot {
@@ -58,6 +60,7 @@ Drawing Stage::at(const FilmMoment& moment) const {
                 if (wish.at && (*wish.at - ring->at).isZero(0.0))
                     wish.gap_px += 2.0 * ring->opacity * ring->radius_px;
         place_labels(sheet.wishes, data_->theme->halo, 4.0 * panel.px, view, data_->unit_segment);
+        follow_line_rules(*data_, view);
         drawing.views.push_back(std::move(view));
     }
 
@@ -68,6 +71,7 @@ Drawing Stage::at(const FilmMoment& moment) const {
     over.view.background.alpha = 0.0;
     for (const Drawer& draw : data_->overlays) draw(instant, over);
     if (!over.view.labels.empty()) drawing.views.push_back(std::move(over.view));
+    if (data_->options.least.type_px > 0.0) leave_out_type(drawing);
     return drawing;
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <memory>
 
+#include "drawing/type/least_sizes.h"
 #include "mechanics/motion.h"
 #include "scene/film_clock.h"
 #include "scene/scene.h"
@@ -21,6 +22,7 @@ struct StageOptions {
     int samples = 1;          // of these a side go into one pixel of the picture that is looked at
     double line_scale = 0.0;  // pixels for a line of "one pixel at 1080 rows"; 0: height_px / 1080
     double curve_px = 0.0;    // what polylines may leave their curves by; 0: as the scene asks
+    LeastSizes least{};       // on paper, of the picture drawn
     double first_time_s = 0.0;  // the instants that are drawn lie between these; histories begin
     double last_time_s = 0.0;   // with the first and are made up to the last
     double loop_s = 0.0;        // after which the picture is the same again, seconds of motion; 0:

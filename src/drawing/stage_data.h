@@ -103,7 +103,7 @@ struct StageData {
     std::set<std::string, std::less<>> can_fade;  // names that a fade may say here
 
     // Made once for all instants; addresses stay valid for the stage's life.
-    TypeCase type_case{options.samples};
+    TypeCase type_case{options.samples, options.least};
     std::deque<CurveGeometry> curves;
     std::deque<MeshGeometry> meshes;
     std::deque<Panel> panels;

@@ -20,7 +20,9 @@ PictureSetting setting_of(const Scene& scene, const PrintChoices& print) {
     const Quality& quality = *at_scene_key(scene, "film.quality",
                                            [&scene] { return &quality_named(scene.film.quality); });
     const auto paper = print_size_of(print, scene.film.width_px, scene.film.height_px);
-    return {quality.curve_tolerance, quality.samples, paper ? paper->line_scale : 0.0};
+    PictureSetting setting{quality.curve_tolerance, quality.samples};
+    if (paper) setting.put_on(*paper);
+    return setting;
 }
 
 Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting) {
@@ -29,6 +31,7 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     options.height_px = session.scene.film.height_px * setting.samples;
     options.samples = setting.samples;
     options.line_scale = setting.line_scale * setting.samples;
+    options.least = setting.least.times(setting.samples);
     options.first_time_s = span.first_time_s;
     options.last_time_s = span.last_time_s;
     options.loop_s = session.loop ? session.loop->loop_s : 0.0;

@@ -58,6 +58,13 @@ struct PictureSetting {
     double curve_tolerance = 1.0;  // in units of the scene's accuracy_px
     int samples = 1;               // drawn samples × samples times as large and averaged
     double line_scale = 0.0;       // as StageOptions has it, of the picture made
+    LeastSizes least{};            // likewise
+
+    // Lines and type as large as they are on paper.
+    void put_on(const PrintSize& paper) {
+        line_scale = paper.line_scale;
+        least = paper.least;
+    }
 };
 
 // What the scene's quality asks for, and the size on paper.

@@ -43,6 +43,12 @@ std::optional<PrintSize> print_size_of(const PrintChoices& print, int scene_widt
     check_between("--dpi", print.dpi, 10.0, 10'000.0, "dots per inch");
     check_between("--type-pt", print.type_pt, 1.0, 1'000.0, "points");
 
+    if (print.type_pt && *print.type_pt < print.least_type_pt)
+        throw InputError(
+            fmt::format("--type-pt {:g}: no type is under {:g} points on paper; give "
+                        "that or more",
+                        *print.type_pt, print.least_type_pt));
+
     const double dpi = print.dpi.value_or(default_dpi);
     PrintSize size{scene_width_px, scene_height_px};
     const double shape = 1.0 * scene_width_px / scene_height_px;
@@ -58,6 +64,8 @@ std::optional<PrintSize> print_size_of(const PrintChoices& print, int scene_widt
         size.height_px = side(false, height_mm);
     }
     size.line_scale = print.type_pt.value_or(default_type_pt) / label_size * dpi / pt_per_inch;
+    size.least = LeastSizes{print.least_type_pt, print.least_script_pt, print.least_line_pt}.times(
+        dpi / pt_per_inch);
     size.pixels_per_metre = 1000.0 * dpi / mm_per_inch;
     return size;
 }

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <optional>
+#include <string>
+
+#include "drawing/type/least_sizes.h"
 
 namespace poinsot {
 
 // Lines keep their proportion to type: labels are 34 pixels an em where a polhode is 4 pixels wide.
 // So at 8.5 points a label, the curves are 1 point, L and ω 1.15, axes 0.85, an ellipsoid's
-// principal sections 0.43, rulings and grids 0.25, titles 10 and captions 6.5 points.
+// principal sections, rulings and grids 0.5, titles 10, captions and all other type 8 points.
 constexpr double default_type_pt = 8.5;
 constexpr double default_dpi = 300.0;
 
@@ -17,12 +20,16 @@ struct PrintChoices {
     std::optional<double> dpi;                  // --dpi
     std::optional<double> type_pt;              // --type-pt, of labels
     int bit_depth = 8;                          // --depth
+    std::string journal{};                      // --journal, whose sizes are kept
+    // No type is smaller, no sub- or superscript, no line thinner.
+    double least_type_pt = 8.0, least_script_pt = 6.0, least_line_pt = 0.5;
 };
 
 struct PrintSize {
     int width_px = 0, height_px = 0;
     double line_scale = 1.0;  // pixels for a line of "one pixel at 1080 rows"
     double pixels_per_metre = 0.0;
+    LeastSizes least{};
 };
 
 // Of a picture that has the scene's size in pixels unless millimetres are given; a side that is not

@@ -178,6 +178,7 @@ std::string to_text(const Record& record) {
     if (record.type_pt) add("type-pt", fmt::format("{}", *record.type_pt));
     if (record.bit_depth != 8) add("depth", fmt::format("{}", record.bit_depth));
     if (!record.shading.empty()) add("shading", record.shading);
+    if (!record.journal.empty()) add("journal", record.journal);
     if (!record.lettering.empty()) add("type-as", record.lettering);
     if (record.frames)
         add("frames", fmt::format("{}-{}", record.frames->first, record.frames->second));
@@ -290,6 +291,7 @@ Record parse_record(std::string_view text, const std::string& name) {
     if (fields.contains("packets-sha256")) record.packets = field(fields, "packets-sha256", name);
     if (fields.contains("page-sha256")) record.page = field(fields, "page-sha256", name);
     if (fields.contains("shading")) record.shading = field(fields, "shading", name);
+    if (fields.contains("journal")) record.journal = field(fields, "journal", name);
     if (fields.contains("type-as")) record.lettering = field(fields, "type-as", name);
     if (record.time_s.has_value() == record.frames.has_value())
         refuse(name, "must say either an instant or frames");

@@ -41,6 +41,7 @@ struct Record {
     std::string page;                   // of vectors, hash; see production/vectors/vector_still.h
     std::string shading;                // likewise: how surfaces are filled
     std::string lettering;              // likewise: what type is; empty: fonts
+    std::string journal;                // of a still for print, whose sizes it keeps
     std::string
         sheet;  // of many pictures in one: "2x1: fps = 30; fps = 60"; all else is the first's
     bool sealed = false;     // it was read with a hash of all of it, which fits

@@ -15,6 +15,7 @@
 #include "production/output_place.h"
 #include "production/record.h"
 #include "production/still_job.h"
+#include "production/vectors/journal.h"
 #include "system/file_kind.h"
 #include "text/printable.h"
 
@@ -89,6 +90,7 @@ StillRequest still_request_of(const RedrawRequest& request, const Record& record
     StillRequest still{.output = request.output.string(), .time_s = record.time_s};
     still.print.dpi = record.dpi;
     still.print.type_pt = record.type_pt;
+    if (!record.journal.empty()) set_least_sizes(journal_named(record.journal), still.print);
     still.bit_depth = record.bit_depth;
     if (!record.shading.empty()) still.vectors.shading = record.shading;
     if (!record.lettering.empty()) still.vectors.text = record.lettering;

@@ -60,7 +60,8 @@ void set_size_on_paper(const SceneRequest& request, Scene& scene) {
     scene.film.height_px = paper->height_px;
     // The figure keeps the scene's shape; title and caption add the rows that their points take.
     if (request.print.width_mm && !request.print.height_mm) {
-        scene.film.height_px += rows_added_by_type(scene, paper->width_px, paper->line_scale);
+        scene.film.height_px +=
+            rows_added_by_type(scene, paper->width_px, paper->line_scale, paper->least);
     }
 }
 

@@ -119,6 +119,7 @@ void StillJob::draw_vectors(OutputPlace place, Record record, Easel& easel,
     record.dpi = request_.print.dpi;
     record.type_pt = request_.print.type_pt.value_or(default_type_pt);
     record.shading = request_.vectors.shading;
+    record.journal = request_.print.journal;
     if (request_.vectors.text != VectorChoices{}.text) record.lettering = request_.vectors.text;
     vector::DrawPixels draw_pixels;
     if (has_pixels(request_.vectors)) {
@@ -170,6 +171,7 @@ void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
         png.pixels_per_metre = paper->pixels_per_metre;
         record.dpi = request_.print.dpi.value_or(default_dpi);
         record.type_pt = request_.print.type_pt.value_or(default_type_pt);
+        record.journal = request_.print.journal;
     }
     record.bit_depth = request_.bit_depth;
     std::string words = fmt::format("{}\n{}", printable(place.path().string()),

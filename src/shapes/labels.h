@@ -65,6 +65,7 @@ struct Label {
     // From the left, the share of its width that stays in place where another sets its text and
     // makes it wider or narrower.
     double held_at = 0.5;
+    int rank = 0;  // where there is no room for all on paper, what has a higher one is left out
 };
 
 }  // namespace poinsot

@@ -106,7 +106,7 @@ TEST(PrintedStill, IsDrawnAgainFromItsRecord) {
     const ScratchFolder folder;
     const ProgramRun run = run_program_in(
         folder, "still '" + scene("generic") +
-                    "' --time 1 --width-mm 40 --dpi 300 --type-pt 7 --theme dark -o a.png -q");
+                    "' --time 1 --width-mm 60 --dpi 300 --type-pt 9 --theme dark -o a.png -q");
     ASSERT_EQ(run.code, 0) << run.err;
     const ProgramRun again = run_program_in(folder, "rerender a.png -o b.png");
     ASSERT_EQ(again.code, 0) << again.err;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -172,6 +173,50 @@ TEST(VectorStill, LatexSetsTheTypeOfAFigureWithoutAny) {
         EXPECT_TRUE(is_one_line(refused.err)) << name << ": " << refused.err;
     }
     EXPECT_EQ(text_of(folder.path() / "paper.tex"), "\\documentclass{article}\n");
+}
+
+TEST(VectorStill, AJournalHasItsWidthAndLeastSizes) {
+    const ScratchFolder folder;
+    const std::string still = "still '" + scene("generic") + "' ";
+    ASSERT_EQ(run_program_in(folder, still + "--journal aip -o a.pdf").code, 0);
+    // 85 mm = 240.94 pt.
+    EXPECT_TRUE(contains(said(folder, "pdfinfo a.pdf"), "Page size:       240.9") ||
+                contains(said(folder, "pdfinfo a.pdf"), "Page size:       241"))
+        << said(folder, "pdfinfo a.pdf");
+    EXPECT_TRUE(contains(run_program_in(folder, "explain a.pdf").out, "journal: aip"));
+    ASSERT_EQ(run_program_in(folder, "rerender a.pdf -o b.pdf").code, 0);
+    EXPECT_EQ(text_of(folder.path() / "a.pdf"), text_of(folder.path() / "b.pdf"));
+    // No letter is under 8 pt, no script under 6, no line under half a point.
+    ASSERT_EQ(run_program_in(folder, still + "--journal aip -o a.svg").code, 0);
+    const std::string svg = text_of(folder.path() / "a.svg");
+    // The least of a number that stands in elements of a kind.
+    const auto least = [&svg](const std::string& element, const std::string& name) {
+        double found = 1e9;
+        for (std::size_t at = svg.find(element); at != std::string::npos;
+             at = svg.find(element, at + 1)) {
+            const std::size_t value = svg.find(name + "=\"", at);
+            if (value < svg.find('>', at))
+                found =
+                    std::min(found, std::strtod(svg.c_str() + value + name.size() + 2, nullptr));
+        }
+        return found;
+    };
+    EXPECT_GE(least("<text ", "font-size"), 5.999);
+    EXPECT_LT(least("<text ", "font-size"), 8.0);  // a subscript
+    EXPECT_NEAR(least("<path class=\"l\"", "stroke-width"), 0.5, 1e-3);
+    for (const std::string& options :
+         {std::string("--journal nature"), std::string("--journal aps --width-mm 200"),
+          std::string("--type-pt 5")}) {
+        const ProgramRun refused = run_program_in(folder, still + options + " -o c.pdf");
+        EXPECT_EQ(refused.code, 2) << options;
+        EXPECT_TRUE(is_one_line(refused.err)) << options << ": " << refused.err;
+    }
+    // Three panels' names on so little would cover each other.
+    const ProgramRun small =
+        run_program_in(folder, "still '" + scene("football") + "' --width-mm 50 -o d.pdf");
+    EXPECT_EQ(small.code, 2);
+    EXPECT_TRUE(contains(small.err, "too small for its type")) << small.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "d.pdf"));
 }
 
 TEST(VectorStill, PicturesStandBetweenTheLinesWhereAskedFor) {

@@ -11,6 +11,9 @@ namespace poinsot {
 
 namespace {
 
+// Where there is no room for all type, they go before all else: names tell more.
+constexpr int rank_of_numbers = rank_of_caption + 1;
+
 // The ends of a range that has a middle and an extent.
 void widen(double& first, double& last) {
     if (!std::isfinite(first) || !std::isfinite(last)) {
@@ -145,6 +148,7 @@ Label chart_label(const Panel& panel, const SetType& type, double x, double y, A
     label.colour = colour;
     label.halo_colour = stage.theme->halo;
     label.halo_px = 2.0 * panel.px;
+    label.rank = rank_of_charts;
     const bool right = anchor == Anchor::right_middle || anchor == Anchor::bottom_right;
     label.held_at = right ? 1.0 : anchor == Anchor::top_centre ? 0.5 : 0.0;
     return label;
@@ -216,6 +220,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
         const SetType number = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
         labels_.push_back(
             chart_label(panel, number, area_.left - gap, height, Anchor::right_middle, theme.text));
+        labels_.back().rank = rank_of_numbers;
     }
     labels_.push_back(chart_label(panel, y_type, region.left, area_.top + 1.3 * gap,
                                   Anchor::bottom_left, theme.text));
@@ -232,6 +237,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
         if (x_title.empty()) continue;
         const SetType type = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
         Label number = chart_label(panel, type, across, 0.0, Anchor::top_centre, theme.text);
+        number.rank = rank_of_numbers;
         number.top_left_px.y() =
             stage.at_whole_pixel(panel.box.y_px + panel.box.height_px - baseline) -
             type.baseline_px;

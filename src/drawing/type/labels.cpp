@@ -108,13 +108,25 @@ void add_leader(const LabelWish& wish, const Box& box, double before_px, double 
     view.curves.push_back(line);
 }
 
+// As large as it asks for, or larger, so that no sub- or superscript is smaller than this; leaves
+// the size in the style.
+TypesetMask set_no_smaller(const Typesetter& typesetter, std::string_view text, double script_px,
+                           TypeStyle& style) {
+    TypesetMask set = typesetter.set(text, style);
+    double least_px = script_px;
+    for (const SetGlyph& glyph : set.glyphs) least_px = std::min(least_px, glyph.em_px);
+    if (least_px >= script_px) return set;
+    style.size_px *= script_px / least_px;
+    return typesetter.set(text, style);
+}
+
 }  // namespace
 
-TypesetMask TypeCase::set_legible(std::string_view text, TypeStyle style) const {
-    style.size_px /= samples_;
+TypesetMask TypeCase::set_legible(std::string_view text, TypeStyle& style) const {
+    style.size_px = std::max(style.size_px / samples_, least_.type_px);
     style.max_width_px /= samples_;
     if (style.size_px >= least_legible_px || !(style.size_px > 0.0))
-        return typesetter_.set(text, style);
+        return set_no_smaller(typesetter_, text, least_.script_px, style);
     style.size_px = least_legible_px;
     typesetter_.measure(text, style);
     return {};
@@ -137,10 +149,11 @@ SetType TypeCase::keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const {
 
 SetType TypeCase::set_among(std::deque<GlyphMask>& masks, std::string_view text,
                             const TypeStyle& style) const {
-    TypesetMask set = set_legible(text, style);
+    TypeStyle used = style;
+    TypesetMask set = set_legible(text, used);
     const bool is_formula = style.mode == TypeMode::math;
-    SetText source{std::string(text), is_formula, style.size_px / samples_, set.baseline_px,
-                   is_formula ? 0.0 : style.max_width_px / samples_};
+    SetText source{std::string(text), is_formula, used.size_px, set.baseline_px,
+                   is_formula ? 0.0 : used.max_width_px};
     const SetType type = keep(std::move(set), masks);
     masks.back().source = std::move(source);
     return type;

@@ -13,6 +13,7 @@
 #include <tuple>
 #include <vector>
 
+#include "drawing/type/least_sizes.h"
 #include "shapes/views.h"
 #include "typeset/typesetter.h"
 
@@ -30,6 +31,17 @@ struct SetType {
     double height_px() const { return mask->height_px(); }
 };
 
+// Where on paper there is no room for all type, what has a higher rank is left out first; what is
+// named in the picture is not, and without room for it the picture is refused.
+enum LabelRank {
+    rank_of_names = 0,
+    rank_of_headings = 1,
+    rank_of_title = 2,
+    rank_of_charts = 3,
+    rank_of_clock = 4,
+    rank_of_caption = 5
+};
+
 // Type of fewer pixels an em is left out: its small letters would be one pixel high.
 inline constexpr double least_legible_px = 3.0;
 
@@ -38,8 +50,10 @@ inline constexpr double least_legible_px = 3.0;
 class TypeCase {
  public:
     // For pictures drawn with samples × samples to a pixel: styles are in pixels of the picture
-    // drawn, and masks are set for the one that is looked at.
-    explicit TypeCase(int samples = 1) : samples_(samples) {}
+    // drawn, and masks are set for the one that is looked at. What would be smaller than `least` is
+    // set larger, and all of a string whose sub- and superscripts would be.
+    explicit TypeCase(int samples = 1, const LeastSizes& least = {})
+        : samples_(samples), least_(least.times(1.0 / samples)) {}
 
     SetType set(std::string_view text, const TypeStyle& style);
 
@@ -57,12 +71,14 @@ class TypeCase {
     const Typesetter& typesetter() const { return typesetter_; }
 
  private:
-    TypesetMask set_legible(std::string_view text, TypeStyle style) const;
+    // Leaves in the style what it was set by, in pixels of the mask.
+    TypesetMask set_legible(std::string_view text, TypeStyle& style) const;
     SetType keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const;
     SetType set_among(std::deque<GlyphMask>& masks, std::string_view text,
                       const TypeStyle& style) const;
 
     int samples_;
+    LeastSizes least_;  // of the masks' pixels
     Typesetter typesetter_;
     std::deque<GlyphMask> masks_;
     std::map<std::tuple<std::string, double, int, double>, SetType> known_;

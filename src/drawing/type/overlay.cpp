@@ -21,7 +21,7 @@ namespace {
 
 // Running text at a corner of the picture; its pen starts between pixels.
 void add_text(const StageData& stage, const SetType& type, double pen_x, double baseline_y,
-              Sheet& sheet) {
+              LabelRank rank, Sheet& sheet) {
     if (type.mask->width == 0) return;
     Label label;
     label.mask = type.mask;
@@ -31,6 +31,7 @@ void add_text(const StageData& stage, const SetType& type, double pen_x, double 
     label.halo_colour = stage.theme->halo;
     label.halo_px = 2.0 * stage.px;
     label.held_at = 0.0;
+    label.rank = rank;
     sheet.view.labels.push_back(label);
 }
 
@@ -56,7 +57,8 @@ Drawer make_title(StageData& stage) {
         return stage.type_case.set(stage.scene.title, text_style(stage, title_size));
     });
     return [&stage, type](const Instant&, Sheet& sheet) {
-        add_text(stage, type, margin(stage), margin(stage) + type.baseline_px, sheet);
+        add_text(stage, type, margin(stage), margin(stage) + type.baseline_px, rank_of_title,
+                 sheet);
     };
 }
 
@@ -65,7 +67,7 @@ Drawer make_caption(StageData& stage) {
     const auto place = [&stage](const SetType& type, Sheet& sheet) {
         const double below = type.height_px() - type.baseline_px;
         add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
-                 sheet);
+                 rank_of_caption, sheet);
     };
     // Set once here in any case, so that a caption that does not parse is refused before the first
     // frame.
@@ -95,9 +97,10 @@ Drawer make_clock(StageData& stage) {
         widest_px = std::max(widest_px, static_cast<double>(type.left_px + type.mask->width));
     }
     const double pen = stage.options.width_px - margin(stage) - widest_px;
-    return [&stage, clock, style, pen](const Instant& instant, Sheet& sheet) {
+    const double baseline = margin(stage) + std::max(style.size_px, stage.options.least.type_px);
+    return [&stage, clock, style, pen, baseline](const Instant& instant, Sheet& sheet) {
         const SetType type = stage.type_case.set_live(clock.at(instant.time_s), style, sheet.view);
-        add_text(stage, type, pen, margin(stage) + 26.0 * stage.px * stage.scene.type_scale, sheet);
+        add_text(stage, type, pen, baseline, rank_of_clock, sheet);
     };
 }
 
@@ -128,7 +131,7 @@ double bottom_of_captions(const StageData& stage, const TypeStyle& style) {
     const Scene& scene = stage.scene;
     const bool captioned = !scene.caption.empty() && wants(scene, "caption");
     if (!captioned) return bottom;
-    TypeCase type_case(stage.options.samples);
+    TypeCase type_case(stage.options.samples, stage.options.least);
     const SetType type =
         type_case.set(expand_live_text(scene.caption, StageData::live_values(scene, {})), style);
     return bottom - type.height_px() - 14.0 * stage.px;
@@ -168,7 +171,7 @@ Drawer make_timed_captions(StageData& stage) {
                                         ? head + type.baseline_px
                                         : foot - (type.height_px() - type.baseline_px);
             const std::size_t n_before = sheet.view.labels.size();
-            add_text(stage, type, margin(stage), baseline, sheet);
+            add_text(stage, type, margin(stage), baseline, rank_of_caption, sheet);
             if (sheet.view.labels.size() > n_before) sheet.view.labels.back().opacity *= presence;
         }
     };
@@ -291,12 +294,13 @@ OverlayBands overlay_bands(StageData& stage) {
                          stage.type_case);
 }
 
-int rows_added_by_type(const Scene& scene, int width_px, double px) {
-    TypeCase type_case;
-    const OverlayBands bands = overlay_bands(scene, width_px, px, 1, type_case);
+int rows_added_by_type(const Scene& scene, int width_px, double px, const LeastSizes& least) {
+    TypeCase on_paper(1, least);
+    const OverlayBands bands = overlay_bands(scene, width_px, px, 1, on_paper);
+    TypeCase on_screen;
     const double screen_px = width_px / 1920.0;
-    const OverlayBands on_screen = overlay_bands(scene, width_px, screen_px, 1, type_case);
-    return std::max(0, bands.top_px + bands.bottom_px - on_screen.top_px - on_screen.bottom_px);
+    const OverlayBands usual = overlay_bands(scene, width_px, screen_px, 1, on_screen);
+    return std::max(0, bands.top_px + bands.bottom_px - usual.top_px - usual.bottom_px);
 }
 
 std::span<const OverlayName> overlays() {

@@ -24,7 +24,7 @@ OverlayBands overlay_bands(StageData& stage);
 
 // What the overlays of a picture so wide take more than on a screen, where a line of "one pixel at
 // 1080 rows" is `px` pixels wide: type that has its size in points takes more of a narrow page.
-int rows_added_by_type(const Scene& scene, int width_px, double px);
+int rows_added_by_type(const Scene& scene, int width_px, double px, const LeastSizes& least);
 
 // Between the overlays and the picture's sides, pixels at 1080 rows.
 constexpr double overlay_margin = 40.0;

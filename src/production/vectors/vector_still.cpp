@@ -95,7 +95,9 @@ bool has_pixels(const VectorChoices& choices) {
 PictureSetting vector_setting(const Scene& scene, const PrintChoices& print) {
     const auto paper = print_size_of(on_paper(print, scene.film.width_px, scene.film.height_px),
                                      scene.film.width_px, scene.film.height_px);
-    return {1.0, 1, paper ? paper->line_scale : 0.0};
+    PictureSetting setting;
+    setting.put_on(*paper);
+    return setting;
 }
 
 VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
