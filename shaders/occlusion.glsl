@@ -76,5 +76,6 @@ vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own
 // the share of the pixel that it covers: both layers, one over the other, make up the whole.
 float layer_weight(float layer, vec2 seen, float hidden_opacity, float covered) {
     if (layer > 0.5) return seen.x;
+    if (hidden_opacity < 0.0) return 0.0;  // left out
     return (1.0 - seen.x) * max(hidden_opacity, 1.0 - seen.y) / max(1.0 - covered * seen.x, 1e-3);
 }

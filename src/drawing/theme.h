@@ -45,6 +45,10 @@ struct Theme {
     Colour energy;                   // E and T
     Colour potential;                // V
     Colour rule;                     // axes and grids of plots
+
+    // What a scene says in `hidden` and `crossings`, where it says nothing.
+    std::string_view hidden = "pale";
+    std::string_view crossings = "through";
 };
 
 std::span<const Theme> themes();

@@ -1,6 +1,8 @@
 // Keys of what the picture is called, how it looks, and the panels that share it.
 #include <fmt/format.h>
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "scene/camera_views.h"
@@ -47,6 +49,9 @@ std::vector<std::string> shown_units(const GivenValue& given) {
     return units;
 }
 
+constexpr std::array<std::string_view, 3> hidden_styles{"pale", "dashed", "omitted"};
+constexpr std::array<std::string_view, 2> crossing_styles{"through", "gap"};
+
 const SceneKey picture_rows[] = {
     {"title", "a string", "", R"("Tennis racket")",
      "heading of the picture; default: the file's name",
@@ -64,6 +69,16 @@ const SceneKey picture_rows[] = {
     {"theme", "a string", "", R"("light")", "colours and line styles, see `poinsot list themes`",
      [](const GivenValue& g, SceneDraft& d) { d.scene.theme = g.text(); },
      [](const Scene& s, size_t) { return toml_text(std::string_view(s.theme)); }},
+    {"hidden", "a string", "", R"("dashed")",
+     "lines where something hides them: pale, dashed (a broken line then means that and nothing "
+     "else) or omitted; default: the theme's, which is pale",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.hidden = g.one_of(hidden_styles); },
+     [](const Scene& s, size_t) { return text_unless_empty(s.hidden); }, hidden_styles},
+    {"crossings", "a string", "", R"("gap")",
+     "lines that pass under others: through (drawn on) or gap (broken beside them); default: the "
+     "theme's, which is through",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.crossings = g.one_of(crossing_styles); },
+     [](const Scene& s, size_t) { return text_unless_empty(s.crossings); }, crossing_styles},
     {"clock", "true or false", "", "false",
      "whether the clock is shown; default: yes, but for films that loop",
      [](const GivenValue& g, SceneDraft& d) { d.scene.clock = g.boolean(); },

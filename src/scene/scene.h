@@ -212,6 +212,8 @@ struct Scene {
     GridSpec grid;
     std::vector<PanelSpec> panels;  // empty: the space panel alone
     std::string theme = "light";
+    std::string hidden;     // pale, dashed, omitted: what lies behind; empty: as the theme says
+    std::string crossings;  // through, gap: where lines pass over others; likewise
     double accuracy_px = 0.1;
 
     std::vector<std::string> notes;  // what the reader changed and the user should know

@@ -62,7 +62,7 @@ struct Arrow {
     double head_px = 14.0;  // full width of the head's base
     double head_length_px = 22.0;
     double opacity = 1.0;
-    double hidden_opacity = 0.45;
+    double hidden_opacity = 0.45;  // below 0: left out where hidden
     Occlusion occlusion = Occlusion::by_solids;
 };
 
@@ -74,7 +74,7 @@ struct Dot {
     Colour rim_colour{1.0, 1.0, 1.0};
     double rim_px = 1.5;
     double opacity = 1.0;
-    double hidden_opacity = 0.4;
+    double hidden_opacity = 0.4;  // below 0: left out where hidden
     Occlusion occlusion = Occlusion::by_solids;
 };
 

@@ -191,6 +191,7 @@ Path strip(const Canvas& canvas, const ArrowShape& shape, double from, double to
 
 double weight_of(const Cover& cover, double hidden_opacity, ArrowLayer layer) {
     if (layer == ArrowLayer::visible) return cover.clear;
+    if (hidden_opacity < 0.0) return 0.0;  // left out
     return (1.0 - cover.clear) * std::max(hidden_opacity, cover.transmitted);
 }
 
@@ -278,6 +279,7 @@ void draw_dot(const Canvas& canvas, const Dot& dot, ArrowLayer layer) {
     }
     // All of it pale, and then what stands out beyond the outline.
     if (layer == ArrowLayer::hidden) {
+        if (dot.hidden_opacity < 0.0) return;
         fill_dot(canvas, dot, dot.opacity * std::max(dot.hidden_opacity, 1.0 - sphere->hiding));
         return;
     }

@@ -207,7 +207,9 @@ void draw_ellipsoid(Canvas& canvas, std::size_t number) {
         Stroke stroke;
         stroke.path = canvas.path_of(*outline);
         stroke.ink = {ellipsoid.line_colour, ellipsoid.presence};
-        stroke.width_pt = canvas.line_pt(1.5 * ellipsoid.section_px);
+        // Its sections may be curves of their own.
+        const double px = ellipsoid.section_px > 0.0 ? ellipsoid.section_px : ellipsoid.ruling_px;
+        stroke.width_pt = canvas.line_pt(1.5 * px);
         canvas.add(std::move(stroke));
     }
 }

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "drawing/type/labels.h"
 #include "scenes_by_hand.h"
+#include "shapes/projection.h"
 
 namespace poinsot {
 namespace {
@@ -86,6 +88,115 @@ TEST(LineRules, AStringIsSetLargerForItsScripts) {
     }
     EXPECT_DOUBLE_EQ(scripts.set("I", {.size_px = 10.0}).mask->source.em_px, 20.0);
     EXPECT_DOUBLE_EQ(scripts.set("I_1", {.size_px = 40.0}).mask->source.em_px, 40.0);
+}
+
+Scene styled(const char* panel, const std::string& hidden, const std::string& crossings = "") {
+    Scene scene = free_scene({1.0, 1.8, 2.6}, {1.3, 0.9, 0.8}, panel);
+    scene.hidden = hidden;
+    scene.crossings = crossings;
+    return scene;
+}
+
+// Its first view, with what it refers to.
+struct Shown {
+    StagedScene staged;
+    Drawing drawing;
+    const View& view;
+
+    explicit Shown(const Scene& scene)
+        : staged(scene, 10.0), drawing(staged.stage.at(5.0)), view(drawing.views.front()) {}
+};
+
+template <typename Shape>
+bool may_be_hidden(const Shape& shape) {
+    return shape.occlusion == Occlusion::by_solids;
+}
+
+TEST(LineRules, ABrokenLineMeansHiddenAndNothingElse) {
+    const Shown shown(styled("body", ""));
+    const View& pale = shown.view;
+    EXPECT_TRUE(std::any_of(pale.curves.begin(), pale.curves.end(), [](const Curve& curve) {
+        return may_be_hidden(curve) && curve.dash_px > 0.0;
+    }));
+    for (const char* panel : {"space", "body"}) {
+        const Shown broken(styled(panel, "dashed"));
+        const View& dashed = broken.view;
+        int n = 0;
+        for (const Curve& curve : dashed.curves) {
+            if (!may_be_hidden(curve)) continue;
+            ++n;
+            EXPECT_EQ(curve.dash_px, 0.0);
+            EXPECT_EQ(curve.hidden, HiddenStyle::dashed);
+            EXPECT_GE(curve.hidden_opacity, 0.7);
+        }
+        EXPECT_GT(n, 4);
+    }
+}
+
+TEST(LineRules, ArrowsGoOnAsBrokenLinesWhereTheyAreHidden) {
+    const Shown solid(styled("space", "")), broken(styled("space", "dashed"));
+    const View &pale = solid.view, &dashed = broken.view;
+    std::size_t n = 0;
+    for (const Arrow& arrow : dashed.arrows) {
+        if (!may_be_hidden(arrow)) continue;
+        ++n;
+        EXPECT_LT(arrow.hidden_opacity, 0.0);
+        EXPECT_TRUE(std::any_of(dashed.curves.begin(), dashed.curves.end(), [&](const Curve& c) {
+            const auto& points = c.geometry->points;
+            return (c.placement * points.front() - arrow.tail).norm() < 1e-12 &&
+                   (c.placement * points.back() - arrow.tip).norm() < 1e-12;
+        }));
+    }
+    EXPECT_GT(n, 2u);
+    // And three sections.
+    EXPECT_EQ(dashed.curves.size(), pale.curves.size() + n + 3);
+}
+
+TEST(LineRules, WhatIsOmittedIsNotThere) {
+    const Shown shown(styled("space", "omitted"));
+    const View& view = shown.view;
+    for (const Curve& curve : view.curves)
+        if (may_be_hidden(curve)) EXPECT_EQ(curve.hidden, HiddenStyle::absent);
+    for (const Arrow& arrow : view.arrows)
+        if (may_be_hidden(arrow)) EXPECT_LT(arrow.hidden_opacity, 0.0);
+}
+
+TEST(LineRules, SectionsLieOnTheEllipsoid) {
+    const Shown solid(styled("space", "")), broken(styled("space", "dashed"));
+    const View& view = broken.view;
+    ASSERT_EQ(view.ellipsoids.size(), 1u);
+    const Ellipsoid& ellipsoid = view.ellipsoids[0];
+    EXPECT_EQ(ellipsoid.section_px, 0.0);
+    const Eigen::Matrix3d to_sphere = ellipsoid.half_axes.inverse();
+    int n = 0;
+    for (const Curve& curve : view.curves) {
+        if (curve.on_surface != 0 || !curve.geometry->closed) continue;
+        if (curve.width_px != solid.view.ellipsoids[0].section_px) continue;
+        ++n;
+        for (std::size_t k = 0; k < curve.geometry->points.size(); k += 50)
+            EXPECT_NEAR(
+                (to_sphere * (curve.placement * curve.geometry->points[k] - ellipsoid.centre))
+                    .norm(),
+                1.0, 1e-12);
+    }
+    EXPECT_EQ(n, 3);
+}
+
+// Every gap lies where the two lines cross, and only the one behind is broken.
+TEST(LineRules, LinesThatPassUnderOthersLeaveAGap) {
+    const Shown whole_lines(styled("space", "", "through")), gaps(styled("space", "", "gap"));
+    const View &through = whole_lines.view, &gap = gaps.view;
+    EXPECT_GT(gap.curves.size(), through.curves.size());
+    // What is left of each curve, in points: less than all of it, and most of it.
+    double whole = 0.0, left = 0.0;
+    const auto length = [](const Curve& curve) {
+        const double n = static_cast<double>(curve.geometry->points.size());
+        return (std::clamp(curve.last, 0.0, n) - std::clamp(curve.first, 0.0, n)) / n;
+    };
+    for (const Curve& curve : through.curves) whole += length(curve);
+    for (const Curve& curve : gap.curves) left += length(curve);
+    EXPECT_LT(left, whole);
+    EXPECT_GT(left, 0.8 * whole);
 }
 
 }  // namespace
