@@ -1,12 +1,44 @@
 // Labels as letters on their baselines.
+#include <cstddef>
+#include <utility>
+
 #include "vector/canvas.h"
 
 namespace poinsot::vector {
+
+namespace {
+
+// A band that type is read on: in each row as dense as its mask.
+void draw_band(const Canvas& canvas, const Label& label) {
+    const GlyphMask& mask = *label.mask;
+    const double pt = canvas.pt(mask.samples);
+    const Eigen::Vector2d corner = canvas.sight.pt_per_px * label.top_left_px;
+    const Eigen::Vector2d size = pt * Eigen::Vector2d(mask.width, mask.height);
+    LinearFade fade{corner, corner + Eigen::Vector2d(0.0, size.y()), {}};
+    constexpr int n_stops = 33;
+    for (int k = 0; k < n_stops; ++k) {
+        const int row = k * (mask.height - 1) / (n_stops - 1);
+        const double density =
+            mask.coverage[static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.width)] /
+            255.0;
+        fade.stops.push_back({k / (n_stops - 1.0), Ink{label.colour, label.opacity * density}});
+    }
+    Fill fill;
+    fill.path.add_rectangle(corner, size);
+    fill.paint = std::move(fade);
+    canvas.add(std::move(fill));
+}
+
+}  // namespace
 
 void draw_label(const Canvas& canvas, const Label& label) {
     if (label.mask == nullptr || label.opacity <= 0.0) return;
     const GlyphMask& mask = *label.mask;
     if (mask.letters.empty() && mask.rules.empty()) return;
+    if (mask.letters.empty()) {
+        draw_band(canvas, label);
+        return;
+    }
     const double pt = canvas.pt(mask.samples);
     const Eigen::Vector2d corner = canvas.sight.pt_per_px * label.top_left_px;
     Type type;
