@@ -66,7 +66,9 @@ Option quality_option(SceneOptions& scene) {
 }
 
 Option theme_option(SceneOptions& scene) {
-    return override_option(scene, "--theme", "theme", names_of(themes()), "NAME", "themes");
+    return override_option(scene, "--theme", "theme",
+                           names_of(themes()) + ", or a theme of one's own in a .toml file", "NAME",
+                           "themes");
 }
 
 Option allow_outside_option(bool& allow_outside) {

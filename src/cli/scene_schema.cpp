@@ -53,6 +53,7 @@ std::string members_of(std::string_view phrase, const std::vector<std::string>& 
                            members_of(phrase.substr(either + 4), names, has_unit));
     if (phrase == "a string" || phrase == "a ratio in a string" || phrase == "strings")
         return strings(names);
+    if (phrase == "a file's name") return R"("type": "string", "pattern": "\\.toml$")";
     if (phrase == "a number" || phrase == "numbers") return number(false, has_unit);
     if (phrase == "a positive number" || phrase == "positive numbers")
         return number(true, has_unit);

@@ -1,6 +1,9 @@
 #include "drawing/fade.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace poinsot {
@@ -35,10 +38,23 @@ void scale_added(const std::vector<std::size_t>& since, double by, Sheet& sheet)
     scale(sheet.wishes);
 }
 
+// Draws all but the names beside it.
+Drawer without_names(Drawer draw) {
+    return [draw = std::move(draw)](const Instant& instant, Sheet& sheet) {
+        const std::size_t n_before = sheet.wishes.size();
+        draw(instant, sheet);
+        sheet.wishes.erase(sheet.wishes.begin() + static_cast<std::ptrdiff_t>(n_before),
+                           sheet.wishes.end());
+    };
+}
+
 }  // namespace
 
 Drawer fading(StageData& stage, const std::string& name, Drawer draw) {
     stage.can_fade.insert(name);
+    const std::vector<std::string>& without = stage.scene.unlabelled;
+    if (!stage.scene.labels || std::find(without.begin(), without.end(), name) != without.end())
+        draw = without_names(std::move(draw));
     if (!stage.timeline.fades(name)) return draw;
     return [&stage, name, draw = std::move(draw)](const Instant& instant, Sheet& sheet) {
         const double opacity = stage.timeline.opacity_of(name, instant.film_s);

@@ -37,6 +37,7 @@ class Gathering {
         add_trails();
         add_elements();
         add_panels();
+        add_marks();
         return std::move(idle_);
     }
 
@@ -109,6 +110,23 @@ class Gathering {
                 if (!scene_.keyframes[i].panel)
                     add(fmt::format("keyframes[{}].{}", i, leaf),
                         "every panel here is framed whole; panel \"space\" takes it");
+    }
+
+    void add_marks() {
+        const bool body_inside =
+            any({"space"}) && !scene_.show.empty() && shows_element(scene_, "body");
+        for (std::size_t i = 0; i < scene_.marks.size(); ++i) {
+            const std::string key = fmt::format("marks[{}]", i);
+            const std::string& on = scene_.marks[i].on;
+            if (on == "ellipsoid" && !any({"space", "body"}))
+                add(key, "no panel here shows the ellipsoid; add a panel \"space\" or \"body\"");
+            if (on == "space" && !any({"space"}))
+                add(key, "marks in space are seen in panel \"space\"; add one");
+            if (on == "body" && !any({"object"}) && !body_inside)
+                add(key, "no panel here shows the body itself; add a panel \"object\"");
+            if (scene_.marks[i].trail && (on == "space" || !any({"space", "object"})))
+                add(key + ".trail", "this mark does not move in the panels here");
+        }
     }
 
     const Scene& scene_;

@@ -84,7 +84,7 @@ Drawer header_of(Panel& panel, std::string_view text) {
     // One size for all, whatever their panels have.
     const StageData& stage = *panel.stage;
     const double size =
-        std::max(24.0 * stage.scene.type_scale *
+        std::max(24.0 * stage.scene.type_scale * stage.scene.style.heading_scale.value_or(1.0) *
                      std::max(header_share * stage.px, least_label_share * stage.options.samples),
                  least_type_px(stage));
     const SetType type =
@@ -214,6 +214,17 @@ void StageData::check_fades() const {
                 fmt::format("nothing shown is called \"{}\"{}; here fade: {}", printable(name),
                             did_you_mean(name, known), fmt::join(known, ", ")));
         }
+    }
+}
+
+void StageData::check_unlabelled() const {
+    for (const std::string& name : scene.unlabelled) {
+        if (can_fade.contains(name)) continue;
+        const std::vector<std::string_view> known(can_fade.begin(), can_fade.end());
+        throw SceneError(
+            scene.location_of("unlabelled"),
+            fmt::format("nothing shown is called \"{}\"{}; here there are: {}", printable(name),
+                        did_you_mean(name, known), fmt::join(known, ", ")));
     }
 }
 

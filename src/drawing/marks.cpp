@@ -34,11 +34,12 @@ Eigen::Vector3d momentum_tip(const ConstructionPicture& picture) {
 }
 
 Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen::Vector3d& tip,
-                    const Colour& colour, double weight) {
+                    const Ink& ink, double weight) {
     Arrow arrow;
     arrow.tail = tail;
     arrow.tip = tip;
-    arrow.colour = colour;
+    arrow.colour = ink;
+    weight *= ink.weight;
     arrow.shaft_px = 4.0 * weight * panel.px;
     arrow.head_px = 16.0 * weight * panel.px;
     arrow.head_length_px = 26.0 * weight * panel.px;
@@ -96,8 +97,10 @@ Ellipsoid ellipsoid_of(const Panel& panel) {
 }
 
 SetType set_label(const Panel& panel, std::string_view text, double scale) {
-    const TypeStyle style{
-        .size_px = std::max(scale * label_size * panel.type_px, least_type_px(*panel.stage))};
+    const TypeStyle style{.size_px =
+                              std::max(scale * label_size * panel.type_px *
+                                           panel.stage->scene.style.label_scale.value_or(1.0),
+                                       least_type_px(*panel.stage))};
     return at_scene_key(panel.stage->scene, "symbols", [&] {
         return panel.stage->type_case.set(named_by_scene(panel.stage->scene, text), style);
     });
@@ -163,12 +166,24 @@ Dot dot_at(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour, 
     return dot;
 }
 
-Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Colour& colour,
-               double width_px) {
+double dash_of(const Panel& panel, const Ink& ink, double usual_px) {
+    if (!ink.line) return usual_px * panel.px;
+    switch (*ink.line) {
+        case LineStyle::dashed:
+            return 13.0 * panel.px;
+        case LineStyle::dotted:
+            return 4.0 * panel.px;
+        default:
+            return 0.0;
+    }
+}
+
+Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Ink& ink, double width_px) {
     Curve curve;
     curve.geometry = geometry;
-    curve.width_px = width_px * panel.px;
-    curve.colour = colour;
+    curve.width_px = width_px * ink.weight * panel.px;
+    curve.colour = ink;
+    curve.dash_px = dash_of(panel, ink);
     return curve;
 }
 
@@ -179,10 +194,10 @@ double least_type_px(const StageData& stage) {
 }
 
 Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,
-                const Eigen::Vector3d& towards, double radius, double angle_rad,
-                const Colour& colour, double width_px) {
+                const Eigen::Vector3d& towards, double radius, double angle_rad, const Ink& ink,
+                double width_px) {
     const CurveGeometry* circle = panel.stage->unit_circle;
-    Curve arc = curve_of(panel, circle, colour, width_px);
+    Curve arc = curve_of(panel, circle, ink, width_px);
     const Eigen::Vector3d across = angle_rad < 0.0 ? Eigen::Vector3d(-towards) : towards;
     Eigen::Matrix3d axes;
     axes << from, across, from.cross(across);
@@ -195,8 +210,8 @@ Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::
 }
 
 Curve line_between(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                   const Colour& colour, double width_px) {
-    Curve line = curve_of(panel, panel.stage->unit_segment, colour, width_px);
+                   const Ink& ink, double width_px) {
+    Curve line = curve_of(panel, panel.stage->unit_segment, ink, width_px);
     const double length = (b - a).norm();
     if (!(length > 0.0)) {
         line.opacity = 0.0;
@@ -211,12 +226,12 @@ Curve line_between(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Ve
     return line;
 }
 
-void add_turn(const Panel& panel, const Turn& turn, const Colour& colour, const SetType& type,
+void add_turn(const Panel& panel, const Turn& turn, const Ink& ink, const SetType& type,
               Sheet& sheet) {
     const Eigen::Vector3d from = turn.axis.unitOrthogonal();
     const Eigen::Vector3d towards = turn.axis.cross(from);
     sheet.view.curves.push_back(
-        arc_about(panel, turn.centre, from, towards, turn.radius, turn.angle_rad, colour, 3.2));
+        arc_about(panel, turn.centre, from, towards, turn.radius, turn.angle_rad, ink, 3.2));
     const auto at = [&](double angle) {
         return Eigen::Vector3d(turn.centre +
                                turn.radius * (std::cos(angle) * from + std::sin(angle) * towards));
@@ -224,12 +239,12 @@ void add_turn(const Panel& panel, const Turn& turn, const Colour& colour, const 
     // The head follows the arc's end; its shaft hides in the arc.
     const double head = std::copysign(0.45, turn.angle_rad);
     Arrow arrow = arrow_between(panel, at(turn.angle_rad - 0.2 * head),
-                                at(turn.angle_rad + 0.8 * head), colour, 0.85);
-    arrow.shaft_px = 3.2 * panel.px;
+                                at(turn.angle_rad + 0.8 * head), ink, 0.85);
+    arrow.shaft_px = 3.2 * ink.weight * panel.px;
     sheet.view.arrows.push_back(arrow);
     // Its name stands to the right, where neither axis nor arrow runs.
     const Eigen::Vector3d right = camera_axes(sheet.view.camera).col(0);
-    wish_beside(panel, turn.centre + 1.1 * turn.radius * right, turn.centre, type, colour, sheet);
+    wish_beside(panel, turn.centre + 1.1 * turn.radius * right, turn.centre, type, ink, sheet);
 }
 
 }  // namespace poinsot

@@ -39,12 +39,12 @@ Eigen::Vector3d momentum_tip(const ConstructionPicture& picture);
 // An arrow whose proportions stay at any length: the head of a short one is at most two fifths of
 // it. `weight` 1 is the usual thickness.
 Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen::Vector3d& tip,
-                    const Colour& colour, double weight);
+                    const Ink& ink, double weight);
 
 // From the origin.
-inline Arrow arrow_to(const Panel& panel, const Eigen::Vector3d& tip, const Colour& colour,
+inline Arrow arrow_to(const Panel& panel, const Eigen::Vector3d& tip, const Ink& ink,
                       double weight) {
-    return arrow_between(panel, Eigen::Vector3d::Zero(), tip, colour, weight);
+    return arrow_between(panel, Eigen::Vector3d::Zero(), tip, ink, weight);
 }
 
 // The inertia ellipsoid in the theme's look, its half-axes still to be set.
@@ -75,9 +75,12 @@ void wish_beside(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vec
 Dot dot_at(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour,
            double radius_px = 6.5);
 
+// How long the dashes of a line of this ink are, where it is usually drawn with such ones, 0:
+// whole.
+double dash_of(const Panel& panel, const Ink& ink, double usual_px = 0.0);
+
 // A line of the panel's usual kind: `width_px` at 1080 rows.
-Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Colour& colour,
-               double width_px);
+Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Ink& ink, double width_px);
 
 // The least em of type in a film, 1/45 of its height, in pixels of the picture drawn; on paper what
 // the stage's options say.
@@ -87,8 +90,8 @@ double least_type_px(const StageData& stage);
 // vectors at right angles), over an angle from 0 to 2π; a whole circle from 2π on. Negative angles
 // run the other way. One geometry serves all arcs of a stage.
 Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,
-                const Eigen::Vector3d& towards, double radius, double angle_rad,
-                const Colour& colour, double width_px);
+                const Eigen::Vector3d& towards, double radius, double angle_rad, const Ink& ink,
+                double width_px);
 
 // An arc with an arrow's head at its end: a rate about an axis, right-handed for positive angles.
 struct Turn {
@@ -96,11 +99,11 @@ struct Turn {
     double radius = 0.2;
     double angle_rad = 5.0;
 };
-void add_turn(const Panel& panel, const Turn& turn, const Colour& colour, const SetType& type,
+void add_turn(const Panel& panel, const Turn& turn, const Ink& ink, const SetType& type,
               Sheet& sheet);
 
 // A straight line between two points; nothing is shown if they coincide.
 Curve line_between(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                   const Colour& colour, double width_px);
+                   const Ink& ink, double width_px);
 
 }  // namespace poinsot

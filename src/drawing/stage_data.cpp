@@ -87,10 +87,7 @@ Eigen::Vector3d ConstructionPicture::contact_body(const Eigen::Vector3d& omega_b
 
 StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOptions& options_,
                      const Motion* beside_)
-    : scene(scene_),
-      motion(motion_),
-      options(options_),
-      theme(at_scene_key(scene_, "theme", [&] { return &theme_named(scene_.theme); })) {
+    : scene(scene_), motion(motion_), options(options_), own_theme(theme_of(scene_)) {
     if (beside_ != nullptr) beside.emplace(*beside_);
     px = options.line_scale > 0.0 ? options.line_scale : options.height_px / 1080.0;
     film_first_s = std::min(scene.film.start_s, options.first_time_s);
@@ -110,6 +107,7 @@ StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOpti
     }
     overlays = make_overlays(*this);
     check_fades();
+    check_unlabelled();
     check_keyframes();
 }
 

@@ -88,7 +88,8 @@ struct StageData {
     CountedMotion motion;
     std::optional<CountedMotion> beside;  // by the scene's second method
     StageOptions options;
-    const Theme* theme = nullptr;
+    Theme own_theme;  // the scene's, with its [style]
+    const Theme* theme = &own_theme;
     double px = 1.0;         // pixels of the picture for one pixel at 1080 rows
     double curve_px = 0.05;  // what polylines may leave their curves by
     double film_first_s =
@@ -154,6 +155,7 @@ struct StageData {
     void widen_herpolhode();
     void make_panels();
     void check_fades() const;
+    void check_unlabelled() const;
     void check_keyframes() const;
 };
 

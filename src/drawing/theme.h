@@ -1,6 +1,7 @@
 // Colours and line styles as data: one symbol and one colour for one quantity in every view.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -8,6 +9,21 @@
 #include "shapes/colour.h"
 
 namespace poinsot {
+
+struct Scene;
+
+// Told apart in grey as well.
+enum class LineStyle { solid, dashed, dotted };
+
+// A colour with what a line of it looks like, where that is not as ever.
+struct Ink : Colour {
+    double weight = 1.0;  // times the usual
+    std::optional<LineStyle> line;
+
+    Ink() = default;
+    constexpr Ink(const Colour& colour)  // NOLINT(google-explicit-constructor)
+        : Colour(colour) {}
+};
 
 struct Theme {
     std::string_view name;
@@ -25,26 +41,26 @@ struct Theme {
     Colour grid;
     double plane_opacity = 0.9;
 
-    Colour polhode;
-    Colour herpolhode;
+    Ink polhode;
+    Ink herpolhode;
     double herpolhode_weight = 1.0;  // its width over the polhode's; a broken line means hidden
-    Colour momentum;
-    Colour omega;
-    Colour axes[3];
-    Colour contact;
-    Colour body_cone;
-    Colour space_cone;
-    Colour annulus;
+    Ink momentum;
+    Ink omega;
+    Ink axes[3];
+    Ink contact;
+    Ink body_cone;
+    Ink space_cone;
+    Ink annulus;
 
-    Colour separatrix;
-    Colour ghost{0.36, 0.40, 0.45};  // the motion beside
-    Colour sphere;                   // |m| = L in the space of momenta
-    Colour solid;                    // real bodies
-    Colour solid_lines;              // marks on them that show how they turn
-    Colour angles[3];                // θ, φ, ψ
-    Colour energy;                   // E and T
-    Colour potential;                // V
-    Colour rule;                     // axes and grids of plots
+    Ink separatrix;
+    Ink ghost{Colour{0.36, 0.40, 0.45}};  // the motion beside
+    Ink sphere;                           // |m| = L in the space of momenta
+    Ink solid;                            // real bodies
+    Ink solid_lines;                      // marks on them that show how they turn
+    Ink angles[3];                        // θ, φ, ψ
+    Ink energy;                           // E and T
+    Ink potential;                        // V
+    Ink rule;                             // axes and grids of plots
 
     // What a scene says in `hidden` and `crossings`, where it says nothing.
     std::string_view hidden = "pale";
@@ -55,5 +71,8 @@ std::span<const Theme> themes();
 
 // Throws InputError with the nearest name.
 const Theme& theme_named(std::string_view name);
+
+// A scene's theme with what its [style] says otherwise. Throws SceneError for an unknown theme.
+Theme theme_of(const Scene& scene);
 
 }  // namespace poinsot

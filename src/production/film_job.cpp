@@ -89,7 +89,7 @@ void note_others(const OutputPlan& plan, const Telling& telling) {
 
 // A theme without a ground, in a format that cannot keep what is seen through.
 void note_transparency(const Scene& scene, const OutputFormat& format, const Telling& telling) {
-    if (theme_named(scene.theme).background.alpha >= 1.0) return;
+    if (theme_of(scene).background.alpha >= 1.0) return;
     const bool one_bit = format.name == "gif";
     if (format.alpha && !one_bit) return;
     telling.say(fmt::format(

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "drawing/idle_keys.h"
+#include "drawing/theme_contrast.h"
 #include "drawing/type/overlay.h"
 #include "error/error.h"
 #include "mechanics/methods.h"
@@ -117,10 +118,11 @@ SteppingPlan stepping_plan(const MotionProblem& problem) {
     return plan;
 }
 
-// Where a key does nothing, silence would mislead.
+// Where a key does nothing, or hides what it colours, silence would mislead.
 void note_idle_keys(Scene& scene) {
     for (const auto& [key, why] : idle_keys(scene))
         scene.notes.push_back(fmt::format("{}{} changes nothing: {}", scene.where(key), key, why));
+    for (std::string& note : contrast_notes(scene)) scene.notes.push_back(std::move(note));
 }
 
 }  // namespace

@@ -162,6 +162,20 @@ void complete_grid(SceneDraft& draft) {
 
 }  // namespace
 
+void complete_marks(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    for (std::size_t i = 0; i < scene.marks.size(); ++i) {
+        const std::string item = fmt::format("marks[{}]", i);
+        if (!draft.has(item + ".at"))
+            refuse(
+                scene, item,
+                fmt::format("{}.at is missing; say where the mark is, as in at = [1, 0, 0]", item));
+        if (scene.marks[i].on == "ellipsoid" && scene.marks[i].at.isZero(0.0))
+            refuse(scene, item + ".at",
+                   fmt::format("{}.at is zero; a mark on the ellipsoid needs a direction", item));
+    }
+}
+
 Scene complete_scene(SceneDraft draft) {
     complete_body(draft);
     complete_start(draft);
@@ -171,6 +185,8 @@ Scene complete_scene(SceneDraft draft) {
     complete_timeline(draft);
     complete_film(draft);
     complete_grid(draft);
+    complete_style(draft);
+    complete_marks(draft);
     return std::move(draft.scene);
 }
 

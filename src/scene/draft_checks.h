@@ -56,5 +56,7 @@ void complete_start(SceneDraft& draft);
 void complete_film(SceneDraft& draft);
 void complete_camera(SceneDraft& draft);
 void complete_timeline(SceneDraft& draft);
+void complete_style(SceneDraft& draft);  // a theme in a file, once [style] is read
+void complete_marks(SceneDraft& draft);
 
 }  // namespace poinsot

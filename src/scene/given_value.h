@@ -39,6 +39,8 @@ class GivenValue {
     std::vector<std::string> texts() const;
 
     const TomlValue& value() const { return value_; }
+    // As the user would say it.
+    const std::string& name() const { return name_; }
     // Index in the array of tables that the key belongs to.
     std::size_t item() const { return item_; }
 

@@ -46,30 +46,6 @@ std::string near_file(const fs::path& file) {
     return near.empty() ? "; name a scene file, see `poinsot list scenes`" : near;
 }
 
-std::string text_of_file(const fs::path& file) {
-    const FileKind kind = kind_of_file(file);
-    if (kind == FileKind::missing) refuse_file(file, "no such file" + near_file(file));
-    if (kind == FileKind::folder) {
-        refuse_file(file, "this is a folder; name a scene file in it, ending in .toml");
-    }
-    if (kind != FileKind::regular) refuse_file(file, in_words(kind));
-
-    // One byte more than is accepted tells a file that is too large from one that just fits.
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-        refuse_file(
-            file, fmt::format("cannot be read ({}); check its permissions", std::strerror(errno)));
-    }
-    std::string text(most_scene_file_bytes + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
-    if (stream.bad()) refuse_file(file, "cannot be read to its end; check the disk");
-    if (text.size() > most_scene_file_bytes) {
-        refuse_file(file, "larger than 1 MiB; a scene is a short text file, name that one");
-    }
-    return text;
-}
-
 // A --set is split at its first "=".
 struct Override {
     std::string key;  // as typed: "body.masses[0].mass_kg"
@@ -262,6 +238,30 @@ class Reader {
 };
 
 }  // namespace
+
+std::string text_of_file(const fs::path& file) {
+    const FileKind kind = kind_of_file(file);
+    if (kind == FileKind::missing) refuse_file(file, "no such file" + near_file(file));
+    if (kind == FileKind::folder) {
+        refuse_file(file, "this is a folder; name a scene file in it, ending in .toml");
+    }
+    if (kind != FileKind::regular) refuse_file(file, in_words(kind));
+
+    // One byte more than is accepted tells a file that is too large from one that just fits.
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+        refuse_file(
+            file, fmt::format("cannot be read ({}); check its permissions", std::strerror(errno)));
+    }
+    std::string text(most_scene_file_bytes + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    if (stream.bad()) refuse_file(file, "cannot be read to its end; check the disk");
+    if (text.size() > most_scene_file_bytes) {
+        refuse_file(file, "larger than 1 MiB; a scene is a short text file, name that one");
+    }
+    return text;
+}
 
 Scene parse_scene(std::string_view text, const std::string& file_name,
                   std::span<const std::string> overrides, OutsideFiles outside) {

@@ -22,4 +22,8 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
                   std::span<const std::string> overrides = {},
                   OutsideFiles outside = OutsideFiles::refused);
 
+// What stands in the file of a scene or a theme, at most most_scene_file_bytes of it. Throws
+// SceneError for one that cannot be read.
+std::string text_of_file(const std::filesystem::path& file);
+
 }  // namespace poinsot

@@ -66,7 +66,8 @@ const SceneKey picture_rows[] = {
          d.scene.accuracy_px = g.number_between(1e-6, 100.0);
      },
      [](const Scene& s, size_t) { return toml_text(s.accuracy_px); }},
-    {"theme", "a string", "", R"("light")", "colours and line styles, see `poinsot list themes`",
+    {"theme", "a string or a file's name", "", R"("light")",
+     "colours and line styles, see `poinsot list themes`, or the file of one's own, in .toml",
      [](const GivenValue& g, SceneDraft& d) { d.scene.theme = g.text(); },
      [](const Scene& s, size_t) { return toml_text(std::string_view(s.theme)); }},
     {"hidden", "a string", "", R"("dashed")",
@@ -123,6 +124,16 @@ const SceneKey picture_rows[] = {
      [](const GivenValue& g, SceneDraft& d) { d.scene.show = g.texts(); },
      [](const Scene& s, size_t) {
          return s.show.empty() ? "" : toml_text(std::span<const std::string>(s.show));
+     }},
+    {"labels", "true or false", "", "false",
+     "whether elements have their names beside them; default true",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.labels = g.boolean(); },
+     [](const Scene& s, size_t) { return s.labels ? "" : toml_text(false); }},
+    {"unlabelled", "a list of strings", "", R"(["omega", "momentum"])",
+     "elements, or kinds of panels, that stay without their names; default: none",
+     [](const GivenValue& g, SceneDraft& d) { d.scene.unlabelled = g.texts(); },
+     [](const Scene& s, size_t) {
+         return s.unlabelled.empty() ? "" : toml_text(std::span<const std::string>(s.unlabelled));
      }},
 };
 

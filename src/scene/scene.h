@@ -165,6 +165,30 @@ struct SymbolsSpec {
     std::string omega, momentum, rho, e1, e2, e3;
 };
 
+// How one quantity or surface is drawn, where [style] says so; the rest is as the theme has it.
+struct LookSpec {
+    std::optional<std::array<double, 3>> srgb;  // sRGB-encoded, 0…1
+    std::optional<double> weight;               // times the usual
+    std::optional<double> opacity_percent;      // of a surface, or of the ground
+    std::string line;                           // of line_kinds(); empty: as ever
+};
+
+// [style]: what is drawn otherwise than the theme says.
+struct StyleSpec {
+    std::map<std::string, LookSpec, std::less<>> looks;  // by names of style_names()
+    // Factors on the type of each kind.
+    std::optional<double> title_scale, caption_scale, heading_scale, label_scale, chart_scale;
+};
+
+// [[marks]]: a point of the user's own.
+struct MarkSpec {
+    std::string on = "ellipsoid";               // of mark_places()
+    Eigen::Vector3d at{0.0, 0.0, 0.0};          // as the place has it
+    std::string name;                           // in mathematics; empty: none
+    bool trail = false;                         // whether the way that it went is shown
+    std::optional<std::array<double, 3>> srgb;  // absent: as the contact
+};
+
 // [[panels]]: one view of the motion, in cells of the grid.
 struct PanelSpec {
     std::string kind = "space";
@@ -209,9 +233,13 @@ struct Scene {
     std::optional<bool> clock;       // whether it is shown; absent: where the film has one
     double type_scale = 1.0;         // of all type in the picture
     std::vector<std::string> show;  // elements by name; empty: the defaults for this kind of motion
+    bool labels = true;             // whether elements have their names beside them
+    std::vector<std::string> unlabelled;  // elements that have none
+    std::vector<MarkSpec> marks;
     GridSpec grid;
     std::vector<PanelSpec> panels;  // empty: the space panel alone
-    std::string theme = "light";
+    std::string theme = "light";    // of a file of a theme, what that extends
+    StyleSpec style;                // what that file says otherwise, and the scene above it
     std::string hidden;     // pale, dashed, omitted: what lies behind; empty: as the theme says
     std::string crossings;  // through, gap: where lines pass over others; likewise
     double accuracy_px = 0.1;

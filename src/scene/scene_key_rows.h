@@ -22,6 +22,8 @@ std::span<const SceneKey> film_keys();
 std::span<const SceneKey> camera_keys();
 std::span<const SceneKey> told_keys();
 std::span<const SceneKey> panel_keys();
+std::span<const SceneKey> style_keys();
+std::span<const SceneKey> mark_keys();
 
 // Texts of values that only some scenes say.
 template <typename Value>

@@ -13,8 +13,9 @@ namespace {
 
 std::vector<SceneKey> all_sections() {
     std::vector<SceneKey> keys;
-    for (const auto& section : {picture_keys(), body_keys(), motion_keys(), film_keys(),
-                                camera_keys(), told_keys(), panel_keys()}) {
+    for (const auto& section :
+         {picture_keys(), body_keys(), motion_keys(), film_keys(), camera_keys(), told_keys(),
+          panel_keys(), style_keys(), mark_keys()}) {
         keys.insert(keys.end(), section.begin(), section.end());
     }
     return keys;
@@ -25,6 +26,8 @@ const SceneArray arrays[] = {
      [](const Scene& s) { return s.body.masses_as_given.size(); }},
     {"panels", [](SceneDraft& d) { d.scene.panels.emplace_back(); },
      [](const Scene& s) { return s.panels.size(); }},
+    {"marks", [](SceneDraft& d) { d.scene.marks.emplace_back(); },
+     [](const Scene& s) { return s.marks.size(); }},
     {"keyframes", [](SceneDraft& d) { d.scene.keyframes.emplace_back(); },
      [](const Scene& s) { return s.keyframes.size(); }},
     {"fades", [](SceneDraft& d) { d.scene.fades.emplace_back(); },

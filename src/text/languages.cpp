@@ -31,6 +31,8 @@ constexpr Row words[] = {
     {"relative residual", "relativer Rest", "résidu relatif", "residuo relativo",
      "residuo relativo", "相対残差"},
     {"angle from L", "Winkel zu L", "angle avec L", "ángulo con L", "angolo con L", "Lとの角度"},
+    {"begins outside", "beginnt außerhalb", "commence hors du cadre", "empieza fuera",
+     "inizia fuori", "始めは枠外"},
     {"thin lines", "dünne Linien", "traits fins", "líneas finas", "linee sottili", "細線"},
     {"wobble", "Taumeln", "nutation", "cabeceo", "nutazione", "ふらつき"},
     {"spin", "Spin", "rotation propre", "giro propio", "rotazione propria", "自転"},

@@ -96,6 +96,23 @@ TEST_F(Pictures, EveryOutputSaysHowItWasMadeAndIsMadeAgain) {
     }
 }
 
+// A theme in a file is needed once: the record holds what it said.
+TEST_F(Pictures, OfAThemeOfOnesOwnAreMadeAgainWithoutItsFile) {
+    folder_.write("mine.toml", "extends = \"dark\"\nomega = \"#ff5050 1.5 dashed\"\n");
+    ASSERT_EQ(run("still scene.toml -q --theme mine.toml -o a.png").code, 0);
+    ASSERT_EQ(run("render scene.toml -q --theme mine.toml --jobs 2 -o a.mp4").code, 0);
+    ASSERT_EQ(run("still scene.toml -q --theme dark -o dark.png").code, 0);
+    EXPECT_FALSE(text_of(folder_.path() / "a.png") == text_of(folder_.path() / "dark.png"));
+    fs::remove(folder_.path() / "mine.toml");
+    for (const std::string suffix : {".png", ".mp4"}) {
+        EXPECT_TRUE(contains(run("explain a" + suffix).out, "omega = \"#ff5050 1.5 dashed\""));
+        ASSERT_EQ(run("rerender -q a" + suffix + " -o again" + suffix).code, 0);
+        EXPECT_TRUE(text_of(folder_.path() / ("a" + suffix)) ==
+                    text_of(folder_.path() / ("again" + suffix)))
+            << suffix;
+    }
+}
+
 // The words in a file replaced by as many others.
 void replace_in(const fs::path& file, const std::string& words, const std::string& others) {
     std::string bytes = text_of(file);

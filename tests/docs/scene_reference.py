@@ -29,6 +29,8 @@ TABLES = {
     "captions[]": "Text that comes and goes, in seconds of film; also a `.vtt` beside a film.",
     "chapters[]": "Sections of the film.",
     "symbols": "Names of quantities in labels, as formulas.",
+    "style": "What is drawn otherwise than the theme says. A file of such lines without the header, with `extends = \"dark\"` on top, is a theme.",
+    "marks[]": "Points of one's own, one table each.",
     "grid": "Columns and rows that panels stand in.",
     "panels[]": "Views of the one motion, one table each.",
     "panels[].camera": "From where one panel is seen, below its `[[panels]]`. `space`, `object`, `top` and `sweep` take from `[camera]` what is not said here; `body` and `momentum`, in body axes, from where they are seen by themselves.",

@@ -4,14 +4,19 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "mesh_folder.h"
 #include "scene/camera_views.h"
+#include "scene/style_keys.h"
 #include "scene/write_scene.h"
 #include "scene_text.h"
 
@@ -44,7 +49,7 @@ std::string with(const std::string& table, const std::string& line) {
 
 const Torque& torque(const Scene& s) { return s.torque; }
 
-const std::map<std::string, Claim> claims{
+const std::map<std::string, Claim> claims_of_rows{
     {"title", {"title = \"x ω\"\n" + a_scene, [](const Scene& s) { return s.title == "x ω"; }}},
     {"caption",
      {"caption = 'y $\\omega$'\n" + a_scene,
@@ -56,6 +61,42 @@ const std::map<std::string, Claim> claims{
      {"hidden = \"dashed\"\n" + a_scene, [](const Scene& s) { return s.hidden == "dashed"; }}},
     {"crossings",
      {"crossings = \"gap\"\n" + a_scene, [](const Scene& s) { return s.crossings == "gap"; }}},
+    {"labels", {"labels = false\n" + a_scene, [](const Scene& s) { return !s.labels; }}},
+    {"unlabelled",
+     {"unlabelled = [\"omega\"]\n" + a_scene,
+      [](const Scene& s) { return s.unlabelled == std::vector<std::string>{"omega"}; }}},
+    {"style.title_scale",
+     {with("style", "title_scale = 1.5"),
+      [](const Scene& s) { return s.style.title_scale == 1.5; }}},
+    {"style.caption_scale",
+     {with("style", "caption_scale = 1.5"),
+      [](const Scene& s) { return s.style.caption_scale == 1.5; }}},
+    {"style.heading_scale",
+     {with("style", "heading_scale = 1.5"),
+      [](const Scene& s) { return s.style.heading_scale == 1.5; }}},
+    {"style.label_scale",
+     {with("style", "label_scale = 1.5"),
+      [](const Scene& s) { return s.style.label_scale == 1.5; }}},
+    {"style.chart_scale",
+     {with("style", "chart_scale = 1.5"),
+      [](const Scene& s) { return s.style.chart_scale == 1.5; }}},
+    {"marks[].at",
+     {a_scene + "[[marks]]\nat = [1, 2, -3]\n",
+      [](const Scene& s) { return s.marks.at(0).at == Eigen::Vector3d(1, 2, -3); }}},
+    {"marks[].on",
+     {a_scene + "[[marks]]\nat = [1, 2, -3]\non = \"body\"\n",
+      [](const Scene& s) { return s.marks.at(0).on == "body"; }}},
+    {"marks[].name",
+     {a_scene + "[[marks]]\nat = [1, 2, -3]\nname = \"P_1\"\n",
+      [](const Scene& s) { return s.marks.at(0).name == "P_1"; }}},
+    {"marks[].trail",
+     {a_scene + "[[marks]]\nat = [1, 2, -3]\ntrail = true\n",
+      [](const Scene& s) { return s.marks.at(0).trail; }}},
+    {"marks[].colour",
+     {a_scene + "[[marks]]\nat = [1, 2, -3]\ncolour = \"#ff0033\"\n",
+      [](const Scene& s) {
+          return s.marks.at(0).srgb == std::array<double, 3>{1.0, 0.0, 0.2};
+      }}},
     {"clock", {"clock = false\n" + a_scene, [](const Scene& s) { return s.clock == false; }}},
     {"type_scale",
      {"type_scale = 1.5\n" + a_scene, [](const Scene& s) { return s.type_scale == 1.5; }}},
@@ -473,6 +514,35 @@ const std::map<std::string, Claim> claims{
      {a_scene + "[[panels]]\ntitle = \"\"\n[[panels]]\nrow = 1\n",
       [](const Scene& s) { return s.panels.at(0).title == "" && !s.panels.at(1).title; }}},
 };
+
+// The rows of [style] are those of a table: a colour for each, and what else its kind takes.
+template <std::size_t role>
+Claim style_claim() {
+    const StyleRole& claimed = style_roles()[role];
+    const std::string_view more = claimed.kind == StyleKind::line      ? " 1.25 dotted"
+                                  : claimed.kind == StyleKind::surface ? " 33.3%"
+                                                                       : "";
+    return {with("style", fmt::format("{} = \"#003366{}\"", claimed.name, more)),
+            [](const Scene& s) {
+                const StyleRole& row = style_roles()[role];
+                const LookSpec& look = s.style.looks.at(std::string(row.name));
+                const bool line = row.kind == StyleKind::line;
+                const bool surface = row.kind == StyleKind::surface;
+                return look.srgb == std::array<double, 3>{0.0, 0.2, 0.4} &&
+                       look.weight == (line ? std::optional(1.25) : std::nullopt) &&
+                       look.line == (line ? "dotted" : "") &&
+                       look.opacity_percent == (surface ? std::optional(33.3) : std::nullopt);
+            }};
+}
+constexpr std::size_t n_style_roles = 30;
+template <std::size_t... role>
+std::map<std::string, Claim> with_styles(std::map<std::string, Claim> all,
+                                         std::index_sequence<role...>) {
+    (all.emplace(fmt::format("style.{}", style_roles()[role].name), style_claim<role>()), ...);
+    return all;
+}
+const std::map<std::string, Claim> claims =
+    with_styles(claims_of_rows, std::make_index_sequence<n_style_roles>());
 
 TEST(SceneKeys, EveryRowHasAClaimAndEveryClaimARow) {
     std::set<std::string> rows;

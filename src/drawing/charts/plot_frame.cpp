@@ -111,7 +111,8 @@ void aim_at_pixels(Panel& panel) {
     camera.up = Eigen::Vector3d::UnitY();
     camera.orthographic = true;
     // The numbers are a chart's smallest type: names and what keeps clear of it grow with them.
-    panel.type_px = std::max(panel.type_px, least_type_px(*panel.stage) / chart_number_size);
+    panel.type_px = std::max(panel.type_px * panel.stage->scene.style.chart_scale.value_or(1.0),
+                             least_type_px(*panel.stage) / chart_number_size);
     camera.height_units = panel.box.height_px;
     aim(panel, camera);
 }
@@ -155,7 +156,7 @@ Label chart_label(const Panel& panel, const SetType& type, double x, double y, A
 }
 
 Curve PlotFrame::line(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                      const Colour& colour, double width_px) {
+                      const Ink& colour, double width_px) {
     Curve curve = line_between(panel, a, b, colour, width_px);
     curve.occlusion = Occlusion::none;
     return curve;

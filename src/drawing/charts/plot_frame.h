@@ -74,7 +74,7 @@ class PlotFrame {
 
     // A line across the view that nothing hides.
     static Curve line(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                      const Colour& colour, double width_px);
+                      const Ink& colour, double width_px);
     // A dot that nothing hides.
     static Dot dot(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour,
                    double radius_px);

@@ -18,22 +18,22 @@ namespace poinsot {
 namespace {
 
 template <int axis>
-Colour axis_colour(const Theme& theme) {
+Ink axis_colour(const Theme& theme) {
     return theme.axes[axis];
 }
 template <int angle>
-Colour angle_colour(const Theme& theme) {
+Ink angle_colour(const Theme& theme) {
     return theme.angles[angle];
 }
-Colour energy_colour(const Theme& theme) { return theme.energy; }
-Colour potential_colour(const Theme& theme) { return theme.potential; }
-Colour omega_colour(const Theme& theme) { return theme.omega; }
-Colour momentum_colour(const Theme& theme) { return theme.momentum; }
-Colour contact_colour(const Theme& theme) { return theme.herpolhode; }
-Colour plane_colour(const Theme& theme) { return theme.polhode; }
+Ink energy_colour(const Theme& theme) { return theme.energy; }
+Ink potential_colour(const Theme& theme) { return theme.potential; }
+Ink omega_colour(const Theme& theme) { return theme.omega; }
+Ink momentum_colour(const Theme& theme) { return theme.momentum; }
+Ink contact_colour(const Theme& theme) { return theme.herpolhode; }
+Ink plane_colour(const Theme& theme) { return theme.polhode; }
 
-Colour body_cone_colour(const Theme& theme) { return theme.body_cone; }
-Colour space_cone_colour(const Theme& theme) { return theme.space_cone; }
+Ink body_cone_colour(const Theme& theme) { return theme.body_cone; }
+Ink space_cone_colour(const Theme& theme) { return theme.space_cone; }
 
 bool any_motion(const StageData&) { return true; }
 bool is_heavy_top(const StageData& stage) { return stage.motion.motion().heavy_top() != nullptr; }

@@ -10,12 +10,9 @@
 
 namespace poinsot {
 
-// Told apart in grey as well.
-enum class LineStyle { solid, dashed, dotted };
-
 struct PlotCurve {
     std::string_view label;  // a formula
-    Colour (*colour)(const Theme& theme);
+    Ink (*ink)(const Theme& theme);
     LineStyle style;
 };
 

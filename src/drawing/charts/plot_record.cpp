@@ -12,10 +12,12 @@ const PlotValues& PlotRecord::at(double time_s) {
     return entry->second;
 }
 
-std::pair<double, double> PlotRecord::range(std::size_t first, std::size_t last) const {
+std::pair<double, double> PlotRecord::range(std::size_t first, std::size_t last,
+                                            double from_s) const {
     double least = INFINITY;
     double most = -INFINITY;
-    for (const auto& [time, values] : known_) {
+    for (auto entry = known_.lower_bound(from_s); entry != known_.end(); ++entry) {
+        const PlotValues& values = entry->second;
         for (std::size_t i = first; i <= last; ++i) {
             least = std::min(least, values[i]);
             most = std::max(most, values[i]);
@@ -33,6 +35,26 @@ int n_pieces_of(const StageData& stage, double width_px) {
     const double n_turns = (stage.film_last_s - stage.film_first_s) *
                            (2.0 * stage.quickest_rate_rad_s()) / std::numbers::pi;
     return static_cast<int>(std::clamp(n_turns, 16.0, std::max(16.0, 2.0 * width_px)));
+}
+
+bool is_ruined(const PlotQuantity& quantity, std::pair<double, double> whole,
+               std::pair<double, double> after_start) {
+    if (quantity.from_zero) {
+        for (auto* range : {&whole, &after_start}) {
+            range->first = std::min(range->first, 0.0);
+            range->second = std::max(range->second, 0.0);
+        }
+    }
+    const double rest = after_start.second - after_start.first;
+    const double all = whole.second - whole.first;
+    // Of decades each is to be read.
+    if (quantity.decades) return all - rest >= 3.0;
+    // What has come to rest is seen best as that, and a constant's rounding is no range.
+    constexpr double times = 4.0;
+    constexpr double at_rest = 1e-3;
+    constexpr double rounding = 1e-9;
+    const double largest = std::max(std::abs(whole.first), std::abs(whole.second));
+    return all > times * rest && rest > at_rest * all && rest > rounding * largest;
 }
 
 std::pair<double, double> common_range(const PlotQuantity& quantity,

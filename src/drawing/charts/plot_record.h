@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -18,8 +19,10 @@ class PlotRecord {
 
     const PlotValues& at(double time_s);
 
-    // Least and greatest of the values known so far, of the curves first to last.
-    std::pair<double, double> range(std::size_t first, std::size_t last) const;
+    // Least and greatest of the values known so far from an instant on, of the curves first to
+    // last.
+    std::pair<double, double> range(std::size_t first, std::size_t last,
+                                    double from_s = -std::numeric_limits<double>::infinity()) const;
 
  private:
     Instant instant(double time_s) const;
@@ -33,6 +36,11 @@ class PlotRecord {
 // So many pieces of the film that no curve turns by more than about half a turn within one; no more
 // than a plot of this width can show.
 int n_pieces_of(const StageData& stage, double width_px);
+
+// Whether the first instants would ruin a range: whether it is so much wider than what follows them
+// that this would hardly be seen.
+bool is_ruined(const PlotQuantity& quantity, std::pair<double, double> whole,
+               std::pair<double, double> after_start);
 
 // The range that shows both motions, but of the one beside no more than the first one's range again
 // on either side: one that blows up leaves the chart instead of flattening it.

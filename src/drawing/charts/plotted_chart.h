@@ -21,7 +21,8 @@ struct PlottedChart {
     std::vector<PlottedCurve> curves;
     std::vector<Curve> beside;
     std::vector<Label> names;
-    std::vector<Curve> leaders;  // from a curve's end to a name that had to move away
+    std::vector<Curve> leaders;   // from a curve's end to a name that had to move away
+    bool begins_outside = false;  // whether its range leaves out the first instants
 };
 
 // Sets the names beside the ends of their curves, moved apart where the ends lie close; types are

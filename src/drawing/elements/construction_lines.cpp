@@ -23,7 +23,7 @@ const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage-
 
 // A label beside the middle part of a line, on its left as it runs on the picture.
 void wish_beside_line(const Panel& panel, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                      double share, const SetType& type, const Colour& colour, Sheet& sheet) {
+                      double share, const SetType& type, const Ink& colour, Sheet& sheet) {
     const Eigen::Vector2d a = project(sheet.view, from).px;
     const Eigen::Vector2d b = project(sheet.view, to).px;
     LabelWish wish;
@@ -44,7 +44,7 @@ Eigen::Vector3d right_of(const Sheet& sheet) {
 
 // The corner of a square in the right angle between two directions (unit vectors).
 void add_right_angle(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& a,
-                     const Eigen::Vector3d& b, const Colour& colour, Sheet& sheet) {
+                     const Eigen::Vector3d& b, const Ink& colour, Sheet& sheet) {
     constexpr double side = 0.085;
     const Eigen::Vector3d corner = at + side * (a + b);
     for (const Eigen::Vector3d& leg : {a, b}) {
@@ -131,7 +131,7 @@ Drawer make_radius(Panel& panel) {
     return [&panel, type](const Instant& instant, Sheet& sheet) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
         // In the colour of the curve that its tip traces.
-        const Colour& colour = panel.stage->theme->polhode;
+        const Ink& colour = panel.stage->theme->polhode;
         Arrow arrow = arrow_to(panel, rho, colour, 1.3);
         arrow.hidden_opacity = seen_through;
         sheet.view.arrows.push_back(arrow);
@@ -171,7 +171,7 @@ Drawer make_projection(Panel& panel) {
     const SetType type = set_label(panel, "\\boldsymbol{\\rho}\\cdot\\mathbf{L}/L", 0.85);
     return [&panel, type](const Instant& instant, Sheet& sheet) {
         const ConstructionPicture& picture = picture_of(panel);
-        const Colour& colour = panel.stage->theme->energy;
+        const Ink& colour = panel.stage->theme->energy;
         const Eigen::Vector3d rho = picture.contact(instant);
         const Eigen::Vector3d foot = picture.foot(instant);
         Curve along = line_between(panel, Eigen::Vector3d::Zero(), foot, colour, 9.0);
@@ -196,7 +196,7 @@ Drawer make_distance(Panel& panel) {
         constexpr double aside = 1.22;
         const Eigen::Vector3d from = aside * right_of(sheet);
         const Eigen::Vector3d to = from + picture_of(panel).foot(instant);
-        const Colour& colour = panel.stage->theme->text;
+        const Ink& colour = panel.stage->theme->text;
         Curve level = line_between(panel, Eigen::Vector3d::Zero(), 1.06 * from, colour, 1.6);
         level.hidden_opacity = 0.5;
         sheet.view.curves.push_back(level);
@@ -230,14 +230,14 @@ void LevelScale::add_to(Sheet& sheet, const Eigen::Vector3d& half_axes,
     constexpr double tick = 0.06;
     const Eigen::Vector3d zero = aside * right;
     const auto at = [&](double distance) { return Eigen::Vector3d(zero + distance * normal); };
-    const auto add = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Colour& colour,
+    const auto add = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Ink& colour,
                          double width_px) {
         Curve line = line_between(panel, a, b, colour, width_px);
         line.hidden_opacity = seen_through;
         sheet.view.curves.push_back(line);
     };
     const auto name = [&](const Eigen::Vector3d& place, double side, const SetType& type,
-                          const Colour& colour) {
+                          const Ink& colour) {
         LabelWish wish;
         wish.type = type;
         wish.anchor_px = project(sheet.view, place).px;
@@ -288,7 +288,7 @@ Drawer make_velocity(Panel& panel) {
                 (axes.transpose() * along).cwiseQuotient(picture.half_axes);
             return Eigen::Vector3d(along / scaled.norm());
         };
-        const Colour& colour = panel.stage->theme->potential;
+        const Ink& colour = panel.stage->theme->potential;
         constexpr int n = 9;
         constexpr double per_distance = 0.42;
         constexpr int named = n / 2;

@@ -42,7 +42,7 @@ Drawer make_turn(Panel& panel) {
     const SetType type = set_label(panel, fmt::format("{:.1f}°", degrees), 0.85);
     return [&panel, turn, type](const Instant& instant, Sheet& sheet) {
         if (!(turn.angle() > 0.0)) return;
-        const Colour& colour = panel.stage->theme->angles[0];
+        const Ink& colour = panel.stage->theme->angles[0];
         const Eigen::Vector3d axis = picture_of(panel).picture_from_body(instant) * turn.axis();
         Curve line = line_between(panel, Eigen::Vector3d::Zero(), 1.3 * axis, colour, 2.0);
         line.hidden_opacity = 0.6;
@@ -60,7 +60,7 @@ Drawer make_half_axes(Panel& panel) {
         const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
         for (int i = 0; i < 3; ++i) {
             const Eigen::Vector3d end = axes.col(i) * picture_of(panel).half_axes[i];
-            const Colour& colour = panel.stage->theme->axes[i];
+            const Ink& colour = panel.stage->theme->axes[i];
             Curve line = line_between(panel, Eigen::Vector3d::Zero(), end, colour, 5.0);
             line.hidden_opacity = 0.75;
             sheet.view.curves.push_back(line);
@@ -102,10 +102,13 @@ Drawer make_precession(Panel& panel) {
     };
 }
 
+double body_in_ellipsoid(const ConstructionPicture& picture) {
+    return 0.85 * picture.half_axes.minCoeff();
+}
+
 Drawer make_body(Panel& panel) {
     const BodyShape shape = body_shape(panel);
-    // It stays within the ellipsoid in every direction.
-    const double scale = 0.85 * picture_of(panel).half_axes.minCoeff();
+    const double scale = body_in_ellipsoid(picture_of(panel));
     return [&panel, shape, scale](const Instant& instant, Sheet& sheet) {
         Eigen::Affine3d turned = Eigen::Affine3d::Identity();
         turned.linear() = scale * picture_of(panel).picture_from_body(instant).toRotationMatrix();

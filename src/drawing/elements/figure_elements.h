@@ -15,6 +15,8 @@ Drawer make_half_axes(Panel& panel);
 // Ω about the axis of symmetry, at which ω runs round in the body, and L/I₁ about L, at which that
 // axis runs round in space. Throws InputError for a body without two equal moments.
 Drawer make_precession(Panel& panel);
+// The reach with which a body stays within the ellipsoid in every direction.
+double body_in_ellipsoid(const ConstructionPicture& picture);
 // The body itself, inside its ellipsoid.
 Drawer make_body(Panel& panel);
 

@@ -96,7 +96,7 @@ std::vector<ColouredMesh> meshes_of(const Scene& scene, const Theme& theme) {
     for (const BodySurface& surface : scene.surfaces) {
         const auto& rgb = surface.srgb;
         meshes.push_back(
-            {surface.mesh, rgb ? Colour{(*rgb)[0], (*rgb)[1], (*rgb)[2]} : theme.solid});
+            {surface.mesh, rgb ? Colour{(*rgb)[0], (*rgb)[1], (*rgb)[2]} : Colour(theme.solid)});
     }
     if (!meshes.empty()) return meshes;
 

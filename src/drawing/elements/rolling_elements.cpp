@@ -125,10 +125,8 @@ Drawer make_polhode(Panel& panel) {
     for (Eigen::Vector3d& point : geometry.points) point *= per_rho;
     if (geometry.smooth)
         geometry.smooth = placed(geometry.smooth, Eigen::Affine3d(Eigen::Scaling(per_rho)));
-    Curve curve;
-    curve.geometry = panel.stage->keep(std::move(geometry));
-    curve.width_px = 4.0 * panel.px;
-    curve.colour = panel.stage->theme->polhode;
+    Curve curve =
+        curve_of(panel, panel.stage->keep(std::move(geometry)), panel.stage->theme->polhode, 4.0);
     curve.on_surface = the_ellipsoid;
     curve.hidden_opacity = 0.72;
     std::optional<DirectionMarks> marks;
@@ -170,10 +168,9 @@ Drawer make_herpolhode(Panel& panel) {
         geometry.smooth = placed(timed.smooth, map);
     }
     panel.stage->note_curve_error(timed.off * picture.picture_per_rho / panel.units_per_px);
-    Curve curve;
-    curve.geometry = panel.stage->keep(std::move(geometry));
-    curve.width_px = 4.0 * panel.stage->theme->herpolhode_weight * panel.px;
-    curve.colour = panel.stage->theme->herpolhode;
+    Curve curve =
+        curve_of(panel, panel.stage->keep(std::move(geometry)), panel.stage->theme->herpolhode,
+                 4.0 * panel.stage->theme->herpolhode_weight);
     curve.on_plane = the_plane;
     curve.hidden_opacity = 0.72;
     std::optional<DirectionMarks> marks;
@@ -218,12 +215,12 @@ Drawer make_annulus(Panel& panel) {
     const Polhode::Annulus annulus = picture_of(panel).polhode.annulus();
     std::vector<Curve> circles;
     for (const double radius : {annulus.inner, annulus.outer}) {
-        Curve curve;
-        curve.geometry =
-            panel.stage->keep(circle_on_plane(panel, radius * picture_of(panel).picture_per_rho));
-        curve.width_px = 1.5 * panel.px;
-        curve.colour = panel.stage->theme->annulus;
-        curve.dash_px = 7.0 * panel.px;
+        const Ink& ink = panel.stage->theme->annulus;
+        Curve curve = curve_of(
+            panel,
+            panel.stage->keep(circle_on_plane(panel, radius * picture_of(panel).picture_per_rho)),
+            ink, 1.5);
+        curve.dash_px = dash_of(panel, ink, 7.0);
         curve.on_plane = the_plane;
         circles.push_back(curve);
     }

@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "drawing/elements/body_axes.h"
 #include "drawing/elements/ghost.h"
+#include "drawing/elements/own_marks.h"
 #include "drawing/elements/smooth_paths.h"
 #include "drawing/elements/trail.h"
 #include "drawing/framing.h"
@@ -129,7 +131,7 @@ std::vector<Curve> separatrices_of(Panel& panel) {
         }
         Curve curve = curve_of(panel, panel.stage->keep(std::move(geometry)),
                                panel.stage->theme->separatrix, 2.6);
-        curve.dash_px = 9.0 * panel.px;
+        curve.dash_px = dash_of(panel, panel.stage->theme->separatrix, 9.0);
         curve.hidden_opacity = 0.25;
         curve.on_surface = the_ellipsoid;
         curves.push_back(curve);
@@ -293,11 +295,18 @@ void make_body_panel(Panel& panel) {
     const SetType momentum_type = set_label(panel, "\\mathbf{L}");
     const Drawer beside = make_beside(panel);
     const Drawer precession = make_precession_circle(panel);
+    const Drawer marks =
+        make_own_marks(panel,
+                       [&panel, &picture](const MarkSpec& mark,
+                                          const RotationState&) -> std::optional<Eigen::Vector3d> {
+                           if (mark.on != "ellipsoid") return std::nullopt;
+                           return principal_from_body(panel) * on_ellipsoid(picture, mark);
+                       });
     const Drawer spiral = picture.dissipates ? make_spiral(panel) : Drawer();
-    panel.draw = [&panel, &picture, precession, spiral, ellipsoid, curves, axis_types, omega_type,
-                  momentum_type, beside](const Instant& instant, Sheet& sheet) {
+    panel.draw = [&panel, &picture, precession, marks, spiral, ellipsoid, curves, axis_types,
+                  omega_type, momentum_type, beside](const Instant& instant, Sheet& sheet) {
         const Theme& theme = *panel.stage->theme;
-        const auto add_arrow = [&](const Eigen::Vector3d& tip, const Colour& colour, double weight,
+        const auto add_arrow = [&](const Eigen::Vector3d& tip, const Ink& colour, double weight,
                                    const SetType& type, double turn_rad = 0.0) {
             sheet.view.arrows.push_back(arrow_to(panel, tip, colour, weight));
             wish_at_tip(panel, sheet.view.arrows.back(), type, sheet, turn_rad);
@@ -319,6 +328,7 @@ void make_body_panel(Panel& panel) {
         add_arrow(omega_share * omega_tip(rho), theme.omega, 1.15, omega_type,
                   omega_label_turn_rad);
         precession(instant, sheet);
+        marks(instant, sheet);
         sheet.view.dots.push_back(dot_at(panel, rho, theme.contact));
         beside(instant, sheet);
     };

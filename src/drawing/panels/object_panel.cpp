@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "drawing/elements/ghost.h"
 #include "drawing/elements/object_shapes.h"
+#include "drawing/elements/own_marks.h"
 #include "drawing/framing.h"
 #include "drawing/marks.h"
 #include "mechanics/torque.h"
@@ -114,7 +116,7 @@ Drawer make_torque(Panel& panel) {
 Drawer make_ghost_body(Panel& panel, const BodyShape& shape, const ArrowScale& arrows) {
     if (!panel.stage->beside) return [](const Instant&, Sheet&) {};
     panel.shows_beside = true;
-    const Colour& grey = panel.stage->theme->ghost;
+    const Ink& grey = panel.stage->theme->ghost;
     std::vector<Curve> lines = shape.edges;
     for (Curve& line : lines) line.colour = grey;
     const Eigen::Matrix3d& axes = panel.stage->scene.body.inertia.body_from_principal();
@@ -136,6 +138,19 @@ Drawer make_ghost_body(Panel& panel, const BodyShape& shape, const ArrowScale& a
         }
         if (arrows.turns()) add_ghost_arrow(panel, arrows.omega_tip(beside), type, sheet);
     };
+}
+
+// Marks on the body, of this reach.
+Drawer make_marks(Panel& panel, double reach_m) {
+    const StageData& stage = *panel.stage;
+    return make_own_marks(
+        panel,
+        [&stage, reach_m](const MarkSpec& mark,
+                          const RotationState& state) -> std::optional<Eigen::Vector3d> {
+            if (mark.on != "body") return std::nullopt;
+            return picture_from_space(stage) *
+                   (state.space_from_body * (on_body_m(stage.scene, mark) / reach_m));
+        });
 }
 
 }  // namespace
@@ -161,8 +176,9 @@ void make_object_panel(Panel& panel) {
     const SetType momentum_type = set_label(panel, "\\mathbf{L}");
     const Drawer ghost = make_ghost_body(panel, shape, arrows);
     const Drawer torque = make_torque(panel);
-    panel.draw = [&panel, shape, arrows, axis_types, omega_type, momentum_type, ghost, torque](
-                     const Instant& instant, Sheet& sheet) {
+    const Drawer marks = make_marks(panel, shape.reach_m);
+    panel.draw = [&panel, shape, arrows, axis_types, omega_type, momentum_type, ghost, torque,
+                  marks](const Instant& instant, Sheet& sheet) {
         const Theme& theme = *panel.stage->theme;
         const Eigen::Matrix3d attitude =
             (picture_from_space(*panel.stage) * instant.state.space_from_body).toRotationMatrix();
@@ -171,7 +187,8 @@ void make_object_panel(Panel& panel) {
         add_body(shape, turned, true, sheet);
         ghost(instant, sheet);
         torque(instant, sheet);
-        const auto add_arrow = [&](const Eigen::Vector3d& tip, const Colour& colour, double weight,
+        marks(instant, sheet);
+        const auto add_arrow = [&](const Eigen::Vector3d& tip, const Ink& colour, double weight,
                                    const SetType& type, double turn_rad = 0.0) {
             sheet.view.arrows.push_back(arrow_to(panel, tip, colour, weight));
             wish_at_tip(panel, sheet.view.arrows.back(), type, sheet, turn_rad);

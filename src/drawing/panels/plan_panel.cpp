@@ -129,7 +129,7 @@ Curve circle_of(const Panel& panel, double radius) {
     Curve circle = arc_about(panel, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(),
                              Eigen::Vector3d::UnitY(), radius, 2.0 * std::numbers::pi,
                              panel.stage->theme->annulus, 2.0);
-    circle.dash_px = 8.0 * panel.px;
+    circle.dash_px = dash_of(panel, panel.stage->theme->annulus, 8.0);
     circle.occlusion = Occlusion::none;
     return circle;
 }

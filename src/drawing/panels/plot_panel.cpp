@@ -53,6 +53,21 @@ double dash_of(LineStyle style, const Panel& panel) {
     }
 }
 
+// Leaves out what a curve has before it is in its chart for good; it comes in at the edge.
+void cut_beginning(std::vector<Eigen::Vector3d>& points, const ChartArea& area) {
+    const auto last_outside =
+        std::find_if(points.rbegin(), points.rend(), [&area](const Eigen::Vector3d& point) {
+            return !(point.y() >= area.bottom && point.y() <= area.top);
+        });
+    if (last_outside == points.rend() || last_outside == points.rbegin()) return;
+    const auto before = last_outside.base() - 1;
+    const Eigen::Vector3d& inside = *(before + 1);
+    const double edge = before->y() < area.bottom ? area.bottom : area.top;
+    const double share = (edge - before->y()) / (inside.y() - before->y());
+    *before += share * (inside - *before);
+    points.erase(points.begin(), before);
+}
+
 class PlotMaker {
  public:
     PlotMaker(Panel& panel, const PlotQuantity& quantity)
@@ -122,6 +137,7 @@ class PlotMaker {
         Axis y;
         std::size_t first_curve = 0, last_curve = 0;
         bool is_lowest = true;
+        bool begins_outside = false;
     };
 
     int n_ticks(double px, double apart_px) const {
@@ -142,14 +158,25 @@ class PlotMaker {
         place.region = {margin, 0.5 * margin, panel_->box.width_px - margin,
                         top - share * static_cast<double>(i)};
         if (!place.is_lowest) place.region.bottom = place.region.top - share + 14.0 * panel_->px;
-        std::pair<double, double> range = record_.range(place.first_curve, place.last_curve);
-        if (beside_) {
-            range = common_range(*quantity_, range,
-                                 beside_->range(place.first_curve, place.last_curve));
-        }
+        set_range(place, n_charts);
+        return place;
+    }
+
+    // The range of a chart; without its first instants where these would ruin it.
+    void set_range(Place& place, std::size_t n_charts) const {
+        const StageData& stage = *panel_->stage;
+        constexpr double first_share = 0.01;
+        double from_s = stage.film_first_s + first_share * (stage.film_last_s - stage.film_first_s);
+        const auto range_of = [&place](const PlotRecord& record, double since_s) {
+            return record.range(place.first_curve, place.last_curve, since_s);
+        };
+        place.begins_outside =
+            is_ruined(*quantity_, range_of(record_, stage.film_first_s), range_of(record_, from_s));
+        if (!place.begins_outside) from_s = stage.film_first_s;
+        std::pair<double, double> range = range_of(record_, from_s);
+        if (beside_) range = common_range(*quantity_, range, range_of(*beside_, from_s));
         place.y = axis_for(*quantity_, range,
                            n_ticks(place.region.height(), n_charts == 1 ? 75.0 : 60.0));
-        return place;
     }
 
     PlottedChart chart_of(const Place& place, double left_px) {
@@ -167,6 +194,8 @@ class PlotMaker {
             y_title += fmt::format(";  {}: {}", translated("thin lines", stage.scene.language),
                                    stage.beside->motion().problem().method.name);
         }
+        if (place.begins_outside)
+            y_title += fmt::format(";  {}", translated("begins outside", stage.scene.language));
         const std::string x_title = place.is_lowest ? axis_title("$t$", unit.name, x.exponent) : "";
         const double names_px = widest_name_ + 16.0 * panel_->px;
         PlottedChart plotted{
@@ -174,7 +203,8 @@ class PlotMaker {
             {},
             {},
             {},
-            {}};
+            {},
+            place.begins_outside};
         for (std::size_t i = place.first_curve; i <= place.last_curve; ++i) {
             add_curve(plotted, i);
             if (beside_) add_curve_beside(plotted, i);
@@ -210,9 +240,10 @@ class PlotMaker {
 
     Curve line_of(const PlotCurve& kind, double width_px) const {
         Curve curve;
-        curve.colour = kind.colour(*panel_->stage->theme);
-        curve.width_px = width_px * panel_->px;
-        curve.dash_px = dash_of(kind.style, *panel_);
+        const Ink ink = kind.ink(*panel_->stage->theme);
+        curve.colour = ink;
+        curve.width_px = width_px * ink.weight * panel_->px;
+        curve.dash_px = dash_of(ink.line.value_or(kind.style), *panel_);
         curve.occlusion = Occlusion::none;
         curve.lasting = true;
         return curve;
@@ -221,6 +252,7 @@ class PlotMaker {
     void add_curve(PlottedChart& plotted, std::size_t i) {
         const PlotFrame& chart = plotted.chart;
         CurveGeometry geometry = sampled(chart, record_, i);
+        if (plotted.begins_outside) cut_beginning(geometry.points, chart.area());
         PlottedCurve curve;
         curve.value = i;
         curve.curve = line_of(quantity_->curves[i], curve_width);
@@ -233,11 +265,13 @@ class PlotMaker {
     void add_curve_beside(PlottedChart& plotted, std::size_t i) {
         const ChartArea& area = plotted.chart.area();
         CurveGeometry geometry = sampled(plotted.chart, *beside_, i);
-        const auto gone = std::find_if(
-            geometry.points.begin(), geometry.points.end(), [&area](const Eigen::Vector3d& point) {
-                return !(point.y() >= area.bottom - 1.0 && point.y() <= area.top + 1.0);
-            });
-        geometry.points.erase(gone, geometry.points.end());
+        const auto inside = [&area](const Eigen::Vector3d& point) {
+            return point.y() >= area.bottom - 1.0 && point.y() <= area.top + 1.0;
+        };
+        auto& points = geometry.points;
+        if (plotted.begins_outside)
+            points.erase(points.begin(), std::find_if(points.begin(), points.end(), inside));
+        points.erase(std::find_if_not(points.begin(), points.end(), inside), points.end());
         if (geometry.points.size() < 2) return;
         Curve curve = line_of(quantity_->curves[i], beside_width);
         curve.opacity = beside_opacity;

@@ -2,10 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "drawing/elements/elements.h"
+#include "drawing/elements/figure_elements.h"
+#include "drawing/elements/object_shapes.h"
+#include "drawing/elements/own_marks.h"
 #include "drawing/elements/sweep.h"
 #include "drawing/fade.h"
 #include "drawing/framing.h"
@@ -110,6 +114,28 @@ void aim_along(Panel& panel) {
     };
 }
 
+// Marks on the ellipsoid and in space, and on the body where it is shown inside.
+Drawer make_marks(Panel& panel) {
+    const StageData& stage = *panel.stage;
+    const std::vector<MarkSpec>& marks = stage.scene.marks;
+    const bool has_body = is_shown(stage, "body") &&
+                          std::any_of(marks.begin(), marks.end(),
+                                      [](const MarkSpec& mark) { return mark.on == "body"; });
+    const double picture_per_m =
+        has_body ? body_in_ellipsoid(*stage.rolling) / body_shape(panel).reach_m : 0.0;
+    return make_own_marks(
+        panel,
+        [&stage, has_body, picture_per_m](
+            const MarkSpec& mark, const RotationState& state) -> std::optional<Eigen::Vector3d> {
+            if (mark.on == "space") return mark.at;
+            const ConstructionPicture& picture = *stage.rolling;
+            const Eigen::Quaterniond turn = picture.picture_from_space * state.space_from_body;
+            if (mark.on == "ellipsoid") return turn * on_ellipsoid(picture, mark);
+            if (!has_body) return std::nullopt;
+            return turn * (picture_per_m * on_body_m(stage.scene, mark));
+        });
+}
+
 }  // namespace
 
 void make_space_panel(Panel& panel) {
@@ -128,6 +154,7 @@ void make_space_panel(Panel& panel) {
             drawers.push_back(fading(*panel.stage, std::string(element.name), element.make(panel)));
         }
     }
+    if (!panel.stage->scene.marks.empty()) drawers.push_back(make_marks(panel));
     panel.draw = [drawers](const Instant& instant, Sheet& sheet) {
         for (const Drawer& draw : drawers) draw(instant, sheet);
     };

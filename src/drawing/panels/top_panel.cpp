@@ -128,7 +128,7 @@ Drawer make_ghost_axis(Panel& panel) {
 }
 
 // A circle of latitude on the sphere at an angle from the upward vertical.
-Curve latitude(const Panel& panel, double theta_rad, const Colour& colour, double width_px) {
+Curve latitude(const Panel& panel, double theta_rad, const Ink& colour, double width_px) {
     Curve circle =
         arc_about(panel, {0.0, 0.0, std::cos(theta_rad)}, Eigen::Vector3d::UnitX(),
                   Eigen::Vector3d::UnitY(), std::sin(theta_rad), 2.0 * pi, colour, width_px);
@@ -161,7 +161,7 @@ Stand stand_of(const Panel& panel, const TopNutation& nutation) {
     for (const double theta : ends) {
         if (std::sin(theta) < 1e-3) continue;
         Curve circle = latitude(panel, theta, theme.angles[0], 2.2);
-        circle.dash_px = 8.0 * panel.px;
+        circle.dash_px = dash_of(panel, theme.angles[0], 8.0);
         stand.curves.push_back(circle);
     }
     stand.arrows[0] = arrow_to(panel, {0.0, 0.0, vertical_length}, theme.text, 0.85);
@@ -235,7 +235,7 @@ class TopDrawer {
     // The centre of mass on the axis and its height over the fixed point, which V = Mgl cos θ
     // counts.
     void height(const SetType& name, bool hangs) {
-        const Colour& colour = panel_->stage->theme->potential;
+        const Ink& colour = panel_->stage->theme->potential;
         const Eigen::Vector3d mass = (hangs ? -centre_of_mass : centre_of_mass) * axes_.col(2);
         const Eigen::Vector3d level(0.0, 0.0, mass.z());
         for (const auto& [a, b, width_px] :
@@ -248,8 +248,7 @@ class TopDrawer {
         wish_beside(*panel_, 0.6 * level, 0.6 * level + (mass - level), name, colour, *sheet_);
     }
 
-    void arrow(const Eigen::Vector3d& tip, const Colour& colour, double weight,
-               const SetType& name) {
+    void arrow(const Eigen::Vector3d& tip, const Ink& colour, double weight, const SetType& name) {
         sheet_->view.arrows.push_back(arrow_to(*panel_, tip, colour, weight));
         wish_at_tip(*panel_, sheet_->view.arrows.back(), name, *sheet_);
     }
@@ -257,7 +256,7 @@ class TopDrawer {
  private:
     // An arc about the fixed point with its name outside of its middle.
     void arc(const Eigen::Vector3d& from, const Eigen::Vector3d& towards, double radius,
-             double angle_rad, const Colour& colour, const SetType& name) {
+             double angle_rad, const Ink& colour, const SetType& name) {
         const Eigen::Vector3d centre = Eigen::Vector3d::Zero();
         sheet_->view.curves.push_back(
             arc_about(*panel_, centre, from, towards, radius, angle_rad, colour, 3.2));

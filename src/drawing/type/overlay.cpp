@@ -42,9 +42,15 @@ double margin(const StageData& stage) { return margin(stage.px); }
 constexpr double title_size = 40.0;
 constexpr double caption_size = 26.0;
 
+// What [style] makes of type of this size.
+double scale_of(const Scene& scene, double size) {
+    const auto& own = size == title_size ? scene.style.title_scale : scene.style.caption_scale;
+    return scene.type_scale * own.value_or(1.0);
+}
+
 // Wrapped to a picture so wide, of so many samples to a pixel's side.
 TypeStyle text_style(const Scene& scene, int width_px, double px, double size, int samples) {
-    return {.size_px = size * px * scene.type_scale,
+    return {.size_px = size * px * scale_of(scene, size),
             .mode = TypeMode::text,
             .max_width_px = std::max(64.0 * samples, width_px - 2.0 * margin(px))};
 }
@@ -255,7 +261,9 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samp
     OverlayBands bands;
     if (wants_title(scene) || wants_clock(scene)) {
         bands.top_px =
-            rows(margin(px) + scene.type_scale * (wants_title(scene) ? 56.0 : 40.0) * px);
+            rows(margin(px) + (wants_title(scene) ? 56.0 * scale_of(scene, title_size)
+                                                  : 40.0 * scale_of(scene, caption_size)) *
+                                  px);
     }
     if (wants_title(scene)) {
         const SetType type = at_scene_key(scene, "title", [&] {

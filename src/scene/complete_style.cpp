@@ -1,0 +1,81 @@
+// A theme in a file: what it says is put under what the scene itself says, so that the scene holds
+// all of it.
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "scene/draft_checks.h"
+#include "scene/given_value.h"
+#include "scene/load_scene.h"
+#include "scene/scene_keys.h"
+#include "scene/toml_document.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// What the command line names lies where the command is given, or else in the scene's folder.
+fs::path theme_file(const SceneDraft& draft) {
+    const std::string& name = draft.scene.theme;
+    std::error_code failed;
+    if (draft.scene.location_of("theme").line == 0 && fs::exists(name, failed)) return name;
+    return file_named(draft, "theme", name);
+}
+
+// Hands every entry of the file to the row of [style]; `extends` is its own.
+void read_theme(const TomlValue& root, SceneDraft& theme) {
+    static const SceneKey extends{
+        "extends",
+        "a string",
+        "",
+        R"("dark")",
+        "the theme that it changes; default light",
+        [](const GivenValue& g, SceneDraft& d) { d.scene.theme = g.text(); },
+        nullptr};
+    for (const TomlEntry& entry : root.entries) {
+        const bool is_extends = entry.key == extends.leaf();
+        const std::string path = is_extends ? "theme" : "style." + entry.key;
+        const SceneKey* key = is_extends ? &extends : find_scene_key(path);
+        if (key == nullptr || entry.key.find('.') != std::string::npos)
+            throw SceneError(entry.where,
+                             fmt::format("unknown key \"{}\" in a theme{}", printable(entry.key),
+                                         scene_key_remedy(path, true)));
+        theme.scene.locations[path] = entry.where;
+        key->read(GivenValue(*key, entry.key, 0, entry.value), theme);
+    }
+}
+
+}  // namespace
+
+void complete_style(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    if (!scene.theme.ends_with(".toml")) return;
+    const fs::path file = theme_file(draft);
+    const std::string text = at_scene_key(scene, "theme", [&] { return text_of_file(file); });
+    SceneDraft theme;
+    theme.scene.theme = "light";
+    read_theme(parse_toml(text, file.string()), theme);
+
+    // What the scene says itself stands above.
+    StyleSpec& below = theme.scene.style;
+    for (const auto& [name, look] : scene.style.looks) {
+        LookSpec& under = below.looks[name];
+        if (look.srgb) under.srgb = look.srgb;
+        if (look.weight) under.weight = look.weight;
+        if (look.opacity_percent) under.opacity_percent = look.opacity_percent;
+        if (!look.line.empty()) under.line = look.line;
+    }
+    for (const auto scale :
+         {&StyleSpec::title_scale, &StyleSpec::caption_scale, &StyleSpec::heading_scale,
+          &StyleSpec::label_scale, &StyleSpec::chart_scale})
+        if (scene.style.*scale) below.*scale = scene.style.*scale;
+    scene.style = std::move(below);
+    scene.theme = theme.scene.theme;
+    for (const auto& [key, where] : theme.scene.locations)
+        if (key == "theme" || !draft.has(key)) scene.locations[key] = where;
+}
+
+}  // namespace poinsot

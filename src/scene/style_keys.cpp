@@ -1,0 +1,306 @@
+#include "scene/style_keys.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "scene/scene_draft.h"
+#include "scene/scene_key_rows.h"
+#include "text/nearest.h"
+
+namespace poinsot {
+
+namespace {
+
+using std::size_t;
+
+constexpr StyleRole roles[] = {
+    {"ground", StyleKind::surface, "the ground of the picture; 0% for none"},
+    {"ground_top", StyleKind::colour, "the ground at the picture's top, where it is to change"},
+    {"text", StyleKind::colour, "title, captions and headings"},
+    {"halo", StyleKind::colour, "what type stands on where it crosses something"},
+    {"omega", StyleKind::line, "ω"},
+    {"momentum", StyleKind::line, "L"},
+    {"e1", StyleKind::line, "the first principal axis, and what is along it"},
+    {"e2", StyleKind::line, "the second one"},
+    {"e3", StyleKind::line, "the third one"},
+    {"polhode", StyleKind::line, "the polhode, and ρ"},
+    {"herpolhode", StyleKind::line, "the herpolhode"},
+    {"contact", StyleKind::colour, "the point of contact"},
+    {"ellipsoid", StyleKind::surface, "the inertia ellipsoid"},
+    {"ellipsoid_lines", StyleKind::colour, "the lines on it"},
+    {"plane", StyleKind::surface, "the invariable plane"},
+    {"grid", StyleKind::colour, "the grid on it"},
+    {"annulus", StyleKind::line, "the circles between which the herpolhode runs"},
+    {"separatrix", StyleKind::line, "the curves that part the polhodes"},
+    {"body_cone", StyleKind::colour, "the cone that rolls"},
+    {"space_cone", StyleKind::colour, "the cone on which it rolls"},
+    {"sphere", StyleKind::colour, "the sphere of momenta"},
+    {"solid", StyleKind::colour, "bodies whose surfaces have no colour of their own"},
+    {"solid_lines", StyleKind::line, "the marks on bodies"},
+    {"theta", StyleKind::line, "the angle θ"},
+    {"phi", StyleKind::line, "the angle φ"},
+    {"psi", StyleKind::line, "the angle ψ"},
+    {"energy", StyleKind::line, "E, T and torques"},
+    {"potential", StyleKind::line, "V, and axes that were given"},
+    {"ghost", StyleKind::line, "the motion beside"},
+    {"rule", StyleKind::line, "the axes of charts"},
+};
+constexpr size_t n_roles = std::size(roles);
+
+// The sixteen colours that HTML 4 names, and orange.
+struct NamedColour {
+    std::string_view name;
+    std::uint32_t rgb;
+};
+constexpr NamedColour named_colours[] = {
+    {"black", 0x000000},  {"silver", 0xc0c0c0}, {"gray", 0x808080},   {"white", 0xffffff},
+    {"maroon", 0x800000}, {"red", 0xff0000},    {"purple", 0x800080}, {"fuchsia", 0xff00ff},
+    {"green", 0x008000},  {"lime", 0x00ff00},   {"olive", 0x808000},  {"yellow", 0xffff00},
+    {"navy", 0x000080},   {"blue", 0x0000ff},   {"teal", 0x008080},   {"aqua", 0x00ffff},
+    {"orange", 0xffa500},
+};
+
+std::array<double, 3> srgb_of(std::uint32_t rgb) {
+    const auto part = [rgb](int shift) {
+        return static_cast<double>((rgb >> shift) & 0xff) / 255.0;
+    };
+    return {part(16), part(8), part(0)};
+}
+
+// "#9a247d", "#a2d" or a name.
+std::optional<std::array<double, 3>> colour_of(std::string_view word) {
+    for (const NamedColour& colour : named_colours)
+        if (colour.name == word) return srgb_of(colour.rgb);
+    if (!word.starts_with('#') || (word.size() != 4 && word.size() != 7)) return std::nullopt;
+    std::string digits(word.substr(1));
+    if (digits.size() == 3)
+        digits = {digits[0], digits[0], digits[1], digits[1], digits[2], digits[2]};
+    std::uint32_t rgb = 0;
+    const char* const end = digits.data() + digits.size();
+    const auto [stopped, failed] = std::from_chars(digits.data(), end, rgb, 16);
+    if (failed != std::errc{} || stopped != end) return std::nullopt;
+    return srgb_of(rgb);
+}
+
+std::optional<double> number_of(std::string_view word) {
+    double number = 0.0;
+    const auto [stopped, failed] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (failed != std::errc{} || stopped != word.data() + word.size() || !std::isfinite(number))
+        return std::nullopt;
+    return number;
+}
+
+std::string_view expectation_of(StyleKind kind) {
+    switch (kind) {
+        case StyleKind::line:
+            return R"(give a colour, a weight and a line style, or some of them, as in "#9a247d 1.5 dashed")";
+        case StyleKind::surface:
+            return R"(give a colour and an opacity, or one of them, as in "#e8b56a 66%")";
+        default:
+            return R"(give a colour, as in "#9a247d")";
+    }
+}
+
+[[noreturn]] void refuse_word(const GivenValue& given, std::string_view word, StyleKind kind) {
+    std::vector<std::string_view> known;
+    for (const NamedColour& colour : named_colours) known.push_back(colour.name);
+    if (kind == StyleKind::line)
+        known.insert(known.end(), line_kinds().begin(), line_kinds().end());
+    const std::string near = word.starts_with('#') ? "" : did_you_mean(word, known);
+    throw SceneError(given.value().where,
+                     fmt::format("{} has \"{}\"{}", given.name(), printable(word),
+                                 near.empty() ? fmt::format("; {}", expectation_of(kind)) : near));
+}
+
+// Whether a word says what a look of this kind has, and has not been said yet; then it is noted.
+bool takes(LookSpec& look, std::string_view word, StyleKind kind) {
+    if (const auto srgb = colour_of(word); srgb && !look.srgb) {
+        look.srgb = srgb;
+        return true;
+    }
+    if (kind == StyleKind::line) {
+        constexpr double least = 0.1, most = 10.0;
+        if (const auto weight = number_of(word);
+            weight && *weight >= least && *weight <= most && !look.weight) {
+            look.weight = weight;
+            return true;
+        }
+        for (const std::string_view line : line_kinds()) {
+            if (line != word || !look.line.empty()) continue;
+            look.line = word;
+            return true;
+        }
+    }
+    if (kind == StyleKind::surface && word.ends_with('%')) {
+        const auto percent = number_of(word.substr(0, word.size() - 1));
+        if (percent && *percent >= 0.0 && *percent <= 100.0 && !look.opacity_percent) {
+            look.opacity_percent = percent;
+            return true;
+        }
+    }
+    return false;
+}
+
+LookSpec look_of(const GivenValue& given, StyleKind kind) {
+    const std::string text = given.text();
+    LookSpec look;
+    bool empty = true;
+    for (size_t at = text.find_first_not_of(" \t\n"); at < text.size();
+         at = text.find_first_not_of(" \t\n", at)) {
+        const std::string word = text.substr(at, text.find_first_of(" \t\n", at) - at);
+        if (!takes(look, word, kind)) refuse_word(given, word, kind);
+        at += word.size();
+        empty = false;
+    }
+    if (empty) given.refuse("empty", expectation_of(kind));
+    return look;
+}
+
+std::string text_of(const LookSpec& look) {
+    std::vector<std::string> words;
+    if (look.srgb) words.push_back(colour_text(*look.srgb));
+    if (look.weight) words.push_back(fmt::format("{}", *look.weight));
+    if (look.opacity_percent) words.push_back(fmt::format("{}%", *look.opacity_percent));
+    if (!look.line.empty()) words.push_back(look.line);
+    return toml_text(std::string_view(fmt::format("{}", fmt::join(words, " "))));
+}
+
+template <size_t role>
+void read_role(const GivenValue& given, SceneDraft& draft) {
+    draft.scene.style.looks.insert_or_assign(std::string(roles[role].name),
+                                             look_of(given, roles[role].kind));
+}
+template <size_t role>
+std::string write_role(const Scene& scene, size_t) {
+    const auto& looks = scene.style.looks;
+    const auto found = looks.find(roles[role].name);
+    return found == looks.end() ? "" : text_of(found->second);
+}
+
+// What the row of each role points to.
+struct RoleWords {
+    std::array<std::string, n_roles> paths, summaries;
+
+    RoleWords() {
+        for (size_t i = 0; i < n_roles; ++i) {
+            paths[i] = fmt::format("style.{}", roles[i].name);
+            const std::string_view of = roles[i].kind == StyleKind::line ? "colour, weight and line"
+                                        : roles[i].kind == StyleKind::surface ? "colour and opacity"
+                                                                              : "colour";
+            summaries[i] = fmt::format("{} of {}", of, roles[i].what);
+        }
+    }
+};
+
+std::string_view example_of(StyleKind kind) {
+    return kind == StyleKind::line      ? R"("#9a247d 1.5 dashed")"
+           : kind == StyleKind::surface ? R"("#e8b56a 66%")"
+                                        : R"("#9a247d")";
+}
+
+template <size_t... role>
+std::vector<SceneKey> role_rows(std::index_sequence<role...>) {
+    static const RoleWords words;
+    return {SceneKey{words.paths[role], "a string", "", example_of(roles[role].kind),
+                     words.summaries[role], read_role<role>, write_role<role>}...};
+}
+
+// The factor on one kind of type.
+template <std::optional<double> StyleSpec::*scale>
+void read_scale(const GivenValue& given, SceneDraft& draft) {
+    draft.scene.style.*scale = given.number_between(0.25, 8.0);
+}
+template <std::optional<double> StyleSpec::*scale>
+std::string write_scale(const Scene& scene, size_t) {
+    return optional_text(scene.style.*scale);
+}
+
+const SceneKey scale_rows[] = {
+    {"style.title_scale", "a number", "", "1.25", "factor on the size of the title; default 1",
+     read_scale<&StyleSpec::title_scale>, write_scale<&StyleSpec::title_scale>},
+    {"style.caption_scale", "a number", "", "1.25",
+     "factor on the size of captions and the clock; default 1",
+     read_scale<&StyleSpec::caption_scale>, write_scale<&StyleSpec::caption_scale>},
+    {"style.heading_scale", "a number", "", "1.25",
+     "factor on the size of panels' headings; default 1", read_scale<&StyleSpec::heading_scale>,
+     write_scale<&StyleSpec::heading_scale>},
+    {"style.label_scale", "a number", "", "1.25",
+     "factor on the size of the names beside arrows and angles; default 1",
+     read_scale<&StyleSpec::label_scale>, write_scale<&StyleSpec::label_scale>},
+    {"style.chart_scale", "a number", "", "1.25", "factor on all type of charts; default 1",
+     read_scale<&StyleSpec::chart_scale>, write_scale<&StyleSpec::chart_scale>},
+};
+
+MarkSpec& mark(const GivenValue& given, SceneDraft& draft) {
+    return draft.scene.marks.at(given.item());
+}
+
+const SceneKey mark_rows[] = {
+    {"marks[].at", "three numbers", "", "[1.0, 0.0, 0.0]",
+     "where it is: on the ellipsoid, in this direction of the body's axes; on the body, at this "
+     "point of its axes in m; in space, at this point as [camera] target",
+     [](const GivenValue& g, SceneDraft& d) { mark(g, d).at = target_of(g); },
+     [](const Scene& s, size_t i) { return toml_text(s.marks.at(i).at); }},
+    {"marks[].on", "a string", "", R"("body")",
+     "what it goes with: ellipsoid (the default), body or space",
+     [](const GivenValue& g, SceneDraft& d) { mark(g, d).on = g.one_of(mark_places()); },
+     [](const Scene& s, size_t i) { return toml_text(std::string_view(s.marks.at(i).on)); },
+     mark_places()},
+    {"marks[].name", "a string", "", R"("P_1")",
+     "what stands beside it, as a formula; default: "
+     "nothing",
+     [](const GivenValue& g, SceneDraft& d) { mark(g, d).name = g.text(); },
+     [](const Scene& s, size_t i) { return text_unless_empty(s.marks.at(i).name); }},
+    {"marks[].trail", "true or false", "", "true",
+     "whether the way that it went is shown; default false",
+     [](const GivenValue& g, SceneDraft& d) { mark(g, d).trail = g.boolean(); },
+     [](const Scene& s, size_t i) { return s.marks.at(i).trail ? toml_text(true) : ""; }},
+    {"marks[].colour", "a string", "", R"("#cf4a12")", "its colour; default: that of the contact",
+     [](const GivenValue& g, SceneDraft& d) {
+         mark(g, d).srgb = look_of(g, StyleKind::colour).srgb;
+     },
+     [](const Scene& s, size_t i) {
+         const auto& srgb = s.marks.at(i).srgb;
+         return srgb ? toml_text(std::string_view(colour_text(*srgb))) : "";
+     }},
+};
+
+}  // namespace
+
+std::span<const StyleRole> style_roles() { return roles; }
+
+std::span<const std::string_view> line_kinds() {
+    static constexpr std::array<std::string_view, 3> kinds{"solid", "dashed", "dotted"};
+    return kinds;
+}
+
+std::span<const std::string_view> mark_places() {
+    static constexpr std::array<std::string_view, 3> places{"ellipsoid", "body", "space"};
+    return places;
+}
+
+std::string colour_text(const std::array<double, 3>& srgb) {
+    const auto part = [](double x) { return static_cast<int>(std::lround(255.0 * x)); };
+    return fmt::format("#{:02x}{:02x}{:02x}", part(srgb[0]), part(srgb[1]), part(srgb[2]));
+}
+
+std::span<const SceneKey> style_keys() {
+    static const std::vector<SceneKey> rows = [] {
+        std::vector<SceneKey> all = role_rows(std::make_index_sequence<n_roles>());
+        all.insert(all.end(), std::begin(scale_rows), std::end(scale_rows));
+        return all;
+    }();
+    return rows;
+}
+
+std::span<const SceneKey> mark_keys() { return mark_rows; }
+
+}  // namespace poinsot
