@@ -156,9 +156,13 @@ TEST(LineRules, WhatIsOmittedIsNotThere) {
     const Shown shown(styled("space", "omitted"));
     const View& view = shown.view;
     for (const Curve& curve : view.curves)
-        if (may_be_hidden(curve)) EXPECT_EQ(curve.hidden, HiddenStyle::absent);
+        if (may_be_hidden(curve)) {
+            EXPECT_EQ(curve.hidden, HiddenStyle::absent);
+        }
     for (const Arrow& arrow : view.arrows)
-        if (may_be_hidden(arrow)) EXPECT_LT(arrow.hidden_opacity, 0.0);
+        if (may_be_hidden(arrow)) {
+            EXPECT_LT(arrow.hidden_opacity, 0.0);
+        }
 }
 
 TEST(LineRules, SectionsLieOnTheEllipsoid) {
