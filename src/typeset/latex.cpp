@@ -167,7 +167,7 @@ std::string nucleus(const MathAtom& atom) {
                        ? fmt::format("\\sqrt{{{}}}", formula(atom.body))
                        : fmt::format("\\sqrt[{}]{{{}}}", formula(atom.second), formula(atom.body));
         case MathAtom::Kind::fraction: {
-            const std::string fraction =
+            std::string fraction =
                 fmt::format("\\frac{{{}}}{{{}}}", formula(atom.body), formula(atom.second));
             if (atom.fraction_style == MathAtom::FractionStyle::display)
                 return fmt::format("{{\\displaystyle{}}}", fraction);

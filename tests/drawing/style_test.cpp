@@ -24,6 +24,7 @@ const Eigen::Vector3d omega{1.4, 0.5, 1.6};
 
 Scene a_scene(const std::string& panel = "space") { return free_scene(moments, omega, panel); }
 
+// What the stage keeps, as the points of curves, is gone with it.
 View view_of(const Scene& scene, double time_s = 0.0) {
     const StagedScene staged(scene, 10.0);
     return staged.stage.at(time_s).views.at(0);
@@ -223,7 +224,9 @@ TEST(OwnMarks, OnABodyAreInItsMetres) {
     corner.name = "P";
     corner.srgb = {1.0, 0.0, 0.0};
     scene.marks = {corner};
-    const View view = view_of(scene, 2.5);
+    const StagedScene staged(scene, 10.0);
+    const Drawing drawing = staged.stage.at(2.5);
+    const View& view = drawing.views.at(0);
     const Colour red{1.0, 0.0, 0.0};
     const auto found = std::find_if(view.dots.begin(), view.dots.end(),
                                     [&](const Dot& dot) { return dot.colour == red; });
