@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <string>
 
 #include "cli/command.h"
@@ -125,8 +126,8 @@ bool names_each(const std::string& output) {
 int run(const SampleChoices& choices) {
     const std::vector<double> times_s = instants_of(choices);
     // What cannot be written is refused before anything is computed.
-    const TableFormat& format =
-        choices.output.empty() ? table_formats().front() : table_format_for(choices.output);
+    const std::filesystem::path output = choices.output;
+    const TableFormat& format = output.empty() ? table_formats().front() : table_format_for(output);
     const std::vector<SweepPoint> points = points_of(choices.sweeps);
     Progress progress(choices.quiet);
     const Telling telling = progress.telling();

@@ -10,6 +10,20 @@
 
 namespace poinsot {
 
+namespace {
+
+Camera about_the_origin(const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
+                        double vertical_field_rad) {
+    Camera camera;
+    camera.eye = towards_eye.normalized();
+    camera.target = Eigen::Vector3d::Zero();
+    camera.up = up;
+    camera.vertical_field_rad = vertical_field_rad;
+    return camera;
+}
+
+}  // namespace
+
 Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
               double vertical_field_rad, std::span<const Eigen::Vector3d> points,
               double margin_px) {
@@ -19,11 +33,7 @@ Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eig
 Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
               double vertical_field_rad, std::span<const Eigen::Vector3d> points,
               const Margins& margins) {
-    Camera camera;
-    camera.eye = towards_eye.normalized();
-    camera.target = Eigen::Vector3d::Zero();
-    camera.up = up;
-    camera.vertical_field_rad = vertical_field_rad;
+    Camera camera = about_the_origin(towards_eye, up, vertical_field_rad);
     const Eigen::Matrix3d axes = camera_axes(camera);
 
     // Slopes of the sight lines at the margins, to the left and down, to the right and up.
@@ -71,11 +81,7 @@ namespace {
 Camera framed_flat(const PanelBox& box, const Eigen::Vector3d& towards_eye,
                    const Eigen::Vector3d& up, double vertical_field_rad,
                    std::span<const Eigen::Vector3d> points, const Margins& margins) {
-    Camera camera;
-    camera.eye = towards_eye.normalized();
-    camera.target = Eigen::Vector3d::Zero();
-    camera.up = up;
-    camera.vertical_field_rad = vertical_field_rad;
+    Camera camera = about_the_origin(towards_eye, up, vertical_field_rad);
     const Eigen::Matrix3d axes = camera_axes(camera);
     Eigen::AlignedBox3d seen;
     for (const Eigen::Vector3d& point : points) seen.extend(axes.transpose() * point);

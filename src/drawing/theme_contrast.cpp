@@ -2,91 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string_view>
 
+#include "drawing/colour_vision.h"
 #include "drawing/theme.h"
 #include "text/printable.h"
 
 namespace poinsot {
 
 namespace {
-
-// Linear light of an sRGB colour, IEC 61966-2-1.
-Eigen::Vector3d linear(const Colour& colour) {
-    const auto one = [](double x) {
-        return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-    };
-    return {one(colour.r), one(colour.g), one(colour.b)};
-}
-
-const Eigen::Matrix3d& xyz_from_linear() {
-    static const Eigen::Matrix3d matrix{{0.4124564, 0.3575761, 0.1804375},
-                                        {0.2126729, 0.7151522, 0.0721750},
-                                        {0.0193339, 0.1191920, 0.9503041}};
-    return matrix;
-}
-
-// WCAG 2.1's contrast ratio, 1 to 21.
-double contrast(const Colour& a, const Colour& b) {
-    const auto luminance = [](const Colour& colour) {
-        return xyz_from_linear().row(1).dot(linear(colour));
-    };
-    const auto [dim, bright] = std::minmax({luminance(a), luminance(b)});
-    return (bright + 0.05) / (dim + 0.05);
-}
-
-// CIELAB of linear light beside the white of sRGB, CIE 15:2004.
-Eigen::Vector3d lab(const Eigen::Vector3d& light) {
-    const Eigen::Vector3d white = xyz_from_linear().rowwise().sum();
-    const Eigen::Vector3d xyz =
-        (xyz_from_linear() * light.cwiseMax(0.0).cwiseMin(1.0)).cwiseQuotient(white);
-    const auto f = [](double t) {
-        return t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0;
-    };
-    return {116.0 * f(xyz.y()) - 16.0, 500.0 * (f(xyz.x()) - f(xyz.y())),
-            200.0 * (f(xyz.y()) - f(xyz.z()))};
-}
-
-// What linear light becomes to an eye that lacks a pigment: Machado, Oliveira & Fernandes, "A
-// physiologically-based model for simulation of color vision deficiency" (2009), severity 1.
-struct Vision {
-    std::string_view name;
-    Eigen::Matrix3d seen_from_linear;
-};
-const std::array<Vision, 4>& visions() {
-    static const std::array<Vision, 4> all{{
-        {"", Eigen::Matrix3d::Identity()},
-        {" to an eye without red (protanopia)", Eigen::Matrix3d{{0.152286, 1.052583, -0.204868},
-                                                                {0.114503, 0.786281, 0.099216},
-                                                                {-0.003882, -0.048116, 1.051998}}},
-        {" to an eye without green (deuteranopia)",
-         Eigen::Matrix3d{{0.367322, 0.860646, -0.227968},
-                         {0.280085, 0.672501, 0.047413},
-                         {-0.011820, 0.042940, 0.968881}}},
-        {" to an eye without blue (tritanopia)", Eigen::Matrix3d{{1.255528, -0.076749, -0.178779},
-                                                                 {-0.078411, 0.930809, 0.147602},
-                                                                 {0.004733, 0.691367, 0.303900}}},
-    }};
-    return all;
-}
-
-// How far two lines' colours are apart, in units of what half of all people notice between lines 4
-// of 1080 rows wide that are seen from the middle of a lecture room: Stone, Szafir & Setlur, "An
-// engineering model for color difference as a function of size" (2014).
-double difference(const Colour& a, const Colour& b, const Vision& vision) {
-    constexpr double half = 0.5;
-    constexpr double width_deg = 4.0 / 1080.0 * 20.0;
-    const Eigen::Vector3d noticed = half * (Eigen::Vector3d(10.16, 10.68, 10.70) +
-                                            Eigen::Vector3d(1.50, 3.08, 5.74) / width_deg);
-    const Eigen::Vector3d apart =
-        lab(vision.seen_from_linear * linear(a)) - lab(vision.seen_from_linear * linear(b));
-    return apart.cwiseQuotient(noticed).norm();
-}
 
 struct Role {
     std::string_view name;
@@ -182,12 +109,13 @@ class Looking {
         if (!key) return;
         const Vision& worst = *std::min_element(
             visions().begin(), visions().end(), [&](const Vision& one, const Vision& other) {
-                return difference(a.colour, b.colour, one) < difference(a.colour, b.colour, other);
+                return line_difference(a.colour, b.colour, one) <
+                       line_difference(a.colour, b.colour, other);
             });
-        const double apart = difference(a.colour, b.colour, worst);
+        const double apart = line_difference(a.colour, b.colour, worst);
         if (apart >= 1.0) return;
         notes_.push_back(fmt::format("{}{}: {} and {} hardly differ{}: {:.2f} of what is noticed",
-                                     scene_.where(*key), *key, a.name, b.name, worst.name, apart));
+                                     scene_.where(*key), *key, a.name, b.name, worst.eye, apart));
     }
 
     const Scene& scene_;

@@ -8,17 +8,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "colour/srgb.h"
+
 namespace poinsot {
 
 namespace {
-
-// IEC 61966-2-1, both ways; values from 0 to 1.
-double linear_from_srgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-double srgb_from_linear(double light) {
-    return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
-}
 
 // Linear light of every level of 16 bits.
 const std::vector<double>& deep_linear_levels() {

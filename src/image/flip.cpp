@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "colour/srgb.h"
 #include "image/alpha.h"
 #include "image/channel.h"
 #include "image/compare.h"
@@ -62,10 +63,8 @@ double hyab(const Triple& p, const Triple& q) {
 
 std::array<double, 256> srgb_to_linear() {
     std::array<double, 256> table{};
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        const double v = static_cast<double>(i) / 255;
-        table[i] = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    }
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table[i] = linear_from_srgb(static_cast<double>(i) / 255);
     return table;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "colour/srgb.h"
+
 namespace poinsot {
 namespace {
 
@@ -29,10 +31,6 @@ constexpr std::array<std::array<std::uint16_t, side>, side> make_thresholds() {
     return thresholds;
 }
 constexpr auto thresholds = make_thresholds();
-
-double srgb_from_linear(double x) {
-    return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
-}
 
 }  // namespace
 

@@ -3,22 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "colour/srgb.h"
+
 namespace poinsot::vector {
 
 namespace {
 
-double linear(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
-
-double encoded(double l) {
-    l = std::clamp(l, 0.0, 1.0);
-    return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1.0 / 2.4) - 0.055;
-}
+double encoded(double light) { return srgb_from_linear(std::clamp(light, 0.0, 1.0)); }
 
 double cube(double x) { return x * x * x; }
 
 }  // namespace
 
-Eigen::Vector3d linear(const Colour& c) { return {linear(c.r), linear(c.g), linear(c.b)}; }
+Eigen::Vector3d linear(const Colour& c) {
+    return {linear_from_srgb(c.r), linear_from_srgb(c.g), linear_from_srgb(c.b)};
+}
 
 Colour encoded(const Eigen::Vector3d& l) {
     return {encoded(l.x()), encoded(l.y()), encoded(l.z())};

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "colour/srgb.h"
 #include "drawing/theme.h"
 #include "drawing/type/labels.h"
 #include "places.h"
@@ -27,10 +28,8 @@ std::vector<std::filesystem::path> scene_files() {
 
 // WCAG's contrast of two luminances.
 double luminance(const Colour& c) {
-    const auto linear = [](double s) {
-        return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
+    return 0.2126 * linear_from_srgb(c.r) + 0.7152 * linear_from_srgb(c.g) +
+           0.0722 * linear_from_srgb(c.b);
 }
 double contrast(double a, double b) { return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05); }
 

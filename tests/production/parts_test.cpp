@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "colour/srgb.h"
 #include "drawing/scenes_by_hand.h"
 #include "render/pictures.h"
 #include "shapes/part.h"
@@ -100,14 +101,9 @@ TEST(Parts, CutLongMasksWithoutASeam) {
 
 // What lies under a straight-alpha picture shows through in linear light.
 double over(std::uint8_t colour, std::uint8_t alpha, double ground) {
-    const auto linear = [](double s) {
-        return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-    };
-    const auto encoded = [](double l) {
-        return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1.0 / 2.4) - 0.055;
-    };
     const double a = alpha / 255.0;
-    return 255.0 * encoded(a * linear(colour / 255.0) + (1.0 - a) * linear(ground));
+    return 255.0 * srgb_from_linear(a * linear_from_srgb(colour / 255.0) +
+                                    (1.0 - a) * linear_from_srgb(ground));
 }
 
 TEST(TransparentPicture, LaidOnAGroundIsThePictureDrawnOnThatGround) {
@@ -180,10 +176,7 @@ TEST(WholePicture, HasSmootherEdgesThanFourSamplesAPixel) {
     const Image analytic = renderer().render(one);
     const Image fine = renderer().render(many);
 
-    const auto linear = [](int level) {
-        const double s = level / 255.0;
-        return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-    };
+    const auto linear = [](int level) { return linear_from_srgb(level / 255.0); };
     // The usual places of four samples in a pixel of 8 × 8.
     constexpr std::array<std::array<int, 2>, 4> places{{{3, 1}, {7, 3}, {1, 5}, {5, 7}}};
     double of_analytic = 0.0, of_samples = 0.0;

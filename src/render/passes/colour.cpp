@@ -1,13 +1,8 @@
 #include "render/passes/colour.h"
 
-#include <cmath>
+#include "colour/srgb.h"
 
 namespace poinsot {
-
-double linear_from_srgb(double encoded) {
-    if (encoded <= 0.04045) return encoded / 12.92;
-    return std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 Eigen::Vector3f linear_from_srgb(const Colour& colour) {
     return Eigen::Vector3d(linear_from_srgb(colour.r), linear_from_srgb(colour.g),

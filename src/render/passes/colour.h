@@ -7,8 +7,7 @@
 
 namespace poinsot {
 
-// Linear component of an sRGB-encoded one (IEC 61966-2-1); both 0…1.
-double linear_from_srgb(double encoded);
+// Linear light of an encoded colour.
 Eigen::Vector3f linear_from_srgb(const Colour& colour);
 // The same with a fourth component.
 Eigen::Vector4f linear_from_srgb(const Colour& colour, double fourth);
