@@ -33,13 +33,23 @@ std::string strings(const std::vector<std::string>& names) {
     return fmt::format(R"("enum": [{}])", fmt::join(quoted, ", "));
 }
 
-// A number, greater than 0 where the phrase says so, or one with a unit in a string where the key
-// has a unit.
-std::string number(bool is_positive, bool has_unit) {
-    std::string bare = R"("type": "number")";
-    if (is_positive) bare += R"(, "minimum": 0, "exclusiveMinimum": true)";
+// A number, or one with a unit in a string where the key has a unit. `bounds`: further members.
+std::string number(const std::string& bounds, bool has_unit) {
+    const std::string bare = R"("type": "number")" + bounds;
     if (!has_unit) return bare;
     return R"("anyOf": [{)" + bare + R"(}, {"type": "string", "pattern": "[0-9].*[A-Za-z°]"}])";
+}
+
+// Cuts "from -90 to 90" off the end of a phrase: what it says, as members that follow others.
+std::string bounds_of(std::string_view& phrase) {
+    constexpr std::string_view from = " from ", to = " to ";
+    const std::size_t least = phrase.find(from);
+    if (least == std::string_view::npos) return "";
+    const std::string_view both = phrase.substr(least + from.size());
+    phrase = phrase.substr(0, least);
+    const std::size_t most = both.find(to);
+    return fmt::format(R"(, "minimum": {}, "maximum": {})", both.substr(0, most),
+                       both.substr(most + to.size()));
 }
 
 // What the phrase of a row's type allows, as members of a schema: "three rows of three numbers".
@@ -54,10 +64,11 @@ std::string members_of(std::string_view phrase, const std::vector<std::string>& 
     if (phrase == "a string" || phrase == "a ratio in a string" || phrase == "strings")
         return strings(names);
     if (phrase == "a file's name") return R"("type": "string", "pattern": "\\.toml$")";
-    if (phrase == "a number" || phrase == "numbers") return number(false, has_unit);
+    const std::string bounds = bounds_of(phrase);
+    if (phrase == "a number" || phrase == "numbers") return number(bounds, has_unit);
     if (phrase == "a positive number" || phrase == "positive numbers")
-        return number(true, has_unit);
-    if (phrase == "an integer" || phrase == "integers") return R"("type": "integer")";
+        return number(R"(, "minimum": 0, "exclusiveMinimum": true)", has_unit);
+    if (phrase == "an integer" || phrase == "integers") return R"("type": "integer")" + bounds;
     if (take(phrase, "a list of "))
         return fmt::format(R"("type": "array", "items": {{{}}})",
                            members_of(phrase, names, has_unit));

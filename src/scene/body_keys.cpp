@@ -58,7 +58,7 @@ const SceneKey body_rows[] = {
      "axes; the centre of mass is found",
      [](const GivenValue& g, SceneDraft& d) { d.scene.body.mesh = g.text(); },
      [](const Scene& s, size_t) { return text_unless_empty(s.body.mesh); }},
-    {"body.scale", "a number", "m", "0.001",
+    {"body.scale", "a number from 1e-12 to 1e12", "m", "0.001",
      "one unit of a mesh's lengths, or the factor on an object's; default 1",
      [](const GivenValue& g, SceneDraft& d) { d.scene.body.scale = g.number_between(1e-12, 1e12); },
      [](const Scene& s, size_t) { return s.body.scale == 1.0 ? "" : toml_text(s.body.scale); }},

@@ -21,24 +21,26 @@ constexpr std::array<std::string_view, 2> construction_sweeps{"axis", "energy"};
 
 const SceneKey camera_rows[] = {
     // Where it is seen from; the picture's vertical is the normal of the invariable plane.
-    {"camera.azimuth_deg", "a number", "degrees", "-40.0",
+    {"camera.azimuth_deg", "a number from -3600 to 3600", "degrees", "-40.0",
      "direction of the camera about the vertical",
      [](const GivenValue& g, SceneDraft& d) {
          d.scene.camera.azimuth_deg = g.number_between(-3600.0, 3600.0);
      },
      [](const Scene& s, size_t) { return toml_text(s.camera.azimuth_deg); }},
-    {"camera.elevation_deg", "a number", "degrees", "14.0", "its height above the plane, -90 to 90",
+    {"camera.elevation_deg", "a number from -90 to 90", "degrees", "14.0",
+     "its height above the plane",
      [](const GivenValue& g, SceneDraft& d) {
          d.scene.camera.elevation_deg = g.number_between(-90.0, 90.0);
      },
      [](const Scene& s, size_t) { return toml_text(s.camera.elevation_deg); }},
-    {"camera.distance", "a number", "largest half-axes", "5.2",
+    {"camera.distance", "a number from 0.01 to 10000", "largest half-axes", "5.2",
      "its distance from the target; more where the figure would not fit, unless target is given",
      [](const GivenValue& g, SceneDraft& d) {
          d.scene.camera.distance = g.number_between(0.01, 10000.0);
      },
      [](const Scene& s, size_t) { return toml_text(s.camera.distance); }},
-    {"camera.field_deg", "a number", "degrees", "28.0", "its vertical field of view, 0.1 to 150",
+    {"camera.field_deg", "a number from 0.1 to 150", "degrees", "28.0",
+     "its vertical field of view",
      [](const GivenValue& g, SceneDraft& d) {
          d.scene.camera.field_deg = g.number_between(0.1, 150.0);
      },

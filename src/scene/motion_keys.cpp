@@ -1,6 +1,5 @@
 // Keys of the motion: how it starts, what torque acts, and by which method it is computed.
 #include <array>
-#include <limits>
 #include <string_view>
 #include <variant>
 
@@ -17,7 +16,6 @@ using std::size_t;
 
 constexpr std::array<std::string_view, 5> torque_kinds{"none", "gravity", "constant_body",
                                                        "constant_space", "dissipation"};
-constexpr double smallest = std::numeric_limits<double>::denorm_min();
 constexpr double pi = 3.141592653589793;
 
 // Texts of values that only some scenes say.
@@ -63,8 +61,8 @@ const SceneKey motion_rows[] = {
      "space_from_body at t = 0 as a rotation matrix",
      [](const GivenValue& g, SceneDraft& d) { d.attitude_matrix = g.matrix(); },
      [](const Scene&, size_t) { return std::string(); }},  // written as start.attitude
-    {"start.theta_rad", "a number", "rad", "0.7",
-     "a top's tilt at t = 0: angle of e3 from the vertical, 0 to π (φ = ψ = 0)",
+    {"start.theta_rad", "a number from 0 to 3.141592653589793", "rad", "0.7",
+     "a top's tilt at t = 0: angle of e3 from the vertical (φ = ψ = 0)",
      [](const GivenValue& g, SceneDraft& d) { d.top.theta_rad = g.number_between(0.0, pi); },
      [](const Scene& s, size_t) { return top_text(s, &TopStart::theta_rad); }},
     {"start.theta_dot_rad_s", "a number", "rad/s", "0.0", "its rate; default 0",
@@ -125,13 +123,13 @@ const SceneKey motion_rows[] = {
      "step of a stepping method; default: chosen from accuracy_px",
      [](const GivenValue& g, SceneDraft& d) { d.scene.method.step_s = g.positive(); },
      [](const Scene& s, size_t) { return optional_text(s.method.step_s); }},
-    {"motion.tolerance", "a number", "", "1e-9",
+    {"motion.tolerance", "a number from 1e-300 to 1", "", "1e-9",
      "relative error of an adaptive method; default: chosen from accuracy_px",
      [](const GivenValue& g, SceneDraft& d) {
-         d.scene.method.tolerance = g.number_between(smallest, 1.0);
+         d.scene.method.tolerance = g.number_between(1e-300, 1.0);
      },
      [](const Scene& s, size_t) { return optional_text(s.method.tolerance); }},
-    {"motion.order", "an integer", "", "4", "order of a method that comes in several",
+    {"motion.order", "an integer from 1 to 20", "", "4", "order of a method that comes in several",
      [](const GivenValue& g, SceneDraft& d) { d.scene.method.order = g.integer_between(1, 20); },
      [](const Scene& s, size_t) { return optional_text(s.method.order); }},
 
@@ -146,13 +144,13 @@ const SceneKey motion_rows[] = {
      "its step; default: a 200th of the shortest turn",
      [](const GivenValue& g, SceneDraft& d) { beside(d).step_s = g.positive(); },
      [](const Scene& s, size_t) { return beside_text(s, &MethodChoice::step_s); }},
-    {"beside.tolerance", "a number", "", "1e-4",
+    {"beside.tolerance", "a number from 1e-300 to 1", "", "1e-4",
      "its relative error if it is adaptive; default 1e-9",
      [](const GivenValue& g, SceneDraft& d) {
-         beside(d).tolerance = g.number_between(smallest, 1.0);
+         beside(d).tolerance = g.number_between(1e-300, 1.0);
      },
      [](const Scene& s, size_t) { return beside_text(s, &MethodChoice::tolerance); }},
-    {"beside.order", "an integer", "", "4", "its order if it comes in several",
+    {"beside.order", "an integer from 1 to 20", "", "4", "its order if it comes in several",
      [](const GivenValue& g, SceneDraft& d) { beside(d).order = g.integer_between(1, 20); },
      [](const Scene& s, size_t) { return beside_text(s, &MethodChoice::order); }},
 };

@@ -60,7 +60,7 @@ const SceneKey picture_rows[] = {
     {"caption", "a string", "", R"("I = (3, 2, 1) kg m²")", "text below the picture; default: none",
      [](const GivenValue& g, SceneDraft& d) { d.scene.caption = g.text(); },
      [](const Scene& s, size_t) { return toml_text(std::string_view(s.caption)); }},
-    {"accuracy_px", "a number", "pixels", "0.1",
+    {"accuracy_px", "a number from 1e-6 to 100", "pixels", "0.1",
      "largest distance of anything drawn from the truth; default 0.1",
      [](const GivenValue& g, SceneDraft& d) {
          d.scene.accuracy_px = g.number_between(1e-6, 100.0);
@@ -84,7 +84,7 @@ const SceneKey picture_rows[] = {
      "whether the clock is shown; default: yes, but for films that loop",
      [](const GivenValue& g, SceneDraft& d) { d.scene.clock = g.boolean(); },
      [](const Scene& s, size_t) { return s.clock ? toml_text(*s.clock) : ""; }},
-    {"type_scale", "a number", "", "1.25",
+    {"type_scale", "a number from 0.25 to 8", "", "1.25",
      "factor on all type in the picture, as for a hall; default 1",
      [](const GivenValue& g, SceneDraft& d) { d.scene.type_scale = g.number_between(0.25, 8.0); },
      [](const Scene& s, size_t) { return s.type_scale == 1.0 ? "" : toml_text(s.type_scale); }},
@@ -155,16 +155,19 @@ const SceneKey panel_rows[] = {
      "what the panel shows, see `poinsot list panels`",
      [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).kind = g.text(); },
      [](const Scene& s, size_t i) { return toml_text(std::string_view(s.panels.at(i).kind)); }},
-    {"panels[].column", "an integer", "", "0", "column of its upper left cell, from 0; default 0",
+    {"panels[].column", "an integer from 0 to 64", "", "0",
+     "column of its upper left cell, from 0; default 0",
      [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).column = cell(g, 0); },
      [](const Scene& s, size_t i) { return toml_text(s.panels.at(i).column); }},
-    {"panels[].row", "an integer", "", "0", "row of its upper left cell, from 0; default 0",
+    {"panels[].row", "an integer from 0 to 64", "", "0",
+     "row of its upper left cell, from 0; default 0",
      [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).row = cell(g, 0); },
      [](const Scene& s, size_t i) { return toml_text(s.panels.at(i).row); }},
-    {"panels[].columns", "an integer", "", "1", "number of columns that it spans; default 1",
+    {"panels[].columns", "an integer from 1 to 64", "", "1",
+     "number of columns that it spans; default 1",
      [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).columns = cell(g, 1); },
      [](const Scene& s, size_t i) { return toml_text(s.panels.at(i).columns); }},
-    {"panels[].rows", "an integer", "", "1", "number of rows that it spans; default 1",
+    {"panels[].rows", "an integer from 1 to 64", "", "1", "number of rows that it spans; default 1",
      [](const GivenValue& g, SceneDraft& d) { d.scene.panels.at(g.item()).rows = cell(g, 1); },
      [](const Scene& s, size_t i) { return toml_text(s.panels.at(i).rows); }},
     {"panels[].quantity", "a string", "", R"("omega")",
@@ -175,8 +178,8 @@ const SceneKey panel_rows[] = {
          const std::string& quantity = s.panels.at(i).quantity;
          return quantity.empty() ? "" : toml_text(std::string_view(quantity));
      }},
-    {"panels[].curves", "an integer", "", "6",
-     "body: polhodes shown beside the motion's, to either side of the separatrices, 0 to 40; "
+    {"panels[].curves", "an integer from 0 to 40", "", "6",
+     "body: polhodes shown beside the motion's, to either side of the separatrices; "
      "default: as many as fill the ellipsoid evenly",
      [](const GivenValue& g, SceneDraft& d) {
          d.scene.panels.at(g.item()).curves = g.integer_between(0, 40);
@@ -193,25 +196,25 @@ const SceneKey panel_rows[] = {
          return title ? toml_text(std::string_view(*title)) : "";
      }},
     // From where one panel is seen, other than [camera] says; in body axes for body and momentum.
-    {"panels[].camera.azimuth_deg", "a number", "degrees", "30.0",
+    {"panels[].camera.azimuth_deg", "a number from -3600 to 3600", "degrees", "30.0",
      "as in [camera], for this panel alone; about e3 from e1 where it shows body axes",
      [](const GivenValue& g, SceneDraft& d) {
          camera(g, d).azimuth_deg = g.number_between(-3600.0, 3600.0);
      },
      [](const Scene& s, size_t i) { return optional_text(s.panels.at(i).camera.azimuth_deg); }},
-    {"panels[].camera.elevation_deg", "a number", "degrees", "20.0",
-     "likewise, -90 to 90; from the plane of e1 and e2 towards e3 where it shows body axes",
+    {"panels[].camera.elevation_deg", "a number from -90 to 90", "degrees", "20.0",
+     "likewise; from the plane of e1 and e2 towards e3 where it shows body axes",
      [](const GivenValue& g, SceneDraft& d) {
          camera(g, d).elevation_deg = g.number_between(-90.0, 90.0);
      },
      [](const Scene& s, size_t i) { return optional_text(s.panels.at(i).camera.elevation_deg); }},
-    {"panels[].camera.distance", "a number", "largest half-axes", "4.0",
+    {"panels[].camera.distance", "a number from 0.01 to 10000", "largest half-axes", "4.0",
      "likewise; of space alone, the others are framed",
      [](const GivenValue& g, SceneDraft& d) {
          camera(g, d).distance = g.number_between(0.01, 10000.0);
      },
      [](const Scene& s, size_t i) { return optional_text(s.panels.at(i).camera.distance); }},
-    {"panels[].camera.field_deg", "a number", "degrees", "20.0", "as in [camera]",
+    {"panels[].camera.field_deg", "a number from 0.1 to 150", "degrees", "20.0", "as in [camera]",
      [](const GivenValue& g, SceneDraft& d) {
          camera(g, d).field_deg = g.number_between(0.1, 150.0);
      },

@@ -224,19 +224,21 @@ std::string write_scale(const Scene& scene, size_t) {
 }
 
 const SceneKey scale_rows[] = {
-    {"style.title_scale", "a number", "", "1.25", "factor on the size of the title; default 1",
-     read_scale<&StyleSpec::title_scale>, write_scale<&StyleSpec::title_scale>},
-    {"style.caption_scale", "a number", "", "1.25",
+    {"style.title_scale", "a number from 0.25 to 8", "", "1.25",
+     "factor on the size of the title; default 1", read_scale<&StyleSpec::title_scale>,
+     write_scale<&StyleSpec::title_scale>},
+    {"style.caption_scale", "a number from 0.25 to 8", "", "1.25",
      "factor on the size of captions and the clock; default 1",
      read_scale<&StyleSpec::caption_scale>, write_scale<&StyleSpec::caption_scale>},
-    {"style.heading_scale", "a number", "", "1.25",
+    {"style.heading_scale", "a number from 0.25 to 8", "", "1.25",
      "factor on the size of panels' headings; default 1", read_scale<&StyleSpec::heading_scale>,
      write_scale<&StyleSpec::heading_scale>},
-    {"style.label_scale", "a number", "", "1.25",
+    {"style.label_scale", "a number from 0.25 to 8", "", "1.25",
      "factor on the size of the names beside arrows and angles; default 1",
      read_scale<&StyleSpec::label_scale>, write_scale<&StyleSpec::label_scale>},
-    {"style.chart_scale", "a number", "", "1.25", "factor on all type of charts; default 1",
-     read_scale<&StyleSpec::chart_scale>, write_scale<&StyleSpec::chart_scale>},
+    {"style.chart_scale", "a number from 0.25 to 8", "", "1.25",
+     "factor on all type of charts; default 1", read_scale<&StyleSpec::chart_scale>,
+     write_scale<&StyleSpec::chart_scale>},
 };
 
 MarkSpec& mark(const GivenValue& given, SceneDraft& draft) {

@@ -36,7 +36,8 @@ constexpr std::array<std::string_view, 2> caption_places{"bottom", "top"};
 
 const SceneKey told_rows[] = {
     // The film told in its own seconds: the camera's ways and the motion's speed, …
-    {"keyframes[].at_s", "a number", "s", "3.0", "second of the film at which this is reached",
+    {"keyframes[].at_s", "a number from 0 to 1e7", "s", "3.0",
+     "second of the film at which this is reached",
      [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).at_s = film_second(g); },
      [](const Scene& s, size_t i) { return toml_text(s.keyframes.at(i).at_s); }},
     {"keyframes[].easing", "a string", "", R"("smooth")",
@@ -55,27 +56,29 @@ const SceneKey told_rows[] = {
          keyframe(g, d).view = name_in_table(g, camera_view_named);
      },
      [](const Scene& s, size_t i) { return text_unless_empty(s.keyframes.at(i).view); }},
-    {"keyframes[].panel", "an integer", "", "0",
+    {"keyframes[].panel", "an integer from 0 to 999", "", "0",
      "the panel whose camera moves, by its place among [[panels]] from 0; default: all that are "
      "seen as [camera] says, with no camera of their own",
      [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).panel = g.integer_between(0, 999); },
      [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).panel); }},
-    {"keyframes[].azimuth_deg", "a number", "degrees", "30.0", "as in [camera]; it may go past 360",
+    {"keyframes[].azimuth_deg", "a number from -36000 to 36000", "degrees", "30.0",
+     "as in [camera]; it may go past 360",
      [](const GivenValue& g, SceneDraft& d) {
          keyframe(g, d).azimuth_deg = g.number_between(-36000.0, 36000.0);
      },
      [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).azimuth_deg); }},
-    {"keyframes[].elevation_deg", "a number", "degrees", "35.0", "as in [camera]",
+    {"keyframes[].elevation_deg", "a number from -90 to 90", "degrees", "35.0", "as in [camera]",
      [](const GivenValue& g, SceneDraft& d) {
          keyframe(g, d).elevation_deg = g.number_between(-90.0, 90.0);
      },
      [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).elevation_deg); }},
-    {"keyframes[].distance", "a number", "largest half-axes", "4.0", "as in [camera]",
+    {"keyframes[].distance", "a number from 0.01 to 10000", "largest half-axes", "4.0",
+     "as in [camera]",
      [](const GivenValue& g, SceneDraft& d) {
          keyframe(g, d).distance = g.number_between(0.01, 10000.0);
      },
      [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).distance); }},
-    {"keyframes[].field_deg", "a number", "degrees", "20.0", "as in [camera]",
+    {"keyframes[].field_deg", "a number from 0.1 to 150", "degrees", "20.0", "as in [camera]",
      [](const GivenValue& g, SceneDraft& d) {
          keyframe(g, d).field_deg = g.number_between(0.1, 150.0);
      },
@@ -88,16 +91,17 @@ const SceneKey told_rows[] = {
      [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).look_at = g.one_of(camera_aims()); },
      [](const Scene& s, size_t i) { return text_unless_empty(s.keyframes.at(i).look_at); },
      camera_aims()},
-    {"keyframes[].speed", "a number", "", "0.2",
+    {"keyframes[].speed", "a number from 0 to 1e12", "", "0.2",
      "seconds of motion a second of film; 0 stops the motion",
      [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).speed = g.number_between(0.0, 1e12); },
      [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).speed); }},
 
     // … what comes and goes, …
-    {"fades[].at_s", "a number", "s", "2.0", "second of the film at which it begins",
+    {"fades[].at_s", "a number from 0 to 1e7", "s", "2.0", "second of the film at which it begins",
      [](const GivenValue& g, SceneDraft& d) { fade(g, d).at_s = film_second(g); },
      [](const Scene& s, size_t i) { return toml_text(s.fades.at(i).at_s); }},
-    {"fades[].over_s", "a number", "s", "1.0", "how long it takes, in seconds of film; default 1",
+    {"fades[].over_s", "a number from 0 to 1e7", "s", "1.0",
+     "how long it takes, in seconds of film; default 1",
      [](const GivenValue& g, SceneDraft& d) { fade(g, d).over_s = film_second(g); },
      [](const Scene& s, size_t i) { return toml_text(s.fades.at(i).over_s); }},
     {"fades[].easing", "a string", "", R"("smooth")",
@@ -110,16 +114,17 @@ const SceneKey told_rows[] = {
      [](const Scene& s, size_t i) {
          return toml_text(std::span<const std::string>(s.fades.at(i).elements));
      }},
-    {"fades[].opacity", "a number", "", "1.0",
-     "in the end, 0 to 1: 1 to come in (the default), 0 to go, less than 1 to grow pale",
+    {"fades[].opacity", "a number from 0 to 1", "", "1.0",
+     "in the end: 1 to come in (the default), 0 to go, less than 1 to grow pale",
      [](const GivenValue& g, SceneDraft& d) { fade(g, d).opacity = g.number_between(0.0, 1.0); },
      [](const Scene& s, size_t i) { return toml_text(s.fades.at(i).opacity); }},
 
     // … what is said meanwhile, …
-    {"captions[].at_s", "a number", "s", "4.0", "second of the film at which it comes",
+    {"captions[].at_s", "a number from 0 to 1e7", "s", "4.0",
+     "second of the film at which it comes",
      [](const GivenValue& g, SceneDraft& d) { caption(g, d).at_s = film_second(g); },
      [](const Scene& s, size_t i) { return toml_text(s.captions.at(i).at_s); }},
-    {"captions[].over_s", "a number", "s", "3.0",
+    {"captions[].over_s", "a number from 0.1 to 1e7", "s", "3.0",
      "how long it stands, in seconds of film; default: until the next in its place, or the end",
      [](const GivenValue& g, SceneDraft& d) {
          caption(g, d).over_s = g.number_between(0.1, most_film_s);
@@ -139,7 +144,8 @@ const SceneKey told_rows[] = {
      caption_places},
 
     // … and what its sections are called.
-    {"chapters[].at_s", "a number", "s", "0.0", "second of the film at which the section begins",
+    {"chapters[].at_s", "a number from 0 to 1e7", "s", "0.0",
+     "second of the film at which the section begins",
      [](const GivenValue& g, SceneDraft& d) {
          d.scene.chapters.at(g.item()).at_s = film_second(g);
      },

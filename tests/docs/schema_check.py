@@ -4,10 +4,12 @@
 Usage: schema_check.py POINSOT
 Every scene of scenes/ is valid and names the schema for editors; what stands in scenes/ is what the program prints; every key has a
 type; 44 broken scenes are refused at the right key, as the program itself refuses them; and of every key that takes numbers the schema
-refuses 0 where the program asks for a number greater than 0, and nowhere else.
+has the bounds that the program names when a number is outside of them, refuses 0 where the program asks for one greater than 0, and
+takes what the program takes.
 """
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -95,33 +97,52 @@ def leaves(schema):
         yield "", schema
 
 
-def zeros(schema, header=""):
-    """Of every key that takes numbers: its name, 0 or a list of zeros, and a scene that says so."""
+def numbers(schema, header=""):
+    """Of every key that takes numbers: its name, what it takes, and a scene that gives it a value, to be filled in."""
     for name, leaf in schema["properties"].items():
         items = leaf.get("items", {})
         if "properties" in leaf:
-            yield from zeros(leaf, f"[{name}]")
+            yield from numbers(leaf, f"[{name}]")
         elif "properties" in items:
-            yield from zeros(items, f"[[{header[1:-1] + '.' if header else ''}{name}]]")
-        elif '"number"' in json.dumps(items or leaf) and "items" not in items:
-            value = [0] * leaf.get("minItems", 1) if items else 0
+            yield from numbers(items, f"[[{header[1:-1] + '.' if header else ''}{name}]]")
+        elif re.search('"(number|integer)"', json.dumps(items or leaf)) and "items" not in items:
             # No other keys: what stands in a table must be read before it is missed that others do not.
-            yield f"{header}{name}", value, leaf, f"{header}\n{name} = {value}\n"
+            yield f"{header}{name}", leaf, f"{header}\n{name} = {{}}\n"
 
 
-def disagreements_on_zero(program, schema):
-    n_positive = 0
-    for key, value, leaf, scene in zeros(schema):
-        refused = not jsonschema.Draft4Validator(leaf).is_valid(value)
-        n_positive += refused
-        with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
-            file.write(scene)
-            file.flush()
-            said = subprocess.run([program, "check", file.name], capture_output=True, text=True).stderr
-        if refused != ("greater than 0" in said):
-            yield f"{key} = {value}: the schema {'refuses' if refused else 'takes'} it, the program says {said.strip()!r}"
-    if n_positive < 10:
-        yield f"only {n_positive} keys refuse 0"
+def said_of(program, scene):
+    with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
+        file.write(scene)
+        file.flush()
+        return subprocess.run([program, "check", file.name], capture_output=True, text=True).stderr
+
+
+def disagreements(program, schema):
+    """Where the schema draws a line elsewhere than the program: at 0, and far out on both sides."""
+    n_positive = n_bounded = 0
+    for key, leaf, scene in numbers(schema):
+        number = next((one for one in leaf.get("anyOf", [leaf]) if one.get("type") in ("number", "integer")), None)
+        if "items" not in leaf and number is None:
+            continue
+        zero = [0] * leaf.get("minItems", 1) if "items" in leaf else 0
+        refused = not jsonschema.Draft4Validator(leaf).is_valid(zero)
+        said = said_of(program, scene.format(zero))
+        bounded = re.search(r"give an? \w+ from (\S+) to (\S+)$", said.strip())
+        n_positive += refused and not bounded
+        if refused != ("greater than 0" in said or bounded is not None):
+            yield f"{key} = {zero}: the schema {'refuses' if refused else 'takes'} it, the program says {said.strip()!r}"
+        if "items" in leaf:
+            continue
+        for value in (-10**9, 10**15):
+            said = said_of(program, scene.format(value if number.get("type") == "integer" else f"{value}.0"))
+            bounded = re.search(r"give an? \w+ from (\S+) to (\S+)$", said.strip())
+            told = tuple(map(float, bounded.groups())) if bounded else (None, None)
+            has = (number.get("minimum"), number.get("maximum")) if "exclusiveMinimum" not in number else (None, None)
+            n_bounded += bounded is not None
+            if told != has and not (bounded is None and None not in has and has[0] <= value <= has[1]):
+                yield f"{key}: the schema has {has}, the program says {said.strip()!r}"
+    if n_positive < 10 or n_bounded < 60:
+        yield f"only {n_positive} keys refuse 0, and {n_bounded} values were out of bounds"
 
 
 def findings(program):
@@ -142,7 +163,7 @@ def findings(program):
         for error in validator.iter_errors(tomllib.loads(scene.read_text())):
             yield f"{scene.name}: {error.message}"
 
-    yield from disagreements_on_zero(program, schema)
+    yield from disagreements(program, schema)
     good = tomllib.loads(GOOD)
     yield from (f"the good scene: {error.message}" for error in validator.iter_errors(good))
     for old, new, key in BROKEN:
