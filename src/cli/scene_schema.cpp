@@ -35,7 +35,7 @@ std::string strings(const std::vector<std::string>& names) {
 
 // A number, or one with a unit in a string where the key has a unit. `bounds`: further members.
 std::string number(const std::string& bounds, bool has_unit) {
-    const std::string bare = R"("type": "number")" + bounds;
+    std::string bare = R"("type": "number")" + bounds;
     if (!has_unit) return bare;
     return R"("anyOf": [{)" + bare + R"(}, {"type": "string", "pattern": "[0-9].*[A-Za-z°]"}])";
 }

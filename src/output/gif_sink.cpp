@@ -95,6 +95,11 @@ Image frame_of(FrameEntries& log, const OutputPlan& plan, std::int64_t k) {
     return frame;
 }
 
+// The hundredth of a second, in which a GIF counts, at which frame k begins.
+std::int64_t hundredth_of(std::int64_t k, const FrameRate& rate) {
+    return (200 * k * rate.denominator + rate.numerator) / (2 * rate.numerator);
+}
+
 // Puts the film together from the frames in the log, whose colours have been counted.
 void write_whole(FrameEntries& log, const ColourCount& count, const OutputPlan& plan) {
     AtomicFile file(plan.path);
@@ -106,10 +111,14 @@ void write_whole(FrameEntries& log, const ColourCount& count, const OutputPlan& 
                    plan.path, "stream parameters");
     muxer.stream()->time_base = encoder.context().time_base;
     libav::Options options;
+    // How long the last frame stays is a guess of the muxer's, another one from FFmpeg 7 on.
+    const std::int64_t n = log.n_entries();
+    options.set("final_delay",
+                std::to_string(hundredth_of(n, plan.rate) - hundredth_of(n - 1, plan.rate)));
     muxer.write_header(options);
     const libav::Frame frame = indexed_frame(plan);
     const libav::Packet packet = libav::make_packet();
-    for (std::int64_t k = 0; k < log.n_entries(); ++k) {
+    for (std::int64_t k = 0; k < n; ++k) {
         libav::checked(av_frame_make_writable(frame.get()), plan.path, "video frame");
         set_palette(*frame, palette);
         ditherer.apply(frame_of(log, plan, k), frame->data[0], frame->linesize[0]);
@@ -121,7 +130,7 @@ void write_whole(FrameEntries& log, const ColourCount& count, const OutputPlan& 
     take_packets(encoder, muxer, packet.get());
     muxer.write_trailer();
     if (!plan.metadata.empty()) {
-        Contents contents{.n_frames = log.n_entries()};
+        Contents contents{.n_frames = n};
         // A device or a pipe cannot be read again, nor gone back in to add a comment.
         if (!file.aside().empty())
             contents.packets = gif_packets(contents_of(file), plan.path.string()).of_film();

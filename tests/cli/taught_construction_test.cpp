@@ -129,11 +129,12 @@ struct Pinhole {
 };
 
 void write_scene(const ScratchFolder& folder, const Turning& body) {
-    folder.write("scene.toml",
-                 fmt::format("[body]\nmoments_kg_m2 = [{}, {}, {}]\n[start]\nomega_rad_s = [{:#}, "
-                             "{:#}, {:#}]\n[film]\nduration_s = 20.0\n",
-                             body.moments.x(), body.moments.y(), body.moments.z(), body.omega.x(),
-                             body.omega.y(), body.omega.z()));
+    folder.write(
+        "scene.toml",
+        fmt::format("[body]\nmoments_kg_m2 = [{}, {}, {}]\n[start]\nomega_rad_s = [{:.3f}, "
+                    "{:.3f}, {:.3f}]\n[film]\nduration_s = 20.0\n",
+                    body.moments.x(), body.moments.y(), body.moments.z(), body.omega.x(),
+                    body.omega.y(), body.omega.z()));
 }
 
 // Elements alone, on no ground.

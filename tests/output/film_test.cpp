@@ -1,5 +1,9 @@
 // Films decoded again by libavformat: what was asked for is what a player finds.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
 
 #include "image/compare.h"
 #include "output/films.h"
@@ -254,6 +258,27 @@ TEST(Gif, ComesCloseToSmoothPictures) {
     // Hundredths of a second: 3, 3, 4, …
     EXPECT_NEAR(reader.info().duration_s, 10 / 30.0, 0.011);
     EXPECT_EQ(reader.info().texts.at("comment"), plan.metadata);
+}
+
+// GIF89a §23: a graphic control extension begins with 21 F9 04, flags, and the delay in hundredths.
+TEST(Gif, EveryFrameStaysUntilTheNextAndTheLastUntilTheEnd) {
+    const TemporaryFolder folder;
+    for (const auto& [fps, n_frames] : {std::pair(30, 10), std::pair(24, 7), std::pair(24, 1),
+                                        std::pair(50, 3), std::pair(7, 5)}) {
+        OutputPlan plan = small_plan(folder / fmt::format("{}_{}.gif", fps, n_frames), n_frames);
+        plan.rate = {fps, 1};
+        write_film(plan);
+        const std::string bytes = bytes_of(plan.path);
+        const std::string head("\x21\xf9\x04", 3);
+        int frame = 0, ends = 0;
+        for (std::size_t at = bytes.find(head); at != std::string::npos;
+             at = bytes.find(head, at + 1)) {
+            ends += static_cast<unsigned char>(bytes[at + 4]) +
+                    256 * static_cast<unsigned char>(bytes[at + 5]);
+            EXPECT_EQ(ends, std::lround(100.0 * ++frame / fps)) << fps << " " << frame;
+        }
+        EXPECT_EQ(frame, n_frames);
+    }
 }
 
 TEST(Gif, KeepsHolesAndClearsThemBehindWhatMoves) {
