@@ -146,6 +146,21 @@ std::vector<Eigen::Vector3d> points_of_ellipsoid(const Eigen::Matrix3d& half_axe
     return points;
 }
 
+std::vector<Eigen::Vector3d> outermost(std::span<const Eigen::Vector3d> points) {
+    std::vector<Eigen::Vector3d> found;
+    if (points.empty()) return found;
+    for (const Eigen::Vector3d& direction : points_of_ellipsoid(Eigen::Matrix3d::Identity())) {
+        const Eigen::Vector3d& farthest =
+            *std::max_element(points.begin(), points.end(),
+                              [&direction](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+                                  return a.dot(direction) < b.dot(direction);
+                              });
+        if (std::find(found.begin(), found.end(), farthest) == found.end())
+            found.push_back(farthest);
+    }
+    return found;
+}
+
 Eigen::Vector3d direction_of(double azimuth_deg, double elevation_deg) {
     const double azimuth = azimuth_deg * std::numbers::pi / 180.0;
     const double elevation = elevation_deg * std::numbers::pi / 180.0;

@@ -42,6 +42,10 @@ Margins even_margins(const PanelBox& box, double margin_px);
 // would be too many, so these are points of the surface, dense enough for a frame with a margin.
 std::vector<Eigen::Vector3d> points_of_ellipsoid(const Eigen::Matrix3d& half_axes);
 
+// Of many points those that lie farthest out in some direction, which is what a frame needs of
+// them: directions are 15° apart, so less than a hundredth of their reach is missed.
+std::vector<Eigen::Vector3d> outermost(std::span<const Eigen::Vector3d> points);
+
 // The direction in which a camera of the scene stands: azimuth about z from x, elevation above the
 // xy plane, degrees.
 Eigen::Vector3d direction_of(double azimuth_deg, double elevation_deg);

@@ -26,6 +26,8 @@ namespace {
 // line, their tips stand apart.
 constexpr double longest_arrow = 1.45;
 constexpr double longest_omega = 1.22;
+// Of the principal axes over the body.
+constexpr double axis_beyond = 0.22;
 
 // Whether another panel shows the construction, which this one then agrees with.
 bool stands_beside_construction(const StageData& stage) {
@@ -80,31 +82,44 @@ class ArrowScale {
     double momentum_most_ = 0.0;
 };
 
-// The torque N at an instant, picture axes, beside the largest of the film; nothing where none
-// acts. It stands beside ω and L, along which it may point, a little to the left of the fixed
-// point.
-Drawer make_torque(Panel& panel) {
-    const StageData& stage = *panel.stage;
-    const MotionProblem& problem = stage.motion.motion().problem();
-    const RotationDynamics dynamics(problem.inertia, problem.torque);
-    if (!dynamics.has_torque()) return [](const Instant&, Sheet&) {};
-    const Eigen::Matrix3d body_from_principal = problem.inertia.body_from_principal();
-    const auto torque_body = [dynamics, body_from_principal](const RotationState& state) {
-        StepState step;
-        step.space_from_principal = state.space_from_body * Eigen::Quaterniond(body_from_principal);
-        return Eigen::Vector3d(body_from_principal * dynamics.torque_on(step));
-    };
-    const double most_N_m = dynamics.greatest_torque_N_m();
-    if (!(most_N_m > 0.0)) return [](const Instant&, Sheet&) {};
-    const SetType type = set_label(panel, "\\mathbf{N}");
-    return [&panel, torque_body, most_N_m, type](const Instant& instant, Sheet& sheet) {
+// The torque N, picture axes, beside the largest of the film.
+class TorqueScale {
+ public:
+    explicit TorqueScale(const StageData& stage)
+        : stage_(&stage),
+          body_from_principal_(stage.motion.motion().problem().inertia.body_from_principal()),
+          dynamics_(stage.motion.motion().problem().inertia,
+                    stage.motion.motion().problem().torque),
+          most_N_m_(dynamics_.has_torque() ? dynamics_.greatest_torque_N_m() : 0.0) {}
+
+    bool acts() const { return most_N_m_ > 0.0; }
+    Eigen::Vector3d along(const RotationState& state) const {
         constexpr double length = 1.0;
+        StepState step;
+        step.space_from_principal =
+            state.space_from_body * Eigen::Quaterniond(body_from_principal_);
+        const Eigen::Vector3d torque_body = body_from_principal_ * dynamics_.torque_on(step);
+        return picture_from_space(*stage_) * (state.space_from_body * torque_body) *
+               (length / most_N_m_);
+    }
+
+ private:
+    const StageData* stage_;
+    Eigen::Matrix3d body_from_principal_;
+    RotationDynamics dynamics_;
+    double most_N_m_;
+};
+
+// The torque's arrow, where one acts: beside ω and L, along which it may point, a little to the
+// left of the fixed point.
+Drawer make_torque(Panel& panel, const TorqueScale& torque) {
+    if (!torque.acts()) return [](const Instant&, Sheet&) {};
+    const SetType type = set_label(panel, "\\mathbf{N}");
+    return [&panel, torque, type](const Instant& instant, Sheet& sheet) {
         constexpr double aside = 0.16;
-        const Eigen::Vector3d along = picture_from_space(*panel.stage) *
-                                      (instant.state.space_from_body * torque_body(instant.state)) *
-                                      (length / most_N_m);
         const Eigen::Vector3d tail = -aside * camera_axes(sheet.view.camera).col(0);
-        Arrow arrow = arrow_between(panel, tail, tail + along, panel.stage->theme->energy, 1.15);
+        Arrow arrow = arrow_between(panel, tail, tail + torque.along(instant.state),
+                                    panel.stage->theme->energy, 1.15);
         arrow.hidden_opacity = 0.85;
         sheet.view.arrows.push_back(arrow);
         wish_at_tip(panel, arrow, type, sheet, -omega_label_turn_rad);
@@ -121,7 +136,7 @@ Drawer make_ghost_body(Panel& panel, const BodyShape& shape, const ArrowScale& a
     for (Curve& line : lines) line.colour = grey;
     const Eigen::Matrix3d& axes = panel.stage->scene.body.inertia.body_from_principal();
     for (int i = 0; i < 3; ++i) {
-        const Eigen::Vector3d end = axes.col(i) * (shape.extents[i] + 0.22);
+        const Eigen::Vector3d end = axes.col(i) * (shape.extents[i] + axis_beyond);
         lines.push_back(line_between(panel, Eigen::Vector3d::Zero(), end, grey, 1.6));
     }
     for (Curve& line : lines) line.hidden_opacity = 0.45;
@@ -153,6 +168,47 @@ Drawer make_marks(Panel& panel, double reach_m) {
         });
 }
 
+// How far the body, its axes and the arrows come in every direction over the film, by its own
+// instants; beside another motion every attitude, for the ghost's.
+std::vector<Eigen::Vector3d> points_to_frame(const StageData& stage, const BodyShape& shape,
+                                             const ArrowScale& arrows, const TorqueScale& torque) {
+    if (stage.beside) {
+        std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
+        const bool down =
+            stage.rolling && stands_beside_construction(stage) && stage.rolling->normal.z() < 0.0;
+        if (arrows.turns()) points.emplace_back(0.0, 0.0, down ? -longest_arrow : longest_arrow);
+        return points;
+    }
+    std::vector<Eigen::Vector3d> body;
+    for (const BodyPart& part : shape.parts)
+        for (const Eigen::Vector3f& corner : part.geometry->positions)
+            body.emplace_back(corner.cast<double>());
+    body = outermost(body);
+    const Eigen::Matrix3d& axes = stage.scene.body.inertia.body_from_principal();
+    for (int i = 0; i < 3; ++i) body.emplace_back(axes.col(i) * (shape.extents[i] + axis_beyond));
+
+    std::vector<Eigen::Vector3d> points;
+    constexpr int n_looks = 128;
+    // Spread by the golden section, so that no turning of the body keeps step with them.
+    constexpr double golden = 0.6180339887498949;
+    for (int k = 0; k <= n_looks; ++k) {
+        Instant instant;
+        const double part = k * golden - std::floor(k * golden);
+        instant.time_s = stage.film_first_s + (stage.film_last_s - stage.film_first_s) * part;
+        instant.state = stage.motion
+                            .sample(instant.time_s,
+                                    {.attitude = true, .herpolhode = false, .euler_angles = false})
+                            .state;
+        const Eigen::Quaterniond turn = picture_from_space(stage) * instant.state.space_from_body;
+        for (const Eigen::Vector3d& point : body) points.emplace_back(turn * point);
+        if (torque.acts()) points.push_back(torque.along(instant.state));
+        if (!arrows.turns()) continue;
+        points.push_back(arrows.momentum_tip(instant));
+        points.push_back(arrows.omega_tip(instant));
+    }
+    return outermost(points);
+}
+
 }  // namespace
 
 void make_object_panel(Panel& panel) {
@@ -161,12 +217,9 @@ void make_object_panel(Panel& panel) {
     const BodyShape shape = body_shape(panel);
     const ArrowScale arrows(stage);
 
-    // The body in every attitude, and arrows upwards or downwards.
-    std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
-    const bool down =
-        stage.rolling && stands_beside_construction(stage) && stage.rolling->normal.z() < 0.0;
-    if (arrows.turns()) points.emplace_back(0.0, 0.0, down ? -longest_arrow : longest_arrow);
-    aim_around(panel, std::move(points), 0.7 * label_size * panel.type_px + 24.0 * panel.px);
+    const TorqueScale torque_scale(stage);
+    aim_around(panel, points_to_frame(stage, shape, arrows, torque_scale),
+               0.7 * label_size * panel.type_px + 24.0 * panel.px);
 
     std::array<SetType, 3> axis_types;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -175,7 +228,7 @@ void make_object_panel(Panel& panel) {
     const SetType omega_type = set_label(panel, "\\boldsymbol{\\omega}");
     const SetType momentum_type = set_label(panel, "\\mathbf{L}");
     const Drawer ghost = make_ghost_body(panel, shape, arrows);
-    const Drawer torque = make_torque(panel);
+    const Drawer torque = make_torque(panel, torque_scale);
     const Drawer marks = make_marks(panel, shape.reach_m);
     panel.draw = [&panel, shape, arrows, axis_types, omega_type, momentum_type, ghost, torque,
                   marks](const Instant& instant, Sheet& sheet) {
@@ -196,7 +249,7 @@ void make_object_panel(Panel& panel) {
         const Eigen::Matrix3d axes =
             attitude * panel.stage->scene.body.inertia.body_from_principal();
         for (int i = 0; i < 3; ++i) {
-            add_arrow(axes.col(i) * (shape.extents[i] + 0.22), theme.axes[i], 0.8,
+            add_arrow(axes.col(i) * (shape.extents[i] + axis_beyond), theme.axes[i], 0.8,
                       axis_types[static_cast<std::size_t>(i)], axis_label_turn_rad);
         }
         if (!arrows.turns()) return;
