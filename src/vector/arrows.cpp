@@ -137,7 +137,17 @@ LinearFade lit_across(const Canvas& canvas, const Arrow& arrow, const ArrowShape
     return fade;
 }
 
-void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape, double opacity) {
+// What is pale shows no light worth a gradient.
+constexpr double pale = 0.9;
+
+// With light on it; `ink` where it is pale.
+// Of its shaft and its head, which are drawn.
+struct ArrowParts {
+    bool shaft = true, head = true;
+};
+
+void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape, double opacity,
+                const Ink& ink, const ArrowParts& parts) {
     const double shaft_tail = shape.shaft_radius * shape.tail_scale;
     const double shaft_neck = shape.shaft_radius * shape.neck_scale;
     const double head = shape.head_radius * shape.neck_scale;
@@ -145,9 +155,8 @@ void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shap
     const double head_length = (shape.tip - shape.neck).norm();
     const auto paint = [&](const Eigen::Vector2d& middle, double radius, double slope) -> Paint {
         if (canvas.shading == Shading::none) return Ink{arrow.colour, opacity};
-        // What is pale shows no light worth a gradient.
-        if (opacity < 0.9) return as_in_light(arrow.colour, opacity, behind);
-        // Nor what is no wider than a line.
+        if (opacity < pale) return ink;
+        // Nor does what is no wider than a line.
         constexpr double narrow_pt = 0.8;
         if (radius < narrow_pt) {
             const LinearFade fade =
@@ -165,9 +174,13 @@ void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shap
     point.paint = paint(shape.neck_pt, head, shape.head_radius / std::max(head_length, 1e-9));
     // The nearer part lies on top: the shaft when the arrow points away.
     const bool away = shape.axis.dot(-canvas.sight.towards_eye(shape.neck)) > 0.0;
-    if (away) std::swap(shaft, point);
-    canvas.add(std::move(shaft));
-    canvas.add(std::move(point));
+    bool shows_first = parts.shaft, shows_second = parts.head;
+    if (away) {
+        std::swap(shaft, point);
+        std::swap(shows_first, shows_second);
+    }
+    if (shows_first) canvas.add(std::move(shaft));
+    if (shows_second) canvas.add(std::move(point));
 }
 
 // All of the arrow beside a part of its axis: a strip across it.
@@ -189,31 +202,69 @@ Path strip(const Canvas& canvas, const ArrowShape& shape, double from, double to
     return path;
 }
 
+// What of it shows beside a part of its axis.
+ArrowParts parts_beside(const Canvas& canvas, const ArrowShape& shape, double from, double to) {
+    const auto along = [&](double s) {
+        return shape.along.dot(canvas.sight.paper(shape.tail + s * (shape.tip - shape.tail)) -
+                               shape.neck_pt);
+    };
+    // The neck's rings reach as far to both sides of it.
+    const double ring = shape.open * shape.neck_scale;
+    return {from <= 0.0 || along(from) <= ring * shape.shaft_radius,
+            to >= 1.0 || along(to) >= -ring * shape.head_radius};
+}
+
+// The opacity of a layer: both, the visible one over the hidden one, make up the whole.
 double weight_of(const Cover& cover, double hidden_opacity, ArrowLayer layer) {
     if (layer == ArrowLayer::visible) return cover.clear;
-    if (hidden_opacity < 0.0) return 0.0;  // left out
-    return (1.0 - cover.clear) * std::max(hidden_opacity, cover.transmitted);
+    if (hidden_opacity < 0.0 || cover.clear >= 1.0) return 0.0;  // left out
+    return std::max(hidden_opacity, cover.transmitted);
+}
+
+// The part of it beside a part of its axis, of one opacity, over a layer of it that has another.
+void draw_part(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape,
+               const Track& track, const Span& span, double opacity, double lower_opacity) {
+    const Eigen::Vector3d to_eye = canvas.sight.towards_eye(0.5 * (shape.tail + shape.tip));
+    const Eigen::Vector3d front = (to_eye - to_eye.dot(shape.axis) * shape.axis).normalized();
+    const Colour lit =
+        encoded(arrow_surface(arrow.colour, canvas.lights, {front, to_eye.normalized()}));
+    const auto look_at = [&](double s) {
+        const Colour ground = canvas.behind(canvas.sight.paper(track.flow(s).position));
+        const Colour behind = over(as_in_light(lit, lower_opacity, ground), ground);
+        return Canvas::LineLook{lit, opacity, behind};
+    };
+    std::vector<Canvas::EvenPart> parts{{span.from, span.to, {}}};
+    if (canvas.shading != Shading::none && opacity < pale)
+        parts = canvas.even_parts(track, span.from, span.to, look_at);
+    for (const Canvas::EvenPart& part : parts) {
+        const bool whole = part.from <= 0.0 && part.to >= 1.0;
+        if (!whole) canvas.add(ClipBegin{strip(canvas, shape, part.from, part.to), false});
+        fill_arrow(canvas, arrow, shape, opacity, part.ink,
+                   parts_beside(canvas, shape, part.from, part.to));
+        if (!whole) canvas.add(ClipEnd{});
+    }
 }
 
 void draw_arrow(const Canvas& canvas, const Arrow& arrow, ArrowLayer layer) {
     const ArrowShape shape = shape_of(canvas, arrow);
     if (!shape.seen) return;
-    if (arrow.occlusion == Occlusion::none) {
-        if (layer == ArrowLayer::visible) fill_arrow(canvas, arrow, shape, arrow.opacity);
-        return;
-    }
     Track track;
     const Eigen::Vector3d run = shape.tip - shape.tail;
     track.flow = [&shape, run](double s) { return CurveFlow{shape.tail + s * run, run}; };
     track.knots = {0.0, 1.0};
+    if (arrow.occlusion == Occlusion::none) {
+        if (layer == ArrowLayer::visible)
+            draw_part(canvas, arrow, shape, track, {0.0, 1.0, {}}, arrow.opacity, 0.0);
+        return;
+    }
     const std::vector<Span> spans = canvas.occluders.spans(track, {});
     for (const Span& span : spans) {
-        const double opacity = arrow.opacity * weight_of(span.cover, arrow.hidden_opacity, layer);
-        if (opacity < 1e-3) continue;
-        const bool whole = span.from <= 0.0 && span.to >= 1.0;
-        if (!whole) canvas.add(ClipBegin{strip(canvas, shape, span.from, span.to), false});
-        fill_arrow(canvas, arrow, shape, opacity);
-        if (!whole) canvas.add(ClipEnd{});
+        const auto opacity_of = [&](ArrowLayer of) {
+            return arrow.opacity * weight_of(span.cover, arrow.hidden_opacity, of);
+        };
+        const double lower = layer == ArrowLayer::visible ? opacity_of(ArrowLayer::hidden) : 0.0;
+        const double opacity = opacity_of(layer);
+        if (opacity >= 1e-3) draw_part(canvas, arrow, shape, track, span, opacity, lower);
     }
 }
 

@@ -55,6 +55,24 @@ struct Canvas {
     Shading shading;
     Page& page;
     bool has_fills() const { return shading == Shading::tone; }
+    // A part of a track over which an ink may stay what it is in the middle.
+    struct EvenPart {
+        double from = 0.0, to = 0.0;
+        Ink ink;
+    };
+    // What a line looks like at a parameter: its colour in light, and what it lies on.
+    struct LineLook {
+        Colour colour;
+        double opacity = 1.0;
+        Colour behind;
+    };
+    // [from, to] in parts whose ink is nowhere further than five levels of 255 from what it is to
+    // make there: inks of the opacity asked for or, where it is pale, shades, whichever takes
+    // fewer. Where it covers most of what lies behind, parts overlap by a little, so that no seam
+    // is seen between them.
+    std::vector<EvenPart> even_parts(const Track& track, double from, double to,
+                                     const std::function<LineLook(double)>& look_at) const;
+
     // How far the picture has come, for behind().
     std::size_t n_planes = 0, n_ellipsoids = 0;
 };

@@ -178,23 +178,32 @@ void draw_curve(const Canvas& canvas, const Curve& curve) {
                          static_cast<double>(steps.size());
             }
             if (faded < 1e-3) continue;
-            Stroke stroke;
-            stroke.path =
-                canvas.path_of(track, cuts[k - 1], cuts[k], curve_tolerance_pt, form_tolerance_pt);
-            const bool whole = cuts[k - 1] == first && cuts[k] == last;
-            if (whole && geometry.closed && first_point == 0.0 && last_point == n_segments)
-                stroke.path.close();
-            stroke.ink =
-                as_in_light(curve.colour, faded,
-                            canvas.behind(canvas.sight.paper(track.flow(middle).position)));
-            stroke.width_pt = canvas.line_pt(curve.width_px);
-            stroke.dashes_pt = dashes_of(canvas, curve, span.cover.clear < 0.5);
-            // Dashes go on where a part ends; the curve begins in the middle of a gap.
-            if (stroke.dashes_pt.size() == 2)
-                stroke.dash_offset_pt = stroke.dashes_pt[0] + 0.5 * stroke.dashes_pt[1] +
-                                        length_pt(canvas.sight, track, first, cuts[k - 1]);
-            stroke.round = whole && stroke.dashes_pt.empty();
-            canvas.add(std::move(stroke));
+            const auto look_at = [&](double s) {
+                const Colour behind = canvas.behind(canvas.sight.paper(track.flow(s).position));
+                return Canvas::LineLook{curve.colour, faded, behind};
+            };
+            std::vector<Canvas::EvenPart> parts{{cuts[k - 1], cuts[k], {curve.colour, faded}}};
+            if (faded < 1.0 && steps.empty())
+                parts = canvas.even_parts(track, cuts[k - 1], cuts[k], look_at);
+            else if (faded < 1.0)
+                parts.front().ink = as_in_light(curve.colour, faded, look_at(middle).behind);
+            for (const Canvas::EvenPart& part : parts) {
+                Stroke stroke;
+                stroke.path = canvas.path_of(track, part.from, part.to, curve_tolerance_pt,
+                                             form_tolerance_pt);
+                const bool whole = part.from == first && part.to == last;
+                if (whole && geometry.closed && first_point == 0.0 && last_point == n_segments)
+                    stroke.path.close();
+                stroke.ink = part.ink;
+                stroke.width_pt = canvas.line_pt(curve.width_px);
+                stroke.dashes_pt = dashes_of(canvas, curve, span.cover.clear < 0.5);
+                // Dashes go on where a part ends; the curve begins in the middle of a gap.
+                if (stroke.dashes_pt.size() == 2)
+                    stroke.dash_offset_pt = stroke.dashes_pt[0] + 0.5 * stroke.dashes_pt[1] +
+                                            length_pt(canvas.sight, track, first, part.from);
+                stroke.round = whole && stroke.dashes_pt.empty();
+                canvas.add(std::move(stroke));
+            }
         }
     }
 }

@@ -1,4 +1,5 @@
 // An ellipsoid: its exact outline, the light on it, its principal sections and rulings.
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -54,17 +55,19 @@ Layer both(const Ellipsoid& ellipsoid, const Lights& lights, const Meeting& meet
 
 void fill_lit(const Canvas& canvas, const Ellipsoid& ellipsoid, const SphereSight& sphere,
               const PaperEllipse& outline) {
-    constexpr int n_rings = 5, n_spokes = 12;
+    constexpr int n_rings = 5, n_spokes = 9;
     ShadedDisc disc;
     disc.page_from_disc = outline.page_from_circle();
     disc.n_rings = n_rings;
     disc.n_spokes = n_spokes;
     std::vector<Colour> wanted, behind;
+    const double size_pt = std::sqrt(std::abs(disc.page_from_disc.linear().determinant()));
+    const double limb_radius = std::max(1.0 - 0.25 / std::max(size_pt, 1e-9), 0.95);
     double alpha = 0.0;
     for (int ring = 0; ring <= n_rings; ++ring) {
         for (int spoke = 0; spoke < n_spokes; ++spoke) {
-            // The last ring lies just within, where lines of sight still meet the surface.
-            const double r = std::min(disc.radius(ring), 0.9999);
+            // The limb is bright for less than its half point, whose middle stands for it.
+            const double r = std::min(disc.radius(ring), limb_radius);
             const Eigen::Vector2d place =
                 outline.centre + r * (outline.at(2.0 * pi * spoke / n_spokes) - outline.centre);
             const Layer seen =
@@ -85,11 +88,49 @@ void fill_lit(const Canvas& canvas, const Ellipsoid& ellipsoid, const SphereSigh
     canvas.add(std::move(fill));
 }
 
-// A conic on the surface, in its parts on this side and on the other.
-void stroke_conic(const Canvas& canvas, std::size_t number, const Conic& conic, double first,
-                  double last, double width_pt, double opacity, bool also_behind) {
-    const SphereSight& sphere = canvas.occluders.spheres()[number];
+// What a line of it looks like at a place on paper, over the tone that is there.
+Canvas::LineLook line_on(const Canvas& canvas, std::size_t number, const Eigen::Vector2d& at,
+                         bool front, double opacity) {
     const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
+    const Colour behind = canvas.behind(at);
+    // Lines alone: what lies behind is paler, over nothing.
+    if (canvas.shading == Shading::none)
+        return {ellipsoid.line_colour, opacity * ellipsoid.presence * (front ? 1.0 : 0.35), behind};
+    const Meeting meeting = meeting_of(canvas.sight, canvas.occluders.spheres()[number], at);
+    const auto lay = [](const Layer& layer, const Eigen::Vector3d& under) {
+        return (layer.alpha * layer.light + (1.0 - layer.alpha) * under).eval();
+    };
+    const auto fore = [&](double lines) {
+        return outer_surface(ellipsoid, canvas.lights, meeting.front, lines);
+    };
+    const auto back = [&](double lines) {
+        return inner_surface(ellipsoid, canvas.lights, meeting.back, lines);
+    };
+    const Eigen::Vector3d under = linear(behind);
+    const Eigen::Vector3d tone = lay(fore(0.0), lay(back(0.0), under));
+    const Eigen::Vector3d inked =
+        front ? lay(fore(1.0), lay(back(0.0), under)) : lay(fore(0.0), lay(back(1.0), under));
+    return {encoded(inked), opacity, encoded(tone)};
+}
+
+// Whether a part of a line stays so far within the outline.
+bool is_within(const Canvas& canvas, const PaperEllipse& outline, const Track& track,
+               const Canvas::EvenPart& part, double margin_pt) {
+    constexpr int n = 8;
+    const double shorter = outline.page_from_circle().linear().jacobiSvd().singularValues()[1];
+    for (int k = 0; k <= n; ++k) {
+        const double s = part.from + (part.to - part.from) * k / n;
+        const Eigen::Vector2d at = canvas.sight.paper(track.flow(s).position);
+        if (outline.radius_of(at) > 1.0 - margin_pt / shorter) return false;
+    }
+    return true;
+}
+
+// A conic on the surface, in its parts on this side and on the other.
+void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& outline,
+                  const Conic& conic, double first, double last, double width_pt, double opacity,
+                  bool also_behind) {
+    const SphereSight& sphere = canvas.occluders.spheres()[number];
     // On this side where α + β cos s + γ sin s > 0: at one interval about the greatest value.
     const auto facing = [&](const Eigen::Vector3d& v) {
         return (sphere.to_u * v).dot(sphere.eye_u);
@@ -110,31 +151,25 @@ void stroke_conic(const Canvas& canvas, std::size_t number, const Conic& conic, 
         const double s = 0.5 * (cuts[k - 1] + cuts[k]);
         const bool front = alpha + beta * std::cos(s) + gamma * std::sin(s) > 0.0;
         if (!front && !also_behind) continue;
-        const Eigen::Vector3d at = conic.at(s);
-        if (canvas.sight.perspective && canvas.sight.depth(at) <= canvas.sight.near_depth) continue;
-        const Eigen::Vector2d paper = canvas.sight.paper(at);
-        const Meeting meeting = meeting_of(canvas.sight, sphere, paper);
-        const Layer fore = outer_surface(ellipsoid, canvas.lights, meeting.front, 0.0);
-        const Layer line = front ? outer_surface(ellipsoid, canvas.lights, meeting.front, 1.0)
-                                 : inner_surface(ellipsoid, canvas.lights, meeting.back, 1.0);
-        // A line seen through the front surface, or on it, over the tone that is there.
-        const Eigen::Vector3d under = linear(canvas.behind(paper));
-        const Layer whole = both(ellipsoid, canvas.lights, meeting);
-        const Eigen::Vector3d tone = whole.alpha * whole.light + (1.0 - whole.alpha) * under;
-        const Eigen::Vector3d inked = line.alpha * line.light + (1.0 - line.alpha) * under;
-        const Eigen::Vector3d seen =
-            front ? inked : Eigen::Vector3d(fore.alpha * fore.light + (1.0 - fore.alpha) * inked);
-        Stroke stroke;
-        stroke.path = canvas.path_of(track, cuts[k - 1], cuts[k], conic_tolerance_pt);
-        stroke.ink = as_in_light(encoded(seen), opacity, encoded(tone));
-        // Lines alone: what lies behind is paler, over nothing.
-        if (canvas.shading == Shading::none)
-            stroke.ink = as_in_light(ellipsoid.line_colour,
-                                     opacity * ellipsoid.presence * (front ? 1.0 : 0.35),
-                                     canvas.behind(paper));
-        stroke.width_pt = width_pt;
-        stroke.round = false;
-        canvas.add(std::move(stroke));
+        if (canvas.sight.perspective && canvas.sight.depth(conic.at(s)) <= canvas.sight.near_depth)
+            continue;
+        const auto look_at = [&](double t) {
+            return line_on(canvas, number, canvas.sight.paper(conic.at(t)), front, opacity);
+        };
+        for (const Canvas::EvenPart& part :
+             canvas.even_parts(track, cuts[k - 1], cuts[k], look_at)) {
+            // Lines lie on the surface: where it ends they do, with all of their width.
+            const bool clips = canvas.shading != Shading::none &&
+                               !is_within(canvas, outline, track, part, 0.5 * width_pt);
+            if (clips) canvas.add(ClipBegin{canvas.path_of(outline), false});
+            Stroke stroke;
+            stroke.path = canvas.path_of(track, part.from, part.to, conic_tolerance_pt);
+            stroke.ink = part.ink;
+            stroke.width_pt = width_pt;
+            stroke.round = false;
+            canvas.add(std::move(stroke));
+            if (clips) canvas.add(ClipEnd{});
+        }
     }
 }
 
@@ -155,22 +190,23 @@ void stroke_sections(const Canvas& canvas, std::size_t number, const PaperEllips
             const double longitude = 2.0 * pi * k / ellipsoid.n_meridians;
             const Conic meridian{sphere.centre, std::cos(longitude) * a + std::sin(longitude) * b,
                                  c};
-            stroke_conic(canvas, number, meridian, -0.5 * pi + polar_cap, 0.5 * pi - polar_cap,
-                         ruling_pt, meridians, false);
+            stroke_conic(canvas, number, outline, meridian, -0.5 * pi + polar_cap,
+                         0.5 * pi - polar_cap, ruling_pt, meridians, false);
         }
         const double parallels = opacity_of(0.7 * pi / (ellipsoid.n_parallels + 1));
         for (int k = 1; k <= ellipsoid.n_parallels && parallels > 0.0; ++k) {
             const double latitude = pi * k / (ellipsoid.n_parallels + 1) - 0.5 * pi;
             const Conic parallel{sphere.centre + std::sin(latitude) * c, std::cos(latitude) * a,
                                  std::cos(latitude) * b};
-            stroke_conic(canvas, number, parallel, 0.0, 2.0 * pi, ruling_pt, parallels, false);
+            stroke_conic(canvas, number, outline, parallel, 0.0, 2.0 * pi, ruling_pt, parallels,
+                         false);
         }
     }
     if (ellipsoid.section_px > 0.0) {
         const double section_pt = canvas.line_pt(ellipsoid.section_px);
         for (const Conic& section :
              {Conic{sphere.centre, a, b}, Conic{sphere.centre, b, c}, Conic{sphere.centre, c, a}})
-            stroke_conic(canvas, number, section, 0.0, 2.0 * pi, section_pt, 1.0, true);
+            stroke_conic(canvas, number, outline, section, 0.0, 2.0 * pi, section_pt, 1.0, true);
     }
 }
 

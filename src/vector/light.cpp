@@ -23,12 +23,10 @@ Colour encoded(const Eigen::Vector3d& l) {
     return {encoded(l.x()), encoded(l.y()), encoded(l.z())};
 }
 
-Ink as_in_light(const Colour& colour, double opacity, const Colour& behind) {
-    if (opacity <= 0.0) return {colour, 0.0};
-    if (opacity >= 1.0) return {colour, 1.0};
-    const Colour wanted = encoded(opacity * linear(colour) + (1.0 - opacity) * linear(behind));
-    // The least opacity from the one asked for with which every component stays within 0…1.
-    double alpha = opacity;
+namespace {
+
+// The least opacity from `alpha` on with which some ink makes `wanted` over `behind`.
+double least_opacity(double alpha, const Colour& wanted, const Colour& behind) {
     const auto raise = [&alpha](double is, double was) {
         if (is > was && was < 1.0) alpha = std::max(alpha, (is - was) / (1.0 - was));
         if (is < was && was > 0.0) alpha = std::max(alpha, (was - is) / was);
@@ -36,8 +34,27 @@ Ink as_in_light(const Colour& colour, double opacity, const Colour& behind) {
     raise(wanted.r, behind.r);
     raise(wanted.g, behind.g);
     raise(wanted.b, behind.b);
-    alpha = std::min(alpha, 1.0);
+    return std::min(alpha, 1.0);
+}
+
+Ink making(const Colour& colour, double opacity, const Colour& behind, double least_alpha) {
+    if (opacity <= 0.0) return {colour, 0.0};
+    const Colour wanted = vector::encoded(opacity * vector::linear(colour) +
+                                          (1.0 - opacity) * vector::linear(behind));
+    const double alpha = least_opacity(least_alpha, wanted, behind);
+    if (alpha <= 0.0) return {colour, 0.0};
     return {colour_making(wanted, alpha, behind), alpha};
+}
+
+}  // namespace
+
+Ink as_in_light(const Colour& colour, double opacity, const Colour& behind) {
+    if (opacity >= 1.0) return {colour, 1.0};
+    return making(colour, opacity, behind, opacity);
+}
+
+Ink as_shade(const Colour& colour, double opacity, const Colour& behind) {
+    return making(colour, opacity, behind, 0.0);
 }
 
 Colour colour_making(const Colour& wanted, double alpha, const Colour& behind) {

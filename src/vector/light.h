@@ -16,6 +16,10 @@ Colour encoded(const Eigen::Vector3d& linear_light);
 // this opacity does in light. Its opacity is the one asked for, unless no colour would do.
 Ink as_in_light(const Colour& colour, double opacity, const Colour& behind);
 
+// The most transparent ink that does so: it darkens what else lies there in the same ratio, as a
+// shadow does.
+Ink as_shade(const Colour& colour, double opacity, const Colour& behind);
+
 // The colour of an ink of this opacity that makes `wanted` over `behind`, as nearly as there is
 // one.
 Colour colour_making(const Colour& wanted, double alpha, const Colour& behind);

@@ -217,9 +217,11 @@ class Writer {
             // Each reaches under the next, the last under the first.
             const double reach = spoke + 1 < disc.n_spokes ? 1.5 : 0.5;
             Path sector;
+            // So far out that its far side is outside the disc.
+            const double out = 1.1 / std::cos(std::numbers::pi * (0.5 + reach) / disc.n_spokes);
             sector.move(disc.page_from_disc * Eigen::Vector2d::Zero());
-            sector.line(disc.page_from_disc * (1.2 * on_rim(disc, spoke - 0.5)));
-            sector.line(disc.page_from_disc * (1.2 * on_rim(disc, spoke + reach)));
+            sector.line(disc.page_from_disc * (out * on_rim(disc, spoke - 0.5)));
+            sector.line(disc.page_from_disc * (out * on_rim(disc, spoke + reach)));
             sector.close();
             set_ink({disc.at(disc.n_rings, spoke), 1.0});
             trace(sector);
@@ -248,23 +250,37 @@ class Writer {
     // clips them.
     static Pattern mesh_of(const ShadedDisc& disc) {
         Pattern mesh(cairo_pattern_create_mesh());
-        const auto place = [&](int ring, int spoke) {
+        const auto place = [&](int ring, int spoke, double ahead = 0.0) {
             const double outside = ring == disc.n_rings ? 1.06 : 1.0;
-            return (disc.page_from_disc * (outside * disc.radius(ring) * on_rim(disc, spoke)))
-                .eval();
+            const Eigen::Vector2d rim = on_rim(disc, spoke);
+            const Eigen::Vector2d at = rim + ahead * Eigen::Vector2d(-rim.y(), rim.x());
+            return (disc.page_from_disc * (outside * disc.radius(ring) * at)).eval();
+        };
+        // Along a ring to the next spoke or the one before.
+        const double handle = 4.0 / 3.0 * std::tan(0.5 * std::numbers::pi / disc.n_spokes);
+        const auto arc_to = [&](int ring, int spoke, int step) {
+            const Eigen::Vector2d a = place(ring, spoke, step * handle);
+            const Eigen::Vector2d b = place(ring, spoke + step, -step * handle);
+            const Eigen::Vector2d end = place(ring, spoke + step);
+            cairo_mesh_pattern_curve_to(mesh.get(), a.x(), a.y(), b.x(), b.y(), end.x(), end.y());
+        };
+        const auto line_to = [&](int ring, int spoke) {
+            const Eigen::Vector2d end = place(ring, spoke);
+            cairo_mesh_pattern_line_to(mesh.get(), end.x(), end.y());
         };
         for (int ring = 0; ring < disc.n_rings; ++ring) {
             for (int spoke = 0; spoke < disc.n_spokes; ++spoke) {
                 const std::array<std::pair<int, int>, 4> corners{
                     {{ring, spoke}, {ring, spoke + 1}, {ring + 1, spoke + 1}, {ring + 1, spoke}}};
                 cairo_mesh_pattern_begin_patch(mesh.get());
+                const Eigen::Vector2d first = place(ring, spoke);
+                cairo_mesh_pattern_move_to(mesh.get(), first.x(), first.y());
+                arc_to(ring, spoke, 1);
+                line_to(ring + 1, spoke + 1);
+                arc_to(ring + 1, spoke + 1, -1);
+                line_to(ring, spoke);
                 unsigned int k = 0;
                 for (const auto& [r, s] : corners) {
-                    const Eigen::Vector2d at = place(r, s);
-                    if (k == 0)
-                        cairo_mesh_pattern_move_to(mesh.get(), at.x(), at.y());
-                    else
-                        cairo_mesh_pattern_line_to(mesh.get(), at.x(), at.y());
                     const Colour& colour = disc.at(r, s);
                     cairo_mesh_pattern_set_corner_color_rgb(mesh.get(), k++, colour.r, colour.g,
                                                             colour.b);

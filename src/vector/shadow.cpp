@@ -13,7 +13,7 @@ namespace poinsot::vector {
 
 namespace {
 
-constexpr int n_levels = 16, n_spokes = 14;
+constexpr int n_levels = 16, n_spokes = 10;
 // How far along a direction from the hub it is darker: found from outside inwards.
 double extent(const SoftShadow& shadow, const Eigen::Vector3d& direction, double level) {
     constexpr int n_steps = 48;
@@ -43,11 +43,14 @@ Path smooth_through(const std::array<Eigen::Vector2d, n_spokes>& places) {
     const auto at = [&](int k) -> const Eigen::Vector2d& {
         return places[static_cast<std::size_t>((k + n_spokes) % n_spokes)];
     };
+    // Handles as long as those of a circle through as many.
+    constexpr double angle = 2.0 * std::numbers::pi / n_spokes;
+    const double handle = 2.0 / 3.0 * std::tan(0.25 * angle) / std::sin(angle);
     Path path;
     path.move(at(0));
     for (int k = 0; k < n_spokes; ++k)
-        path.cubic(at(k) + (at(k + 1) - at(k - 1)) / 6.0, at(k + 1) - (at(k + 2) - at(k)) / 6.0,
-                   at(k + 1));
+        path.cubic(at(k) + handle * (at(k + 1) - at(k - 1)),
+                   at(k + 1) - handle * (at(k + 2) - at(k)), at(k + 1));
     path.close();
     return path;
 }
@@ -97,13 +100,10 @@ void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
             places[k] = canvas.sight.paper(point);
         }
         // All outlines about a place together are as dark as it is.
-        const double wanted =
-            as_in_light(tint, deepest * (level + 0.5) / n_levels, plane.colour).alpha;
-        const double alpha = 1.0 - (1.0 - wanted) / (1.0 - covered);
-        covered = wanted;
-        const Colour dark =
-            as_in_light(tint, deepest * (level + 0.5) / n_levels, plane.colour).colour;
-        canvas.add(Fill{smooth_through(places), Ink{dark, alpha}, false, 0.0});
+        const Ink wanted = as_shade(tint, deepest * (level + 0.5) / n_levels, plane.colour);
+        const double alpha = 1.0 - (1.0 - wanted.alpha) / (1.0 - covered);
+        covered = wanted.alpha;
+        canvas.add(Fill{smooth_through(places), Ink{wanted.colour, alpha}, false, 0.0});
     }
 }
 

@@ -232,10 +232,7 @@ class Writer {
     }
 
     void operator()(const ClipBegin& clip) {
-        const std::string id = next_id();
-        defs_ += fmt::format("<clipPath id=\"{}\"><path d=\"{}\"{}/></clipPath>\n", id,
-                             data_of(clip.path), clip.even_odd ? " clip-rule=\"evenodd\"" : "");
-        body_ += fmt::format("<g clip-path=\"url(#{})\">\n", id);
+        body_ += fmt::format("<g clip-path=\"url(#{})\">\n", clip_id(clip.path, clip.even_odd));
     }
     void operator()(const ClipEnd&) { body_ += "</g>\n"; }
 
@@ -270,6 +267,18 @@ class Writer {
             return order != 0 ? order < 0 : a < b;
         }
     };
+
+    // Of a clip; one that is there already serves again.
+    const std::string& clip_id(const Path& path, bool even_odd) {
+        const std::string shape = fmt::format("<path d=\"{}\"{}/>", data_of(path),
+                                              even_odd ? " clip-rule=\"evenodd\"" : "");
+        std::string& id = clips_[shape];
+        if (id.empty()) {
+            id = next_id();
+            defs_ += fmt::format("<clipPath id=\"{}\">{}</clipPath>\n", id, shape);
+        }
+        return id;
+    }
 
     std::string next_id() { return fmt::format("p{}", ++n_ids_); }
 
@@ -313,9 +322,7 @@ class Writer {
     // so that the next covers it and no seam is left.
     void shade(const Path& path, const ShadedDisc& disc) {
         constexpr int n_bands = 36, n_stops = 10;
-        const std::string clip = next_id();
-        defs_ +=
-            fmt::format("<clipPath id=\"{}\"><path d=\"{}\"/></clipPath>\n", clip, data_of(path));
+        const std::string& clip = clip_id(path, false);
         body_ += fmt::format("<g clip-path=\"url(#{})\"><g transform=\"{}\" opacity=\"{:.3g}\">\n",
                              clip, matrix(disc.page_from_disc), disc.alpha);
         for (int k = 0; k < n_bands; ++k) {
@@ -379,6 +386,7 @@ class Writer {
 
     std::string defs_, body_;
     int n_ids_ = 0;
+    std::map<std::string, std::string> clips_;  // ids by shape
     FontFaces fonts_;
     std::map<std::filesystem::path, UsedFont, ByName> used_;
 };

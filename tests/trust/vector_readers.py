@@ -20,17 +20,17 @@ MOST_MEAN = 2.0  # measured 1.42
 MOST_SHARE = 0.025  # measured 0.0175
 
 
-def chromium(folder, name, size):
+def chromium(folder, name, size, scale=1):
     page = folder / "page.html"
     page.write_text(f'<body style="margin:0;background:#fff"><img src="{name}.svg" style="width:{size[0]}px;height:{size[1]}px">')
     subprocess.run(["chromium", "--headless=new", "--no-sandbox", "--hide-scrollbars", f"--window-size={size[0]},{size[1]}",
-                    "--force-device-scale-factor=1", f"--screenshot={folder}/chromium.png", f"file://{page}"],
+                    f"--force-device-scale-factor={scale}", f"--screenshot={folder}/chromium.png", f"file://{page}"],
                    capture_output=True, timeout=120, check=False)
     return folder / "chromium.png"
 
 
-def raster(reader, folder, name, size):
-    """The file that a reader makes of the page."""
+def raster(reader, folder, name, size, scale=1):
+    """The file that a reader makes of the page, at DPI; by Chromium, of this size times the scale."""
     out = folder / f"{reader}.png"
     commands = {
         "pdftoppm": ["pdftoppm", "-png", "-singlefile", "-r", str(DPI), f"{name}.pdf", reader],
@@ -41,7 +41,7 @@ def raster(reader, folder, name, size):
         "inkscape": ["inkscape", f"--export-dpi={DPI}", "--export-background=white", f"--export-filename={reader}.png",
                      f"{name}.svg"]}
     if reader == "chromium":
-        return chromium(folder, name, size)
+        return chromium(folder, name, size, scale)
     subprocess.run(commands[reader], cwd=folder, capture_output=True, timeout=300, check=False)
     return out
 

@@ -1,0 +1,83 @@
+// Lines over what is lit unevenly: in parts, each of one ink.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "vector/canvas.h"
+
+namespace poinsot::vector {
+
+namespace {
+
+constexpr int n_steps = 48;
+constexpr double most_off = 5.0 / 255.0;
+
+// How far what an ink makes is from what another is to make there.
+double off_at(const Ink& ink, const Ink& wanted, const Colour& behind) {
+    const Colour is = over(ink, behind), should = over(wanted, behind);
+    return std::max(
+        {std::abs(is.r - should.r), std::abs(is.g - should.g), std::abs(is.b - should.b)});
+}
+
+// How far parts reach under the next, as a parameter: a third of a point.
+double overlap(const Canvas& canvas, const Track& track, double at) {
+    constexpr double overlap_pt = 0.33;
+    const double speed = canvas.sight.paper(track.flow(at)).velocity.norm();
+    return speed > 0.0 ? overlap_pt / speed : 0.0;
+}
+
+using MakeInk = Ink (*)(const Colour& colour, double opacity, const Colour& behind);
+
+// Runs of looks that one ink serves, as far as it does: numbers of the first look and the one
+// after the last, in place of parameters.
+std::vector<Canvas::EvenPart> runs_of(const std::vector<Canvas::LineLook>& looks, MakeInk make) {
+    std::vector<Ink> inks;
+    inks.reserve(looks.size());
+    for (const Canvas::LineLook& look : looks)
+        inks.push_back(make(look.colour, look.opacity, look.behind));
+    const auto is_even = [&](std::size_t first, std::size_t end) {
+        const Ink& ink = inks[(first + end) / 2];
+        for (std::size_t k = first; k < end; ++k)
+            if (off_at(ink, inks[k], looks[k].behind) > most_off) return false;
+        return true;
+    };
+    std::vector<Canvas::EvenPart> runs;
+    for (std::size_t first = 0; first < looks.size();) {
+        std::size_t end = first + 1;
+        while (end < looks.size() && is_even(first, end + 1)) ++end;
+        runs.push_back(
+            {static_cast<double>(first), static_cast<double>(end), inks[(first + end) / 2]});
+        first = end;
+    }
+    return runs;
+}
+
+}  // namespace
+
+std::vector<Canvas::EvenPart> Canvas::even_parts(
+    const Track& track, double from, double to,
+    const std::function<LineLook(double)>& look_at) const {
+    const double step = (to - from) / n_steps;
+    // In the middles of the steps.
+    std::vector<LineLook> looks;
+    looks.reserve(n_steps);
+    for (int k = 0; k < n_steps; ++k) looks.push_back(look_at(from + (k + 0.5) * step));
+    std::vector<EvenPart> parts = runs_of(looks, as_in_light);
+    const bool is_pale = std::all_of(looks.begin(), looks.end(),
+                                     [](const LineLook& look) { return look.opacity < 1.0; });
+    if (is_pale) {
+        std::vector<EvenPart> shades = runs_of(looks, as_shade);
+        if (shades.size() < parts.size()) parts = std::move(shades);
+    }
+
+    for (EvenPart& part : parts) {
+        const bool is_last = part.to == n_steps;
+        part.from = from + part.from * step;
+        part.to = is_last ? to : from + part.to * step;
+        if (constexpr double nearly_opaque = 0.8; !is_last && part.ink.alpha > nearly_opaque)
+            part.to = std::min(part.to + overlap(*this, track, part.to), to);
+    }
+    return parts;
+}
+
+}  // namespace poinsot::vector
