@@ -55,8 +55,7 @@ FilmPart part_of_film(std::int64_t number, std::int64_t n_parts, std::int64_t n_
 std::string part_text(const FilmPart& part) {
     std::string text = fmt::format("{} {} {} {} {}\n", part.number, part.n_parts, part.n_before,
                                    part.n_frames, part.n_film_frames);
-    for (const std::string* value : {&part.format, &part.chapters, &part.subtitles})
-        append(text, *value);
+    for (const std::string* value : {&part.format, &part.chapters}) append(text, *value);
     return text;
 }
 
@@ -65,7 +64,7 @@ bool parse_part(std::string_view text, FilmPart& part) {
                                                &part.n_frames, &part.n_film_frames};
     for (std::int64_t* number : numbers)
         if (!take_number(text, *number, number == numbers.back() ? '\n' : ' ')) return false;
-    for (std::string* value : {&part.format, &part.chapters, &part.subtitles})
+    for (std::string* value : {&part.format, &part.chapters})
         if (!take(text, *value)) return false;
     return text.empty() && part.number >= 1 && part.number <= part.n_parts && part.n_frames >= 1 &&
            part.n_before <= part.n_film_frames - part.n_frames;

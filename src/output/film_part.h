@@ -16,7 +16,7 @@ struct FilmPart {
     std::int64_t n_frames = 0;             // of the part
     std::int64_t n_film_frames = 0;        // of the film
     // What lies beside the film, as text without its first lines; empty: nothing.
-    std::string chapters, subtitles;
+    std::string chapters;
 
     bool operator==(const FilmPart&) const = default;
 };

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "error/error.h"
-#include "output/chapters.h"
+#include "output/film_texts.h"
 #include "output/libav_calls.h"
 
 namespace poinsot {
@@ -48,7 +48,7 @@ std::string head_of(const OutputPlan& plan, const std::string& settings) {
                        plan.part ? fmt::format("part {}\n{}", part.size(), part) : "",
                        plan.width_px, plan.height_px, plan.rate.numerator, plan.rate.denominator,
                        plan.first_frame, settings.size(), plan.metadata.size(), settings,
-                       plan.metadata, chapters_text(plan.chapters));
+                       plan.metadata, texts_of(plan));
 }
 
 // Of a part, what it says of itself comes first: its size, and that text.
@@ -91,7 +91,7 @@ bool read_head(std::string_view head, OutputPlan& plan, std::string& settings) {
     plan.first_frame = numbers[4];
     settings = head.substr(0, n_settings);
     plan.metadata = head.substr(n_settings, n_metadata);
-    plan.chapters = parse_chapters(head.substr(n_settings + n_metadata));
+    parse_texts(head.substr(n_settings + n_metadata), plan);
     return true;
 }
 

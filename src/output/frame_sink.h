@@ -32,6 +32,19 @@ struct FilmChapter {
     std::int64_t end_frame = 0;  // one past its last
 };
 
+// Text that stands under the picture, or at its top, for a while: plain, without empty lines;
+// milliseconds of the output from its first frame.
+struct FilmSubtitle {
+    std::string text;
+    std::int64_t begin_ms = 0, end_ms = 0;
+    bool at_top = false;
+};
+
+// The millisecond of the output at which frame n of it is shown, to the nearest.
+constexpr std::int64_t milliseconds_of(std::int64_t n, const FrameRate& rate) {
+    return (2000 * n * rate.denominator + rate.numerator) / (2 * rate.numerator);
+}
+
 // What an output can say of itself only when it is made.
 struct Contents {
     std::int64_t n_frames = 0;               // of a film
@@ -57,7 +70,8 @@ struct OutputPlan {
     // Of the frames that come, a film has the first so many; 0: all. Its packets are those of a
     // film that goes on, as those of one that was recovered are.
     std::int64_t n_shown = 0;
-    std::vector<FilmChapter> chapters;  // where the container can, in order
+    std::vector<FilmChapter> chapters;    // where the container can, in order
+    std::vector<FilmSubtitle> subtitles;  // likewise, two at once at most: below and at the top
     // Go on from what an interrupted run with the same plan has left aside, and leave it aside when
     // interrupted again. Formats that cannot start from the first frame.
     bool resume = false;

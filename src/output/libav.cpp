@@ -127,8 +127,13 @@ Muxer::Muxer(const char* container, int descriptor, std::filesystem::path path,
     context_.reset(context);
     context_->pb = io_->context();
     context_->flags |= AVFMT_FLAG_CUSTOM_IO | AVFMT_FLAG_BITEXACT;
-    stream_ = avformat_new_stream(context_.get(), nullptr);
-    if (!stream_) throw EnvironmentError("no memory for a video stream");
+    stream_ = add_stream();
+}
+
+AVStream* Muxer::add_stream() {
+    AVStream* const stream = avformat_new_stream(context_.get(), nullptr);
+    if (stream == nullptr) throw EnvironmentError("no memory for a stream of a film");
+    return stream;
 }
 
 void Muxer::check(int result, std::string_view what) const {
@@ -145,9 +150,9 @@ void Muxer::write_header(Options& options) {
                         av_dict_get(*options.get(), "", nullptr, AV_DICT_IGNORE_SUFFIX)->key));
 }
 
-void Muxer::write(AVPacket* packet, AVRational time_base) {
-    av_packet_rescale_ts(packet, time_base, stream_->time_base);
-    packet->stream_index = stream_->index;
+void Muxer::write(AVPacket* packet, AVRational time_base, const AVStream& stream) {
+    av_packet_rescale_ts(packet, time_base, stream.time_base);
+    packet->stream_index = stream.index;
     check(av_interleaved_write_frame(context_.get(), packet), "frame");
 }
 

@@ -96,10 +96,15 @@ class Muxer {
 
     AVFormatContext* context() const { return context_.get(); }
     AVStream* stream() const { return stream_; }
+    const std::filesystem::path& path() const { return path_; }
+
+    // One beside the first, before the header is written. Throws EnvironmentError.
+    AVStream* add_stream();
 
     void write_header(Options& options);
     // Takes over the packet's contents. Its times are in time_base.
-    void write(AVPacket* packet, AVRational time_base);
+    void write(AVPacket* packet, AVRational time_base) { write(packet, time_base, *stream_); }
+    void write(AVPacket* packet, AVRational time_base, const AVStream& stream);
     void write_trailer();
 
  private:

@@ -13,8 +13,8 @@
 
 #include "error/error.h"
 #include "image/alpha.h"
-#include "output/chapters.h"
 #include "output/film_packets.h"
+#include "output/film_texts.h"
 #include "output/formats.h"
 #include "output/frame_log.h"
 #include "output/quality.h"
@@ -203,11 +203,13 @@ void write_whole(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frame
     describe_stream(*muxer.stream(), plan, header_of(log.settings()));
     av_dict_set(&muxer.context()->metadata, "poinsot", text.c_str(), 0);
     add_chapters(*muxer.context(), first_chapters(plan.chapters, n_frames), plan.rate);
+    SubtitleTrack subtitles(muxer, AV_CODEC_ID_MOV_TEXT, plan, n_frames);
     libav::Options options;
     options.set("movflags", "faststart+use_metadata_tags");
     muxer.write_header(options);
     const libav::Packet packet = libav::make_packet();
     for (std::int64_t k = 0; k < n_frames; ++k) {
+        subtitles.write_before(k + 1);
         unpack(entry_of(log, k), *packet, plan.path);
         muxer.write(packet.get(), av_inv_q(as_rational(plan.rate)));
     }

@@ -12,8 +12,8 @@
 
 #include "error/error.h"
 #include "image/alpha.h"
-#include "output/chapters.h"
 #include "output/film_packets.h"
+#include "output/film_texts.h"
 #include "output/formats.h"
 #include "output/frame_log.h"
 #include "output/quality.h"
@@ -142,12 +142,14 @@ void write_whole(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frame
     describe_stream(*muxer.stream(), plan, has_alpha(log));
     av_dict_set(&muxer.context()->metadata, "poinsot", text.c_str(), 0);
     add_chapters(*muxer.context(), first_chapters(plan.chapters, n_frames), plan.rate);
+    SubtitleTrack subtitles(muxer, AV_CODEC_ID_WEBVTT, plan, n_frames);
     libav::Options options;
     // The index in front lets players seek while they load.
     options.set("cues_to_front", "1");
     muxer.write_header(options);
     const libav::Packet packet = libav::make_packet();
     for (std::int64_t k = 0; k < n_frames; ++k) {
+        subtitles.write_before(k + 1);
         unpack(entry_of(log, k), *packet, plan.path);
         packet->pts = packet->dts = k;
         packet->duration = 1;

@@ -123,6 +123,7 @@ OutputPlan FilmJob::output_plan(const std::filesystem::path& path) const {
     plan.n_frames = last_ - first_ + 1;
     plan.quality = film.quality;
     plan.chapters = chapters_of(session_->scene, film_, first_, last_);
+    plan.subtitles = subtitles_of(*session_, film_, first_, last_);
     plan.resume = true;
     return plan;
 }
@@ -151,7 +152,6 @@ bool FilmJob::take_part(OutputPlan& plan, const Telling& telling) const {
     }
     part.format = format.name;
     if (!plan.chapters.empty() && format.film) part.chapters = chapters_text_of(plan, film_);
-    if (format.film) part.subtitles = subtitles_text(*session_, film_, first_, last_);
     plan.n_frames = part.n_frames;
     plan.part = std::move(part);
     return true;
@@ -188,8 +188,8 @@ void FilmJob::write_beside(OutputPlan plan, const Telling& telling) const {
     else
         remove_stale_chapters(plan);
     if (format.film)
-        write_subtitles(plan.path, subtitles_text(*session_, film_, plan.first_frame,
-                                                  plan.first_frame + plan.n_frames - 1));
+        write_subtitles(plan.path, subtitles_of(*session_, film_, plan.first_frame,
+                                                plan.first_frame + plan.n_frames - 1));
     if (format.name == "png-sequence") note_others(plan, telling);
 }
 

@@ -32,7 +32,7 @@ void write_what_lies_beside(const std::filesystem::path& path, const Record& rec
     plan.n_frames = last - first + 1;
     plan.chapters = chapters_of(session.scene, film, first, last);
     if (!plan.chapters.empty()) write_chapters(plan, film);
-    if (!has_frame_number(path)) write_subtitles(path, subtitles_text(session, film, first, last));
+    if (!has_frame_number(path)) write_subtitles(path, subtitles_of(session, film, first, last));
 }
 
 std::int64_t recover(const std::filesystem::path& film, const Telling& telling) {

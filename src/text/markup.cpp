@@ -39,6 +39,21 @@ std::string escaped_markup(std::string_view text) {
     return escaped;
 }
 
+std::string escaped_cue(std::string_view text) {
+    std::string escaped;
+    for (const char c : text) {
+        if (c == '&')
+            escaped += "&amp;";
+        else if (c == '<')
+            escaped += "&lt;";
+        else if (c == '>')
+            escaped += "&gt;";
+        else
+            escaped += c;
+    }
+    return escaped;
+}
+
 std::string script_string(std::string_view text) {
     std::string quoted;
     for (const char c : json_string(text)) {

@@ -26,7 +26,7 @@ TABLES = {
     "trail": "How much of the paths is shown.",
     "keyframes[]": "Camera and speed over the film, in seconds of film.",
     "fades[]": "What comes and goes.",
-    "captions[]": "Text that comes and goes, in seconds of film; also a `.vtt` beside a film.",
+    "captions[]": "Text that comes and goes, in seconds of film; also subtitles, in a film and beside it.",
     "chapters[]": "Sections of the film.",
     "symbols": "Names of quantities in labels, as formulas.",
     "style": "What is drawn otherwise than the theme says. A file of such lines without the header, with `extends = \"dark\"` on top, is a theme.",

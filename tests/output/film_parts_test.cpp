@@ -149,7 +149,6 @@ TEST(FilmPart, ComesBackFromItsText) {
     FilmPart part = part_of_film(3, 8, 12345, 120);
     part.format = "webm";
     part.chapters = "{\n  \"chapters\": [\"ω 12\"]\n}\n";
-    part.subtitles = "\n00:00:01.000 --> 00:00:02.000\nω\n";
     FilmPart again;
     ASSERT_TRUE(parse_part(part_text(part), again));
     EXPECT_EQ(again, part);

@@ -1,4 +1,5 @@
 // Whole pictures: the same bytes, sizes, alpha, views, and what is kept between them.
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -144,18 +145,27 @@ std::string bytes_drawn_with(const char* backend, const char* n_threads) {
     return bytes;
 }
 
+// OSMesa, which Mesa has no more from 25.1 on, or what stands in for it.
+const char* first_backend() {
+    void* const osmesa = dlopen("libOSMesa.so.8", RTLD_LAZY);
+    if (osmesa == nullptr) return "egl";
+    dlclose(osmesa);
+    return "osmesa";
+}
+
 TEST(Renderer, DrawsTheSameBytesWithAnyBackendAndThreads) {
-    const std::string reference = bytes_drawn_with("osmesa", "0");
+    const std::string reference = bytes_drawn_with(first_backend(), "0");
     ASSERT_EQ(reference.size(), 320u * 180u * 4u);
-    EXPECT_EQ(bytes_drawn_with("osmesa", "1"), reference);
-    EXPECT_EQ(bytes_drawn_with("osmesa", "4"), reference);
+    EXPECT_EQ(bytes_drawn_with(first_backend(), "1"), reference);
+    EXPECT_EQ(bytes_drawn_with(first_backend(), "4"), reference);
     EXPECT_EQ(bytes_drawn_with("egl", "2"), reference);
 }
 
 TEST(Renderer, DrawsTheSameBytesHoweverItsShadersAreCompiled) {
-    const std::string reference = bytes_drawn_with("osmesa", "2");
+    const std::string reference = bytes_drawn_with(first_backend(), "2");
+    ASSERT_EQ(reference.size(), 320u * 180u * 4u);
     ASSERT_EQ(setenv("GALLIVM_PERF", "nopt", 1), 0);
-    EXPECT_EQ(bytes_drawn_with("osmesa", "2"), reference);
+    EXPECT_EQ(bytes_drawn_with(first_backend(), "2"), reference);
     unsetenv("GALLIVM_PERF");
 }
 
@@ -269,6 +279,7 @@ TEST(Renderer, DrawsAPartOfALargerPictureAsThatPart) {
 
 TEST(Renderer, MovesAndIsMovedFrom) {
     OffscreenContext context;
+    const std::string backend = context.info().backend;
     Renderer first(context);
     const Image image = first.render(lecture());
     OffscreenContext moved_context(std::move(context));
@@ -277,7 +288,8 @@ TEST(Renderer, MovesAndIsMovedFrom) {
     Renderer third(moved_context);
     third = std::move(second);
     EXPECT_EQ(third.render(lecture()), image);
-    EXPECT_EQ(moved_context.info().backend, "OSMesa");
+    EXPECT_EQ(moved_context.info().backend, backend);
+    EXPECT_FALSE(backend.empty());
 }
 
 TEST(OffscreenContext, SaysWhatItIs) {

@@ -123,7 +123,7 @@ std::string join_film(const std::vector<std::string>& names, const std::string& 
         write_chapters(plan.path, text);
     else
         remove_stale_chapters(plan);
-    write_subtitles(plan.path, parts.front().part().subtitles);
+    write_subtitles(plan.path, plan.subtitles);
     telling.finish(name_of(plan.path));
     return record.bounds;
 }
