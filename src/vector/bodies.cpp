@@ -20,7 +20,7 @@ constexpr double pi = std::numbers::pi;
 // A hair of the same ink about each closes the seams that readers leave between neighbours.
 constexpr double seam_pt = 0.2;
 // Tones of a component: neighbours within a step of them are filled as one.
-constexpr double n_tones = 64.0;
+constexpr double n_tones = 48.0;
 constexpr int n_places = 7;
 
 // A triangle as it is filled.

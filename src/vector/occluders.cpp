@@ -140,7 +140,7 @@ Cover Occluders::at(const Eigen::Vector3d& point, const Membership& of) const {
         const SphereSight& sphere = spheres_[k];
         if (!(sphere.hiding > 0.0)) continue;
         const Eigen::Vector3d u = sphere.u(point);
-        const bool own = of.ellipsoid == static_cast<int>(k);
+        const bool own = of.is_on(k);
         const bool hidden =
             own ? !sphere.surrounds_eye && sphere.before_limb(u) < 0.0 : sphere.hides(u);
         if (!hidden) continue;
@@ -173,7 +173,7 @@ std::vector<Occluders::Condition> Occluders::conditions(const Membership& of) co
         if (!(sphere.hiding > 0.0) || sphere.surrounds_eye) continue;
         all.emplace_back(
             [&sphere](const Eigen::Vector3d& x) { return sphere.before_limb(sphere.u(x)); });
-        if (of.ellipsoid == static_cast<int>(k)) continue;
+        if (of.is_on(k)) continue;
         all.emplace_back(
             [&sphere](const Eigen::Vector3d& x) { return sphere.outside(sphere.u(x)); });
         all.emplace_back(
@@ -205,7 +205,17 @@ std::vector<Occluders::Condition> Occluders::conditions(const Membership& of) co
     return all;
 }
 
-std::vector<Span> Occluders::spans(const Track& track, const Membership& of) const {
+std::vector<bool> Occluders::lies_on(const Track& track, std::span<const double> places) const {
+    constexpr double most_off = 2e-5;  // of the radius: some micrometres on paper
+    std::vector<bool> all;
+    for (const SphereSight& sphere : spheres_)
+        all.push_back(std::all_of(places.begin(), places.end(), [&](double s) {
+            return std::abs(sphere.outside(sphere.u(track.flow(s).position))) < most_off;
+        }));
+    return all;
+}
+
+std::vector<Span> Occluders::spans(const Track& track, const Membership& part_of) const {
     std::vector<double> breaks;
     if (track.knots.size() < 2) return {};
     const double first = track.knots.front(), last = track.knots.back();
@@ -218,6 +228,9 @@ std::vector<Span> Occluders::spans(const Track& track, const Membership& of) con
             places.push_back(i == n ? track.knots[k]
                                     : track.knots[k - 1] +
                                           (track.knots[k] - track.knots[k - 1]) * i / n);
+    // A curve in which two surfaces meet lies on both: roundings do not put it behind either.
+    Membership of = part_of;
+    of.lies_on = lies_on(track, places);
     for (const Condition& condition : conditions(of)) {
         const std::function<double(double)> along = [&](double s) {
             return condition(track.flow(s).position);

@@ -50,6 +50,12 @@ struct Track {
 // Of which solids of the view something is a part, by number; −1: none.
 struct Membership {
     int ellipsoid = -1, plane = -1;
+    std::vector<bool> lies_on{};  // by ellipsoid: what lies on others, too, where they meet
+
+    bool is_on(std::size_t sphere) const {
+        return ellipsoid == static_cast<int>(sphere) ||
+               (sphere < lies_on.size() && lies_on[sphere]);
+    }
 };
 
 // A part of a track that is covered evenly: [from, to].
@@ -72,6 +78,8 @@ class Occluders {
  private:
     using Condition = std::function<double(const Eigen::Vector3d&)>;
     std::vector<Condition> conditions(const Membership& of) const;
+    // On which ellipsoids all places of a track lie, within what its form is off.
+    std::vector<bool> lies_on(const Track& track, std::span<const double> places) const;
 
     const View& view_;
     const Sight& sight_;

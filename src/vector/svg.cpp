@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "text/utf8.h"
+#include "vector/canvas.h"
 #include "vector/font_face.h"
 #include "vector/pdf.h"
 
@@ -20,22 +21,18 @@ namespace {
 constexpr std::string_view metadata_opening = "<metadata id=\"poinsot\">";
 constexpr std::string_view metadata_end = "</metadata>";
 
-// In units of 1/1000 pt, without needless characters.
-std::string number(std::int64_t thousandths) {
-    if (thousandths == 0) return "0";
-    std::string text = thousandths < 0 ? "-" : "";
-    const std::int64_t size = std::abs(thousandths);
-    if (size >= 1000) text += std::to_string(size / 1000);
-    if (size % 1000 != 0) {
-        std::string part = fmt::format(".{:03}", size % 1000);
-        part.erase(part.find_last_not_of('0') + 1);
-        text += part;
-    }
+// The file's unit is 1/256 pt (1.4 µm), as Cairo's in PDF: whole numbers, short to write.
+constexpr double units_per_pt = 256.0;
+
+std::int64_t rounded(double pt) { return std::llround(units_per_pt * pt); }
+std::string number(double pt) { return std::to_string(rounded(pt)); }
+
+// A share, 0…1.
+std::string share(double value) {
+    std::string text = fmt::format("{:.3g}", value);
+    if (text.starts_with("0.")) text.erase(0, 1);
     return text;
 }
-
-std::int64_t rounded(double pt) { return std::llround(1000.0 * pt); }
-std::string number(double pt) { return number(rounded(pt)); }
 
 std::string hex(const Colour& colour) {
     const auto byte = [](double c) {
@@ -44,8 +41,10 @@ std::string hex(const Colour& colour) {
     return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.r), byte(colour.g), byte(colour.b));
 }
 
+// Of what is given in axes of its own, in points of the page.
 std::string matrix(const Eigen::Affine2d& map) {
-    const auto& m = map.matrix();
+    const Eigen::Matrix3d m =
+        Eigen::Vector3d(units_per_pt, units_per_pt, 1.0).asDiagonal() * map.matrix();
     return fmt::format("matrix({:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g})", m(0, 0), m(1, 0),
                        m(0, 1), m(1, 1), m(0, 2), m(1, 2));
 }
@@ -110,7 +109,7 @@ class PathData {
                     start_x_ = x_, start_y_ = y_;
                     break;
                 case Step::Kind::line:
-                    begin('l', {map * step.to});
+                    line(map * step.to);
                     break;
                 case Step::Kind::cubic:
                     begin('c', {map * step.control_1, map * step.control_2, map * step.to});
@@ -125,6 +124,24 @@ class PathData {
     std::string take() { return std::move(text_); }
 
  private:
+    // Along an axis where it runs so.
+    void line(const Eigen::Vector2d& to) {
+        const std::int64_t x = rounded(to.x()), y = rounded(to.y());
+        if ((x == x_) == (y == y_)) {
+            begin('l', {to});
+            return;
+        }
+        const char command = y == y_ ? 'h' : 'v';
+        const std::string digits = std::to_string(y == y_ ? x - x_ : y - y_);
+        if (command != last_)
+            text_ += command;
+        else if (digits.front() != '-')
+            text_ += ' ';
+        text_ += digits;
+        last_ = command;
+        x_ = x, y_ = y;
+    }
+
     void begin(char command, std::initializer_list<Eigen::Vector2d> points) {
         // The first move is from the origin, and lines may follow a move unnamed.
         bool separate = false;
@@ -139,7 +156,7 @@ class PathData {
             x = rounded(point.x());
             y = rounded(point.y());
             for (const std::int64_t step : {x - x_, y - y_}) {
-                const std::string digits = number(step);
+                const std::string digits = std::to_string(step);
                 if (separate && digits.front() != '-') text_ += ' ';
                 text_ += digits;
                 separate = true;
@@ -159,26 +176,37 @@ std::string data_of(const Path& path) {
     return data.take();
 }
 
+constexpr std::string_view group_end = "</g>\n";
+
 class Writer {
  public:
     void operator()(const Fill& fill) {
-        std::string rule = fill.even_odd ? " fill-rule=\"evenodd\"" : "";
-        if (const Ink* ink = std::get_if<Ink>(&fill.paint); ink != nullptr && fill.seam_pt > 0.0)
-            rule += fmt::format(" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
-                                hex(ink->colour), number(fill.seam_pt));
         if (const ShadedDisc* disc = std::get_if<ShadedDisc>(&fill.paint)) {
             shade(fill.path, *disc);
             return;
         }
-        body_ +=
+        const std::string rule = fill.even_odd ? " fill-rule=\"evenodd\"" : "";
+        const Ink* ink = std::get_if<Ink>(&fill.paint);
+        if (ink != nullptr && fill.seam_pt > 0.0) {
+            // Many of them, with a line about each in its own colour.
+            std::string& here =
+                body(fmt::format("<g class=\"s\" stroke-width=\"{}\">\n", number(fill.seam_pt)));
+            here +=
+                fmt::format("<path d=\"{}\" color=\"{}\"", data_of(fill.path), hex(ink->colour));
+            if (ink->alpha < 1.0) here += fmt::format(" fill-opacity=\"{}\"", share(ink->alpha));
+            here += rule + "/>\n";
+            return;
+        }
+        body() +=
             fmt::format("<path d=\"{}\"{}{}/>\n", data_of(fill.path), paint_of(fill.paint), rule);
     }
 
     void operator()(const Stroke& stroke) {
-        std::string look = fmt::format(" stroke=\"{}\" stroke-width=\"{}\"", hex(stroke.ink.colour),
-                                       number(stroke.width_pt));
+        std::string look = fmt::format(" stroke=\"{}\"", hex(stroke.ink.colour));
+        if (rounded(stroke.width_pt) != rounded(least_line_pt))
+            look += fmt::format(" stroke-width=\"{}\"", number(stroke.width_pt));
         if (stroke.ink.alpha < 1.0)
-            look += fmt::format(" stroke-opacity=\"{:.3g}\"", stroke.ink.alpha);
+            look += fmt::format(" stroke-opacity=\"{}\"", share(stroke.ink.alpha));
         if (stroke.round) look += " stroke-linecap=\"round\"";
         if (!stroke.dashes_pt.empty()) {
             std::string dashes;
@@ -188,18 +216,20 @@ class Writer {
             if (stroke.dash_offset_pt != 0.0)
                 look += fmt::format(" stroke-dashoffset=\"{}\"", number(stroke.dash_offset_pt));
         }
-        body_ += fmt::format("<path class=\"l\" d=\"{}\"{}/>\n", data_of(stroke.path), look);
+        body("<g class=\"l\">\n") +=
+            fmt::format("<path d=\"{}\"{}/>\n", data_of(stroke.path), look);
     }
 
     void operator()(const Type& type) {
         std::string look = fmt::format(" fill=\"{}\"", hex(type.ink.colour));
-        if (type.ink.alpha < 1.0) look += fmt::format(" fill-opacity=\"{:.3g}\"", type.ink.alpha);
+        if (type.ink.alpha < 1.0)
+            look += fmt::format(" fill-opacity=\"{}\"", share(type.ink.alpha));
         if (type.halo.alpha > 0.0 && type.halo_pt > 0.0)
             look += fmt::format(
                 " paint-order=\"stroke\" stroke=\"{}\" stroke-opacity=\"{:.3g}\" "
                 "stroke-width=\"{}\" stroke-linejoin=\"round\"",
                 hex(type.halo.colour), type.halo.alpha, number(1.5 * type.halo_pt));
-        body_ += fmt::format("<g{}>\n", look);
+        body() += fmt::format("<g{}>\n", look);
         PathData shapes;
         bool any_shape = !type.rules.steps.empty();
         shapes.add(type.rules);
@@ -218,12 +248,12 @@ class Writer {
             }
             from = add_run(type, from, font);
         }
-        if (any_shape) body_ += fmt::format("<path d=\"{}\"/>\n", shapes.take());
-        body_ += "</g>\n";
+        if (any_shape) body() += fmt::format("<path d=\"{}\"/>\n", shapes.take());
+        body() += "</g>\n";
     }
 
     void operator()(const Picture& picture) {
-        body_ += fmt::format(
+        body() += fmt::format(
             "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
             "href=\"data:image/png;base64,{}\"/>\n",
             number(picture.corner_pt.x()), number(picture.corner_pt.y()),
@@ -232,16 +262,31 @@ class Writer {
     }
 
     void operator()(const ClipBegin& clip) {
-        body_ += fmt::format("<g clip-path=\"url(#{})\">\n", clip_id(clip.path, clip.even_odd));
+        const std::string& id = clip_id(clip.path, clip.even_odd);
+        std::string& here = body();
+        // One that has just ended goes on.
+        if (here.size() == clip_end_ && id == last_clip_)
+            here.erase(here.size() - group_end.size());
+        else
+            here += fmt::format("<g clip-path=\"url(#{})\">\n", id);
+        open_clips_.push_back(id);
     }
-    void operator()(const ClipEnd&) { body_ += "</g>\n"; }
+    void operator()(const ClipEnd&) {
+        body() += group_end;
+        clip_end_ = body_.size();
+        last_clip_ = open_clips_.back();
+        open_clips_.pop_back();
+    }
 
-    std::string body() { return std::move(body_); }
+    std::string take_body() { return std::move(body()); }
     std::string defs() { return std::move(defs_); }
 
     // The fonts of the text, each with the characters that are used.
     std::string style() {
-        std::string style = ".l{fill:none;stroke-linejoin:round}\n";
+        std::string style = fmt::format(
+            ".l{{fill:none;stroke-linejoin:round;stroke-width:{}}}\n"
+            ".s path{{fill:currentColor;stroke:currentColor;stroke-linejoin:round}}\n",
+            number(least_line_pt));
         for (const auto& [file, used] : used_) {
             const std::string font = fonts_.of(file).subset(used.characters);
             if (!font.empty())
@@ -280,24 +325,60 @@ class Writer {
         return id;
     }
 
+    // What is written next: in a group of its kind, which stays open as long as that goes on.
+    std::string& body(const std::string& group = "") {
+        if (group != group_) {
+            if (!group_.empty()) body_ += group_end;
+            body_ += group;
+            group_ = group;
+        }
+        return body_;
+    }
+
     std::string next_id() { return fmt::format("p{}", ++n_ids_); }
 
     std::string stops_of(const std::vector<Stop>& stops) {
         std::string text;
         for (const Stop& stop : stops) {
-            text += fmt::format("<stop offset=\"{:.4g}\" stop-color=\"{}\"", stop.at,
+            text += fmt::format("<stop offset=\"{}\" stop-color=\"{}\"", share(stop.at),
                                 hex(stop.ink.colour));
             if (stop.ink.alpha < 1.0)
-                text += fmt::format(" stop-opacity=\"{:.3g}\"", stop.ink.alpha);
+                text += fmt::format(" stop-opacity=\"{}\"", share(stop.ink.alpha));
             text += "/>";
         }
         return text;
     }
 
+    // Those without which colours between would be over one and a half levels off.
+    static std::vector<Stop> needed(const std::vector<Stop>& stops) {
+        constexpr double most_off = 1.5 / 255.0;
+        std::vector<Stop> kept{stops.front()};
+        const auto is_straight = [&](std::size_t from, std::size_t to) {
+            const Stop &a = stops[from], &b = stops[to];
+            for (std::size_t k = from + 1; k < to; ++k) {
+                const double t = (stops[k].at - a.at) / (b.at - a.at);
+                const auto off = [&](double Colour::*c) {
+                    return std::abs((1.0 - t) * a.ink.colour.*c + t * b.ink.colour.*c -
+                                    stops[k].ink.colour.*c);
+                };
+                if (std::max({off(&Colour::r), off(&Colour::g), off(&Colour::b)}) > most_off)
+                    return false;
+            }
+            return true;
+        };
+        for (std::size_t from = 0; from + 1 < stops.size();) {
+            std::size_t to = from + 1;
+            while (to + 1 < stops.size() && is_straight(from, to + 1)) ++to;
+            kept.push_back(stops[to]);
+            from = to;
+        }
+        return kept;
+    }
+
     std::string paint_of(const Paint& paint) {
         if (const Ink* ink = std::get_if<Ink>(&paint)) {
             std::string text = fmt::format(" fill=\"{}\"", hex(ink->colour));
-            if (ink->alpha < 1.0) text += fmt::format(" fill-opacity=\"{:.3g}\"", ink->alpha);
+            if (ink->alpha < 1.0) text += fmt::format(" fill-opacity=\"{}\"", share(ink->alpha));
             return text;
         }
         const std::string id = next_id();
@@ -321,29 +402,33 @@ class Writer {
     // SVG has no patches: bands across the disc, each from where it begins down to the disc's end,
     // so that the next covers it and no seam is left.
     void shade(const Path& path, const ShadedDisc& disc) {
-        constexpr int n_bands = 36, n_stops = 10;
+        constexpr int most_bands = 36, least_bands = 12, n_stops = 10;
+        constexpr double band_pt = 4.0, reach = 1.1;
+        const double size_pt = std::sqrt(std::abs(disc.page_from_disc.linear().determinant()));
+        const int n_bands = std::clamp(static_cast<int>(std::ceil(2.0 * size_pt / band_pt)),
+                                       least_bands, most_bands);
         const std::string& clip = clip_id(path, false);
-        body_ += fmt::format("<g clip-path=\"url(#{})\"><g transform=\"{}\" opacity=\"{:.3g}\">\n",
-                             clip, matrix(disc.page_from_disc), disc.alpha);
+        body() += fmt::format("<g clip-path=\"url(#{})\"><g transform=\"{}\" opacity=\"{:.3g}\">\n",
+                              clip, matrix(disc.page_from_disc), disc.alpha);
         for (int k = 0; k < n_bands; ++k) {
             const double top = -1.0 + 2.0 * k / n_bands, middle = top + 1.0 / n_bands;
             const double half = std::sqrt(std::max(1.0 - middle * middle, 0.0));
             std::vector<Stop> stops;
             for (int i = 0; i <= n_stops; ++i) {
                 const double x = -half * std::cos(std::numbers::pi * i / n_stops);
-                stops.push_back({0.5 + 0.5 * x, {disc.at(Eigen::Vector2d(x, middle)), 1.0}});
+                // As a share of the band's width.
+                stops.push_back(
+                    {0.5 + 0.5 * x / reach, {disc.at(Eigen::Vector2d(x, middle)), 1.0}});
             }
             const std::string id = next_id();
-            defs_ += fmt::format(
-                "<linearGradient id=\"{}\" gradientUnits=\"userSpaceOnUse\" x1=\"-1\" "
-                "x2=\"1\">{}</linearGradient>\n",
-                id, stops_of(stops));
-            body_ += fmt::format(
-                "<rect x=\"-1.1\" y=\"{:.4g}\" width=\"2.2\" height=\"{:.4g}\" "
-                "fill=\"url(#{})\"/>\n",
-                k == 0 ? -1.1 : top, (k == 0 ? 2.2 : 1.1 - top), id);
+            defs_ += fmt::format("<linearGradient id=\"{}\">{}</linearGradient>\n", id,
+                                 stops_of(needed(stops)));
+            const double from = k == 0 ? -reach : top;
+            body() += fmt::format(
+                "<path d=\"m{0:.3g} {1:.3g}h{2:.3g}v{3:.3g}h-{2:.3g}z\" fill=\"url(#{4})\"/>\n",
+                -reach, from, 2.0 * reach, reach - from, id);
         }
-        body_ += "</g></g>\n";
+        body() += "</g></g>\n";
     }
 
     // Letters of one font, size and baseline, each at its place; returns where they end. A letter
@@ -378,13 +463,17 @@ class Writer {
                 break;
             }
         }
-        body_ += fmt::format("<text class=\"{}\" font-size=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n",
-                             used.name, number(first.em_pt), places, number(first.y_pt),
-                             escaped(letters));
+        body() += fmt::format("<text class=\"{}\" font-size=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n",
+                              used.name, number(first.em_pt), places, number(first.y_pt),
+                              escaped(letters));
         return to;
     }
 
     std::string defs_, body_;
+    std::vector<std::string> open_clips_;
+    std::string last_clip_;     // the one that has ended last
+    std::size_t clip_end_ = 0;  // where in the body
+    std::string group_;         // how the open one begins
     int n_ids_ = 0;
     std::map<std::string, std::string> clips_;  // ids by shape
     FontFaces fonts_;
@@ -396,6 +485,7 @@ class Writer {
 std::string svg_of(const Page& page, std::string_view title, std::string_view text) {
     Writer writer;
     for (const Item& item : page.items) std::visit(writer, item);
+    const std::string body = writer.take_body();
     constexpr double mm_per_pt = 25.4 / 72.0;
     std::string svg = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
@@ -407,7 +497,7 @@ std::string svg_of(const Page& page, std::string_view title, std::string_view te
         svg += fmt::format("{}{}{}\n", metadata_opening, escaped(text), metadata_end);
     svg += fmt::format("<style>\n{}</style>\n", writer.style());
     svg += fmt::format("<defs>\n{}</defs>\n", writer.defs());
-    return svg + writer.body() + "</svg>\n";
+    return svg + body + "</svg>\n";
 }
 
 std::string svg_text(std::string_view svg) {

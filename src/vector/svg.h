@@ -1,5 +1,5 @@
 // A page as SVG: paths, gradients and text in embedded subsets of its fonts. The same page gives
-// the same bytes. Coordinates are rounded to 1/1000 pt (0.35 µm).
+// the same bytes. Its unit is 1/256 pt (1.4 µm), and coordinates are whole.
 #pragma once
 
 #include <string>

@@ -66,6 +66,20 @@ TEST(VectorStill, APdfIsSoundSmallAndHasNoPicture) {
     EXPECT_LT(pdf.size(), 60'000u);
 }
 
+TEST(VectorStill, NoSceneTakesOver150Kilobytes) {
+    const ScratchFolder folder;
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes")) {
+        if (entry.path().extension() != ".toml") continue;
+        for (const std::string name : {"a.pdf", "a.svg"}) {
+            const ProgramRun run =
+                run_program_in(folder, "still '" + entry.path().string() + "' -q -o " + name);
+            ASSERT_EQ(run.code, 0) << entry.path() << run.err;
+            EXPECT_LT(std::filesystem::file_size(folder.path() / name), 150'000u)
+                << entry.path() << ' ' << name;
+        }
+    }
+}
+
 TEST(VectorStill, ItsTypeIsFoundByWhatItSays) {
     const ScratchFolder folder;
     ASSERT_EQ(run_program_in(folder, "still '" + scene("invariable_plane") + "' -o i.pdf").code, 0);
@@ -201,9 +215,11 @@ TEST(VectorStill, AJournalHasItsWidthAndLeastSizes) {
         }
         return found;
     };
-    EXPECT_GE(least("<text ", "font-size"), 5.999);
-    EXPECT_LT(least("<text ", "font-size"), 8.0);  // a subscript
-    EXPECT_NEAR(least("<path class=\"l\"", "stroke-width"), 0.5, 1e-3);
+    // Of the file, 256 units are a point.
+    EXPECT_GE(least("<text ", "font-size") / 256.0, 5.999);
+    EXPECT_LT(least("<text ", "font-size") / 256.0, 8.0);  // a subscript
+    EXPECT_TRUE(contains(svg, ".l{fill:none;stroke-linejoin:round;stroke-width:128}"));
+    EXPECT_GE(least("<path ", "stroke-width") / 256.0, 0.5);
     for (const std::string& options :
          {std::string("--journal nature"), std::string("--journal aps --width-mm 200"),
           std::string("--type-pt 5")}) {

@@ -7,7 +7,8 @@ readers' in encoded levels, as they mix. Type is left out: pixels have it at who
 
 Geometry is measured on the samples themselves: a reader draws the page eight times as large, too, and an edge is looked for among its
 pixels and our samples, in every eighth row and column. What a reader does to an edge at 1080p is said beside: poppler raises coverage to
-the power 1.5, which moves the edge of a dark stroke by up to 0.1 px.
+the power 1.5, which moves the edge of a dark stroke by up to 0.1 px, and puts lines along rows and columns at whole pixels (those are left
+out there).
 Lines within three pixels of an ellipsoid's outline are counted apart: on the screen their width is right to the first order only.
 Prints a table of how far places are apart, px. Exit code 1 if of the geometry more than MOST_OFF is over 0.1 px apart or the median is
 over 0.03 px; at 1080p, more than one in five or 0.06 px; 77 (skipped) where no reader is here.
@@ -30,6 +31,7 @@ MOST_PX = 0.1
 FLAT = 2.5  # levels within which a tone is even
 CONTRAST = 40.0  # levels, at least
 MOST_OFF = {"": 0.01, "outlines": 0.3}  # shares; measured: see docs/accuracy.md
+SVG_UNITS = 256.0  # a point
 FINE = 8  # samples a pixel, each way
 
 
@@ -78,9 +80,10 @@ def middle_of(values, side):
     return (depth * numpy.arange(n)).sum() / depth.sum() if depth.sum() > 0 else 1e9
 
 
-def places(ours, theirs, free, after):
+def places(ours, theirs, free, after, level=True):
     """How far edges and thin lines are apart, px. ours: linear, green; theirs: levels; free: where no type stands; after: as ours, the
-    row after each. Told apart along x, and then across the edge, by how far it moves from row to row."""
+    row after each; level: also what runs along the columns. Told apart along x, and then across the edge, by how far it moves from row to
+    row."""
     n, side = 13, 4  # of a window: even, edge or line of at most 5, even
     own = levels_of(ours)
     a, b = windows(own, n), windows(theirs, n)
@@ -99,7 +102,12 @@ def places(ours, theirs, free, after):
             # One window an edge: that in whose middle it lies.
             if abs(here - middle) >= 0.5:
                 continue
-            slope = place(after[y, x:x + n], side) - here
+            beside = after[y, x:x + n]
+            if abs(beside[:side].mean() - beside[-side:].mean()) < 1e-9 and place is cover_of:
+                continue  # a corner: it goes on nowhere
+            slope = place(beside, side) - here
+            if not level and abs(slope) < 1e-3:
+                continue
             off.append((here - place(theirs[y, x:x + n], side)) / numpy.hypot(1.0, min(abs(slope), n / 2)))
     return off
 
@@ -124,7 +132,7 @@ def turned(ours, levels, free):
 def differences(ours, levels, free):
     off = []
     for own, theirs, place in turned(ours[..., 1], levels[..., 1], free):
-        off += places(own[:-1], theirs[:-1], place[:-1], own[1:])
+        off += places(own[:-1], theirs[:-1], place[:-1], own[1:], level=False)
     return numpy.array(off)
 
 
@@ -132,18 +140,23 @@ def near_outlines(svg, shape, dpi, reach_px=3):
     """Pixels near the outlines of ellipsoids: the conics that clip what is drawn on them."""
     near = numpy.zeros(shape[:2], dtype=bool)
     for data in re.findall(r'<clipPath id="[^"]*"><path d="(m[^"]*c[^"]*)"', svg.read_text()):
-        at, last = numpy.zeros(2), numpy.zeros((3, 2))
-        for command, text in re.findall(r"([mlcz])([^mlcz]*)", data):
-            numbers = [float(n) for n in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", text)]
+        at = start = numpy.zeros(2)
+        for command, text in re.findall(r"([mlhvcz])([^mlhvcz]*)", data):
+            numbers = [float(n) for n in re.findall(r"-?\d+", text)]
+            if command in "hv":
+                at = at + sum(numbers) * numpy.array([command == "h", command == "v"])
+                continue
             points = numpy.array(numbers).reshape(-1, 2)
+            if command == "m":
+                start = at + points[0]
             if command != "c":
-                at = at + points.sum(axis=0)
+                at = start if command == "z" else at + points.sum(axis=0)
                 continue
             for last in points.reshape(-1, 3, 2):
                 t = numpy.linspace(0.0, 1.0, 400)[:, None]
                 path = at + 3 * (1 - t)**2 * t * last[0] + 3 * (1 - t) * t**2 * last[1] + t**3 * last[2]
                 at = at + last[2]
-                for x, y in (path * dpi / 72.0).astype(int):
+                for x, y in (path * dpi / 72.0 / SVG_UNITS).astype(int):
                     near[max(y - reach_px, 0):y + reach_px + 1, max(x - reach_px, 0):x + reach_px + 1] = True
     return near
 

@@ -177,5 +177,47 @@ TEST(Occluders, WhatFadesLetsGo) {
     }
 }
 
+// A sphere and a spheroid about one axis meet in circles of latitude. Such a one, a ten-millionth
+// of its radius off to and fro, as fitted curves are, is seen in one piece: it lies on both.
+TEST(Occluders, ACurveInWhichTwoSurfacesMeetIsHiddenByNeitherWhereBothFaceTheEye) {
+    View view;
+    view.width_px = 1000;
+    view.height_px = 750;
+    view.camera.eye = {3.0, -4.0, 2.5};
+    view.camera.target = {0.0, 0.0, 0.0};
+    view.ellipsoids.resize(2);
+    view.ellipsoids[1].half_axes = Eigen::Vector3d(1.2, 1.2, 0.8).asDiagonal();
+    // ρ² + z² = 1 = ρ²/1.44 + z²/0.64.
+    const double z_square = (1.0 - 1.0 / 1.44) / (1.0 / 0.64 - 1.0 / 1.44);
+    const double z = std::sqrt(z_square), radius = std::sqrt(1.0 - z_square);
+    const Sight sight(view, 0.24);
+    const Occluders occluders(view, sight);
+    Track track;
+    for (int k = 0; k <= 16; ++k) track.knots.push_back(2.0 * std::numbers::pi * k / 16);
+    track.flow = [=](double s) {
+        const double r = radius * (1.0 + 1e-7 * std::sin(101.0 * s));
+        return CurveFlow{{r * std::cos(s), r * std::sin(s), z},
+                         {-r * std::sin(s), r * std::cos(s), 0.0}};
+    };
+    const std::vector<Span> spans = occluders.spans(track, {0, -1});
+    EXPECT_LE(spans.size(), 5u);  // behind each limb once, and where it begins
+    double seen = 0.0;
+    for (const Span& span : spans)
+        if (span.cover.clear > 0.5) seen += span.to - span.from;
+    // Above both, the eye sees the circle where neither turns away: by the limbs' planes.
+    double expected = 0.0;
+    constexpr int n = 100'000;
+    for (int k = 0; k < n; ++k) {
+        const double s = 2.0 * std::numbers::pi * (k + 0.5) / n;
+        const Eigen::Vector3d at(radius * std::cos(s), radius * std::sin(s), z);
+        const Eigen::Vector3d eye = view.camera.eye;
+        const double first = at.dot(eye) - 1.0;
+        const double second =
+            (at.x() * eye.x() + at.y() * eye.y()) / 1.44 + at.z() * eye.z() / 0.64 - 1.0;
+        if (first > 0.0 && second > 0.0) expected += 2.0 * std::numbers::pi / n;
+    }
+    EXPECT_NEAR(seen, expected, 1e-3);
+}
+
 }  // namespace
 }  // namespace poinsot::vector
