@@ -32,7 +32,7 @@ Canvas::Canvas(const Drawing& whole, const View& shown, double pt_per_px, Shadin
       shading(how),
       page(onto) {}
 
-Colour Canvas::behind(const Eigen::Vector2d& at) const {
+Colour Canvas::ground(const Eigen::Vector2d& at) const {
     // Paper is white where nothing is drawn on it.
     const Colour white{1.0, 1.0, 1.0};
     Colour colour = mixed(white, at_height(drawing.background, at.y(), 0.0, page.height_pt),
@@ -49,11 +49,13 @@ Colour Canvas::behind(const Eigen::Vector2d& at) const {
         colour = encoded(opacity * linear(plane.colour) + (1.0 - opacity) * linear(colour));
         if (!is_before_solids(*this, plane)) colour = shadowed(*this, plane, point, colour);
     }
-    for (std::size_t k = 0; k < n_ellipsoids; ++k) {
-        const Layer seen = seen_surface(*this, k, at);
-        colour = encoded(seen.alpha * seen.light + (1.0 - seen.alpha) * linear(colour));
-    }
     return colour;
+}
+
+Colour Canvas::behind(const Eigen::Vector2d& at) const {
+    const Colour colour = ground(at);
+    if (ellipsoids.empty() || shading == Shading::none) return colour;
+    return encoded(through_ellipsoids(*this, ellipsoids, at, linear(colour)));
 }
 
 Path Canvas::path_of(const Track& track, double from, double to, double tolerance_pt,
@@ -129,13 +131,17 @@ void draw_view(const Drawing& drawing, const View& view, const PageChoices& choi
     draw_meshes(canvas);
     // From the back to the front.
     std::vector<std::size_t> order;
+    order.reserve(view.ellipsoids.size());
+    canvas.ellipsoids.reserve(view.ellipsoids.size());
     for (std::size_t k = 0; k < view.ellipsoids.size(); ++k) order.push_back(k);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return sight.depth(view.ellipsoids[a].centre) > sight.depth(view.ellipsoids[b].centre);
     });
     if (has_pixels) draw_ellipsoid_pixels(canvas, choices.draw_pixels);
-    for (const std::size_t k : order) draw_ellipsoid(canvas, k);
-    canvas.n_ellipsoids = view.ellipsoids.size();
+    for (const std::size_t k : order) {
+        draw_ellipsoid(canvas, k);
+        canvas.ellipsoids.push_back(k);
+    }
     for (const Plane& plane : view.planes)
         if (is_before_solids(canvas, plane)) draw_plane(canvas, plane);
     for (const Cone& cone : view.cones) draw_cone(canvas, cone);

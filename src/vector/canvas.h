@@ -37,6 +37,8 @@ struct Canvas {
 
     // What lies behind a place on paper: background, planes, ellipsoids, as far as they are drawn.
     Colour behind(const Eigen::Vector2d& at) const;
+    // Of that, background and planes.
+    Colour ground(const Eigen::Vector2d& at) const;
     double pt(double px) const { return px * sight.pt_per_px; }
     // A line's width: none on paper is thinner than printers take.
     double line_pt(double px) const { return px > 0.0 ? std::max(pt(px), least_line_pt) : 0.0; }
@@ -74,7 +76,8 @@ struct Canvas {
                                      const std::function<LineLook(double)>& look_at) const;
 
     // How far the picture has come, for behind().
-    std::size_t n_planes = 0, n_ellipsoids = 0;
+    std::size_t n_planes = 0;
+    std::vector<std::size_t> ellipsoids;  // numbers of those drawn
 };
 
 // canvas.cpp
@@ -97,7 +100,10 @@ Colour shadowed(const Canvas& canvas, const Plane& plane, const Eigen::Vector3d&
                 const Colour& colour);
 // ellipsoid.cpp
 void draw_ellipsoid(Canvas& canvas, std::size_t number);
-Layer seen_surface(const Canvas& canvas, std::size_t number, const Eigen::Vector2d& at);
+// Light that comes through ellipsoids from what lies behind them, their surfaces from the back to
+// the front, whichever they belong to: two that cross hide parts of each other.
+Eigen::Vector3d through_ellipsoids(const Canvas& canvas, const std::vector<std::size_t>& numbers,
+                                   const Eigen::Vector2d& at, const Eigen::Vector3d& under);
 // bodies.cpp
 void draw_meshes(const Canvas& canvas);
 void draw_cone(const Canvas& canvas, const Cone& cone);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "vector/canvas.h"
 
@@ -20,6 +22,7 @@ bool is_present(const Ellipsoid& ellipsoid) {
 struct Meeting {
     bool any = false;
     SurfacePoint front, back;
+    double front_depth = 0.0, back_depth = 0.0;
 };
 
 Meeting meeting_of(const Sight& sight, const SphereSight& sphere, const Eigen::Vector2d& at) {
@@ -39,28 +42,38 @@ Meeting meeting_of(const Sight& sight, const SphereSight& sphere, const Eigen::V
     };
     meeting.front = point(-1.0);
     meeting.back = point(1.0);
+    const auto depth = [&](double side) {
+        return sight.depth(sphere.centre + sphere.axes * (nearest + side * root * d));
+    };
+    meeting.front_depth = depth(-1.0);
+    meeting.back_depth = depth(1.0);
     return meeting;
 }
 
-// Front over back, as one layer.
-Layer both(const Ellipsoid& ellipsoid, const Lights& lights, const Meeting& meeting) {
-    const Layer front = outer_surface(ellipsoid, lights, meeting.front, 0.0);
-    const Layer back = inner_surface(ellipsoid, lights, meeting.back, 0.0);
-    const double behind = (1.0 - front.alpha) * back.alpha;
-    Layer layer;
-    layer.alpha = front.alpha + behind;
-    layer.light = (front.alpha * front.light + behind * back.light) / std::max(layer.alpha, 1e-9);
-    return layer;
+// What is seen of a layer over something else.
+Eigen::Vector3d laid(const Layer& layer, const Eigen::Vector3d& under) {
+    return layer.alpha * layer.light + (1.0 - layer.alpha) * under;
 }
 
-void fill_lit(const Canvas& canvas, const Ellipsoid& ellipsoid, const SphereSight& sphere,
-              const PaperEllipse& outline) {
+// How opaque both surfaces are together.
+double opacity_of(const Ellipsoid& ellipsoid, const Lights& lights, const Meeting& meeting) {
+    const double front = outer_surface(ellipsoid, lights, meeting.front, 0.0).alpha;
+    const double back = inner_surface(ellipsoid, lights, meeting.back, 0.0).alpha;
+    return front + (1.0 - front) * back;
+}
+
+void fill_lit(const Canvas& canvas, std::size_t number, const PaperEllipse& outline) {
+    const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
+    const SphereSight& sphere = canvas.occluders.spheres()[number];
     constexpr int n_rings = 5, n_spokes = 9;
     ShadedDisc disc;
     disc.page_from_disc = outline.page_from_circle();
     disc.n_rings = n_rings;
     disc.n_spokes = n_spokes;
     std::vector<Colour> wanted, behind;
+    // All that are here once it is.
+    std::vector<std::size_t> all = canvas.ellipsoids;
+    all.push_back(number);
     const double size_pt = std::sqrt(std::abs(disc.page_from_disc.linear().determinant()));
     const double limb_radius = std::max(1.0 - 0.25 / std::max(size_pt, 1e-9), 0.95);
     double alpha = 0.0;
@@ -70,12 +83,10 @@ void fill_lit(const Canvas& canvas, const Ellipsoid& ellipsoid, const SphereSigh
             const double r = std::min(disc.radius(ring), limb_radius);
             const Eigen::Vector2d place =
                 outline.centre + r * (outline.at(2.0 * pi * spoke / n_spokes) - outline.centre);
-            const Layer seen =
-                both(ellipsoid, canvas.lights, meeting_of(canvas.sight, sphere, place));
             behind.push_back(canvas.behind(place));
             wanted.push_back(
-                encoded(seen.alpha * seen.light + (1.0 - seen.alpha) * linear(behind.back())));
-            alpha += seen.alpha;
+                encoded(through_ellipsoids(canvas, all, place, linear(canvas.ground(place)))));
+            alpha += opacity_of(ellipsoid, canvas.lights, meeting_of(canvas.sight, sphere, place));
         }
     }
     // One opacity for all of it, so that it can be a single sheet; colours make up for it.
@@ -97,9 +108,6 @@ Canvas::LineLook line_on(const Canvas& canvas, std::size_t number, const Eigen::
     if (canvas.shading == Shading::none)
         return {ellipsoid.line_colour, opacity * ellipsoid.presence * (front ? 1.0 : 0.35), behind};
     const Meeting meeting = meeting_of(canvas.sight, canvas.occluders.spheres()[number], at);
-    const auto lay = [](const Layer& layer, const Eigen::Vector3d& under) {
-        return (layer.alpha * layer.light + (1.0 - layer.alpha) * under).eval();
-    };
     const auto fore = [&](double lines) {
         return outer_surface(ellipsoid, canvas.lights, meeting.front, lines);
     };
@@ -107,9 +115,9 @@ Canvas::LineLook line_on(const Canvas& canvas, std::size_t number, const Eigen::
         return inner_surface(ellipsoid, canvas.lights, meeting.back, lines);
     };
     const Eigen::Vector3d under = linear(behind);
-    const Eigen::Vector3d tone = lay(fore(0.0), lay(back(0.0), under));
+    const Eigen::Vector3d tone = laid(fore(0.0), laid(back(0.0), under));
     const Eigen::Vector3d inked =
-        front ? lay(fore(1.0), lay(back(0.0), under)) : lay(fore(0.0), lay(back(1.0), under));
+        front ? laid(fore(1.0), laid(back(0.0), under)) : laid(fore(0.0), laid(back(1.0), under));
     return {encoded(inked), opacity, encoded(tone)};
 }
 
@@ -212,13 +220,25 @@ void stroke_sections(const Canvas& canvas, std::size_t number, const PaperEllips
 
 }  // namespace
 
-Layer seen_surface(const Canvas& canvas, std::size_t number, const Eigen::Vector2d& at) {
-    const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
-    const SphereSight& sphere = canvas.occluders.spheres()[number];
-    if (!is_present(ellipsoid)) return {Eigen::Vector3d::Zero(), 0.0};
-    const Meeting meeting = meeting_of(canvas.sight, sphere, at);
-    if (!meeting.any) return {Eigen::Vector3d::Zero(), 0.0};
-    return both(ellipsoid, canvas.lights, meeting);
+Eigen::Vector3d through_ellipsoids(const Canvas& canvas, const std::vector<std::size_t>& numbers,
+                                   const Eigen::Vector2d& at, const Eigen::Vector3d& under) {
+    std::vector<std::pair<double, Layer>> surfaces;  // by depth
+    surfaces.reserve(2 * numbers.size());
+    for (const std::size_t number : numbers) {
+        const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
+        if (!is_present(ellipsoid)) continue;
+        const Meeting meeting = meeting_of(canvas.sight, canvas.occluders.spheres()[number], at);
+        if (!meeting.any) continue;
+        surfaces.emplace_back(meeting.front_depth,
+                              outer_surface(ellipsoid, canvas.lights, meeting.front, 0.0));
+        surfaces.emplace_back(meeting.back_depth,
+                              inner_surface(ellipsoid, canvas.lights, meeting.back, 0.0));
+    }
+    std::stable_sort(surfaces.begin(), surfaces.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    Eigen::Vector3d light = under;
+    for (const auto& [depth, layer] : surfaces) light = laid(layer, light);
+    return light;
 }
 
 void draw_ellipsoid(Canvas& canvas, std::size_t number) {
@@ -230,7 +250,7 @@ void draw_ellipsoid(Canvas& canvas, std::size_t number) {
     const auto outline = picture_of(*limb, canvas.sight);
     if (!outline) return;
     if (canvas.shading == Shading::tone) {
-        fill_lit(canvas, ellipsoid, sphere, *outline);
+        fill_lit(canvas, number, *outline);
     } else if (canvas.shading == Shading::none) {
         // What lies behind is paler, as through the surface.
         Fill veil;
