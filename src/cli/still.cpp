@@ -1,4 +1,6 @@
 // poinsot still SCENE -o OUT.png: one picture.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -13,6 +15,7 @@
 #include "cli/progress.h"
 #include "cli/scenes.h"
 #include "cli/sweep.h"
+#include "error/error.h"
 #include "production/contact_sheet.h"
 #include "production/still_job.h"
 #include "production/vectors/journal.h"
@@ -37,6 +40,18 @@ struct StillChoices {
 
 // All scenes at all points of the sweep in one picture.
 int draw_sheet_of(const StillChoices& choices) {
+    const PrintChoices& print = choices.print;
+    const std::pair<const char*, bool> of_paper[] = {{"--journal", !print.journal.empty()},
+                                                     {"--width-mm", print.width_mm.has_value()},
+                                                     {"--height-mm", print.height_mm.has_value()},
+                                                     {"--dpi", print.dpi.has_value()},
+                                                     {"--type-pt", print.type_pt.has_value()}};
+    for (const auto& [option, is_given] : of_paper)
+        if (is_given)
+            throw InputError(
+                fmt::format("--sheet: its pictures are for a screen, and {0} is for paper; leave "
+                            "{0} out, or draw stills without --sheet",
+                            option));
     SheetRequest sheet;
     std::tie(sheet.n_columns, sheet.n_rows) = *choices.sheet;
     sheet.output = choices.output;

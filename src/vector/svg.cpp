@@ -402,8 +402,8 @@ class Writer {
     // SVG has no patches: bands across the disc, each from where it begins down to the disc's end,
     // so that the next covers it and no seam is left.
     void shade(const Path& path, const ShadedDisc& disc) {
-        constexpr int most_bands = 36, least_bands = 12, n_stops = 10;
-        constexpr double band_pt = 4.0, reach = 1.1;
+        constexpr int most_bands = 32, least_bands = 12, n_stops = 10;
+        constexpr double band_pt = 4.5, reach = 1.1;
         const double size_pt = std::sqrt(std::abs(disc.page_from_disc.linear().determinant()));
         const int n_bands = std::clamp(static_cast<int>(std::ceil(2.0 * size_pt / band_pt)),
                                        least_bands, most_bands);

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """The portable profile's promise: the same bytes on every x86-64, whatever the processor, threads, backend and run.
 
-Runs the real program natively and under qemu-x86_64 as several processors, and compares PNG files, a film's bytes and the
-digits of `sample` with those of the first native run. Exit code 1 if anything differs, 77 (skipped) without qemu.
+Runs the real program natively and under qemu-x86_64 as several processors, and compares PNG, PDF and SVG files, a film's bytes and
+the digits of `sample` with those of the first native run. Exit code 1 if anything differs, 77 (skipped) without qemu.
 Usage: processor_sweep.py POINSOT [TEST_LIBM]
 """
 import concurrent.futures
@@ -33,6 +33,9 @@ CASES = {
     "still heavy_top_looping": (["still", "heavy_top_looping", *STILL, "--time", "4"], ".png", 2),
     "still tensor": (["still", "tensor", *STILL, "--time", "3"], ".png", 2),
     "film tennis_racket": (["render", "tennis_racket", "--frames", "0-3", *STILL], ".mp4", 2),
+    "still generic, PDF": (["still", "generic", "-q"], ".pdf", 2),
+    "still momentum_sphere, SVG": (["still", "momentum_sphere", "-q"], ".svg", 2),
+    "still toutatis, PDF": (["still", "toutatis", "-q", "--text", "paths"], ".pdf", 2),
     "sample generic": (["sample", "generic", "--times", TIMES], "", 2),
     "sample heavy_top_wavy": (["sample", "heavy_top_wavy", "--times", TIMES], "", 2),
     "sample heavy_top_looping": (["sample", "heavy_top_looping", "--times", TIMES], "", 2),
