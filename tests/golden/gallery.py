@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""The gallery, docs/gallery.md: every scene as a small picture, and which still shows which claim of the lecture.
+"""The gallery, docs/gallery.md: every scene as a small picture and as vectors, and which still shows which claim of the lecture.
 
 Usage: gallery.py draw POINSOT     (or: cmake --build build/release --target gallery)
        gallery.py text             docs/gallery.md alone, from the scene files
        gallery.py check            exit code 1 unless docs/gallery.md says what the scene files say, and each has its picture
 Draws scenes/*.toml in one process, in the portable profile, into tests/golden/gallery, brings each below 40 kB by a palette
-(pngquant, Debian package of that name), draws the README's pictures, and writes both tables between their marks. A picture's
+(pngquant, Debian package of that name), draws each as an SVG beside it, draws the README's pictures, and writes both tables between their marks. A picture's
 caption is its scene's title and the first line of its file. A claim is a comment in the scene file that begins with
 "# Claim (lecture, page 14): " or "# Claims (lecture, pages 6, 8): "; what follows "Seen:" in it is what the picture must show.
 """
@@ -21,9 +21,9 @@ GALLERY = ROOT / "tests" / "golden" / "gallery"
 README_PICTURES = ROOT / "tests" / "golden" / "readme"
 PAGE = ROOT / "docs" / "gallery.md"
 SIZE = "480x270"
+MOST_BYTES_OF_SVGS = 4_000_000  # of all together, before git packs them to a third
 COLOURS = "128"
 MOST_BYTES = 40_000
-COLUMNS = 3
 # As a lecture would come to them.
 ORDER = ["tensor", "four_views", "momentum_sphere", "torque_axis", "torque_symmetric", "euler_drift", "inertia_ellipsoid", "gradient",
          "invariable_plane", "rolling", "generic", "lecture_construction", "sphere", "stable_largest", "stable_smallest",
@@ -41,13 +41,20 @@ def scenes_in_order():
 
 def draw(program, names):
     GALLERY.mkdir(exist_ok=True)
-    for old in GALLERY.glob("*.png"):
+    for old in [*GALLERY.glob("*.png"), *GALLERY.glob("*.svg")]:
         old.unlink()
     scenes = [str(ROOT / "scenes" / f"{name}.toml") for name in names]
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([program, "still", *scenes, "--portable", "--size", SIZE, "-q", "-o", f"{folder}/####.png"], check=True)
         for name, picture in zip(names, sorted(pathlib.Path(folder).iterdir()), strict=True):
             palette(picture, GALLERY / f"{name}.png")
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([program, "still", *scenes, "-q", "-o", f"{folder}/####.svg"], check=True)
+        pages = sorted(pathlib.Path(folder).iterdir())
+        if sum(page.stat().st_size for page in pages) > MOST_BYTES_OF_SVGS:
+            sys.exit(f"gallery.py: the SVGs take more than {MOST_BYTES_OF_SVGS} bytes; show fewer")
+        for name, page in zip(names, pages, strict=True):
+            shutil.copyfile(page, GALLERY / f"{name}.svg")
 
 
 def palette(picture, small, colours=COLOURS, most_bytes=MOST_BYTES):
@@ -94,16 +101,16 @@ def in_table(text):
     return text.replace("|", "\\|")
 
 
-def cell(name):
+def row(name):
     says = in_table(lines_of(name)[0].lstrip("# "))
     title = title_of(name)
-    return f"[![{title}](../tests/golden/gallery/{name}.png)](../scenes/{name}.toml)<br>**{title}.** {says}"
+    folder = "../tests/golden/gallery"
+    return (f"| [![{title}]({folder}/{name}.png)](../scenes/{name}.toml) | [![{title}, vectors]({folder}/{name}.svg)]({folder}/{name}.svg) "
+            f"| **{title}.** {says} |")
 
 
 def gallery_table(names):
-    rows = [names[i:i + COLUMNS] for i in range(0, len(names), COLUMNS)]
-    lines = ["|" + " |" * COLUMNS, "|" + "---|" * COLUMNS]
-    return lines + ["| " + " | ".join([cell(name) for name in row] + [""] * (COLUMNS - len(row))) + " |" for row in rows]
+    return ["| pixels | vectors | |", "|---|---|---|"] + [row(name) for name in names]
 
 
 def claim_of(name):
@@ -157,10 +164,12 @@ def written():
 def check():
     if PAGE.read_text() != written():
         sys.exit("docs/gallery.md does not say what the scene files say; run: python3 tests/golden/gallery.py text")
-    scenes, pictures = set(scenes_in_order()), {path.stem for path in GALLERY.glob("*.png")}
-    if scenes != pictures:
-        sys.exit(f"tests/golden/gallery: no scene, or no picture, of: {', '.join(sorted(scenes ^ pictures))}; "
-                 "run: cmake --build build/release --target gallery")
+    scenes = set(scenes_in_order())
+    for suffix in ("png", "svg"):
+        pictures = {path.stem for path in GALLERY.glob(f"*.{suffix}")}
+        if scenes != pictures:
+            sys.exit(f"tests/golden/gallery: no scene, or no {suffix}, of: {', '.join(sorted(scenes ^ pictures))}; "
+                     "run: cmake --build build/release --target gallery")
 
 
 if __name__ == "__main__":
