@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/charts/chart_room.h"
 #include "drawing/idle_keys.h"
 #include "drawing/theme_contrast.h"
 #include "drawing/type/overlay.h"
@@ -59,11 +60,14 @@ void set_size_on_paper(const SceneRequest& request, Scene& scene) {
             "out");
     scene.film.width_px = paper->width_px;
     scene.film.height_px = paper->height_px;
-    // The figure keeps the scene's shape; title and caption add the rows that their points take.
-    if (request.print.width_mm && !request.print.height_mm) {
-        scene.film.height_px +=
-            rows_added_by_type(scene, paper->width_px, paper->line_scale, paper->least);
-    }
+    if (!request.print.width_mm || request.print.height_mm) return;
+    // The figure keeps the scene's shape; title and caption add the rows that their points take,
+    // charts those without which their numbers and names would not stand one above another.
+    const double px = paper->line_scale;
+    int& height_px = scene.film.height_px;
+    height_px += rows_added_by_type(scene, paper->width_px, px, paper->least);
+    const int room_px = height_px - rows_of_overlays(scene, paper->width_px, px, paper->least);
+    height_px += rows_added_by_charts(scene, paper->width_px, room_px, px, paper->least);
 }
 
 // What stepping over a problem's span may cost, found before it is done.

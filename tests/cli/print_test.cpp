@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <regex>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "cli/program_run.h"
@@ -88,7 +91,7 @@ TEST(PrintedStill, FigureKeepsItsShapeBesideTypeThatHasItsPoints) {
     const ScratchFolder folder;
     const auto rows = [&](const std::string& more) {
         const ProgramRun run =
-            run_program_in(folder, "still '" + scene("four_views") +
+            run_program_in(folder, "still '" + scene("loop_generic") +
                                        "' --time 1 --width-mm 85 --dpi 150 -q -o a.png " + more);
         EXPECT_EQ(run.code, 0) << run.err;
         return read_png(folder.path() / "a.png").height();
@@ -100,6 +103,40 @@ TEST(PrintedStill, FigureKeepsItsShapeBesideTypeThatHasItsPoints) {
     EXPECT_GT(rows(""), bare + 10.0 * pt_px);
     EXPECT_LT(rows(""), bare + 60.0 * pt_px);
     EXPECT_NEAR(rows("--height-mm 50"), 50.0 / 25.4 * 150.0, 1.0);
+}
+
+// The numbers that stand as text of their own in a figure: those of axes.
+int numbers_in(const std::string& svg) {
+    static const std::regex number(">-?[0-9]+(\\.[0-9]+)?</text>");
+    return static_cast<int>(
+        std::distance(std::sregex_iterator(svg.begin(), svg.end(), number), {}));
+}
+
+TEST(PrintedStill, ChartsOnAColumnHaveTheirNumbersAndNames) {
+    // Beside each height at least two numbers, below each time or angle three: four charts and two
+    // such axes in the tops, two of each with Explorer 1, one in the others.
+    const ScratchFolder folder;
+    for (const auto& [name, n_heights, n_feet] :
+         {std::tuple("heavy_top_cusp", 4, 2), std::tuple("heavy_top_conserved", 4, 2),
+          std::tuple("four_views", 1, 1), std::tuple("explorer_1", 2, 2),
+          std::tuple("momentum_sphere", 1, 1)}) {
+        const ProgramRun run = run_program_in(
+            folder, "still '" + scene(name) + "' --width-mm 85 --theme print -q -o a.svg");
+        ASSERT_EQ(run.code, 0) << run.err;
+        EXPECT_GE(numbers_in(text_of(folder.path() / "a.svg")), 2 * n_heights + 3 * n_feet) << name;
+    }
+    ASSERT_EQ(run_program_in(folder, "still '" + scene("heavy_top_cusp") +
+                                         "' --width-mm 85 --theme print -q -o a.svg")
+                  .code,
+              0);
+    EXPECT_NE(text_of(folder.path() / "a.svg").find(">\U0001d449</text>"), std::string::npos)
+        << "no name of V";
+    // A page of a stated height is left as it is.
+    ASSERT_EQ(run_program_in(folder, "still '" + scene("four_views") +
+                                         "' --width-mm 85 --height-mm 50 --dpi 150 -q -o a.png")
+                  .code,
+              0);
+    EXPECT_EQ(read_png(folder.path() / "a.png").height(), std::lround(50.0 / 25.4 * 150.0));
 }
 
 TEST(PrintedStill, IsDrawnAgainFromItsRecord) {

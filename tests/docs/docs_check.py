@@ -6,6 +6,8 @@ links:     every relative link of *.md and docs/*.md leads to a file that is the
 readme:    README.md is at most 8192 bytes.
 files:     every path of src/, tests/, scenes/, shaders/ or .ci/ in backticks is there; `*` stands for any name.
 tests:     every test that docs/formulas.md names, as `Suite.Claim`, is in tests/.
+walks:     the blocks of sh of the guide's walks run as they stand, one after the other, in a folder that holds scenes alone; of
+           films the first two frames.
 commands:  every line with poinsot in a block of sh names a command, options and scenes that the program knows.
 """
 import pathlib
@@ -13,6 +15,7 @@ import re
 import shlex
 import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = sorted(ROOT.glob("*.md")) + sorted((ROOT / "docs").glob("*.md"))
@@ -92,8 +95,30 @@ def commands(program):
                 yield f"{where}: there is no {word}"
 
 
+def walks(program):
+    guide = (ROOT / "docs" / "guide.md").read_text()
+    walked = re.search(r"^## Three walks\n(.*?)^## ", guide, re.M | re.S).group(1)
+    blocks = re.findall(r"^```sh\n(.*?)^```", walked, re.M | re.S)
+    if len(blocks) < 3:
+        yield f"docs/guide.md: three walks with {len(blocks)} blocks of sh"
+    brief = f"""set -e
+poinsot() {{
+    case $1 in
+    render) command "{program}" "$@" --frames 0-1 --size 320x180 ;;
+    *) command "{program}" "$@" ;;
+    esac
+}}
+"""
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / "scenes").symlink_to(ROOT / "scenes")
+        for block in blocks:
+            done = subprocess.run(["sh", "-c", brief + "set -x\n" + block], cwd=folder, capture_output=True, text=True)
+            if done.returncode != 0:
+                yield f"docs/guide.md: a walk ends with {done.returncode}:\n{block}{done.stderr[-2000:]}"
+
+
 if __name__ == "__main__":
-    checks = {check.__name__: check for check in (links, readme, files, tests, commands)}
+    checks = {check.__name__: check for check in (links, readme, files, tests, commands, walks)}
     if len(sys.argv) != 3 or sys.argv[2] not in checks:
         sys.exit(__doc__)
     faults = list(checks[sys.argv[2]](sys.argv[1]))

@@ -302,13 +302,16 @@ OverlayBands overlay_bands(StageData& stage) {
                          stage.type_case);
 }
 
+int rows_of_overlays(const Scene& scene, int width_px, double px, const LeastSizes& least) {
+    TypeCase type_case(1, least);
+    const OverlayBands bands = overlay_bands(scene, width_px, px, 1, type_case);
+    return bands.top_px + bands.bottom_px;
+}
+
 int rows_added_by_type(const Scene& scene, int width_px, double px, const LeastSizes& least) {
-    TypeCase on_paper(1, least);
-    const OverlayBands bands = overlay_bands(scene, width_px, px, 1, on_paper);
-    TypeCase on_screen;
     const double screen_px = width_px / 1920.0;
-    const OverlayBands usual = overlay_bands(scene, width_px, screen_px, 1, on_screen);
-    return std::max(0, bands.top_px + bands.bottom_px - usual.top_px - usual.bottom_px);
+    return std::max(0, rows_of_overlays(scene, width_px, px, least) -
+                           rows_of_overlays(scene, width_px, screen_px, {}));
 }
 
 std::span<const OverlayName> overlays() {

@@ -26,6 +26,9 @@ OverlayBands overlay_bands(StageData& stage);
 // 1080 rows" is `px` pixels wide: type that has its size in points takes more of a narrow page.
 int rows_added_by_type(const Scene& scene, int width_px, double px, const LeastSizes& least);
 
+// What they take of such a picture altogether.
+int rows_of_overlays(const Scene& scene, int width_px, double px, const LeastSizes& least);
+
 // Between the overlays and the picture's sides, pixels at 1080 rows.
 constexpr double overlay_margin = 40.0;
 
