@@ -61,6 +61,8 @@ Drawing part_of(const Drawing& whole, const PixelArea& area) {
     part.background_top_px = whole.background_top_px - area.y_px;
     part.background_rows_px =
         whole.background_rows_px > 0 ? whole.background_rows_px : whole.height_px;
+    // Labels refer to masks of their own view, which a list that grows would copy.
+    part.views.reserve(whole.views.size());
     for (const View& view : whole.views) {
         View& shifted = part.views.emplace_back(view);
         shifted.x_px -= area.x_px;
