@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -46,6 +48,17 @@ void check(const SubmitChoices& choices) {
     context_choice_of(choices.context);
 }
 
+// An override as a task needs it, which runs in another folder: a theme in a file that is found
+// from here is named in full.
+std::string for_a_task(const std::string& given) {
+    constexpr std::string_view theme = "theme=";
+    if (!given.starts_with(theme) || !given.ends_with(".toml")) return given;
+    std::error_code failed;
+    const std::filesystem::path file = given.substr(theme.size());
+    if (!std::filesystem::exists(file, failed)) return given;
+    return fmt::format("{}{}", theme, std::filesystem::absolute(file).string());
+}
+
 // The options that every render of the submission gets.
 std::vector<std::string> render_options(const SubmitChoices& choices) {
     std::vector<std::string> options;
@@ -57,7 +70,7 @@ std::vector<std::string> render_options(const SubmitChoices& choices) {
         options.insert(options.end(), {"--frames", fmt::format("{}-{}", choices.frames->first,
                                                                choices.frames->second)});
     for (const std::string& given : choices.scene.overrides)
-        options.insert(options.end(), {"--set", given});
+        options.insert(options.end(), {"--set", for_a_task(given)});
     return options;
 }
 
@@ -71,7 +84,7 @@ std::vector<FilmToSubmit> films_of(const SubmitChoices& choices, const Telling& 
         FilmToSubmit& film = films.emplace_back();
         film.scene = job.scene;
         for (const std::string& given : job.overrides)
-            film.options.insert(film.options.end(), {"--set", given});
+            film.options.insert(film.options.end(), {"--set", for_a_task(given)});
         film.output = job.output;
         film.n_frames = FilmJob(session, {job.output, choices.frames}).n_frames();
         const std::filesystem::path folder = film.output.parent_path();

@@ -190,8 +190,12 @@ const Theme& theme_named(std::string_view name) {
         if (theme.name == name) return theme;
         names.push_back(theme.name);
     }
-    throw InputError(fmt::format("unknown theme \"{}\"{}; choose one of: {}", printable(name),
-                                 did_you_mean(name, names), fmt::join(names, ", ")));
+    const std::string nearest = did_you_mean(name, names);
+    throw InputError(fmt::format(
+        "unknown theme \"{}\"{}", printable(name),
+        nearest.empty() ? fmt::format("; choose one of: {}, or a theme in a file, as in my.toml",
+                                      fmt::join(names, ", "))
+                        : nearest));
 }
 
 }  // namespace poinsot

@@ -36,6 +36,10 @@ void read_theme(const TomlValue& root, SceneDraft& theme) {
         [](const GivenValue& g, SceneDraft& d) { d.scene.theme = g.text(); },
         nullptr};
     for (const TomlEntry& entry : root.entries) {
+        if (entry.key == "style")
+            throw SceneError(entry.where,
+                             "[style] is a scene's; in a theme its keys stand at the top level, so "
+                             "remove this heading and put them before any other");
         const bool is_extends = entry.key == extends.leaf();
         const std::string path = is_extends ? "theme" : "style." + entry.key;
         const SceneKey* key = is_extends ? &extends : find_scene_key(path);

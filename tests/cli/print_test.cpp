@@ -160,6 +160,12 @@ TEST(PrintedStill, RefusalsAreOneLineAndLeaveNothing) {
         EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
         EXPECT_EQ(folder.listing(), "") << wrong;
     }
+    // The nearest name, or all of them.
+    EXPECT_EQ(run_program_in(folder, still + "--theme drak").err,
+              "--set theme=drak: unknown theme \"drak\"; did you mean \"dark\"?\n");
+    EXPECT_EQ(run_program_in(folder, still + "--theme xyzzy").err,
+              "--set theme=xyzzy: unknown theme \"xyzzy\"; choose one of: light, dark, print, "
+              "colour-blind, transparent, transparent-dark, or a theme in a file, as in my.toml\n");
 }
 
 }  // namespace

@@ -101,6 +101,26 @@ TEST_F(Submit, EndsInTheBytesOfOneRun) {
     EXPECT_FALSE(fs::exists(folder_.path() / "calls"));
 }
 
+// The tasks run in another folder than the one in which the theme was named.
+TEST_F(Submit, KeepsAThemeOfOnesOwn) {
+    folder_.write("mine.toml", "extends = \"dark\"\nomega = \"#ff5050 1.5 dashed\"\n");
+    fs::create_directory(folder_.path() / "scenes");
+    fs::rename(folder_.path() / "a.toml", folder_.path() / "scenes/a.toml");
+    const ProgramRun written =
+        run("submit scenes/a.toml -o a.mp4 --parts 2 --theme mine.toml --dry-run -q");
+    ASSERT_EQ(written.code, 0) << written.err;
+    folder_.write("go",
+                  "cd \"$(dirname \"$0\")\"\nfor k in 1 2; do sh a.mp4.job/task.sh tasks $k; "
+                  "done\nsh a.mp4.job/task.sh joins 1\n");
+    run_program_in(folder_, "--version", "sh go;");
+    const ProgramRun over = run("status a.mp4.job");
+    EXPECT_NE(over.out.find("2 done; join done"), std::string::npos) << over.out;
+    ASSERT_EQ(run("render scenes/a.toml -q --portable --theme mine.toml -o one.mp4").code, 0);
+    ASSERT_EQ(run("render scenes/a.toml -q --portable -o plain.mp4").code, 0);
+    EXPECT_TRUE(text("a.mp4") == text("one.mp4"));
+    EXPECT_FALSE(text("a.mp4") == text("plain.mp4"));
+}
+
 TEST_F(Submit, SaysWhatFailed) {
     ASSERT_EQ(run("submit a.toml -o a.mp4 --parts 2 --dry-run -q").code, 0);
     fs::remove(folder_.path() / "a.toml");

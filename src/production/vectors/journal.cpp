@@ -58,8 +58,10 @@ const Journal& journal_named(std::string_view name) {
         if (journal.name == name) return journal;
         names.push_back(journal.name);
     }
-    throw InputError(fmt::format("--journal {}: unknown{}; choose one of: {}", printable(name),
-                                 did_you_mean(name, names), fmt::join(names, ", ")));
+    const std::string nearest = did_you_mean(name, names);
+    throw InputError(fmt::format(
+        "--journal {}: unknown{}", printable(name),
+        nearest.empty() ? fmt::format("; choose one of: {}", fmt::join(names, ", ")) : nearest));
 }
 
 void set_least_sizes(const Journal& journal, PrintChoices& print) {

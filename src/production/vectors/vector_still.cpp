@@ -46,8 +46,10 @@ auto named(std::string_view option, const Rows& rows, const std::string& name) {
         if (known == name) return value;
         names.push_back(known);
     }
-    throw InputError(fmt::format("{} {}: unknown{}; choose one of: {}", option, printable(name),
-                                 did_you_mean(name, names), fmt::join(names, ", ")));
+    const std::string nearest = did_you_mean(name, names);
+    throw InputError(fmt::format(
+        "{} {}: unknown{}", option, printable(name),
+        nearest.empty() ? fmt::format("; choose one of: {}", fmt::join(names, ", ")) : nearest));
 }
 vector::Shading shading_named(const std::string& name) {
     return named("--shading", shadings, name);
