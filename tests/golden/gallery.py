@@ -26,7 +26,7 @@ COLOURS = "128"
 MOST_BYTES = 40_000
 # As a lecture would come to them.
 ORDER = ["tensor", "four_views", "momentum_sphere", "torque_axis", "torque_symmetric", "euler_drift", "inertia_ellipsoid", "gradient",
-         "invariable_plane", "rolling", "generic", "lecture_construction", "sphere", "stable_largest", "stable_smallest",
+         "invariable_plane", "rolling", "contact_matter", "generic", "lecture_construction", "sphere", "stable_largest", "stable_smallest",
          "tennis_racket", "separatrix", "stability_map", "energy_sweep", "symmetric_oblate", "symmetric_prolate", "point_masses", "euler_angles",
          "heavy_top_conserved", "heavy_top_wavy", "heavy_top_cusp", "heavy_top_looping", "heavy_top_steady",
          "heavy_top_sleeping", "t_handle", "racket_thrown", "feynman_plate", "football", "explorer_1", "earth_wobble", "toutatis"]
