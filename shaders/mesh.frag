@@ -1,7 +1,12 @@
-// Opaque, softly lit. Normals look outward; a face seen from within is lit as its other side.
+// Opaque, softly lit. Normals look outward; a face seen from within is lit as its other side. A
+// surface with a picture has that in place of its colour.
 uniform vec4 look[4];  // eye, or direction towards it; 1 if perspective | key light | sky | colour, linear
 in vec3 normal_out;
 in vec3 point;
+#ifdef PICTURE
+uniform sampler2D texture_0;  // linear light
+in vec2 place_out;
+#endif
 out vec4 fragment;
 
 void main() {
@@ -17,6 +22,11 @@ void main() {
     float g2 = glint * glint, g4 = g2 * g2, g8 = g4 * g4, g16 = g8 * g8;
     float limb = 1.0 - abs(facing);
     limb *= limb * limb;
-    vec3 colour = look[3].rgb * lit + look[1].w * 0.06 * g16 + look[2].w * 0.15 * limb * up;
+#ifdef PICTURE
+    vec3 own = texture(texture_0, place_out).rgb;
+#else
+    vec3 own = look[3].rgb;
+#endif
+    vec3 colour = own * lit + look[1].w * 0.06 * g16 + look[2].w * 0.15 * limb * up;
     fragment = vec4(colour, 1.0);
 }

@@ -7,10 +7,17 @@ uniform vec4 normal_map[3];  // likewise for normals
 uniform vec2 depth_map;     // depth in the buffer is x + y/depth (orthographic: x + y·depth)
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
+#ifdef PICTURE
+layout(location = 2) in vec2 place;
+out vec2 place_out;
+#endif
 out vec3 normal_out;
 out vec3 point;
 
 void main() {
+#ifdef PICTURE
+    place_out = place;
+#endif
     vec4 x = vec4(position, 1.0);
     point = vec3(dot(placement[0], x), dot(placement[1], x), dot(placement[2], x));
     normal_out = vec3(dot(normal_map[0].xyz, normal), dot(normal_map[1].xyz, normal), dot(normal_map[2].xyz, normal));

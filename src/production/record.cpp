@@ -106,11 +106,18 @@ std::string fonts_in_words(const Stage& stage) {
 }  // namespace
 
 std::string mesh_hash_of(const Scene& scene) {
-    if (scene.body.mesh.empty() && scene.object.mesh.empty()) return "";
+    const bool has_mesh = !scene.body.mesh.empty() || !scene.object.mesh.empty();
+    if (!has_mesh && scene.object.pictures.empty()) return "";
     Sha256 hash;
     const auto add = [&hash](const auto* items, std::size_t n_items) {
         hash.add({reinterpret_cast<const std::uint8_t*>(items), n_items * sizeof *items});
     };
+    for (const FacePictureSpec& picture : scene.object.pictures) {
+        const int size[] = {picture.image.width(), picture.image.height()};
+        add(size, 2);
+        hash.add(picture.image.bytes());
+    }
+    if (!has_mesh) return hash.finish();
     for (const BodySurface& surface : scene.surfaces) {
         for (const Eigen::Vector3d& vertex : surface.mesh.vertices) add(vertex.data(), 3);
         for (const auto& triangle : surface.mesh.triangles) add(triangle.data(), triangle.size());

@@ -19,7 +19,7 @@ struct Record {
     std::string version;     // of poinsot
     std::string scene_name;  // the scene file's stem
     std::string scene_hash;  // SHA-256 of scene_toml, mesh_hash after it
-    std::string mesh_hash;   // SHA-256 of what came from a mesh file; empty without one
+    std::string mesh_hash;   // SHA-256 of what came from meshes and pictures; empty without any
     std::string method;      // of the motion
     std::string bounds;      // what was promised of motion and picture
     bool portable = false;   // profile
@@ -51,7 +51,8 @@ struct Record {
     bool operator==(const Record&) const = default;
 };
 
-// SHA-256 of the surfaces and the inertia that a scene has from a mesh file; empty without one.
+// SHA-256 of the surfaces and the inertia that a scene has from a mesh file, and of its faces'
+// pictures; empty without any.
 std::string mesh_hash_of(const Scene& scene);
 
 // The record of what a stage shows, without time or frames and without what drew it.

@@ -78,12 +78,12 @@ RedrawRequest with_its_names(RedrawRequest request, const Record& record) {
 Scene scene_of(const RedrawRequest& request, const Record& record) {
     Scene scene = parse_scene(record.scene_toml, record.scene_name + ".toml", {}, request.outside);
     scene.notes.clear();
-    if (mesh_hash_of(scene) != record.mesh_hash)
-        throw InputError(
-            fmt::format("{}: {} is not the mesh it was drawn with; put that one back",
-                        printable(request.file.string()),
-                        printable(scene.body.mesh.empty() ? scene.object.mesh : scene.body.mesh)));
-    return scene;
+    if (mesh_hash_of(scene) == record.mesh_hash) return scene;
+    std::string files = scene.body.mesh.empty() ? scene.object.mesh : scene.body.mesh;
+    for (const FacePictureSpec& picture : scene.object.pictures)
+        files += (files.empty() ? "" : ", ") + picture.file;
+    throw InputError(fmt::format("{}: {} is not what it was drawn with; put that back",
+                                 printable(request.file.string()), printable(files)));
 }
 
 StillRequest still_request_of(const RedrawRequest& request, const Record& record) {

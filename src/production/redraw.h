@@ -19,7 +19,8 @@ struct RedrawRequest {
 };
 
 // Draws as the file's record says; what may keep this machine from the same bytes is told. Throws
-// InputError for a file without a record, and for a mesh that has changed since; EnvironmentError.
+// InputError for a file without a record, and for a mesh or a picture that has changed since;
+// EnvironmentError.
 void redraw(const RedrawRequest& asked, const Telling& telling);
 
 }  // namespace poinsot

@@ -1,4 +1,5 @@
 // Keys of the body: its inertia, and what it looks like.
+#include "scene/body_faces.h"
 #include "scene/given_value.h"
 #include "scene/scene_draft.h"
 #include "scene/scene_key_rows.h"
@@ -11,6 +12,10 @@ namespace {
 using std::size_t;
 
 using Given = BodySpec::Given;
+
+FacePictureSpec& picture(const GivenValue& given, SceneDraft& draft) {
+    return draft.scene.object.pictures.at(given.item());
+}
 
 const SceneKey body_rows[] = {
     // The body, in exactly one of six ways.
@@ -88,6 +93,32 @@ const SceneKey body_rows[] = {
      "the same from a closed surface in a file, .obj or .stl, in the scene's folder",
      [](const GivenValue& g, SceneDraft& d) { d.scene.object.mesh = g.text(); },
      [](const Scene& s, size_t) { return text_unless_empty(s.object.mesh); }},
+    {"object.marked_face", "a string", "", R"("+e3")",
+     "a flat face of the body in a contrasting colour, by the principal axis that leaves through "
+     "it: +e1, -e1, +e2, …",
+     [](const GivenValue& g, SceneDraft& d) {
+         d.scene.object.marked_face = g.one_of(body_faces());
+     },
+     [](const Scene& s, size_t) { return text_unless_empty(s.object.marked_face); }, body_faces()},
+    {"object.pictures[].face", "a string", "", R"("+e3")",
+     "the flat face that has the picture, as in marked_face",
+     [](const GivenValue& g, SceneDraft& d) { picture(g, d).face = g.one_of(body_faces()); },
+     [](const Scene& s, size_t i) {
+         return toml_text(std::string_view(s.object.pictures.at(i).face));
+     },
+     body_faces()},
+    {"object.pictures[].file", "a string", "", R"("cover.png")",
+     "the picture, a PNG in the scene's folder; it is stretched over the face",
+     [](const GivenValue& g, SceneDraft& d) { picture(g, d).file = g.text(); },
+     [](const Scene& s, size_t i) {
+         return toml_text(std::string_view(s.object.pictures.at(i).file));
+     }},
+    {"object.pictures[].up", "a string", "", R"("+e1")",
+     "the direction that its upper side points to; default: the one in which it is stretched "
+     "least",
+     [](const GivenValue& g, SceneDraft& d) { picture(g, d).up = g.one_of(body_faces()); },
+     [](const Scene& s, size_t i) { return text_unless_empty(s.object.pictures.at(i).up); },
+     body_faces()},
 };
 
 }  // namespace

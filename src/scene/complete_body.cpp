@@ -151,6 +151,7 @@ void complete_body(SceneDraft& draft) {
                "size_m and mass_kg, object, mesh, or [[body.masses]]");
     }
     complete_look(draft);
+    complete_faces(draft);
     if (!body.inertia.note().empty()) {
         scene.notes.push_back(fmt::format("body.tensor_kg_m2: {}", body.inertia.note()));
     }

@@ -52,6 +52,7 @@ void complete_body(SceneDraft& draft);
 void complete_object_body(SceneDraft& draft);  // [body] object
 void complete_mesh_body(SceneDraft& draft);    // [body] mesh
 void complete_look(SceneDraft& draft);         // [object], once the body is complete
+void complete_faces(SceneDraft& draft);        // its marked face and pictures, after that
 void complete_start(SceneDraft& draft);
 void complete_film(SceneDraft& draft);
 void complete_camera(SceneDraft& draft);

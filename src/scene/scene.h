@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "image/image.h"
 #include "mechanics/inertia.h"
 #include "mechanics/motion_problem.h"
 #include "mechanics/solids.h"
@@ -56,10 +57,20 @@ struct BodySpec {
     bool allow_unphysical = false;
 };
 
+// [[object.pictures]]: a picture on a flat face of the body.
+struct FacePictureSpec {
+    std::string face;  // of body_faces()
+    std::string file;  // as given
+    std::string up;    // of body_faces(): where its upper side points; empty: as it fits best
+    Image image;       // what is in the file
+};
+
 // [object]: what a body looks like whose moments or tensor say nothing of its form.
 struct ObjectSpec {
-    std::string name;  // in the table of mesh/
-    std::string mesh;  // or a file, as given
+    std::string name;         // in the table of mesh/
+    std::string mesh;         // or a file, as given
+    std::string marked_face;  // of body_faces(); empty: none
+    std::vector<FacePictureSpec> pictures;
 };
 
 // [start]: ω and attitude at t = 0, or the top's Euler angles and rates.

@@ -24,6 +24,8 @@ std::vector<SceneKey> all_sections() {
 const SceneArray arrays[] = {
     {"body.masses", [](SceneDraft& d) { d.masses.emplace_back(); },
      [](const Scene& s) { return s.body.masses_as_given.size(); }},
+    {"object.pictures", [](SceneDraft& d) { d.scene.object.pictures.emplace_back(); },
+     [](const Scene& s) { return s.object.pictures.size(); }},
     {"panels", [](SceneDraft& d) { d.scene.panels.emplace_back(); },
      [](const Scene& s) { return s.panels.size(); }},
     {"marks", [](SceneDraft& d) { d.scene.marks.emplace_back(); },

@@ -59,11 +59,20 @@ struct Cone {
     Eigen::Vector3d reference = Eigen::Vector3d::UnitX();
 };
 
+// What is seen on a surface in place of its colour: rows of sRGB-encoded R, G, B, the upper first.
+// Places in it run from (0, 0), the outer corner of its first pixel, to (1, 1).
+struct SurfacePicture {
+    int width_px = 0, height_px = 0;
+    std::vector<std::uint8_t> rgb;
+};
+
 // Triangles with one normal a corner, owned by the stage as CurveGeometry is.
 struct MeshGeometry {
     std::uint64_t id = 0;
     std::vector<Eigen::Vector3f> positions;  // three a triangle
     std::vector<Eigen::Vector3f> normals;    // as many
+    std::vector<Eigen::Vector2f> places{};   // of a surface with a picture, as many; else none
+    SurfacePicture picture{};
 };
 
 struct Mesh {

@@ -205,6 +205,7 @@ void draw_mesh(const Canvas& canvas, const Mesh& mesh) {
         canvas.add(Fill{common_outline(triangles), Ink{colour, 1.0}, false, seam_pt});
     }
     if (canvas.shading == Shading::none) draw_edges(canvas, mesh, sight);
+    if (canvas.has_fills()) draw_face_picture(canvas, mesh, sight);
 }
 
 struct ConeAxes {

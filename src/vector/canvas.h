@@ -106,6 +106,9 @@ Eigen::Vector3d through_ellipsoids(const Canvas& canvas, const std::vector<std::
                                    const Eigen::Vector2d& at, const Eigen::Vector3d& under);
 // bodies.cpp
 void draw_meshes(const Canvas& canvas);
+// face_picture.cpp
+// The picture on a mesh's faces, in pixels, over what fills them.
+void draw_face_picture(const Canvas& canvas, const Mesh& mesh, const MeshSight& sight);
 void draw_cone(const Canvas& canvas, const Cone& cone);
 // curves.cpp
 void draw_curve(const Canvas& canvas, const Curve& curve);

@@ -28,6 +28,7 @@ MeshSight::MeshSight(const Mesh& mesh, const Sight& sight) : sight_(sight), opac
     const Eigen::Matrix3d turned = mesh.placement.linear().inverse().transpose();
     for (std::size_t k = 0; k + 2 < positions.size(); k += 3) {
         Triangle triangle;
+        triangle.first = k;
         for (std::size_t i = 0; i < 3; ++i) {
             triangle.corners[i] = mesh.placement * positions[k + i].cast<double>();
             triangle.before_eye =

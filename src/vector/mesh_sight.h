@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,7 @@ class MeshSight {
         // Of the surface that it stands for: the mean of its corners'; likewise.
         Eigen::Vector3d shading_normal;
         bool before_eye = true;  // else none of its places on paper is known
+        std::size_t first = 0;   // of its corners, in the mesh's lists
     };
 
     // Whether a triangle lies between the point and the eye. One that the point lies on does not:

@@ -113,6 +113,32 @@ TEST_F(Pictures, OfAThemeOfOnesOwnAreMadeAgainWithoutItsFile) {
     }
 }
 
+// A picture on a face is part of the picture: with another in its file nothing is drawn again.
+TEST_F(Pictures, OfAFaceWithAPictureAreMadeAgainFromThatPictureAlone) {
+    const auto cover = [this](std::uint8_t green) {
+        Image image(2, 2);
+        for (const int k : {0, 1, 2, 3}) image.set(k / 2, k % 2, {200, green, 40, 255});
+        write_png(folder_.path() / "cover.png", image);
+    };
+    cover(30);
+    folder_.write("scene.toml", racket +
+                                    "[[object.pictures]]\nface = \"+e3\"\nfile = \"cover.png\"\n"
+                                    "[[panels]]\nkind = \"object\"\n");
+    for (const std::string file : {"a.png", "a.pdf"}) {
+        const std::string size = file == "a.pdf" ? " --width-mm 120" : "";
+        ASSERT_EQ(run("still scene.toml -q -o " + file + size).code, 0);
+        ASSERT_EQ(run("rerender -q " + file + " -o again_" + file).code, 0);
+        EXPECT_TRUE(text_of(folder_.path() / file) == text_of(folder_.path() / ("again_" + file)));
+    }
+    cover(31);
+    const ProgramRun changed = run("rerender a.png -o b.png");
+    EXPECT_EQ(changed.code, 2);
+    EXPECT_EQ(changed.err, "a.png: cover.png is not what it was drawn with; put that back\n");
+    EXPECT_FALSE(fs::exists(folder_.path() / "b.png"));
+    cover(30);
+    EXPECT_EQ(run("rerender -q a.png -o b.png").code, 0);
+}
+
 // The words in a file replaced by as many others.
 void replace_in(const fs::path& file, const std::string& words, const std::string& others) {
     std::string bytes = text_of(file);

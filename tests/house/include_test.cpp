@@ -28,7 +28,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"mechanics", {"error", "text", "numerics"}},
     {"image", {"error", "colour", "text", "system"}},
     {"typeset", {"error", "text", "system"}},
-    {"scene", {"error", "text", "system", "mesh", "mechanics"}},
+    {"scene", {"error", "text", "system", "mesh", "mechanics", "image"}},
     {"construction", {"error", "numerics", "mechanics"}},
     {"shapes", {"error"}},
     {"drawing",

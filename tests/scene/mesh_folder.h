@@ -1,4 +1,5 @@
-// A folder to work in, with scenes/wedge.obj in it: scenes of the tests that name files find it.
+// A folder to work in, with scenes/wedge.obj and scenes/cover.png in it: scenes of the tests that
+// name files find it.
 #pragma once
 
 #include <unistd.h>
@@ -7,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+
+#include "image/png.h"
 
 namespace poinsot {
 
@@ -24,6 +27,7 @@ class MeshFolder {
         path_ = ::mkdtemp(name.data());
         std::filesystem::create_directory(path_ / "scenes");
         write("scenes/wedge.obj", wedge_obj);
+        write_png(path_ / "scenes/cover.png", Image(3, 2));
         std::filesystem::current_path(path_);
     }
     ~MeshFolder() {

@@ -34,7 +34,9 @@ const std::string three_masses =
 const std::string a_wedge =
     "[body]\nmesh = \"wedge.obj\"\nscale = 2\ndensity_kg_m3 = 3\n" + a_start;
 
-// Where the wedge is found.
+const std::string a_picture = "[[object.pictures]]\nface = \"-e3\"\nfile = \"cover.png\"\n";
+
+// Where the wedge and the cover are found.
 const MeshFolder folder;
 
 // A scene that gives the key, and what must then stand in it.
@@ -97,6 +99,17 @@ const std::map<std::string, Claim> claims_of_rows{
       [](const Scene& s) {
           return s.marks.at(0).srgb == std::array<double, 3>{1.0, 0.0, 0.2};
       }}},
+    {"object.marked_face",
+     {a_scene + "[object]\nmarked_face = \"-e2\"\n",
+      [](const Scene& s) { return s.object.marked_face == "-e2"; }}},
+    {"object.pictures[].face",
+     {a_scene + a_picture, [](const Scene& s) { return s.object.pictures.at(0).face == "-e3"; }}},
+    {"object.pictures[].file",
+     {a_scene + a_picture,
+      [](const Scene& s) { return s.object.pictures.at(0).image.width() == 3; }}},
+    {"object.pictures[].up",
+     {a_scene + a_picture + "up = \"-e1\"\n",
+      [](const Scene& s) { return s.object.pictures.at(0).up == "-e1"; }}},
     {"clock", {"clock = false\n" + a_scene, [](const Scene& s) { return s.clock == false; }}},
     {"type_scale",
      {"type_scale = 1.5\n" + a_scene, [](const Scene& s) { return s.type_scale == 1.5; }}},

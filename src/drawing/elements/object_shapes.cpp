@@ -2,9 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
 
+#include "colour/srgb.h"
 #include "drawing/marks.h"
+#include "mesh/flat_face.h"
 #include "mesh/solid_meshes.h"
+#include "scene/body_faces.h"
 
 namespace poinsot {
 
@@ -59,10 +65,16 @@ TriangleMesh mesh_of_masses(const std::vector<PointMass>& masses, bool rods) {
     return scaled(joined(meshes), reach);
 }
 
-BodyPart part_of(Panel& panel, const TriangleMesh& mesh, double reach_m, const Colour& colour) {
+MeshGeometry geometry_of(const TriangleMesh& mesh, double reach_m) {
     ShadedCorners corners = shaded_corners(scaled(mesh, 1.0 / reach_m));
-    return {panel.stage->keep({0, std::move(corners.positions), std::move(corners.normals)}),
-            colour};
+    MeshGeometry geometry;
+    geometry.positions = std::move(corners.positions);
+    geometry.normals = std::move(corners.normals);
+    return geometry;
+}
+
+BodyPart part_of(Panel& panel, const TriangleMesh& mesh, double reach_m, const Colour& colour) {
+    return {panel.stage->keep(geometry_of(mesh, reach_m)), colour};
 }
 
 // The twelve edges of a box about the origin.
@@ -89,6 +101,91 @@ struct ColouredMesh {
     TriangleMesh mesh;
     Colour colour;
 };
+
+// The flat face of a body's meshes there, taken out of them.
+TriangleMesh taken_face(std::vector<ColouredMesh>& meshes, const Eigen::Vector3d& outward) {
+    double at_m = -1e300;
+    for (const ColouredMesh& part : meshes)
+        at_m = std::max(at_m, farthest_along(part.mesh, outward));
+    std::vector<TriangleMesh> faces;
+    for (ColouredMesh& part : meshes) {
+        PartedMesh parted = parted_at(part.mesh, outward, at_m);
+        part.mesh = std::move(parted.rest);
+        faces.push_back(std::move(parted.face));
+    }
+    return joined(faces);
+}
+
+// From the least to the greatest place of a mesh's corners along an axis.
+struct Stretch {
+    double low, high;
+    double length() const { return high - low; }
+};
+Stretch stretch_of(const std::vector<Eigen::Vector3f>& corners, const Eigen::Vector3d& axis) {
+    Stretch stretch{1e300, -1e300};
+    for (const Eigen::Vector3f& corner : corners) {
+        const double at = axis.dot(corner.cast<double>());
+        stretch.low = std::min(stretch.low, at);
+        stretch.high = std::max(stretch.high, at);
+    }
+    return stretch;
+}
+
+// Where the upper side of a picture points: as it says, or along the axis of the body in which it
+// is stretched least, of two alike the later.
+Eigen::Vector3d up_of(const FacePictureSpec& spec, const Eigen::Matrix3d& axes,
+                      const std::vector<Eigen::Vector3f>& corners) {
+    if (!spec.up.empty()) return body_face_named(spec.up).outward(axes);
+    const int normal = body_face_named(spec.face).axis;
+    const int first = (normal + 1) % 3, second = (normal + 2) % 3;
+    const double tall = static_cast<double>(spec.image.height()) / spec.image.width();
+    const double ratio = stretch_of(corners, axes.col(first)).length() /
+                         stretch_of(corners, axes.col(second)).length();
+    const double with_first = std::abs(std::log(ratio / tall));
+    const double with_second = std::abs(std::log(1.0 / ratio / tall));
+    if (std::abs(with_first - with_second) < 1e-9) return axes.col(std::max(first, second));
+    return axes.col(with_first < with_second ? first : second);
+}
+
+// The picture over a ground that shows where it is transparent.
+SurfacePicture picture_over(const Image& image, const Colour& ground) {
+    SurfacePicture picture{image.width(), image.height(), {}};
+    const std::span<const std::uint8_t> rgba = image.bytes();
+    const double grounds[] = {ground.r, ground.g, ground.b};
+    picture.rgb.resize(rgba.size() / 4 * 3);
+    for (std::size_t k = 0; k < rgba.size() / 4; ++k) {
+        const double alpha = rgba[4 * k + 3] / 255.0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint8_t given = rgba[4 * k + c];
+            if (rgba[4 * k + 3] == 255) {
+                picture.rgb[3 * k + c] = given;
+                continue;
+            }
+            const double light = alpha * linear_from_srgb(given / 255.0) +
+                                 (1.0 - alpha) * linear_from_srgb(grounds[c]);
+            picture.rgb[3 * k + c] =
+                static_cast<std::uint8_t>(std::lround(255.0 * srgb_from_linear(light)));
+        }
+    }
+    return picture;
+}
+
+// Puts a picture on a face: its right is up × outward, so that it is not mirrored from outside.
+void lay_picture(const FacePictureSpec& spec, const Eigen::Matrix3d& axes, const Colour& ground,
+                 MeshGeometry& face) {
+    const Eigen::Vector3d up = up_of(spec, axes, face.positions);
+    const Eigen::Vector3d right = up.cross(body_face_named(spec.face).outward(axes));
+    const Stretch across = stretch_of(face.positions, right);
+    const Stretch upwards = stretch_of(face.positions, up);
+    face.places.reserve(face.positions.size());
+    for (const Eigen::Vector3f& corner : face.positions) {
+        const Eigen::Vector3d at = corner.cast<double>();
+        face.places.emplace_back(Eigen::Vector2d((right.dot(at) - across.low) / across.length(),
+                                                 (upwards.high - up.dot(at)) / upwards.length())
+                                     .cast<float>());
+    }
+    face.picture = picture_over(spec.image, ground);
+}
 
 // The body's surfaces in body axes.
 std::vector<ColouredMesh> meshes_of(const Scene& scene, const Theme& theme) {
@@ -138,11 +235,25 @@ Eigen::Vector3d box_of_moments(const Eigen::Vector3d& moments_kg_m2) {
 BodyShape body_shape(Panel& panel) {
     const Scene& scene = panel.stage->scene;
     const Eigen::Matrix3d body_from_principal = scene.body.inertia.body_from_principal();
-    const std::vector<ColouredMesh> meshes = meshes_of(scene, *panel.stage->theme);
+    const Theme& theme = *panel.stage->theme;
+    std::vector<ColouredMesh> meshes = meshes_of(scene, theme);
     BodyShape shape;
     shape.reach_m = 0.0;
     for (const ColouredMesh& part : meshes) {
         shape.reach_m = std::max(shape.reach_m, reach_of(part.mesh));
+    }
+    std::vector<BodyPart> pictured;
+    for (const FacePictureSpec& spec : scene.object.pictures) {
+        const TriangleMesh face =
+            taken_face(meshes, body_face_named(spec.face).outward(body_from_principal));
+        MeshGeometry geometry = geometry_of(face, shape.reach_m);
+        lay_picture(spec, body_from_principal, theme.solid, geometry);
+        pictured.push_back({panel.stage->keep(std::move(geometry)), theme.solid});
+    }
+    if (!scene.object.marked_face.empty()) {
+        const BodyFace face = body_face_named(scene.object.marked_face);
+        meshes.push_back(
+            {taken_face(meshes, face.outward(body_from_principal)), theme.solid_lines});
     }
     shape.extents.setZero();
     for (const ColouredMesh& part : meshes) {
@@ -152,6 +263,8 @@ BodyShape body_shape(Panel& panel) {
             shape.extents = shape.extents.cwiseMax(along / shape.reach_m);
         }
     }
+    // Last: no part of the body lies before its outermost faces.
+    shape.parts.insert(shape.parts.end(), pictured.begin(), pictured.end());
     if (is_box(scene)) shape.edges = edges_of_box(panel, shape.extents, body_from_principal);
     return shape;
 }

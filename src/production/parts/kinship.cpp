@@ -25,7 +25,7 @@ std::string differing_lines(std::string_view one, std::string_view other) {
             return fmt::format("\"{}\" and \"{}\"", printable(std::string(a), 80),
                                printable(std::string(b), 80));
     }
-    return "what came from their mesh files";
+    return "what came from their meshes and pictures";
 }
 
 }  // namespace

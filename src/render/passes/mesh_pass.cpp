@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "colour/srgb.h"
 #include "error/error.h"
 #include "render/passes/colour.h"
 
@@ -13,6 +14,34 @@ namespace {
 
 constexpr std::uint64_t kept_pictures = 120;
 constexpr GLsizei n_samples = 4;
+
+bool has_picture(const MeshGeometry& geometry) {
+    return !geometry.picture.rgb.empty() && geometry.places.size() == geometry.positions.size();
+}
+
+// A picture as a texture in linear light, with its means for faces seen small.
+GlTexture texture_of(const SurfacePicture& picture) {
+    std::array<std::uint16_t, 256> light{};
+    for (std::size_t level = 0; level < light.size(); ++level)
+        light[level] = static_cast<std::uint16_t>(
+            std::lround(65535.0 * linear_from_srgb(static_cast<double>(level) / 255.0)));
+    std::vector<std::uint16_t> samples;
+    samples.reserve(picture.rgb.size());
+    for (const std::uint8_t level : picture.rgb) samples.push_back(light[level]);
+    GlTexture texture = GlTexture::make();
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16, picture.width_px, picture.height_px, 0, GL_RGB,
+                 GL_UNSIGNED_SHORT, samples.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
 
 bool shows(const Mesh& mesh) {
     return mesh.geometry != nullptr && !mesh.geometry->positions.empty() && mesh.opacity > 0.0;
@@ -57,15 +86,16 @@ PixelBox pixels_of(const Projection& p, const Mesh& mesh, const Eigen::AlignedBo
 
 }  // namespace
 
-MeshPass::MeshPass()
-    : program_("mesh.vert", "mesh.frag"),
-      picture_(program_.at("picture")),
-      constants_(program_.at("constants")),
-      placement_(program_.at("placement")),
-      normal_map_(program_.at("normal_map")),
-      depth_map_(program_.at("depth_map")),
-      look_(program_.at("look")),
-      over_("layer.frag", 1) {}
+MeshPass::Drawer::Drawer(const std::vector<std::string>& defines)
+    : program("mesh.vert", "mesh.frag", defines),
+      picture(program.at("picture")),
+      constants(program.at("constants")),
+      placement(program.at("placement")),
+      normal_map(program.at("normal_map")),
+      depth_map(program.at("depth_map")),
+      look(program.at("look")) {}
+
+MeshPass::MeshPass() : plain_({}), over_("layer.frag", 1) {}
 
 void MeshPass::begin_picture() {
     ++picture_number_;
@@ -102,6 +132,15 @@ MeshPass::Uploaded& MeshPass::uploaded(const MeshGeometry& geometry) {
     const void* after_position = reinterpret_cast<const void*>(
         sizeof(Eigen::Vector3f));  // NOLINT(performance-no-int-to-ptr)
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, after_position);
+    if (!has_picture(geometry)) return upload;
+    upload.places = GlBuffer::make();
+    glBindBuffer(GL_ARRAY_BUFFER, upload.places.id());
+    glBufferData(GL_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(geometry.places.size() * sizeof(Eigen::Vector2f)),
+                 geometry.places.data(), GL_STATIC_DRAW);
+    glEnableVertexAttribArray(2);
+    glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    upload.picture = texture_of(geometry.picture);
     return upload;
 }
 
@@ -196,16 +235,18 @@ void MeshPass::draw_layer(const ViewScene& scene) {
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
-    program_.use();
-    glUniform4f(picture_, static_cast<float>(layer.width), static_cast<float>(layer.height),
-                1.0f / static_cast<float>(layer.width), 1.0f / static_cast<float>(layer.height));
-    glUniform2f(depth_map_, static_cast<float>(2.0 * layer.depth_offset - 1.0),
-                static_cast<float>(2.0 * layer.depth_slope));
-    Constants constants;
-    scene.add_view(constants, Eigen::Vector2d(layer.left, layer.top));
-    glUniform4fv(constants_, constants.size(), constants.from(0));
-    for (const Mesh& mesh : scene.view->meshes)
-        if (shows(mesh)) draw_mesh(scene, mesh);
+    for (const bool with_picture : {false, true}) {
+        const auto is_drawn = [with_picture](const Mesh& mesh) {
+            return shows(mesh) && has_picture(*mesh.geometry) == with_picture;
+        };
+        const auto& meshes = scene.view->meshes;
+        if (std::none_of(meshes.begin(), meshes.end(), is_drawn)) continue;
+        if (with_picture && !pictured_) pictured_.emplace(std::vector<std::string>{"PICTURE"});
+        const Drawer& drawer = with_picture ? *pictured_ : plain_;
+        begin_view(drawer, scene);
+        for (const Mesh& mesh : meshes)
+            if (is_drawn(mesh)) draw_mesh(drawer, scene, mesh);
+    }
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.id());
@@ -214,7 +255,19 @@ void MeshPass::draw_layer(const ViewScene& scene) {
                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-void MeshPass::draw_mesh(const ViewScene& scene, const Mesh& mesh) {
+void MeshPass::begin_view(const Drawer& drawer, const ViewScene& scene) {
+    const MeshLayer& layer = scene.mesh_layer;
+    drawer.program.use();
+    glUniform4f(drawer.picture, static_cast<float>(layer.width), static_cast<float>(layer.height),
+                1.0f / static_cast<float>(layer.width), 1.0f / static_cast<float>(layer.height));
+    glUniform2f(drawer.depth_map, static_cast<float>(2.0 * layer.depth_offset - 1.0),
+                static_cast<float>(2.0 * layer.depth_slope));
+    Constants constants;
+    scene.add_view(constants, Eigen::Vector2d(layer.left, layer.top));
+    glUniform4fv(drawer.constants, constants.size(), constants.from(0));
+}
+
+void MeshPass::draw_mesh(const Drawer& drawer, const ViewScene& scene, const Mesh& mesh) {
     const Uploaded& upload = uploaded(*mesh.geometry);
     Constants placement, normal_map, look;
     const Eigen::Matrix3d normals = mesh.placement.linear().inverse().transpose();
@@ -227,9 +280,13 @@ void MeshPass::draw_mesh(const ViewScene& scene, const Mesh& mesh) {
     look.add(p.perspective ? p.eye : Eigen::Vector3d(-p.forward), p.perspective ? 1.0 : 0.0);
     scene.add_light(look);
     look.add4(linear_from_srgb(mesh.colour, 1.0));
-    glUniform4fv(placement_, placement.size(), placement.from(0));
-    glUniform4fv(normal_map_, normal_map.size(), normal_map.from(0));
-    glUniform4fv(look_, look.size(), look.from(0));
+    glUniform4fv(drawer.placement, placement.size(), placement.from(0));
+    glUniform4fv(drawer.normal_map, normal_map.size(), normal_map.from(0));
+    glUniform4fv(drawer.look, look.size(), look.from(0));
+    if (upload.picture) {
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, upload.picture.id());
+    }
     glBindVertexArray(upload.vertex_array.id());
     glDrawArrays(GL_TRIANGLES, 0, upload.n_vertices);
 }

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "render/passes/program.h"
 #include "render/tile_mask.h"
@@ -25,19 +28,28 @@ class MeshPass {
     void mark(const ViewScene& scene, TileMask& marks) const;
 
  private:
+    // What draws triangles: in a colour, or with a picture.
+    struct Drawer {
+        explicit Drawer(const std::vector<std::string>& defines);
+        Program program;
+        GLint picture, constants, placement, normal_map, depth_map, look;
+    };
     struct Uploaded {
-        GlBuffer buffer;
+        GlBuffer buffer, places;
         GlVertexArray vertex_array;
+        GlTexture picture;
         GLsizei n_vertices = 0;
         Eigen::AlignedBox3d box;
         std::uint64_t last_picture = 0;
     };
     Uploaded& uploaded(const MeshGeometry& geometry);
     void resize(int width_px, int height_px);
-    void draw_mesh(const ViewScene& scene, const Mesh& mesh);
+    // Makes a drawer current for the view's layer.
+    static void begin_view(const Drawer& drawer, const ViewScene& scene);
+    void draw_mesh(const Drawer& drawer, const ViewScene& scene, const Mesh& mesh);
 
-    Program program_;
-    GLint picture_, constants_, placement_, normal_map_, depth_map_, look_;
+    Drawer plain_;
+    std::optional<Drawer> pictured_;  // once there is a picture
     PolygonProgram over_;
     GlTexture samples_, depth_, resolved_;
     GlFramebuffer sampled_, single_;

@@ -1,0 +1,122 @@
+// Pictures on faces, at places that a pinhole worked out here projects.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "pictures.h"
+
+namespace poinsot::testing {
+namespace {
+
+using Rgb = std::array<std::uint8_t, 3>;
+constexpr std::array<Rgb, 4> quarters{
+    {{200, 30, 40}, {30, 160, 60}, {40, 60, 190}, {230, 220, 90}}};
+
+// A rectangle 2 × 1.2 about the origin across z, its picture upright when seen from +z.
+MeshGeometry page(std::uint64_t id) {
+    MeshGeometry mesh;
+    mesh.id = id;
+    for (const Eigen::Vector2f& place :
+         {Eigen::Vector2f(0, 1), Eigen::Vector2f(1, 1), Eigen::Vector2f(1, 0),
+          Eigen::Vector2f(0, 1), Eigen::Vector2f(1, 0), Eigen::Vector2f(0, 0)}) {
+        mesh.positions.emplace_back(2.0f * place.x() - 1.0f, 0.6f - 1.2f * place.y(), 0.0f);
+        mesh.normals.push_back(Eigen::Vector3f::UnitZ());
+        mesh.places.push_back(place);
+    }
+    return mesh;
+}
+
+// Upper left, upper right, lower left, lower right.
+SurfacePicture of_quarters(int side_px) {
+    SurfacePicture picture{side_px, side_px, {}};
+    for (int y = 0; y < side_px; ++y)
+        for (int x = 0; x < side_px; ++x)
+            for (const std::uint8_t level :
+                 quarters[static_cast<std::size_t>((2 * y / side_px) * 2 + 2 * x / side_px)])
+                picture.rgb.push_back(level);
+    return picture;
+}
+
+Drawing drawing_of(const MeshGeometry& geometry, const Eigen::Affine3d& placement,
+                   const Rgb& colour) {
+    Drawing drawing;
+    drawing.width_px = 480;
+    drawing.height_px = 320;
+    View& view = drawing.views.emplace_back();
+    view.width_px = 480;
+    view.height_px = 320;
+    view.camera.eye = {1.5, -2.0, 4.0};
+    view.camera.target = {0.1, 0.05, 0.0};
+    view.camera.up = Eigen::Vector3d::UnitY();
+    Mesh& mesh = view.meshes.emplace_back();
+    mesh.geometry = &geometry;
+    mesh.placement = placement;
+    mesh.colour = {colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0};
+    return drawing;
+}
+
+Eigen::Vector2d pinhole(const Camera& camera, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d forward = (camera.target - camera.eye).normalized();
+    const Eigen::Vector3d right = forward.cross(camera.up).normalized();
+    const Eigen::Vector3d down = forward.cross(right);
+    const Eigen::Vector3d from_eye = point - camera.eye;
+    const double focal = 160.0 / std::tan(0.5 * camera.vertical_field_rad) / forward.dot(from_eye);
+    return {240.0 + focal * right.dot(from_eye), 160.0 + focal * down.dot(from_eye)};
+}
+
+// A picture's quarters are seen where the face's quarters are, each lit as a face of its colour.
+TEST(FacePicture, IsSeenWhereItsFaceIsLitAsItsColours) {
+    Eigen::Affine3d turned = Eigen::Affine3d::Identity();
+    turned.rotate(Eigen::AngleAxisd(0.4, Eigen::Vector3d(0.2, 1.0, 0.3).normalized()));
+    turned.translate(Eigen::Vector3d(0.1, -0.1, 0.2));
+    // Larger than it is seen, and smaller: means on one side, magnified on the other.
+    std::uint64_t id = 9700;
+    for (const int side_px : {8, 64, 2048}) {
+        MeshGeometry face = page(++id);
+        face.picture = of_quarters(side_px);
+        const Drawing drawing = drawing_of(face, turned, {90, 90, 90});
+        const Image seen = renderer().render(drawing);
+        for (std::size_t k = 0; k < quarters.size(); ++k) {
+            MeshGeometry plain = page(++id);
+            plain.places.clear();
+            const Image expected = renderer().render(drawing_of(plain, turned, quarters[k]));
+            for (const double u : {0.2, 0.25, 0.3})
+                for (const double v : {0.2, 0.25, 0.3}) {
+                    const double right = u + 0.5 * static_cast<double>(k % 2);
+                    const double down = v + 0.5 * static_cast<double>(k / 2);
+                    const Eigen::Vector3d point =
+                        turned * Eigen::Vector3d(2.0 * right - 1.0, 0.6 - 1.2 * down, 0.0);
+                    const Eigen::Vector2d at = pinhole(drawing.views[0].camera, point);
+                    const int x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
+                    const Rgba8 a = seen.at(x, y), b = expected.at(x, y);
+                    EXPECT_LE(std::abs(a.r - b.r), 1) << side_px << " quarter " << k;
+                    EXPECT_LE(std::abs(a.g - b.g), 1) << side_px << " quarter " << k;
+                    EXPECT_LE(std::abs(a.b - b.b), 1) << side_px << " quarter " << k;
+                }
+        }
+    }
+}
+
+// What stands before a face covers its picture, whichever is drawn first.
+TEST(FacePicture, IsHiddenByWhatStandsBeforeIt) {
+    MeshGeometry face = page(9790), before = page(9791);
+    face.picture = of_quarters(64);
+    before.places.clear();
+    Drawing drawing =
+        drawing_of(before, Eigen::Affine3d(Eigen::Translation3d(0, 0, 0.5)), {9, 9, 9});
+    const Image alone = renderer().render(drawing);
+    Mesh behind = drawing.views[0].meshes[0];
+    behind.geometry = &face;
+    // Where the front one covers it wholly.
+    behind.placement = Eigen::Affine3d(Eigen::Translation3d(0, 0, 0.3) * Eigen::Scaling(0.4));
+    drawing.views[0].meshes.push_back(behind);
+    EXPECT_EQ(n_different(renderer().render(drawing), alone), 0u);
+    std::swap(drawing.views[0].meshes[0], drawing.views[0].meshes[1]);
+    EXPECT_EQ(n_different(renderer().render(drawing), alone), 0u);
+}
+
+}  // namespace
+}  // namespace poinsot::testing
