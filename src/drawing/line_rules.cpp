@@ -61,8 +61,10 @@ Curve axis_of(const StageData& stage, const Arrow& arrow) {
     return line;
 }
 
+// Of the width of a line that was broken to be told apart, once it is whole.
+constexpr double told_by_width = 0.7;
+
 void hide(std::string_view parts, Curve& curve) {
-    constexpr double told_by_width = 0.7;
     constexpr double least_opacity = 0.7;
     if (curve.occlusion != Occlusion::by_solids) return;
     if (parts == "omitted") {
@@ -80,7 +82,11 @@ void style_hidden(const StageData& stage, std::string_view parts, View& view) {
     const bool dashed = parts == "dashed";
     for (Arrow& arrow : view.arrows) {
         if (arrow.occlusion != Occlusion::by_solids || arrow.tip == arrow.tail) continue;
-        if (dashed) curves.push_back(axis_of(stage, arrow));
+        if (dashed) {
+            if (arrow.dash_px > 0.0) arrow.shaft_px *= told_by_width;
+            arrow.dash_px = 0.0;
+            curves.push_back(axis_of(stage, arrow));
+        }
         arrow.hidden_opacity = -1.0;
     }
     if (!dashed)
@@ -274,6 +280,45 @@ void thicken(double least_px, View& view) {
     for (Dot& dot : view.dots) raise(dot.rim_px, least_px);
 }
 
+// The dashes of an arrow's shaft, as long as the gaps between them; its own where they are too few
+// to be told from a whole one.
+std::vector<Arrow> dashes_of(const View& view, const Arrow& arrow) {
+    const double length = (arrow.tip - arrow.tail).norm();
+    const double unit_px = 1.0 / units_per_pixel(view, project(view, view.camera.target).depth);
+    const double shaft_px = length * unit_px - arrow.head_length_px;
+    const double n = std::floor(0.5 * (shaft_px / arrow.dash_px + 1.0));
+    constexpr double fewest = 2.0, most = 2000.0;
+    if (!(n >= fewest && n <= most)) return {arrow};
+    const Eigen::Vector3d run = arrow.tip - arrow.tail;
+    const double dash = shaft_px / (2.0 * n - 1.0) / (length * unit_px);
+    std::vector<Arrow> dashes;
+    for (double k = 0.0; k < n; ++k) {
+        Arrow& part = dashes.emplace_back(arrow);
+        part.dash_px = 0.0;
+        part.tail = arrow.tail + 2.0 * k * dash * run;
+        if (k == n - 1.0) continue;
+        // An end as flat as its beginning: a head of the shaft's own width, and of hardly a length.
+        part.tip = part.tail + dash * run;
+        part.head_px = part.shaft_px;
+        part.head_length_px = 0.01;
+    }
+    return dashes;
+}
+
+void break_shafts(View& view) {
+    std::vector<Arrow> arrows;
+    arrows.reserve(view.arrows.size());
+    for (const Arrow& arrow : view.arrows) {
+        if (!(arrow.dash_px > 0.0)) {
+            arrows.push_back(arrow);
+            continue;
+        }
+        const std::vector<Arrow> dashes = dashes_of(view, arrow);
+        arrows.insert(arrows.end(), dashes.begin(), dashes.end());
+    }
+    view.arrows = std::move(arrows);
+}
+
 std::string_view said(const std::string& by_scene, std::string_view by_theme) {
     return by_scene.empty() ? by_theme : by_scene;
 }
@@ -288,6 +333,7 @@ void follow_line_rules(const StageData& stage, View& view) {
             break_crossings(stage.px, view);
     }
     if (stage.options.least.line_px > 0.0) thicken(stage.options.least.line_px, view);
+    break_shafts(view);
 }
 
 }  // namespace poinsot

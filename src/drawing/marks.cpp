@@ -48,6 +48,7 @@ Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen
     arrow.shaft_px *= scale;
     arrow.head_px *= scale;
     arrow.head_length_px *= scale;
+    arrow.dash_px = dash_of(panel, ink);
     return arrow;
 }
 

@@ -61,6 +61,8 @@ struct Arrow {
     double shaft_px = 4.0;  // full width
     double head_px = 14.0;  // full width of the head's base
     double head_length_px = 22.0;
+    double dash_px = 0.0;  // length of a dash of the shaft; 0: whole. Renderers get such an arrow
+                           // as its dashes, each an arrow of its own
     double opacity = 1.0;
     double hidden_opacity = 0.45;  // below 0: left out where hidden
     Occlusion occlusion = Occlusion::by_solids;

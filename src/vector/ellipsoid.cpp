@@ -2,6 +2,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -136,8 +137,8 @@ bool is_within(const Canvas& canvas, const PaperEllipse& outline, const Track& t
 
 // A conic on the surface, in its parts on this side and on the other.
 void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& outline,
-                  const Conic& conic, double first, double last, double width_pt, double opacity,
-                  bool also_behind) {
+                  const Conic& conic, double first, double last, double width_pt,
+                  const std::function<double(double)>& opacity_at, bool also_behind) {
     const SphereSight& sphere = canvas.occluders.spheres()[number];
     // On this side where α + β cos s + γ sin s > 0: at one interval about the greatest value.
     const auto facing = [&](const Eigen::Vector3d& v) {
@@ -162,12 +163,17 @@ void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& 
         if (canvas.sight.perspective && canvas.sight.depth(conic.at(s)) <= canvas.sight.near_depth)
             continue;
         const auto look_at = [&](double t) {
-            return line_on(canvas, number, canvas.sight.paper(conic.at(t)), front, opacity);
+            return line_on(canvas, number, canvas.sight.paper(conic.at(t)), front, opacity_at(t));
         };
-        for (const Canvas::EvenPart& part :
-             canvas.even_parts(track, cuts[k - 1], cuts[k], look_at)) {
-            // Lines lie on the surface: where it ends they do, with all of their width.
-            const bool clips = canvas.shading != Shading::none &&
+        constexpr double unseen = 0.15;
+        const double step = (cuts[k] - cuts[k - 1]) / 200.0;
+        for (Canvas::EvenPart& part : canvas.even_parts(track, cuts[k - 1], cuts[k], look_at)) {
+            while (part.from < part.to && opacity_at(part.from) < unseen) part.from += step;
+            while (part.from < part.to && opacity_at(part.to) < unseen) part.to -= step;
+            if (!(part.from < part.to)) continue;
+            // Lines lie on the surface: where it ends they do, with all of their width. Rulings
+            // have faded before.
+            const bool clips = canvas.shading != Shading::none && also_behind &&
                                !is_within(canvas, outline, track, part, 0.5 * width_pt);
             if (clips) canvas.add(ClipBegin{canvas.path_of(outline), false});
             Stroke stroke;
@@ -181,41 +187,64 @@ void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& 
     }
 }
 
-void stroke_sections(const Canvas& canvas, std::size_t number, const PaperEllipse& outline) {
+// Pixels from a ruling to the next, where it runs `along` and the next lies `beside`.
+double spacing_px(const Sight& sight, const Eigen::Vector3d& at, const Eigen::Vector3d& along,
+                  const Eigen::Vector3d& beside) {
+    const Eigen::Vector2d run = sight.paper(CurveFlow{at, along}).velocity;
+    const Eigen::Vector2d step = sight.paper(CurveFlow{at, beside}).velocity;
+    const double area = run.x() * step.y() - run.y() * step.x();
+    return std::abs(area) / std::max(run.norm(), 1e-12) / sight.pt_per_px;
+}
+
+// Meridians and parallels about the third axis. Where they crowd they fade, as on the screen
+// (ruled_apart in lines.glsl).
+void stroke_rulings(const Canvas& canvas, std::size_t number, const PaperEllipse& outline) {
     const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
     const SphereSight& sphere = canvas.occluders.spheres()[number];
     const Eigen::Vector3d a = sphere.axes.col(0), b = sphere.axes.col(1), c = sphere.axes.col(2);
     const double ruling_pt = canvas.line_pt(ellipsoid.ruling_px);
-    // Where rulings crowd they fade, as on the screen; near the poles they end.
-    const double size_px = std::min(outline.a.norm(), outline.b.norm()) / canvas.sight.pt_per_px;
-    const auto opacity_of = [&](double spacing_rad) {
-        return ellipsoid.ruling_opacity * std::clamp(0.1 * spacing_rad * size_px - 0.4, 0.0, 1.0);
+    if (!(ruling_pt > 0.0 && ellipsoid.ruling_opacity > 0.0)) return;
+    const auto opacity = [&](double longitude, double latitude, double per_meridian,
+                             double per_parallel) {
+        const Eigen::Vector3d out = std::cos(longitude) * a + std::sin(longitude) * b;
+        const Eigen::Vector3d east =
+            std::cos(latitude) * (std::cos(longitude) * b - std::sin(longitude) * a);
+        const Eigen::Vector3d north = std::cos(latitude) * c - std::sin(latitude) * out;
+        const Eigen::Vector3d at =
+            sphere.centre + std::cos(latitude) * out + std::sin(latitude) * c;
+        const double px = per_meridian > 0.0
+                              ? spacing_px(canvas.sight, at, north, per_meridian * east)
+                              : spacing_px(canvas.sight, at, east, per_parallel * north);
+        return ellipsoid.ruling_opacity * std::clamp(0.1 * px - 0.4, 0.0, 1.0);
     };
-    if (ruling_pt > 0.0 && ellipsoid.ruling_opacity > 0.0) {
-        constexpr double polar_cap = 0.08 * pi;
-        const double meridians = opacity_of(1.4 * pi / std::max(ellipsoid.n_meridians, 1));
-        for (int k = 0; k < ellipsoid.n_meridians && meridians > 0.0; ++k) {
-            const double longitude = 2.0 * pi * k / ellipsoid.n_meridians;
-            const Conic meridian{sphere.centre, std::cos(longitude) * a + std::sin(longitude) * b,
-                                 c};
-            stroke_conic(canvas, number, outline, meridian, -0.5 * pi + polar_cap,
-                         0.5 * pi - polar_cap, ruling_pt, meridians, false);
-        }
-        const double parallels = opacity_of(0.7 * pi / (ellipsoid.n_parallels + 1));
-        for (int k = 1; k <= ellipsoid.n_parallels && parallels > 0.0; ++k) {
-            const double latitude = pi * k / (ellipsoid.n_parallels + 1) - 0.5 * pi;
-            const Conic parallel{sphere.centre + std::sin(latitude) * c, std::cos(latitude) * a,
-                                 std::cos(latitude) * b};
-            stroke_conic(canvas, number, outline, parallel, 0.0, 2.0 * pi, ruling_pt, parallels,
-                         false);
-        }
+    for (int k = 0; k < ellipsoid.n_meridians; ++k) {
+        const double step = 2.0 * pi / ellipsoid.n_meridians, longitude = step * k;
+        const Conic meridian{sphere.centre, std::cos(longitude) * a + std::sin(longitude) * b, c};
+        stroke_conic(
+            canvas, number, outline, meridian, -0.5 * pi, 0.5 * pi, ruling_pt,
+            [&](double latitude) { return opacity(longitude, latitude, step, 0.0); }, false);
     }
-    if (ellipsoid.section_px > 0.0) {
-        const double section_pt = canvas.line_pt(ellipsoid.section_px);
-        for (const Conic& section :
-             {Conic{sphere.centre, a, b}, Conic{sphere.centre, b, c}, Conic{sphere.centre, c, a}})
-            stroke_conic(canvas, number, outline, section, 0.0, 2.0 * pi, section_pt, 1.0, true);
+    for (int k = 1; k <= ellipsoid.n_parallels; ++k) {
+        const double step = pi / (ellipsoid.n_parallels + 1), latitude = step * k - 0.5 * pi;
+        const Conic parallel{sphere.centre + std::sin(latitude) * c, std::cos(latitude) * a,
+                             std::cos(latitude) * b};
+        stroke_conic(
+            canvas, number, outline, parallel, 0.0, 2.0 * pi, ruling_pt,
+            [&](double longitude) { return opacity(longitude, latitude, 0.0, step); }, false);
     }
+}
+
+void stroke_sections(const Canvas& canvas, std::size_t number, const PaperEllipse& outline) {
+    const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
+    if (!(ellipsoid.section_px > 0.0)) return;
+    const SphereSight& sphere = canvas.occluders.spheres()[number];
+    const Eigen::Vector3d a = sphere.axes.col(0), b = sphere.axes.col(1), c = sphere.axes.col(2);
+    const double section_pt = canvas.line_pt(ellipsoid.section_px);
+    for (const Conic& section :
+         {Conic{sphere.centre, a, b}, Conic{sphere.centre, b, c}, Conic{sphere.centre, c, a}})
+        stroke_conic(
+            canvas, number, outline, section, 0.0, 2.0 * pi, section_pt, [](double) { return 1.0; },
+            true);
 }
 
 }  // namespace
@@ -258,6 +287,7 @@ void draw_ellipsoid(Canvas& canvas, std::size_t number) {
         veil.paint = Ink{canvas.behind(outline->centre), ellipsoid.opacity * ellipsoid.presence};
         canvas.add(std::move(veil));
     }
+    stroke_rulings(canvas, number, *outline);
     stroke_sections(canvas, number, *outline);
     if (canvas.shading == Shading::none) {
         Stroke stroke;

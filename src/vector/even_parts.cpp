@@ -10,7 +10,7 @@ namespace poinsot::vector {
 namespace {
 
 constexpr int n_steps = 48;
-constexpr double most_off = 5.0 / 255.0;
+constexpr double most_off = 6.0 / 255.0;
 
 // How far what an ink makes is from what another is to make there.
 double off_at(const Ink& ink, const Ink& wanted, const Colour& behind) {
@@ -71,6 +71,8 @@ std::vector<Canvas::EvenPart> Canvas::even_parts(
     }
 
     for (EvenPart& part : parts) {
+        // Few different ones take less of a file.
+        part.ink.alpha = std::round(100.0 * part.ink.alpha) / 100.0;
         const bool is_last = part.to == n_steps;
         part.from = from + part.from * step;
         part.to = is_last ? to : from + part.to * step;

@@ -13,7 +13,7 @@ namespace poinsot::vector {
 
 namespace {
 
-constexpr int n_levels = 16, n_spokes = 10;
+constexpr int n_levels = 22, n_spokes = 8;
 // How far along a direction from the hub it is darker: found from outside inwards.
 double extent(const SoftShadow& shadow, const Eigen::Vector3d& direction, double level) {
     constexpr int n_steps = 48;
@@ -101,8 +101,10 @@ void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
         }
         // All outlines about a place together are as dark as it is.
         const Ink wanted = as_shade(tint, deepest * (level + 0.5) / n_levels, plane.colour);
-        const double alpha = 1.0 - (1.0 - wanted.alpha) / (1.0 - covered);
-        covered = wanted.alpha;
+        // Few different opacities take less of a file; the next makes up for what is rounded here.
+        const double missing = 1.0 - (1.0 - wanted.alpha) / (1.0 - covered);
+        const double alpha = std::round(250.0 * missing) / 250.0;
+        covered = 1.0 - (1.0 - covered) * (1.0 - alpha);
         canvas.add(Fill{smooth_through(places), Ink{wanted.colour, alpha}, false, 0.0});
     }
 }

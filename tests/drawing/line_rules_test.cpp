@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "drawing/theme.h"
 #include "drawing/type/labels.h"
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"
@@ -150,6 +153,55 @@ TEST(LineRules, ArrowsGoOnAsBrokenLinesWhereTheyAreHidden) {
     EXPECT_GT(n, 2u);
     // And three sections.
     EXPECT_EQ(dashed.curves.size(), pale.curves.size() + n + 3);
+}
+
+Scene with_broken_omega(const char* line, const std::string& hidden = "") {
+    Scene scene = styled("space", hidden);
+    scene.style.looks["omega"].line = line;
+    return scene;
+}
+
+std::vector<Arrow> arrows_of(const View& view, const Colour& colour) {
+    std::vector<Arrow> found;
+    for (const Arrow& arrow : view.arrows)
+        if (arrow.colour == colour) found.push_back(arrow);
+    return found;
+}
+
+// Dashes and gaps as long as each other, from the tail to the head, which stays what it was.
+TEST(LineRules, ABrokenShaftIsItsDashes) {
+    const Colour& omega = theme_named("light").omega;
+    const Shown solid(styled("space", ""));
+    const std::vector<Arrow> one = arrows_of(solid.view, omega);
+    ASSERT_EQ(one.size(), 1u);
+    const Arrow& whole = one.front();
+    const Eigen::Vector3d along = (whole.tip - whole.tail).normalized();
+    for (const auto& [line, fewest] : {std::pair{"dashed", 3u}, {"dotted", 10u}}) {
+        const Shown shown(with_broken_omega(line));
+        const std::vector<Arrow> dashes = arrows_of(shown.view, omega);
+        ASSERT_GE(dashes.size(), fewest);
+        EXPECT_EQ(dashes.front().tail, whole.tail);
+        EXPECT_EQ(dashes.back().tip, whole.tip);
+        EXPECT_EQ(dashes.back().head_px, whole.head_px);
+        EXPECT_EQ(dashes.back().head_length_px, whole.head_length_px);
+        const double dash = (dashes[0].tip - dashes[0].tail).norm();
+        for (std::size_t k = 0; k + 1 < dashes.size(); ++k) {
+            EXPECT_EQ(dashes[k].dash_px, 0.0);
+            EXPECT_EQ(dashes[k].shaft_px, whole.shaft_px);
+            EXPECT_LE(dashes[k].head_px, whole.shaft_px);
+            EXPECT_NEAR((dashes[k].tip - dashes[k].tail).dot(along), dash, 1e-12);
+            EXPECT_NEAR((dashes[k + 1].tail - dashes[k].tip).dot(along), dash, 1e-12);
+        }
+    }
+}
+
+TEST(LineRules, WithHiddenLinesBrokenNoShaftIs) {
+    const Colour& omega = theme_named("light").omega;
+    const Shown solid(styled("space", "dashed")), shown(with_broken_omega("dashed", "dashed"));
+    const std::vector<Arrow> whole = arrows_of(solid.view, omega);
+    const std::vector<Arrow> thin = arrows_of(shown.view, omega);
+    ASSERT_EQ(thin.size(), 1u);
+    EXPECT_LT(thin.front().shaft_px, whole.front().shaft_px);
 }
 
 TEST(LineRules, WhatIsOmittedIsNotThere) {
