@@ -105,7 +105,7 @@ Layer surface(int at, Sight s, vec3 slide, float side, Gaze gaze) {
 #endif
     float stretch_square = stretch * stretch;
     float lines = sections(u_square, ux * ux + uy * uy, stretch_square, constant(at + 13).w);
-    if (side < 0.0 || MEMBERS > 1)
+    if (side < 0.0)
         lines = max(lines, constant(at + 8).w * rulings(u, u_square, ux, uy, stretch_square,
                                                         constant(at + 7).w, constant(at + 9).w, constant(at + 10).w));
 

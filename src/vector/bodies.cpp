@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "error/error.h"
 #include "vector/canvas.h"
@@ -39,8 +42,10 @@ Facet facet_of(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle
     if (canvas.shading == Shading::none)
         facet.colour = canvas.behind(triangle.paper[0]);
     else
-        facet.colour = encoded(mesh_surface(mesh.colour, canvas.lights,
-                                            {triangle.shading_normal.normalized(), to_eye}));
+        facet.colour =
+            under_sheets(canvas, middle,
+                         encoded(mesh_surface(mesh.colour, canvas.lights,
+                                              {triangle.shading_normal.normalized(), to_eye})));
     return facet;
 }
 
@@ -220,6 +225,100 @@ struct ConeAxes {
     double radius = 0.0;  // of the rim
 };
 
+// What a place on paper shows of a cone, over what lies behind it.
+struct ConeSeen {
+    int n_sheets = 0;
+    ColourOver look;
+};
+
+ConeSeen seen_at(const Canvas& canvas, const Cone& cone, const ConeAxes& axes,
+                 const Eigen::Vector2d& at) {
+    // Where the line of sight o + t d meets it: across² = (slope along)², with along up to the
+    // rim's.
+    const double slope = axes.radius / cone.length;
+    const Eigen::Vector3d o = canvas.sight.ray_origin(at) - cone.apex;
+    const Eigen::Vector3d d = canvas.sight.ray(at);
+    const double o_along = o.dot(axes.axis), d_along = d.dot(axes.axis);
+    const double a = d.squaredNorm() - (1.0 + slope * slope) * d_along * d_along;
+    const double b = o.dot(d) - (1.0 + slope * slope) * o_along * d_along;
+    const double c = o.squaredNorm() - (1.0 + slope * slope) * o_along * o_along;
+    const double square = b * b - a * c;
+    ConeSeen seen;
+    seen.look.behind = canvas.behind(at);
+    if (square < 0.0 || std::abs(a) < 1e-12) return seen;
+    const double root = std::sqrt(square);
+    std::array<double, 2> meetings{(-b - root) / a, (-b + root) / a};
+    std::sort(meetings.begin(), meetings.end(), std::greater<>());
+    Eigen::Vector3d light = linear(seen.look.behind);
+    for (const double t : meetings) {
+        const Eigen::Vector3d x = o + t * d;
+        const double along = x.dot(axes.axis);
+        if (along <= 0.0 || along >= cone.length) continue;
+        ++seen.n_sheets;
+        const Eigen::Vector3d outward =
+            (x - (1.0 + slope * slope) * along * axes.axis).normalized();
+        const Eigen::Vector3d to_eye = -d.normalized();
+        const double side = outward.dot(to_eye) < 0.0 ? -1.0 : 1.0;
+        const Layer layer = cone_surface(cone, canvas.lights, {side * outward, to_eye});
+        const Cover cover = canvas.occluders.at(cone.apex + x, {});
+        const double alpha = layer.alpha * (cover.clear + (1.0 - cover.clear) * cover.transmitted);
+        light += alpha * (layer.light - light);
+    }
+    seen.look.wanted = encoded(light);
+    return seen;
+}
+
+// The outline of the view's one ellipsoid, on whose other side a cone looks otherwise; none if
+// there are others.
+std::optional<PaperEllipse> only_outline(const Canvas& canvas) {
+    if (canvas.view.ellipsoids.size() != 1) return std::nullopt;
+    const auto limb = limb_of(canvas.occluders.spheres()[0]);
+    return limb ? picture_of(*limb, canvas.sight) : std::nullopt;
+}
+
+// Where a line of sight meets one sheet, within the rim, and where it meets both, between the rim
+// and the apex: an ink each, that makes on the whole what is seen there.
+void fill_sheets(const Canvas& canvas, const Cone& cone, const ConeAxes& axes,
+                 const PaperEllipse& rim, Path hull) {
+    constexpr int n = 32;
+    const std::optional<PaperEllipse> outline = only_outline(canvas);
+    const Eigen::Vector2d apex = canvas.sight.paper(cone.apex);
+    const Eigen::Vector2d reach = (rim.a.cwiseAbs2() + rim.b.cwiseAbs2()).cwiseSqrt();
+    const Eigen::Vector2d low = apex.cwiseMin(rim.centre - reach);
+    const Eigen::Vector2d step = (apex.cwiseMax(rim.centre + reach) - low) / n;
+    std::array<std::array<std::vector<ColourOver>, 2>, 2> looks;  // by outline and sheets
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const Eigen::Vector2d at = low + step.cwiseProduct(Eigen::Vector2d(i + 0.5, j + 0.5));
+            const ConeSeen seen = seen_at(canvas, cone, axes, at);
+            if (seen.n_sheets == 0) continue;
+            const bool within = outline && outline->radius_of(at) < 1.0;
+            looks[within ? 1 : 0][seen.n_sheets == 2 ? 1 : 0].push_back(seen.look);
+        }
+    Path within_rim = canvas.path_of(rim);
+    Path between = std::move(hull);
+    if (!between.steps.empty()) between.add(within_rim);
+    const bool is_split = !(looks[0][0].empty() && looks[0][1].empty()) &&
+                          !(looks[1][0].empty() && looks[1][1].empty());
+    for (const bool within : {false, true}) {
+        const auto& [one, both] = looks[within ? 1 : 0];
+        if (one.empty() && both.empty()) continue;
+        if (is_split) {
+            ClipBegin clip;
+            clip.even_odd = !within;
+            if (!within)
+                clip.path.add_rectangle(
+                    {-10.0, -10.0}, {canvas.page.width_pt + 20.0, canvas.page.height_pt + 20.0});
+            clip.path.add(canvas.path_of(*outline));
+            canvas.add(std::move(clip));
+        }
+        if (!both.empty() && !between.steps.empty())
+            canvas.add(Fill{between, ink_for(both), true, 0.0});
+        if (!one.empty()) canvas.add(Fill{within_rim, ink_for(one), false, 0.0});
+        if (is_split) canvas.add(ClipEnd{});
+    }
+}
+
 void stroke_track(const Canvas& canvas, const Track& track, const Colour& colour, double opacity,
                   double width_pt) {
     for (const Span& span : canvas.occluders.spans(track, {})) {
@@ -254,8 +353,7 @@ void draw_cone(const Canvas& canvas, const Cone& cone) {
     const Eigen::Vector2d apex = sight.paper(cone.apex);
 
     if (canvas.has_fills()) {
-        // The sheets: within the rim a line of sight meets one of them, between it and the apex
-        // both.
+        // The rim and the apex, and what lies between.
         const Eigen::Vector2d from_rim = ellipse->page_from_circle().inverse() * apex;
         const double apart = from_rim.norm();
         Path hull;
@@ -278,36 +376,8 @@ void draw_cone(const Canvas& canvas, const Cone& cone) {
             hull.add(beziers);
             hull.line(apex);
             hull.close();
-        } else {
-            hull = canvas.path_of(*ellipse);
         }
-        const Eigen::Vector3d to_eye = sight.towards_eye(middle).normalized();
-        Eigen::Vector3d across = to_eye - to_eye.dot(axes.axis) * axes.axis;
-        across = across.norm() > 1e-9 ? Eigen::Vector3d(across.normalized()) : axes.first;
-        const Eigen::Vector3d normal =
-            (cone.length * across - axes.radius * axes.axis).normalized();
-        const Eigen::Vector3d facing = normal.dot(to_eye) < 0.0 ? Eigen::Vector3d(-normal) : normal;
-        const Layer sheet = cone_surface(cone, canvas.lights, {facing, to_eye});
-        const Eigen::Vector2d there = 0.5 * (apex + ellipse->centre);
-        const double alpha = cone.opacity * cone.presence;
-        const Ink ink = as_in_light(encoded(sheet.light), alpha, canvas.behind(there));
-        canvas.add(Fill{hull, ink, false, 0.0});
-        if (apart > 1.0) {
-            // Between rim and apex once more.
-            canvas.add(ClipBegin{std::move(hull), false});
-            ClipBegin outside;
-            outside.even_odd = true;
-            outside.path.add_rectangle({-10.0, -10.0},
-                                       {canvas.page.width_pt + 20.0, canvas.page.height_pt + 20.0});
-            outside.path.add(canvas.path_of(*ellipse));
-            canvas.add(std::move(outside));
-            Path all;
-            all.add_rectangle({-10.0, -10.0},
-                              {canvas.page.width_pt + 20.0, canvas.page.height_pt + 20.0});
-            canvas.add(Fill{std::move(all), ink, false, 0.0});
-            canvas.add(ClipEnd{});
-            canvas.add(ClipEnd{});
-        }
+        fill_sheets(canvas, cone, axes, *ellipse, std::move(hull));
     }
     const Colour dark = encoded(0.35 * linear(cone.colour));
     if (cone.rim_px > 0.0)
@@ -316,11 +386,18 @@ void draw_cone(const Canvas& canvas, const Cone& cone) {
     for (int k = 0; k < cone.n_rulings; ++k) {
         const double angle = cone.phase_rad + 2.0 * pi * k / cone.n_rulings;
         const Eigen::Vector3d end = rim.at(angle);
+        const Eigen::Vector3d run = end - cone.apex;
+        // Towards the apex they crowd and fade, as on the screen: they end where half is left.
+        constexpr double half_left_px = 9.0;
+        const Eigen::Vector3d along_rim =
+            std::cos(angle) * rim.sine_axis - std::sin(angle) * rim.cosine_axis;
+        const double apart_px = sight.spacing_px(end, run, 2.0 * pi / cone.n_rulings * along_rim);
+        if (!(apart_px > half_left_px)) continue;
         Track track;
-        track.flow = [apex_at = cone.apex, run = Eigen::Vector3d(end - cone.apex)](double s) {
+        track.flow = [apex_at = cone.apex, run](double s) {
             return CurveFlow{apex_at + s * run, run};
         };
-        track.knots = {0.0, 1.0};
+        track.knots = {half_left_px / apart_px, 1.0};
         stroke_track(canvas, track, dark, 0.85 * 0.55 * cone.presence,
                      canvas.line_pt(0.6 * cone.rim_px));
     }

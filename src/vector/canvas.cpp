@@ -128,18 +128,19 @@ void draw_view(const Drawing& drawing, const View& view, const PageChoices& choi
             for (std::size_t k = 0; k < view.ellipsoids.size(); ++k) draw_shadow(canvas, plane, k);
         }
     canvas.n_planes = view.planes.size();
-    draw_meshes(canvas);
     // From the back to the front.
     std::vector<std::size_t> order;
     order.reserve(view.ellipsoids.size());
-    canvas.ellipsoids.reserve(view.ellipsoids.size());
     for (std::size_t k = 0; k < view.ellipsoids.size(); ++k) order.push_back(k);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return sight.depth(view.ellipsoids[a].centre) > sight.depth(view.ellipsoids[b].centre);
     });
+    light_sheets(canvas, order);
+    draw_meshes(canvas);
     if (has_pixels) draw_ellipsoid_pixels(canvas, choices.draw_pixels);
+    auto sheet = canvas.sheets.begin();
     for (const std::size_t k : order) {
-        draw_ellipsoid(canvas, k);
+        if (sheet != canvas.sheets.end() && sheet->number == k) draw_ellipsoid(canvas, *sheet++);
         canvas.ellipsoids.push_back(k);
     }
     for (const Plane& plane : view.planes)

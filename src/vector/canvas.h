@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "vector/conic.h"
 #include "vector/light.h"
@@ -31,6 +33,13 @@ constexpr double form_tolerance_pt = 0.3 / um_per_pt;
 
 // AIP, APS, MAA: no line under half a point.
 constexpr double least_line_pt = 0.5;
+
+// An ellipsoid as it is laid over what lies behind.
+struct LitSheet {
+    std::size_t number = 0;
+    PaperEllipse outline;
+    ShadedDisc disc;  // only where there are fills
+};
 
 struct Canvas {
     Canvas(const Drawing& drawing, const View& view, double pt_per_px, Shading shading, Page& page);
@@ -78,6 +87,7 @@ struct Canvas {
     // How far the picture has come, for behind().
     std::size_t n_planes = 0;
     std::vector<std::size_t> ellipsoids;  // numbers of those drawn
+    std::vector<LitSheet> sheets;         // all there will be, in the order in which they are laid
 };
 
 // canvas.cpp
@@ -99,11 +109,18 @@ void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster);
 Colour shadowed(const Canvas& canvas, const Plane& plane, const Eigen::Vector3d& point,
                 const Colour& colour);
 // ellipsoid.cpp
-void draw_ellipsoid(Canvas& canvas, std::size_t number);
+// Makes canvas.sheets of the ellipsoids in this order, the farthest first.
+void light_sheets(Canvas& canvas, const std::vector<std::size_t>& order);
+void draw_ellipsoid(const Canvas& canvas, const LitSheet& sheet);
 // Light that comes through ellipsoids from what lies behind them, their surfaces from the back to
-// the front, whichever they belong to: two that cross hide parts of each other.
+// the front, whichever they belong to: two that cross hide parts of each other. Those at the depth
+// of it, and beyond, let it pass.
 Eigen::Vector3d through_ellipsoids(const Canvas& canvas, const std::vector<std::size_t>& numbers,
-                                   const Eigen::Vector2d& at, const Eigen::Vector3d& under);
+                                   const Eigen::Vector2d& at, const Eigen::Vector3d& under,
+                                   double depth = std::numeric_limits<double>::infinity());
+// The colour that an opaque point of this one needs to be seen as it is once the sheets lie over
+// it: sheets mix encoded colours and cover points before them, too.
+Colour under_sheets(const Canvas& canvas, const Eigen::Vector3d& point, const Colour& colour);
 // bodies.cpp
 void draw_meshes(const Canvas& canvas);
 // face_picture.cpp

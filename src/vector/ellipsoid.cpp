@@ -63,10 +63,12 @@ double opacity_of(const Ellipsoid& ellipsoid, const Lights& lights, const Meetin
     return front + (1.0 - front) * back;
 }
 
-void fill_lit(const Canvas& canvas, std::size_t number, const PaperEllipse& outline) {
+ShadedDisc lit_disc(const Canvas& canvas, std::size_t number, const PaperEllipse& outline) {
     const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
     const SphereSight& sphere = canvas.occluders.spheres()[number];
-    constexpr int n_rings = 5, n_spokes = 9;
+    // Where one shines through another, light changes within less.
+    const bool one = canvas.view.ellipsoids.size() == 1;
+    const int n_rings = one ? 5 : 7, n_spokes = one ? 9 : 11;
     ShadedDisc disc;
     disc.page_from_disc = outline.page_from_circle();
     disc.n_rings = n_rings;
@@ -94,10 +96,7 @@ void fill_lit(const Canvas& canvas, std::size_t number, const PaperEllipse& outl
     disc.alpha = alpha / static_cast<double>(wanted.size());
     for (std::size_t k = 0; k < wanted.size(); ++k)
         disc.colours.push_back(colour_making(wanted[k], disc.alpha, behind[k]));
-    Fill fill;
-    fill.path = canvas.path_of(outline);
-    fill.paint = std::move(disc);
-    canvas.add(std::move(fill));
+    return disc;
 }
 
 // What a line of it looks like at a place on paper, over the tone that is there.
@@ -187,15 +186,6 @@ void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& 
     }
 }
 
-// Pixels from a ruling to the next, where it runs `along` and the next lies `beside`.
-double spacing_px(const Sight& sight, const Eigen::Vector3d& at, const Eigen::Vector3d& along,
-                  const Eigen::Vector3d& beside) {
-    const Eigen::Vector2d run = sight.paper(CurveFlow{at, along}).velocity;
-    const Eigen::Vector2d step = sight.paper(CurveFlow{at, beside}).velocity;
-    const double area = run.x() * step.y() - run.y() * step.x();
-    return std::abs(area) / std::max(run.norm(), 1e-12) / sight.pt_per_px;
-}
-
 // Meridians and parallels about the third axis. Where they crowd they fade, as on the screen
 // (ruled_apart in lines.glsl).
 void stroke_rulings(const Canvas& canvas, std::size_t number, const PaperEllipse& outline) {
@@ -213,8 +203,8 @@ void stroke_rulings(const Canvas& canvas, std::size_t number, const PaperEllipse
         const Eigen::Vector3d at =
             sphere.centre + std::cos(latitude) * out + std::sin(latitude) * c;
         const double px = per_meridian > 0.0
-                              ? spacing_px(canvas.sight, at, north, per_meridian * east)
-                              : spacing_px(canvas.sight, at, east, per_parallel * north);
+                              ? canvas.sight.spacing_px(at, north, per_meridian * east)
+                              : canvas.sight.spacing_px(at, east, per_parallel * north);
         return ellipsoid.ruling_opacity * std::clamp(0.1 * px - 0.4, 0.0, 1.0);
     };
     for (int k = 0; k < ellipsoid.n_meridians; ++k) {
@@ -250,7 +240,8 @@ void stroke_sections(const Canvas& canvas, std::size_t number, const PaperEllips
 }  // namespace
 
 Eigen::Vector3d through_ellipsoids(const Canvas& canvas, const std::vector<std::size_t>& numbers,
-                                   const Eigen::Vector2d& at, const Eigen::Vector3d& under) {
+                                   const Eigen::Vector2d& at, const Eigen::Vector3d& under,
+                                   double depth) {
     std::vector<std::pair<double, Layer>> surfaces;  // by depth
     surfaces.reserve(2 * numbers.size());
     for (const std::size_t number : numbers) {
@@ -266,20 +257,50 @@ Eigen::Vector3d through_ellipsoids(const Canvas& canvas, const std::vector<std::
     std::stable_sort(surfaces.begin(), surfaces.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     Eigen::Vector3d light = under;
-    for (const auto& [depth, layer] : surfaces) light = laid(layer, light);
+    for (const auto& [nearer, layer] : surfaces)
+        if (nearer < depth) light = laid(layer, light);
     return light;
 }
 
-void draw_ellipsoid(Canvas& canvas, std::size_t number) {
+void light_sheets(Canvas& canvas, const std::vector<std::size_t>& order) {
+    for (const std::size_t number : order) {
+        if (is_present(canvas.view.ellipsoids[number]))
+            if (const auto limb = limb_of(canvas.occluders.spheres()[number]))
+                if (const auto outline = picture_of(*limb, canvas.sight)) {
+                    LitSheet sheet{number, *outline, {}};
+                    if (canvas.has_fills()) sheet.disc = lit_disc(canvas, number, *outline);
+                    canvas.sheets.push_back(std::move(sheet));
+                }
+        canvas.ellipsoids.push_back(number);
+    }
+    canvas.ellipsoids.clear();
+}
+
+Colour under_sheets(const Canvas& canvas, const Eigen::Vector3d& point, const Colour& colour) {
+    if (canvas.sheets.empty() || !canvas.has_fills()) return colour;
+    const Eigen::Vector2d at = canvas.sight.paper(point);
+    std::vector<std::size_t> numbers;
+    for (const LitSheet& sheet : canvas.sheets) numbers.push_back(sheet.number);
+    Colour needed =
+        encoded(through_ellipsoids(canvas, numbers, at, linear(colour), canvas.sight.depth(point)));
+    for (auto sheet = canvas.sheets.rbegin(); sheet != canvas.sheets.rend(); ++sheet) {
+        const Eigen::Vector2d in_disc = sheet->disc.page_from_disc.inverse() * at;
+        if (in_disc.norm() >= 1.0 || sheet->disc.alpha >= 1.0) continue;
+        // What is seen is the sheet over what it needs: that is the needed ink's `colour`.
+        needed = colour_making(needed, 1.0 - sheet->disc.alpha, sheet->disc.at(in_disc));
+    }
+    return needed;
+}
+
+void draw_ellipsoid(const Canvas& canvas, const LitSheet& sheet) {
+    const std::size_t number = sheet.number;
     const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
-    if (!is_present(ellipsoid)) return;
-    const SphereSight& sphere = canvas.occluders.spheres()[number];
-    const auto limb = limb_of(sphere);
-    if (!limb) return;
-    const auto outline = picture_of(*limb, canvas.sight);
-    if (!outline) return;
+    const PaperEllipse* const outline = &sheet.outline;
     if (canvas.shading == Shading::tone) {
-        fill_lit(canvas, number, *outline);
+        Fill fill;
+        fill.path = canvas.path_of(*outline);
+        fill.paint = sheet.disc;
+        canvas.add(std::move(fill));
     } else if (canvas.shading == Shading::none) {
         // What lies behind is paler, as through the surface.
         Fill veil;

@@ -71,6 +71,31 @@ Colour over(const Ink& ink, const Colour& behind) {
             ink.alpha * ink.colour.b + keep * behind.b};
 }
 
+Ink ink_for(std::span<const ColourOver> places) {
+    const auto of = [](const Colour& c) { return Eigen::Vector3d(c.r, c.g, c.b); };
+    Eigen::Vector3d wanted = Eigen::Vector3d::Zero(), behind = Eigen::Vector3d::Zero();
+    for (const ColourOver& place : places) {
+        wanted += of(place.wanted);
+        behind += of(place.behind);
+    }
+    wanted /= static_cast<double>(places.size());
+    behind /= static_cast<double>(places.size());
+    // What lies behind is kept by the slope of what is wanted over it.
+    double both = 0.0, square = 0.0;
+    for (const ColourOver& place : places) {
+        const Eigen::Vector3d apart = of(place.behind) - behind;
+        both += apart.dot(of(place.wanted) - wanted);
+        square += apart.squaredNorm();
+    }
+    constexpr double least_square = 1e-4;  // less than this says nothing of the slope
+    const double keep = square > least_square ? std::clamp(both / square, 0.0, 1.0) : 0.5;
+    const Colour mean{wanted.x(), wanted.y(), wanted.z()};
+    const Colour under{behind.x(), behind.y(), behind.z()};
+    const double alpha = least_opacity(1.0 - keep, mean, under);
+    if (alpha <= 0.0) return {mean, 0.0};
+    return {colour_making(mean, alpha, under), alpha};
+}
+
 Lights::Lights(const View& view)
     : towards(view.light.towards.normalized()),
       up(view.planes.empty() ? view.camera.up.normalized() : view.planes.front().normal),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 #include "shapes/views.h"
 #include "vector/page.h"
@@ -26,6 +27,14 @@ Colour colour_making(const Colour& wanted, double alpha, const Colour& behind);
 
 // The colour that as_in_light's ink makes over another.
 Colour over(const Ink& ink, const Colour& behind);
+
+// What a place is to look like, and what lies behind it.
+struct ColourOver {
+    Colour wanted, behind;
+};
+// The one ink that makes all of them as nearly as one can (least squares over all components).
+// Precondition: at least one.
+Ink ink_for(std::span<const ColourOver> places);
 
 // The lights of a view.
 struct Lights {

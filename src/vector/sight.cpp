@@ -1,6 +1,7 @@
 #include "vector/sight.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace poinsot::vector {
@@ -39,6 +40,14 @@ PaperFlow Sight::paper(const CurveFlow& flow) const {
     Eigen::Vector2d change(right.dot(flow.velocity), down.dot(flow.velocity));
     if (perspective) change -= across * (forward.dot(flow.velocity) / at_depth);
     return {centre_pt + scale * across, scale * change};
+}
+
+double Sight::spacing_px(const Eigen::Vector3d& at, const Eigen::Vector3d& along,
+                         const Eigen::Vector3d& beside) const {
+    const Eigen::Vector2d run = paper(CurveFlow{at, along}).velocity;
+    const Eigen::Vector2d step = paper(CurveFlow{at, beside}).velocity;
+    const double area = run.x() * step.y() - run.y() * step.x();
+    return std::abs(area) / std::max(run.norm(), 1e-12) / pt_per_px;
 }
 
 Eigen::Vector3d Sight::towards_eye(const Eigen::Vector3d& point) const {

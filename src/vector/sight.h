@@ -27,6 +27,10 @@ struct Sight {
     Eigen::Vector2d paper(const Eigen::Vector3d& point) const;
     // Precondition: as paper().
     PaperFlow paper(const CurveFlow& flow) const;
+    // Pixels from a line to the next on a surface, where it runs `along` and the next lies
+    // `beside`. Precondition: as paper().
+    double spacing_px(const Eigen::Vector3d& at, const Eigen::Vector3d& along,
+                      const Eigen::Vector3d& beside) const;
     // From the point towards the eye; not of unit length.
     Eigen::Vector3d towards_eye(const Eigen::Vector3d& point) const;
     // Where the line of sight of a place on paper meets the plane through `on`; nothing can be said

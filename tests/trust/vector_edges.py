@@ -136,11 +136,11 @@ def differences(ours, levels, free):
     return numpy.array(off)
 
 
-def near_outlines(svg, shape, dpi, reach_px=3):
-    """Pixels near the outlines of ellipsoids: the conics that clip what is drawn on them."""
-    near = numpy.zeros(shape[:2], dtype=bool)
+def outlines(svg):
+    """Of the ellipsoids, as arrays of points, pt: the conics that clip what is drawn on them."""
     for data in re.findall(r'<clipPath id="[^"]*"><path d="(m[^"]*c[^"]*)"', svg.read_text()):
         at = start = numpy.zeros(2)
+        path = []
         for command, text in re.findall(r"([mlhvcz])([^mlhvcz]*)", data):
             numbers = [float(n) for n in re.findall(r"-?\d+", text)]
             if command in "hv":
@@ -154,10 +154,17 @@ def near_outlines(svg, shape, dpi, reach_px=3):
                 continue
             for last in points.reshape(-1, 3, 2):
                 t = numpy.linspace(0.0, 1.0, 400)[:, None]
-                path = at + 3 * (1 - t)**2 * t * last[0] + 3 * (1 - t) * t**2 * last[1] + t**3 * last[2]
+                path.append(at + 3 * (1 - t)**2 * t * last[0] + 3 * (1 - t) * t**2 * last[1] + t**3 * last[2])
                 at = at + last[2]
-                for x, y in (path * dpi / 72.0 / SVG_UNITS).astype(int):
-                    near[max(y - reach_px, 0):y + reach_px + 1, max(x - reach_px, 0):x + reach_px + 1] = True
+        yield numpy.concatenate(path) / SVG_UNITS
+
+
+def near_outlines(svg, shape, dpi, reach_px=3):
+    """Pixels near the outlines of ellipsoids."""
+    near = numpy.zeros(shape[:2], dtype=bool)
+    for path in outlines(svg):
+        for x, y in (path * dpi / 72.0).astype(int):
+            near[max(y - reach_px, 0):y + reach_px + 1, max(x - reach_px, 0):x + reach_px + 1] = True
     return near
 
 

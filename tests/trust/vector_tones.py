@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""How the light of figures in vectors differs from our own pixels: inside the outlines of the ellipsoids, at 300 dots an inch, poppler's
+picture of the PDF against ours, where neither changes by more than 2 levels from a pixel to the next, so that no line is meant.
+
+Prints a row a scene, levels of 255. Exit code 1 if any is over MOST_RMS; 77 (skipped) where poppler is not here.
+Usage: vector_tones.py POINSOT SCENES [NAME...]     NAME: default all that have an ellipsoid
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import numpy
+from PIL import Image, ImageDraw
+
+import vector_edges
+
+MOST_RMS = 4.0
+DPI = 300
+STILL = ["-q", "--theme", "print", "--width-mm", "162.56", "--height-mm", "91.44", "--dpi", str(DPI)]
+
+
+def even(levels):
+    """Where a picture changes by no more than 2 levels to any of the four neighbours."""
+    flat = numpy.ones(levels.shape[:2], dtype=bool)
+    down = abs(numpy.diff(levels, axis=0)).max(axis=2) <= 2
+    across = abs(numpy.diff(levels, axis=1)).max(axis=2) <= 2
+    flat[1:] &= down
+    flat[:-1] &= down
+    flat[:, 1:] &= across
+    flat[:, :-1] &= across
+    return flat
+
+
+def inside_outlines(svg, size):
+    mask = Image.new("L", size)
+    draw = ImageDraw.Draw(mask)
+    for path in vector_edges.outlines(svg):
+        draw.polygon([tuple(place) for place in path * DPI / 72.0], fill=255)
+    return numpy.asarray(mask) > 0
+
+
+def tone(program, scene, folder):
+    """Levels rms, and of how many pixels."""
+    for suffix in ("pdf", "svg", "png"):
+        subprocess.run([program, "still", str(scene), *STILL, "-o", f"page.{suffix}"], cwd=folder, check=True)
+    subprocess.run(["pdftoppm", "-png", "-singlefile", "-r", str(DPI), "page.pdf", "drawn"], cwd=folder, check=True)
+    ours, theirs = (numpy.asarray(Image.open(folder / name).convert("RGB"), dtype=float) for name in ("page.png", "drawn.png"))
+    height, width = min(ours.shape[0], theirs.shape[0]), min(ours.shape[1], theirs.shape[1])
+    ours, theirs = ours[:height, :width], theirs[:height, :width]
+    counted = even(ours) & even(theirs) & inside_outlines(folder / "page.svg", (width, height))
+    if not counted.any():
+        return 0.0, 0
+    return float(numpy.sqrt(((ours - theirs)**2).mean(axis=2)[counted].mean())), int(counted.sum())
+
+
+def main():
+    program, scenes, names = sys.argv[1], pathlib.Path(sys.argv[2]).absolute(), sys.argv[3:]
+    if not shutil.which("pdftoppm"):
+        print("poppler is not here")
+        return 77
+    failed = 0
+    for name in names or sorted(scene.stem for scene in scenes.glob("*.toml")):
+        with tempfile.TemporaryDirectory() as folder:
+            rms, n = tone(program, scenes / f"{name}.toml", pathlib.Path(folder))
+        if n == 0 and not names:
+            continue
+        print(f"{name:20} {rms:.2f} levels rms, {n} pixels", flush=True)
+        failed += rms > MOST_RMS or n == 0
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
