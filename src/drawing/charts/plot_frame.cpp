@@ -223,7 +223,10 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
             chart_label(panel, number, area_.left - gap, height, Anchor::right_middle, theme.text));
         labels_.back().rank = rank_of_numbers;
     }
-    labels_.push_back(chart_label(panel, y_type, region.left, area_.top + 1.3 * gap,
+    // A long title begins sooner, as far as there is room.
+    const double title_left =
+        std::max(std::min(region.left, panel.box.width_px - y_type.width_px() - gap), 0.0);
+    labels_.push_back(chart_label(panel, y_type, title_left, area_.top + 1.3 * gap,
                                   Anchor::bottom_left, theme.text));
 
     // The axis below, its ticks, its numbers on one line, and its title where the next would be.

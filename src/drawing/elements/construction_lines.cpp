@@ -220,15 +220,23 @@ LevelScale::LevelScale(const Panel& panel) : panel_(&panel) {
     own_ = set_label(panel, "\\sqrt{2T}/L", 0.9);
 }
 
+double LevelScale::aside(const View& view, const Eigen::Vector3d& right) const {
+    constexpr double usual = 1.3, least = 1.08;
+    double names_px = 0.0;
+    for (const SetType& type : types_) names_px = std::max(names_px, type.width_px());
+    const Projected end = project(view, (usual + 1.6 * tick) * right);
+    const double over_px =
+        end.px.x() + 2.0 * gap * panel_->px + names_px - (view.x_px + view.width_px);
+    return std::clamp(usual - over_px * units_per_pixel(view, end.depth), least, usual);
+}
+
 void LevelScale::add_to(Sheet& sheet, const Eigen::Vector3d& half_axes,
                         const Eigen::Vector3d& foot) const {
     const Panel& panel = *panel_;
     const Theme& theme = *panel.stage->theme;
     const Eigen::Vector3d right = right_of(sheet);
     const Eigen::Vector3d normal = foot.stableNormalized();
-    constexpr double aside = 1.3;
-    constexpr double tick = 0.06;
-    const Eigen::Vector3d zero = aside * right;
+    const Eigen::Vector3d zero = aside(sheet.view, right) * right;
     const auto at = [&](double distance) { return Eigen::Vector3d(zero + distance * normal); };
     const auto add = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Ink& colour,
                          double width_px) {
@@ -237,14 +245,14 @@ void LevelScale::add_to(Sheet& sheet, const Eigen::Vector3d& half_axes,
         sheet.view.curves.push_back(line);
     };
     const auto name = [&](const Eigen::Vector3d& place, double side, const SetType& type,
-                          const Ink& colour) {
+                          const Ink& colour) -> LabelWish& {
         LabelWish wish;
         wish.type = type;
         wish.anchor_px = project(sheet.view, place).px;
         wish.away = {side, 0.0};
-        wish.gap_px = 6.0 * panel.px;
+        wish.gap_px = gap * panel.px;
         wish.colour = colour;
-        sheet.wishes.push_back(wish);
+        return sheet.wishes.emplace_back(wish);
     };
     // The scale begins at the centre's height.
     add(zero - tick * right, zero + tick * right, theme.text, 1.8);
@@ -258,8 +266,12 @@ void LevelScale::add_to(Sheet& sheet, const Eigen::Vector3d& half_axes,
     const Eigen::Vector3d here = at(foot.norm());
     add(foot, here, theme.contact, 1.6);
     sheet.view.dots.push_back(dot_at(panel, here, theme.contact, 5.5));
-    // Its name stands over the line that joins it with the plane.
-    name(here - 0.22 * right - 0.09 * normal, 0.0, own_, theme.contact);
+    // Its name stands over the line that joins it with the plane, and beside the scale.
+    LabelWish& wish = name(here - 0.22 * right - 0.13 * normal, 0.0, own_, theme.contact);
+    wish.away = {-0.2, 0.0};  // its middle is at the anchor
+    const double half_px = 0.5 * own_.width_px();
+    wish.anchor_px.x() = std::min(wish.anchor_px.x() + 0.62 * (wish.gap_px + half_px),
+                                  project(sheet.view, here).px.x() - wish.gap_px - half_px);
 }
 
 Drawer make_levels(Panel& panel) {

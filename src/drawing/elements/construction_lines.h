@@ -24,6 +24,12 @@ class LevelScale {
     void add_to(Sheet& sheet, const Eigen::Vector3d& half_axes, const Eigen::Vector3d& foot) const;
 
  private:
+    static constexpr double tick = 0.06;  // half of it, picture units
+    static constexpr double gap = 6.0;    // before a name, px at 1080 rows
+
+    // How far to the right it stands, so that its names do not run out of the view.
+    double aside(const View& view, const Eigen::Vector3d& right) const;
+
     const Panel* panel_;
     std::array<SetType, 3> types_;
     SetType own_;
