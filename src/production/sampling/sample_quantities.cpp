@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "error/error.h"
 #include "mechanics/euler_angles.h"
@@ -105,8 +106,8 @@ constexpr Quantities attitude{};
 const std::array<SampleQuantity, 13> table{{
     {"time", "the instant", time_columns, no_attitude, nullptr, "",
      [](const SampledInstant& at, Values v) { v[0] = at.time_s; }},
-    {"omega_body", "ω in body axes", omega_body_columns, no_attitude, nullptr, "",
-     [](const SampledInstant& at, Values v) { put(at.sample.state.omega_body, v); }},
+    {"omega_body", "ω in body axes; omega names it, too", omega_body_columns, no_attitude, nullptr,
+     "", [](const SampledInstant& at, Values v) { put(at.sample.state.omega_body, v); }},
     {"q", "the attitude space_from_body as a unit quaternion", attitude_columns, attitude, nullptr,
      "",
      [](const SampledInstant& at, Values v) {
@@ -130,17 +131,18 @@ const std::array<SampleQuantity, 13> table{{
      put_euler_angles},
     {"omega_space", "ω in space axes", omega_space_columns, attitude, nullptr, "",
      [](const SampledInstant& at, Values v) { put(space_of(at, at.sample.state.omega_body), v); }},
-    {"kinetic_energy", "T", energy_columns, no_attitude, nullptr, "",
+    {"kinetic_energy", "T, which names it, too", energy_columns, no_attitude, nullptr, "",
      [](const SampledInstant& at, Values v) {
          v[0] = 0.5 * at.sample.state.omega_body.dot(momentum_body(at));
      }},
-    {"momentum", "|L|", momentum_columns, no_attitude, nullptr, "",
+    {"momentum", "|L|; L names it, too", momentum_columns, no_attitude, nullptr, "",
      [](const SampledInstant& at, Values v) { v[0] = momentum_body(at).stableNorm(); }},
     {"momentum_body", "L in body axes", momentum_body_columns, no_attitude, nullptr, "",
      [](const SampledInstant& at, Values v) { put(momentum_body(at), v); }},
     {"momentum_space", "L in space axes", momentum_space_columns, attitude, nullptr, "",
      [](const SampledInstant& at, Values v) { put(space_of(at, momentum_body(at)), v); }},
-    {"contact_body", "ρ = ω/√(2T), where the ellipsoid touches the plane, in body axes",
+    {"contact_body",
+     "ρ = ω/√(2T), where the ellipsoid touches the plane, in body axes; rho names it, too",
      contact_body_columns, no_attitude, nullptr, "",
      [](const SampledInstant& at, Values v) { put(contact_body(at), v); }},
     {"contact_space", "ρ in space axes", contact_space_columns, attitude, nullptr, "",
@@ -159,8 +161,14 @@ const SampleQuantity& quantity_named(std::string_view name) {
                          [name](const SampleQuantity& quantity) { return quantity.name == name; });
 }
 
+// The lecture's symbols, which may be typed as well.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> symbols{
+    {{"T", "kinetic_energy"}, {"L", "momentum"}, {"omega", "omega_body"}, {"rho", "contact_body"}}};
+
 // What a name stands for: a quantity's columns, or one of them. Empty for a name that is none.
 std::vector<ChosenColumn> columns_called(std::string_view name) {
+    for (const auto& [symbol, meant] : symbols)
+        if (name == symbol) name = meant;
     std::vector<ChosenColumn> found;
     for (const SampleQuantity& quantity : table) {
         for (std::size_t i = 0; i < quantity.columns.size(); ++i) {
