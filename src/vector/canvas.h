@@ -77,7 +77,7 @@ struct Canvas {
         double opacity = 1.0;
         Colour behind;
     };
-    // [from, to] in parts whose ink is nowhere further than five levels of 255 from what it is to
+    // [from, to] in parts whose ink is nowhere further than six levels of 255 from what it is to
     // make there: inks of the opacity asked for or, where it is pale, shades, whichever takes
     // fewer. Where it covers most of what lies behind, parts overlap by a little, so that no seam
     // is seen between them.

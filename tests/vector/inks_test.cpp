@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "vector/canvas.h"
 
@@ -64,7 +65,7 @@ TEST(Inks, APaleLineIsEverywhereWhatLightMakesIt) {
                 EXPECT_LE(part->from, s);
                 const double light =
                     opacity * light_of(own) + (1.0 - opacity) * light_of(ground(s));
-                // Five levels, and the ground changes by four from sample to sample.
+                // Six levels, and the ground changes by four from sample to sample.
                 EXPECT_NEAR(255.0 * over(part->ink, grey(ground(s))).g, level_of(light), 7.5)
                     << opacity << ' ' << own << " at " << s;
             }
@@ -81,6 +82,71 @@ TEST(Inks, ALineOverAnEvenGroundIsOnePart) {
     ASSERT_EQ(parts.size(), 1u);
     EXPECT_EQ(parts[0].from, 0.0);
     EXPECT_EQ(parts[0].to, 1.0);
+}
+
+TEST(Inks, OneInkMakesWhatItMadeOverOtherGrounds) {
+    const Ink ink{{0.7, 0.3, 0.5}, 0.4};
+    std::vector<ColourOver> places;
+    for (const double g : {0.2, 0.5, 0.6, 0.95}) places.push_back({over(ink, grey(g)), grey(g)});
+    const Ink found = ink_for(places);
+    EXPECT_NEAR(found.alpha, ink.alpha, 1e-12);
+    EXPECT_NEAR(found.colour.r, ink.colour.r, 1e-12);
+    EXPECT_NEAR(found.colour.g, ink.colour.g, 1e-12);
+    EXPECT_NEAR(found.colour.b, ink.colour.b, 1e-12);
+}
+
+TEST(Inks, OverOneGroundTheInkMakesTheMean) {
+    const std::vector<ColourOver> places{{{0.1, 0.9, 0.4}, grey(0.8)},
+                                         {{0.3, 0.7, 0.6}, grey(0.8)}};
+    const Colour made = over(ink_for(places), grey(0.8));
+    EXPECT_NEAR(made.r, 0.2, 1e-12);
+    EXPECT_NEAR(made.g, 0.8, 1e-12);
+    EXPECT_NEAR(made.b, 0.5, 1e-12);
+}
+
+// A sphere of glass, and a point of a body behind it, in it and before it.
+TEST(Inks, UnderTheSheetsABodyIsSeenAsThroughTheSurfacesBeforeIt) {
+    Line glass;
+    Ellipsoid sphere;
+    sphere.half_axes = Eigen::Matrix3d::Identity();
+    sphere.opacity = 0.15;
+    glass.view.ellipsoids.push_back(sphere);
+    Canvas canvas(glass.drawing, glass.view, 0.24, Shading::tone, glass.page);
+    light_sheets(canvas, {0});
+    ASSERT_EQ(canvas.sheets.size(), 1u);
+    const ShadedDisc& disc = canvas.sheets[0].disc;
+    const Colour body = grey(0.6);
+    const auto seen = [&](double y) {
+        const Eigen::Vector3d point(0.1, y, 0.2);
+        const Eigen::Vector2d in_disc = disc.page_from_disc.inverse() * canvas.sight.paper(point);
+        return over(Ink{disc.at(in_disc), disc.alpha}, under_sheets(canvas, point, body));
+    };
+    EXPECT_NEAR(seen(-2.0).g, body.g, 1e-9);
+    // Of a normal towards the eye the surface is as opaque as it says; in it one lies before, and
+    // behind it both.
+    const Layer front = outer_surface(sphere, canvas.lights,
+                                      {-Eigen::Vector3d::UnitY(), -Eigen::Vector3d::UnitY()}, 0.0);
+    const double in_light = front.alpha * front.light.y() + (1.0 - front.alpha) * light_of(body.g);
+    EXPECT_NEAR(255.0 * seen(0.0).g, level_of(in_light), 4.0);
+    EXPECT_GT(std::abs(seen(2.0).g - seen(0.0).g), 0.01);
+}
+
+// From the third axis's equator, along the line of sight: meridians stand as far apart as the step
+// of their longitudes, times the cosine of that from the middle.
+TEST(Sight, RulingsStandAsFarApartAsTheyAreSeen) {
+    View view;
+    view.width_px = view.height_px = 1000;
+    view.camera.eye = {0.0, -5.0, 0.0};
+    view.camera.orthographic = true;
+    const Sight sight(view, 0.24);
+    const double unit_px = sight.unit_pt(5.0) / 0.24;
+    constexpr double step = 0.3;
+    for (const double longitude : {0.0, 0.5, 1.2, 1.5}) {
+        const Eigen::Vector3d at(std::sin(longitude), -std::cos(longitude), 0.0);
+        const Eigen::Vector3d east(std::cos(longitude), std::sin(longitude), 0.0);
+        EXPECT_NEAR(sight.spacing_px(at, Eigen::Vector3d::UnitZ(), step * east),
+                    step * unit_px * std::cos(longitude), 1e-9 * unit_px);
+    }
 }
 
 }  // namespace
