@@ -447,9 +447,12 @@ class Writer {
                 break;
             const char32_t c = font.character(letter.glyph);
             if (c == 0 || (c > 0xffff && to > from)) break;
+            // Readers drop the spaces that a text begins with, and some then put what follows
+            // there.
+            if (c == U' ' && letters.empty()) continue;
             // A gap between words is a space, so that they are found as words.
             constexpr double word_gap = 0.15;  // ems
-            if (to > from && letter.x_pt - pen_pt > word_gap * letter.em_pt) {
+            if (!letters.empty() && letter.x_pt - pen_pt > word_gap * letter.em_pt) {
                 used.characters.insert(U' ');
                 letters += ' ';
                 places += " " + number(pen_pt);
@@ -463,6 +466,7 @@ class Writer {
                 break;
             }
         }
+        if (letters.empty()) return to;
         body() += fmt::format("<text class=\"{}\" font-size=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n",
                               used.name, number(first.em_pt), places, number(first.y_pt),
                               escaped(letters));

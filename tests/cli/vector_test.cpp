@@ -149,6 +149,20 @@ TEST(VectorStill, RefusesWhatItCannotBeInOneLine) {
                          "did you mean \"tone\"?"));
 }
 
+// Readers drop the space that a text begins with, and some then put its next letter there.
+TEST(VectorStill, NoTextOfAnSvgBeginsWithASpace) {
+    const ScratchFolder folder;
+    ASSERT_EQ(run_program_in(folder, "still '" + scene("generic") + "' -q -o a.svg").code, 0);
+    const std::string svg = text_of(folder.path() / "a.svg");
+    int n_texts = 0;
+    for (std::size_t at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at)) {
+        at = svg.find('>', at) + 1;
+        EXPECT_NE(svg.at(at), ' ');
+        ++n_texts;
+    }
+    EXPECT_GT(n_texts, 10);
+}
+
 TEST(VectorStill, PathsAreTypeWithoutFonts) {
     const ScratchFolder folder;
     const std::string still = "still '" + scene("generic") + "' --text paths -o ";
