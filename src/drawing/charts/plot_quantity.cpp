@@ -167,8 +167,8 @@ constexpr PlotQuantity table[] = {
      omega_alone, any_motion, "", omega_curves, omega_values},
     {"euler_angles", "θ, φ, ψ of a heavy top", "", "rad", true, false, false, euler_angles,
      is_heavy_top, "a heavy symmetric top", euler_curves, euler_values},
-    {"energy", "kinetic energy T, potential V and their sum E", "energy", "J", false, false, true,
-     attitude, any_motion, "", energy_curves, energy_values},
+    {"energy", "kinetic energy T; under gravity the potential V and the sum E too", "energy", "J",
+     false, false, true, attitude, any_motion, "", energy_curves, energy_values},
     {"momentum", "L1, L2, L3 along the principal axes, and L", "$L_i$, $L$", "kg m²/s", false,
      false, true, omega_alone, any_motion, "", momentum_curves, momentum_values},
     {"tilt", "angles of the principal axes e1, e2, e3 from L", "angle from L", "rad", false, false,
@@ -184,6 +184,16 @@ constexpr PlotQuantity table[] = {
      "relative residual", "", false, true, false, attitude, rolls, "a torque-free body that turns",
      residual_curves, residual_values},
 };
+
+// Where nothing has a potential E is T.
+const PlotQuantity& without_potential(const PlotQuantity& energy) {
+    static const PlotQuantity kinetic = [&energy] {
+        PlotQuantity alone = energy;
+        alone.curves = energy.curves.first(1);
+        return alone;
+    }();
+    return kinetic;
+}
 
 }  // namespace
 
@@ -215,7 +225,9 @@ const PlotQuantity& plot_quantity_of(const StageData& stage, std::string_view na
             throw InputError(fmt::format("a plot of \"{}\" needs {}; choose another quantity",
                                          row.name, row.needs));
         }
-        return row;
+        const bool falls =
+            std::holds_alternative<GravityTorque>(stage.motion.motion().problem().torque);
+        return row.values == energy_values && !falls ? without_potential(row) : row;
     }
     throw InputError(fmt::format("unknown quantity \"{}\"{}; choose from: {}", printable(name),
                                  did_you_mean(name, names), fmt::join(names, ", ")));
