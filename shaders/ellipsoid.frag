@@ -41,15 +41,48 @@ float arcsine(float x) {
     return x < 0.0 ? -angle : angle;
 }
 
-// The three principal sections at the point u, which changes with the pixel by the roots of
-// `square` times that of stretch_square.
-float sections(vec3 u_square, vec3 square, float stretch_square, float width_px) {
+#if RIM
+// How far the pixel lies from the three principal sections, px: from their outer halves (x) and inner ones (y).
+// Seen, the section by u_k = 0 is the conic |m|² - m_k² - d_k² = 0, which is smooth at the limb, where u
+// changes without bound from pixel to pixel. Along its gradient it is a parabola, whose two roots are the
+// distances: exact for straight lines, however close both halves lie, and to the second order for curves.
+// At a root the line of sight enters the ellipsoid where (d × m)_k and d_k agree in sign, else it leaves it.
+vec2 to_sections(int at, Sight s) {
+    vec3 dx = constant(at + 1).xyz, dy = constant(at + 2).xyz, mx = constant(at + 4).xyz, my = constant(at + 5).xyz;
+    vec3 conic = dot(s.m, s.m) - s.m * s.m - s.d * s.d;
+    vec3 half_x = dot(s.m, mx) - s.m * mx - s.d * dx;
+    vec3 half_y = dot(s.m, my) - s.m * my - s.d * dy;
+    vec3 square = max(half_x * half_x + half_y * half_y, 1e-30);
+    vec3 per_slope = inversesqrt(square);
+    vec3 nx = half_x * per_slope, ny = half_y * per_slope;
+    vec3 d_change = dx * nx + dy * ny, m_change = mx * nx + my * ny;
+    vec3 bend = nx * nx * dot(mx, mx) + ny * ny * dot(my, my) + 2.0 * nx * ny * dot(mx, my) -
+                m_change * m_change - d_change * d_change;
+    vec3 sum = square * per_slope + sqrt(max(square - bend * conic, 0.0));
+    vec3 near = conic / sum;
+    vec3 far = sum / mix(bend, vec3(1e-20), lessThan(abs(bend), vec3(1e-20)));
+    vec3 across = cross(s.d, s.m);
+    vec3 change = nx * (cross(dx, s.m) + cross(s.d, mx)) + ny * (cross(dy, s.m) + cross(s.d, my));
+    vec3 near_half = (across - near * change) * sign(s.d - near * d_change);
+    vec3 far_half = (across - far * change) * sign(s.d - far * d_change);
+    vec3 none = vec3(1e9), both = vec3(2e-6 * s.square);  // above what rounding leaves
+    near = abs(near);
+    far = abs(far);
+    vec3 outer = min(mix(near, none, lessThan(near_half, -both)), mix(far, none, lessThan(far_half, -both)));
+    vec3 inner = min(mix(near, none, greaterThan(near_half, both)), mix(far, none, greaterThan(far_half, both)));
+    return vec2(min(min(outer.x, outer.y), outer.z), min(min(inner.x, inner.y), inner.z));
+}
+#else
+// How far the pixel lies from the three principal sections, px, well within the limb: by the point u, which
+// changes with the pixel by the roots of `square` times that of stretch_square.
+float to_sections(vec3 u_square, vec3 square, float stretch_square) {
     // The nearest: the least u²/square, found by products.
     vec3 d = max(square, 1e-12);
     vec2 least = u_square.x * d.y < u_square.y * d.x ? vec2(u_square.x, d.x) : vec2(u_square.y, d.y);
     least = u_square.z * least.y < least.x * d.z ? vec2(u_square.z, d.z) : least;
-    return line_coverage(sqrt(least.x / (stretch_square * least.y)), width_px);
+    return sqrt(least.x / (stretch_square * least.y));
 }
+#endif
 
 // Meridians and parallels about the third axis; longitudes from the first. ux, uy: change of u with
 // the pixel, over the root of stretch_square.
@@ -84,10 +117,11 @@ Gaze gaze_of() {
 // Entry (side -1: the outer surface) or exit (side +1: the inner one) of the line of sight. slide:
 // d/root. The normal enters in products with directions alone; those are products of u with the
 // same directions mapped into the sphere's axes, and with the line of sight it is the root.
-Layer surface(int at, Sight s, vec3 slide, float side, Gaze gaze) {
 #if RIM
+Layer surface(int at, Sight s, vec3 slide, float side, Gaze gaze, float section_distance) {
     vec3 u = sphere_point(s, side);
 #else
+Layer surface(int at, Sight s, vec3 slide, float side, Gaze gaze) {
     vec3 u = s.nearest + (side * s.root * s.per_square) * s.d;
 #endif
     vec3 u_square = u * u;
@@ -104,7 +138,10 @@ Layer surface(int at, Sight s, vec3 slide, float side, Gaze gaze) {
     layer.depth_change = stretch * vec2(dot(constant(at + 6).xyz, ux), dot(constant(at + 6).xyz, uy));
 #endif
     float stretch_square = stretch * stretch;
-    float lines = sections(u_square, ux * ux + uy * uy, stretch_square, constant(at + 13).w);
+#if !RIM
+    float section_distance = to_sections(u_square, ux * ux + uy * uy, stretch_square);
+#endif
+    float lines = line_coverage(section_distance, constant(at + 13).w);
     if (side < 0.0)
         lines = max(lines, constant(at + 8).w * rulings(u, u_square, ux, uy, stretch_square,
                                                         constant(at + 7).w, constant(at + 9).w, constant(at + 10).w));
@@ -166,12 +203,18 @@ void main() {
 #if MEMBERS == 1
 #if RIM
     Sight s = sight_of(first_member, pixel);
+    vec2 apart = to_sections(first_member, s);
 #else
     Sight s = sight_along(direction, moment);
 #endif
     vec3 slide = s.d * (1.0 / s.root);
+#if RIM
+    Layer front = surface(first_member, s, slide, -1.0, gaze, apart.x);
+    Layer back = surface(first_member, s, slide, 1.0, gaze, apart.y);
+#else
     Layer front = surface(first_member, s, slide, -1.0, gaze);
     Layer back = surface(first_member, s, slide, 1.0, gaze);
+#endif
     float behind = (1.0 - front.alpha) * back.alpha;
     fragment = vec4(front.colour * front.alpha + back.colour * behind, front.alpha + behind);
 #if RIM
@@ -183,8 +226,9 @@ void main() {
         int at = first_member + k * member_size;
         Sight s = sight_of(at, pixel);
         vec3 slide = s.d * (1.0 / s.root);
-        layers[2 * k] = surface(at, s, slide, -1.0, gaze);
-        layers[2 * k + 1] = surface(at, s, slide, 1.0, gaze);
+        vec2 apart = to_sections(at, s);
+        layers[2 * k] = surface(at, s, slide, -1.0, gaze, apart.x);
+        layers[2 * k + 1] = surface(at, s, slide, 1.0, gaze, apart.y);
         cover(layers[2 * k], layers[2 * k + 1], outline_coverage(at, s));
     }
     vec4 sum = vec4(0.0);
