@@ -3,7 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <vector>
 
+#include "colour/srgb.h"
 #include "pictures.h"
 
 namespace poinsot::testing {
@@ -239,6 +241,124 @@ TEST(EllipsoidPicture, PrincipalSectionsLieWhereCurvesAlongThemAreDrawn) {
     RecordProperty("worst_px", std::to_string(worst));
     EXPECT_GT(n_measured, 100);
     EXPECT_LT(worst, 0.1);
+}
+
+// The halves of the three principal sections that face the eye, as they are seen: many places of
+// the picture, and where a half ends at the limb.
+struct SeenSections {
+    std::vector<Eigen::Vector2d> places, ends;
+};
+
+SeenSections sections_of(const View& view) {
+    const Camera& camera = view.camera;
+    const Ellipsoid& shape = view.ellipsoids.front();
+    const Eigen::Vector3d forward = (camera.target - camera.eye).normalized();
+    const Eigen::Vector3d right = forward.cross(camera.up).normalized();
+    const Eigen::Vector3d up = right.cross(forward);
+    const double focal_px = 0.5 * view.height_px / std::tan(0.5 * camera.vertical_field_rad);
+    SeenSections seen;
+    for (int axis = 0; axis < 3; ++axis) {
+        constexpr int n = 6000;
+        bool before = false;
+        for (int i = 0; i <= n; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / n;
+            Eigen::Vector3d u = Eigen::Vector3d::Zero();
+            u[(axis + 1) % 3] = std::cos(angle);
+            u[(axis + 2) % 3] = std::sin(angle);
+            const Eigen::Vector3d at = shape.centre + shape.half_axes * u;
+            const Eigen::Vector3d normal = shape.half_axes.inverse().transpose() * u;
+            const Eigen::Vector3d from_eye = at - camera.eye;
+            const bool faces = normal.dot(from_eye) < 0.0;
+            const double depth = from_eye.dot(forward);
+            const Eigen::Vector2d place(
+                0.5 * view.width_px + focal_px * from_eye.dot(right) / depth,
+                0.5 * view.height_px - focal_px * from_eye.dot(up) / depth);
+            if (faces) seen.places.push_back(place);
+            if (i > 0 && faces != before) seen.ends.push_back(place);
+            before = faces;
+        }
+    }
+    return seen;
+}
+
+double least_distance(const std::vector<Eigen::Vector2d>& places, const Eigen::Vector2d& from) {
+    double least = 1e9;
+    for (const Eigen::Vector2d& place : places)
+        least = std::min(least, (place - from).squaredNorm());
+    return std::sqrt(least);
+}
+
+TEST(EllipsoidPicture, PrincipalSectionsKeepTheirWidthAtTheLimb) {
+    // Black lines of 4 px on a surface lit evenly: how much of each pixel within 12 px of the limb
+    // is dark, against how many of its 4×4 sample points lie within 2 px of a section's outer half.
+    // Seen obliquely, from the plane of two axes (one section edge on), and nearly from there. With
+    // a second ellipsoid behind it, since those are drawn as a group.
+    constexpr double width_px = 4.0;
+    double worst_of_all = 0.0;
+    for (const Eigen::Vector3d& eye :
+         {Eigen::Vector3d(3.2, -4.6, 1.7), Eigen::Vector3d(2.0, -3.0, 0.0),
+          Eigen::Vector3d(2.0, -3.0, 0.004)}) {
+        for (const bool in_group : {false, true}) {
+            Drawing drawing = flat_drawing(320, 320, 1.0);
+            View& view = drawing.views[0];
+            view.camera = Camera{};
+            view.camera.eye = eye;
+            view.camera.target = Eigen::Vector3d::Zero();
+            view.camera.vertical_field_rad = 2.4 / eye.norm();
+            view.light.key = view.light.sky = 0.0;
+            Ellipsoid shape =
+                plain_ellipsoid(Eigen::Vector3d(1.0, 0.7, 0.8).asDiagonal().toDenseMatrix());
+            shape.colour = {1.0, 1.0, 1.0};
+            shape.line_colour = {0.0, 0.0, 0.0};
+            view.ellipsoids.push_back(shape);
+            if (in_group) {
+                Ellipsoid behind = plain_ellipsoid(0.3 * Eigen::Matrix3d::Identity());
+                behind.centre = -eye.normalized();
+                view.ellipsoids.push_back(behind);
+            }
+            const Image plain = renderer().render(drawing);
+            view.ellipsoids[0].section_px = width_px;
+            const Image ruled = renderer().render(drawing);
+            const SeenSections seen = sections_of(view);
+            const auto inside = [&](double x, double y) { return meets(view, x, y); };
+            const auto linear = [](const Image& image, int x, int y) {
+                return linear_from_srgb(image.at(x, y).g / 255.0);
+            };
+            int n_dark = 0;
+            double worst = 0.0;
+            for (int y = 12; y < view.height_px - 12; ++y) {
+                for (int x = 12; x < view.width_px - 12; ++x) {
+                    bool near = false, within = true;
+                    for (const double far : {1.0, 12.0})
+                        for (int k = 0; k < 8; ++k) {
+                            const double angle = 0.25 * std::numbers::pi * k;
+                            const bool in = inside(x + 0.5 + far * std::cos(angle),
+                                                   y + 0.5 + far * std::sin(angle));
+                            (far < 2.0 ? within : near) = far < 2.0 ? within && in : near || !in;
+                        }
+                    const Eigen::Vector2d middle(x + 0.5, y + 0.5);
+                    if (!near || !within || least_distance(seen.ends, middle) < 4.0) continue;
+                    const double from_line = least_distance(seen.places, middle);
+                    double expected = 0.0;
+                    if (from_line < width_px) {
+                        for (int j = 0; j < 16; ++j) {
+                            const Eigen::Vector2d sample(x + 0.125 + 0.25 * (j % 4),
+                                                         y + 0.125 + 0.25 * (j / 4));
+                            expected += least_distance(seen.places, sample) < 0.5 * width_px;
+                        }
+                        expected /= 16.0;
+                    }
+                    n_dark += expected > 0.5;
+                    const double dark = 1.0 - linear(ruled, x, y) / linear(plain, x, y);
+                    worst = std::max(worst, std::abs(dark - expected));
+                }
+            }
+            worst_of_all = std::max(worst_of_all, worst);
+            EXPECT_GT(n_dark, 300) << eye.transpose();
+            EXPECT_LT(worst, 0.25) << eye.transpose() << (in_group ? ", in a group" : "");
+        }
+    }
+    RecordProperty("worst", std::to_string(worst_of_all));
 }
 
 TEST(EllipsoidPicture, CrossingSpheresMeetInThePlaneBetweenThem) {
