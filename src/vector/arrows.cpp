@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "shapes/depth_order.h"
 #include "vector/canvas.h"
@@ -140,12 +142,12 @@ LinearFade lit_across(const Canvas& canvas, const Arrow& arrow, const ArrowShape
 // What is pale shows no light worth a gradient.
 constexpr double pale = 0.9;
 
-// With light on it; `ink` where it is pale.
 // Of its shaft and its head, which are drawn.
 struct ArrowParts {
     bool shaft = true, head = true;
 };
 
+// With light on it; `ink` where it is pale.
 void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape, double opacity,
                 const Ink& ink, const ArrowParts& parts) {
     const double shaft_tail = shape.shaft_radius * shape.tail_scale;
@@ -221,6 +223,79 @@ double weight_of(const Cover& cover, double hidden_opacity, ArrowLayer layer) {
     return std::max(hidden_opacity, cover.transmitted);
 }
 
+// What lies outside of an outline.
+ClipBegin outside_of(const Canvas& canvas, const PaperEllipse& outline) {
+    ClipBegin clip;
+    clip.even_odd = true;
+    clip.path.add_rectangle({-10.0, -10.0},
+                            {canvas.page.width_pt + 20.0, canvas.page.height_pt + 20.0});
+    clip.path.add(canvas.path_of(outline));
+    return clip;
+}
+
+// The outline of the ellipsoid behind whose limb the axis goes at s; none where it pierces a
+// surface, where another solid begins, and at its ends.
+std::optional<PaperEllipse> outline_at(const Canvas& canvas, const ArrowShape& shape, double s) {
+    if (s <= 0.0 || s >= 1.0) return std::nullopt;
+    const Eigen::Vector3d point = shape.tail + s * (shape.tip - shape.tail);
+    for (const SphereSight& sphere : canvas.occluders.spheres()) {
+        if (!(sphere.hiding > 0.0) || sphere.before_limb(sphere.u(point)) >= -1e-9) continue;
+        const auto limb = limb_of(sphere);
+        const auto outline = limb ? picture_of(*limb, canvas.sight) : std::nullopt;
+        if (outline && std::abs(outline->radius_of(canvas.sight.paper(point)) - 1.0) < 1e-6)
+            return outline;
+    }
+    return std::nullopt;
+}
+
+// How far before and after s, as parts of the axis, an outline that crosses it there cuts what
+// lies beside it; three widths at most.
+double slant(const Canvas& canvas, const ArrowShape& shape, const PaperEllipse& outline, double s) {
+    const Eigen::Vector3d run = shape.tip - shape.tail;
+    const Eigen::Vector3d point = shape.tail + s * run;
+    const bool in_head = (point - shape.neck).dot(run) > 0.0;
+    const double scale = canvas.sight.unit_pt(canvas.sight.depth(point));
+    const double radius_pt = scale * (in_head ? shape.head_radius : shape.shaft_radius);
+    const Eigen::Affine2d to_circle = outline.page_from_circle().inverse();
+    const Eigen::Vector2d normal =
+        to_circle.linear().transpose() * (to_circle * canvas.sight.paper(point));
+    const double along = std::abs(normal.dot(shape.along));
+    const double across = std::abs(normal.dot(shape.across));
+    constexpr double most = 6.0, margin_pt = 0.1;
+    const double reach_pt = radius_pt * std::min(across / std::max(along, 1e-9), most) + margin_pt;
+    constexpr double step = 1e-4;
+    const double pt_per_s =
+        (canvas.sight.paper(point + step * run) - canvas.sight.paper(point - step * run)).norm() /
+        (2.0 * step);
+    return reach_pt / std::max(pt_per_s, 1e-9);
+}
+
+// A span of its axis with what lies beside it, to where outlines cut that.
+struct BesideSpan {
+    Span span;
+    std::vector<ClipBegin> clips;
+};
+
+BesideSpan beside(const Canvas& canvas, const ArrowShape& shape, const Span& span) {
+    BesideSpan part{span, {}};
+    const Eigen::Vector3d run = shape.tip - shape.tail;
+    const Eigen::Vector2d middle =
+        canvas.sight.paper(shape.tail + 0.5 * (span.from + span.to) * run);
+    for (const double end : {span.from, span.to}) {
+        const auto outline = outline_at(canvas, shape, end);
+        if (!outline) continue;
+        const double reach = slant(canvas, shape, *outline, end);
+        if (end == span.from)
+            part.span.from = std::max(end - reach, 0.0);
+        else
+            part.span.to = std::min(end + reach, 1.0);
+        part.clips.push_back(outline->radius_of(middle) < 1.0
+                                 ? ClipBegin{canvas.path_of(*outline), false}
+                                 : outside_of(canvas, *outline));
+    }
+    return part;
+}
+
 // The part of it beside a part of its axis, of one opacity, over a layer of it that has another.
 void draw_part(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape,
                const Track& track, const Span& span, double opacity, double lower_opacity) {
@@ -264,7 +339,11 @@ void draw_arrow(const Canvas& canvas, const Arrow& arrow, ArrowLayer layer) {
         };
         const double lower = layer == ArrowLayer::visible ? opacity_of(ArrowLayer::hidden) : 0.0;
         const double opacity = opacity_of(layer);
-        if (opacity >= 1e-3) draw_part(canvas, arrow, shape, track, span, opacity, lower);
+        if (opacity < 1e-3) continue;
+        const BesideSpan part = beside(canvas, shape, span);
+        for (const ClipBegin& clip : part.clips) canvas.add(clip);
+        draw_part(canvas, arrow, shape, track, part.span, opacity, lower);
+        for (std::size_t k = 0; k < part.clips.size(); ++k) canvas.add(ClipEnd{});
     }
 }
 
@@ -334,12 +413,7 @@ void draw_dot(const Canvas& canvas, const Dot& dot, ArrowLayer layer) {
         fill_dot(canvas, dot, dot.opacity * std::max(dot.hidden_opacity, 1.0 - sphere->hiding));
         return;
     }
-    ClipBegin outside;
-    outside.even_odd = true;
-    outside.path.add_rectangle({-10.0, -10.0},
-                               {canvas.page.width_pt + 20.0, canvas.page.height_pt + 20.0});
-    outside.path.add(canvas.path_of(*picture_of(*limb_of(*sphere), canvas.sight)));
-    canvas.add(std::move(outside));
+    canvas.add(outside_of(canvas, *picture_of(*limb_of(*sphere), canvas.sight)));
     fill_dot(canvas, dot, dot.opacity);
     canvas.add(ClipEnd{});
 }

@@ -170,9 +170,8 @@ void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& 
             while (part.from < part.to && opacity_at(part.from) < unseen) part.from += step;
             while (part.from < part.to && opacity_at(part.to) < unseen) part.to -= step;
             if (!(part.from < part.to)) continue;
-            // Lines lie on the surface: where it ends they do, with all of their width. Rulings
-            // have faded before.
-            const bool clips = canvas.shading != Shading::none && also_behind &&
+            // Lines lie on the surface: where it ends they do, with all of their width.
+            const bool clips = canvas.shading != Shading::none &&
                                !is_within(canvas, outline, track, part, 0.5 * width_pt);
             if (clips) canvas.add(ClipBegin{canvas.path_of(outline), false});
             Stroke stroke;

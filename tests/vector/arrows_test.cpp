@@ -1,0 +1,157 @@
+// Arrows that go behind an ellipsoid: what of them is seen, point by point of the paper.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "vector/picture.h"
+
+namespace poinsot::vector {
+namespace {
+
+constexpr double pt_per_px = 0.24;
+constexpr double hidden_opacity = 0.3;
+
+View behind_a_sphere() {
+    View view;
+    view.width_px = 1000;
+    view.height_px = 750;
+    view.camera.eye = {0.0, -6.0, 1.0};
+    view.camera.target = Eigen::Vector3d::Zero();
+    Ellipsoid& sphere = view.ellipsoids.emplace_back();
+    sphere.half_axes = Eigen::Vector3d(1.0, 0.8, 0.7).asDiagonal();
+    sphere.opacity = 1.0;
+    sphere.section_px = sphere.ruling_px = 0.0;
+    Arrow& arrow = view.arrows.emplace_back();
+    arrow.colour = {0.1, 0.2, 0.7};
+    arrow.shaft_px = 40.0;
+    arrow.head_px = 90.0;
+    arrow.head_length_px = 100.0;
+    arrow.hidden_opacity = hidden_opacity;
+    return view;
+}
+
+// Whether the line of sight at a place of the paper meets the ellipsoid.
+bool meets(const View& view, const Eigen::Vector2d& at_pt) {
+    const Eigen::Vector3d forward = (view.camera.target - view.camera.eye).normalized();
+    const Eigen::Vector3d right = forward.cross(view.camera.up).normalized();
+    const Eigen::Vector3d up = right.cross(forward);
+    const double scale = 2.0 * std::tan(0.5 * view.camera.vertical_field_rad) / view.height_px;
+    const double x = at_pt.x() / pt_per_px - 0.5 * view.width_px;
+    const double y = 0.5 * view.height_px - at_pt.y() / pt_per_px;
+    const Eigen::Vector3d direction = forward + scale * (x * right + y * up);
+    const Eigen::Matrix3d inverse = view.ellipsoids.front().half_axes.inverse();
+    const Eigen::Vector3d o = inverse * view.camera.eye, d = inverse * direction;
+    return std::pow(o.dot(d), 2) >= d.squaredNorm() * (o.squaredNorm() - 1.0);
+}
+
+// How often a path winds about a point.
+int turns_about(const Path& path, const Eigen::Vector2d& point) {
+    double angle = 0.0;
+    Eigen::Vector2d start = Eigen::Vector2d::Zero(), last = start;
+    const auto go = [&](const Eigen::Vector2d& to) {
+        const Eigen::Vector2d a = last - point, b = to - point;
+        angle += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+        last = to;
+    };
+    for (const Step& step : path.steps) {
+        switch (step.kind) {
+            case Step::Kind::move:
+                go(start);
+                start = last = step.to;
+                break;
+            case Step::Kind::line:
+                go(step.to);
+                break;
+            case Step::Kind::cubic: {
+                const Eigen::Vector2d from = last;
+                for (int k = 1; k <= 64; ++k) {
+                    const double t = k / 64.0, u = 1.0 - t;
+                    go(u * u * u * from + 3.0 * u * u * t * step.control_1 +
+                       3.0 * u * t * t * step.control_2 + t * t * t * step.to);
+                }
+                break;
+            }
+            case Step::Kind::close:
+                go(start);
+                break;
+        }
+    }
+    go(start);
+    return static_cast<int>(std::lround(angle / (2.0 * std::numbers::pi)));
+}
+
+bool holds(const Path& path, bool even_odd, const Eigen::Vector2d& point) {
+    const int turns = turns_about(path, point);
+    return even_odd ? turns % 2 != 0 : turns != 0;
+}
+
+// Opacities of all fills of the colour that cover a point.
+std::vector<double> opacities_at(const Page& page, const Colour& colour,
+                                 const Eigen::Vector2d& point) {
+    std::vector<double> found;
+    std::vector<bool> open;
+    for (const Item& item : page.items) {
+        if (const auto* clip = std::get_if<ClipBegin>(&item))
+            open.push_back(holds(clip->path, clip->even_odd, point));
+        else if (std::holds_alternative<ClipEnd>(item))
+            open.pop_back();
+        const auto* fill = std::get_if<Fill>(&item);
+        const auto* ink = fill ? std::get_if<Ink>(&fill->paint) : nullptr;
+        if (ink == nullptr || !(ink->colour == colour)) continue;
+        if (std::find(open.begin(), open.end(), false) != open.end()) continue;
+        if (holds(fill->path, fill->even_odd, point)) found.push_back(ink->alpha);
+    }
+    return found;
+}
+
+TEST(Arrows, GoBehindAnOutlineAlongIt) {
+    // With lines alone, arrows are of one ink. The axis crosses the outline at all angles, the tail
+    // behind the ellipsoid; the head is beyond, or cut by the outline itself.
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    int n_hidden = 0, n_seen = 0;
+    for (int k = 0; k < 60; ++k) {
+        View view = behind_a_sphere();
+        Arrow& arrow = view.arrows.front();
+        const double angle = 2.0 * std::numbers::pi * part(random);
+        arrow.tail = {0.8 * part(random) - 0.4, 1.2, 0.6 * part(random) - 0.3};
+        arrow.tip = arrow.tail +
+                    (1.2 + part(random)) * Eigen::Vector3d(std::cos(angle), 0.1, std::sin(angle));
+        Drawing drawing;
+        drawing.width_px = view.width_px;
+        drawing.height_px = view.height_px;
+        drawing.views.push_back(view);
+        const PageChoices choices{.pt_per_px = pt_per_px, .shading = Shading::none};
+        const Page page = page_of(drawing, choices);
+        drawing.views[0].ellipsoids.clear();
+        const Page alone = page_of(drawing, choices);
+        for (int n = 0; n < 1000; ++n) {
+            const Eigen::Vector2d at(view.width_px * pt_per_px * part(random),
+                                     view.height_px * pt_per_px * part(random));
+            // Shaft and head may both lie there.
+            if (opacities_at(alone, arrow.colour, at).empty()) continue;
+            bool near_outline = false;
+            for (const Eigen::Vector2d& off :
+                 {Eigen::Vector2d(0.02, 0.0), Eigen::Vector2d(0.0, 0.02)})
+                near_outline |= meets(view, at + off) != meets(view, at - off);
+            if (near_outline) continue;
+            const bool hidden = meets(view, at);
+            (hidden ? n_hidden : n_seen) += 1;
+            const std::vector<double> opacities = opacities_at(page, arrow.colour, at);
+            ASSERT_FALSE(opacities.empty()) << k << " at " << at.transpose();
+            for (const double opacity : opacities)
+                EXPECT_NEAR(opacity, hidden ? hidden_opacity : 1.0, 0.01)
+                    << k << " at " << at.transpose();
+        }
+    }
+    EXPECT_GT(n_hidden, 200);
+    EXPECT_GT(n_seen, 200);
+}
+
+}  // namespace
+}  // namespace poinsot::vector
