@@ -29,6 +29,16 @@ struct ArrowShape {
     double tail_scale = 1.0, neck_scale = 1.0;  // points a unit
     double open = 0.0;                          // how open the circles about the axis are seen
     Eigen::Vector2d along, across;              // on paper, unit
+    // From the axis to the line of the shaft's surface that is nearest to the eye, and how far
+    // along the axis it runs beside it: there what hides the arrow is asked for.
+    Eigen::Vector3d to_front = Eigen::Vector3d::Zero();
+    double neck_at = 1.0;  // share of the axis
+
+    // At a share s of the axis; towards the tip it runs into it.
+    Eigen::Vector3d front(double s) const {
+        const double rest = s <= neck_at ? 1.0 : (1.0 - s) / (1.0 - neck_at);
+        return tail + s * (tip - tail) + rest * to_front;
+    }
 };
 
 ArrowShape shape_of(const Canvas& canvas, const Arrow& arrow) {
@@ -62,6 +72,11 @@ ArrowShape shape_of(const Canvas& canvas, const Arrow& arrow) {
     const Eigen::Vector2d on_paper = shape.tip_pt - shape.tail_pt;
     shape.along = on_paper.norm() > 1e-6 ? on_paper.normalized().eval() : Eigen::Vector2d::UnitX();
     shape.across = {-shape.along.y(), shape.along.x()};
+    const Eigen::Vector3d to_eye = sight.towards_eye(0.5 * (shape.tail + shape.tip)).normalized();
+    const Eigen::Vector3d front = to_eye - to_eye.dot(shape.axis) * shape.axis;
+    // Seen along its axis it has none.
+    if (front.norm() > 1e-3) shape.to_front = shape.shaft_radius * front.normalized();
+    shape.neck_at = 1.0 - head_length / length;
     shape.seen = true;
     return shape;
 }
@@ -190,9 +205,7 @@ Path strip(const Canvas& canvas, const ArrowShape& shape, double from, double to
     const double reach = 2.0 * std::max(shape.head_radius * shape.neck_scale,
                                         shape.shaft_radius * shape.tail_scale) +
                          2.0;
-    const auto place = [&](double s) {
-        return canvas.sight.paper(shape.tail + s * (shape.tip - shape.tail));
-    };
+    const auto place = [&](double s) { return canvas.sight.paper(shape.front(s)); };
     const Eigen::Vector2d begin = place(from) - (from <= 0.0 ? reach : 0.0) * shape.along;
     const Eigen::Vector2d end = place(to) + (to >= 1.0 ? reach : 0.0) * shape.along;
     Path path;
@@ -207,8 +220,7 @@ Path strip(const Canvas& canvas, const ArrowShape& shape, double from, double to
 // What of it shows beside a part of its axis.
 ArrowParts parts_beside(const Canvas& canvas, const ArrowShape& shape, double from, double to) {
     const auto along = [&](double s) {
-        return shape.along.dot(canvas.sight.paper(shape.tail + s * (shape.tip - shape.tail)) -
-                               shape.neck_pt);
+        return shape.along.dot(canvas.sight.paper(shape.front(s)) - shape.neck_pt);
     };
     // The neck's rings reach as far to both sides of it.
     const double ring = shape.open * shape.neck_scale;
@@ -237,7 +249,7 @@ ClipBegin outside_of(const Canvas& canvas, const PaperEllipse& outline) {
 // surface, where another solid begins, and at its ends.
 std::optional<PaperEllipse> outline_at(const Canvas& canvas, const ArrowShape& shape, double s) {
     if (s <= 0.0 || s >= 1.0) return std::nullopt;
-    const Eigen::Vector3d point = shape.tail + s * (shape.tip - shape.tail);
+    const Eigen::Vector3d point = shape.front(s);
     for (const SphereSight& sphere : canvas.occluders.spheres()) {
         if (!(sphere.hiding > 0.0) || sphere.before_limb(sphere.u(point)) >= -1e-9) continue;
         const auto limb = limb_of(sphere);
@@ -252,8 +264,8 @@ std::optional<PaperEllipse> outline_at(const Canvas& canvas, const ArrowShape& s
 // lies beside it; three widths at most.
 double slant(const Canvas& canvas, const ArrowShape& shape, const PaperEllipse& outline, double s) {
     const Eigen::Vector3d run = shape.tip - shape.tail;
-    const Eigen::Vector3d point = shape.tail + s * run;
-    const bool in_head = (point - shape.neck).dot(run) > 0.0;
+    const Eigen::Vector3d point = shape.front(s);
+    const bool in_head = s > shape.neck_at;
     const double scale = canvas.sight.unit_pt(canvas.sight.depth(point));
     const double radius_pt = scale * (in_head ? shape.head_radius : shape.shaft_radius);
     const Eigen::Affine2d to_circle = outline.page_from_circle().inverse();
@@ -278,9 +290,7 @@ struct BesideSpan {
 
 BesideSpan beside(const Canvas& canvas, const ArrowShape& shape, const Span& span) {
     BesideSpan part{span, {}};
-    const Eigen::Vector3d run = shape.tip - shape.tail;
-    const Eigen::Vector2d middle =
-        canvas.sight.paper(shape.tail + 0.5 * (span.from + span.to) * run);
+    const Eigen::Vector2d middle = canvas.sight.paper(shape.front(0.5 * (span.from + span.to)));
     for (const double end : {span.from, span.to}) {
         const auto outline = outline_at(canvas, shape, end);
         if (!outline) continue;
@@ -324,9 +334,13 @@ void draw_arrow(const Canvas& canvas, const Arrow& arrow, ArrowLayer layer) {
     const ArrowShape shape = shape_of(canvas, arrow);
     if (!shape.seen) return;
     Track track;
-    const Eigen::Vector3d run = shape.tip - shape.tail;
-    track.flow = [&shape, run](double s) { return CurveFlow{shape.tail + s * run, run}; };
+    track.flow = [&shape](double s) {
+        Eigen::Vector3d along = shape.tip - shape.tail;
+        if (s > shape.neck_at) along -= shape.to_front / (1.0 - shape.neck_at);
+        return CurveFlow{shape.front(s), along};
+    };
     track.knots = {0.0, 1.0};
+    if (shape.neck_at > 0.0 && shape.neck_at < 1.0) track.knots = {0.0, shape.neck_at, 1.0};
     if (arrow.occlusion == Occlusion::none) {
         if (layer == ArrowLayer::visible)
             draw_part(canvas, arrow, shape, track, {0.0, 1.0, {}}, arrow.opacity, 0.0);

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -21,10 +22,19 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 // A hair of the same ink about each closes the seams that readers leave between neighbours.
-constexpr double seam_pt = 0.2;
+constexpr double most_seam_pt = 0.2;
 // Tones of a component: neighbours within a step of them are filled as one.
 constexpr double n_tones = 48.0;
 constexpr int n_places = 7;
+
+using Bodies = std::span<const MeshSight>;
+
+// Whether a body other than this one hides a point of it.
+bool is_behind_another(Bodies bodies, const MeshSight& body, const Eigen::Vector3d& point) {
+    return std::any_of(bodies.begin(), bodies.end(), [&](const MeshSight& other) {
+        return &other != &body && other.mesh().opacity >= 1.0 && other.hides(point);
+    });
+}
 
 // A triangle as it is filled.
 struct Facet {
@@ -34,6 +44,12 @@ struct Facet {
     bool faces = false;
 };
 
+Colour lit_colour(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle& triangle,
+                  const Eigen::Vector3d& to_eye) {
+    return encoded(
+        mesh_surface(mesh.colour, canvas.lights, {triangle.shading_normal.normalized(), to_eye}));
+}
+
 Facet facet_of(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle& triangle) {
     const Eigen::Vector3d middle =
         (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
@@ -42,23 +58,24 @@ Facet facet_of(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle
     if (canvas.shading == Shading::none)
         facet.colour = canvas.behind(triangle.paper[0]);
     else
-        facet.colour =
-            under_sheets(canvas, middle,
-                         encoded(mesh_surface(mesh.colour, canvas.lights,
-                                              {triangle.shading_normal.normalized(), to_eye})));
+        facet.colour = under_sheets(canvas, middle, lit_colour(canvas, mesh, triangle, to_eye));
     return facet;
 }
 
-// How many of its places something hides: the middle, and those near corners and sides.
-int hidden_places(const MeshSight& sight, const MeshSight::Triangle& triangle) {
+// How many of its places its own mesh or another hides: the middle, and those near corners and
+// sides.
+int hidden_places(Bodies bodies, const MeshSight& body, const MeshSight::Triangle& triangle) {
     constexpr double inset = 0.03;
     const auto& c = triangle.corners;
     const Eigen::Vector3d middle = (c[0] + c[1] + c[2]) / 3.0;
-    int n = sight.hides(middle) ? 1 : 0;
+    const auto hidden = [&](const Eigen::Vector3d& point) {
+        return body.hides(point) || is_behind_another(bodies, body, point);
+    };
+    int n = hidden(middle) ? 1 : 0;
     for (int k = 0; k < 3; ++k) {
         const Eigen::Vector3d side = 0.5 * (c[k] + c[(k + 1) % 3]);
-        n += sight.hides(c[k] + inset * (middle - c[k])) ? 1 : 0;
-        n += sight.hides(side + inset * (middle - side)) ? 1 : 0;
+        n += hidden(c[k] + inset * (middle - c[k])) ? 1 : 0;
+        n += hidden(side + inset * (middle - side)) ? 1 : 0;
     }
     return n;
 }
@@ -77,6 +94,18 @@ void add_triangle(const MeshSight::Triangle& triangle, Path& path) {
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
+}
+
+// What is thin, as a string, must not grow by it: for triangles of this mean height.
+double seam_of(const std::vector<const MeshSight::Triangle*>& triangles) {
+    double area = 0.0, longest = 0.0;
+    for (const MeshSight::Triangle* triangle : triangles) {
+        const auto& p = triangle->paper;
+        area += std::abs(cross(p[1] - p[0], p[2] - p[0]));
+        longest += std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
+    }
+    constexpr double share = 0.2;
+    return std::min(most_seam_pt, share * area / std::max(longest, 1e-9));
 }
 
 // All of several triangles that lie beside each other on paper, within their common outline: sides
@@ -154,12 +183,12 @@ std::vector<std::array<Eigen::Vector3d, 2>> drawn_edges(const Sight& sight, cons
     return drawn;
 }
 
-void draw_edges(const Canvas& canvas, const Mesh& mesh, const MeshSight& sight) {
+void draw_edges(const Canvas& canvas, const MeshSight& body) {
     constexpr double width_pt = 0.7;
     Stroke stroke;
-    stroke.ink = {encoded(0.15 * linear(mesh.colour)), mesh.opacity};
+    stroke.ink = {encoded(0.15 * linear(body.mesh().colour)), body.mesh().opacity};
     stroke.width_pt = width_pt;
-    for (const auto& [a, b] : drawn_edges(canvas.sight, sight)) {
+    for (const auto& [a, b] : drawn_edges(canvas.sight, body)) {
         Track track;
         track.flow = [from = a, run = Eigen::Vector3d(b - a)](double s) {
             return CurveFlow{from + s * run, run};
@@ -174,43 +203,35 @@ void draw_edges(const Canvas& canvas, const Mesh& mesh, const MeshSight& sight) 
     if (!stroke.path.steps.empty()) canvas.add(std::move(stroke));
 }
 
-void draw_mesh(const Canvas& canvas, const Mesh& mesh) {
-    if (canvas.shading == Shading::picture) return;
-    constexpr std::size_t most_triangles = 20'000;
-    if (mesh.geometry->positions.size() / 3 > most_triangles)
-        throw InputError(fmt::format(
-            "a body of {} triangles: as vectors at most {} can be drawn; take a simpler "
-            "mesh, or --shading picture",
-            mesh.geometry->positions.size() / 3, most_triangles));
-    const MeshSight sight(mesh, canvas.sight);
+void fill_bodies(const Canvas& canvas, Bodies bodies) {
     // What something hides in part comes first, from the back to the front; what nothing hides
     // covers none of its kind, and goes together by colour.
     std::vector<Facet> covered;
     std::map<std::array<int, 3>, std::vector<const MeshSight::Triangle*>> clear;
-    for (const MeshSight::Triangle& triangle : sight.triangles()) {
-        const Facet facet = facet_of(canvas, mesh, triangle);
-        // Of a closed surface the far side is hidden by the near one.
-        if (!facet.faces) continue;
-        const int n_hidden = hidden_places(sight, triangle);
-        if (n_hidden == n_places) continue;
-        if (n_hidden > 0)
-            covered.push_back(facet);
-        else
-            clear[rounded(facet.colour)].push_back(&triangle);
-    }
+    for (const MeshSight& body : bodies)
+        for (const MeshSight::Triangle& triangle : body.triangles()) {
+            const Facet facet = facet_of(canvas, body.mesh(), triangle);
+            // Of a closed surface the far side is hidden by the near one.
+            if (!facet.faces) continue;
+            const int n_hidden = hidden_places(bodies, body, triangle);
+            if (n_hidden == n_places) continue;
+            if (n_hidden > 0)
+                covered.push_back(facet);
+            else
+                clear[rounded(facet.colour)].push_back(&triangle);
+        }
     std::stable_sort(covered.begin(), covered.end(),
                      [](const Facet& a, const Facet& b) { return a.depth > b.depth; });
     for (const Facet& facet : covered) {
         Path path;
         add_triangle(*facet.triangle, path);
+        const double seam_pt = seam_of({facet.triangle});
         canvas.add(Fill{std::move(path), Ink{facet.colour, 1.0}, false, seam_pt});
     }
     for (const auto& [level, triangles] : clear) {
         const Colour colour{level[0] / n_tones, level[1] / n_tones, level[2] / n_tones};
-        canvas.add(Fill{common_outline(triangles), Ink{colour, 1.0}, false, seam_pt});
+        canvas.add(Fill{common_outline(triangles), Ink{colour, 1.0}, false, seam_of(triangles)});
     }
-    if (canvas.shading == Shading::none) draw_edges(canvas, mesh, sight);
-    if (canvas.has_fills()) draw_face_picture(canvas, mesh, sight);
 }
 
 struct ConeAxes {
@@ -337,9 +358,39 @@ void stroke_track(const Canvas& canvas, const Track& track, const Colour& colour
 
 }  // namespace
 
-void draw_meshes(const Canvas& canvas) {
-    for (const Mesh& mesh : canvas.view.meshes)
-        if (mesh.geometry != nullptr && mesh.opacity > 0.0) draw_mesh(canvas, mesh);
+void draw_meshes(Canvas& canvas) {
+    if (canvas.shading == Shading::picture) return;
+    const Bodies bodies = canvas.occluders.meshes();
+    constexpr std::size_t most_triangles = 20'000;
+    for (const MeshSight& body : bodies)
+        if (const std::size_t n = body.mesh().geometry->positions.size() / 3; n > most_triangles)
+            throw InputError(fmt::format(
+                "a body of {} triangles: as vectors at most {} can be drawn; take a simpler "
+                "mesh, or --shading picture",
+                n, most_triangles));
+    fill_bodies(canvas, bodies);
+    for (const MeshSight& body : bodies) {
+        if (canvas.shading == Shading::none) draw_edges(canvas, body);
+        if (canvas.has_fills())
+            draw_face_picture(canvas, body, [&](const Eigen::Vector3d& point) {
+                return body.hides(point) || is_behind_another(bodies, body, point);
+            });
+    }
+    canvas.bodies = true;
+}
+
+std::optional<BodySeen> body_at(const Canvas& canvas, const Eigen::Vector2d& at) {
+    MeshSight::Seen first;
+    const Mesh* mesh = nullptr;
+    for (const MeshSight& body : canvas.occluders.meshes())
+        if (const MeshSight::Seen seen = body.seen_at(at);
+            seen.triangle && (!mesh || seen.depth < first.depth)) {
+            first = seen;
+            mesh = &body.mesh();
+        }
+    if (!mesh) return std::nullopt;
+    const Eigen::Vector3d to_eye = canvas.sight.towards_eye(first.triangle->corners[0]);
+    return BodySeen{lit_colour(canvas, *mesh, *first.triangle, to_eye.normalized()), first.depth};
 }
 
 void draw_cone(const Canvas& canvas, const Cone& cone) {

@@ -53,9 +53,16 @@ Colour Canvas::ground(const Eigen::Vector2d& at) const {
 }
 
 Colour Canvas::behind(const Eigen::Vector2d& at) const {
-    const Colour colour = ground(at);
-    if (ellipsoids.empty() || shading == Shading::none) return colour;
-    return encoded(through_ellipsoids(*this, ellipsoids, at, linear(colour)));
+    Colour colour = ground(at);
+    if (shading == Shading::none) return colour;
+    double depth = std::numeric_limits<double>::infinity();
+    if (bodies)
+        if (const auto body = body_at(*this, at)) {
+            colour = body->colour;
+            depth = body->depth;
+        }
+    if (ellipsoids.empty()) return colour;
+    return encoded(through_ellipsoids(*this, ellipsoids, at, linear(colour), depth));
 }
 
 Path Canvas::path_of(const Track& track, double from, double to, double tolerance_pt,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -44,7 +45,8 @@ struct LitSheet {
 struct Canvas {
     Canvas(const Drawing& drawing, const View& view, double pt_per_px, Shading shading, Page& page);
 
-    // What lies behind a place on paper: background, planes, ellipsoids, as far as they are drawn.
+    // What lies behind a place on paper: background, planes, bodies, ellipsoids, as far as they are
+    // drawn.
     Colour behind(const Eigen::Vector2d& at) const;
     // Of that, background and planes.
     Colour ground(const Eigen::Vector2d& at) const;
@@ -86,6 +88,7 @@ struct Canvas {
 
     // How far the picture has come, for behind().
     std::size_t n_planes = 0;
+    bool bodies = false;
     std::vector<std::size_t> ellipsoids;  // numbers of those drawn
     std::vector<LitSheet> sheets;         // all there will be, in the order in which they are laid
 };
@@ -122,10 +125,17 @@ Eigen::Vector3d through_ellipsoids(const Canvas& canvas, const std::vector<std::
 // it: sheets mix encoded colours and cover points before them, too.
 Colour under_sheets(const Canvas& canvas, const Eigen::Vector3d& point, const Colour& colour);
 // bodies.cpp
-void draw_meshes(const Canvas& canvas);
+void draw_meshes(Canvas& canvas);
+// The body seen at a place of the paper, as it is lit.
+struct BodySeen {
+    Colour colour;
+    double depth = 0.0;
+};
+std::optional<BodySeen> body_at(const Canvas& canvas, const Eigen::Vector2d& at);
 // face_picture.cpp
-// The picture on a mesh's faces, in pixels, over what fills them.
-void draw_face_picture(const Canvas& canvas, const Mesh& mesh, const MeshSight& sight);
+// The picture on a mesh's faces, in pixels, over what fills them, as far as they are not hidden.
+using IsHidden = std::function<bool(const Eigen::Vector3d& point)>;
+void draw_face_picture(const Canvas& canvas, const MeshSight& body, const IsHidden& is_hidden);
 void draw_cone(const Canvas& canvas, const Cone& cone);
 // curves.cpp
 void draw_curve(const Canvas& canvas, const Curve& curve);

@@ -1,5 +1,5 @@
 // Pictures on faces: what a lit face with a picture looks like in perspective, in pixels of 300 to
-// an inch. Nothing but its mesh's other faces is asked what hides it: it lies outermost.
+// an inch.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -41,15 +41,14 @@ struct SeenTriangle {
     }
 };
 
-std::vector<SeenTriangle> seen_triangles(const Canvas& canvas, const Mesh& mesh,
-                                         const MeshSight& sight) {
+std::vector<SeenTriangle> seen_triangles(const Canvas& canvas, const MeshSight& body) {
     std::vector<SeenTriangle> seen;
-    for (const MeshSight::Triangle& triangle : sight.triangles()) {
+    for (const MeshSight::Triangle& triangle : body.triangles()) {
         if (triangle.normal.dot(canvas.sight.towards_eye(triangle.corners[0])) <= 0.0) continue;
         SeenTriangle& one = seen.emplace_back();
         one.triangle = &triangle;
         for (std::size_t k = 0; k < 3; ++k)
-            one.places[k] = mesh.geometry->places[triangle.first + k].cast<double>();
+            one.places[k] = body.mesh().geometry->places[triangle.first + k].cast<double>();
     }
     return seen;
 }
@@ -76,12 +75,14 @@ struct Look {
 };
 
 void look_at(const Canvas& canvas, const SurfacePicture& picture,
-             const std::vector<SeenTriangle>& seen, const Eigen::Vector2d& at, Look& look) {
+             const std::vector<SeenTriangle>& seen, const IsHidden& is_hidden,
+             const Eigen::Vector2d& at, Look& look) {
     const auto found = std::find_if(seen.begin(), seen.end(),
                                     [&at](const SeenTriangle& one) { return one.covers(at); });
     if (found == seen.end()) return;
     const MeshSight::Triangle& triangle = *found->triangle;
     const Eigen::Vector3d point = canvas.sight.on_plane(at, triangle.corners[0], triangle.normal);
+    if (is_hidden(point)) return;
     const Eigen::Vector3d to_eye = canvas.sight.towards_eye(point).normalized();
     look.light += mesh_surface(colour_at(picture, found->place(point)), canvas.lights,
                                {triangle.shading_normal.normalized(), to_eye});
@@ -90,11 +91,12 @@ void look_at(const Canvas& canvas, const SurfacePicture& picture,
 
 }  // namespace
 
-void draw_face_picture(const Canvas& canvas, const Mesh& mesh, const MeshSight& sight) {
+void draw_face_picture(const Canvas& canvas, const MeshSight& body, const IsHidden& is_hidden) {
+    const Mesh& mesh = body.mesh();
     const SurfacePicture& picture = mesh.geometry->picture;
     if (picture.rgb.empty() || mesh.geometry->places.size() != mesh.geometry->positions.size())
         return;
-    const std::vector<SeenTriangle> seen = seen_triangles(canvas, mesh, sight);
+    const std::vector<SeenTriangle> seen = seen_triangles(canvas, body);
     if (seen.empty()) return;
     Eigen::Vector2d low(1e300, 1e300), high(-1e300, -1e300);
     for (const SeenTriangle& one : seen)
@@ -123,7 +125,7 @@ void draw_face_picture(const Canvas& canvas, const Mesh& mesh, const MeshSight& 
             for (int j = 0; j < n_looks; ++j)
                 for (int i = 0; i < n_looks; ++i) {
                     const Eigen::Vector2d in_pixel((i + 0.5) / n_looks, (j + 0.5) / n_looks);
-                    look_at(canvas, picture, seen,
+                    look_at(canvas, picture, seen, is_hidden,
                             low + (Eigen::Vector2d(x, y) + in_pixel) / px_per_pt, look);
                 }
             const Colour colour =

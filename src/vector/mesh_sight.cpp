@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace poinsot::vector {
 
@@ -22,7 +23,7 @@ bool holds(const MeshSight::Triangle& t, const Eigen::Vector2d& at) {
 
 }  // namespace
 
-MeshSight::MeshSight(const Mesh& mesh, const Sight& sight) : sight_(sight), opacity_(mesh.opacity) {
+MeshSight::MeshSight(const Mesh& mesh, const Sight& sight) : mesh_(mesh), sight_(sight) {
     const auto& positions = mesh.geometry->positions;
     Eigen::Vector2d low(1e300, 1e300), high(-1e300, -1e300);
     const Eigen::Matrix3d turned = mesh.placement.linear().inverse().transpose();
@@ -87,6 +88,17 @@ const std::vector<std::uint32_t>* MeshSight::cell_at(const Eigen::Vector2d& pape
                    static_cast<std::size_t>(in.x())];
 }
 
+double MeshSight::depth_at(const Triangle& t, const Eigen::Vector2d& paper) const {
+    constexpr double nowhere = std::numeric_limits<double>::infinity();
+    if (!holds(t, paper)) return nowhere;
+    const Eigen::Vector3d origin = sight_.ray_origin(paper), ray = sight_.ray(paper);
+    const double descent = t.normal.dot(ray);
+    if (descent == 0.0) return nowhere;
+    const double there = t.normal.dot(t.corners[0] - origin) / descent;
+    // Along the ray as along the axis: its component there is 1.
+    return sight_.perspective ? there : sight_.depth(origin + there * ray);
+}
+
 bool MeshSight::hides(const Eigen::Vector3d& point) const {
     if (cells_.empty()) return false;
     const double depth = sight_.depth(point);
@@ -95,17 +107,19 @@ bool MeshSight::hides(const Eigen::Vector3d& point) const {
     const auto* cell = cell_at(at);
     if (cell == nullptr) return false;
     const double touching = 1e-6 * (sight_.perspective ? depth : 1.0);
-    const Eigen::Vector3d origin = sight_.ray_origin(at), ray = sight_.ray(at);
     return std::any_of(cell->begin(), cell->end(), [&](std::uint32_t k) {
-        const Triangle& t = triangles_[k];
-        if (!holds(t, at)) return false;
-        const double descent = t.normal.dot(ray);
-        if (descent == 0.0) return false;
-        const double there = t.normal.dot(t.corners[0] - origin) / descent;
-        // Along the ray as along the axis: its component there is 1.
-        const double front = sight_.perspective ? there : sight_.depth(origin + there * ray);
-        return front < depth - touching;
+        return depth_at(triangles_[k], at) < depth - touching;
     });
+}
+
+MeshSight::Seen MeshSight::seen_at(const Eigen::Vector2d& paper) const {
+    Seen seen{nullptr, std::numeric_limits<double>::infinity()};
+    const auto* cell = cells_.empty() ? nullptr : cell_at(paper);
+    if (cell == nullptr) return seen;
+    for (const std::uint32_t k : *cell)
+        if (const double depth = depth_at(triangles_[k], paper); depth < seen.depth)
+            seen = {&triangles_[k], depth};
+    return seen;
 }
 
 }  // namespace poinsot::vector

@@ -29,14 +29,24 @@ class MeshSight {
     // what is nearer to it than a millionth of its depth counts as that.
     bool hides(const Eigen::Vector3d& point) const;
 
-    double opacity() const { return opacity_; }
+    // What of it is seen at a place of the paper: its foremost point there.
+    struct Seen {
+        const Triangle* triangle = nullptr;  // none
+        double depth = 0.0;
+    };
+    Seen seen_at(const Eigen::Vector2d& paper) const;
+
+    const Mesh& mesh() const { return mesh_; }
     const std::vector<Triangle>& triangles() const { return triangles_; }
 
  private:
     const std::vector<std::uint32_t>* cell_at(const Eigen::Vector2d& paper) const;
+    // The depth at which the line of sight of a place of the paper crosses a triangle's plane;
+    // infinite if it lies beside the triangle or along it.
+    double depth_at(const Triangle& triangle, const Eigen::Vector2d& paper) const;
 
+    const Mesh& mesh_;
     const Sight& sight_;
-    double opacity_ = 1.0;
     std::vector<Triangle> triangles_;
     Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();
     double cell_pt_ = 1.0;

@@ -158,7 +158,7 @@ Cover Occluders::at(const Eigen::Vector3d& point, const Membership& of) const {
     for (const MeshSight& mesh : meshes_) {
         if (!mesh.hides(point)) continue;
         cover.clear = 0.0;
-        cover.transmitted *= 1.0 - mesh.opacity();
+        cover.transmitted *= 1.0 - mesh.mesh().opacity;
     }
     return cover;
 }

@@ -74,6 +74,7 @@ class Occluders {
     std::vector<Span> spans(const Track& track, const Membership& of) const;
 
     std::span<const SphereSight> spheres() const { return spheres_; }
+    std::span<const MeshSight> meshes() const { return meshes_; }
 
  private:
     using Condition = std::function<double(const Eigen::Vector3d&)>;

@@ -1,0 +1,117 @@
+// Pictures on faces in vectors, at places that a pinhole worked out in the test projects.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <variant>
+#include <vector>
+
+#include "../painted_face.h"
+#include "vector/picture.h"
+
+namespace poinsot::vector {
+namespace {
+
+using testing::quarters;
+
+constexpr double pt_per_px = 0.24;
+
+template <class Kind>
+std::vector<Kind> all_of(const Page& page) {
+    std::vector<Kind> found;
+    for (const Item& item : page.items)
+        if (const auto* one = std::get_if<Kind>(&item)) found.push_back(*one);
+    return found;
+}
+
+// R, G, B and alpha at a place of the page; nothing where the picture does not reach.
+std::array<int, 4> pixel_at(const Picture& picture, const Eigen::Vector2d& at_pt) {
+    const Eigen::Array2d part = (at_pt - picture.corner_pt).array() / picture.size_pt.array();
+    if ((part < 0.0).any() || (part >= 1.0).any()) return {};
+    const auto column = static_cast<std::size_t>(part.x() * picture.raster.width);
+    const auto row = static_cast<std::size_t>(part.y() * picture.raster.height);
+    const std::size_t at = 4 * (row * static_cast<std::size_t>(picture.raster.width) + column);
+    std::array<int, 4> pixel{};
+    for (std::size_t k = 0; k < 4; ++k) pixel[k] = picture.raster.rgba[at + k];
+    return pixel;
+}
+
+// A picture's quarters lie where the face's quarters are seen, each as the one ink of a face of its
+// colour; beyond the face there is nothing.
+TEST(FacePicture, LiesWhereItsFaceIsLitAsItsColours) {
+    Eigen::Affine3d turned = Eigen::Affine3d::Identity();
+    turned.rotate(Eigen::AngleAxisd(0.4, Eigen::Vector3d(0.2, 1.0, 0.3).normalized()));
+    turned.translate(Eigen::Vector3d(0.1, -0.1, 0.2));
+    const auto on_page = [&](const Drawing& drawing, double right, double down) {
+        const Eigen::Vector3d point =
+            turned * Eigen::Vector3d(2.0 * right - 1.0, 0.6 - 1.2 * down, 0.0);
+        return Eigen::Vector2d(pt_per_px * testing::pinhole(drawing.views[0].camera, point));
+    };
+    std::uint64_t id = 9800;
+    for (const int side_px : {8, 64, 2048}) {
+        MeshGeometry face = testing::page(++id);
+        face.picture = testing::of_quarters(side_px);
+        const Drawing drawing = testing::drawing_of(face, turned, {90, 90, 90});
+        const auto pictures = all_of<Picture>(page_of(drawing, {.pt_per_px = pt_per_px}));
+        ASSERT_EQ(pictures.size(), 1u);
+        for (std::size_t k = 0; k < quarters.size(); ++k) {
+            MeshGeometry plain = testing::page(++id);
+            plain.places.clear();
+            const auto fills = all_of<Fill>(
+                page_of(testing::drawing_of(plain, turned, quarters[k]), {.pt_per_px = pt_per_px}));
+            ASSERT_FALSE(fills.empty());
+            const Ink* ink = std::get_if<Ink>(&fills.back().paint);
+            ASSERT_NE(ink, nullptr);
+            for (const double u : {0.05, 0.25, 0.45})
+                for (const double v : {0.05, 0.25, 0.45}) {
+                    const auto pixel =
+                        pixel_at(pictures[0], on_page(drawing, u + 0.5 * static_cast<double>(k % 2),
+                                                      v + 0.5 * static_cast<double>(k / 2)));
+                    const double levels[] = {ink->colour.r, ink->colour.g, ink->colour.b, 1.0};
+                    for (std::size_t c = 0; c < 4; ++c)
+                        EXPECT_NEAR(pixel[c], 255.0 * levels[c], 4.0)
+                            << side_px << " quarter " << k << " component " << c;
+                }
+        }
+        for (const double out : {-0.02, 1.02}) {
+            EXPECT_EQ(pixel_at(pictures[0], on_page(drawing, out, 0.5))[3], 0);
+            EXPECT_EQ(pixel_at(pictures[0], on_page(drawing, 0.5, out))[3], 0);
+        }
+    }
+}
+
+// What stands before a face covers its picture, whichever is named first.
+TEST(FacePicture, IsHiddenByWhatStandsBeforeIt) {
+    MeshGeometry face = testing::page(9890), before = testing::page(9891);
+    face.picture = testing::of_quarters(64);
+    before.places.clear();
+    Drawing drawing =
+        testing::drawing_of(before, Eigen::Affine3d(Eigen::Translation3d(0, 0, 0.5)), {9, 9, 9});
+    Mesh behind = drawing.views[0].meshes[0];
+    behind.geometry = &face;
+    // Where the front one covers it wholly; then a part of it stands out to the right.
+    for (const double right : {0.0, 1.1}) {
+        behind.placement =
+            Eigen::Affine3d(Eigen::Translation3d(right, 0, 0.3) * Eigen::Scaling(0.4));
+        drawing.views[0].meshes.resize(1);
+        drawing.views[0].meshes.push_back(behind);
+        for (int turn = 0; turn < 2; ++turn) {
+            const auto alpha_at = [&](double x) {
+                const Eigen::Vector2d at =
+                    pt_per_px * testing::pinhole(drawing.views[0].camera,
+                                                 behind.placement * Eigen::Vector3d(x, 0.1, 0.0));
+                int alpha = 0;
+                for (const Picture& picture :
+                     all_of<Picture>(page_of(drawing, {.pt_per_px = pt_per_px})))
+                    alpha = std::max(alpha, pixel_at(picture, at)[3]);
+                return alpha;
+            };
+            EXPECT_EQ(alpha_at(-0.9), 0) << right << " " << turn;
+            EXPECT_EQ(alpha_at(0.9), right > 0.0 ? 255 : 0) << right << " " << turn;
+            std::swap(drawing.views[0].meshes[0], drawing.views[0].meshes[1]);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace poinsot::vector
