@@ -39,9 +39,11 @@ bool is_behind_another(Bodies bodies, const MeshSight& body, const Eigen::Vector
 // A triangle as it is filled.
 struct Facet {
     const MeshSight::Triangle* triangle = nullptr;
-    double depth = 0.0;
     Colour colour;
     bool faces = false;
+    int n_hidden = 0;                      // of its places
+    std::vector<std::size_t> hidden_by{};  // numbers of facets that hide places of it
+    int rank = 0;                          // above those of all that hide it
 };
 
 Colour lit_colour(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle& triangle,
@@ -54,7 +56,7 @@ Facet facet_of(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle
     const Eigen::Vector3d middle =
         (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
     const Eigen::Vector3d to_eye = canvas.sight.towards_eye(middle).normalized();
-    Facet facet{&triangle, canvas.sight.depth(middle), {}, triangle.normal.dot(to_eye) > 0.0};
+    Facet facet{&triangle, {}, triangle.normal.dot(to_eye) > 0.0};
     if (canvas.shading == Shading::none)
         facet.colour = canvas.behind(triangle.paper[0]);
     else
@@ -62,22 +64,18 @@ Facet facet_of(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle
     return facet;
 }
 
-// How many of its places its own mesh or another hides: the middle, and those near corners and
-// sides.
-int hidden_places(Bodies bodies, const MeshSight& body, const MeshSight::Triangle& triangle) {
+// Places of a triangle: its middle, and those near corners and sides.
+std::array<Eigen::Vector3d, n_places> places_of(const MeshSight::Triangle& triangle) {
     constexpr double inset = 0.03;
     const auto& c = triangle.corners;
     const Eigen::Vector3d middle = (c[0] + c[1] + c[2]) / 3.0;
-    const auto hidden = [&](const Eigen::Vector3d& point) {
-        return body.hides(point) || is_behind_another(bodies, body, point);
-    };
-    int n = hidden(middle) ? 1 : 0;
-    for (int k = 0; k < 3; ++k) {
+    std::array<Eigen::Vector3d, n_places> places{middle};
+    for (std::size_t k = 0; k < 3; ++k) {
         const Eigen::Vector3d side = 0.5 * (c[k] + c[(k + 1) % 3]);
-        n += hidden(c[k] + inset * (middle - c[k])) ? 1 : 0;
-        n += hidden(side + inset * (middle - side)) ? 1 : 0;
+        places[2 * k + 1] = c[k] + inset * (middle - c[k]);
+        places[2 * k + 2] = side + inset * (middle - side);
     }
-    return n;
+    return places;
 }
 
 std::array<int, 3> rounded(const Colour& colour) {
@@ -85,18 +83,11 @@ std::array<int, 3> rounded(const Colour& colour) {
     return {level(colour.r), level(colour.g), level(colour.b)};
 }
 
-void add_triangle(const MeshSight::Triangle& triangle, Path& path) {
-    path.move(triangle.paper[0]);
-    path.line(triangle.paper[1]);
-    path.line(triangle.paper[2]);
-    path.close();
-}
-
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// What is thin, as a string, must not grow by it: for triangles of this mean height.
+// It must not make what is thin, as a string, much wider.
 double seam_of(const std::vector<const MeshSight::Triangle*>& triangles) {
     double area = 0.0, longest = 0.0;
     for (const MeshSight::Triangle* triangle : triangles) {
@@ -104,8 +95,11 @@ double seam_of(const std::vector<const MeshSight::Triangle*>& triangles) {
         area += std::abs(cross(p[1] - p[0], p[2] - p[0]));
         longest += std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
     }
-    constexpr double share = 0.2;
-    return std::min(most_seam_pt, share * area / std::max(longest, 1e-9));
+    // A fifth of their height, in few steps, which take less of a file.
+    const double most = 0.2 * area / std::max(longest, 1e-9);
+    double seam_pt = most_seam_pt;
+    for (int step = 0; step < 3 && seam_pt > most; ++step) seam_pt *= 0.25;
+    return seam_pt;
 }
 
 // All of several triangles that lie beside each other on paper, within their common outline: sides
@@ -203,32 +197,72 @@ void draw_edges(const Canvas& canvas, const MeshSight& body) {
     if (!stroke.path.steps.empty()) canvas.add(std::move(stroke));
 }
 
-void fill_bodies(const Canvas& canvas, Bodies bodies) {
-    // What something hides in part comes first, from the back to the front; what nothing hides
-    // covers none of its kind, and goes together by colour.
-    std::vector<Facet> covered;
-    std::map<std::array<int, 3>, std::vector<const MeshSight::Triangle*>> clear;
-    for (const MeshSight& body : bodies)
-        for (const MeshSight::Triangle& triangle : body.triangles()) {
-            const Facet facet = facet_of(canvas, body.mesh(), triangle);
-            // Of a closed surface the far side is hidden by the near one.
-            if (!facet.faces) continue;
-            const int n_hidden = hidden_places(bodies, body, triangle);
-            if (n_hidden == n_places) continue;
-            if (n_hidden > 0)
-                covered.push_back(facet);
-            else
-                clear[rounded(facet.colour)].push_back(&triangle);
-        }
-    std::stable_sort(covered.begin(), covered.end(),
-                     [](const Facet& a, const Facet& b) { return a.depth > b.depth; });
-    for (const Facet& facet : covered) {
-        Path path;
-        add_triangle(*facet.triangle, path);
-        const double seam_pt = seam_of({facet.triangle});
-        canvas.add(Fill{std::move(path), Ink{facet.colour, 1.0}, false, seam_pt});
+// All triangles, those of the first body first, with what hides what at their places.
+std::vector<Facet> facets_of(const Canvas& canvas, Bodies bodies) {
+    std::vector<Facet> facets;
+    std::vector<std::size_t> first;  // of each body
+    for (const MeshSight& body : bodies) {
+        first.push_back(facets.size());
+        for (const MeshSight::Triangle& triangle : body.triangles())
+            facets.push_back(facet_of(canvas, body.mesh(), triangle));
     }
-    for (const auto& [level, triangles] : clear) {
+    std::vector<MeshSight::Crossing> crossings;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        for (std::size_t k = 0; k < bodies[b].triangles().size(); ++k) {
+            const std::size_t own = first[b] + k;
+            if (!facets[own].faces) continue;
+            for (const Eigen::Vector3d& place : places_of(*facets[own].triangle)) {
+                const double depth = canvas.sight.depth(place);
+                const double touching = 1e-6 * (canvas.sight.perspective ? depth : 1.0);
+                bool hidden = false;
+                for (std::size_t other = 0; other < bodies.size(); ++other) {
+                    crossings.clear();
+                    bodies[other].crossings(canvas.sight.paper(place), crossings);
+                    for (const MeshSight::Crossing& there : crossings) {
+                        const std::size_t number = first[other] + there.number;
+                        const auto covers = [&](std::size_t body) {
+                            return b == other || bodies[body].mesh().opacity >= 1.0;
+                        };
+                        if (there.depth < depth - touching && covers(other)) {
+                            hidden = true;
+                            if (facets[number].faces) facets[own].hidden_by.push_back(number);
+                        } else if (there.depth > depth + touching && covers(b)) {
+                            facets[number].hidden_by.push_back(own);
+                        }
+                    }
+                }
+                facets[own].n_hidden += hidden ? 1 : 0;
+            }
+        }
+    return facets;
+}
+
+// Each facet's rank; those that hide each other in a circle stay as they then are.
+void rank(std::vector<Facet>& facets) {
+    constexpr int most = 64;
+    bool changed = true;
+    for (int round = 0; changed && round < most; ++round) {
+        changed = false;
+        for (Facet& facet : facets)
+            for (const std::size_t nearer : facet.hidden_by)
+                if (facet.rank <= facets[nearer].rank) {
+                    facet.rank = facets[nearer].rank + 1;
+                    changed = true;
+                }
+    }
+}
+
+void fill_bodies(const Canvas& canvas, Bodies bodies) {
+    std::vector<Facet> facets = facets_of(canvas, bodies);
+    rank(facets);
+    // Those that hide nothing of each other go together by colour, the highest rank first.
+    std::map<std::pair<int, std::array<int, 3>>, std::vector<const MeshSight::Triangle*>> filled;
+    for (const Facet& facet : facets)
+        // Of a closed surface the far side is hidden by the near one.
+        if (facet.faces && facet.n_hidden < n_places)
+            filled[{-facet.rank, rounded(facet.colour)}].push_back(facet.triangle);
+    for (const auto& [key, triangles] : filled) {
+        const auto& level = key.second;
         const Colour colour{level[0] / n_tones, level[1] / n_tones, level[2] / n_tones};
         canvas.add(Fill{common_outline(triangles), Ink{colour, 1.0}, false, seam_of(triangles)});
     }

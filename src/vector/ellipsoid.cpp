@@ -164,14 +164,15 @@ void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& 
         const auto look_at = [&](double t) {
             return line_on(canvas, number, canvas.sight.paper(conic.at(t)), front, opacity_at(t));
         };
-        constexpr double unseen = 0.15;
+        constexpr double unseen = 0.15, faintest = 0.1, faint = 0.25;
         const double step = (cuts[k] - cuts[k - 1]) / 200.0;
         for (Canvas::EvenPart& part : canvas.even_parts(track, cuts[k - 1], cuts[k], look_at)) {
             while (part.from < part.to && opacity_at(part.from) < unseen) part.from += step;
             while (part.from < part.to && opacity_at(part.to) < unseen) part.to -= step;
             if (!(part.from < part.to)) continue;
+            if (part.ink.alpha < faintest) continue;
             // Lines lie on the surface: where it ends they do, with all of their width.
-            const bool clips = canvas.shading != Shading::none &&
+            const bool clips = canvas.shading != Shading::none && part.ink.alpha > faint &&
                                !is_within(canvas, outline, track, part, 0.5 * width_pt);
             if (clips) canvas.add(ClipBegin{canvas.path_of(outline), false});
             Stroke stroke;

@@ -112,6 +112,14 @@ bool MeshSight::hides(const Eigen::Vector3d& point) const {
     });
 }
 
+void MeshSight::crossings(const Eigen::Vector2d& paper, std::vector<Crossing>& found) const {
+    const auto* cell = cells_.empty() ? nullptr : cell_at(paper);
+    if (cell == nullptr) return;
+    for (const std::uint32_t k : *cell)
+        if (const double depth = depth_at(triangles_[k], paper); std::isfinite(depth))
+            found.push_back({k, depth});
+}
+
 MeshSight::Seen MeshSight::seen_at(const Eigen::Vector2d& paper) const {
     Seen seen{nullptr, std::numeric_limits<double>::infinity()};
     const auto* cell = cells_.empty() ? nullptr : cell_at(paper);

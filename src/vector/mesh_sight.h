@@ -36,6 +36,13 @@ class MeshSight {
     };
     Seen seen_at(const Eigen::Vector2d& paper) const;
 
+    // Numbers of all its triangles at a place of the paper, with their depths there.
+    struct Crossing {
+        std::uint32_t number = 0;
+        double depth = 0.0;
+    };
+    void crossings(const Eigen::Vector2d& paper, std::vector<Crossing>& found) const;
+
     const Mesh& mesh() const { return mesh_; }
     const std::vector<Triangle>& triangles() const { return triangles_; }
 

@@ -20,6 +20,16 @@ bool is_straight(const Bezier& b) {
     return off(b[1] - b[0]) < least_pt && off(b[2] - b[0]) < least_pt;
 }
 
+// The beginning of the clip whose end comes last.
+const ClipBegin& last_ended(const std::vector<Item>& items) {
+    int open = 0;
+    for (std::size_t k = items.size();; --k) {
+        if (std::holds_alternative<ClipEnd>(items[k - 1])) ++open;
+        const ClipBegin* begin = std::get_if<ClipBegin>(&items[k - 1]);
+        if (begin != nullptr && --open == 0) return *begin;
+    }
+}
+
 Colour between(const Colour& a, const Colour& b, double t) {
     const double u = 1.0 - t;
     return {u * a.r + t * b.r, u * a.g + t * b.g, u * a.b + t * b.b};
@@ -73,7 +83,14 @@ void Path::add(const Path& other) {
     steps.insert(steps.end(), other.steps.begin(), other.steps.end());
 }
 
-void Page::add(Item&& item) { items.push_back(std::move(item)); }
+void Page::add(Item&& item) {
+    const ClipBegin* clip = std::get_if<ClipBegin>(&item);
+    if (clip != nullptr && !items.empty() && std::holds_alternative<ClipEnd>(items.back()) &&
+        *clip == last_ended(items))
+        items.pop_back();
+    else
+        items.push_back(std::move(item));
+}
 
 double ShadedDisc::radius(int ring) const {
     return ring == n_rings ? 1.0 : std::sin(0.5 * std::numbers::pi * ring / n_rings);

@@ -19,10 +19,12 @@ struct Step {
     Kind kind = Kind::move;
     Eigen::Vector2d control_1 = Eigen::Vector2d::Zero(), control_2 = Eigen::Vector2d::Zero();
     Eigen::Vector2d to = Eigen::Vector2d::Zero();
+    bool operator==(const Step&) const = default;
 };
 
 struct Path {
     std::vector<Step> steps;
+    bool operator==(const Path&) const = default;
 
     void move(const Eigen::Vector2d& to);
     void line(const Eigen::Vector2d& to);
@@ -135,6 +137,7 @@ struct Picture {
 struct ClipBegin {
     Path path;
     bool even_odd = false;
+    bool operator==(const ClipBegin&) const = default;
 };
 struct ClipEnd {};
 
@@ -143,6 +146,7 @@ using Item = std::variant<Fill, Stroke, Type, Picture, ClipBegin, ClipEnd>;
 struct Page {
     double width_pt = 0.0, height_pt = 0.0;
     std::vector<Item> items;
+    // A clip that is the one just ended goes on.
     void add(Item&& item);
     double off_pt = 0.0;  // no path is further than this from what it draws, before rounding
 };

@@ -262,21 +262,9 @@ class Writer {
     }
 
     void operator()(const ClipBegin& clip) {
-        const std::string& id = clip_id(clip.path, clip.even_odd);
-        std::string& here = body();
-        // One that has just ended goes on.
-        if (here.size() == clip_end_ && id == last_clip_)
-            here.erase(here.size() - group_end.size());
-        else
-            here += fmt::format("<g clip-path=\"url(#{})\">\n", id);
-        open_clips_.push_back(id);
+        body() += fmt::format("<g clip-path=\"url(#{})\">\n", clip_id(clip.path, clip.even_odd));
     }
-    void operator()(const ClipEnd&) {
-        body() += group_end;
-        clip_end_ = body_.size();
-        last_clip_ = open_clips_.back();
-        open_clips_.pop_back();
-    }
+    void operator()(const ClipEnd&) { body() += group_end; }
 
     std::string take_body() { return std::move(body()); }
     std::string defs() { return std::move(defs_); }
@@ -474,10 +462,7 @@ class Writer {
     }
 
     std::string defs_, body_;
-    std::vector<std::string> open_clips_;
-    std::string last_clip_;     // the one that has ended last
-    std::size_t clip_end_ = 0;  // where in the body
-    std::string group_;         // how the open one begins
+    std::string group_;  // how the open one begins
     int n_ids_ = 0;
     std::map<std::string, std::string> clips_;  // ids by shape
     FontFaces fonts_;
