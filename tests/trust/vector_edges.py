@@ -32,7 +32,7 @@ MOST_PX = 0.1
 FLAT = 2.5  # levels within which a tone is even
 CONTRAST = 40.0  # levels, at least
 MOST_OFF = 0.02  # a share; measured: see docs/accuracy.md
-MOST_MORE = 0.05  # likewise
+MOST_MORE = 0.12  # likewise
 SVG_UNITS = 256.0  # a point
 FINE = 8  # samples a pixel, each way
 
