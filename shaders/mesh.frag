@@ -12,15 +12,20 @@ out vec4 fragment;
 void main() {
     vec3 n = normal_out * inversesqrt(max(dot(normal_out, normal_out), 1e-20));
     vec3 to_eye = normalize(look[0].xyz - look[0].w * point);
+    // Smooth normals may turn away from the eye where the face itself, seen at a glance, does not. Rows
+    // run downwards: what OpenGL takes for the front is the inner side.
     float facing = dot(n, to_eye);
-    n = facing < 0.0 ? -n : n;
+    if (facing < 0.0 && gl_FrontFacing) {
+        n = -n;
+        facing = -facing;
+    }
     float key = max(0.85 * dot(n, look[1].xyz) + 0.15, 0.0);
     float up = 0.5 + 0.5 * dot(n, look[2].xyz);
     float lit = look[1].w * key + look[2].w * (0.40 + 0.60 * up) + 0.06;
     vec3 halfway = look[1].xyz + to_eye;
     float glint = max(dot(n, halfway) * inversesqrt(max(dot(halfway, halfway), 1e-12)), 0.0);
     float g2 = glint * glint, g4 = g2 * g2, g8 = g4 * g4, g16 = g8 * g8;
-    float limb = 1.0 - abs(facing);
+    float limb = 1.0 - max(facing, 0.0);
     limb *= limb * limb;
 #ifdef PICTURE
     vec3 own = texture(texture_0, place_out).rgb;

@@ -165,7 +165,7 @@ Eigen::Vector3d mesh_surface(const Colour& colour, const Lights& lights,
     const double lit = lights.key * key + lights.sky * (0.40 + 0.60 * up) + 0.06;
     const Eigen::Vector3d halfway = lights.towards + point.to_eye;
     const double glint = std::max(point.normal.dot(halfway) / std::max(halfway.norm(), 1e-6), 0.0);
-    const double limb = cube(1.0 - std::abs(point.normal.dot(point.to_eye)));
+    const double limb = cube(1.0 - std::max(point.normal.dot(point.to_eye), 0.0));
     return linear(colour) * lit +
            Eigen::Vector3d::Constant(lights.key * 0.06 * std::pow(glint, 16) +
                                      lights.sky * 0.15 * limb * up);

@@ -175,6 +175,33 @@ TEST(MeshPicture, HidesItsFarPartsAndWhatIsBehindIt) {
     EXPECT_EQ(image.at(50, 25).a, 255);
 }
 
+TEST(MeshPicture, IsLitOnTheSideThatIsSeen) {
+    // A square in the plane z = 0, lit from above and seen at 4 degrees, its smooth normals turned
+    // by 10 degrees away from the eye: all the same it is its upper side that is seen. From below
+    // it is the other side, as if its normals looked down.
+    const auto picture = [](double eye_z, double tilt_rad, float side) {
+        MeshGeometry geometry = square(9410, 30.0, 0.0);
+        for (Eigen::Vector3f& normal : geometry.normals)
+            normal = side * Eigen::Vector3f(0.0f, static_cast<float>(std::sin(tilt_rad)),
+                                            static_cast<float>(std::cos(tilt_rad)));
+        static std::uint64_t id = 9410;
+        geometry.id = ++id;
+        Drawing drawing = flat_drawing(100, 100, 100.0);
+        View& view = drawing.views[0];
+        view.camera.eye = {0.0, -10.0, eye_z};
+        view.camera.up = Eigen::Vector3d::UnitZ();
+        view.light.towards = Eigen::Vector3d::UnitZ();
+        Mesh mesh;
+        mesh.geometry = &geometry;
+        view.meshes = {mesh};
+        return renderer().render(drawing).at(50, 50).g;
+    };
+    const int above = picture(0.7, 0.0, 1.0f), below = picture(-0.7, 0.0, 1.0f);
+    EXPECT_GT(above, below + 40);
+    EXPECT_NEAR(picture(0.7, 0.17, 1.0f), above, 8);
+    EXPECT_EQ(picture(-0.7, 0.0, -1.0f), below);
+}
+
 TEST(MeshPicture, HasSmoothEdges) {
     Drawing drawing = flat_drawing(100, 100, 100.0);
     const MeshGeometry geometry = square(9404, 30.0, 0.0);
