@@ -253,7 +253,7 @@ std::optional<PaperEllipse> outline_at(const Canvas& canvas, const ArrowShape& s
     for (const SphereSight& sphere : canvas.occluders.spheres()) {
         if (!(sphere.hiding > 0.0) || sphere.before_limb(sphere.u(point)) >= -1e-9) continue;
         const auto limb = limb_of(sphere);
-        const auto outline = limb ? picture_of(*limb, canvas.sight) : std::nullopt;
+        auto outline = limb ? picture_of(*limb, canvas.sight) : std::nullopt;
         if (outline && std::abs(outline->radius_of(canvas.sight.paper(point)) - 1.0) < 1e-6)
             return outline;
     }
