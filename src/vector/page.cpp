@@ -93,7 +93,8 @@ void Page::add(Item&& item) {
 }
 
 double ShadedDisc::radius(int ring) const {
-    return ring == n_rings ? 1.0 : std::sin(0.5 * std::numbers::pi * ring / n_rings);
+    constexpr double beyond = 1.06;
+    return ring == n_rings ? beyond : std::sin(0.5 * std::numbers::pi * ring / n_rings);
 }
 
 const Colour& ShadedDisc::at(int ring, int spoke) const {
@@ -102,8 +103,8 @@ const Colour& ShadedDisc::at(int ring, int spoke) const {
 }
 
 Colour ShadedDisc::at(const Eigen::Vector2d& in_disc) const {
-    const double r = std::min(in_disc.norm(), 1.0);
-    const double rings = std::asin(r) / (0.5 * std::numbers::pi) * n_rings;
+    const double r = in_disc.norm();
+    const double rings = std::asin(std::min(r, 1.0)) / (0.5 * std::numbers::pi) * n_rings;
     const int ring = std::min(static_cast<int>(rings), n_rings - 1);
     const double outward =
         std::clamp((r - radius(ring)) / (radius(ring + 1) - radius(ring)), 0.0, 1.0);

@@ -63,7 +63,8 @@ struct RadialFade {
 };
 
 // A lit surface: colours over a disc, given at rings and spokes. Ring k of n_rings + 1 has the
-// radius sin(½π k/n_rings), so that they crowd at the limb.
+// radius sin(½π k/n_rings), so that they crowd at the limb; the last, in the limb's colours, lies a
+// little beyond the disc, for the limb is bright for less than the way from ring to ring.
 struct ShadedDisc {
     Eigen::Affine2d page_from_disc = Eigen::Affine2d::Identity();
     double alpha = 1.0;

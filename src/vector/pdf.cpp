@@ -246,15 +246,13 @@ class Writer {
         cairo_paint_with_alpha(cairo_, disc.alpha);
     }
 
-    // Patches between rings and spokes. The outermost reach a little beyond the disc, whose path
-    // clips them.
+    // Patches between rings and spokes. The disc's path clips the outermost.
     static Pattern mesh_of(const ShadedDisc& disc) {
         Pattern mesh(cairo_pattern_create_mesh());
         const auto place = [&](int ring, int spoke, double ahead = 0.0) {
-            const double outside = ring == disc.n_rings ? 1.06 : 1.0;
             const Eigen::Vector2d rim = on_rim(disc, spoke);
             const Eigen::Vector2d at = rim + ahead * Eigen::Vector2d(-rim.y(), rim.x());
-            return (disc.page_from_disc * (outside * disc.radius(ring) * at)).eval();
+            return (disc.page_from_disc * (disc.radius(ring) * at)).eval();
         };
         // Along a ring to the next spoke or the one before.
         const double handle = 4.0 / 3.0 * std::tan(0.5 * std::numbers::pi / disc.n_spokes);

@@ -409,8 +409,11 @@ class Writer {
                     {0.5 + 0.5 * x / reach, {disc.at(Eigen::Vector2d(x, middle)), 1.0}});
             }
             const std::string id = next_id();
-            defs_ += fmt::format("<linearGradient id=\"{}\">{}</linearGradient>\n", id,
-                                 stops_of(needed(stops)));
+            // Of a box that is turned some readers take too large a one: places, not shares of it.
+            defs_ += fmt::format(
+                "<linearGradient id=\"{0}\" gradientUnits=\"userSpaceOnUse\" x1=\"-{1}\" "
+                "x2=\"{1}\">{2}</linearGradient>\n",
+                id, reach, stops_of(needed(stops)));
             const double from = k == 0 ? -reach : top;
             body() += fmt::format(
                 "<path d=\"m{0:.3g} {1:.3g}h{2:.3g}v{3:.3g}h-{2:.3g}z\" fill=\"url(#{4})\"/>\n",

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""How the light of figures in vectors differs from our own pixels: at 300 dots an inch, poppler's picture of the PDF against ours, where
-neither changes by more than 2 levels from a pixel to the next, so that no line is meant. Inside the outlines of the ellipsoids in levels
+"""How the light of figures in vectors differs from our own pixels: at 300 dots an inch, poppler's picture of the PDF and, where it is here,
+rsvg's of the SVG against ours, where neither changes by more than 2 levels from a pixel to the next, so that no line is meant. Inside the outlines of the ellipsoids in levels
 rms; on the whole page, bodies too, the share of such pixels that are over FAR levels apart: there something else is seen.
 
 Prints a row a scene, levels of 255. Exit code 1 if any is over MOST_RMS or MOST_FAR; 77 (skipped) where poppler is not here.
@@ -45,19 +45,24 @@ def inside_outlines(svg, size):
 
 
 def tones(program, scene, folder):
-    """Levels rms inside the ellipsoids, of how many pixels, and the share of all that are far apart."""
+    """By reader: levels rms inside the ellipsoids, of how many pixels, and the share of all that are far apart."""
     for suffix in ("pdf", "svg", "png"):
         subprocess.run([program, "still", str(scene), *STILL, "-o", f"page.{suffix}"], cwd=folder, check=True)
-    subprocess.run(["pdftoppm", "-png", "-singlefile", "-r", str(DPI), "page.pdf", "drawn"], cwd=folder, check=True)
-    ours, theirs = (numpy.asarray(Image.open(folder / name).convert("RGB"), dtype=float) for name in ("page.png", "drawn.png"))
-    height, width = min(ours.shape[0], theirs.shape[0]), min(ours.shape[1], theirs.shape[1])
-    ours, theirs = ours[:height, :width], theirs[:height, :width]
-    counted = even(ours) & even(theirs)
-    far = float((abs(ours - theirs).max(axis=2)[counted] > FAR).mean())
-    counted &= inside_outlines(folder / "page.svg", (width, height))
-    if not counted.any():
-        return 0.0, 0, far
-    return float(numpy.sqrt(((ours - theirs)**2).mean(axis=2)[counted].mean())), int(counted.sum()), far
+    readers = {"poppler": ["pdftoppm", "-png", "-singlefile", "-r", str(DPI), "page.pdf", "poppler"],
+               "rsvg": ["rsvg-convert", "--dpi-x", str(DPI), "--dpi-y", str(DPI), "-b", "white", "-o", "rsvg.png", "page.svg"]}
+    for reader, command in readers.items():
+        if not shutil.which(command[0]):
+            continue
+        subprocess.run(command, cwd=folder, check=True)
+        ours, theirs = (numpy.asarray(Image.open(folder / f"{name}.png").convert("RGB"), dtype=float) for name in ("page", reader))
+        height, width = min(ours.shape[0], theirs.shape[0]), min(ours.shape[1], theirs.shape[1])
+        ours, theirs = ours[:height, :width], theirs[:height, :width]
+        counted = even(ours) & even(theirs)
+        far = float((abs(ours - theirs).max(axis=2)[counted] > FAR).mean())
+        counted &= inside_outlines(folder / "page.svg", (width, height))
+        n = int(counted.sum())
+        rms = float(numpy.sqrt(((ours - theirs)**2).mean(axis=2)[counted].mean())) if n else 0.0
+        yield reader, rms, n, far
 
 
 def main():
@@ -68,9 +73,9 @@ def main():
     failed = 0
     for name in names or sorted(scene.stem for scene in scenes.glob("*.toml")):
         with tempfile.TemporaryDirectory() as folder:
-            rms, n, far = tones(program, scenes / f"{name}.toml", pathlib.Path(folder))
-        print(f"{name:20} {rms:.2f} levels rms, {n} pixels; {100 * far:.3f} % of the page over {FAR:.0f} levels", flush=True)
-        failed += rms > MOST_RMS or far > MOST_FAR
+            for reader, rms, n, far in tones(program, scenes / f"{name}.toml", pathlib.Path(folder)):
+                print(f"{name:20} {reader:8} {rms:.2f} levels rms, {n} pixels; {100 * far:.3f} % of the page over {FAR:.0f} levels", flush=True)
+                failed += rms > MOST_RMS or far > MOST_FAR
     return 1 if failed else 0
 
 
