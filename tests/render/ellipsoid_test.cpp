@@ -258,7 +258,7 @@ SeenSections sections_of(const View& view) {
     const double focal_px = 0.5 * view.height_px / std::tan(0.5 * camera.vertical_field_rad);
     SeenSections seen;
     for (int axis = 0; axis < 3; ++axis) {
-        constexpr int n = 6000;
+        constexpr int n = 2000;
         bool before = false;
         for (int i = 0; i <= n; ++i) {
             const double angle = 2.0 * std::numbers::pi * i / n;
@@ -329,7 +329,7 @@ TEST(EllipsoidPicture, PrincipalSectionsKeepTheirWidthAtTheLimb) {
             for (int y = 12; y < view.height_px - 12; ++y) {
                 for (int x = 12; x < view.width_px - 12; ++x) {
                     bool near = false, within = true;
-                    for (const double far : {1.0, 12.0})
+                    for (const double far : {1.0, 8.0})
                         for (int k = 0; k < 8; ++k) {
                             const double angle = 0.25 * std::numbers::pi * k;
                             const bool in = inside(x + 0.5 + far * std::cos(angle),
@@ -354,7 +354,7 @@ TEST(EllipsoidPicture, PrincipalSectionsKeepTheirWidthAtTheLimb) {
                 }
             }
             worst_of_all = std::max(worst_of_all, worst);
-            EXPECT_GT(n_dark, 300) << eye.transpose();
+            EXPECT_GT(n_dark, 200) << eye.transpose();
             EXPECT_LT(worst, 0.25) << eye.transpose() << (in_group ? ", in a group" : "");
         }
     }
