@@ -258,7 +258,7 @@ SeenSections sections_of(const View& view) {
     const double focal_px = 0.5 * view.height_px / std::tan(0.5 * camera.vertical_field_rad);
     SeenSections seen;
     for (int axis = 0; axis < 3; ++axis) {
-        constexpr int n = 2000;
+        constexpr int n = 4000;
         bool before = false;
         for (int i = 0; i <= n; ++i) {
             const double angle = 2.0 * std::numbers::pi * i / n;
@@ -292,7 +292,8 @@ TEST(EllipsoidPicture, PrincipalSectionsKeepTheirWidthAtTheLimb) {
     // Black lines of 4 px on a surface lit evenly: how much of each pixel within 12 px of the limb
     // is dark, against how many of its 4×4 sample points lie within 2 px of a section's outer half.
     // Seen obliquely, from the plane of two axes (one section edge on), and nearly from there. With
-    // a second ellipsoid behind it, since those are drawn as a group.
+    // a second ellipsoid behind it, since those are drawn as a group. Where two lines cross, a
+    // pixel has the darker of both.
     constexpr double width_px = 4.0;
     double worst_of_all = 0.0;
     for (const Eigen::Vector3d& eye :
@@ -355,7 +356,7 @@ TEST(EllipsoidPicture, PrincipalSectionsKeepTheirWidthAtTheLimb) {
             }
             worst_of_all = std::max(worst_of_all, worst);
             EXPECT_GT(n_dark, 200) << eye.transpose();
-            EXPECT_LT(worst, 0.25) << eye.transpose() << (in_group ? ", in a group" : "");
+            EXPECT_LT(worst, 0.3) << eye.transpose() << (in_group ? ", in a group" : "");
         }
     }
     RecordProperty("worst", std::to_string(worst_of_all));
