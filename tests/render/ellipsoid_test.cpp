@@ -289,7 +289,7 @@ double least_distance(const std::vector<Eigen::Vector2d>& places, const Eigen::V
 }
 
 TEST(EllipsoidPicture, PrincipalSectionsKeepTheirWidthAtTheLimb) {
-    // Black lines of 4 px on a surface lit evenly: how much of each pixel within 12 px of the limb
+    // Black lines of 4 px on a surface lit evenly: how much of each pixel within 8 px of the limb
     // is dark, against how many of its 4×4 sample points lie within 2 px of a section's outer half.
     // Seen obliquely, from the plane of two axes (one section edge on), and nearly from there. With
     // a second ellipsoid behind it, since those are drawn as a group. Where two lines cross, a
