@@ -392,7 +392,7 @@ void stroke_track(const Canvas& canvas, const Track& track, const Colour& colour
 
 }  // namespace
 
-void draw_meshes(Canvas& canvas) {
+void draw_meshes(const Canvas& canvas) {
     if (canvas.shading == Shading::picture) return;
     const Bodies bodies = canvas.occluders.meshes();
     constexpr std::size_t most_triangles = 20'000;
@@ -410,7 +410,6 @@ void draw_meshes(Canvas& canvas) {
                 return body.hides(point) || is_behind_another(bodies, body, point);
             });
     }
-    canvas.bodies = true;
 }
 
 std::optional<BodySeen> body_at(const Canvas& canvas, const Eigen::Vector2d& at) {

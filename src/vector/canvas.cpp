@@ -144,6 +144,7 @@ void draw_view(const Drawing& drawing, const View& view, const PageChoices& choi
     });
     light_sheets(canvas, order);
     draw_meshes(canvas);
+    canvas.bodies = true;
     if (has_pixels) draw_ellipsoid_pixels(canvas, choices.draw_pixels);
     auto sheet = canvas.sheets.begin();
     for (const std::size_t k : order) {

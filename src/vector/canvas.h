@@ -125,7 +125,7 @@ Eigen::Vector3d through_ellipsoids(const Canvas& canvas, const std::vector<std::
 // it: sheets mix encoded colours and cover points before them, too.
 Colour under_sheets(const Canvas& canvas, const Eigen::Vector3d& point, const Colour& colour);
 // bodies.cpp
-void draw_meshes(Canvas& canvas);
+void draw_meshes(const Canvas& canvas);
 // The body seen at a place of the paper, as it is lit.
 struct BodySeen {
     Colour colour;
