@@ -1,10 +1,8 @@
-// A face with a picture, and where a pinhole worked out here projects it: what the tests of both
-// renderers hold it against.
+// A face with a picture, for the tests of both renderers.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "shapes/views.h"
@@ -56,15 +54,6 @@ inline Drawing drawing_of(const MeshGeometry& geometry, const Eigen::Affine3d& p
     mesh.placement = placement;
     mesh.colour = {colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0};
     return drawing;
-}
-
-inline Eigen::Vector2d pinhole(const Camera& camera, const Eigen::Vector3d& point) {
-    const Eigen::Vector3d forward = (camera.target - camera.eye).normalized();
-    const Eigen::Vector3d right = forward.cross(camera.up).normalized();
-    const Eigen::Vector3d down = forward.cross(right);
-    const Eigen::Vector3d from_eye = point - camera.eye;
-    const double focal = 160.0 / std::tan(0.5 * camera.vertical_field_rad) / forward.dot(from_eye);
-    return {240.0 + focal * right.dot(from_eye), 160.0 + focal * down.dot(from_eye)};
 }
 
 }  // namespace poinsot::testing

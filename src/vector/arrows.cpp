@@ -235,16 +235,6 @@ double weight_of(const Cover& cover, double hidden_opacity, ArrowLayer layer) {
     return std::max(hidden_opacity, cover.transmitted);
 }
 
-// What lies outside of an outline.
-ClipBegin outside_of(const Canvas& canvas, const PaperEllipse& outline) {
-    ClipBegin clip;
-    clip.even_odd = true;
-    clip.path.add_rectangle({-10.0, -10.0},
-                            {canvas.page.width_pt + 20.0, canvas.page.height_pt + 20.0});
-    clip.path.add(canvas.path_of(outline));
-    return clip;
-}
-
 // The outline of the ellipsoid behind whose limb the axis goes at s; none where it pierces a
 // surface, where another solid begins, and at its ends.
 std::optional<PaperEllipse> outline_at(const Canvas& canvas, const ArrowShape& shape, double s) {
@@ -299,9 +289,7 @@ BesideSpan beside(const Canvas& canvas, const ArrowShape& shape, const Span& spa
             part.span.from = std::max(end - reach, 0.0);
         else
             part.span.to = std::min(end + reach, 1.0);
-        part.clips.push_back(outline->radius_of(middle) < 1.0
-                                 ? ClipBegin{canvas.path_of(*outline), false}
-                                 : outside_of(canvas, *outline));
+        part.clips.push_back(canvas.clip_to(*outline, outline->radius_of(middle) < 1.0));
     }
     return part;
 }
@@ -427,7 +415,7 @@ void draw_dot(const Canvas& canvas, const Dot& dot, ArrowLayer layer) {
         fill_dot(canvas, dot, dot.opacity * std::max(dot.hidden_opacity, 1.0 - sphere->hiding));
         return;
     }
-    canvas.add(outside_of(canvas, *picture_of(*limb_of(*sphere), canvas.sight)));
+    canvas.add(canvas.clip_to(*picture_of(*limb_of(*sphere), canvas.sight), false));
     fill_dot(canvas, dot, dot.opacity);
     canvas.add(ClipEnd{});
 }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -29,11 +30,9 @@ constexpr int n_places = 7;
 
 using Bodies = std::span<const MeshSight>;
 
-// Whether a body other than this one hides a point of it.
-bool is_behind_another(Bodies bodies, const MeshSight& body, const Eigen::Vector3d& point) {
-    return std::any_of(bodies.begin(), bodies.end(), [&](const MeshSight& other) {
-        return &other != &body && other.mesh().opacity >= 1.0 && other.hides(point);
-    });
+// Whether what lies behind a body and belongs to another, or to itself, is hidden by it.
+bool covers(const MeshSight& body, const MeshSight& other) {
+    return &body == &other || body.mesh().opacity >= 1.0;
 }
 
 // A triangle as it is filled.
@@ -41,9 +40,12 @@ struct Facet {
     const MeshSight::Triangle* triangle = nullptr;
     Colour colour;
     bool faces = false;
-    int n_hidden = 0;                      // of its places
-    std::vector<std::size_t> hidden_by{};  // numbers of facets that hide places of it
-    int rank = 0;                          // above those of all that hide it
+    double depth = 0.0;                // of its middle
+    int n_hidden = 0;                  // of its places
+    std::vector<std::size_t> hides{};  // numbers of those that it hides at a place
+    int rank = 0;                      // above those of all that are seen and hide it
+
+    bool is_seen() const { return faces && n_hidden < n_places; }
 };
 
 Colour lit_colour(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle& triangle,
@@ -56,7 +58,7 @@ Facet facet_of(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle
     const Eigen::Vector3d middle =
         (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
     const Eigen::Vector3d to_eye = canvas.sight.towards_eye(middle).normalized();
-    Facet facet{&triangle, {}, triangle.normal.dot(to_eye) > 0.0};
+    Facet facet{&triangle, {}, triangle.normal.dot(to_eye) > 0.0, canvas.sight.depth(middle)};
     if (canvas.shading == Shading::none)
         facet.colour = canvas.behind(triangle.paper[0]);
     else
@@ -220,14 +222,14 @@ std::vector<Facet> facets_of(const Canvas& canvas, Bodies bodies) {
                     bodies[other].crossings(canvas.sight.paper(place), crossings);
                     for (const MeshSight::Crossing& there : crossings) {
                         const std::size_t number = first[other] + there.number;
-                        const auto covers = [&](std::size_t body) {
-                            return b == other || bodies[body].mesh().opacity >= 1.0;
-                        };
-                        if (there.depth < depth - touching && covers(other)) {
+                        // Of a closed surface the far side is hidden by the near one.
+                        if (!facets[number].faces) continue;
+                        if (there.depth < depth - touching && covers(bodies[other], bodies[b])) {
                             hidden = true;
-                            if (facets[number].faces) facets[own].hidden_by.push_back(number);
-                        } else if (there.depth > depth + touching && covers(b)) {
-                            facets[number].hidden_by.push_back(own);
+                            facets[number].hides.push_back(own);
+                        } else if (there.depth > depth + touching &&
+                                   covers(bodies[b], bodies[other])) {
+                            facets[own].hides.push_back(number);
                         }
                     }
                 }
@@ -237,18 +239,33 @@ std::vector<Facet> facets_of(const Canvas& canvas, Bodies bodies) {
     return facets;
 }
 
-// Each facet's rank; those that hide each other in a circle stay as they then are.
+// Each facet's rank, once those of all that hide it are known. Where some hide each other in a
+// circle, the nearest goes first.
 void rank(std::vector<Facet>& facets) {
-    constexpr int most = 64;
-    bool changed = true;
-    for (int round = 0; changed && round < most; ++round) {
-        changed = false;
-        for (Facet& facet : facets)
-            for (const std::size_t nearer : facet.hidden_by)
-                if (facet.rank <= facets[nearer].rank) {
-                    facet.rank = facets[nearer].rank + 1;
-                    changed = true;
-                }
+    std::vector<std::size_t> waits(facets.size(), 0);  // for so many
+    for (const Facet& facet : facets)
+        for (const std::size_t farther : facet.hides) ++waits[farther];
+    std::vector<std::size_t> by_depth(facets.size());
+    std::iota(by_depth.begin(), by_depth.end(), 0);
+    std::stable_sort(by_depth.begin(), by_depth.end(), [&](std::size_t a, std::size_t b) {
+        return facets[a].depth < facets[b].depth;
+    });
+    std::vector<bool> ranked(facets.size(), false);
+    std::vector<std::size_t> ready;
+    for (std::size_t k = 0; k < facets.size(); ++k)
+        if (waits[k] == 0) ready.push_back(k);
+    for (std::size_t next = 0; next < facets.size() || !ready.empty();) {
+        if (ready.empty()) ready.push_back(by_depth[next++]);
+        const std::size_t nearer = ready.back();
+        ready.pop_back();
+        if (ranked[nearer]) continue;
+        ranked[nearer] = true;
+        const int above = facets[nearer].rank + (facets[nearer].is_seen() ? 1 : 0);
+        for (const std::size_t farther : facets[nearer].hides) {
+            if (ranked[farther]) continue;
+            facets[farther].rank = std::max(facets[farther].rank, above);
+            if (--waits[farther] == 0) ready.push_back(farther);
+        }
     }
 }
 
@@ -258,9 +275,7 @@ void fill_bodies(const Canvas& canvas, Bodies bodies) {
     // Those that hide nothing of each other go together by colour, the highest rank first.
     std::map<std::pair<int, std::array<int, 3>>, std::vector<const MeshSight::Triangle*>> filled;
     for (const Facet& facet : facets)
-        // Of a closed surface the far side is hidden by the near one.
-        if (facet.faces && facet.n_hidden < n_places)
-            filled[{-facet.rank, rounded(facet.colour)}].push_back(facet.triangle);
+        if (facet.is_seen()) filled[{-facet.rank, rounded(facet.colour)}].push_back(facet.triangle);
     for (const auto& [key, triangles] : filled) {
         const auto& level = key.second;
         const Colour colour{level[0] / n_tones, level[1] / n_tones, level[2] / n_tones};
@@ -358,15 +373,7 @@ void fill_sheets(const Canvas& canvas, const Cone& cone, const ConeAxes& axes,
     for (const bool within : {false, true}) {
         const auto& [one, both] = looks[within ? 1 : 0];
         if (one.empty() && both.empty()) continue;
-        if (is_split) {
-            ClipBegin clip;
-            clip.even_odd = !within;
-            if (!within)
-                clip.path.add_rectangle(
-                    {-10.0, -10.0}, {canvas.page.width_pt + 20.0, canvas.page.height_pt + 20.0});
-            clip.path.add(canvas.path_of(*outline));
-            canvas.add(std::move(clip));
-        }
+        if (is_split) canvas.add(canvas.clip_to(*outline, within));
         if (!both.empty() && !between.steps.empty())
             canvas.add(Fill{between, ink_for(both), true, 0.0});
         if (!one.empty()) canvas.add(Fill{within_rim, ink_for(one), false, 0.0});
@@ -407,23 +414,27 @@ void draw_meshes(const Canvas& canvas) {
         if (canvas.shading == Shading::none) draw_edges(canvas, body);
         if (canvas.has_fills())
             draw_face_picture(canvas, body, [&](const Eigen::Vector3d& point) {
-                return body.hides(point) || is_behind_another(bodies, body, point);
+                return std::any_of(bodies.begin(), bodies.end(), [&](const MeshSight& other) {
+                    return covers(other, body) && other.hides(point);
+                });
             });
     }
 }
 
 std::optional<BodySeen> body_at(const Canvas& canvas, const Eigen::Vector2d& at) {
-    MeshSight::Seen first;
-    const Mesh* mesh = nullptr;
-    for (const MeshSight& body : canvas.occluders.meshes())
-        if (const MeshSight::Seen seen = body.seen_at(at);
-            seen.triangle && (!mesh || seen.depth < first.depth)) {
-            first = seen;
-            mesh = &body.mesh();
+    std::optional<BodySeen> seen;
+    std::vector<MeshSight::Crossing> crossings;
+    for (const MeshSight& body : canvas.occluders.meshes()) {
+        crossings.clear();
+        body.crossings(at, crossings);
+        for (const MeshSight::Crossing& there : crossings) {
+            if (seen && there.depth >= seen->depth) continue;
+            const MeshSight::Triangle& triangle = body.triangles()[there.number];
+            const Eigen::Vector3d to_eye = canvas.sight.towards_eye(triangle.corners[0]);
+            seen = {lit_colour(canvas, body.mesh(), triangle, to_eye.normalized()), there.depth};
         }
-    if (!mesh) return std::nullopt;
-    const Eigen::Vector3d to_eye = canvas.sight.towards_eye(first.triangle->corners[0]);
-    return BodySeen{lit_colour(canvas, *mesh, *first.triangle, to_eye.normalized()), first.depth};
+    }
+    return seen;
 }
 
 void draw_cone(const Canvas& canvas, const Cone& cone) {

@@ -86,6 +86,17 @@ Path Canvas::path_of(const PaperEllipse& ellipse) const {
     return path;
 }
 
+ClipBegin Canvas::clip_to(const PaperEllipse& outline, bool within) const {
+    constexpr double beyond = 10.0;
+    ClipBegin clip;
+    clip.even_odd = !within;
+    if (!within)
+        clip.path.add_rectangle({-beyond, -beyond},
+                                {page.width_pt + 2.0 * beyond, page.height_pt + 2.0 * beyond});
+    clip.path.add(path_of(outline));
+    return clip;
+}
+
 void draw_background(const Background& background, const Eigen::Vector2d& corner_pt,
                      const Eigen::Vector2d& size_pt, Page& page) {
     if (background.alpha <= 0.0) return;

@@ -59,6 +59,8 @@ struct Canvas {
     Path path_of(const Track& track, double from, double to, double tolerance_pt,
                  double track_off_pt = 0.0) const;
     Path path_of(const PaperEllipse& ellipse) const;
+    // What lies within an outline, or outside of it.
+    ClipBegin clip_to(const PaperEllipse& outline, bool within) const;
 
     const Drawing& drawing;
     const View& view;

@@ -174,7 +174,7 @@ void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& 
             // Lines lie on the surface: where it ends they do, with all of their width.
             const bool clips = canvas.shading != Shading::none && part.ink.alpha > faint &&
                                !is_within(canvas, outline, track, part, 0.5 * width_pt);
-            if (clips) canvas.add(ClipBegin{canvas.path_of(outline), false});
+            if (clips) canvas.add(canvas.clip_to(outline, true));
             Stroke stroke;
             stroke.path = canvas.path_of(track, part.from, part.to, conic_tolerance_pt);
             stroke.ink = part.ink;

@@ -120,14 +120,4 @@ void MeshSight::crossings(const Eigen::Vector2d& paper, std::vector<Crossing>& f
             found.push_back({k, depth});
 }
 
-MeshSight::Seen MeshSight::seen_at(const Eigen::Vector2d& paper) const {
-    Seen seen{nullptr, std::numeric_limits<double>::infinity()};
-    const auto* cell = cells_.empty() ? nullptr : cell_at(paper);
-    if (cell == nullptr) return seen;
-    for (const std::uint32_t k : *cell)
-        if (const double depth = depth_at(triangles_[k], paper); depth < seen.depth)
-            seen = {&triangles_[k], depth};
-    return seen;
-}
-
 }  // namespace poinsot::vector

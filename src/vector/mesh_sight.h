@@ -29,13 +29,6 @@ class MeshSight {
     // what is nearer to it than a millionth of its depth counts as that.
     bool hides(const Eigen::Vector3d& point) const;
 
-    // What of it is seen at a place of the paper: its foremost point there.
-    struct Seen {
-        const Triangle* triangle = nullptr;  // none
-        double depth = 0.0;
-    };
-    Seen seen_at(const Eigen::Vector2d& paper) const;
-
     // Numbers of all its triangles at a place of the paper, with their depths there.
     struct Crossing {
         std::uint32_t number = 0;

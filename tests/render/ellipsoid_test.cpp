@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "../pinhole.h"
 #include "colour/srgb.h"
 #include "pictures.h"
 
@@ -15,25 +16,9 @@ Eigen::Matrix3d turned(double angle_rad, const Eigen::Vector3d& axis) {
     return Eigen::AngleAxisd(angle_rad, axis.normalized()).toRotationMatrix();
 }
 
-// Whether the line of sight at this place of the picture meets the ellipsoid. Independent of the
-// renderer: the camera's definition, and a quadratic equation.
+// Whether the line of sight at this place of the picture meets the ellipsoid.
 bool meets(const View& view, double x_px, double y_px) {
-    const Camera& camera = view.camera;
-    const Ellipsoid& shape = view.ellipsoids.front();
-    const Eigen::Vector3d forward = (camera.target - camera.eye).normalized();
-    const Eigen::Vector3d right = forward.cross(camera.up).normalized();
-    const Eigen::Vector3d up = right.cross(forward);
-    const double x = x_px - 0.5 * view.width_px, y = 0.5 * view.height_px - y_px;
-    Eigen::Vector3d origin = camera.eye, direction = forward;
-    if (camera.orthographic) {
-        origin += (x * right + y * up) * camera.height_units / view.height_px;
-    } else {
-        const double scale = 2.0 * std::tan(0.5 * camera.vertical_field_rad) / view.height_px;
-        direction += (x * right + y * up) * scale;
-    }
-    const Eigen::Matrix3d inverse = shape.half_axes.inverse();
-    const Eigen::Vector3d o = inverse * (origin - shape.centre), d = inverse * direction;
-    return std::pow(o.dot(d), 2) >= d.squaredNorm() * (o.squaredNorm() - 1.0);
+    return Pinhole(view).meets(view.ellipsoids.front(), {x_px, y_px});
 }
 
 // Share of the pixel's 8×8 sample points that meet it.
@@ -250,12 +235,8 @@ struct SeenSections {
 };
 
 SeenSections sections_of(const View& view) {
-    const Camera& camera = view.camera;
     const Ellipsoid& shape = view.ellipsoids.front();
-    const Eigen::Vector3d forward = (camera.target - camera.eye).normalized();
-    const Eigen::Vector3d right = forward.cross(camera.up).normalized();
-    const Eigen::Vector3d up = right.cross(forward);
-    const double focal_px = 0.5 * view.height_px / std::tan(0.5 * camera.vertical_field_rad);
+    const Pinhole pinhole(view);
     SeenSections seen;
     for (int axis = 0; axis < 3; ++axis) {
         constexpr int n = 4000;
@@ -267,12 +248,8 @@ SeenSections sections_of(const View& view) {
             u[(axis + 2) % 3] = std::sin(angle);
             const Eigen::Vector3d at = shape.centre + shape.half_axes * u;
             const Eigen::Vector3d normal = shape.half_axes.inverse().transpose() * u;
-            const Eigen::Vector3d from_eye = at - camera.eye;
-            const bool faces = normal.dot(from_eye) < 0.0;
-            const double depth = from_eye.dot(forward);
-            const Eigen::Vector2d place(
-                0.5 * view.width_px + focal_px * from_eye.dot(right) / depth,
-                0.5 * view.height_px - focal_px * from_eye.dot(up) / depth);
+            const bool faces = normal.dot(at - view.camera.eye) < 0.0;
+            const Eigen::Vector2d place = pinhole.place(at);
             if (faces) seen.places.push_back(place);
             if (i > 0 && faces != before) seen.ends.push_back(place);
             before = faces;

@@ -1,4 +1,4 @@
-// Pictures on faces, at places that a pinhole worked out here projects.
+// Pictures on faces, at places that a pinhole projects.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "../painted_face.h"
+#include "../pinhole.h"
 #include "pictures.h"
 
 namespace poinsot::testing {
@@ -34,7 +35,7 @@ TEST(FacePicture, IsSeenWhereItsFaceIsLitAsItsColours) {
                     const double down = v + 0.5 * static_cast<double>(k / 2);
                     const Eigen::Vector3d point =
                         turned * Eigen::Vector3d(2.0 * right - 1.0, 0.6 - 1.2 * down, 0.0);
-                    const Eigen::Vector2d at = pinhole(drawing.views[0].camera, point);
+                    const Eigen::Vector2d at = Pinhole(drawing.views[0]).place(point);
                     const int x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
                     const Rgba8 a = seen.at(x, y), b = expected.at(x, y);
                     EXPECT_LE(std::abs(a.r - b.r), 1) << side_px << " quarter " << k;

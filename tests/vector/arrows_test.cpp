@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "../pinhole.h"
 #include "vector/picture.h"
 
 namespace poinsot::vector {
@@ -37,16 +38,7 @@ View behind_a_sphere() {
 
 // Whether the line of sight at a place of the paper meets the ellipsoid.
 bool meets(const View& view, const Eigen::Vector2d& at_pt) {
-    const Eigen::Vector3d forward = (view.camera.target - view.camera.eye).normalized();
-    const Eigen::Vector3d right = forward.cross(view.camera.up).normalized();
-    const Eigen::Vector3d up = right.cross(forward);
-    const double scale = 2.0 * std::tan(0.5 * view.camera.vertical_field_rad) / view.height_px;
-    const double x = at_pt.x() / pt_per_px - 0.5 * view.width_px;
-    const double y = 0.5 * view.height_px - at_pt.y() / pt_per_px;
-    const Eigen::Vector3d direction = forward + scale * (x * right + y * up);
-    const Eigen::Matrix3d inverse = view.ellipsoids.front().half_axes.inverse();
-    const Eigen::Vector3d o = inverse * view.camera.eye, d = inverse * direction;
-    return std::pow(o.dot(d), 2) >= d.squaredNorm() * (o.squaredNorm() - 1.0);
+    return testing::Pinhole(view).meets(view.ellipsoids.front(), at_pt / pt_per_px);
 }
 
 // How often a path winds about a point.

@@ -1,4 +1,4 @@
-// Pictures on faces in vectors, at places that a pinhole worked out in the test projects.
+// Pictures on faces in vectors, at places that a pinhole projects.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../painted_face.h"
+#include "../pinhole.h"
 #include "vector/picture.h"
 
 namespace poinsot::vector {
@@ -45,7 +46,7 @@ TEST(FacePicture, LiesWhereItsFaceIsLitAsItsColours) {
     const auto on_page = [&](const Drawing& drawing, double right, double down) {
         const Eigen::Vector3d point =
             turned * Eigen::Vector3d(2.0 * right - 1.0, 0.6 - 1.2 * down, 0.0);
-        return Eigen::Vector2d(pt_per_px * testing::pinhole(drawing.views[0].camera, point));
+        return Eigen::Vector2d(pt_per_px * testing::Pinhole(drawing.views[0]).place(point));
     };
     std::uint64_t id = 9800;
     for (const int side_px : {8, 64, 2048}) {
@@ -98,8 +99,8 @@ TEST(FacePicture, IsHiddenByWhatStandsBeforeIt) {
         for (int turn = 0; turn < 2; ++turn) {
             const auto alpha_at = [&](double x) {
                 const Eigen::Vector2d at =
-                    pt_per_px * testing::pinhole(drawing.views[0].camera,
-                                                 behind.placement * Eigen::Vector3d(x, 0.1, 0.0));
+                    pt_per_px * testing::Pinhole(drawing.views[0])
+                                    .place(behind.placement * Eigen::Vector3d(x, 0.1, 0.0));
                 int alpha = 0;
                 for (const Picture& picture :
                      all_of<Picture>(page_of(drawing, {.pt_per_px = pt_per_px})))
