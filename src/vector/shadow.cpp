@@ -13,7 +13,8 @@ namespace poinsot::vector {
 
 namespace {
 
-constexpr int n_levels = 22, n_spokes = 8;
+constexpr int most_levels = 22, n_spokes = 8;
+
 // How far along a direction from the hub it is darker: found from outside inwards.
 double extent(const SoftShadow& shadow, const Eigen::Vector3d& direction, double level) {
     constexpr int n_steps = 48;
@@ -85,6 +86,13 @@ void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
     const Eigen::Vector3d across = plane.normal.cross(plane.along);
     // A deep shade of the plane's own colour is calmer than black.
     const Colour tint = encoded(0.06 * linear(plane.grid_colour));
+    // Some readers round what each outline leaves to whole levels of 255: where the plane itself is
+    // dark, fewer of them.
+    const Colour darkest = over(as_shade(tint, deepest, plane.colour), plane.colour);
+    const double change = 255.0 * std::max({plane.colour.r - darkest.r, plane.colour.g - darkest.g,
+                                            plane.colour.b - darkest.b});
+    constexpr double least_step = 4.0;
+    const int n_levels = std::clamp(static_cast<int>(change / least_step), 4, most_levels);
     double covered = 0.0;
     for (int level = 0; level < n_levels; ++level) {
         std::array<Eigen::Vector2d, n_spokes> places;
