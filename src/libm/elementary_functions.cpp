@@ -33,10 +33,10 @@ double log2(double x) noexcept { return Sleef_cinz_log2d1_u10purec(x); }
 double log1p(double x) noexcept { return Sleef_cinz_log1pd1_u10purec(x); }
 double pow(double x, double y) noexcept { return Sleef_cinz_powd1_u10purec(x, y); }
 
+// Compilers make one call of the two, or do not: SLEEF's own sincos rounds otherwise.
 void sincos(double x, double* sine, double* cosine) noexcept {
-    const Sleef_double_2 both = Sleef_cinz_sincosd1_u10purec(x);
-    *sine = both.x;
-    *cosine = both.y;
+    *sine = sin(x);
+    *cosine = cos(x);
 }
 
 float sinf(float x) noexcept { return Sleef_cinz_sinf1_u10purec(x); }
@@ -48,8 +48,7 @@ float log2f(float x) noexcept { return Sleef_cinz_log2f1_u10purec(x); }
 float powf(float x, float y) noexcept { return Sleef_cinz_powf1_u10purec(x, y); }
 
 void sincosf(float x, float* sine, float* cosine) noexcept {
-    const Sleef_float_2 both = Sleef_cinz_sincosf1_u10purec(x);
-    *sine = both.x;
-    *cosine = both.y;
+    *sine = sinf(x);
+    *cosine = cosf(x);
 }
 }

@@ -134,6 +134,26 @@ TEST(ElementaryFunctions, HaveTheSameBitsOnEveryProcessor) {
     EXPECT_EQ(hash, 8350898747473725707U);
 }
 
+// Whether two calls become one is the compiler's choice; not here, where it does not see which they
+// are.
+TEST(ElementaryFunctions, TogetherAreWhatTheyAreAlone) {
+    double (*volatile sin_alone)(double) = ::sin;
+    double (*volatile cos_alone)(double) = ::cos;
+    float (*volatile sinf_alone)(float) = ::sinf;
+    float (*volatile cosf_alone)(float) = ::cosf;
+    for (const double x : arguments({"", nullptr, nullptr, -1e3, 1e3}, 100'000)) {
+        double sine = 0.0, cosine = 0.0;
+        ::sincos(x, &sine, &cosine);
+        ASSERT_EQ(sine, sin_alone(x)) << x;
+        ASSERT_EQ(cosine, cos_alone(x)) << x;
+        const auto y = static_cast<float>(x);
+        float sine_f = 0.0F, cosine_f = 0.0F;
+        ::sincosf(y, &sine_f, &cosine_f);
+        ASSERT_EQ(sine_f, sinf_alone(y)) << y;
+        ASSERT_EQ(cosine_f, cosf_alone(y)) << y;
+    }
+}
+
 TEST(ElementaryFunctions, AreThoseThatEveryLoadedLibraryFinds) {
     Dl_info here{};
     ASSERT_NE(dladdr(reinterpret_cast<void*>(&rows), &here), 0);
