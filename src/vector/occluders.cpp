@@ -200,8 +200,28 @@ std::vector<Occluders::Condition> Occluders::conditions(const Membership& of) co
             });
         }
     }
-    for (const MeshSight& mesh : meshes_)
-        all.emplace_back([&mesh](const Eigen::Vector3d& x) { return mesh.hides(x) ? -1.0 : 1.0; });
+    return all;
+}
+
+std::vector<double> Occluders::closer(const Track& track, std::span<const double> places) const {
+    constexpr double apart_pt = 0.25;
+    constexpr double most = 4096.0;  // between two: a curve may run far off the page
+    const auto lies_before = [this](const Eigen::Vector3d& x) {
+        return !sight_.perspective || sight_.depth(x) > sight_.near_depth;
+    };
+    std::vector<double> all{places[0]};
+    Eigen::Vector3d last = track.flow(places[0]).position;
+    for (std::size_t k = 1; k < places.size(); ++k) {
+        const Eigen::Vector3d here = track.flow(places[k]).position;
+        double n = 1.0;
+        if (lies_before(last) && lies_before(here))
+            n = std::clamp(std::ceil((sight_.paper(here) - sight_.paper(last)).norm() / apart_pt),
+                           1.0, most);
+        for (double i = 1.0; i < n; ++i)
+            all.push_back(places[k - 1] + (places[k] - places[k - 1]) * i / n);
+        all.push_back(places[k]);
+        last = here;
+    }
     return all;
 }
 
@@ -236,6 +256,15 @@ std::vector<Span> Occluders::spans(const Track& track, const Membership& part_of
             return condition(track.flow(s).position);
         };
         RootFinder(along, breaks).search(places);
+    }
+    if (!meshes_.empty()) {
+        const std::vector<double> close = closer(track, places);
+        for (const MeshSight& mesh : meshes_) {
+            const std::function<double(double)> along = [&](double s) {
+                return mesh.hides(track.flow(s).position) ? -1.0 : 1.0;
+            };
+            RootFinder(along, breaks).search(close);
+        }
     }
     breaks.push_back(first);
     breaks.push_back(last);

@@ -79,6 +79,10 @@ class Occluders {
  private:
     using Condition = std::function<double(const Eigen::Vector3d&)>;
     std::vector<Condition> conditions(const Membership& of) const;
+    // Places of a track with others between, so that neighbours are a quarter of a point apart on
+    // paper, half the width of the thinnest line: what hides by its triangles may do so however
+    // often.
+    std::vector<double> closer(const Track& track, std::span<const double> places) const;
     // On which ellipsoids all places of a track lie, within what its form is off.
     std::vector<bool> lies_on(const Track& track, std::span<const double> places) const;
 

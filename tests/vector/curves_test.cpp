@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -125,9 +126,16 @@ void hold(const View& view, const Track& track, const Membership& of, Hidden hid
         held.n_hidden += truth ? 1 : 0;
         if ((span->cover.clear < 0.5) == truth) continue;
         ++held.n_beside;
+        // As far away is the nearest point for which what is drawn holds.
         const Eigen::Vector2d here = sight.paper(point);
-        const double off = std::min((sight.paper(track.flow(span->from).position) - here).norm(),
-                                    (sight.paper(track.flow(span->to).position) - here).norm());
+        double off = std::numeric_limits<double>::infinity();
+        const double length = track.knots.back() - track.knots.front();
+        for (double step = 1e-8 * length; step < length && std::isinf(off); step *= 1.1)
+            for (const double there : {s - step, s + step}) {
+                const double at = std::clamp(there, track.knots.front(), track.knots.back());
+                const Eigen::Vector3d other = track.flow(at).position;
+                if (hidden(other) != truth) off = std::min(off, (sight.paper(other) - here).norm());
+            }
         held.worst_um = std::max(held.worst_um, um(off));
     }
 }

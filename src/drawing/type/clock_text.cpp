@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace poinsot {
 
@@ -16,7 +17,9 @@ constexpr double n_steps = 20.0;
 
 int decimals_for(double span) {
     if (!(span > 0.0)) return least_decimals;
-    return std::max(least_decimals, static_cast<int>(std::ceil(std::log10(n_steps / span))));
+    // The smallest of spans have a finite number of decimals, too.
+    const double n_a_unit = std::min(n_steps / span, std::numeric_limits<double>::max());
+    return std::max(least_decimals, static_cast<int>(std::ceil(std::log10(n_a_unit))));
 }
 
 int digits_before_the_point(double value) {
