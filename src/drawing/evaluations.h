@@ -19,6 +19,8 @@ struct EvaluationCounts {
 
 // ω and nothing else: what every evaluation gives.
 constexpr Quantities omega_alone{.attitude = false, .herpolhode = false, .euler_angles = false};
+// ω and how the body lies.
+constexpr Quantities attitude_too{.attitude = true, .herpolhode = false, .euler_angles = false};
 
 // What satisfies both.
 constexpr Quantities united(const Quantities& a, const Quantities& b) {

@@ -37,6 +37,9 @@ struct Panel {
     Drawer draw;
 };
 
+// The construction as it is drawn. Precondition: the motion turns and keeps L.
+inline const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
+
 // Where the panel's camera stands at any second of the film.
 const Timeline& timeline_of(const Panel& panel);
 

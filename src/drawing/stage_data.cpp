@@ -9,6 +9,7 @@
 #include "drawing/elements/smooth_paths.h"
 #include "drawing/panel.h"
 #include "drawing/type/overlay.h"
+#include "numerics/least_turn.h"
 #include "scene/film_clock.h"
 #include "scene/scene_error.h"
 #include "shapes/identity.h"
@@ -44,8 +45,7 @@ ConstructionPicture::ConstructionPicture(const InertiaTensor& inertia, const Rot
     half_axes = construction.half_axes() * picture_per_rho;
     plane_distance = construction.plane_distance() * picture_per_rho;
     herpolhode_radius = polhode.annulus().outer * picture_per_rho;
-    picture_from_space =
-        Eigen::Quaterniond::FromTwoVectors(construction.normal_space(), Eigen::Vector3d::UnitZ());
+    picture_from_space = least_turn(construction.normal_space(), Eigen::Vector3d::UnitZ());
     normal = Eigen::Vector3d::UnitZ();
     if (plane == "below") {
         const Eigen::Quaterniond half_turn_about_x(0.0, 1.0, 0.0, 0.0);

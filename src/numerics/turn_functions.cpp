@@ -3,15 +3,11 @@
 #include <algorithm>
 
 #include "error/error.h"
+#include "numerics/elliptic_integrals.h"
 
 namespace poinsot {
 
 namespace {
-
-struct SinCosDD {
-    DoubleDouble sin;
-    DoubleDouble cos;
-};
 
 // Of 1/256 of a turn, by their power series.
 constexpr SinCosDD of_smallest_turn() {

@@ -21,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t kBlockHead = 8;        // see output/frame_log.cpp
 constexpr std::string_view kBegin = "part ";  // of the first block's contents
 
 // An open file that is read.

@@ -21,10 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A block is its size and its CRC-32 (IEEE 802.3), four bytes each, the least first, and its
-// contents. The first says what film this is; the others are the entries.
-constexpr std::size_t kBlockHead = 8;
-
 std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
     if (bytes.empty()) return ~0u;  // FFmpeg reads where the bytes would be
     return av_crc(av_crc_get_table(AV_CRC_32_IEEE_LE), ~0u, bytes.data(), bytes.size());
@@ -42,7 +38,7 @@ std::uint32_t get_u32(const std::uint8_t* at) {
 
 // The plan and the settings as text: numbers, then the texts, whose lengths stand among the
 // numbers.
-std::string head_of(const OutputPlan& plan, const std::string& settings) {
+std::string film_head(const OutputPlan& plan, const std::string& settings) {
     const std::string part = plan.part ? part_text(*plan.part) : "";
     return fmt::format("{}{} {} {} {} {} {} {}\n{}{}{}",
                        plan.part ? fmt::format("part {}\n{}", part.size(), part) : "",
@@ -112,7 +108,7 @@ bool read_block(int descriptor, const fs::path& path, std::int64_t at, FrameBloc
     struct stat status {};
     if (fstat(descriptor, &status) != 0) throw_write_error(path, errno);
     if (!read_fully(at, head)) return false;
-    block = {at + static_cast<std::int64_t>(kBlockHead), get_u32(head.data())};
+    block = {at + kBlockHead, get_u32(head.data())};
     if (block.size > status.st_size - block.at) return false;
     contents.resize(block.size);
     return read_fully(block.at, contents) && checksum(contents) == get_u32(head.data() + 4);
@@ -122,7 +118,7 @@ fs::path frame_log_path(const fs::path& film) { return aside_path_of(film, ".par
 
 FrameLog::FrameLog(const OutputPlan& plan, const std::string& settings, std::int64_t n_chunk_frames)
     : plan_(plan), settings_(settings), file_(plan.path, frame_log_path(plan.path), plan.resume) {
-    const std::string head = head_of(plan, settings);
+    const std::string head = film_head(plan, settings);
     if (plan.resume && scan() == head) {
         const bool all_there = n_entries() == plan.n_frames;
         keep_first(all_there ? n_entries() : n_entries() - n_entries() % n_chunk_frames);
@@ -199,7 +195,7 @@ void FrameLog::append_block(std::span<const std::uint8_t> contents) {
 }
 
 void FrameLog::append(std::span<const std::uint8_t> entry) {
-    const std::int64_t at = end_ + static_cast<std::int64_t>(kBlockHead);
+    const std::int64_t at = end_ + kBlockHead;
     append_block(entry);
     entries_.push_back({at, static_cast<std::uint32_t>(entry.size())});
 }
@@ -207,8 +203,7 @@ void FrameLog::append(std::span<const std::uint8_t> entry) {
 std::span<const std::uint8_t> FrameLog::read(std::int64_t k) {
     const FrameBlock& wanted = entries_.at(static_cast<std::size_t>(k));
     FrameBlock found;
-    if (!read_block(file_.descriptor(), file_.path(),
-                    wanted.at - static_cast<std::int64_t>(kBlockHead), found, buffer_) ||
+    if (!read_block(file_.descriptor(), file_.path(), wanted.at - kBlockHead, found, buffer_) ||
         found.size != wanted.size)
         throw EnvironmentError(fmt::format("cannot write {}: what lies aside cannot be read back",
                                            file_.path().string()));

@@ -29,7 +29,11 @@ class FrameEntries {
     [[noreturn]] virtual void refuse_entry() const = 0;
 };
 
-// A block of a file of them, without its head.
+// A file of them is blocks: size and CRC-32 (IEEE 802.3) of the contents, four bytes each, the
+// least first, and the contents. The first says what film this is; the others are the entries.
+constexpr std::int64_t kBlockHead = 8;
+
+// A block, without its head.
 struct FrameBlock {
     std::int64_t at = 0;  // of its contents
     std::uint32_t size = 0;

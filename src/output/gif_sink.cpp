@@ -56,7 +56,7 @@ void append_comment(AtomicFile& file, const std::string& text) {
     file.write(bytes);
 }
 
-EncoderSettings settings_for(const OutputPlan& plan) {
+EncoderSettings gif_settings(const OutputPlan& plan) {
     EncoderSettings settings;
     settings.codec = "gif";
     settings.pixel_format = AV_PIX_FMT_PAL8;
@@ -101,11 +101,11 @@ std::int64_t hundredth_of(std::int64_t k, const FrameRate& rate) {
 }
 
 // Puts the film together from the frames in the log, whose colours have been counted.
-void write_whole(FrameEntries& log, const ColourCount& count, const OutputPlan& plan) {
+void write_gif(FrameEntries& log, const ColourCount& count, const OutputPlan& plan) {
     AtomicFile file(plan.path);
     const std::vector<Rgba8> palette = palette_for(count, kTransparentIndex);
     Ditherer ditherer(palette, kTransparentIndex);
-    VideoEncoder encoder(settings_for(plan), plan.path);
+    VideoEncoder encoder(gif_settings(plan), plan.path);
     libav::Muxer muxer("gif", file.descriptor(), plan.path, file.aside());
     libav::checked(avcodec_parameters_from_context(muxer.stream()->codecpar, &encoder.context()),
                    plan.path, "stream parameters");
@@ -171,7 +171,7 @@ class GifSink : public FrameSink {
     void finish() override {
         check_any_frame(log_.n_entries(), plan_);
         if (plan_.part) return log_.become_part();
-        write_whole(log_, count_, plan_);
+        write_gif(log_, count_, plan_);
         log_.discard();
     }
 
@@ -208,7 +208,7 @@ std::unique_ptr<FrameSink> open_gif(const OutputPlan& plan) {
 
 void join_gif(FrameEntries& entries, const OutputPlan& plan) {
     silence_libav();
-    write_whole(entries, colours_of(entries, plan), plan);
+    write_gif(entries, colours_of(entries, plan), plan);
 }
 
 std::int64_t recover_gif(const std::filesystem::path& path, const Tell& tell) {
@@ -217,7 +217,7 @@ std::int64_t recover_gif(const std::filesystem::path& path, const Tell& tell) {
     OutputPlan plan = log.plan();
     plan.tell = tell;
     check_film(plan);
-    write_whole(log, colours_of(log, plan), plan);
+    write_gif(log, colours_of(log, plan), plan);
     log.discard();
     return plan.n_frames;
 }

@@ -34,7 +34,7 @@ using Bytes = std::vector<std::uint8_t>;
 // machine.
 constexpr int kThreads = 3;
 
-EncoderSettings settings_for(const OutputPlan& plan) {
+EncoderSettings x264_settings(const OutputPlan& plan) {
     const X264Effort& effort = quality_named(plan.quality).x264;
     EncoderSettings settings;
     settings.codec = "libx264";
@@ -196,7 +196,7 @@ std::string text_of_film(FrameEntries& log, const OutputPlan& plan, std::int64_t
 }
 
 // Puts the film together from the first entries of the log, its index in front.
-void write_whole(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
+void write_mp4(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
     const std::string text = text_of_film(log, plan, n_frames);
     AtomicFile file(plan.path);
     libav::Muxer muxer("mp4", file.descriptor(), plan.path, file.aside());
@@ -221,7 +221,7 @@ class Mp4Sink : public FrameSink {
  public:
     explicit Mp4Sink(const OutputPlan& plan)
         : plan_(plan),
-          settings_(settings_for(plan)),
+          settings_(x264_settings(plan)),
           converter_(plan.width_px),
           frame_(make_yuv_frame(AV_PIX_FMT_YUV420P, plan.width_px, plan.height_px)),
           packet_(libav::make_packet()),
@@ -257,7 +257,7 @@ class Mp4Sink : public FrameSink {
         check_any_frame(n_written_, plan_);
         end_chunk();
         if (plan_.part) return log_.become_part();
-        write_whole(log_, plan_, n_shown_of(plan_, n_written_));
+        write_mp4(log_, plan_, n_shown_of(plan_, n_written_));
         log_.discard();
     }
 
@@ -310,7 +310,7 @@ std::unique_ptr<FrameSink> open_mp4(const OutputPlan& plan) {
 
 void join_mp4(FrameEntries& entries, const OutputPlan& plan) {
     silence_libav();
-    write_whole(entries, plan, entries.n_entries());
+    write_mp4(entries, plan, entries.n_entries());
 }
 
 std::int64_t recover_mp4(const fs::path& path, const Tell& tell) {
@@ -322,7 +322,7 @@ std::int64_t recover_mp4(const fs::path& path, const Tell& tell) {
     const std::int64_t n_frames = n_frames_without_gap(log);
     if (n_frames == 0)
         throw InputError(fmt::format("no frame of {} had been finished", path.string()));
-    write_whole(log, plan, n_frames);
+    write_mp4(log, plan, n_frames);
     log.discard();
     return n_frames;
 }

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 // As with x264, the bytes depend on the number of threads.
 constexpr int kThreads = 2;
 
-EncoderSettings settings_for(const OutputPlan& plan, bool alpha) {
+EncoderSettings vp9_settings(const OutputPlan& plan, bool alpha) {
     const Vp9Effort& effort = quality_named(plan.quality).vp9;
     EncoderSettings settings;
     settings.codec = "libvpx-vp9";
@@ -135,7 +135,7 @@ std::string text_of_film(FrameEntries& log, const OutputPlan& plan, std::int64_t
 }
 
 // Puts the film together from the first entries of the log. VP9's packets come in the order shown.
-void write_whole(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
+void write_webm(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
     const std::string text = text_of_film(log, plan, n_frames);
     AtomicFile file(plan.path);
     libav::Muxer muxer("webm", file.descriptor(), plan.path, file.aside());
@@ -166,7 +166,7 @@ class WebmSink : public FrameSink {
         : plan_(plan),
           converter_(plan.width_px),
           packet_(libav::make_packet()),
-          log_(plan, description_of(settings_for(plan, false)), kChunkFrames),
+          log_(plan, description_of(vp9_settings(plan, false)), kChunkFrames),
           n_before_(plan.part ? plan.part->n_before : 0),
           n_kept_(log_.n_entries()),
           alpha_(has_alpha(log_)),
@@ -200,13 +200,13 @@ class WebmSink : public FrameSink {
         check_any_frame(n_written_, plan_);
         end_chunk();
         if (plan_.part) return log_.become_part();
-        write_whole(log_, plan_, n_shown_of(plan_, log_.n_entries()));
+        write_webm(log_, plan_, n_shown_of(plan_, log_.n_entries()));
         log_.discard();
     }
 
  private:
     void start_chunk() {
-        encoder_.emplace(settings_for(plan_, alpha_), plan_.path);
+        encoder_.emplace(vp9_settings(plan_, alpha_), plan_.path);
         if (!frame_)
             frame_ = make_yuv_frame(alpha_ ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P,
                                     plan_.width_px, plan_.height_px);
@@ -255,7 +255,7 @@ std::unique_ptr<FrameSink> open_webm(const OutputPlan& plan) {
 
 void join_webm(FrameEntries& entries, const OutputPlan& plan) {
     silence_libav();
-    write_whole(entries, plan, entries.n_entries());
+    write_webm(entries, plan, entries.n_entries());
 }
 
 std::int64_t recover_webm(const fs::path& path, const Tell& tell) {
@@ -264,7 +264,7 @@ std::int64_t recover_webm(const fs::path& path, const Tell& tell) {
     OutputPlan plan = log.plan();
     plan.tell = tell;
     check_film(plan);
-    write_whole(log, plan, plan.n_frames);
+    write_webm(log, plan, plan.n_frames);
     log.discard();
     return plan.n_frames;
 }

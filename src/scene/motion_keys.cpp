@@ -1,5 +1,6 @@
 // Keys of the motion: how it starts, what torque acts, and by which method it is computed.
 #include <array>
+#include <numbers>
 #include <string_view>
 #include <variant>
 
@@ -16,7 +17,7 @@ using std::size_t;
 
 constexpr std::array<std::string_view, 5> torque_kinds{"none", "gravity", "constant_body",
                                                        "constant_space", "dissipation"};
-constexpr double pi = 3.141592653589793;
+using std::numbers::pi;
 
 // Texts of values that only some scenes say.
 std::string top_text(const Scene& scene, double TopStart::*angle) {

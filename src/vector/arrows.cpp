@@ -14,11 +14,7 @@ namespace poinsot::vector {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
+using std::numbers::pi;
 
 // An arrow as it is drawn: sizes in units of the view, places on paper.
 struct ArrowShape {

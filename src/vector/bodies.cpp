@@ -20,7 +20,7 @@ namespace poinsot::vector {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A hair of the same ink about each closes the seams that readers leave between neighbours.
 constexpr double most_seam_pt = 0.2;
@@ -83,10 +83,6 @@ std::array<Eigen::Vector3d, n_places> places_of(const MeshSight::Triangle& trian
 std::array<int, 3> rounded(const Colour& colour) {
     const auto level = [](double c) { return static_cast<int>(std::lround(n_tones * c)); };
     return {level(colour.r), level(colour.g), level(colour.b)};
-}
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
 }
 
 // It must not make what is thin, as a string, much wider.

@@ -13,7 +13,7 @@ namespace poinsot::vector {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 bool is_present(const Ellipsoid& ellipsoid) {
     return ellipsoid.opacity > 0.0 && ellipsoid.presence > 0.0;

@@ -15,10 +15,6 @@ constexpr double px_per_pt = 300.0 / 72.0;
 // Places of a pixel at which it is looked, a side.
 constexpr int fewest_looks = 2, most_looks = 8;
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 // A triangle that faces the eye, with its places in the picture.
 struct SeenTriangle {
     const MeshSight::Triangle* triangle = nullptr;

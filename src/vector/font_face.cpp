@@ -8,22 +8,13 @@
 
 #include "error/error.h"
 #include "text/printable.h"
+#include "vector/handle.h"
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
 namespace poinsot::vector {
 
 namespace {
-
-template <auto Destroy>
-struct Deleter {
-    template <typename T>
-    void operator()(T* handle) const {
-        Destroy(handle);
-    }
-};
-template <typename T, auto Destroy>
-using Handle = std::unique_ptr<T, Deleter<Destroy>>;
 
 struct OutlineWriter {
     Path path;

@@ -10,10 +10,6 @@ namespace poinsot::vector {
 
 namespace {
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 bool holds(const MeshSight::Triangle& t, const Eigen::Vector2d& at) {
     const double a = cross(t.paper[1] - t.paper[0], at - t.paper[0]);
     const double b = cross(t.paper[2] - t.paper[1], at - t.paper[1]);

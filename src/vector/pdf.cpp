@@ -9,30 +9,23 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <memory>
 #include <numbers>
 #include <utility>
 
 #include "error/error.h"
 #include "text/utf8.h"
 #include "vector/font_face.h"
+#include "vector/handle.h"
 
 namespace poinsot::vector {
 
 namespace {
 
-template <auto Destroy>
-struct Deleter {
-    template <typename T>
-    void operator()(T* handle) const {
-        Destroy(handle);
-    }
-};
-using Surface = std::unique_ptr<cairo_surface_t, Deleter<cairo_surface_destroy>>;
-using Context = std::unique_ptr<cairo_t, Deleter<cairo_destroy>>;
-using Pattern = std::unique_ptr<cairo_pattern_t, Deleter<cairo_pattern_destroy>>;
-using Face = std::unique_ptr<cairo_font_face_t, Deleter<cairo_font_face_destroy>>;
-using Options = std::unique_ptr<cairo_font_options_t, Deleter<cairo_font_options_destroy>>;
+using Surface = Handle<cairo_surface_t, cairo_surface_destroy>;
+using Context = Handle<cairo_t, cairo_destroy>;
+using Pattern = Handle<cairo_pattern_t, cairo_pattern_destroy>;
+using Face = Handle<cairo_font_face_t, cairo_font_face_destroy>;
+using Options = Handle<cairo_font_options_t, cairo_font_options_destroy>;
 
 void check(cairo_status_t status) {
     if (status != CAIRO_STATUS_SUCCESS)

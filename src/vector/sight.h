@@ -14,6 +14,11 @@ struct PaperFlow {
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
 };
 
+// The third component of a × b.
+inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
 // The camera of a view, as it draws on paper.
 struct Sight {
     // pt_per_px: points on paper for a pixel of the drawing.

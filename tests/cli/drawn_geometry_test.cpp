@@ -16,6 +16,7 @@
 
 #include "cli/program_run.h"
 #include "image/png.h"
+#include "numerics/least_turn.h"
 
 namespace poinsot::testing {
 namespace {
@@ -36,7 +37,7 @@ struct Body {
     double plane_distance = std::sqrt(two_T) / momentum.norm();
     Eigen::Quaterniond picture_from_body =
         Eigen::Quaterniond(Eigen::AngleAxisd(pi, Vector3d::UnitX())) *
-        Eigen::Quaterniond::FromTwoVectors(momentum, Vector3d::UnitZ());
+        least_turn(momentum, Vector3d::UnitZ());
 
     Vector3d contact() const { return picture_from_body * (omega / std::sqrt(two_T)); }
 

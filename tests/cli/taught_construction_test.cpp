@@ -19,6 +19,7 @@
 
 #include "cli/program_run.h"
 #include "image/png.h"
+#include "numerics/least_turn.h"
 
 namespace poinsot::testing {
 namespace {
@@ -85,8 +86,7 @@ struct Taught {
         const double two_T = state.omega_body.dot(momentum_body);
         // The shortest turn takes L upwards; where the plane lies below, half a turn about x
         // follows: two rotations.
-        Matrix3d picture_from_space =
-            Eigen::Quaterniond::FromTwoVectors(momentum, Vector3d::UnitZ()).toRotationMatrix();
+        Matrix3d picture_from_space = least_turn(momentum, Vector3d::UnitZ()).toRotationMatrix();
         if (below) {
             picture_from_space =
                 Eigen::AngleAxisd(pi, Vector3d::UnitX()).toRotationMatrix() * picture_from_space;

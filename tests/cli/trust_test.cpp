@@ -176,7 +176,7 @@ TEST_F(Pictures, RefuseARecordThatWasChanged) {
         fs::copy_file(folder_.path() / "a.png", folder_.path() / "new/a.png",
                       fs::copy_options::overwrite_existing);
         retell(folder_.path() / "new/a.png",
-               [&](std::string& text) { replace(text, words, others); });
+               [&, from = words, to = others](std::string& text) { replace(text, from, to); });
         for (const char* command : {"explain new/a.png", "rerender new/a.png -o b.png",
                                     "approve --results new --baselines ref a"}) {
             const ProgramRun refused = run(command);

@@ -32,8 +32,8 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"construction", {"error", "numerics", "mechanics"}},
     {"shapes", {"error"}},
     {"drawing",
-     {"error", "colour", "text", "mesh", "mechanics", "scene", "construction", "typeset",
-      "shapes"}},
+     {"error", "colour", "text", "numerics", "mesh", "mechanics", "scene", "construction",
+      "typeset", "shapes"}},
     // Whoever makes pictures of shapes knows nothing of what drew them.
     {"render", {"error", "colour", "text", "system", "image", "shapes"}},
     {"vector", {"error", "colour", "text", "numerics", "shapes"}},

@@ -21,6 +21,7 @@
 #include "mechanics/motion.h"
 #include "mechanics/reference_cases.h"
 #include "mechanics/top_families.h"
+#include "numerics/least_turn.h"
 
 namespace poinsot {
 namespace {
@@ -515,9 +516,8 @@ TEST(HeavyTop, TakesAnySymmetryAxisOfTheBody) {
             plain, start);
     const HeavyTopProblem sphere{.mgl_N_m = 1.0, .theta_rad = 0.7, .omega3_rad_s = 5.0};
     const Eigen::Vector3d arm = Eigen::Vector3d(1, -2, 0.5).normalized();
-    compare({1, 1, 1}, {.mgl_N_m = 1, .arm_body = arm},
-            Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), arm), HeavyTop(sphere),
-            start_of(sphere));
+    compare({1, 1, 1}, {.mgl_N_m = 1, .arm_body = arm}, least_turn(Eigen::Vector3d::UnitZ(), arm),
+            HeavyTop(sphere), start_of(sphere));
 }
 
 TEST(HeavyTop, RefusesWhatHasNoExactSolutionOrNoNumber) {

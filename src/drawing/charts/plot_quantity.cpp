@@ -41,7 +41,6 @@ bool keeps_momentum(const StageData& stage) { return stage.rolling.has_value(); 
 bool rolls(const StageData& stage) { return keeps_momentum(stage) && !stage.rolling->dissipates; }
 bool has_cones(const StageData& stage) { return rolls(stage) && stage.rolling->cones; }
 
-constexpr Quantities attitude{.attitude = true, .herpolhode = false, .euler_angles = false};
 constexpr Quantities euler_angles{.attitude = false, .herpolhode = false, .euler_angles = true};
 
 constexpr PlotCurve omega_curves[] = {
@@ -168,21 +167,21 @@ constexpr PlotQuantity table[] = {
     {"euler_angles", "θ, φ, ψ of a heavy top", "", "rad", true, false, false, euler_angles,
      is_heavy_top, "a heavy symmetric top", euler_curves, euler_values},
     {"energy", "kinetic energy T; under gravity the potential V and the sum E too", "energy", "J",
-     false, false, true, attitude, any_motion, "", energy_curves, energy_values},
+     false, false, true, attitude_too, any_motion, "", energy_curves, energy_values},
     {"momentum", "L1, L2, L3 along the principal axes, and L", "$L_i$, $L$", "kg m²/s", false,
      false, true, omega_alone, any_motion, "", momentum_curves, momentum_values},
     {"tilt", "angles of the principal axes e1, e2, e3 from L", "angle from L", "rad", false, false,
      true, omega_alone, keeps_momentum, "a body that turns, free of torque but for friction inside",
      tilt_curves, tilt_values},
     {"conserved", "p_φ, p_ψ and E of a heavy top", "$p_\\varphi$, $p_\\psi$ / (kg m²/s);  $E$", "J",
-     false, false, true, attitude, is_heavy_top, "a heavy symmetric top", conserved_curves,
+     false, false, true, attitude_too, is_heavy_top, "a heavy symmetric top", conserved_curves,
      conserved_values},
     {"turns", "turns of a symmetric body's axis about L (wobble) and of marks on it (spin)",
      "turns", "", false, false, true, omega_alone, has_cones,
      "a torque-free body with exactly two equal moments", turn_curves, turn_values},
     {"residuals", "how far T, L, the contact and the attitude are from what is conserved",
-     "relative residual", "", false, true, false, attitude, rolls, "a torque-free body that turns",
-     residual_curves, residual_values},
+     "relative residual", "", false, true, false, attitude_too, rolls,
+     "a torque-free body that turns", residual_curves, residual_values},
 };
 
 // Where nothing has a potential E is T.

@@ -19,8 +19,6 @@ namespace {
 // Inside of the glassy ellipsoid, and beyond the plane, these keep nearly all of their hue.
 constexpr double seen_through = 0.9;
 
-const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
-
 // A label beside the middle part of a line, on its left as it runs on the picture.
 void wish_beside_line(const Panel& panel, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                       double share, const SetType& type, const Ink& colour, Sheet& sheet) {

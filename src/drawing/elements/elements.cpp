@@ -29,8 +29,6 @@ bool has_curves(const StageData& stage) {
 }
 bool has_beside(const StageData& stage) { return stage.beside.has_value(); }
 
-const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
-
 Drawer make_ellipsoid(Panel& panel) {
     const Ellipsoid ellipsoid = ellipsoid_of(panel);
     return [&panel, ellipsoid](const Instant& instant, Sheet& sheet) {
@@ -90,42 +88,43 @@ Drawer make_cones(Panel& panel) {
     };
 }
 
-constexpr Quantities attitude{.attitude = true, .herpolhode = false, .euler_angles = false};
-
 const std::array<Element, 25> table{{
     {"plane", "the invariable plane with its grid", always, omega_alone, make_plane},
     {"tangent", "a patch of the plane that touches the ellipsoid at ρ: the invariable plane", never,
-     attitude, make_tangent},
-    {"ellipsoid", "the inertia ellipsoid with body-fixed lines", always, attitude, make_ellipsoid},
-    {"body", "the body itself, inside its ellipsoid", never, attitude, make_body},
+     attitude_too, make_tangent},
+    {"ellipsoid", "the inertia ellipsoid with body-fixed lines", always, attitude_too,
+     make_ellipsoid},
+    {"body", "the body itself, inside its ellipsoid", never, attitude_too, make_body},
     {"annulus", "the ring that the herpolhode fills", never, omega_alone, make_annulus},
-    {"polhode", "path of the contact point on the ellipsoid", has_curves, attitude, make_polhode},
+    {"polhode", "path of the contact point on the ellipsoid", has_curves, attitude_too,
+     make_polhode},
     {"herpolhode", "path of the contact point on the plane", has_curves, omega_alone,
      make_herpolhode},
-    {"cones", "body cone rolling on space cone (symmetric bodies)", has_cones, attitude,
+    {"cones", "body cone rolling on space cone (symmetric bodies)", has_cones, attitude_too,
      make_cones},
     {"spin-axis", "the instantaneous axis of rotation, through centre and contact", always,
-     attitude, make_spin_axis},
+     attitude_too, make_spin_axis},
     {"momentum", "the angular momentum L, normal to the plane", always, omega_alone, make_momentum},
     {"omega", "the angular velocity ω, ending at the contact or, beside ρ, beyond it", always,
-     attitude, make_omega},
-    {"axes", "the principal axes e1, e2, e3", always, attitude, make_axes},
-    {"given-axes", "the axes x, y, z that the scene's numbers are given in", never, attitude,
+     attitude_too, make_omega},
+    {"axes", "the principal axes e1, e2, e3", always, attitude_too, make_axes},
+    {"given-axes", "the axes x, y, z that the scene's numbers are given in", never, attitude_too,
      make_given_axes},
-    {"turn", "the turn from those axes to the principal ones", never, attitude, make_turn},
-    {"half-axes", "the half-axes 1/√I1, 1/√I2, 1/√I3 of the ellipsoid", never, attitude,
+    {"turn", "the turn from those axes to the principal ones", never, attitude_too, make_turn},
+    {"half-axes", "the half-axes 1/√I1, 1/√I2, 1/√I3 of the ellipsoid", never, attitude_too,
      make_half_axes},
-    {"radius", "the radius vector ρ = ω/√(2T), F(ρ) = 1", never, attitude, make_radius},
-    {"gradient", "∇F at ρ, along L", never, attitude, make_gradient},
-    {"projection", "the projection of ρ on L, of length √(2T)/L", never, attitude, make_projection},
+    {"radius", "the radius vector ρ = ω/√(2T), F(ρ) = 1", never, attitude_too, make_radius},
+    {"gradient", "∇F at ρ, along L", never, attitude_too, make_gradient},
+    {"projection", "the projection of ρ on L, of length √(2T)/L", never, attitude_too,
+     make_projection},
     {"distance", "the plane's distance √(2T)/L from the centre", never, omega_alone, make_distance},
     {"levels", "√(2T)/L among the distances 1/√I1, 1/√I2, 1/√I3, along L", never, omega_alone,
      make_levels},
     {"velocity", "the velocity ω × r of the matter on the ellipsoid, zero at the contact", never,
-     attitude, make_velocity},
-    {"precession", "Ω about the symmetry axis and L/I1 about L (symmetric bodies)", never, attitude,
-     make_precession},
-    {"contact", "the contact point", always, attitude, make_contact},
+     attitude_too, make_velocity},
+    {"precession", "Ω about the symmetry axis and L/I1 about L (symmetric bodies)", never,
+     attitude_too, make_precession},
+    {"contact", "the contact point", always, attitude_too, make_contact},
     {"ghost", "the ellipsoid and ω as the method beside has them", has_beside, omega_alone,
      make_ghost},
     {"drift", "path of the contact point by the method beside", has_beside, omega_alone,

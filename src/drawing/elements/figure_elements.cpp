@@ -14,11 +14,7 @@
 
 namespace poinsot {
 
-namespace {
-
-const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
-
-}  // namespace
+namespace {}  // namespace
 
 Drawer make_given_axes(Panel& panel) {
     const std::array<SetType, 3> types{set_label(panel, "x", 0.85), set_label(panel, "y", 0.85),

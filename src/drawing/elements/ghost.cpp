@@ -16,8 +16,6 @@ namespace {
 // A point this far from the centre, in largest half-axes, is out of every picture.
 constexpr double out_of_picture = 4.0;
 
-constexpr Quantities attitude{.attitude = true, .herpolhode = false, .euler_angles = false};
-
 // Ends the path before the first point out of the picture.
 void cut(TimedPath& path) {
     const auto far = std::find_if(
@@ -51,7 +49,7 @@ GhostPath ghost_path(Panel& panel,
     const double half_turn_s = std::numbers::pi / stage.quickest_rate_rad_s();
     GhostPath ghost;
     ghost.path = sample_path(
-        [&](double time_s) { return point(stage.beside->sample(time_s, attitude).state); },
+        [&](double time_s) { return point(stage.beside->sample(time_s, attitude_too).state); },
         stage.options.first_time_s, stage.options.last_time_s, half_turn_s, panel.curve_units());
     cut(ghost.path);
     CurveGeometry geometry;

@@ -10,6 +10,7 @@
 #include "drawing/marks.h"
 #include "mesh/flat_face.h"
 #include "mesh/solid_meshes.h"
+#include "numerics/least_turn.h"
 #include "scene/body_faces.h"
 
 namespace poinsot {
@@ -34,8 +35,7 @@ TriangleMesh rod_to(const Eigen::Vector3d& end, double radius) {
     const double length = end.norm();
     constexpr int facets = 24;
     Eigen::Affine3d placement = Eigen::Affine3d::Identity();
-    placement.linear() =
-        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), end).toRotationMatrix();
+    placement.linear() = least_turn(Eigen::Vector3d::UnitZ(), end).toRotationMatrix();
     placement.translation() = 0.5 * end;
     return placed(cylinder_mesh(radius, length, facets), placement);
 }

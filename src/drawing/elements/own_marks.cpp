@@ -16,8 +16,6 @@ namespace poinsot {
 
 namespace {
 
-constexpr Quantities attitude{.attitude = true, .herpolhode = false, .euler_angles = false};
-
 struct OwnMark {
     const MarkSpec* spec = nullptr;
     Ink ink;
@@ -37,7 +35,7 @@ SetType name_of(const Panel& panel, std::size_t i) {
 }
 
 RotationState state_at(const StageData& stage, double time_s) {
-    RotationState state = stage.motion.sample(time_s, attitude).state;
+    RotationState state = stage.motion.sample(time_s, attitude_too).state;
     if (stage.turns())
         state.space_from_body = stage.turned_from_space(time_s) * state.space_from_body;
     return state;
@@ -91,7 +89,7 @@ Drawer make_own_marks(Panel& panel, const MarkPlace& place) {
         marks.push_back(std::move(mark));
     }
     if (marks.empty()) return [](const Instant&, Sheet&) {};
-    panel.asks = united(panel.asks, attitude);
+    panel.asks = united(panel.asks, attitude_too);
     const bool whole = !stage.scene.film.loop.empty();  // a film that loops has no beginning
     Drawer draw = [&panel, place, marks, whole](const Instant& instant, Sheet& sheet) {
         for (const OwnMark& mark : marks) {

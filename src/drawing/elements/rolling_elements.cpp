@@ -22,8 +22,6 @@ namespace {
 constexpr int the_ellipsoid = 0;
 constexpr int the_plane = 0;
 
-const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
-
 // Far enough for the herpolhode, and so near that the rim towards us is seen: the panel has no hard
 // edge, and the plane is faint where the caption stands.
 double plane_radius(const Panel& panel) {

@@ -63,7 +63,7 @@ Eigen::Vector3d momentum_beside(const Panel& panel, const RotationState& state) 
 }
 
 // Its path, leaving the curve in which sphere and ellipsoid meet. Nothing without one.
-Drawer make_beside(Panel& panel) {
+Drawer make_momentum_beside(Panel& panel) {
     if (!panel.stage->beside) return [](const Instant&, Sheet&) {};
     panel.shows_beside = true;
     const GhostPath path = ghost_path(
@@ -76,7 +76,7 @@ Drawer make_beside(Panel& panel) {
 }
 
 // The way of L over the sphere as friction leads it, as much of it as the trail of the polhode.
-Drawer make_spiral(Panel& panel) {
+Drawer make_momentum_spiral(Panel& panel) {
     const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
     TimedCurve timed =
         polhode_trail(*panel.stage, tolerance / panel.stage->rolling->picture_per_rho);
@@ -181,8 +181,8 @@ void make_momentum_panel(Panel& panel) {
         axis_types[i] = set_label(panel, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
     }
     const SetType momentum_type = set_label(panel, "\\mathbf{L}");
-    const Drawer beside = make_beside(panel);
-    const Drawer spiral = dissipates ? make_spiral(panel) : Drawer();
+    const Drawer beside = make_momentum_beside(panel);
+    const Drawer spiral = dissipates ? make_momentum_spiral(panel) : Drawer();
     panel.draw = [&panel, spiral, sphere, energy, curves, axis_lengths, axis_types, momentum_type,
                   legend, beside](const Instant& instant, Sheet& sheet) {
         const Theme& theme = *panel.stage->theme;

@@ -16,6 +16,7 @@
 #include "drawing/framing.h"
 #include "drawing/marks.h"
 #include "mechanics/torque.h"
+#include "numerics/least_turn.h"
 #include "shapes/projection.h"
 
 namespace poinsot {
@@ -39,8 +40,7 @@ bool stands_beside_construction(const StageData& stage) {
 Eigen::Quaterniond picture_from_space(const StageData& stage) {
     if (!stage.rolling) return Eigen::Quaterniond::Identity();
     if (stands_beside_construction(stage)) return stage.rolling->picture_from_space;
-    return Eigen::Quaterniond::FromTwoVectors(stage.rolling->construction.normal_space(),
-                                              Eigen::Vector3d::UnitZ());
+    return least_turn(stage.rolling->construction.normal_space(), Eigen::Vector3d::UnitZ());
 }
 
 // ω and L at an instant, picture axes; lengths beside the largest of the film.

@@ -15,7 +15,7 @@ namespace poinsot {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The well of the potential that the motion lies in, and how much of it is shown.
 struct Well {

@@ -29,7 +29,7 @@ namespace poinsot {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int the_ellipsoid = 0;
 
 // How much of the film has passed at an instant, 0…1.

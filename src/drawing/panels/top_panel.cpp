@@ -21,7 +21,7 @@ namespace poinsot {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int the_sphere = 0;
 
 // Lengths beside the sphere's radius of 1.

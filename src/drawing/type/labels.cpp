@@ -26,7 +26,7 @@ double smooth_step(double u) {
     return v * v * (3.0 - 2.0 * v);
 }
 
-struct Box {
+struct PlacedBox {
     Eigen::Vector2d centre;
     Eigen::Vector2d half;
 };
@@ -57,7 +57,7 @@ std::vector<Shaft> shafts_of(const View& view) {
 // where its own does. Others only pass: a name that made way for them would leap to and fro, and
 // they pass under it. It sets out while the shaft is still on its way from the other side, and is
 // clear of it when the shaft comes to where it wishes to stand.
-void keep_off(const std::vector<Shaft>& shafts, const LabelWish& wish, Box& box) {
+void keep_off(const std::vector<Shaft>& shafts, const LabelWish& wish, PlacedBox& box) {
     constexpr double clear = 1.15;                        // of the box
     constexpr double passes = 0.90, accompanies = 0.985;  // cosines: 26° and 10°
     const auto own = std::find_if(shafts.begin(), shafts.end(), [&wish](const Shaft& shaft) {
@@ -84,7 +84,7 @@ void keep_off(const std::vector<Shaft>& shafts, const LabelWish& wish, Box& box)
 }
 
 // From what a label names to the nearest of its box, where that is farther than its place was.
-void add_leader(const LabelWish& wish, const Box& box, double before_px, double halo_px,
+void add_leader(const LabelWish& wish, const PlacedBox& box, double before_px, double halo_px,
                 double opacity, const CurveGeometry* segment, View& view) {
     const Eigen::Vector2d nearest =
         wish.anchor_px.cwiseMax(box.centre - box.half).cwiseMin(box.centre + box.half);
@@ -198,7 +198,7 @@ SetType TypeCase::set_live(std::string_view text, const TypeStyle& style, View& 
 void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,
                   View& view, const CurveGeometry* segment) {
     const std::vector<Shaft> shafts = shafts_of(view);
-    std::vector<Box> boxes;
+    std::vector<PlacedBox> boxes;
     std::vector<double> gaps;  // between what is named and its label, where it wishes to stand
     boxes.reserve(wishes.size());
     gaps.reserve(wishes.size());
@@ -257,7 +257,7 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
         label.opacity = wishes[i].opacity * nearness_to_view(wishes[i].anchor_px, view);
         if (!(label.opacity > 0.0)) continue;
         view.labels.push_back(label);
-        const Box placed{corner + boxes[i].half, boxes[i].half};
+        const PlacedBox placed{corner + boxes[i].half, boxes[i].half};
         if (segment != nullptr && wishes[i].at)
             add_leader(wishes[i], placed, gaps[i], halo_px, label.opacity, segment, view);
     }

@@ -28,7 +28,7 @@ std::int64_t frame_at(const FilmPlan& film, double film_s) {
 }
 
 // The first lines of the file, by which it is known for that of a film.
-std::string head_of(const std::filesystem::path& film) {
+std::string chapters_head(const std::filesystem::path& film) {
     return fmt::format("{{\n  \"film\": {},\n", json_string(film.filename().string()));
 }
 
@@ -66,10 +66,10 @@ void remove_stale_chapters(const OutputPlan& plan) {
     const std::filesystem::path path = chapters_path(plan.path);
     if (kind_of_file(path) != FileKind::regular) return;
     std::ifstream file(path, std::ios::binary);
-    std::string beginning(head_of(plan.path).size(), '\0');
+    std::string beginning(chapters_head(plan.path).size(), '\0');
     file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
     std::error_code ignored;
-    if (file && beginning == head_of(plan.path)) std::filesystem::remove(path, ignored);
+    if (file && beginning == chapters_head(plan.path)) std::filesystem::remove(path, ignored);
 }
 
 std::string chapters_text_of(const OutputPlan& plan, const FilmPlan& film) {
@@ -98,7 +98,7 @@ std::string chapters_text_of(const OutputPlan& plan, const FilmPlan& film) {
 }
 
 void write_chapters(const std::filesystem::path& film, const std::string& text) {
-    write_whole(chapters_path(film), head_of(film) + text);
+    write_whole(chapters_path(film), chapters_head(film) + text);
 }
 
 void write_chapters(const OutputPlan& plan, const FilmPlan& film) {

@@ -32,7 +32,7 @@ std::string without_empty_lines(std::string_view text) {
 }
 
 // The first lines, by which the file is known for that of a film.
-std::string head_of(const std::filesystem::path& film) {
+std::string subtitles_head(const std::filesystem::path& film) {
     return fmt::format("WEBVTT\n\nNOTE poinsot: {}\n", escaped_cue(film.filename().string()));
 }
 
@@ -40,10 +40,10 @@ void remove_stale(const std::filesystem::path& film) {
     const std::filesystem::path path = subtitles_path(film);
     if (kind_of_file(path) != FileKind::regular) return;
     std::ifstream file(path, std::ios::binary);
-    std::string beginning(head_of(film).size(), '\0');
+    std::string beginning(subtitles_head(film).size(), '\0');
     file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
     std::error_code ignored;
-    if (file && beginning == head_of(film)) std::filesystem::remove(path, ignored);
+    if (file && beginning == subtitles_head(film)) std::filesystem::remove(path, ignored);
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ std::vector<FilmSubtitle> subtitles_of(const Session& session, const FilmPlan& f
 
 void write_subtitles(const std::filesystem::path& film, std::span<const FilmSubtitle> subtitles) {
     if (subtitles.empty()) return remove_stale(film);
-    std::string text = head_of(film);
+    std::string text = subtitles_head(film);
     for (const FilmSubtitle& subtitle : subtitles)
         text += fmt::format("\n{} --> {}{}\n{}\n", stamp(subtitle.begin_ms), stamp(subtitle.end_ms),
                             subtitle.at_top ? " line:0" : "", escaped_cue(subtitle.text));
