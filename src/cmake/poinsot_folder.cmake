@@ -24,14 +24,17 @@ function(poinsot_embed output)
         DEPENDS ${arg_FILES} ${script} VERBATIM)
 endfunction()
 
-# poinsot_tests(NAME targets…) makes test_NAME from ./*_test.cpp, each claim a CTest test.
+# poinsot_tests(NAME targets… [ALONE files…]) makes test_NAME from ./*_test.cpp, each claim a CTest test.
+# Where several files are compiled as one (the preset asan), ALONE names those whose local names are another's, too.
 function(poinsot_tests name)
+    cmake_parse_arguments(arg "" "" "ALONE" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp)
     if(NOT sources)
         return()
     endif()
     add_executable(test_${name} ${sources} ${CMAKE_SOURCE_DIR}/tests/places.cpp)
-    target_link_libraries(test_${name} PRIVATE poinsot_options ${ARGN} GTest::gtest GTest::gtest_main)
+    target_link_libraries(test_${name} PRIVATE poinsot_options ${arg_UNPARSED_ARGUMENTS} GTest::gtest GTest::gtest_main)
+    set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     # One file alone knows where the repository lies, so that a compiler cache serves every copy.
     set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/places.cpp PROPERTIES
         COMPILE_DEFINITIONS "POINSOT_SOURCE_DIR=\"${CMAKE_SOURCE_DIR}\"")

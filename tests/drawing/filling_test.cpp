@@ -45,7 +45,7 @@ class Extent {
     }
     void see_circle(const Eigen::Vector3d& centre, const Eigen::Vector3d& a,
                     const Eigen::Vector3d& b) {
-        constexpr int n = 90;
+        constexpr int n = 36;
         for (int k = 0; k < n; ++k) {
             const double angle = 2.0 * std::numbers::pi * k / n;
             see(centre + std::cos(angle) * a + std::sin(angle) * b);
@@ -66,8 +66,8 @@ class Extent {
         }
         for (const Dot& dot : view_.dots) see(dot.at);
         for (const Ellipsoid& ellipsoid : view_.ellipsoids)
-            for (int k = 0; k <= 90; ++k) {
-                const double polar = std::numbers::pi * k / 90.0;
+            for (int k = 0; k <= 24; ++k) {
+                const double polar = std::numbers::pi * k / 24.0;
                 const Eigen::Matrix3d& axes = ellipsoid.half_axes;
                 see_circle(ellipsoid.centre + std::cos(polar) * axes.col(2),
                            std::sin(polar) * axes.col(0), std::sin(polar) * axes.col(1));
@@ -83,8 +83,9 @@ class Extent {
                        radius * cone.axis.cross(across));
         }
         for (const Mesh& mesh : view_.meshes)
-            for (const Eigen::Vector3f& point : mesh.geometry->positions)
-                see(mesh.placement * point.cast<double>());
+            // A corner of each triangle: neighbours have the others.
+            for (std::size_t k = 0; k < mesh.geometry->positions.size(); k += 3)
+                see(mesh.placement * mesh.geometry->positions[k].cast<double>());
     }
     // The names at the tips of arrows.
     void see_names() {

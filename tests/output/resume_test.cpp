@@ -46,7 +46,7 @@ void write_and_kill(const OutputPlan& plan, std::uintmax_t n_bytes) {
             waitpid(child, &status, 0);
             return;
         }
-        std::this_thread::yield();
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
     }
 }
 

@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "../pinhole.h"
@@ -230,8 +232,33 @@ TEST(EllipsoidPicture, PrincipalSectionsLieWhereCurvesAlongThemAreDrawn) {
 
 // The halves of the three principal sections that face the eye, as they are seen: many places of
 // the picture, and where a half ends at the limb.
+// Points of a picture, found by where they lie.
+class Places {
+ public:
+    void add(const Eigen::Vector2d& place) { cells_[cell_of(place)].push_back(place); }
+
+    // Of the nearest within 8 px; more than that where there is none.
+    double least_distance(const Eigen::Vector2d& from) const {
+        double least = 1e9;
+        const auto [x, y] = cell_of(from);
+        for (int i = x - 1; i <= x + 1; ++i)
+            for (int j = y - 1; j <= y + 1; ++j)
+                if (const auto cell = cells_.find({i, j}); cell != cells_.end())
+                    for (const Eigen::Vector2d& place : cell->second)
+                        least = std::min(least, (place - from).squaredNorm());
+        return std::sqrt(least);
+    }
+
+ private:
+    static std::pair<int, int> cell_of(const Eigen::Vector2d& place) {
+        return {static_cast<int>(std::floor(place.x() / 8.0)),
+                static_cast<int>(std::floor(place.y() / 8.0))};
+    }
+    std::map<std::pair<int, int>, std::vector<Eigen::Vector2d>> cells_;
+};
+
 struct SeenSections {
-    std::vector<Eigen::Vector2d> places, ends;
+    Places places, ends;
 };
 
 SeenSections sections_of(const View& view) {
@@ -250,19 +277,12 @@ SeenSections sections_of(const View& view) {
             const Eigen::Vector3d normal = shape.half_axes.inverse().transpose() * u;
             const bool faces = normal.dot(at - view.camera.eye) < 0.0;
             const Eigen::Vector2d place = pinhole.place(at);
-            if (faces) seen.places.push_back(place);
-            if (i > 0 && faces != before) seen.ends.push_back(place);
+            if (faces) seen.places.add(place);
+            if (i > 0 && faces != before) seen.ends.add(place);
             before = faces;
         }
     }
     return seen;
-}
-
-double least_distance(const std::vector<Eigen::Vector2d>& places, const Eigen::Vector2d& from) {
-    double least = 1e9;
-    for (const Eigen::Vector2d& place : places)
-        least = std::min(least, (place - from).squaredNorm());
-    return std::sqrt(least);
 }
 
 TEST(EllipsoidPicture, PrincipalSectionsKeepTheirWidthAtTheLimb) {
@@ -315,14 +335,14 @@ TEST(EllipsoidPicture, PrincipalSectionsKeepTheirWidthAtTheLimb) {
                             (far < 2.0 ? within : near) = far < 2.0 ? within && in : near || !in;
                         }
                     const Eigen::Vector2d middle(x + 0.5, y + 0.5);
-                    if (!near || !within || least_distance(seen.ends, middle) < 4.0) continue;
-                    const double from_line = least_distance(seen.places, middle);
+                    if (!near || !within || seen.ends.least_distance(middle) < 4.0) continue;
+                    const double from_line = seen.places.least_distance(middle);
                     double expected = 0.0;
                     if (from_line < width_px) {
                         for (int j = 0; j < 16; ++j) {
                             const Eigen::Vector2d sample(x + 0.125 + 0.25 * (j % 4),
                                                          y + 0.125 + 0.25 * (j / 4));
-                            expected += least_distance(seen.places, sample) < 0.5 * width_px;
+                            expected += seen.places.least_distance(sample) < 0.5 * width_px;
                         }
                         expected /= 16.0;
                     }
