@@ -134,7 +134,7 @@ std::string list_of(const std::vector<SubmittedTask>& tasks) {
     return text;
 }
 
-std::string all_of(const fs::path& path) {
+std::string contents_of(const fs::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -142,8 +142,8 @@ std::string all_of(const fs::path& path) {
 // What was submitted before and is to be done in the same way is done; anything else begins anew.
 void keep_what_is_done(Submission& submission) {
     const fs::path& folder = submission.folder;
-    if (all_of(folder / "tasks") != list_of(submission.parts) ||
-        all_of(folder / "joins") != list_of(submission.joins)) {
+    if (contents_of(folder / "tasks") != list_of(submission.parts) ||
+        contents_of(folder / "joins") != list_of(submission.joins)) {
         std::error_code ignored;
         fs::remove_all(folder / "state", ignored);
         fs::remove_all(folder / "logs", ignored);
@@ -211,7 +211,7 @@ bool is_fresh(const fs::path& path) {
 }
 
 std::string last_line_of(const fs::path& log) {
-    const std::vector<std::string> lines = split(all_of(log), '\n');
+    const std::vector<std::string> lines = split(contents_of(log), '\n');
     return lines.empty() ? "" : lines.back();
 }
 
@@ -262,7 +262,7 @@ fs::path folder_with_tasks(const fs::path& folder) {
 std::vector<FilmStatus> status_of(const fs::path& asked) {
     const fs::path folder = folder_with_tasks(asked);
     std::vector<FilmStatus> films;
-    for (const std::string& line : split(all_of(folder / "films"), '\n')) {
+    for (const std::string& line : split(contents_of(folder / "films"), '\n')) {
         const std::vector<std::string> fields = split(line, '\t');
         if (fields.size() != 3)
             throw InputError(fmt::format("{}: is no list of films; submit them again",
