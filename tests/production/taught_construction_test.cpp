@@ -1,13 +1,13 @@
-// The construction as it is taught, found in the pixels: from what `sample` prints alone (ω and the
-// attitude) ρ = ω/√(2T), L and the plane n·x = √(2T)/L are worked out here, with nothing of the
-// program's geometry or signs, and looked for in pictures of single elements seen by a pinhole.
+// The construction as it is taught, found in the pixels: from ω and the attitude alone, which
+// `sample` prints, ρ = ω/√(2T), L and the plane n·x = √(2T)/L are worked out here, with nothing of
+// the program's geometry or signs, and looked for in pictures of single elements seen by a pinhole.
 // Source of the construction: Goldstein, Classical Mechanics §5.6.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,11 +17,11 @@
 #include <string>
 #include <vector>
 
-#include "cli/program_run.h"
-#include "image/png.h"
+#include "mechanics/rotation_state.h"
 #include "numerics/least_turn.h"
+#include "production/seen_alone.h"
 
-namespace poinsot::testing {
+namespace poinsot::testing::taught_construction_tests {
 namespace {
 
 using Eigen::Matrix3d;
@@ -51,26 +51,16 @@ const std::array<Turning, 10> bodies{{
     {{1.0, 2.0, 2.25}, {1.5, 1.0, 2.0}, 0.3},
 }};
 
-// What sample prints of one instant.
-struct State {
-    Vector3d omega_body;
-    Matrix3d space_from_body;
-};
+std::string scene_of(const Turning& body) {
+    return fmt::format(
+        "[body]\nmoments_kg_m2 = [{}, {}, {}]\n[start]\nomega_rad_s = [{:.3f}, {:.3f}, {:.3f}]\n"
+        "[film]\nduration_s = 20.0\n",
+        body.moments.x(), body.moments.y(), body.moments.z(), body.omega.x(), body.omega.y(),
+        body.omega.z());
+}
 
-State sampled(const ScratchFolder& folder, double time_s) {
-    const ProgramRun run =
-        run_program_in(folder, fmt::format("sample scene.toml --times {}", time_s));
-    EXPECT_EQ(run.code, 0) << run.err;
-    std::istringstream lines(run.out);
-    std::string line;
-    std::getline(lines, line);
-    std::getline(lines, line);
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream numbers(line);
-    std::array<double, 8> v{};
-    for (double& x : v) numbers >> x;
-    return {{v[1], v[2], v[3]},
-            Eigen::Quaterniond(v[4], v[5], v[6], v[7]).normalized().toRotationMatrix()};
+RotationState state_of(const Turning& body) {
+    return session_of(parse_scene(scene_of(body), "scene.toml")).motion.at(body.time_s);
 }
 
 // The construction in picture axes: z upwards, lengths over the largest half-axis.
@@ -80,9 +70,10 @@ struct Taught {
     double distance = 0.0;
     double unit = 1.0;
 
-    Taught(const Turning& body, const State& state, bool below) {
+    Taught(const Turning& body, const RotationState& state, bool below) {
+        const Matrix3d space_from_body = state.space_from_body.toRotationMatrix();
         const Vector3d momentum_body = body.moments.cwiseProduct(state.omega_body);
-        const Vector3d momentum = state.space_from_body * momentum_body;
+        const Vector3d momentum = space_from_body * momentum_body;
         const double two_T = state.omega_body.dot(momentum_body);
         // The shortest turn takes L upwards; where the plane lies below, half a turn about x
         // follows: two rotations.
@@ -91,7 +82,7 @@ struct Taught {
             picture_from_space =
                 Eigen::AngleAxisd(pi, Vector3d::UnitX()).toRotationMatrix() * picture_from_space;
         }
-        picture_from_body = picture_from_space * state.space_from_body;
+        picture_from_body = picture_from_space * space_from_body;
         unit = 1.0 / std::sqrt(body.moments.minCoeff());
         rho = picture_from_body * state.omega_body / std::sqrt(two_T) / unit;
         omega = picture_from_body * state.omega_body;
@@ -100,56 +91,7 @@ struct Taught {
     }
 };
 
-struct Pinhole {
-    double azimuth_deg = 0.0, elevation_deg = 0.0;
-    Vector3d target = Vector3d::Zero();
-    double distance = 5.0, field_deg = 28.0;
-    double scale = 1.0;  // of a picture of 1920 × 1080
-
-    Vector3d towards_eye() const {
-        const double a = azimuth_deg * pi / 180.0;
-        const double h = elevation_deg * pi / 180.0;
-        return {std::cos(h) * std::cos(a), std::cos(h) * std::sin(a), std::sin(h)};
-    }
-    Vector2d pixel_of(const Vector3d& point) const {
-        const Vector3d forward = -towards_eye();
-        const Vector3d right = forward.cross(Vector3d::UnitZ()).normalized();
-        const Vector3d down = forward.cross(right);
-        const Vector3d from_eye = point - target - distance * towards_eye();
-        const double focal_px = 540.0 * scale / std::tan(0.5 * field_deg * pi / 180.0);
-        return scale * Vector2d(960.0, 540.0) +
-               focal_px / from_eye.dot(forward) * Vector2d(from_eye.dot(right), from_eye.dot(down));
-    }
-    std::string options() const {
-        return fmt::format(
-            " --set camera.azimuth_deg={} --set camera.elevation_deg={} --set camera.distance={}"
-            " --set camera.field_deg={} --set 'camera.target=[{}, {}, {}]'",
-            azimuth_deg, elevation_deg, distance, field_deg, target.x(), target.y(), target.z());
-    }
-};
-
-void write_scene(const ScratchFolder& folder, const Turning& body) {
-    folder.write(
-        "scene.toml",
-        fmt::format("[body]\nmoments_kg_m2 = [{}, {}, {}]\n[start]\nomega_rad_s = [{:.3f}, "
-                    "{:.3f}, {:.3f}]\n[film]\nduration_s = 20.0\n",
-                    body.moments.x(), body.moments.y(), body.moments.z(), body.omega.x(),
-                    body.omega.y(), body.omega.z()));
-}
-
-// Elements alone, on no ground.
-Image drawn(const ScratchFolder& folder, const std::string& elements, double time_s,
-            const std::string& plane, const Pinhole& camera) {
-    const ProgramRun run = run_program_in(
-        folder, fmt::format("still scene.toml --time {} --theme transparent --size {:g}x{:g} -q -o "
-                            "out.png --set 'construction.plane=\"{}\"' --set 'show=[{}]'{}",
-                            time_s, 1920.0 * camera.scale, 1080.0 * camera.scale, plane, elements,
-                            camera.options()));
-    EXPECT_EQ(run.code, 0) << run.err;
-    return read_png(folder.path() / "out.png");
-}
-
-double alpha(const Image& image, int x, int y) { return image.at(x, y).a / 255.0; }
+double alpha(const Image& image, int x, int y) { return testing::alpha(image.at(x, y)); }
 
 double alpha_between(const Image& image, const Vector2d& px) {
     const Vector2d from = px - Vector2d(0.5, 0.5);
@@ -224,13 +166,13 @@ double azimuth_beside(const Vector3d& vector) {
 }
 
 TEST(TaughtConstruction, TipOfRhoContactAndPlaneMeetInThePixels) {
+    Easel easel;
     double worst_tip = 0.0;
     double worst_dot = 0.0;
     double worst_row = 0.0;
     for (const Turning& body : bodies) {
-        const ScratchFolder folder;
-        write_scene(folder, body);
-        const State state = sampled(folder, body.time_s);
+        const std::string scene = scene_of(body);
+        const RotationState state = state_of(body);
         for (const std::string plane : {"below", "above"}) {
             const Taught taught(body, state, plane == "below");
             // ρ ends on the ellipsoid and on the plane: it is what `sample` says of ω.
@@ -249,11 +191,14 @@ TEST(TaughtConstruction, TipOfRhoContactAndPlaneMeetInThePixels) {
                 camera.elevation_deg = elevation_deg;
                 const Vector2d here = camera.pixel_of(taught.rho);
                 const Vector2d along = (here - camera.pixel_of(Vector3d::Zero())).normalized();
-                dot += 0.5 * centroid(drawn(folder, "\"contact\"", body.time_s, plane, camera));
-                tip += 0.5 *
-                       tip_of(drawn(folder, "\"radius\"", body.time_s, plane, camera), here, along);
-                row += 0.5 * row_of_plane(drawn(folder, "\"plane\"", body.time_s, plane, camera),
-                                          expected.x());
+                dot += 0.5 * centroid(seen_alone(easel, scene, "\"contact\"", body.time_s, plane,
+                                                 camera));
+                tip +=
+                    0.5 * tip_of(seen_alone(easel, scene, "\"radius\"", body.time_s, plane, camera),
+                                 here, along);
+                row += 0.5 * row_of_plane(
+                                 seen_alone(easel, scene, "\"plane\"", body.time_s, plane, camera),
+                                 expected.x());
             }
             worst_dot = std::max(worst_dot, (dot - expected).norm());
             worst_tip = std::max(worst_tip, (tip - dot).norm());
@@ -336,10 +281,12 @@ class FittedConic {
     explicit FittedConic(const std::vector<Vector2d>& points) {
         for (const Vector2d& p : points) centre_ += p / static_cast<double>(points.size());
         for (const Vector2d& p : points) size_ = std::max(size_, (p - centre_).norm());
-        Eigen::Matrix<double, Eigen::Dynamic, 6> rows(points.size(), 6);
-        for (std::size_t k = 0; k < points.size(); ++k)
-            rows.row(static_cast<Eigen::Index>(k)) = terms(points[k]).transpose();
-        coefficients_ = rows.jacobiSvd(Eigen::ComputeFullV).matrixV().col(5);
+        Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
+        for (const Vector2d& p : points) squares += terms(p) * terms(p).transpose();
+        // Eigenvalues come in ascending order.
+        coefficients_ =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(squares).eigenvectors().col(
+                0);
     }
     // Where a line meets it, near a point of that line.
     Vector2d on_line(Vector2d near, const Vector2d& along) const {
@@ -385,8 +332,7 @@ RimReadings readings_of_rim(const Image& cones, const Pinhole& camera, const Vec
         if (nearest_on(camera, other, rho, at) < 14.0 * camera.scale) continue;
         // Where the rim runs along the cone's limb there are two lines in one.
         const Vector3d point = rim_at(degrees);
-        const Vector3d sight =
-            (point - camera.target - camera.distance * camera.towards_eye()).normalized();
+        const Vector3d sight = (point - camera.eye()).normalized();
         const Vector3d normal = point.cross(axis.cross(point)).normalized();
         if (std::abs(normal.dot(sight)) < 0.15) continue;
         const Vector2d along =
@@ -432,6 +378,7 @@ ArrowLine line_of_arrow(const Image& image, const Vector2d& tip, const Vector2d&
 }
 
 TEST(TaughtConstruction, BothConesShareTheGeneratorThatOmegaRunsAlong) {
+    Easel easel;
     // The rims are read in a picture of four times the pixels a side, where their lines are eight
     // pixels wide; all is counted in pixels of 1920 × 1080. Measured: every one of 1,559 readings
     // within 0.031 px; both rims, ω's line and its tip meet in the contact within 0.043 px. With
@@ -444,9 +391,8 @@ TEST(TaughtConstruction, BothConesShareTheGeneratorThatOmegaRunsAlong) {
     std::size_t n_measured = 0;
     for (const std::size_t index : {std::size_t{4}, std::size_t{5}}) {
         const Turning& body = bodies[index];
-        const ScratchFolder folder;
-        write_scene(folder, body);
-        const State state = sampled(folder, body.time_s);
+        const std::string scene = scene_of(body);
+        const RotationState state = state_of(body);
         for (const std::string plane : {"below", "above"}) {
             const Taught taught(body, state, plane == "below");
             const Vector3d symmetry = taught.picture_from_body.col(2);
@@ -456,9 +402,10 @@ TEST(TaughtConstruction, BothConesShareTheGeneratorThatOmegaRunsAlong) {
             const Vector2d along = (here - camera.pixel_of(Vector3d::Zero())).normalized();
 
             // ω ends at the contact, whose dot covers seven pixels of its tip.
-            const Image omega = drawn(folder, "\"omega\", \"contact\"", body.time_s, plane, camera);
+            const Image omega =
+                seen_alone(easel, scene, "\"omega\", \"contact\"", body.time_s, plane, camera);
             const Vector2d contact =
-                centroid(drawn(folder, "\"contact\"", body.time_s, plane, camera));
+                centroid(seen_alone(easel, scene, "\"contact\"", body.time_s, plane, camera));
             worst_contact = std::max(worst_contact, (contact - here).norm());
             worst_tip =
                 std::max(worst_tip, (tip_of(omega, here, along, 24.0, 10.0) - contact).norm());
@@ -468,7 +415,7 @@ TEST(TaughtConstruction, BothConesShareTheGeneratorThatOmegaRunsAlong) {
             // the line of ω there too.
             Pinhole large = camera;
             large.scale = scale;
-            const Image cones = drawn(folder, "\"cones\"", body.time_s, plane, large);
+            const Image cones = seen_alone(easel, scene, "\"cones\"", body.time_s, plane, large);
             for (const bool of_space : {true, false}) {
                 const RimReadings rim =
                     readings_of_rim(cones, large, taught.rho, of_space ? taught.normal : symmetry,
@@ -530,22 +477,24 @@ Vector3d triangulated(const Pinhole& a, const Vector2d& px_a, const Pinhole& b,
         const Vector2d off = (px - Vector2d(960.0, 540.0)) / focal_px;
         return Vector3d(forward + off.x() * right + off.y() * down);
     };
-    const Vector3d from_a = a.target + a.distance * a.towards_eye();
-    const Vector3d from_b = b.target + b.distance * b.towards_eye();
+    const Vector3d from_a = a.eye();
+    const Vector3d from_b = b.eye();
     const Vector3d u = ray(a, px_a);
     const Vector3d v = ray(b, px_b);
-    Eigen::Matrix<double, 3, 2> lines;
-    lines << u, -v;
-    const Vector2d t = lines.colPivHouseholderQr().solve(from_b - from_a);
-    return 0.5 * (from_a + t[0] * u + from_b + t[1] * v);
+    // Their distance is least where it is across both.
+    const Vector3d between = from_b - from_a;
+    const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
+    const double at_u = (vv * u.dot(between) - uv * v.dot(between)) / (uu * vv - uv * uv);
+    const double at_v = (uv * u.dot(between) - uu * v.dot(between)) / (uu * vv - uv * uv);
+    return 0.5 * (from_a + at_u * u + from_b + at_v * v);
 }
 
 TEST(TaughtConstruction, ThePictureIsARotationOfTheMotion) {
+    Easel easel;
     // Seen from two sides, every tip has a place in space. The axes are right-handed, and each tip
     // moves along ω × r, with ω as drawn.
     const Turning body{{1.0, 2.0, 2.9}, {1.5, 0.3, 0.75}, 0.0};
-    const ScratchFolder folder;
-    write_scene(folder, body);
+    const std::string scene = scene_of(body);
     Pinhole left{-80.0, 18.0};
     Pinhole right{10.0, 28.0};
     left.distance = right.distance = 6.5;
@@ -555,8 +504,8 @@ TEST(TaughtConstruction, ThePictureIsARotationOfTheMotion) {
             constexpr double step_s = 0.04;
             const auto axes_at = [&](double t) {
                 std::array<std::optional<Vector3d>, 3> tips;
-                const Image a = drawn(folder, "\"axes\"", t, plane, left);
-                const Image b = drawn(folder, "\"axes\"", t, plane, right);
+                const Image a = seen_alone(easel, scene, "\"axes\"", t, plane, left);
+                const Image b = seen_alone(easel, scene, "\"axes\"", t, plane, right);
                 for (int i = 0; i < 3; ++i) {
                     const auto in_a = coloured_tip(a, i, left.pixel_of(Vector3d::Zero()));
                     const auto in_b = coloured_tip(b, i, right.pixel_of(Vector3d::Zero()));
@@ -576,8 +525,9 @@ TEST(TaughtConstruction, ThePictureIsARotationOfTheMotion) {
 
             // ω as drawn: from the middle of the contact's dot, seen from both sides.
             const Vector3d omega =
-                triangulated(left, centroid(drawn(folder, "\"contact\"", time_s, plane, left)),
-                             right, centroid(drawn(folder, "\"contact\"", time_s, plane, right)))
+                triangulated(
+                    left, centroid(seen_alone(easel, scene, "\"contact\"", time_s, plane, left)),
+                    right, centroid(seen_alone(easel, scene, "\"contact\"", time_s, plane, right)))
                     .normalized();
             for (std::size_t i = 0; i < 3; ++i) {
                 if (!then[i] || !before[i]) continue;
@@ -595,4 +545,4 @@ TEST(TaughtConstruction, ThePictureIsARotationOfTheMotion) {
 }
 
 }  // namespace
-}  // namespace poinsot::testing
+}  // namespace poinsot::testing::taught_construction_tests

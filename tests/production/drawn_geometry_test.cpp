@@ -14,11 +14,11 @@
 #include <string>
 #include <vector>
 
-#include "cli/program_run.h"
-#include "image/png.h"
+#include "image/image.h"
 #include "numerics/least_turn.h"
+#include "production/seen_alone.h"
 
-namespace poinsot::testing {
+namespace poinsot::testing::drawn_geometry_tests {
 namespace {
 
 using Eigen::Vector2d;
@@ -63,52 +63,15 @@ struct Body {
     }
 };
 
-struct Pinhole {
-    double azimuth_deg, elevation_deg;
-    double distance = 5.0, field_deg = 28.0;
-    Vector3d target{0.0, 0.0, -0.2};
+const std::string scene =
+    "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [1.5, 0.3, 0.75]\n";
 
-    Vector3d towards_eye() const {
-        const double a = azimuth_deg * pi / 180.0;
-        const double h = elevation_deg * pi / 180.0;
-        return {std::cos(h) * std::cos(a), std::cos(h) * std::sin(a), std::sin(h)};
-    }
-    Vector3d eye() const { return target + distance * towards_eye(); }
-    // x to the right, y down, pixel centres at halves.
-    Vector2d pixel_of(const Vector3d& point) const {
-        const Vector3d forward = -towards_eye();
-        const Vector3d right = forward.cross(Vector3d::UnitZ()).normalized();
-        const Vector3d down = forward.cross(right);
-        const Vector3d from_eye = point - eye();
-        const double focal_px = 540.0 / std::tan(0.5 * field_deg * pi / 180.0);
-        return Vector2d(960.0, 540.0) +
-               focal_px / from_eye.dot(forward) * Vector2d(from_eye.dot(right), from_eye.dot(down));
-    }
-    std::string options() const {
-        return " --set camera.azimuth_deg=" + std::to_string(azimuth_deg) +
-               " --set camera.elevation_deg=" + std::to_string(elevation_deg) +
-               " --set camera.distance=5.0 --set camera.field_deg=28.0"
-               " --set 'camera.target=[0.0, 0.0, -0.2]'";
-    }
-};
-
-// One element alone, on no ground, at t = 0.
-Image drawn_alone(const std::string& element, const Pinhole& camera) {
-    const ScratchFolder folder;
-    folder.write("scene.toml",
-                 "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n"
-                 "[start]\nomega_rad_s = [1.5, 0.3, 0.75]\n");
-    const ProgramRun run = run_program_in(folder,
-                                          "still scene.toml --time 0 --theme transparent "
-                                          "--size 1920x1080 -q -o out.png --set 'show=[\"" +
-                                              element + "\"]'" + camera.options());
-    EXPECT_EQ(run.code, 0) << run.err;
-    return read_png(folder.path() / "out.png");
+// One element alone at t = 0.
+Image drawn_alone(Easel& easel, const std::string& element, const Pinhole& camera) {
+    return seen_alone(easel, scene, "\"" + element + "\"", 0.0, "below", camera);
 }
 
 using Level = std::function<double(const Rgba8&)>;
-
-double alpha(const Rgba8& pixel) { return pixel.a / 255.0; }
 
 // Between pixel centres, evenly.
 double level_at(const Image& image, const Vector2d& px, const Level& level) {
@@ -161,7 +124,9 @@ double edge_offset(const Image& image, const Vector2d& at, const Vector2d& inwar
 
 Vector2d normal_of(const Vector2d& along) { return Vector2d(-along.y(), along.x()).normalized(); }
 
-const std::vector<Pinhole> cameras{{-40.0, 14.0}, {140.0, 20.0}, {75.0, 35.0}};
+const Vector3d target(0.0, 0.0, -0.2);
+const std::vector<Pinhole> cameras{
+    {-40.0, 14.0, target}, {140.0, 20.0, target}, {75.0, 35.0, target}};
 
 // Direction across a path of the picture.
 Vector2d across(const std::function<Vector2d(double)>& path, double angle) {
@@ -181,11 +146,12 @@ bool runs_alone(const std::function<Vector2d(double)>& path, int k) {
 }
 
 TEST(DrawnPixels, EllipsoidAndPolhodeLieWhereTheirQuadricsDo) {
+    Easel easel;
     const Body body;
     double worst_edge = 0.0;
     double worst_stroke = 0.0;
     for (const Pinhole& camera : cameras) {
-        const Image ellipsoid = drawn_alone("ellipsoid", camera);
+        const Image ellipsoid = drawn_alone(easel, "ellipsoid", camera);
         const auto edge = [&](double angle) {
             return camera.pixel_of(body.outline(camera.eye(), angle));
         };
@@ -205,7 +171,7 @@ TEST(DrawnPixels, EllipsoidAndPolhodeLieWhereTheirQuadricsDo) {
             worst_edge = std::max(worst_edge, std::abs(mean));
         }
 
-        const Image polhode = drawn_alone("polhode", camera);
+        const Image polhode = drawn_alone(easel, "polhode", camera);
         const auto path = [&](double angle) { return camera.pixel_of(body.polhode(angle)); };
         for (int k = 0; k < n_places; ++k) {
             if (!runs_alone(path, k)) continue;
@@ -222,14 +188,15 @@ TEST(DrawnPixels, EllipsoidAndPolhodeLieWhereTheirQuadricsDo) {
 }
 
 TEST(DrawnPixels, PolhodeTouchesTheEllipsoidsOutlineWhereItPassesRoundTheLimb) {
+    Easel easel;
     // Both as drawn, one measured against the other: a curve that floated off the surface by some
     // hundredths of a pixel would pass the outline by as much.
     const Body body;
     double worst = 0.0;
     int n_touches = 0;
     for (const Pinhole& camera : cameras) {
-        const Image ellipsoid = drawn_alone("ellipsoid", camera);
-        const Image polhode = drawn_alone("polhode", camera);
+        const Image ellipsoid = drawn_alone(easel, "ellipsoid", camera);
+        const Image polhode = drawn_alone(easel, "polhode", camera);
         const Vector2d middle = camera.pixel_of(Vector3d::Zero());
         const auto path = [&](double angle) { return camera.pixel_of(body.polhode(angle)); };
         // Turned from the limb by 0.01 rad it lies 0.00005 of the radius, 0.02 px, within the
@@ -261,6 +228,7 @@ TEST(DrawnPixels, PolhodeTouchesTheEllipsoidsOutlineWhereItPassesRoundTheLimb) {
 }
 
 TEST(DrawnPixels, ContactPointLiesOnThePlane) {
+    Easel easel;
     const Body body;
     const Vector3d foot(0.0, 0.0, -body.plane_distance);
     ASSERT_NEAR(body.contact().z(), foot.z(), 1e-12);
@@ -269,7 +237,7 @@ TEST(DrawnPixels, ContactPointLiesOnThePlane) {
     int n_measured = 0;
     for (const Pinhole& camera : cameras) {
         // The rulings stand 0.2 apart, one through the foot of L each way.
-        const Image plane = drawn_alone("plane", camera);
+        const Image plane = drawn_alone(easel, "plane", camera);
         const Level green = [](const Rgba8& pixel) { return pixel.g / 255.0; };
         for (int i = -3; i <= 3; ++i) {
             for (int j = -3; j <= 3; ++j) {
@@ -286,7 +254,7 @@ TEST(DrawnPixels, ContactPointLiesOnThePlane) {
             }
         }
 
-        const Image contact = drawn_alone("contact", camera);
+        const Image contact = drawn_alone(easel, "contact", camera);
         Vector2d sum = Vector2d::Zero();
         double weight = 0.0;
         for (int y = 0; y < contact.height(); ++y) {
@@ -310,4 +278,4 @@ TEST(DrawnPixels, ContactPointLiesOnThePlane) {
 }
 
 }  // namespace
-}  // namespace poinsot::testing
+}  // namespace poinsot::testing::drawn_geometry_tests

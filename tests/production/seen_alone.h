@@ -1,0 +1,74 @@
+// Elements of a scene drawn alone, as `still` draws them but in this process, and the pinhole that
+// they are seen by, worked out with nothing of the program's geometry.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+#include "production/picture.h"
+#include "production/session.h"
+#include "production/still_job.h"
+#include "scene/load_scene.h"
+
+namespace poinsot::testing {
+
+// The camera of a picture of 1920 × 1080, or of so many times its pixels a side.
+struct Pinhole {
+    double azimuth_deg = 0.0, elevation_deg = 0.0;
+    Eigen::Vector3d target = Eigen::Vector3d::Zero();
+    double distance = 5.0, field_deg = 28.0;
+    double scale = 1.0;
+
+    Eigen::Vector3d towards_eye() const {
+        const double a = azimuth_deg * std::numbers::pi / 180.0;
+        const double h = elevation_deg * std::numbers::pi / 180.0;
+        return {std::cos(h) * std::cos(a), std::cos(h) * std::sin(a), std::sin(h)};
+    }
+    Eigen::Vector3d eye() const { return target + distance * towards_eye(); }
+    // x to the right, y down, pixel centres at halves.
+    Eigen::Vector2d pixel_of(const Eigen::Vector3d& point) const {
+        const Eigen::Vector3d forward = -towards_eye();
+        const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
+        const Eigen::Vector3d down = forward.cross(right);
+        const Eigen::Vector3d from_eye = point - eye();
+        const double focal_px =
+            540.0 * scale / std::tan(0.5 * field_deg * std::numbers::pi / 180.0);
+        return scale * Eigen::Vector2d(960.0, 540.0) +
+               focal_px / from_eye.dot(forward) *
+                   Eigen::Vector2d(from_eye.dot(right), from_eye.dot(down));
+    }
+    std::vector<std::string> settings() const {
+        return {fmt::format("film.size=[{:g}, {:g}]", 1920.0 * scale, 1080.0 * scale),
+                fmt::format("camera.azimuth_deg={}", azimuth_deg),
+                fmt::format("camera.elevation_deg={}", elevation_deg),
+                fmt::format("camera.distance={}", distance),
+                fmt::format("camera.field_deg={}", field_deg),
+                fmt::format("camera.target=[{}, {}, {}]", target.x(), target.y(), target.z())};
+    }
+};
+
+// Elements of a scene, as "contact", "omega" in quotes, at an instant and on no ground. `plane` is
+// "below" or "above".
+inline Image seen_alone(Easel& easel, const std::string& scene, const std::string& elements,
+                        double time_s, const std::string& plane, const Pinhole& camera) {
+    std::vector<std::string> settings = camera.settings();
+    settings.push_back("theme=\"transparent\"");
+    settings.push_back("construction.plane=\"" + plane + "\"");
+    settings.push_back("show=[" + elements + "]");
+    StillJob job(session_of(parse_scene(scene, "scene.toml", settings), std::vector{time_s}),
+                 {.time_s = time_s});
+    Image image;
+    job.draw_into(easel, image);
+    return image;
+}
+
+inline double alpha(const Rgba8& pixel) { return pixel.a / 255.0; }
+
+}  // namespace poinsot::testing
