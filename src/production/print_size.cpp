@@ -12,8 +12,6 @@ namespace poinsot {
 
 namespace {
 
-constexpr double mm_per_inch = 25.4;
-constexpr double pt_per_inch = 72.0;
 constexpr int least_side_px = 16;
 
 void check_between(const char* option, std::optional<double> value, double least, double most,

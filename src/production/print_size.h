@@ -8,6 +8,9 @@
 
 namespace poinsot {
 
+constexpr double mm_per_inch = 25.4;
+constexpr double pt_per_inch = 72.0;  // the point of PDF
+
 // Lines keep their proportion to type: labels are 34 pixels an em where a polhode is 4 pixels wide.
 // So at 8.5 points a label, the curves are 1 point, L and ω 1.15, axes 0.85, an ellipsoid's
 // principal sections, rulings and grids 0.5, titles 10, captions and all other type 8 points.

@@ -25,8 +25,6 @@ namespace poinsot {
 namespace {
 
 constexpr std::string_view text_name = "Poinsot";
-constexpr double pt_per_inch = 72.0;
-constexpr double mm_per_inch = 25.4;
 constexpr double longest_inches = 200.0;  // ISO 32000-1, annex C: 14,400 units
 
 enum class Lettering { font, paths, latex };
