@@ -42,7 +42,7 @@ int run(const ApproveChoices& choices) {
     return 0;
 }
 
-CommandLine line(std::any& room) {
+CommandLine approve_line(std::any& room) {
     auto& c = room.emplace<ApproveChoices>();
     return {
         &c.names,
@@ -64,7 +64,7 @@ extern const Command approve_command{
     0,
     1000000,
     "take pictures as the new baselines, and record why",
-    line,
+    approve_line,
     {{{"poinsot approve generic --results results --baselines baselines --why \"thicker axes\"",
        "one new baseline"},
       {"poinsot approve --all --results results --baselines baselines --why \"new theme\"",

@@ -77,7 +77,7 @@ int run(const CheckChoices& choices) {
     return worst;
 }
 
-CommandLine line(std::any& room) {
+CommandLine check_line(std::any& room) {
     auto& c = room.emplace<CheckChoices>();
     return {&c.scenes,
             {set_option(c.scene),
@@ -100,7 +100,7 @@ extern const Command check_command{
     1,
     1,
     "validate a scene and say what its motion is",
-    line,
+    check_line,
     {{{"poinsot check my_scene.toml", "is it a scene, and what is its motion?"},
       {"poinsot check generic --plan", "what a film of it models, and why"}}}};
 

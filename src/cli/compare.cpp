@@ -198,7 +198,7 @@ int run(const CompareChoices& choices) {
     return all_pass(pictures) ? 0 : 1;
 }
 
-CommandLine line(std::any& room) {
+CommandLine compare_line(std::any& room) {
     auto& c = room.emplace<CompareChoices>();
     return {&c.pictures,
             {{"--profile",
@@ -239,7 +239,7 @@ extern const Command compare_command{
     2,
     2,
     "compare two pictures, two pages of vectors, or two folders of pictures",
-    line,
+    compare_line,
     {{{"poinsot compare expected.png new.png", "exit code 0: no pixel differs; 1: some do"},
       {"poinsot compare baselines/ results/ --report report.html",
        "two folders, with a page that shows them"}}}};

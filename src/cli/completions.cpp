@@ -16,7 +16,7 @@ namespace {
 using std::string;
 
 // Text inside of single quotes, which all three shells take as it is but for quotes.
-string quoted(std::string_view text) {
+string shell_quoted(std::string_view text) {
     string safe;
     for (const char c : text) safe += c == '\'' ? string("'\\''") : string(1, c);
     return "'" + safe + "'";
@@ -46,7 +46,7 @@ string bash_words(std::string_view completes) {
     const std::vector<string> words = values_of(completes);
     if (words.empty()) return ":";
     return fmt::format("{} {}", completes == "keys" ? "_poinsot_keys" : "_poinsot_words",
-                       quoted(fmt::format("{}", fmt::join(words, " "))));
+                       shell_quoted(fmt::format("{}", fmt::join(words, " "))));
 }
 
 constexpr std::string_view bash_functions =
@@ -80,7 +80,7 @@ string bash_case(const Command& command) {
     return fmt::format(
         "        {})\n            case $prev in\n{}            esac\n"
         "            [[ $cur == -* ]] && {{ _poinsot_words {}; return; }}\n            {} ;;\n",
-        command.name, values, quoted(flags), bash_words(completes_arguments(command)));
+        command.name, values, shell_quoted(flags), bash_words(completes_arguments(command)));
 }
 
 string command_names() {
@@ -117,13 +117,13 @@ string zsh_case(const Command& command) {
             if (!option.takes.empty())
                 specification +=
                     fmt::format(":{}:{}", zsh_text(option.takes), zsh_action(option.completes));
-            specifications += fmt::format(" \\\n                {}", quoted(specification));
+            specifications += fmt::format(" \\\n                {}", shell_quoted(specification));
         }
     }
     if (!command.arguments.empty())
         specifications +=
             fmt::format(" \\\n                {}",
-                        quoted(fmt::format("*:{}:{}", command.arguments,
+                        shell_quoted(fmt::format("*:{}:{}", command.arguments,
                                            zsh_action(completes_arguments(command)))));
     return fmt::format("        {})\n            _arguments -s{} ;;\n", command.name,
                        specifications);
@@ -134,7 +134,7 @@ string fish_values(std::string_view completes) {
     if (completes == "folder") return " -x -a '(__fish_complete_directories)'";
     const std::vector<string> words = values_of(completes);
     if (words.empty()) return " -x";
-    return fmt::format(" -x -a {}", quoted(fmt::format("{}", fmt::join(words, " "))));
+    return fmt::format(" -x -a {}", shell_quoted(fmt::format("{}", fmt::join(words, " "))));
 }
 
 string fish_lines(const Command& command) {
@@ -147,7 +147,7 @@ string fish_lines(const Command& command) {
             names += flag.starts_with("--") ? " -l " + flag.substr(2) : " -s " + flag.substr(1);
         text += fmt::format("{}{}{} -d {}\n", start, names,
                             option.takes.empty() ? "" : fish_values(option.completes),
-                            quoted(option.help));
+                            shell_quoted(option.help));
     }
     const std::string_view completes = completes_arguments(command);
     if (completes == "scenes")
@@ -157,7 +157,7 @@ string fish_lines(const Command& command) {
         text += fmt::format("{} -F\n", start);
     else if (!completes.empty())
         text += fmt::format("{} -a {}\n", start,
-                            quoted(fmt::format("{}", fmt::join(values_of(completes), " "))));
+                            shell_quoted(fmt::format("{}", fmt::join(values_of(completes), " "))));
     return text;
 }
 
@@ -171,7 +171,7 @@ string bash_completion() {
     text += fmt::format(
         "    if [[ $COMP_CWORD == 1 ]]; then _poinsot_words {}; return; fi\n"
         "    case ${{COMP_WORDS[1]}} in\n",
-        quoted(command_names() + " --help --version"));
+        shell_quoted(command_names() + " --help --version"));
     for (const Command& command : commands()) text += bash_case(command);
     return text + "    esac\n}\ncomplete -F _poinsot poinsot\n";
 }
@@ -187,7 +187,7 @@ string zsh_completion() {
         list_scenes, fmt::join(values_of("keys"), "' '"));
     for (const Command& command : commands())
         text += fmt::format("            {}\n",
-                            quoted(fmt::format("{}:{}", command.name, zsh_text(command.summary))));
+                            shell_quoted(fmt::format("{}:{}", command.name, zsh_text(command.summary))));
     text +=
         "        )\n        _describe command commands\n        return\n    fi\n"
         "    local command=$words[2]\n    shift words\n    (( CURRENT-- ))\n    case $command in\n";
@@ -202,7 +202,7 @@ string fish_completion() {
         "complete -c poinsot -n __fish_use_subcommand -l version -d 'print the version'\n";
     for (const Command& command : commands())
         text += fmt::format("complete -c poinsot -n __fish_use_subcommand -a {} -d {}\n",
-                            command.name, quoted(command.summary));
+                            command.name, shell_quoted(command.summary));
     for (const Command& command : commands()) text += fish_lines(command);
     return text;
 }

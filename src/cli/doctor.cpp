@@ -82,7 +82,7 @@ int run(const DoctorChoices& choices) {
     return draws && encodes && sets_type ? 0 : 1;
 }
 
-CommandLine line(std::any& room) {
+CommandLine doctor_line(std::any& room) {
     auto& c = room.emplace<DoctorChoices>();
     return {&c.arguments, {json_option(c.json)}, [&c] { return run(c); }};
 }
@@ -95,7 +95,7 @@ extern const Command doctor_command{
     0,
     0,
     "say what this machine gives: contexts, codecs, fonts",
-    line,
+    doctor_line,
     {{{"poinsot doctor", "what draws, encodes and sets type here"},
       {"poinsot doctor --json", "the same for a program to read"}}}};
 

@@ -88,7 +88,7 @@ int run(const ExplainChoices& choices) {
     return says_no || (choices.verify && verification->verified != Verified::yes) ? 1 : 0;
 }
 
-CommandLine line(std::any& room) {
+CommandLine explain_line(std::any& room) {
     auto& c = room.emplace<ExplainChoices>();
     return {&c.files,
             {json_option(c.json),
@@ -106,7 +106,7 @@ extern const Command explain_command{
     1,
     1,
     "print how a picture or film was made",
-    line,
+    explain_line,
     {{{"poinsot explain generic.png", "scene, options and versions that made it"},
       {"poinsot explain generic.mp4 --verify", "is the file as it was written?"}}}};
 

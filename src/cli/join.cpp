@@ -25,7 +25,7 @@ int run(const JoinChoices& choices) {
     return 0;
 }
 
-CommandLine line(std::any& room) {
+CommandLine join_line(std::any& room) {
     auto& c = room.emplace<JoinChoices>();
     return {&c.parts, {output_option(c.output), quiet_option(c.quiet)}, [&c] { return run(c); }};
 }
@@ -38,7 +38,7 @@ extern const Command join_command{
     1,
     any_number,
     "make a film of its parts, with the bytes of one run",
-    line,
+    join_line,
     {{{"poinsot join part1.mp4 part2.mp4 -o film.mp4", "the film of its parts, in any order"},
       {"poinsot join 'f_####.png' -o 'f_####.png'", "whether all of a sequence are there"}}}};
 

@@ -142,7 +142,7 @@ int run(const ListChoices& choices) {
                                  fmt::join(names, ", ")));
 }
 
-CommandLine line(std::any& room) {
+CommandLine list_line(std::any& room) {
     auto& c = room.emplace<ListChoices>();
     return {&c.what, {json_option(c.json)}, [&c] { return run(c); }};
 }
@@ -155,7 +155,7 @@ extern const Command list_command{
     0,
     2,
     "list scenes, keys, methods, elements, panels, objects, …",
-    line,
+    list_line,
     {{{"poinsot list", "what can be listed"},
       {"poinsot list keys camera", "every key of a scene file that has the word"}}}};
 

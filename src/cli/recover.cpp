@@ -25,7 +25,7 @@ int run(const RecoverChoices& choices) {
     return 0;
 }
 
-CommandLine line(std::any& room) {
+CommandLine recover_line(std::any& room) {
     auto& c = room.emplace<RecoverChoices>();
     return {&c.films, {quiet_option(c.quiet)}, [&c] { return run(c); }};
 }
@@ -38,7 +38,7 @@ extern const Command recover_command{
     1,
     1,
     "make a film of what an interrupted run has drawn; render goes on from there instead",
-    line,
+    recover_line,
     {{{"poinsot recover generic.mp4", "what an interrupted run has drawn of it"},
       {"poinsot recover output/generic.mp4 --quiet", "the same, without notes"}}}};
 

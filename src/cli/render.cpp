@@ -89,7 +89,7 @@ int run(const RenderChoices& choices) {
         [&](const SceneJob& job) { return render(job, choices, easel); });
 }
 
-CommandLine line(std::any& room) {
+CommandLine render_line(std::any& room) {
     auto& c = room.emplace<RenderChoices>();
     return {
         &c.scenes,
@@ -126,7 +126,7 @@ extern const Command render_command{
     1,
     any_number,
     "make a film or a PNG sequence of each scene",
-    line,
+    render_line,
     {{{"poinsot render generic -o generic.mp4", "the film of a scene that came with the program"},
       {"poinsot render generic -o frames/####.png --frames 0-59",
        "two seconds as a PNG sequence"}}}};

@@ -29,7 +29,7 @@ int run(const RerenderChoices& choices) {
     return 0;
 }
 
-CommandLine line(std::any& room) {
+CommandLine rerender_line(std::any& room) {
     auto& c = room.emplace<RerenderChoices>();
     return {&c.files,
             {output_option(c.output), quiet_option(c.quiet), backend_option(c.context),
@@ -45,7 +45,7 @@ extern const Command rerender_command{
     1,
     1,
     "draw again what a picture or film says it shows",
-    line,
+    rerender_line,
     {{{"poinsot rerender generic.png -o again.png", "the same picture from what it says of itself"},
       {"poinsot rerender generic.mp4 -o again.mp4 --quiet", "the same film"}}}};
 

@@ -162,7 +162,7 @@ std::vector<std::string> names_in(const std::string& text) {
     return names;
 }
 
-CommandLine line(std::any& room) {
+CommandLine sample_line(std::any& room) {
     auto& c = room.emplace<SampleChoices>();
     return {&c.scenes,
             {set_option(c.scene),
@@ -213,7 +213,7 @@ extern const Command sample_command{
     1,
     1,
     "the motion at given times as numbers",
-    line,
+    sample_line,
     {{{"poinsot sample generic --times 0:60:0.01 -o motion.npy", "a minute in steps of 10 ms"},
       {"poinsot sample generic --times 0,0.5,1 --columns time,kinetic_energy,contact_space",
        "T and the contact point, with units in the headings"}}}};

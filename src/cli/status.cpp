@@ -89,7 +89,7 @@ int run(const StatusChoices& choices) {
     return 0;
 }
 
-CommandLine line(std::any& room) {
+CommandLine status_line(std::any& room) {
     auto& c = room.emplace<StatusChoices>();
     return {&c.folders, {json_option(c.json)}, [&c] { return run(c); }};
 }
@@ -102,7 +102,7 @@ extern const Command status_command{
     1,
     1,
     "say what of a submission is done, running or failed",
-    line,
+    status_line,
     {{{"poinsot status film.mp4.job", "of the folder that submit has made"},
       {"poinsot status film.mp4.job --json", "the same for a script"}}}};
 

@@ -146,7 +146,7 @@ int run(const StillChoices& choices) {
     return code;
 }
 
-CommandLine line(std::any& room) {
+CommandLine still_line(std::any& room) {
     auto& c = room.emplace<StillChoices>();
     return {&c.scenes,
             {output_option(c.output),
@@ -199,7 +199,7 @@ extern const Command still_command{
     1,
     any_number,
     "make one picture of each scene",
-    line,
+    still_line,
     {{{"poinsot still generic -o generic.png --time 2.5", "the picture of one instant"},
       {"poinsot still generic -o figure.png --width-mm 86 --theme print",
        "a figure for a column of 86 mm"}}}};

@@ -128,7 +128,7 @@ int run(const SubmitChoices& choices) {
     return 0;
 }
 
-CommandLine line(std::any& room) {
+CommandLine submit_line(std::any& room) {
     auto& c = room.emplace<SubmitChoices>();
     return {&c.scenes,
             {output_option(c.output),
@@ -159,7 +159,7 @@ extern const Command submit_command{
     1,
     any_number,
     "draw films in parts on a Slurm cluster, then join them",
-    line,
+    submit_line,
     {{{"poinsot submit generic -o film.mp4 --parts 8", "an array of eight parts, then the join"},
       {"poinsot submit generic -o film.mp4 --parts 8 --dry-run", "the scripts alone"}}}};
 

@@ -64,7 +64,7 @@ int run(const TradeoffChoices& choices) {
     return 0;
 }
 
-CommandLine line(std::any& room) {
+CommandLine tradeoff_line(std::any& room) {
     auto& c = room.emplace<TradeoffChoices>();
     return {&c.scenes,
             {output_option(c.output),
@@ -86,7 +86,7 @@ extern const Command tradeoff_command{
     1,
     1,
     "measure speed against accuracy for a scene",
-    line,
+    tradeoff_line,
     {{{"poinsot tradeoff generic", "methods, settings and encoders that no other beats"},
       {"poinsot tradeoff generic --all --json", "every row, for a program to read"}}}};
 

@@ -1,8 +1,10 @@
 # One CMake target a folder: every .cpp of the folder and its rooms, nothing to register by hand.
 
-# poinsot_folder(NAME [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from ./**.cpp.
+# poinsot_folder(NAME [FUZZED] [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from ./**.cpp.
+# FUZZED: it reads what others wrote, and the fuzzers are told which of its branches they reached. Telling slows pictures threefold,
+# so that the rest does without.
 function(poinsot_folder name)
-    cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
+    cmake_parse_arguments(arg "FUZZED" "" "PUBLIC;PRIVATE" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     if(NOT sources)
         add_library(poinsot_${name} INTERFACE)
@@ -11,6 +13,9 @@ function(poinsot_folder name)
     endif()
     add_library(poinsot_${name} STATIC ${sources})
     target_link_libraries(poinsot_${name} PUBLIC poinsot_options ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+    if(POINSOT_FUZZERS AND arg_FUZZED)
+        target_compile_options(poinsot_${name} PRIVATE -fsanitize=fuzzer-no-link)
+    endif()
 endfunction()
 
 # poinsot_embed(OUTPUT HEADER h TYPE t FUNCTION f FILES files…) makes OUTPUT, which defines f() of h: a vector of t,
@@ -24,21 +29,27 @@ function(poinsot_embed output)
         DEPENDS ${arg_FILES} ${script} VERBATIM)
 endfunction()
 
-# poinsot_tests(NAME targets… [ALONE files…]) makes test_NAME from ./*_test.cpp, each claim a CTest test.
-# Where several files are compiled as one (the preset asan), ALONE names those whose local names are another's, too.
+# poinsot_tests(NAME targets…) makes test_NAME from ./*_test.cpp, each claim a CTest test.
 function(poinsot_tests name)
-    cmake_parse_arguments(arg "" "" "ALONE" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp)
     if(NOT sources)
         return()
     endif()
     add_executable(test_${name} ${sources} ${CMAKE_SOURCE_DIR}/tests/places.cpp)
-    target_link_libraries(test_${name} PRIVATE poinsot_options ${arg_UNPARSED_ARGUMENTS} GTest::gtest GTest::gtest_main)
-    set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    target_link_libraries(test_${name} PRIVATE poinsot_options ${ARGN} GTest::gtest GTest::gtest_main)
     # One file alone knows where the repository lies, so that a compiler cache serves every copy.
     set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/places.cpp PROPERTIES
         COMPILE_DEFINITIONS "POINSOT_SOURCE_DIR=\"${CMAKE_SOURCE_DIR}\"")
     target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+    if(POINSOT_SANITIZE)
+        # A process a claim would spend more on its start than on most claims: every eighth claim is in one.
+        foreach(part RANGE 7)
+            add_test(NAME ${name}.part_${part} COMMAND test_${name})
+            set_tests_properties(${name}.part_${part} PROPERTIES TIMEOUT 1800
+                ENVIRONMENT "${POINSOT_TEST_ENVIRONMENT};GTEST_BRIEF=1;GTEST_TOTAL_SHARDS=8;GTEST_SHARD_INDEX=${part}")
+        endforeach()
+        return()
+    endif()
     include(GoogleTest)
     gtest_discover_tests(test_${name} NO_PRETTY_VALUES TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120
         PROPERTIES ENVIRONMENT "${POINSOT_TEST_ENVIRONMENT}")

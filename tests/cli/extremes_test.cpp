@@ -12,7 +12,7 @@
 #include "cli/program_run.h"
 #include "image/png.h"
 
-namespace poinsot::testing {
+namespace poinsot::testing::extremes_tests {
 namespace {
 
 std::string body(const std::string& moments, const std::string& omega,
@@ -285,4 +285,4 @@ TEST(ExtremeInput, FrameTimesAreRatiosAt2997) {
 }
 
 }  // namespace
-}  // namespace poinsot::testing
+}  // namespace poinsot::testing::extremes_tests

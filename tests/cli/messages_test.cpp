@@ -9,7 +9,7 @@
 
 #include "cli/program_run.h"
 
-namespace poinsot::testing {
+namespace poinsot::testing::messages_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -218,4 +218,4 @@ TEST_F(Messages, HelpHasExamples) {
 }
 
 }  // namespace
-}  // namespace poinsot::testing
+}  // namespace poinsot::testing::messages_tests

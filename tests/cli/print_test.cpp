@@ -13,7 +13,7 @@
 #include "image/png.h"
 #include "places.h"
 
-namespace poinsot::testing {
+namespace poinsot::testing::print_tests {
 namespace {
 
 std::string scene(const std::string& name) {
@@ -169,4 +169,4 @@ TEST(PrintedStill, RefusalsAreOneLineAndLeaveNothing) {
 }
 
 }  // namespace
-}  // namespace poinsot::testing
+}  // namespace poinsot::testing::print_tests

@@ -7,7 +7,7 @@
 
 #include "cli/program_run.h"
 
-namespace poinsot::testing {
+namespace poinsot::testing::submit_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -166,4 +166,4 @@ TEST_F(Submit, NeedsSbatch) {
 }
 
 }  // namespace
-}  // namespace poinsot::testing
+}  // namespace poinsot::testing::submit_tests

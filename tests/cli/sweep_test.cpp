@@ -12,7 +12,7 @@
 #include "error/error.h"
 #include "image/png.h"
 
-namespace poinsot::testing {
+namespace poinsot::testing::sweep_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -187,4 +187,4 @@ TEST_F(Swept, SheetCarriesARecord) {
 }
 
 }  // namespace
-}  // namespace poinsot::testing
+}  // namespace poinsot::testing::sweep_tests

@@ -13,7 +13,7 @@
 #include "image/png_bands.h"
 #include "places.h"
 
-namespace poinsot::testing {
+namespace poinsot::testing::trust_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -560,4 +560,4 @@ TEST_F(Pictures, RefusedLeaveNoEmptyFolder) {
 }
 
 }  // namespace
-}  // namespace poinsot::testing
+}  // namespace poinsot::testing::trust_tests

@@ -12,7 +12,7 @@
 #include "cli/program_run.h"
 #include "places.h"
 
-namespace poinsot::testing {
+namespace poinsot::testing::vector_tests {
 namespace {
 
 std::string scene(const std::string& name) {
@@ -279,4 +279,4 @@ TEST(VectorStill, TwoPagesAreComparedAsPictures) {
 }
 
 }  // namespace
-}  // namespace poinsot::testing
+}  // namespace poinsot::testing::vector_tests

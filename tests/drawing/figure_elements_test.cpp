@@ -12,7 +12,7 @@
 #include "error/error.h"
 #include "scenes_by_hand.h"
 
-namespace poinsot {
+namespace poinsot::figure_elements_tests {
 namespace {
 
 const Eigen::Vector3d moments{1.0, 1.8, 2.6};
@@ -170,4 +170,4 @@ TEST(TimeUnits, TicksAreRoundNumbersOfTheUnit) {
 }
 
 }  // namespace
-}  // namespace poinsot
+}  // namespace poinsot::figure_elements_tests

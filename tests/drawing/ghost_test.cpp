@@ -10,7 +10,7 @@
 #include "numerics/least_turn.h"
 #include "scenes_by_hand.h"
 
-namespace poinsot {
+namespace poinsot::ghost_tests {
 namespace {
 
 const Eigen::Vector3d moments{1.0, 2.0, 2.6};
@@ -178,4 +178,4 @@ TEST(Ghost, AMethodThatBlowsUpDrawsNoLineToInfinity) {
 }
 
 }  // namespace
-}  // namespace poinsot
+}  // namespace poinsot::ghost_tests

@@ -16,7 +16,7 @@
 #include "scenes_by_hand.h"
 #include "text/languages.h"
 
-namespace poinsot {
+namespace poinsot::own_look_tests {
 namespace {
 
 const Eigen::Vector3d moments{1.0, 2.0, 2.9};
@@ -186,4 +186,4 @@ TEST(OwnLook, TheBodyPanelHasAsManyCurvesAsAsked) {
 }
 
 }  // namespace
-}  // namespace poinsot
+}  // namespace poinsot::own_look_tests

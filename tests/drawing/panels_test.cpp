@@ -12,7 +12,7 @@
 #include "mechanics/top/heavy_top.h"
 #include "scenes_by_hand.h"
 
-namespace poinsot {
+namespace poinsot::panels_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -544,4 +544,4 @@ TEST(Layout, LabelsStayInsideTheirPanelAtAnySize) {
 }
 
 }  // namespace
-}  // namespace poinsot
+}  // namespace poinsot::panels_tests

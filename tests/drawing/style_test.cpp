@@ -16,7 +16,7 @@
 #include "scene/style_keys.h"
 #include "scenes_by_hand.h"
 
-namespace poinsot {
+namespace poinsot::style_tests {
 namespace {
 
 const Eigen::Vector3d moments{1.0, 2.0, 2.9};
@@ -280,4 +280,4 @@ TEST(Plots, WhatIsOneRangeStaysOne) {
 }
 
 }  // namespace
-}  // namespace poinsot
+}  // namespace poinsot::style_tests

@@ -12,7 +12,7 @@
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"
 
-namespace poinsot {
+namespace poinsot::timeline_tests {
 
 namespace {
 
@@ -287,4 +287,4 @@ TEST(CoPrecessing, SeesThePathOfThePlaneClose) {
 
 }  // namespace
 
-}  // namespace poinsot
+}  // namespace poinsot::timeline_tests

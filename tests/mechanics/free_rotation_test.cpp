@@ -10,7 +10,7 @@
 #include "mechanics/motion.h"
 #include "mechanics/reference_cases.h"
 
-namespace poinsot {
+namespace poinsot::free_rotation_tests {
 namespace {
 
 using reference::Json;
@@ -325,4 +325,4 @@ TEST(FreeRotation, GivesItsStartBackExactlyAndWithoutAJump) {
 }
 
 }  // namespace
-}  // namespace poinsot
+}  // namespace poinsot::free_rotation_tests

@@ -23,7 +23,7 @@
 #include "mechanics/top_families.h"
 #include "numerics/least_turn.h"
 
-namespace poinsot {
+namespace poinsot::heavy_top_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -547,4 +547,4 @@ TEST(HeavyTop, RefusesWhatHasNoExactSolutionOrNoNumber) {
 }
 
 }  // namespace
-}  // namespace poinsot
+}  // namespace poinsot::heavy_top_tests

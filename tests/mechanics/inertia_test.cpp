@@ -13,7 +13,7 @@
 
 #include "error/error.h"
 
-namespace poinsot {
+namespace poinsot::inertia_tests {
 namespace {
 
 using Eigen::Matrix3d;
@@ -216,4 +216,4 @@ TEST(InertiaTensor, AxesOfTheUserMustBeARotation) {
 }
 
 }  // namespace
-}  // namespace poinsot
+}  // namespace poinsot::inertia_tests

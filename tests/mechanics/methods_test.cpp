@@ -16,7 +16,7 @@
 #include "mechanics/stepped/moser_veselov_series.h"
 #include "mechanics/top/heavy_top.h"
 
-namespace poinsot {
+namespace poinsot::methods_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -560,4 +560,4 @@ TEST(IntegratedRotation, HoldsABodyAtRestAndAnInstant) {
 }
 
 }  // namespace
-}  // namespace poinsot
+}  // namespace poinsot::methods_tests

@@ -14,7 +14,7 @@
 
 #include "error/error.h"
 
-namespace poinsot {
+namespace poinsot::solids_tests {
 namespace {
 
 using Eigen::Vector3d;
@@ -227,4 +227,4 @@ TEST(PointMasses, NameTheMissingExtent) {
 }
 
 }  // namespace
-}  // namespace poinsot
+}  // namespace poinsot::solids_tests

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace poinsot {
+namespace poinsot::wide_functions_tests {
 namespace {
 
 using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<120>,
@@ -96,4 +96,4 @@ TEST(WideFunctions, PowersAreProducts) {
 }
 
 }  // namespace
-}  // namespace poinsot
+}  // namespace poinsot::wide_functions_tests

@@ -10,7 +10,7 @@
 #include "output/films.h"
 #include "output/frame_log.h"
 
-namespace poinsot {
+namespace poinsot::resume_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -439,4 +439,4 @@ TEST(Films, WantOfRoomIsReportedAfterTheFirstFrames) {
 }
 
 }  // namespace
-}  // namespace poinsot
+}  // namespace poinsot::resume_tests

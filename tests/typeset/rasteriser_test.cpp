@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace poinsot {
+namespace poinsot::rasteriser_tests {
 namespace {
 
 using Kind = OutlineStep::Kind;
@@ -211,4 +211,4 @@ TEST(Rasteriser, BandsOfRowsAreTheRowsOfTheWhole) {
 }
 
 }  // namespace
-}  // namespace poinsot
+}  // namespace poinsot::rasteriser_tests

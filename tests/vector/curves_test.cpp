@@ -10,7 +10,7 @@
 #include "vector/conic.h"
 #include "vector/occluders.h"
 
-namespace poinsot::vector {
+namespace poinsot::vector::curves_tests {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
@@ -241,4 +241,4 @@ TEST(CurvesOnSurfaces, BodiesOfTrianglesHideWhatRaysSay) {
 }
 
 }  // namespace
-}  // namespace poinsot::vector
+}  // namespace poinsot::vector::curves_tests

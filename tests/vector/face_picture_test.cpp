@@ -10,7 +10,7 @@
 #include "../pinhole.h"
 #include "vector/picture.h"
 
-namespace poinsot::vector {
+namespace poinsot::vector::face_picture_tests {
 namespace {
 
 using testing::quarters;
@@ -115,4 +115,4 @@ TEST(FacePicture, IsHiddenByWhatStandsBeforeIt) {
 }
 
 }  // namespace
-}  // namespace poinsot::vector
+}  // namespace poinsot::vector::face_picture_tests

@@ -10,7 +10,7 @@
 #include "random_views.h"
 #include "vector/conic.h"
 
-namespace poinsot::vector {
+namespace poinsot::vector::occluders_tests {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
@@ -220,4 +220,4 @@ TEST(Occluders, ACurveInWhichTwoSurfacesMeetIsHiddenByNeitherWhereBothFaceTheEye
 }
 
 }  // namespace
-}  // namespace poinsot::vector
+}  // namespace poinsot::vector::occluders_tests
