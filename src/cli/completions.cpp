@@ -124,7 +124,7 @@ string zsh_case(const Command& command) {
         specifications +=
             fmt::format(" \\\n                {}",
                         shell_quoted(fmt::format("*:{}:{}", command.arguments,
-                                           zsh_action(completes_arguments(command)))));
+                                                 zsh_action(completes_arguments(command)))));
     return fmt::format("        {})\n            _arguments -s{} ;;\n", command.name,
                        specifications);
 }
@@ -186,8 +186,9 @@ string zsh_completion() {
         "_poinsot() {{\n    if (( CURRENT == 2 )); then\n        local -a commands=(\n",
         list_scenes, fmt::join(values_of("keys"), "' '"));
     for (const Command& command : commands())
-        text += fmt::format("            {}\n",
-                            shell_quoted(fmt::format("{}:{}", command.name, zsh_text(command.summary))));
+        text += fmt::format(
+            "            {}\n",
+            shell_quoted(fmt::format("{}:{}", command.name, zsh_text(command.summary))));
     text +=
         "        )\n        _describe command commands\n        return\n    fi\n"
         "    local command=$words[2]\n    shift words\n    (( CURRENT-- ))\n    case $command in\n";
