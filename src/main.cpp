@@ -38,8 +38,9 @@ int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     // Large buffers go back to the system when they are freed: a film's encoder is made anew every
-    // few seconds, and memory must not grow with the film.
+    // few seconds, and memory must not grow with the film. What a frame frees, the next one takes.
     mallopt(M_MMAP_THRESHOLD, 1 << 20);
+    mallopt(M_TRIM_THRESHOLD, 32 << 20);
     try {
         return poinsot::run_program(argc, argv);
     } catch (const poinsot::InputError& error) {

@@ -46,7 +46,7 @@ function(poinsot_tests name)
         foreach(part RANGE 7)
             add_test(NAME ${name}.part_${part} COMMAND test_${name})
             set_tests_properties(${name}.part_${part} PROPERTIES TIMEOUT 1800
-                ENVIRONMENT "${POINSOT_TEST_ENVIRONMENT};GTEST_BRIEF=1;GTEST_TOTAL_SHARDS=8;GTEST_SHARD_INDEX=${part}")
+                ENVIRONMENT "${POINSOT_TEST_ENVIRONMENT};GTEST_TOTAL_SHARDS=8;GTEST_SHARD_INDEX=${part}")
         endforeach()
         return()
     endif()

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/program_run.h"
+#include "sanitized.h"
 
 namespace poinsot::testing {
 namespace {
@@ -36,6 +37,9 @@ title = "Two \"quoted\""
 at_s = 4.0
 text = '$\mathbf{L}$ stays'
 )";
+
+// Lasts until a signal comes.
+const std::string kLarge = sanitized ? " --set film.size=[160,90] " : " --set film.size=[640,360] ";
 
 class Parts : public ::testing::Test {
  protected:
@@ -210,11 +214,12 @@ TEST_F(Parts, AreDrawnByOneRunAtATime) {
     for (const std::string output : {"a.mp4", "a_####.png"}) {
         const std::string held = output == "a.mp4" ? ".a.mp4.part.frames" : ".a_####.png.part";
         const ProgramRun done = run_shell(
-            folder_, "\"$1\" render a.toml -q --jobs 2 --set film.size=[640,360] -o '" + output +
+            folder_, "\"$1\" render a.toml -q --jobs 2" + kLarge + "-o '" + output +
                          "' & first=$!; for i in $(seq 3000); do [ -e '" + held +
-                         "' ] && [ -n \"$(pgrep -P $first)\" ] && break; sleep 0.01; done; "
-                         "\"$1\" render a.toml -q --jobs 1 --set film.size=[640,360] -o '" +
-                         output + "'; echo $? >code; kill -INT $first; wait $first");
+                         "' ] && [ -n \"$(pgrep -P $first)\" ] && break; sleep 0.05; done; "
+                         "\"$1\" render a.toml -q --jobs 1" +
+                         kLarge + "-o '" + output +
+                         "'; echo $? >code; kill -INT $first; wait $first");
         EXPECT_EQ(bytes("code"), "3\n") << output << done.err;
         EXPECT_NE(done.err.find("another run"), std::string::npos) << done.err;
     }
@@ -222,19 +227,20 @@ TEST_F(Parts, AreDrawnByOneRunAtATime) {
 
 // The processes that a shell's child has started, by their command.
 std::string kill_one_of(const ScratchFolder& folder, const std::string& how) {
-    return "(\"$1\" render a.toml -o k.mp4 --jobs 2 --set film.size=[640,360] -q; echo $? >code) & "
+    return "(\"$1\" render a.toml -o k.mp4 --jobs 2" + kLarge +
+           "-q; echo $? >code) & "
            "parent=$!; " +
            how + " wait $parent; cd '" + folder.path().string() + "'";
 }
 
 TEST_F(Parts, OfAKilledJobAreGoneOnWith) {
-    const std::string big = "render a.toml -q --set film.size=[640,360] ";
+    const std::string big = "render a.toml -q" + kLarge;
     make(big + "-o one.mp4 --jobs 1");
     // Until both children are drawing, then one of them or their parent.
     const std::string started =
         "for i in $(seq 3000); do program=$(pgrep -P $parent); [ -n \"$program\" ] && "
         "children=$(pgrep -P $program) && [ $(echo \"$children\" | wc -l) = 2 ] && break; "
-        "sleep 0.01; done; sleep 0.3; ";
+        "sleep 0.05; done; sleep 0.3; ";
     for (const auto& [kill, code] :
          {std::pair<std::string, std::string>{"kill -9 $(echo \"$children\" | tail -1);", "3"},
           {"kill -INT $program;", "3"},
@@ -252,7 +258,7 @@ TEST_F(Parts, OfAKilledJobAreGoneOnWith) {
 // What several processes have left of a film: recover makes a film of it as far as it goes, and one
 // process goes on with it.
 TEST_F(Parts, OfAnInterruptedJobAreRecovered) {
-    const std::string big = "render a.toml -q --set film.size=[640,360] ";
+    const std::string big = "render a.toml -q" + kLarge;
     make(big + "-o one.mp4 --jobs 1");
     // The first part has two of the four chunks, of which more than one must be there.
     const std::string enough =
@@ -265,7 +271,7 @@ TEST_F(Parts, OfAnInterruptedJobAreRecovered) {
                                  "\"$(dirname \"$0\")/.k.mp4.parts/.1-of-2.mp4.part.frames\" "
                                  "2>/dev/null || echo 0) -gt " +
                                      enough +
-                                     " ] && break; sleep 0.01; done; "
+                                     " ] && break; sleep 0.05; done; "
                                      "kill -INT $(pgrep -P $parent);"));
         EXPECT_EQ(bytes("code"), "3\n") << done.err;
         EXPECT_TRUE(fs::exists(folder_.path() / ".k.mp4.parts"));
@@ -283,7 +289,7 @@ TEST_F(Parts, OfAnInterruptedJobAreRecovered) {
     // Whoever says nothing goes on with as many processes as there were.
     interrupted();
     const bool first_is_whole = fs::exists(folder_.path() / ".k.mp4.parts" / "1-of-2.mp4");
-    const ProgramRun done = run("render a.toml --set film.size=[640,360] -o k.mp4");
+    const ProgramRun done = run("render a.toml" + kLarge + "-o k.mp4");
     EXPECT_EQ(done.code, 0) << done.err;
     // Where the others had the processors meanwhile, the first part was done when the signal came.
     const char* said = first_is_whole ? "part 1 of 2 is there" : "going on with frame";
@@ -296,7 +302,7 @@ TEST_F(Parts, OfAnInterruptedJobAreRecovered) {
 // once it has drawn.
 TEST_F(Parts, OfAnyNumberThatPaysAreTheBytesOfOne) {
     folder_.write("b.toml", kScene);
-    const std::string big = " --set film.size=[640,360] -q ";
+    const std::string big = kLarge + "-q ";
     make("render b.toml a.toml --jobs 1 -o 'one_{scene}.mp4'" + big);
     make("render b.toml a.toml -o '{scene}.mp4'" + big);
     for (const char* name : {"a.mp4", "b.mp4"})

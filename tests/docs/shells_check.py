@@ -76,7 +76,7 @@ def words_of(shell, folder, program):
         functions = folder / "functions"
         functions.mkdir()
         (functions / "_poinsot").write_text(text)
-        (folder / ".zshrc").write_text(f"fpath=({functions} $fpath)\nautoload -U compinit\ncompinit -u -D\nPS1='READY> '\nunset zle_bracketed_paste\n")
+        (folder / ".zshrc").write_text(f"fpath=({functions} $fpath)\nautoload -U compinit\ncompinit -u -d {folder}/dump\nPS1='READY> '\nunset zle_bracketed_paste\n")
         return ["zsh", "-i"]
     (folder / "config").mkdir()
     (folder / "config" / "fish").mkdir()

@@ -43,30 +43,27 @@ def check(program, name, folder):
     if not baseline.exists():
         print(f"{name}: no baseline; look at {picture}, then: {sys.argv[0]} renew {program} \"first picture\"")
         return 1
-    then, now = fields_of(program, baseline), fields_of(program, picture)
     report = folder / f"{name}.html"
     compared = subprocess.run([program, "compare", str(baseline), str(picture), "--report", str(report)])
     if compared.returncode == 0:
         report.unlink(missing_ok=True)
         return 0
-    if then["scene-sha256"] != now["scene-sha256"]:
+    if fields_of(program, baseline)["scene-sha256"] != fields_of(program, picture)["scene-sha256"]:
         print(f"{name}: its scene has changed since the picture was approved")
     print(f"report: {report}\nif the new picture is the right one: {sys.argv[0]} renew {program} \"why it changed\"")
     return 1
 
 
-def together(program):
-    with tempfile.TemporaryDirectory() as scratch:
-        alone, beside_others = pathlib.Path(scratch, "alone"), pathlib.Path(scratch, "together")
-        alone.mkdir()
-        beside_others.mkdir()
+def together(program, alone):
+    """Every scene three times by one process, in any order, against the pictures that `check` has left in the folder `alone`."""
+    with tempfile.TemporaryDirectory() as beside_others:
         names = 3 * sorted(scene.stem for scene in SCENES.glob("*.toml"))
         random.Random(1).shuffle(names)
         subprocess.run([program, "still", *(str(SCENES / f"{name}.toml") for name in names), "--portable", "--size", SIZE,
-                        "-q", "-o", str(beside_others / "###.png")], check=True)
-        expected = {name: draw(program, name, alone).read_bytes() for name in set(names)}
+                        "-q", "-o", str(pathlib.Path(beside_others, "###.png"))], check=True)
+        expected = {name: pathlib.Path(alone, f"{name}.png").read_bytes() for name in set(names)}
         wrong = [f"{number}: {name}" for number, name in enumerate(names)
-                 if (beside_others / f"{number:03}.png").read_bytes() != expected[name]]
+                 if pathlib.Path(beside_others, f"{number:03}.png").read_bytes() != expected[name]]
     print(f"{len(names)} pictures drawn after others, {len(wrong)} unlike those drawn alone", *wrong, sep="\n")
     return 1 if wrong else 0
 

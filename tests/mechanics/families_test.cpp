@@ -7,15 +7,13 @@
 #include <cctype>
 #include <string>
 
+#include "sanitized.h"
+
 namespace poinsot::families {
 namespace {
 
 // Sanitizers make the oracle ten times slower.
-#ifdef __SANITIZE_ADDRESS__
-constexpr int n_bodies = 30;
-#else
-constexpr int n_bodies = 300;
-#endif
+constexpr int n_bodies = sanitized ? 30 : 300;
 
 class FreeRotationFamily : public testing::TestWithParam<Family> {};
 

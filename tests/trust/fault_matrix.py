@@ -51,6 +51,8 @@ class Matrix:
         # Mesa's compiled shaders, kept by the undisturbed runs below: the disturbed ones have nothing to add, so that every write,
         # rename and unlink is poinsot's own, and none compiles again what takes most of a short run.
         os.environ["MESA_SHADER_CACHE_DIR"] = str(folder / "shaders")
+        # And no threads of Mesa's own, which small pictures wait for.
+        os.environ["LP_NUM_THREADS"] = "0"
         self.counts = {}
         self.n_wrong = 0
         self.n_runs = 0
@@ -382,7 +384,7 @@ class Matrix:
                     seed = self.dice("libfiu", what, name, k).randrange(1, 2**31)
                     done = self.run(self.command(name, place),
                                     env=dict(os.environ, LD_PRELOAD=preloaded, MESA_SHADER_CACHE_DISABLE="true",
-                                             LP_NUM_THREADS="0", FIU_PRNG_SEED=str(seed),
+                                             FIU_PRNG_SEED=str(seed),
                                              FIU_ENABLE=f"enable_random name={what},probability={probability}"))
                     self.judge(f"libfiu {what}", name, place, done, input_may_fail=True, trial=f"libfiu:{what}:{name}:{k}")
 

@@ -51,6 +51,8 @@ class Sequences:
         self.scene.write_text(SCENE)
         # Mesa's compiled shaders: the runs that nothing disturbs keep them, the others have nothing to add.
         os.environ["MESA_SHADER_CACHE_DIR"] = str(folder / "shaders")
+        # And no threads of Mesa's own, which small pictures wait for.
+        os.environ["LP_NUM_THREADS"] = "0"
         self.has_strace = shutil.which("strace") is not None
         self.n_steps = 0
 

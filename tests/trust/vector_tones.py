@@ -44,24 +44,24 @@ def inside_outlines(svg, size):
     return numpy.asarray(mask) > 0
 
 
-def tones(program, scene, folder):
+def tones(name, folder):
     """By reader: levels rms inside the ellipsoids, of how many pixels, and the share of all that are far apart."""
-    for suffix in ("pdf", "svg", "png"):
-        subprocess.run([program, "still", str(scene), *STILL, "-o", f"page.{suffix}"], cwd=folder, check=True)
-    readers = {"poppler": ["pdftoppm", "-png", "-singlefile", "-r", str(DPI), "page.pdf", "poppler"],
-               "rsvg": ["rsvg-convert", "--dpi-x", str(DPI), "--dpi-y", str(DPI), "-b", "white", "-o", "rsvg.png", "page.svg"]}
+    readers = {"poppler": ["pdftoppm", "-png", "-singlefile", "-r", str(DPI), f"{name}.pdf", "poppler"],
+               "rsvg": ["rsvg-convert", "--dpi-x", str(DPI), "--dpi-y", str(DPI), "-b", "white", "-o", "rsvg.png", f"{name}.svg"]}
     for reader, command in readers.items():
         if not shutil.which(command[0]):
             continue
         subprocess.run(command, cwd=folder, check=True)
-        ours, theirs = (numpy.asarray(Image.open(folder / f"{name}.png").convert("RGB"), dtype=float) for name in ("page", reader))
+        ours, theirs = (numpy.asarray(Image.open(folder / f"{picture}.png").convert("RGB"), dtype=numpy.int16)
+                        for picture in (name, reader))
         height, width = min(ours.shape[0], theirs.shape[0]), min(ours.shape[1], theirs.shape[1])
         ours, theirs = ours[:height, :width], theirs[:height, :width]
         counted = even(ours) & even(theirs)
-        far = float((abs(ours - theirs).max(axis=2)[counted] > FAR).mean())
-        counted &= inside_outlines(folder / "page.svg", (width, height))
+        apart = ours - theirs
+        far = float((abs(apart).max(axis=2)[counted] > FAR).mean())
+        counted &= inside_outlines(folder / f"{name}.svg", (width, height))
         n = int(counted.sum())
-        rms = float(numpy.sqrt(((ours - theirs)**2).mean(axis=2)[counted].mean())) if n else 0.0
+        rms = float(numpy.sqrt((apart[counted].astype(float)**2).mean())) if n else 0.0
         yield reader, rms, n, far
 
 
@@ -70,10 +70,14 @@ def main():
     if not shutil.which("pdftoppm"):
         print("poppler is not here")
         return 77
+    names = names or sorted(scene.stem for scene in scenes.glob("*.toml"))
     failed = 0
-    for name in names or sorted(scene.stem for scene in scenes.glob("*.toml")):
-        with tempfile.TemporaryDirectory() as folder:
-            for reader, rms, n, far in tones(program, scenes / f"{name}.toml", pathlib.Path(folder)):
+    with tempfile.TemporaryDirectory() as folder:
+        for suffix in ("pdf", "svg", "png"):
+            subprocess.run([program, "still", *(str(scenes / f"{name}.toml") for name in names), *STILL, "-o", f"{{scene}}.{suffix}"],
+                           cwd=folder, check=True)
+        for name in names:
+            for reader, rms, n, far in tones(name, pathlib.Path(folder)):
                 print(f"{name:20} {reader:8} {rms:.2f} levels rms, {n} pixels; {100 * far:.3f} % of the page over {FAR:.0f} levels", flush=True)
                 failed += rms > MOST_RMS or far > MOST_FAR
     return 1 if failed else 0
