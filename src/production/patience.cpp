@@ -58,9 +58,9 @@ void Patience::tell(const std::string& what, double estimate_s,
 namespace {
 
 // The least of three, as a virtual machine counts what its host takes away as time of the thread.
-double stepping_s(const MotionProblem& problem, double (*clock_s)(), double least_timed_s) {
+double stepping_s(const MotionProblem& problem, double (*clock_s)(), double enough_s) {
     double least_s = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 3 && !(least_s < least_timed_s); ++k) {
+    for (int k = 0; k < 3 && !(least_s < enough_s); ++k) {
         const double before_s = clock_s();
         const IntegratedRotation stepped(problem);
         least_s = std::min(least_s, clock_s() - before_s);
@@ -81,23 +81,29 @@ double stepping_estimate_s(const MotionProblem& problem, double (*clock_s)()) {
     const double span_s = problem.last_time_s - problem.first_time_s;
     if (method.make == nullptr || !(span_s > 0.0)) return 0.0;
 
-    // Longer and longer parts from the start on, until one can be timed.
+    // Longer and longer parts from the start on, until one can be timed. The first is so short that
+    // it takes what setting up does, which no part is taken to multiply.
     constexpr double least_timed_s = 3e-3;
     const double least_span_s =
         std::max(std::ldexp(span_s, -40), problem.method.step_s.value_or(0.0));
     MotionProblem part = problem;
     part.first_time_s = 0.0;
     part.overshoot_s = 0.0;
+    double setup_s = 0.0;
     for (double part_s = least_span_s;; part_s *= 2.0) {
         part.last_time_s = std::min(part_s, span_s);
         double timed_s = 0.0;
         try {
-            timed_s = stepping_s(part, clock_s, least_timed_s);
+            timed_s = stepping_s(part, clock_s, setup_s + least_timed_s);
         } catch (const InputError&) {
             return 0.0;  // said by the one who steps over all of it
         }
-        if (timed_s >= least_timed_s || part.last_time_s >= span_s)
-            return timed_s * (span_s / part.last_time_s);
+        if (part.last_time_s >= span_s) return timed_s;
+        if (part_s == least_span_s) {
+            setup_s = timed_s;
+        } else if (timed_s >= setup_s + least_timed_s) {
+            return setup_s + (timed_s - setup_s) * (span_s / part.last_time_s);
+        }
     }
 }
 

@@ -130,6 +130,8 @@ std::string bytes_drawn_with(const char* backend, const char* n_threads) {
         setenv("POINSOT_TEST_BYTES", file.c_str(), 1);
         setenv("POINSOT_TEST_BACKEND", backend, 1);
         setenv("LP_NUM_THREADS", n_threads, 1);
+        unsetenv("GTEST_TOTAL_SHARDS");
+        unsetenv("GTEST_SHARD_INDEX");
         const int quiet = open("/dev/null", O_WRONLY);
         dup2(quiet, 1);
         execl("/proc/self/exe", "test_render", "--gtest_also_run_disabled_tests",
