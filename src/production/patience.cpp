@@ -82,8 +82,9 @@ double stepping_estimate_s(const MotionProblem& problem, double (*clock_s)()) {
     if (method.make == nullptr || !(span_s > 0.0)) return 0.0;
 
     // Longer and longer parts from the start on, until one can be timed. The first is so short that
-    // it takes what setting up does, which no part is taken to multiply.
+    // it takes what setting up does; that is not multiplied, and what is must be well over it.
     constexpr double least_timed_s = 3e-3;
+    constexpr double most_setups = 3.0;
     const double least_span_s =
         std::max(std::ldexp(span_s, -40), problem.method.step_s.value_or(0.0));
     MotionProblem part = problem;
@@ -94,14 +95,14 @@ double stepping_estimate_s(const MotionProblem& problem, double (*clock_s)()) {
         part.last_time_s = std::min(part_s, span_s);
         double timed_s = 0.0;
         try {
-            timed_s = stepping_s(part, clock_s, setup_s + least_timed_s);
+            timed_s = stepping_s(part, clock_s, most_setups * setup_s + least_timed_s);
         } catch (const InputError&) {
             return 0.0;  // said by the one who steps over all of it
         }
         if (part.last_time_s >= span_s) return timed_s;
         if (part_s == least_span_s) {
             setup_s = timed_s;
-        } else if (timed_s >= setup_s + least_timed_s) {
+        } else if (timed_s >= most_setups * setup_s + least_timed_s) {
             return setup_s + (timed_s - setup_s) * (span_s / part.last_time_s);
         }
     }
