@@ -13,7 +13,9 @@
 
 #include "cli/instants.h"
 #include "error/error.h"
+#include "production/session.h"
 #include "program_run.h"
+#include "scene/load_scene.h"
 
 namespace poinsot {
 namespace {
@@ -257,6 +259,28 @@ TEST(SampleFiles, AllFormatsHoldTheSameNumbers) {
     for (std::size_t i = 0; i < rows.size(); ++i)
         for (std::size_t k = 0; k < names.size(); ++k)
             EXPECT_EQ(stored[i * names.size() + k], rows[i][k]);
+}
+
+// What the construction in the pixels is worked out from, in tests/production.
+TEST(SampleFiles, OmegaAndAttitudeAreTheMotionsToTheLastDigit) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", tilted);
+    const auto rows = rows_of(run_program_in(folder, "sample scene.toml --times 0.3,3.7,90").out);
+    ASSERT_EQ(rows.size(), 3u);
+    const Session session = session_of(parse_scene(tilted, "scene.toml"), std::vector{90.0});
+    for (const std::vector<double>& row : rows) {
+        const RotationState state = session.motion.at(row.at(0));
+        const Eigen::Quaterniond& q = state.space_from_body;
+        const std::vector<double> expected{row[0],
+                                           state.omega_body.x(),
+                                           state.omega_body.y(),
+                                           state.omega_body.z(),
+                                           q.w(),
+                                           q.x(),
+                                           q.y(),
+                                           q.z()};
+        EXPECT_EQ(std::vector<double>(row.begin(), row.begin() + 8), expected);
+    }
 }
 
 TEST(SampleFiles, AnotherSuffixAndAFailureLeaveNothing) {

@@ -7,13 +7,10 @@
 #include <cctype>
 #include <string>
 
-#include "sanitized.h"
-
 namespace poinsot::families {
 namespace {
 
-// Sanitizers make the oracle ten times slower.
-constexpr int n_bodies = sanitized ? 30 : 300;
+constexpr int n_bodies = 300;
 
 class FreeRotationFamily : public testing::TestWithParam<Family> {};
 

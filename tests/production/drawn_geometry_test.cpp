@@ -66,23 +66,20 @@ struct Body {
 const std::string scene =
     "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [1.5, 0.3, 0.75]\n";
 
-// One element alone at t = 0.
-Image drawn_alone(Easel& easel, const std::string& element, const Pinhole& camera) {
-    return seen_alone(easel, scene, "\"" + element + "\"", 0.0, "below", camera);
-}
+class DrawnPixels : public ::testing::Test {
+ protected:
+    // One element alone at t = 0.
+    Image drawn_alone(const std::string& element, const Pinhole& camera) {
+        return seen_alone(easel_, scene, "\"" + element + "\"", 0.0, "below", camera);
+    }
+
+    const Body body_;
+
+ private:
+    Easel easel_;
+};
 
 using Level = std::function<double(const Rgba8&)>;
-
-// Between pixel centres, evenly.
-double level_at(const Image& image, const Vector2d& px, const Level& level) {
-    const Vector2d from = px - Vector2d(0.5, 0.5);
-    const int x = static_cast<int>(std::floor(from.x()));
-    const int y = static_cast<int>(std::floor(from.y()));
-    const double u = from.x() - x;
-    const double v = from.y() - y;
-    return (1.0 - v) * ((1.0 - u) * level(image.at(x, y)) + u * level(image.at(x + 1, y))) +
-           v * ((1.0 - u) * level(image.at(x, y + 1)) + u * level(image.at(x + 1, y + 1)));
-}
 
 // How far the middle of a stroke lies from a point of the picture, along a direction: the centroid
 // of what stands out from the line between the ends of the stretch.
@@ -145,15 +142,13 @@ bool runs_alone(const std::function<Vector2d(double)>& path, int k) {
     return true;
 }
 
-TEST(DrawnPixels, EllipsoidAndPolhodeLieWhereTheirQuadricsDo) {
-    Easel easel;
-    const Body body;
+TEST_F(DrawnPixels, EllipsoidAndPolhodeLieWhereTheirQuadricsDo) {
     double worst_edge = 0.0;
     double worst_stroke = 0.0;
     for (const Pinhole& camera : cameras) {
-        const Image ellipsoid = drawn_alone(easel, "ellipsoid", camera);
+        const Image ellipsoid = drawn_alone("ellipsoid", camera);
         const auto edge = [&](double angle) {
-            return camera.pixel_of(body.outline(camera.eye(), angle));
+            return camera.pixel_of(body_.outline(camera.eye(), angle));
         };
         const Vector2d middle = camera.pixel_of(Vector3d::Zero());
         std::vector<double> edges;
@@ -171,8 +166,8 @@ TEST(DrawnPixels, EllipsoidAndPolhodeLieWhereTheirQuadricsDo) {
             worst_edge = std::max(worst_edge, std::abs(mean));
         }
 
-        const Image polhode = drawn_alone(easel, "polhode", camera);
-        const auto path = [&](double angle) { return camera.pixel_of(body.polhode(angle)); };
+        const Image polhode = drawn_alone("polhode", camera);
+        const auto path = [&](double angle) { return camera.pixel_of(body_.polhode(angle)); };
         for (int k = 0; k < n_places; ++k) {
             if (!runs_alone(path, k)) continue;
             const double angle = 2.0 * pi * k / n_places;
@@ -187,28 +182,26 @@ TEST(DrawnPixels, EllipsoidAndPolhodeLieWhereTheirQuadricsDo) {
     EXPECT_LT(worst_stroke, largest_px);  // measured 0.080; its chords are within 0.05 of it
 }
 
-TEST(DrawnPixels, PolhodeTouchesTheEllipsoidsOutlineWhereItPassesRoundTheLimb) {
-    Easel easel;
+TEST_F(DrawnPixels, PolhodeTouchesTheEllipsoidsOutlineWhereItPassesRoundTheLimb) {
     // Both as drawn, one measured against the other: a curve that floated off the surface by some
     // hundredths of a pixel would pass the outline by as much.
-    const Body body;
     double worst = 0.0;
     int n_touches = 0;
     for (const Pinhole& camera : cameras) {
-        const Image ellipsoid = drawn_alone(easel, "ellipsoid", camera);
-        const Image polhode = drawn_alone(easel, "polhode", camera);
+        const Image ellipsoid = drawn_alone("ellipsoid", camera);
+        const Image polhode = drawn_alone("polhode", camera);
         const Vector2d middle = camera.pixel_of(Vector3d::Zero());
-        const auto path = [&](double angle) { return camera.pixel_of(body.polhode(angle)); };
+        const auto path = [&](double angle) { return camera.pixel_of(body_.polhode(angle)); };
         // Turned from the limb by 0.01 rad it lies 0.00005 of the radius, 0.02 px, within the
         // outline.
         double sum = 0.0;
         int n = 0;
         for (int k = 0; k < 20 * n_places; ++k) {
             const double angle = 2.0 * pi * k / (20 * n_places);
-            const Vector3d point = body.polhode(angle);
+            const Vector3d point = body_.polhode(angle);
             const Vector3d normal =
-                body.picture_from_body *
-                body.moments.cwiseProduct(body.picture_from_body.inverse() * point);
+                body_.picture_from_body *
+                body_.moments.cwiseProduct(body_.picture_from_body.inverse() * point);
             const double facing = normal.normalized().dot((camera.eye() - point).normalized());
             if (std::abs(facing) > 0.01) continue;
             Vector2d inwards = across(path, angle);
@@ -227,17 +220,15 @@ TEST(DrawnPixels, PolhodeTouchesTheEllipsoidsOutlineWhereItPassesRoundTheLimb) {
     EXPECT_LT(worst, largest_px);  // measured 0.038
 }
 
-TEST(DrawnPixels, ContactPointLiesOnThePlane) {
-    Easel easel;
-    const Body body;
-    const Vector3d foot(0.0, 0.0, -body.plane_distance);
-    ASSERT_NEAR(body.contact().z(), foot.z(), 1e-12);
+TEST_F(DrawnPixels, ContactPointLiesOnThePlane) {
+    const Vector3d foot(0.0, 0.0, -body_.plane_distance);
+    ASSERT_NEAR(body_.contact().z(), foot.z(), 1e-12);
     double worst_grid = 0.0;
     double worst_contact = 0.0;
     int n_measured = 0;
     for (const Pinhole& camera : cameras) {
         // The rulings stand 0.2 apart, one through the foot of L each way.
-        const Image plane = drawn_alone(easel, "plane", camera);
+        const Image plane = drawn_alone("plane", camera);
         const Level green = [](const Rgba8& pixel) { return pixel.g / 255.0; };
         for (int i = -3; i <= 3; ++i) {
             for (int j = -3; j <= 3; ++j) {
@@ -254,19 +245,9 @@ TEST(DrawnPixels, ContactPointLiesOnThePlane) {
             }
         }
 
-        const Image contact = drawn_alone(easel, "contact", camera);
-        Vector2d sum = Vector2d::Zero();
-        double weight = 0.0;
-        for (int y = 0; y < contact.height(); ++y) {
-            for (int x = 0; x < contact.width(); ++x) {
-                const double covered = alpha(contact.at(x, y));
-                sum += covered * Vector2d(x + 0.5, y + 0.5);
-                weight += covered;
-            }
-        }
-        ASSERT_GT(weight, 50.0);
-        worst_contact =
-            std::max(worst_contact, (sum / weight - camera.pixel_of(body.contact())).norm());
+        worst_contact = std::max(worst_contact, (centroid(drawn_alone("contact", camera), 50.0) -
+                                                 camera.pixel_of(body_.contact()))
+                                                    .norm());
     }
     RecordProperty("worst_grid_px", std::to_string(worst_grid));
     RecordProperty("worst_contact_px", std::to_string(worst_contact));

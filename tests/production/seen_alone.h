@@ -3,9 +3,11 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -70,5 +72,32 @@ inline Image seen_alone(Easel& easel, const std::string& scene, const std::strin
 }
 
 inline double alpha(const Rgba8& pixel) { return pixel.a / 255.0; }
+
+// Between pixel centres, evenly; past the outermost as at them.
+template <typename Level>
+double level_at(const Image& image, const Eigen::Vector2d& px, const Level& level) {
+    const Eigen::Vector2d from = px - Eigen::Vector2d(0.5, 0.5);
+    const int x = std::clamp(static_cast<int>(std::floor(from.x())), 0, image.width() - 2);
+    const int y = std::clamp(static_cast<int>(std::floor(from.y())), 0, image.height() - 2);
+    const double u = from.x() - x;
+    const double v = from.y() - y;
+    return (1.0 - v) * ((1.0 - u) * level(image.at(x, y)) + u * level(image.at(x + 1, y))) +
+           v * ((1.0 - u) * level(image.at(x, y + 1)) + u * level(image.at(x + 1, y + 1)));
+}
+
+// The middle of all that is drawn, which must be so many pixels.
+inline Eigen::Vector2d centroid(const Image& image, double least_px) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    double weight = 0.0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const double covered = alpha(image.at(x, y));
+            sum += covered * Eigen::Vector2d(x + 0.5, y + 0.5);
+            weight += covered;
+        }
+    }
+    EXPECT_GT(weight, least_px);
+    return sum / weight;
+}
 
 }  // namespace poinsot::testing

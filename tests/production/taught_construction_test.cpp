@@ -94,27 +94,7 @@ struct Taught {
 double alpha(const Image& image, int x, int y) { return testing::alpha(image.at(x, y)); }
 
 double alpha_between(const Image& image, const Vector2d& px) {
-    const Vector2d from = px - Vector2d(0.5, 0.5);
-    const int x = std::clamp(static_cast<int>(std::floor(from.x())), 0, image.width() - 2);
-    const int y = std::clamp(static_cast<int>(std::floor(from.y())), 0, image.height() - 2);
-    const double u = from.x() - x;
-    const double v = from.y() - y;
-    return (1.0 - v) * ((1.0 - u) * alpha(image, x, y) + u * alpha(image, x + 1, y)) +
-           v * ((1.0 - u) * alpha(image, x, y + 1) + u * alpha(image, x + 1, y + 1));
-}
-
-// The middle of all that is drawn.
-Vector2d centroid(const Image& image) {
-    Vector2d sum = Vector2d::Zero();
-    double weight = 0.0;
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            sum += alpha(image, x, y) * Vector2d(x + 0.5, y + 0.5);
-            weight += alpha(image, x, y);
-        }
-    }
-    EXPECT_GT(weight, 20.0);
-    return sum / weight;
+    return level_at(image, px, [](const Rgba8& pixel) { return testing::alpha(pixel); });
 }
 
 // The tip of the one arrow drawn: its head is a cone, whose width falls evenly to nothing there; a
@@ -191,8 +171,9 @@ TEST(TaughtConstruction, TipOfRhoContactAndPlaneMeetInThePixels) {
                 camera.elevation_deg = elevation_deg;
                 const Vector2d here = camera.pixel_of(taught.rho);
                 const Vector2d along = (here - camera.pixel_of(Vector3d::Zero())).normalized();
-                dot += 0.5 * centroid(seen_alone(easel, scene, "\"contact\"", body.time_s, plane,
-                                                 camera));
+                dot += 0.5 *
+                       centroid(seen_alone(easel, scene, "\"contact\"", body.time_s, plane, camera),
+                                20.0);
                 tip +=
                     0.5 * tip_of(seen_alone(easel, scene, "\"radius\"", body.time_s, plane, camera),
                                  here, along);
@@ -405,7 +386,7 @@ TEST(TaughtConstruction, BothConesShareTheGeneratorThatOmegaRunsAlong) {
             const Image omega =
                 seen_alone(easel, scene, "\"omega\", \"contact\"", body.time_s, plane, camera);
             const Vector2d contact =
-                centroid(seen_alone(easel, scene, "\"contact\"", body.time_s, plane, camera));
+                centroid(seen_alone(easel, scene, "\"contact\"", body.time_s, plane, camera), 20.0);
             worst_contact = std::max(worst_contact, (contact - here).norm());
             worst_tip =
                 std::max(worst_tip, (tip_of(omega, here, along, 24.0, 10.0) - contact).norm());
@@ -526,8 +507,10 @@ TEST(TaughtConstruction, ThePictureIsARotationOfTheMotion) {
             // ω as drawn: from the middle of the contact's dot, seen from both sides.
             const Vector3d omega =
                 triangulated(
-                    left, centroid(seen_alone(easel, scene, "\"contact\"", time_s, plane, left)),
-                    right, centroid(seen_alone(easel, scene, "\"contact\"", time_s, plane, right)))
+                    left,
+                    centroid(seen_alone(easel, scene, "\"contact\"", time_s, plane, left), 20.0),
+                    right,
+                    centroid(seen_alone(easel, scene, "\"contact\"", time_s, plane, right), 20.0))
                     .normalized();
             for (std::size_t i = 0; i < 3; ++i) {
                 if (!then[i] || !before[i]) continue;
