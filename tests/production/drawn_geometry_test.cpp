@@ -73,7 +73,7 @@ class DrawnPixels : public ::testing::Test {
         return seen_alone(easel_, scene, "\"" + element + "\"", 0.0, "below", camera);
     }
 
-    const Body body_;
+    const Body body_{};
 
  private:
     Easel easel_;
