@@ -1,5 +1,27 @@
 # One CMake target a folder: every .cpp of the folder and its rooms, nothing to register by hand.
 
+# poinsot_joined(OUTPUT TARGET ROOT files…) puts what TARGET compiles for the files, all below ROOT, into OUTPUT: themselves, or, if
+# POINSOT_FILES_AS_ONE says so, a file for as many of them. Those of CMAKE_UNITY_BUILD name sources in full (before CMake 4), so that
+# a compiler cache would not know them in another checkout.
+function(poinsot_joined output target root)
+    set(sources ${ARGN})
+    set(joined)
+    while(POINSOT_FILES_AS_ONE GREATER 1 AND sources)
+        set(text "// Made by CMake.\n")
+        foreach(k RANGE 1 ${POINSOT_FILES_AS_ONE})
+            list(POP_FRONT sources source)
+            if(source)
+                file(RELATIVE_PATH name ${root} ${source})
+                string(APPEND text "#include \"${name}\"\n")
+            endif()
+        endforeach()
+        list(LENGTH joined n)
+        list(APPEND joined ${CMAKE_CURRENT_BINARY_DIR}/joined/${target}_${n}.cpp)
+        file(CONFIGURE OUTPUT joined/${target}_${n}.cpp CONTENT "${text}" @ONLY)
+    endwhile()
+    set(${output} ${joined} ${sources} PARENT_SCOPE)
+endfunction()
+
 # poinsot_folder(NAME [FUZZED] [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from ./**.cpp.
 # FUZZED: it reads what others wrote, and the fuzzers are told which of its branches they reached. Telling slows pictures threefold,
 # so that the rest does without.
@@ -11,7 +33,8 @@ function(poinsot_folder name)
         target_link_libraries(poinsot_${name} INTERFACE poinsot_options ${arg_PUBLIC} ${arg_PRIVATE})
         return()
     endif()
-    add_library(poinsot_${name} STATIC ${sources})
+    poinsot_joined(compiled poinsot_${name} ${CMAKE_SOURCE_DIR}/src ${sources})
+    add_library(poinsot_${name} STATIC ${compiled})
     target_link_libraries(poinsot_${name} PUBLIC poinsot_options ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
     if(POINSOT_FUZZERS AND arg_FUZZED)
         target_compile_options(poinsot_${name} PRIVATE -fsanitize=fuzzer-no-link)
@@ -35,7 +58,8 @@ function(poinsot_tests name)
     if(NOT sources)
         return()
     endif()
-    add_executable(test_${name} ${sources} ${CMAKE_SOURCE_DIR}/tests/places.cpp)
+    poinsot_joined(compiled test_${name} ${CMAKE_SOURCE_DIR}/tests ${sources})
+    add_executable(test_${name} ${compiled} ${CMAKE_SOURCE_DIR}/tests/places.cpp)
     target_link_libraries(test_${name} PRIVATE poinsot_options ${ARGN} GTest::gtest GTest::gtest_main)
     # One file alone knows where the repository lies, so that a compiler cache serves every copy.
     set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/places.cpp PROPERTIES
