@@ -1,25 +1,29 @@
 # One CMake target a folder: every .cpp of the folder and its rooms, nothing to register by hand.
 
 # poinsot_joined(OUTPUT TARGET ROOT files…) puts what TARGET compiles for the files, all below ROOT, into OUTPUT: themselves, or, if
-# POINSOT_FILES_AS_ONE says so, a file for as many of them. Those of CMAKE_UNITY_BUILD name sources in full (before CMake 4), so that
-# a compiler cache would not know them in another checkout.
+# POINSOT_FILES_AS_ONE says so, a file for as many of them; one with definitions of its own stays alone. CMAKE_UNITY_BUILD names its
+# sources in full (before CMake 4), so that a compiler cache would not know them in another checkout.
 function(poinsot_joined output target root)
-    set(sources ${ARGN})
-    set(joined)
-    while(POINSOT_FILES_AS_ONE GREATER 1 AND sources)
-        set(text "// Made by CMake.\n")
-        foreach(k RANGE 1 ${POINSOT_FILES_AS_ONE})
-            list(POP_FRONT sources source)
-            if(source)
-                file(RELATIVE_PATH name ${root} ${source})
-                string(APPEND text "#include \"${name}\"\n")
-            endif()
+    set(compiled)
+    set(count 0)
+    foreach(source ${ARGN})
+        get_source_file_property(own ${source} COMPILE_DEFINITIONS)
+        if(own OR NOT POINSOT_FILES_AS_ONE GREATER 1)
+            list(APPEND compiled ${source})
+            continue()
+        endif()
+        math(EXPR part "${count} / ${POINSOT_FILES_AS_ONE}")
+        math(EXPR count "${count} + 1")
+        file(RELATIVE_PATH name ${root} ${source})
+        string(APPEND text_${part} "#include \"${name}\"\n")
+    endforeach()
+    if(count)
+        foreach(k RANGE ${part})
+            file(CONFIGURE OUTPUT joined/${target}_${k}.cpp CONTENT "// Made by CMake.\n${text_${k}}" @ONLY)
+            list(APPEND compiled ${CMAKE_CURRENT_BINARY_DIR}/joined/${target}_${k}.cpp)
         endforeach()
-        list(LENGTH joined n)
-        list(APPEND joined ${CMAKE_CURRENT_BINARY_DIR}/joined/${target}_${n}.cpp)
-        file(CONFIGURE OUTPUT joined/${target}_${n}.cpp CONTENT "${text}" @ONLY)
-    endwhile()
-    set(${output} ${joined} ${sources} PARENT_SCOPE)
+    endif()
+    set(${output} ${compiled} PARENT_SCOPE)
 endfunction()
 
 # poinsot_folder(NAME [FUZZED] [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from ./**.cpp.
