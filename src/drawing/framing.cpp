@@ -150,14 +150,10 @@ std::vector<Eigen::Vector3d> outermost(std::span<const Eigen::Vector3d> points) 
     std::vector<Eigen::Vector3d> found;
     if (points.empty()) return found;
     for (const Eigen::Vector3d& direction : points_of_ellipsoid(Eigen::Matrix3d::Identity())) {
-        const double* to = direction.data();
         std::size_t farthest_at = 0;
         double reach = -std::numeric_limits<double>::infinity();
-        // Written out: tens of millions of these are most of a body's set-up where sanitizers
-        // watch.
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const double* point = points[i].data();
-            const double along = point[0] * to[0] + point[1] * to[1] + point[2] * to[2];
+            const double along = points[i].dot(direction);
             if (along <= reach) continue;
             reach = along;
             farthest_at = i;
