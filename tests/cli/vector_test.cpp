@@ -168,7 +168,8 @@ TEST(VectorStill, NoTextOfAnSvgBeginsWithASpace) {
 
 TEST(VectorStill, PathsAreTypeWithoutFonts) {
     const ScratchFolder folder;
-    const std::string still = "still '" + scene("generic") + "' --text paths -o ";
+    const std::string page = "still '" + scene("generic") + "' --width-mm 110 ";
+    const std::string still = page + "--text paths -o ";
     ASSERT_EQ(run_program_in(folder, still + "a.pdf").code, 0);
     EXPECT_EQ(lines_of(said(folder, "pdffonts a.pdf")).size(), 2u);
     ASSERT_EQ(run_program_in(folder, still + "a.svg").code, 0);
@@ -179,7 +180,7 @@ TEST(VectorStill, PathsAreTypeWithoutFonts) {
     ASSERT_EQ(run_program_in(folder, "rerender a.pdf -o b.pdf").code, 0);
     EXPECT_EQ(text_of(folder.path() / "a.pdf"), text_of(folder.path() / "b.pdf"));
     // As letters and as outlines it is one picture, but for how small letters are smoothed.
-    ASSERT_EQ(run_program_in(folder, "still '" + scene("generic") + "' -o font.pdf").code, 0);
+    ASSERT_EQ(run_program_in(folder, page + "-o font.pdf").code, 0);
     const ProgramRun same = run_program_in(
         folder, "compare font.pdf a.pdf --max-differing 5% --max-over 1% --over-levels 64");
     EXPECT_EQ(same.code, 0) << same.out << same.err;

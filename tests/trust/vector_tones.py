@@ -24,11 +24,16 @@ DPI = 300
 STILL = ["-q", "--theme", "print", "--width-mm", "162.56", "--height-mm", "91.44", "--dpi", str(DPI)]
 
 
+def most(channels):
+    """The largest of three channels; numpy's own max(axis=2) takes ten times as long."""
+    return numpy.maximum(numpy.maximum(channels[..., 0], channels[..., 1]), channels[..., 2])
+
+
 def even(levels):
     """Where a picture changes by no more than 2 levels to any of the four neighbours."""
     flat = numpy.ones(levels.shape[:2], dtype=bool)
-    down = abs(numpy.diff(levels, axis=0)).max(axis=2) <= 2
-    across = abs(numpy.diff(levels, axis=1)).max(axis=2) <= 2
+    down = most(abs(numpy.diff(levels, axis=0))) <= 2
+    across = most(abs(numpy.diff(levels, axis=1))) <= 2
     flat[1:] &= down
     flat[:-1] &= down
     flat[:, 1:] &= across
@@ -46,23 +51,23 @@ def inside_outlines(svg, size):
 
 def tones(name, folder):
     """By reader: levels rms inside the ellipsoids, of how many pixels, and the share of all that are far apart."""
-    readers = {"poppler": ["pdftoppm", "-png", "-singlefile", "-r", str(DPI), f"{name}.pdf", "poppler"],
-               "rsvg": ["rsvg-convert", "--dpi-x", str(DPI), "--dpi-y", str(DPI), "-b", "white", "-o", "rsvg.png", f"{name}.svg"]}
-    for reader, command in readers.items():
+    readers = {"poppler.ppm": ["pdftoppm", "-singlefile", "-r", str(DPI), f"{name}.pdf", "poppler"],
+               "rsvg.png": ["rsvg-convert", "--dpi-x", str(DPI), "--dpi-y", str(DPI), "-b", "white", "-o", "rsvg.png", f"{name}.svg"]}
+    for picture, command in readers.items():
         if not shutil.which(command[0]):
             continue
         subprocess.run(command, cwd=folder, check=True)
-        ours, theirs = (numpy.asarray(Image.open(folder / f"{picture}.png").convert("RGB"), dtype=numpy.int16)
-                        for picture in (name, reader))
+        ours, theirs = (numpy.asarray(Image.open(folder / file).convert("RGB"), dtype=numpy.int16)
+                        for file in (f"{name}.png", picture))
         height, width = min(ours.shape[0], theirs.shape[0]), min(ours.shape[1], theirs.shape[1])
         ours, theirs = ours[:height, :width], theirs[:height, :width]
         counted = even(ours) & even(theirs)
         apart = ours - theirs
-        far = float((abs(apart).max(axis=2)[counted] > FAR).mean())
+        far = float((most(abs(apart))[counted] > FAR).mean())
         counted &= inside_outlines(folder / f"{name}.svg", (width, height))
         n = int(counted.sum())
         rms = float(numpy.sqrt((apart[counted].astype(float)**2).mean())) if n else 0.0
-        yield reader, rms, n, far
+        yield picture.split(".")[0], rms, n, far
 
 
 def main():
