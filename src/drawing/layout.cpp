@@ -287,7 +287,7 @@ void StageData::make_panels() {
         Drawer header;
         if (specs.size() > 1)
             header = header_of(
-                panel, spec.title.value_or(std::string(translated(kind.title, scene.language))));
+                panel, spec.title.value_or(std::string(phrase_in(scene.language, kind.title))));
         // What a chart refuses is its quantity.
         if (spec.quantity.empty())
             kind.make(panel);

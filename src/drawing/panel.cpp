@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -41,27 +41,49 @@ constexpr std::string_view heavy_top = "a heavy symmetric top";
 constexpr std::string_view free_turning = "a torque-free body that turns";
 constexpr std::string_view turning = "a body that turns, free of torque but for friction inside it";
 
-const std::array<PanelKind, 9> table{{
-    {"space", "the ellipsoid rolling on the invariable plane", "Invariable plane", false,
+// What stands over the panels.
+constexpr Phrase invariable_plane_title{"Invariable plane", "Invariable Ebene",  "Plan invariable",
+                                        "Plano invariable", "Piano invariabile", "不変平面"};
+constexpr Phrase body_axes_title{"Body axes",       "Körperfeste Achsen",     "Axes liés au corps",
+                                 "Ejes del cuerpo", "Assi solidali al corpo", "物体座標系"};
+constexpr Phrase herpolhode_title{"Herpolhode",  "Herpolhodie", "Herpolhodie",
+                                  "Herpolhodia", "Erpoloide",   "ハーポロード"};
+constexpr Phrase momentum_in_body_axes_title{"Momentum in body axes",
+                                             "Drehimpuls in körperfesten Achsen",
+                                             "Moment cinétique dans les axes du corps",
+                                             "Momento angular en ejes del cuerpo",
+                                             "Momento angolare in assi solidali",
+                                             "物体座標系の角運動量"};
+constexpr Phrase body_in_space_title{
+    "Body in space",        "Körper im Raum",     "Corps dans l\u2019espace",
+    "Cuerpo en el espacio", "Corpo nello spazio", "空間内の物体"};
+constexpr Phrase heavy_top_title{"Heavy top",     "Schwerer Kreisel", "Toupie pesante",
+                                 "Peonza pesada", "Trottola pesante", "重いこま"};
+constexpr Phrase effective_potential_title{"Effective potential", "Effektives Potential",
+                                           "Potentiel effectif",  "Potencial efectivo",
+                                           "Potenziale efficace", "有効ポテンシャル"};
+
+const PanelKind table[] = {
+    {"space", "the ellipsoid rolling on the invariable plane", invariable_plane_title, false,
      keeps_momentum, turning, make_space_panel, CameraUse::all},
-    {"body", "the ellipsoid at rest, all its polhodes and the separatrices", "Body axes", true,
+    {"body", "the ellipsoid at rest, all its polhodes and the separatrices", body_axes_title, true,
      keeps_momentum, turning, make_body_panel, CameraUse::own_direction},
-    {"plan", "the herpolhode on the plane, seen along its normal", "Herpolhode", true, rolls,
+    {"plan", "the herpolhode on the plane, seen along its normal", herpolhode_title, true, rolls,
      free_turning, make_plan_panel},
     {"momentum", "the sphere |L| and the energy ellipsoid meeting, in body axes",
-     "Momentum in body axes", true, keeps_momentum, turning, make_momentum_panel,
+     momentum_in_body_axes_title, true, keeps_momentum, turning, make_momentum_panel,
      CameraUse::own_direction},
-    {"object", "the body itself turning, with its principal axes, ω and L", "Body in space", true,
-     any, "", make_object_panel, CameraUse::direction},
-    {"plot", "ω, angles, energies or residuals against time, with a moving cursor", "", true, any,
-     "", make_plot_panel},
+    {"object", "the body itself turning, with its principal axes, ω and L", body_in_space_title,
+     true, any, "", make_object_panel, CameraUse::direction},
+    {"plot", "ω, angles, energies or residuals against time, with a moving cursor", no_words, true,
+     any, "", make_plot_panel},
     {"top", "a heavy top with its Euler angles and the path of its axis on the unit sphere",
-     "Heavy top", true, is_heavy_top, heavy_top, make_top_panel, CameraUse::direction},
+     heavy_top_title, true, is_heavy_top, heavy_top, make_top_panel, CameraUse::direction},
     {"potential", "effective potential of a heavy top with E and the moving point",
-     "Effective potential", true, is_heavy_top, heavy_top, make_potential_panel},
-    {"sweep", "what [construction] sweep runs through: an axis of a body at rest, or √(2T)/L", "",
-     true, sweeps, "[construction] sweep", make_sweep_panel, CameraUse::direction},
-}};
+     effective_potential_title, true, is_heavy_top, heavy_top, make_potential_panel},
+    {"sweep", "what [construction] sweep runs through: an axis of a body at rest, or √(2T)/L",
+     no_words, true, sweeps, "[construction] sweep", make_sweep_panel, CameraUse::direction},
+};
 
 }  // namespace
 
@@ -105,10 +127,10 @@ std::vector<std::string> idle_camera_keys(const Scene& scene) {
     CameraUse use = CameraUse::none;
     bool any_view = scene.panels.empty();
     for (const PanelSpec& spec : scene.panels) {
-        const auto kind = std::find_if(table.begin(), table.end(), [&spec](const PanelKind& row) {
-            return row.name == spec.kind;
-        });
-        if (kind == table.end()) return {};
+        const auto kind =
+            std::find_if(std::begin(table), std::end(table),
+                         [&spec](const PanelKind& row) { return row.name == spec.kind; });
+        if (kind == std::end(table)) return {};
         // The plan is flat, and yet lies as the camera of the space panel sees the plane.
         if (kind->name == "plan") return {};
         any_view = any_view || kind->camera != CameraUse::none;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drawing/stage_data.h"
+#include "text/languages.h"
 
 namespace poinsot {
 
@@ -58,8 +59,8 @@ enum class CameraUse { none, own_direction, direction, all };
 struct PanelKind {
     std::string_view name;
     std::string_view summary;
-    std::string_view title;  // stands over it when it is not alone
-    bool fills;              // alone, it still leaves the title and the caption their room
+    Phrase title;  // stands over it when it is not alone
+    bool fills;    // alone, it still leaves the title and the caption their room
     // Whether this motion can be shown so; `without` finishes the sentence "this panel needs …".
     bool (*possible)(const StageData& stage);
     std::string_view needs;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -170,7 +169,7 @@ Theme transparent_of(Theme theme, std::string_view name, std::string_view summar
     return theme;
 }
 
-const std::array<Theme, 6> table{
+const Theme table[] = {
     light,
     dark,
     print,

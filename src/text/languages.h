@@ -1,20 +1,25 @@
-// The words that pictures have of their own, in every language: one table.
+// The languages that pictures have words of their own in, and such a word in each of them.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 
 namespace poinsot {
 
-// "en", "de", "fr", "es", "it", "ja".
-std::span<const std::string_view> languages();
+// In this order.
+constexpr std::array<std::string_view, 6> language_codes{"en", "de", "fr", "es", "it", "ja"};
 
-// An English word or heading of a picture in another language; the same text where the table has
-// no such row: what the scene says itself is not ours to translate.
+// A word, heading or formula of a picture in every language; one that stands alone is the same in
+// all of them, as formulas are.
+using Phrase = std::array<std::string_view, language_codes.size()>;
+
+constexpr Phrase no_words{};
+constexpr Phrase formula(std::string_view text) { return {text}; }
+
+inline std::span<const std::string_view> languages() { return language_codes; }
+
 // Precondition: one of languages().
-std::string_view translated(std::string_view english, std::string_view language);
-
-// Whether the table has a row for it, whole in every language.
-bool has_translations(std::string_view english);
+std::string_view phrase_in(std::string_view language, const Phrase& phrase);
 
 }  // namespace poinsot

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -163,9 +164,14 @@ TEST(PrintedStill, RefusalsAreOneLineAndLeaveNothing) {
     // The nearest name, or all of them.
     EXPECT_EQ(run_program_in(folder, still + "--theme drak").err,
               "--set theme=drak: unknown theme \"drak\"; did you mean \"dark\"?\n");
+    std::string names;
+    std::istringstream listed(run_program_in(folder, "list themes").out);
+    for (std::string line; std::getline(listed, line);)
+        names += line.substr(0, line.find(' ')) + ", ";
+    EXPECT_TRUE(names.starts_with("light, dark, print, ")) << names;
     EXPECT_EQ(run_program_in(folder, still + "--theme xyzzy").err,
-              "--set theme=xyzzy: unknown theme \"xyzzy\"; choose one of: light, dark, print, "
-              "colour-blind, transparent, transparent-dark, or a theme in a file, as in my.toml\n");
+              "--set theme=xyzzy: unknown theme \"xyzzy\"; choose one of: " + names +
+                  "or a theme in a file, as in my.toml\n");
 }
 
 }  // namespace

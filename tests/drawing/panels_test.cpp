@@ -4,8 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "drawing/charts/plot_quantity.h"
+#include "drawing/elements/elements.h"
 #include "drawing/elements/object_shapes.h"
 #include "drawing/panel.h"
 #include "error/error.h"
@@ -144,6 +150,120 @@ TEST(Panels, OfTopsAreFiniteAtEveryExtreme) {
                 for (const View& view : drawing.views) expect_finite(view, name);
             }
         }
+    }
+}
+
+// Every row of the table of quantities that a motion has, as a chart: finite. Returns how many.
+int n_finite_charts(Scene scene, const std::string& name) {
+    int n = 0;
+    for (const PlotQuantity& quantity : plot_quantities()) {
+        scene.panels.front().quantity = quantity.name;
+        std::optional<StagedScene> staged;
+        try {
+            staged.emplace(scene, 10.0);
+        } catch (const InputError&) {
+            continue;  // it needs another motion
+        }
+        ++n;
+        for (const double t : {0.0, 3.7, 10.0})
+            expect_finite(staged->stage.at(t).views.front(), std::string(quantity.name) + name);
+    }
+    return n;
+}
+
+TEST(Panels, EveryQuantityIsFiniteAtEveryExtreme) {
+    for (const FreeCase& one : extremes)
+        EXPECT_GE(n_finite_charts(free_scene(one.moments, one.omega, "plot"), one.name), 5);
+    for (const TopCase& one : tops)
+        EXPECT_GE(n_finite_charts(top_scene(one.start, "plot", one.mgl_N_m), one.name), 5);
+}
+
+// What an element adds to the space panel, as numbers: where its marks, curves and solids are, in
+// picture units.
+std::vector<double> places_of(const View& view) {
+    std::vector<double> places;
+    const auto add = [&places](const auto& numbers) {
+        for (const double x : numbers.reshaped()) places.push_back(x);
+    };
+    for (const Arrow& arrow : view.arrows) {
+        add(arrow.tail);
+        add(arrow.tip);
+    }
+    for (const Dot& dot : view.dots) add(dot.at);
+    for (const Ellipsoid& ellipsoid : view.ellipsoids) add(ellipsoid.half_axes);
+    for (const Cone& cone : view.cones) add(Eigen::Vector3d(cone.length * cone.axis));
+    for (const Plane& plane : view.planes) add(plane.centre);
+    for (const Curve& curve : view.curves) {
+        add(Eigen::Vector3d(curve.placement * curve.geometry->points.front()));
+        add(Eigen::Vector3d(curve.placement * curve.geometry->points.back()));
+    }
+    for (const Mesh& mesh : view.meshes) add(mesh.placement.matrix());
+    return places;
+}
+
+// The scene of one element, with its lengths, masses and times measured in other units.
+std::vector<double> places_of_element(const Element& element, double moments_by, double rates_by) {
+    // With two equal moments, so that cones and precession are there too, about an axis between
+    // the first two of those that are given.
+    Eigen::Matrix3d tensor;
+    tensor << 2.5, 0.5, 0.0, 0.5, 2.5, 0.0, 0.0, 0.0, 2.0;
+    Scene scene =
+        free_scene(Eigen::Vector3d::Ones(), rates_by * Eigen::Vector3d(1.4, 0.5, 1.6), "space");
+    scene.body.inertia = InertiaTensor::from_matrix(moments_by * tensor);
+    scene.show = {std::string(element.name)};
+    const double last_time_s = 10.0 / rates_by;
+    scene.film.duration_s = last_time_s;
+    MethodChoice stepped{"rk4", 0.01 / rates_by, {}, {}};
+    const bool of_beside = element.name == "ghost" || element.name == "drift";
+    if (of_beside) scene.beside = stepped;
+    const Motion motion(problem_of(scene));
+    MotionProblem problem = motion.problem();
+    problem.method = stepped;
+    const Motion beside(problem);
+    const Stage stage(scene, motion,
+                      {.width_px = 640, .height_px = 360, .last_time_s = last_time_s},
+                      of_beside ? &beside : nullptr);
+    const Drawing drawing = stage.at(0.37 * last_time_s);
+    expect_finite(drawing.views.front(), std::string(element.name));
+    return places_of(view_of(drawing));
+}
+
+// Whatever units a body is measured in, its picture is the same: nothing vanishes beside what has a
+// size of order one, or grows beyond it.
+TEST(SpacePanel, EveryElementIsDrawnAlikeInAnyUnits) {
+    for (const Element& element : elements()) {
+        const std::vector<double> expected = places_of_element(element, 1.0, 1.0);
+        EXPECT_GT(expected.size(), 0u) << element.name;
+        for (const auto& [moments_by, rates_by] :
+             {std::pair{0x1p500, 1.0}, std::pair{0x1p-500, 1.0}, std::pair{1.0, 0x1p100},
+              std::pair{1.0, 0x1p-100}}) {
+            const std::vector<double> places = places_of_element(element, moments_by, rates_by);
+            ASSERT_EQ(places.size(), expected.size()) << element.name;
+            for (std::size_t i = 0; i < places.size(); ++i)
+                EXPECT_NEAR(places[i], expected[i], 1e-9)
+                    << element.name << ", moments by " << moments_by << ", rates by " << rates_by;
+        }
+    }
+}
+
+TEST(SpacePanel, EveryElementIsFiniteAtEveryExtreme) {
+    for (const FreeCase& one : extremes) {
+        int n = 0;
+        for (const Element& element : elements()) {
+            Scene scene = free_scene(one.moments, one.omega, "space");
+            scene.show = {std::string(element.name)};
+            std::optional<StagedScene> staged;
+            try {
+                staged.emplace(scene, 10.0);
+            } catch (const InputError&) {
+                continue;  // two need two equal moments, two a method beside
+            }
+            ++n;
+            for (const double t : {0.0, 10.0})
+                expect_finite(staged->stage.at(t).views.front(),
+                              std::string(element.name) + ", " + one.name);
+        }
+        EXPECT_GE(n + 4, static_cast<int>(elements().size())) << one.name;
     }
 }
 

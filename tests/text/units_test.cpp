@@ -71,10 +71,12 @@ TEST(Units, AreShownAsWantedForWhatTheyMeasure) {
 
 TEST(Languages, GiveWordsTheirOwn) {
     EXPECT_EQ(languages().size(), 6u);
-    EXPECT_EQ(translated("Body axes", "en"), "Body axes");
-    EXPECT_EQ(translated("Body axes", "de"), "Körperfeste Achsen");
-    EXPECT_EQ(translated("a scene's own words", "de"), "a scene's own words");
-    EXPECT_FALSE(has_translations("a scene's own words"));
+    constexpr Phrase top{"top", "Kreisel", "toupie", "peonza", "trottola", "こま"};
+    EXPECT_EQ(phrase_in("en", top), "top");
+    EXPECT_EQ(phrase_in("de", top), "Kreisel");
+    EXPECT_EQ(phrase_in("ja", top), "こま");
+    // A formula is the same in all of them.
+    EXPECT_EQ(phrase_in("de", formula("E")), "E");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "drawing/panel.h"
 #include "drawing/type/time_unit.h"
+#include "text/languages.h"
 
 namespace poinsot {
 
@@ -98,6 +99,9 @@ Label chart_label(const Panel& panel, const SetType& type, double x, double y, A
 
 constexpr double chart_margin = 40.0;       // px at the sides, half of it above and below
 constexpr double chart_number_size = 23.0;  // px per em at 1080 rows
+// Of an axis of energies.
+constexpr Phrase energy_title{"energy", "Energie", "énergie", "energía", "energia", "エネルギー"};
+
 constexpr double chart_title_size = 26.0;
 constexpr double chart_name_size = 31.0;
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "drawing/charts/plot_frame.h"
 #include "error/error.h"
 #include "text/nearest.h"
 #include "text/printable.h"
@@ -43,10 +44,30 @@ bool has_cones(const StageData& stage) { return rolls(stage) && stage.rolling->c
 
 constexpr Quantities euler_angles{.attitude = false, .herpolhode = false, .euler_angles = true};
 
+// Words of the rows below, in every language.
+constexpr Phrase turns_title{"turns", "Umdrehungen", "tours", "vueltas", "giri", "回転数"};
+constexpr Phrase angle_title{"angle from L", "Winkel zu L",  "angle avec L",
+                             "ángulo con L", "angolo con L", "Lとの角度"};
+constexpr Phrase residual_title{"relative residual", "relativer Rest",   "résidu relatif",
+                                "residuo relativo",  "residuo relativo", "相対残差"};
+constexpr Phrase wobble_label{"\\mathrm{wobble}",  "\\mathrm{Taumeln}",   "\\mathrm{nutation}",
+                              "\\mathrm{cabeceo}", "\\mathrm{nutazione}", "\\mathrm{ふらつき}"};
+constexpr Phrase spin_label{"\\mathrm{spin}",
+                            "\\mathrm{Spin}",
+                            "\\mathrm{rotation propre}",
+                            "\\mathrm{giro propio}",
+                            "\\mathrm{rotazione propria}",
+                            "\\mathrm{自転}"};
+constexpr Phrase gap_label{"\\mathrm{gap}",        "\\mathrm{Abstand}", "\\mathrm{écart}",
+                           "\\mathrm{separación}", "\\mathrm{scarto}",  "\\mathrm{隙間}"};
+constexpr Phrase slip_label{"\\mathrm{slip}",        "\\mathrm{Schlupf}",
+                            "\\mathrm{glissement}",  "\\mathrm{deslizamiento}",
+                            "\\mathrm{slittamento}", "\\mathrm{滑り}"};
+
 constexpr PlotCurve omega_curves[] = {
-    {"\\omega_1", axis_colour<0>, LineStyle::solid},
-    {"\\omega_2", axis_colour<1>, LineStyle::dashed},
-    {"\\omega_3", axis_colour<2>, LineStyle::dotted},
+    {formula("\\omega_1"), axis_colour<0>, LineStyle::solid},
+    {formula("\\omega_2"), axis_colour<1>, LineStyle::dashed},
+    {formula("\\omega_3"), axis_colour<2>, LineStyle::dotted},
 };
 // Components along the principal axes.
 PlotValues omega_values(const StageData& stage, const Instant& instant) {
@@ -57,18 +78,18 @@ PlotValues omega_values(const StageData& stage, const Instant& instant) {
 }
 
 constexpr PlotCurve euler_curves[] = {
-    {"\\theta", angle_colour<0>, LineStyle::solid},
-    {"\\varphi", angle_colour<1>, LineStyle::solid},
-    {"\\psi", angle_colour<2>, LineStyle::solid},
+    {formula("\\theta"), angle_colour<0>, LineStyle::solid},
+    {formula("\\varphi"), angle_colour<1>, LineStyle::solid},
+    {formula("\\psi"), angle_colour<2>, LineStyle::solid},
 };
 PlotValues euler_values(const StageData&, const Instant& instant) {
     return {instant.euler.theta_rad, instant.euler.phi_rad, instant.euler.psi_rad};
 }
 
 constexpr PlotCurve energy_curves[] = {
-    {"T", energy_colour, LineStyle::solid},
-    {"V", potential_colour, LineStyle::dashed},
-    {"E", momentum_colour, LineStyle::dotted},
+    {formula("T"), energy_colour, LineStyle::solid},
+    {formula("V"), potential_colour, LineStyle::dashed},
+    {formula("E"), momentum_colour, LineStyle::dotted},
 };
 PlotValues energy_values(const StageData& stage, const Instant& instant) {
     const MotionProblem& problem = stage.motion.motion().problem();
@@ -83,10 +104,10 @@ PlotValues energy_values(const StageData& stage, const Instant& instant) {
 }
 
 constexpr PlotCurve momentum_curves[] = {
-    {"L_1", axis_colour<0>, LineStyle::solid},
-    {"L_2", axis_colour<1>, LineStyle::dashed},
-    {"L_3", axis_colour<2>, LineStyle::dotted},
-    {"L", momentum_colour, LineStyle::solid},
+    {formula("L_1"), axis_colour<0>, LineStyle::solid},
+    {formula("L_2"), axis_colour<1>, LineStyle::dashed},
+    {formula("L_3"), axis_colour<2>, LineStyle::dotted},
+    {formula("L"), momentum_colour, LineStyle::solid},
 };
 // Components along the principal axes, which L seen in the body changes, and the length that stays.
 PlotValues momentum_values(const StageData& stage, const Instant& instant) {
@@ -97,9 +118,9 @@ PlotValues momentum_values(const StageData& stage, const Instant& instant) {
 }
 
 constexpr PlotCurve tilt_curves[] = {
-    {"\\mathbf{e}_1", axis_colour<0>, LineStyle::solid},
-    {"\\mathbf{e}_2", axis_colour<1>, LineStyle::dashed},
-    {"\\mathbf{e}_3", axis_colour<2>, LineStyle::dotted},
+    {formula("\\mathbf{e}_1"), axis_colour<0>, LineStyle::solid},
+    {formula("\\mathbf{e}_2"), axis_colour<1>, LineStyle::dashed},
+    {formula("\\mathbf{e}_3"), axis_colour<2>, LineStyle::dotted},
 };
 // Angles of the principal axes from L, whole also near 0 and π.
 PlotValues tilt_values(const StageData& stage, const Instant& instant) {
@@ -111,9 +132,9 @@ PlotValues tilt_values(const StageData& stage, const Instant& instant) {
 }
 
 constexpr PlotCurve conserved_curves[] = {
-    {"p_\\varphi", angle_colour<1>, LineStyle::solid},
-    {"p_\\psi", angle_colour<2>, LineStyle::dashed},
-    {"E", energy_colour, LineStyle::dotted},
+    {formula("p_\\varphi"), angle_colour<1>, LineStyle::solid},
+    {formula("p_\\psi"), angle_colour<2>, LineStyle::dashed},
+    {formula("E"), energy_colour, LineStyle::dotted},
 };
 // p_φ = A φ̇ sin²θ + p_ψ cos θ is L along the vertical, p_ψ = C ω₃ L along the top's axis; both and
 // E = T + Mgl cos θ from the state of the instant. Source: Landau & Lifshitz §35, problem 1.
@@ -127,8 +148,8 @@ PlotValues conserved_values(const StageData& stage, const Instant& instant) {
 }
 
 constexpr PlotCurve turn_curves[] = {
-    {"\\mathrm{wobble}", space_cone_colour, LineStyle::solid},
-    {"\\mathrm{spin}", body_cone_colour, LineStyle::dashed},
+    {wobble_label, space_cone_colour, LineStyle::solid},
+    {spin_label, body_cone_colour, LineStyle::dashed},
 };
 // Turns since t = 0, seen along L: of the axis of symmetry, φ = L t/I₁, and of marks on the body
 // about it, φ + ψ with ψ = −Ω t; φ − ψ where the axis hangs down. Source: Landau & Lifshitz §35.
@@ -144,11 +165,11 @@ PlotValues turn_values(const StageData& stage, const Instant& instant) {
 }
 
 constexpr PlotCurve residual_curves[] = {
-    {"\\Delta T", energy_colour, LineStyle::solid},
-    {"\\Delta\\mathbf{L}", momentum_colour, LineStyle::dashed},
-    {"\\mathrm{gap}", contact_colour, LineStyle::dotted},
-    {"\\mathrm{slip}", omega_colour, LineStyle::solid},
-    {"|q|-1", plane_colour, LineStyle::dashed},
+    {formula("\\Delta T"), energy_colour, LineStyle::solid},
+    {formula("\\Delta\\mathbf{L}"), momentum_colour, LineStyle::dashed},
+    {gap_label, contact_colour, LineStyle::dotted},
+    {slip_label, omega_colour, LineStyle::solid},
+    {formula("|q|-1"), plane_colour, LineStyle::dashed},
 };
 // Less than 10^-14 is rounding, of which the last bit decides how it looks: it is drawn on the
 // axis's floor. The exact motion's residuals reach 2e-15.
@@ -162,26 +183,26 @@ PlotValues residual_values(const StageData& stage, const Instant& instant) {
 }
 
 constexpr PlotQuantity table[] = {
-    {"omega", "ω1, ω2, ω3 along the principal axes", "$\\omega_i$", "rad/s", false, false, true,
-     omega_alone, any_motion, "", omega_curves, omega_values},
-    {"euler_angles", "θ, φ, ψ of a heavy top", "", "rad", true, false, false, euler_angles,
+    {"omega", "ω1, ω2, ω3 along the principal axes", formula("$\\omega_i$"), "rad/s", false, false,
+     true, omega_alone, any_motion, "", omega_curves, omega_values},
+    {"euler_angles", "θ, φ, ψ of a heavy top", no_words, "rad", true, false, false, euler_angles,
      is_heavy_top, "a heavy symmetric top", euler_curves, euler_values},
-    {"energy", "kinetic energy T; under gravity the potential V and the sum E too", "energy", "J",
-     false, false, true, attitude_too, any_motion, "", energy_curves, energy_values},
-    {"momentum", "L1, L2, L3 along the principal axes, and L", "$L_i$, $L$", "kg m²/s", false,
-     false, true, omega_alone, any_motion, "", momentum_curves, momentum_values},
-    {"tilt", "angles of the principal axes e1, e2, e3 from L", "angle from L", "rad", false, false,
+    {"energy", "kinetic energy T; under gravity the potential V and the sum E too", energy_title,
+     "J", false, false, true, attitude_too, any_motion, "", energy_curves, energy_values},
+    {"momentum", "L1, L2, L3 along the principal axes, and L", formula("$L_i$, $L$"), "kg m²/s",
+     false, false, true, omega_alone, any_motion, "", momentum_curves, momentum_values},
+    {"tilt", "angles of the principal axes e1, e2, e3 from L", angle_title, "rad", false, false,
      true, omega_alone, keeps_momentum, "a body that turns, free of torque but for friction inside",
      tilt_curves, tilt_values},
-    {"conserved", "p_φ, p_ψ and E of a heavy top", "$p_\\varphi$, $p_\\psi$ / (kg m²/s);  $E$", "J",
-     false, false, true, attitude_too, is_heavy_top, "a heavy symmetric top", conserved_curves,
-     conserved_values},
+    {"conserved", "p_φ, p_ψ and E of a heavy top",
+     formula("$p_\\varphi$, $p_\\psi$ / (kg m²/s);  $E$"), "J", false, false, true, attitude_too,
+     is_heavy_top, "a heavy symmetric top", conserved_curves, conserved_values},
     {"turns", "turns of a symmetric body's axis about L (wobble) and of marks on it (spin)",
-     "turns", "", false, false, true, omega_alone, has_cones,
+     turns_title, "", false, false, true, omega_alone, has_cones,
      "a torque-free body with exactly two equal moments", turn_curves, turn_values},
     {"residuals", "how far T, L, the contact and the attitude are from what is conserved",
-     "relative residual", "", false, true, false, attitude_too, rolls,
-     "a torque-free body that turns", residual_curves, residual_values},
+     residual_title, "", false, true, false, attitude_too, rolls, "a torque-free body that turns",
+     residual_curves, residual_values},
 };
 
 // Where nothing has a potential E is T.
@@ -200,7 +221,7 @@ std::span<const PlotQuantity> plot_quantities() { return table; }
 
 ShownUnit unit_of(const StageData& stage, const PlotQuantity& quantity) {
     const bool one_unit =
-        !quantity.unit.empty() && quantity.title.find(" / ") == std::string_view::npos;
+        !quantity.unit.empty() && quantity.title.front().find(" / ") == std::string_view::npos;
     if (!one_unit) return {std::string(quantity.unit), 1.0};
     return unit_shown(stage.scene.units, quantity.unit);
 }

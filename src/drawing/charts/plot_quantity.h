@@ -6,12 +6,13 @@
 #include <string_view>
 
 #include "drawing/panel.h"
+#include "text/languages.h"
 #include "text/units.h"
 
 namespace poinsot {
 
 struct PlotCurve {
-    std::string_view label;  // a formula
+    Phrase label;  // a formula; words in \mathrm{}
     Ink (*ink)(const Theme& theme);
     LineStyle style;
 };
@@ -23,7 +24,7 @@ using PlotValues = std::array<double, most_plot_curves>;
 struct PlotQuantity {
     std::string_view name;
     std::string_view summary;
-    std::string_view title;  // of the axis: text with $formulas$
+    Phrase title;  // of the axis: text with $formulas$
     std::string_view unit;
     bool stacked;    // a chart of its own for every curve, with its own scale
     bool decades;    // values are logarithms to base 10

@@ -1,3 +1,6 @@
+// Elements on the lines of the construction: L through its foot on the plane, ρ to the contact, ω
+// and the axis of rotation along it, ∇F, and the distances between them. Rows of the table in
+// elements.cpp; picture axes.
 #include "drawing/elements/construction_lines.h"
 
 #include <fmt/format.h>
@@ -66,6 +69,7 @@ double plane_presence(const Eigen::Vector3d& foot, const Camera& camera) {
     return 1.0 + (glass - 1.0) * beyond * beyond * (3.0 - 2.0 * beyond);
 }
 
+// L from the centre through the plane, its foot there marked with a right angle.
 Drawer make_momentum(Panel& panel) {
     const ConstructionPicture& picture = picture_of(panel);
     Arrow arrow = arrow_to(panel, momentum_tip(picture), panel.stage->theme->momentum, 1.15);
@@ -87,6 +91,7 @@ Drawer make_momentum(Panel& panel) {
     };
 }
 
+// ω from the centre: to the contact, or beyond it where ρ is shown as well.
 Drawer make_omega(Panel& panel) {
     const SetType type = set_label(panel, "\\boldsymbol{\\omega}");
     // Beyond the tip of ρ, which lies on it; alone it ends where ρ would.
@@ -104,6 +109,7 @@ Drawer make_omega(Panel& panel) {
     };
 }
 
+// The line of all matter that is at rest at the instant: through centre and contact, and out.
 Drawer make_spin_axis(Panel& panel) {
     return [&panel](const Instant& instant, Sheet& sheet) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
@@ -114,6 +120,7 @@ Drawer make_spin_axis(Panel& panel) {
     };
 }
 
+// The point where ellipsoid and plane touch: the tip of ρ.
 Drawer make_contact(Panel& panel) {
     Dot dot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->contact);
     // It lies on both curves, and over them also where the ellipsoid is before it.
@@ -124,6 +131,7 @@ Drawer make_contact(Panel& panel) {
     };
 }
 
+// ρ = ω/√(2T), from the centre to the contact: F(ρ) = 1.
 Drawer make_radius(Panel& panel) {
     const SetType type = set_label(panel, "\\boldsymbol{\\rho}");
     return [&panel, type](const Instant& instant, Sheet& sheet) {
@@ -137,6 +145,7 @@ Drawer make_radius(Panel& panel) {
     };
 }
 
+// The plane that touches the ellipsoid at ρ: a patch of the invariable plane.
 Drawer make_tangent(Panel& panel) {
     Plane plane;
     plane.radius = 0.75;
@@ -152,6 +161,7 @@ Drawer make_tangent(Panel& panel) {
     };
 }
 
+// ∇F at ρ: it points along L, as ∇F = 2 I ρ.
 Drawer make_gradient(Panel& panel) {
     const SetType type = set_label(panel, "\\nabla F");
     return [&panel, type](const Instant& instant, Sheet& sheet) {
@@ -165,6 +175,7 @@ Drawer make_gradient(Panel& panel) {
     };
 }
 
+// The projection of ρ on L: from the tip of ρ across to L, and along L to the centre.
 Drawer make_projection(Panel& panel) {
     const SetType type = set_label(panel, "\\boldsymbol{\\rho}\\cdot\\mathbf{L}/L", 0.85);
     return [&panel, type](const Instant& instant, Sheet& sheet) {
@@ -187,6 +198,7 @@ Drawer make_projection(Panel& panel) {
     };
 }
 
+// The plane's distance √(2T)/L from the centre, as a dimension line beside the ellipsoid.
 Drawer make_distance(Panel& panel) {
     const SetType type = set_label(panel, "\\sqrt{2T}/L", 0.9);
     return [&panel, type](const Instant& instant, Sheet& sheet) {
@@ -272,6 +284,7 @@ void LevelScale::add_to(Sheet& sheet, const Eigen::Vector3d& half_axes,
                                   project(sheet.view, here).px.x() - wish.gap_px - half_px);
 }
 
+// That scale for the motion's own plane.
 Drawer make_levels(Panel& panel) {
     const LevelScale levels(panel);
     return [&panel, levels](const Instant& instant, Sheet& sheet) {
@@ -279,6 +292,8 @@ Drawer make_levels(Panel& panel) {
     };
 }
 
+// ω × r of the matter on the ellipsoid along an arc that faces the camera, from the contact, where
+// it is at rest, to the other end of the axis.
 Drawer make_velocity(Panel& panel) {
     const SetType type = set_label(panel, "\\boldsymbol{\\omega}\\times\\mathbf{r}", 0.85);
     return [&panel, type](const Instant& instant, Sheet& sheet) {

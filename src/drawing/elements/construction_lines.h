@@ -1,6 +1,5 @@
-// Elements on the lines of the construction: L through its foot on the plane, ρ to the contact, ω
-// and the axis of rotation along it, ∇F, and the distances between them. Rows of the table in
-// elements.cpp; picture axes.
+// What elements on the lines of the construction share with other panels: how much of the plane is
+// seen, and the scale of its distances.
 #pragma once
 
 #include <array>
@@ -34,29 +33,5 @@ class LevelScale {
     std::array<SetType, 3> types_;
     SetType own_;
 };
-
-// L from the centre through the plane, its foot there marked with a right angle.
-Drawer make_momentum(Panel& panel);
-// ω from the centre: to the contact, or beyond it where ρ is shown as well.
-Drawer make_omega(Panel& panel);
-// The line of all matter that is at rest at the instant: through centre and contact, and out.
-Drawer make_spin_axis(Panel& panel);
-// The point where ellipsoid and plane touch: the tip of ρ.
-Drawer make_contact(Panel& panel);
-// ρ = ω/√(2T), from the centre to the contact: F(ρ) = 1.
-Drawer make_radius(Panel& panel);
-// The plane that touches the ellipsoid at ρ: a patch of the invariable plane.
-Drawer make_tangent(Panel& panel);
-// ∇F at ρ: it points along L, as ∇F = 2 I ρ.
-Drawer make_gradient(Panel& panel);
-// The projection of ρ on L: from the tip of ρ across to L, and along L to the centre.
-Drawer make_projection(Panel& panel);
-// The plane's distance √(2T)/L from the centre, as a dimension line beside the ellipsoid.
-Drawer make_distance(Panel& panel);
-// That scale for the motion's own plane.
-Drawer make_levels(Panel& panel);
-// ω × r of the matter on the ellipsoid along an arc that faces the camera, from the contact, where
-// it is at rest, to the other end of the axis.
-Drawer make_velocity(Panel& panel);
 
 }  // namespace poinsot

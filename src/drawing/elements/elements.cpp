@@ -8,16 +8,36 @@
 #include <cmath>
 #include <vector>
 
-#include "drawing/elements/construction_lines.h"
-#include "drawing/elements/figure_elements.h"
-#include "drawing/elements/ghost.h"
-#include "drawing/elements/rolling_elements.h"
 #include "drawing/marks.h"
 #include "error/error.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 
 namespace poinsot {
+
+// The rows that have files beside.
+Drawer make_plane(Panel& panel);
+Drawer make_polhode(Panel& panel);
+Drawer make_herpolhode(Panel& panel);
+Drawer make_annulus(Panel& panel);
+Drawer make_given_axes(Panel& panel);
+Drawer make_turn(Panel& panel);
+Drawer make_half_axes(Panel& panel);
+Drawer make_precession(Panel& panel);
+Drawer make_body(Panel& panel);
+Drawer make_momentum(Panel& panel);
+Drawer make_omega(Panel& panel);
+Drawer make_spin_axis(Panel& panel);
+Drawer make_contact(Panel& panel);
+Drawer make_radius(Panel& panel);
+Drawer make_tangent(Panel& panel);
+Drawer make_gradient(Panel& panel);
+Drawer make_projection(Panel& panel);
+Drawer make_distance(Panel& panel);
+Drawer make_levels(Panel& panel);
+Drawer make_velocity(Panel& panel);
+Drawer make_ghost(Panel& panel);
+Drawer make_drift(Panel& panel);
 
 namespace {
 
@@ -88,7 +108,7 @@ Drawer make_cones(Panel& panel) {
     };
 }
 
-const std::array<Element, 25> table{{
+const Element table[] = {
     {"plane", "the invariable plane with its grid", always, omega_alone, make_plane},
     {"tangent", "a patch of the plane that touches the ellipsoid at ρ: the invariable plane", never,
      attitude_too, make_tangent},
@@ -129,7 +149,7 @@ const std::array<Element, 25> table{{
      make_ghost},
     {"drift", "path of the contact point by the method beside", has_beside, omega_alone,
      make_drift},
-}};
+};
 
 }  // namespace
 

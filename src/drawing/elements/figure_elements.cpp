@@ -1,3 +1,5 @@
+// Elements that explain the body and its rates as a textbook's figure does: axes, half-axes, rates
+// of precession. Rows of the table in elements.cpp; picture axes.
 #include "drawing/elements/figure_elements.h"
 
 #include <fmt/format.h>
@@ -14,8 +16,7 @@
 
 namespace poinsot {
 
-namespace {}  // namespace
-
+// The axes x, y, z that the scene's numbers are given in.
 Drawer make_given_axes(Panel& panel) {
     const std::array<SetType, 3> types{set_label(panel, "x", 0.85), set_label(panel, "y", 0.85),
                                        set_label(panel, "z", 0.85)};
@@ -31,6 +32,7 @@ Drawer make_given_axes(Panel& panel) {
     };
 }
 
+// The turn from x, y, z to e1, e2, e3, about its axis, with its angle.
 Drawer make_turn(Panel& panel) {
     // The rotation that takes x, y, z to e1, e2, e3: about one axis by one angle (Euler's theorem).
     const Eigen::AngleAxisd turn(picture_of(panel).construction.inertia().body_from_principal());
@@ -47,6 +49,7 @@ Drawer make_turn(Panel& panel) {
     };
 }
 
+// From the centre to the surface along e1, e2, e3, named 1/√I.
 Drawer make_half_axes(Panel& panel) {
     std::array<SetType, 3> types;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -68,6 +71,8 @@ Drawer make_half_axes(Panel& panel) {
     };
 }
 
+// Ω about the axis of symmetry, at which ω runs round in the body, and L/I₁ about L, at which that
+// axis runs round in space. Throws InputError for a body without two equal moments.
 Drawer make_precession(Panel& panel) {
     if (!picture_of(panel).cones) {
         throw InputError(
@@ -102,6 +107,7 @@ double body_in_ellipsoid(const ConstructionPicture& picture) {
     return 0.85 * picture.half_axes.minCoeff();
 }
 
+// The body itself, inside its ellipsoid.
 Drawer make_body(Panel& panel) {
     const BodyShape shape = body_shape(panel);
     const double scale = body_in_ellipsoid(picture_of(panel));

@@ -34,9 +34,4 @@ SetType set_ghost_label(const Panel& panel, std::string_view symbol, double scal
 void add_ghost_arrow(const Panel& panel, const Eigen::Vector3d& tip, const SetType& type,
                      Sheet& sheet);
 
-// Rows of the table of elements: the ellipsoid as the method beside turns it, with its ω; and the
-// path of its contact point in space.
-Drawer make_ghost(Panel& panel);
-Drawer make_drift(Panel& panel);
-
 }  // namespace poinsot

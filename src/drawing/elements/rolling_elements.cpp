@@ -1,5 +1,5 @@
-#include "drawing/elements/rolling_elements.h"
-
+// Elements of the rolling itself: the plane, and the paths of the contact point on it and on the
+// ellipsoid. Rows of the table in elements.cpp; picture axes, z along L.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -75,6 +75,7 @@ Drawer ringed(Panel& panel, Plane plane) {
 
 }  // namespace
 
+// The invariable plane, ruled in squares, or in circles for a camera that turns about L.
 Drawer make_plane(Panel& panel) {
     Plane plane;
     plane.centre = picture_of(panel).foot();
@@ -101,6 +102,7 @@ constexpr double mark_spacing = 0.45;
 
 }  // namespace
 
+// The contact point's path on the ellipsoid, and how much of it is shown.
 Drawer make_polhode(Panel& panel) {
     const double per_rho = picture_of(panel).picture_per_rho;
     const double tolerance = panel.curve_units() / per_rho;
@@ -144,6 +146,7 @@ Drawer make_polhode(Panel& panel) {
     };
 }
 
+// Its path on the plane, likewise.
 Drawer make_herpolhode(Panel& panel) {
     const ConstructionPicture& picture = picture_of(panel);
     const double tolerance = panel.curve_units();
@@ -209,6 +212,7 @@ CurveGeometry circle_on_plane(const Panel& panel, double radius) {
 
 }  // namespace
 
+// The circles on the plane between which that runs.
 Drawer make_annulus(Panel& panel) {
     const Polhode::Annulus annulus = picture_of(panel).polhode.annulus();
     std::vector<Curve> circles;

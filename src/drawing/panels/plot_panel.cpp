@@ -20,6 +20,12 @@ namespace poinsot {
 
 namespace {
 
+constexpr Phrase thin_lines_note{"thin lines",   "dünne Linien",  "traits fins",
+                                 "líneas finas", "linee sottili", "細線"};
+constexpr Phrase begins_outside_note{"begins outside",         "beginnt außerhalb",
+                                     "commence hors du cadre", "empieza fuera",
+                                     "inizia fuori",           "始めは枠外"};
+
 constexpr double curve_width = 3.4;
 
 // Lines of the motion beside are thinner, and paler.
@@ -113,14 +119,9 @@ class PlotMaker {
 
  private:
     // A label or title with the scene's own symbols, its words in the scene's language.
-    std::string named(std::string_view label) const {
+    std::string named(const Phrase& label) const {
         const Scene& scene = panel_->stage->scene;
-        constexpr std::string_view word = "\\mathrm{";
-        if (label.starts_with(word))
-            return fmt::format("\\mathrm{{{}}}",
-                               translated(label.substr(word.size(), label.size() - word.size() - 1),
-                                          scene.language));
-        return named_by_scene(scene, translated(label, scene.language));
+        return named_by_scene(scene, phrase_in(scene.language, label));
     }
 
     void set_names() {
@@ -191,11 +192,11 @@ class PlotMaker {
                              unit_name, place.y.exponent)
                 : axis_title(named(quantity_->title), unit_name, place.y.exponent);
         if (beside_) {
-            y_title += fmt::format(";  {}: {}", translated("thin lines", stage.scene.language),
+            y_title += fmt::format(";  {}: {}", phrase_in(stage.scene.language, thin_lines_note),
                                    stage.beside->motion().problem().method.name);
         }
         if (place.begins_outside)
-            y_title += fmt::format(";  {}", translated("begins outside", stage.scene.language));
+            y_title += fmt::format(";  {}", phrase_in(stage.scene.language, begins_outside_note));
         const std::string x_title = place.is_lowest ? axis_title("$t$", unit.name, x.exponent) : "";
         const double names_px = widest_name_ + 16.0 * panel_->px;
         PlottedChart plotted{

@@ -121,7 +121,7 @@ void make_potential_panel(Panel& panel) {
     const Axis y = linear_axis(well.first_J, well.last_J, n_ticks(region.height(), 75.0));
     const PlotFrame chart(
         panel, region, x, y, axis_title("$\\theta$", "rad", x.exponent),
-        axis_title(translated("energy", panel.stage->scene.language), "J", y.exponent),
+        axis_title(phrase_in(panel.stage->scene.language, energy_title), "J", y.exponent),
         PlotFrame::numbers_px(panel, y),
         std::max(energy_type.width_px(), potential_type.width_px()) + 16.0 * panel.px);
 
