@@ -40,6 +40,7 @@ std::string json_of(const Record& record, const std::optional<Verification>& ver
     if (!record.mesh_hash.empty()) object.add("mesh_sha256", record.mesh_hash);
     object.add("method", record.method).add("bounds", record.bounds);
     object.add("profile", record.portable ? "portable" : "native");
+    if (!record.processor.empty()) object.add("processor", record.processor);
     object.add("renderer", record.renderer).add("mesa", record.mesa);
     if (!record.fonts.empty()) object.add("fonts", record.fonts);
     object.json("size", json_numbers(record.width_px, record.height_px));
@@ -47,6 +48,9 @@ std::string json_of(const Record& record, const std::optional<Verification>& ver
     if (record.dpi) object.add("dpi", *record.dpi);
     if (record.type_pt) object.add("type_pt", *record.type_pt);
     if (record.bit_depth != 8) object.add("depth", record.bit_depth);
+    if (!record.shading.empty()) object.add("shading", record.shading);
+    if (!record.journal.empty()) object.add("journal", record.journal);
+    if (!record.lettering.empty()) object.add("type_as", record.lettering);
     const auto range = [](const auto& of) { return fmt::format("[{}, {}]", of.first, of.second); };
     if (record.frames) object.json("frames", range(*record.frames));
     if (record.run) object.json("run", range(*record.run));
@@ -54,6 +58,7 @@ std::string json_of(const Record& record, const std::optional<Verification>& ver
     if (!record.sheet.empty()) object.add("sheet", record.sheet);
     if (!record.pixels.empty()) object.add("pixels_xxh64", record.pixels);
     if (!record.packets.empty()) object.add("packets_sha256", record.packets);
+    if (!record.page.empty()) object.add("page_sha256", record.page);
     if (verification) object.add("verified", name_of(verification->verified));
     return object.add("scene_toml", record.scene_toml).lines();
 }

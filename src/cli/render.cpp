@@ -16,6 +16,7 @@
 #include "output/frame_name.h"
 #include "production/film_job.h"
 #include "production/parts/jobs.h"
+#include "system/file_kind.h"
 
 namespace poinsot {
 
@@ -65,7 +66,7 @@ int render(const SceneJob& job, const RenderChoices& choices, Easel& easel) {
 // Parts of one name would replace each other: the first #### of a film's name is the part's number.
 std::string output_of(const RenderChoices& choices) {
     const std::filesystem::path output(choices.output);
-    if (!choices.part || output.extension() == ".png" || !has_frame_number(output))
+    if (!choices.part || suffix_of(output) == ".png" || !has_frame_number(output))
         return choices.output;
     return frame_name(output, choices.part->first).string();
 }

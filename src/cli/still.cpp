@@ -46,6 +46,16 @@ int draw_sheet_of(const StillChoices& choices) {
                                                      {"--height-mm", print.height_mm.has_value()},
                                                      {"--dpi", print.dpi.has_value()},
                                                      {"--type-pt", print.type_pt.has_value()}};
+    const std::pair<const char*, bool> of_one_picture[] = {
+        {"--depth", choices.bit_depth != 8},
+        {"--shading", choices.vectors.shading != VectorChoices().shading},
+        {"--text", choices.vectors.text != VectorChoices().text}};
+    for (const auto& [option, is_given] : of_one_picture)
+        if (is_given)
+            throw InputError(
+                fmt::format("--sheet: is a PNG of 8 bits, and has no {0}; leave {0} "
+                            "out, or draw stills without --sheet",
+                            option));
     for (const auto& [option, is_given] : of_paper)
         if (is_given)
             throw InputError(

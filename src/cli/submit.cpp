@@ -21,6 +21,7 @@
 #include "production/film_job.h"
 #include "production/parts/slurm.h"
 #include "production/parts/submission.h"
+#include "production/record.h"
 #include "system/run_program.h"
 #include "text/printable.h"
 
@@ -82,7 +83,8 @@ std::vector<FilmToSubmit> films_of(const SubmitChoices& choices, const Telling& 
         const Session session =
             open_session(scene_request_of(job.scene, choices.scene, job.overrides), telling);
         FilmToSubmit& film = films.emplace_back();
-        film.scene = job.scene;
+        film.scene = scene_file(job.scene);
+        film.scene_hash = scene_hash_of(session.scene);
         for (const std::string& given : job.overrides)
             film.options.insert(film.options.end(), {"--set", for_a_task(given)});
         film.output = job.output;

@@ -34,6 +34,9 @@ void join_md5(FrameEntries& entries, const OutputPlan& plan);
 
 namespace {
 
+// Times are in hundredths of a second, and players take less than two of them for a mistake.
+constexpr double most_gif_fps = 50.0;
+
 // The two PNG rows share a suffix: a file name with '#' in it asks for the first.
 constexpr std::array<OutputFormat, 7> kFormats = {{
     {"mp4", ".mp4", "film, H.264; plays everywhere, no transparency", true, false, kChunkFrames,
@@ -41,7 +44,7 @@ constexpr std::array<OutputFormat, 7> kFormats = {{
     {"webm", ".webm", "film, VP9; small, keeps transparency", true, true, kChunkFrames, open_webm,
      recover_webm, join_webm, true},
     {"gif", ".gif", "film of 255 colours, for pages that take no other", true, true, 1, open_gif,
-     recover_gif, join_gif, true},
+     recover_gif, join_gif, true, most_gif_fps},
     {"png-sequence", ".png", "numbered pictures; #### in the name is the frame", false, true, 1,
      open_png_sequence, nullptr, nullptr, true},
     {"png", ".png", "one picture", false, true, 1, open_png_still, nullptr, nullptr, false},
@@ -107,6 +110,14 @@ std::int64_t first_number(const OutputPlan& plan) {
 }
 
 std::span<const OutputFormat> output_formats() { return kFormats; }
+
+void check_rate(const OutputFormat& format, const FrameRate& rate) {
+    if (format.most_fps == 0.0 || rate.per_second() <= format.most_fps) return;
+    throw InputError(
+        fmt::format("a .{} shows at most {:g} frames a second, not {:g}; lower fps, or write MP4 "
+                    "or WebM",
+                    format.name, format.most_fps, rate.per_second()));
+}
 
 const OutputFormat& format_for(const std::filesystem::path& path) {
     // A name without a suffix may be that of a format, as "null" is.

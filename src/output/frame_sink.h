@@ -115,7 +115,7 @@ struct OutputFormat {
     bool alpha;                   // keeps transparency
     std::int64_t n_chunk_frames;  // frames of a film that are encoded without knowing of others
     // Throws InputError for what the format cannot hold (odd sizes, rate 0), EnvironmentError for
-    // what the machine refuses.
+    // what the machine refuses. Precondition: check_rate().
     std::unique_ptr<FrameSink> (*open)(const OutputPlan& plan);
     // As recover_film; null where nothing unfinished is left, or is whole as it is.
     std::int64_t (*recover)(const std::filesystem::path& path, const Tell& tell);
@@ -123,7 +123,11 @@ struct OutputFormat {
     // part's frames are whole as they are, or where there are no parts.
     void (*join)(FrameEntries& entries, const OutputPlan& plan);
     bool has_parts;
+    double most_fps = 0.0;  // 0: any rate
 };
+
+// Throws InputError for more frames a second than the format can show.
+void check_rate(const OutputFormat& format, const FrameRate& rate);
 
 std::span<const OutputFormat> output_formats();
 

@@ -129,11 +129,10 @@ void write_gif(FrameEntries& log, const ColourCount& count, const OutputPlan& pl
     encoder.send_end();
     take_packets(encoder, muxer, packet.get());
     muxer.write_trailer();
-    if (!plan.metadata.empty()) {
+    // A device or a pipe cannot be read again, nor gone back in to add a comment.
+    if (!plan.metadata.empty() && !file.aside().empty()) {
         Contents contents{.n_frames = n};
-        // A device or a pipe cannot be read again, nor gone back in to add a comment.
-        if (!file.aside().empty())
-            contents.packets = gif_packets(contents_of(file), plan.path.string()).of_film();
+        contents.packets = gif_packets(contents_of(file), plan.path.string()).of_film();
         append_comment(file, text_of(plan, contents));
     }
     file.commit();
@@ -194,12 +193,6 @@ class GifSink : public FrameSink {
 
 std::unique_ptr<FrameSink> open_gif(const OutputPlan& plan) {
     check_film(plan);
-    // Times are in hundredths of a second, and players take less than two of them for a mistake.
-    if (plan.rate.per_second() > 50)
-        throw InputError(
-            fmt::format("a GIF shows at most 50 frames a second, not {:g}; lower fps, "
-                        "or write MP4 or WebM",
-                        plan.rate.per_second()));
     if (plan.width_px > 65535 || plan.height_px > 65535)
         throw InputError("a GIF is at most 65535 pixels wide and high");
     silence_libav();

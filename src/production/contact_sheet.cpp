@@ -13,7 +13,9 @@
 #include "output/film_metadata.h"
 #include "production/record.h"
 #include "production/still_job.h"
+#include "system/file_kind.h"
 #include "system/interrupt.h"
+#include "text/label_text.h"
 #include "text/printable.h"
 #include "typeset/typesetter.h"
 
@@ -25,12 +27,6 @@ constexpr int kMostPixels = 16384;  // of a side
 
 // What a caption takes of a picture's height, and how large its type is in that.
 constexpr double kCaptionShare = 0.09, kTypeShare = 0.62;
-
-// A caption's characters that a label would take for formulas.
-std::string plain(std::string text) {
-    std::erase_if(text, [](char c) { return c == '$' || c == '\\' || c == '{' || c == '}'; });
-    return text;
-}
 
 class ContactSheet {
  public:
@@ -74,7 +70,7 @@ class ContactSheet {
         TypeStyle style;
         style.mode = TypeMode::text;
         style.size_px = kTypeShare * caption_px_;
-        const std::string text = plain(caption);
+        const std::string text = as_caption(caption);
         const double room_px = 0.94 * width_px_;
         const TypeExtent extent = typesetter_.measure(text, style);
         if (extent.width > room_px) style.size_px *= room_px / extent.width;
@@ -120,7 +116,7 @@ void draw_sheet(const SheetRequest& request, Easel& easel, const Telling& tellin
         throw InputError(fmt::format("--sheet {}x{}: has {} places for {} pictures; take more",
                                      request.n_columns, request.n_rows, n_places,
                                      request.cells.size()));
-    if (std::filesystem::path(request.output).extension() != ".png")
+    if (suffix_of(request.output) != ".png")
         throw InputError(fmt::format("{}: a sheet is a PNG; say with -o where it is to go",
                                      printable(request.output)));
     watch_for_interrupts();

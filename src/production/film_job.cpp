@@ -95,7 +95,7 @@ void note_transparency(const Scene& scene, const OutputFormat& format, const Tel
     telling.say(fmt::format(
         "note: theme = \"{}\": {}; .webm and a .png sequence keep it whole", printable(scene.theme),
         one_bit ? "a GIF's pixels are seen through or not, nothing between"
-                : fmt::format(".{} keeps no transparency, its ground is black", format.name)));
+                : fmt::format(".{} keeps no transparency, its ground is white", format.name)));
 }
 
 }  // namespace
@@ -159,7 +159,8 @@ bool FilmJob::take_part(OutputPlan& plan, const Telling& telling) const {
 
 void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan, const Telling& telling) const {
     const OutputFormat& format = format_for(plan.path);
-    // What a format refuses of a plan is its size.
+    at_scene_key(session_->scene, "film.fps", [&] { check_rate(format, plan.rate); });
+    // What a format refuses of a plan besides is its size.
     AsyncSink sink(at_scene_key(session_->scene, "film.size", [&] { return format.open(plan); }));
     std::int64_t n_done = 0;
     for (std::int64_t k = 0; k < plan.n_frames; ++k) n_done += sink.has_frame(k) ? 1 : 0;
@@ -186,7 +187,7 @@ void FilmJob::write_beside(OutputPlan plan, const Telling& telling) const {
     if (!plan.chapters.empty() && (format.film || format.name == "png-sequence"))
         write_chapters(plan, film_);
     else
-        remove_stale_chapters(plan);
+        remove_stale_chapters(plan.path);
     if (format.film)
         write_subtitles(plan.path, subtitles_of(*session_, film_, plan.first_frame,
                                                 plan.first_frame + plan.n_frames - 1));

@@ -142,6 +142,10 @@ Record record_of(const Session& session, const PictureMaker& pictures, bool port
     return record;
 }
 
+std::string scene_hash_of(const Scene& scene) {
+    return sha256_of(to_toml(scene) + mesh_hash_of(scene));
+}
+
 Record record_of(const Session& session, const Stage& stage, const std::string& bounds) {
     Record record;
     record.version = POINSOT_VERSION;

@@ -54,6 +54,8 @@ struct Record {
 // SHA-256 of the surfaces and the inertia that a scene has from a mesh file, and of its faces'
 // pictures; empty without any.
 std::string mesh_hash_of(const Scene& scene);
+// The record's scene_hash: of the scene, written out in full, and of what it has from files.
+std::string scene_hash_of(const Scene& scene);
 
 // The record of what a stage shows, without time or frames and without what drew it.
 Record record_of(const Session& session, const Stage& stage, const std::string& bounds);

@@ -21,7 +21,11 @@ void write_what_lies_beside(const std::filesystem::path& path, const Record& rec
     // The record's scene is read as a file of its name in this folder would be.
     Scene scene =
         parse_scene(record.scene_toml, record.scene_name + ".toml", {}, OutsideFiles::refused);
-    if ((scene.chapters.empty() && scene.captions.empty()) || !record.frames) return;
+    if ((scene.chapters.empty() && scene.captions.empty()) || !record.frames) {
+        remove_stale_chapters(path);
+        if (!has_frame_number(path)) write_subtitles(path, {});
+        return;
+    }
     const Session session = session_of(std::move(scene), {}, telling);
     const FilmPlan film = film_plan(session);
     const auto [first, last] = *record.frames;
@@ -31,14 +35,22 @@ void write_what_lies_beside(const std::filesystem::path& path, const Record& rec
     plan.first_frame = first;
     plan.n_frames = last - first + 1;
     plan.chapters = chapters_of(session.scene, film, first, last);
-    if (!plan.chapters.empty()) write_chapters(plan, film);
+    if (plan.chapters.empty())
+        remove_stale_chapters(path);
+    else
+        write_chapters(plan, film);
     if (!has_frame_number(path)) write_subtitles(path, subtitles_of(session, film, first, last));
 }
 
 std::int64_t recover(const std::filesystem::path& film, const Telling& telling) {
     // What several processes have left is first made what one would have.
-    if (format_for(film).recover != nullptr) gather_parts_aside(film);
+    const std::int64_t n_left = format_for(film).recover != nullptr ? gather_parts_aside(film) : 0;
     const std::int64_t n_frames = recover_film(film, told);
+    if (n_left > 0)
+        telling.say(
+            fmt::format("note: {} later frames come after a gap and are kept aside; render "
+                        "draws what is missing",
+                        n_left));
     try {
         write_what_lies_beside(film, read_record(film), telling);
     } catch (const InputError& error) {

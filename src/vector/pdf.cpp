@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <map>
 #include <numbers>
@@ -380,6 +381,23 @@ std::string pdf_string(std::string_view text) {
     return out + ")";
 }
 
+// A text string of PDF 1.4 (ISO 32000-1, 7.9.2.2) for what other programs show: UTF-16, in digits.
+std::string pdf_title(std::string_view text) {
+    std::string out = "<FEFF";
+    while (!text.empty()) {
+        const Utf8Character character = first_character(text);
+        const char32_t code = character.valid ? character.code : 0xfffd;
+        if (code < 0x10000)
+            out += fmt::format("{:04X}", static_cast<std::uint32_t>(code));
+        else
+            out += fmt::format("{:04X}{:04X}",
+                               0xd800 + (static_cast<std::uint32_t>(code - 0x10000) >> 10),
+                               0xdc00 + (static_cast<std::uint32_t>(code - 0x10000) & 0x3ff));
+        text.remove_prefix(character.size);
+    }
+    return out + ">";
+}
+
 // The number after the last of these words.
 std::string_view last_after(std::string_view pdf, std::string_view word) {
     const std::size_t at = pdf.rfind(word);
@@ -397,7 +415,7 @@ std::string png_of(const Raster& raster) {
     return bytes;
 }
 
-std::string pdf_of(const Page& page, std::string_view title) {
+std::string pdf_of(const Page& page) {
     std::string bytes;
     const Surface surface(
         cairo_pdf_surface_create_for_stream(append, &bytes, page.width_pt, page.height_pt));
@@ -406,9 +424,6 @@ std::string pdf_of(const Page& page, std::string_view title) {
     // The same scene gives the same bytes at any time.
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
                                    "2000-01-01T00:00:00Z");
-    if (!title.empty())
-        cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE,
-                                       std::string(title).c_str());
     {
         const Context cairo(cairo_create(surface.get()));
         Writer writer(cairo.get());
@@ -421,7 +436,8 @@ std::string pdf_of(const Page& page, std::string_view title) {
     return bytes;
 }
 
-std::string with_pdf_text(std::string pdf, std::string_view name, std::string_view text) {
+std::string with_pdf_text(std::string pdf, std::string_view title, std::string_view name,
+                          std::string_view text) {
     const std::string_view size = last_after(pdf, "/Size"), root = last_after(pdf, "/Root"),
                            before = last_after(pdf, "startxref");
     if (size.empty() || root.empty() || before.empty())
@@ -430,8 +446,8 @@ std::string with_pdf_text(std::string pdf, std::string_view name, std::string_vi
     const std::string more = std::to_string(std::strtol(n.c_str(), nullptr, 10) + 1);
     if (pdf.back() != '\n') pdf += '\n';
     const std::size_t at = pdf.size();
-    pdf += fmt::format("{} 0 obj\n<< /Creator (poinsot)\n/{} {}\n>>\nendobj\n", n, name,
-                       pdf_string(text));
+    pdf += fmt::format("{} 0 obj\n<< /Creator (poinsot)\n/{} {}\n/Title {}\n>>\nendobj\n", n, name,
+                       pdf_string(text), pdf_title(title));
     const std::size_t table = pdf.size();
     pdf += fmt::format(
         "xref\n{} 1\n{:010} 00000 n \ntrailer\n<< /Size {}\n/Root {} 0 R\n/Info {} 0 R\n/Prev "

@@ -9,16 +9,16 @@
 
 namespace poinsot::vector {
 
-// The bytes of the file. title: of the document; may be empty.
-// Throws EnvironmentError where a font cannot be read or Cairo fails.
-std::string pdf_of(const Page& page, std::string_view title);
+// The bytes of the file. Throws EnvironmentError where a font cannot be read or Cairo fails.
+std::string pdf_of(const Page& page);
 
 // Pixels as a PNG.
 std::string png_of(const Raster& raster);
 
-// The same file with a text of its own in the document's information, under this name, as an
-// update appended to it (ISO 32000-1, 7.5.6).
-std::string with_pdf_text(std::string pdf, std::string_view name, std::string_view text);
+// The same file with a title and a text of its own in the document's information, this under a
+// name, as an update appended to it (ISO 32000-1, 7.5.6).
+std::string with_pdf_text(std::string pdf, std::string_view title, std::string_view name,
+                          std::string_view text);
 
 // That text, and the file before it was added; both empty if there is none.
 struct PdfText {

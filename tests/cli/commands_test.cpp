@@ -267,6 +267,25 @@ TEST(Recover, WritesTheChaptersThatAreThere) {
 }
 
 // What stands beside a film is that film's.
+TEST(Recover, LeavesTheChaptersOfNoOtherFilm) {
+    const ScratchFolder folder;
+    folder.write("told.toml", racket + "[[chapters]]\nat_s = 0.0\ntitle = \"Start\"\n");
+    folder.write("plain.toml", racket);
+    ASSERT_EQ(run_program_in(folder, "render told.toml -q --size 96x54 -o a.mp4").code, 0);
+    ASSERT_TRUE(std::filesystem::exists(folder.path() / "a.chapters.json"));
+    const std::string script =
+        "cd '" + folder.path().string() + "' && '" + program_path() +
+        "' render plain.toml -o a.mp4 --jobs 1 --size 96x54 --set film.duration_s=60 -q & pid=$!\n"
+        "while [ \"$(stat -c %s '" +
+        folder.path().string() +
+        "/.a.mp4.part.frames' 2>/dev/null || echo 0)\" -lt 40000 ]; do sleep 0.01; done\n"
+        "kill -INT $pid; wait $pid";
+    ASSERT_NE(std::system(script.c_str()), 0);
+    ASSERT_EQ(run_program_in(folder, "recover a.mp4").code, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.chapters.json"));
+}
+
+// What stands beside a film is that film's.
 TEST(Render, LeavesTheChaptersOfNoOtherFilm) {
     const ScratchFolder folder;
     folder.write("plain.toml", racket);

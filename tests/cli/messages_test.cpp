@@ -129,6 +129,23 @@ TEST_F(Messages, ASuffixInCapitalsIsTheSame) {
     ASSERT_EQ(run("rerender A.PNG -o B.Png").code, 0);
     EXPECT_EQ(text_of(folder_.path() / "A.PNG"), text_of(folder_.path() / "B.Png"));
     EXPECT_EQ(run("explain B.MP4").code, 0);
+    ASSERT_EQ(run("render scene.toml -q --frames 0-2 -o 'f_#.PNG'").code, 0);
+    const ProgramRun joined = run("join 'f_#.PNG' -q -o 'g_#.PNG'");
+    EXPECT_EQ(joined.code, 0) << joined.err;
+    EXPECT_EQ(text_of(folder_.path() / "f_2.PNG"), text_of(folder_.path() / "g_2.PNG"));
+}
+
+TEST_F(Messages, ARateThatAFormatCannotShowIsCalledThat) {
+    refuses("render scene.toml --fps 60 -o a.gif", 2, {"film.fps", "at most 50 frames a second"});
+}
+
+// A pipe cannot be gone back in: what is written there is whole without that.
+TEST_F(Messages, AGifGoesThroughAPipe) {
+    const ProgramRun done =
+        run_program_in(folder_, "render scene.toml -q -o p.gif && wait && cat got.gif | head -c 6",
+                       "mkfifo p.gif && (cat p.gif >got.gif &) &&");
+    EXPECT_EQ(done.code, 0) << done.err;
+    EXPECT_EQ(done.out, "GIF89a");
 }
 
 TEST_F(Messages, ASuffixThatIsNotWrittenNamesTheNearestWay) {

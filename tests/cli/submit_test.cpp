@@ -101,6 +101,43 @@ TEST_F(Submit, EndsInTheBytesOfOneRun) {
     EXPECT_FALSE(fs::exists(folder_.path() / "calls"));
 }
 
+// A task names the file of a scene that came with the program.
+TEST_F(Submit, DrawsScenesThatCameWithTheProgram) {
+    const ProgramRun written =
+        run("submit generic -o g.mp4 --parts 1 --dry-run -q --set film.size=[64,36]"
+            " --set film.duration_s=0.5 --quality draft");
+    ASSERT_EQ(written.code, 0) << written.err;
+    folder_.write("go", "cd \"$(dirname \"$0\")\"\nsh g.mp4.job/task.sh tasks 1\n");
+    run_program_in(folder_, "--version", "sh go;");
+    const ProgramRun over = run("status g.mp4.job");
+    EXPECT_NE(over.out.find("1 done; join waiting"), std::string::npos) << over.out;
+}
+
+// What a file says decides, not when it was written.
+TEST_F(Submit, DrawsAgainWhatHasChangedAndNothingElse) {
+    const std::string submit = "submit a.toml b.toml -o '{scene}.mp4' --parts 2 --dry-run";
+    ASSERT_EQ(run(submit).code, 0);
+    folder_.write("go",
+                  "cd \"$(dirname \"$0\")\"\nfor k in 1 2 3 4; do sh scene.mp4.job/task.sh tasks "
+                  "$k; done\nfor k in 1 2; do sh scene.mp4.job/task.sh joins $k; done\n");
+    run_program_in(folder_, "--version", "sh go;");
+    EXPECT_NE(run(submit).err.find("all of it is done"), std::string::npos);
+    const fs::path scene = folder_.path() / "b.toml";
+    const auto then = fs::last_write_time(scene);
+    std::string text_now = kScene;
+    text_now.replace(text_now.find("0.3, 2.0"), 8, "0.4, 2.0");
+    folder_.write("b.toml", text_now);
+    fs::last_write_time(scene, then);
+    const ProgramRun again = run(submit);
+    ASSERT_EQ(again.code, 0) << again.err;
+    const std::string told = run("status scene.mp4.job").out;
+    EXPECT_NE(told.find("2 done; join done"), std::string::npos) << told;
+    EXPECT_NE(told.find("2 waiting; join waiting"), std::string::npos) << told;
+    run_program_in(folder_, "--version", "sh go;");
+    ASSERT_EQ(run("render b.toml -q --portable -o one.mp4").code, 0);
+    EXPECT_TRUE(text("b.mp4") == text("one.mp4"));
+}
+
 // The tasks run in another folder than the one in which the theme was named.
 TEST_F(Submit, KeepsAThemeOfOnesOwn) {
     folder_.write("mine.toml", "extends = \"dark\"\nomega = \"#ff5050 1.5 dashed\"\n");

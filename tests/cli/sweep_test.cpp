@@ -116,6 +116,9 @@ TEST_F(Swept, IsRefusedInASentence) {
            "2 places for 3 pictures");
     expect("still a.toml -o s.png --sheet 2 --sweep film.fps=10,20", "write CxR");
     expect("still a.toml -o s.gif --sheet 2x1 --sweep film.fps=10,20", "a sheet is a PNG");
+    for (const std::string option : {"--depth 16", "--shading none", "--text paths"})
+        expect("still a.toml -o s.png --sheet 2x1 --sweep film.fps=10,20 " + option,
+               "leave " + option.substr(0, option.find(' ')) + " out");
     EXPECT_FALSE(fs::exists(folder_.path() / "one.png"));
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -214,6 +215,21 @@ TEST_F(Pictures, SayWhetherTheyAreThoseThatWereDrawn) {
             << changed.err;
     }
     EXPECT_TRUE(contains(run("explain --json new/a.png").out, "\"verified\": \"no\""));
+    // Whatever a record says, its JSON says, too.
+    ASSERT_EQ(run("still scene.toml -q --shading none --text paths -o a.pdf").code, 0);
+    for (const char* file : {"deep.png", "a.pdf"}) {
+        const std::string told = run(std::string("explain ") + file).out;
+        const std::string json = run(std::string("explain --json ") + file).out;
+        std::istringstream lines(told.substr(0, told.find("\n\n")));
+        std::string line;
+        std::getline(lines, line);
+        while (std::getline(lines, line)) {
+            std::string key = line.substr(0, line.find(": "));
+            std::replace(key.begin(), key.end(), '-', '_');
+            if (key == "record_sha256") continue;  // of the text itself
+            EXPECT_TRUE(contains(json, "\"" + key + "\": ")) << file << ": " << key;
+        }
+    }
     const ProgramRun refused = approve("a");
     EXPECT_EQ(refused.code, 2);
     EXPECT_TRUE(is_one_line(refused.err)) << refused.err;

@@ -122,11 +122,12 @@ TEST(Formats, OddSizesAreRefusedForMp4WithASentence) {
 }
 
 TEST(Formats, GifRefusesRatesThatPlayersSlowDown) {
-    const TemporaryFolder folder;
-    OutputPlan plan = small_plan(folder / "a.gif");
-    plan.rate = {60, 1};
-    EXPECT_NE(input_error_of([&] { format_for(plan.path).open(plan); }).find("at most 50"),
+    EXPECT_NE(input_error_of([&] {
+                  check_rate(format_for("a.gif"), {60, 1});
+              }).find("at most 50"),
               std::string::npos);
+    check_rate(format_for("a.gif"), {50, 1});
+    check_rate(format_for("a.mp4"), {240, 1});
 }
 
 TEST(Formats, MissingFolderIsNamedByEveryRow) {

@@ -62,14 +62,14 @@ std::filesystem::path chapters_path(const std::filesystem::path& film) {
     return film.parent_path() / (stem.empty() ? "chapters.json" : stem + ".chapters.json");
 }
 
-void remove_stale_chapters(const OutputPlan& plan) {
-    const std::filesystem::path path = chapters_path(plan.path);
+void remove_stale_chapters(const std::filesystem::path& film) {
+    const std::filesystem::path path = chapters_path(film);
     if (kind_of_file(path) != FileKind::regular) return;
     std::ifstream file(path, std::ios::binary);
-    std::string beginning(chapters_head(plan.path).size(), '\0');
+    std::string beginning(chapters_head(film).size(), '\0');
     file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
     std::error_code ignored;
-    if (file && beginning == chapters_head(plan.path)) std::filesystem::remove(path, ignored);
+    if (file && beginning == chapters_head(film)) std::filesystem::remove(path, ignored);
 }
 
 std::string chapters_text_of(const OutputPlan& plan, const FilmPlan& film) {

@@ -19,7 +19,7 @@ std::vector<FilmChapter> chapters_of(const Scene& scene, const FilmPlan& film, s
 std::filesystem::path chapters_path(const std::filesystem::path& film);
 
 // Removes that file if an earlier film of the same name has left it.
-void remove_stale_chapters(const OutputPlan& plan);
+void remove_stale_chapters(const std::filesystem::path& film);
 
 // Writes that file, whole or not at all. Throws EnvironmentError.
 void write_chapters(const OutputPlan& plan, const FilmPlan& film);

@@ -213,17 +213,23 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
     telling.finish(printable(path.string()));
 }
 
-void gather_parts_aside(const fs::path& film) {
+std::int64_t gather_parts_aside(const fs::path& film) {
     const std::vector<LeftPart> left = parts_left_of(film);
-    if (left.empty() || has_bytes(frame_log_path(film))) return;
+    if (left.empty() || has_bytes(frame_log_path(film))) return 0;
     // Another run that still draws holds it.
     const AtomicFile lock(film, parts_folder(film) / "held");
     std::optional<FrameLog> log;
+    std::vector<fs::path> gathered;
     std::int64_t n_before = 0;  // frames gathered
+    std::int64_t n_left = 0;    // frames after a gap
+    bool has_gap = false;
     for (const LeftPart& part : left) {
         if (part.n_parts != left.front().n_parts || !looks_like_part(part.path)) continue;
         const PartFile file(part.path);
-        if (file.part().n_before != n_before || file.n_there() == 0) continue;
+        if (has_gap || file.part().n_before != n_before || file.n_there() == 0) {
+            n_left += file.n_there();
+            continue;
+        }
         if (!log) {
             OutputPlan plan = file.plan();
             plan.path = film;
@@ -233,12 +239,17 @@ void gather_parts_aside(const fs::path& film) {
         }
         append_all(file, *log);
         n_before += file.n_there();
-        if (!file.is_whole()) break;
+        gathered.push_back(part.path);
+        has_gap = !file.is_whole();
     }
-    if (!log) return;
+    if (!log) return 0;
     log.reset();
     std::error_code ignored;
-    fs::remove_all(parts_folder(film), ignored);
+    if (n_left == 0)
+        fs::remove_all(parts_folder(film), ignored);
+    else
+        for (const fs::path& part : gathered) fs::remove(part, ignored);
+    return n_left;
 }
 
 }  // namespace poinsot

@@ -23,7 +23,8 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
 
 // What an interrupted run of several processes has left of a film, as far as it goes without a gap,
 // as if one process had left it: what render goes on with and recover makes a film of. Nothing is
-// done where there is none, or where one process has left something. Throws EnvironmentError.
-void gather_parts_aside(const std::filesystem::path& film);
+// done where there is none, or where one process has left something. Returns how many frames come
+// after a gap: these stay where they are, for render. Throws EnvironmentError.
+std::int64_t gather_parts_aside(const std::filesystem::path& film);
 
 }  // namespace poinsot

@@ -20,6 +20,7 @@
 #include "production/record.h"
 #include "production/recovery.h"
 #include "system/atomic_file.h"
+#include "system/file_kind.h"
 #include "system/interrupt.h"
 #include "text/printable.h"
 
@@ -122,7 +123,7 @@ std::string join_film(const std::vector<std::string>& names, const std::string& 
     if (const std::string& text = parts.front().part().chapters; !text.empty())
         write_chapters(plan.path, text);
     else
-        remove_stale_chapters(plan);
+        remove_stale_chapters(plan.path);
     write_subtitles(plan.path, plan.subtitles);
     telling.finish(name_of(plan.path));
     return record.bounds;
@@ -218,7 +219,7 @@ std::string join_pictures(const std::vector<std::string>& names, const std::stri
                         "--part, and give all of them",
                         begin, last, gaps));
     const fs::path pattern = with_scene_name(output, record.scene_name);
-    if (!has_frame_number(pattern) || pattern.extension() != ".png")
+    if (!has_frame_number(pattern) || suffix_of(pattern) != ".png")
         throw InputError(
             fmt::format("{}: the parts are pictures; name a sequence, as "
                         "frame_####.png",
@@ -239,7 +240,7 @@ std::string join_pictures(const std::vector<std::string>& names, const std::stri
 std::string join(const std::vector<std::string>& parts, const std::string& output,
                  const Telling& telling) {
     watch_for_interrupts();
-    const bool pictures = fs::path(parts.front()).extension() == ".png";
+    const bool pictures = suffix_of(parts.front()) == ".png";
     return pictures ? join_pictures(parts, output, telling) : join_film(parts, output, telling);
 }
 

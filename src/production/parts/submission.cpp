@@ -84,17 +84,10 @@ bool is_there(const fs::path& path) {
     return fs::exists(path, ignored);
 }
 
-// Whether a file is there and was written after another.
-bool is_newer(const fs::path& path, const fs::path& other) {
-    std::error_code not_there, ignored;
-    const auto written = fs::last_write_time(path, not_there);
-    return !not_there && written > fs::last_write_time(other, ignored);
-}
-
-// The tasks of one film: its parts, and their join.
-void add_film(Submission& submission, const FilmToSubmit& film,
-              const std::vector<std::string>& options, std::int64_t n_asked,
-              const std::string& name) {
+// The tasks of one film: its parts, and their join. Returns its line of `films`.
+std::string add_film(Submission& submission, const FilmToSubmit& film,
+                     const std::vector<std::string>& options, std::int64_t n_asked,
+                     const std::string& name) {
     const OutputFormat& format = format_for(film.output);
     if (!format.has_parts)
         throw InputError(fmt::format("{}: has no parts; name a film, or a sequence with ####",
@@ -105,6 +98,8 @@ void add_film(Submission& submission, const FilmToSubmit& film,
     const fs::path parts = submission.folder / "parts" / name;
     const bool is_film = format.join != nullptr;
     if (is_film) make_folder(parts);
+    const std::string line =
+        fmt::format("{}\t{}\t{}\t{}\n", name, n_parts, output.string(), film.scene_hash);
     std::vector<std::string> join{program(), "join", "-q", "-o", output.string()};
     if (!is_film) join.push_back(output.string());
     for (std::int64_t number = 1; number <= n_parts; ++number) {
@@ -119,12 +114,12 @@ void add_film(Submission& submission, const FilmToSubmit& film,
              {std::string("-q"), std::string("--part"), fmt::format("{}/{}", number, n_parts),
               std::string("-o"), part.string()})
             command.push_back(word);
-        submission.parts.push_back(
-            {fmt::format("{}.{}", name, number), in_shell(command), film.scene});
+        submission.parts.push_back({fmt::format("{}.{}", name, number), in_shell(command), line});
     }
     std::string command = in_shell(join);
     if (is_film) command += fmt::format(" && rm -rf {}", shell_word(parts.string()));
-    submission.joins.push_back({name + ".join", command, film.scene});
+    submission.joins.push_back({name + ".join", command, line});
+    return line;
 }
 
 std::string list_of(const std::vector<SubmittedTask>& tasks) {
@@ -142,16 +137,26 @@ std::string contents_of(const fs::path& path) {
 // What was submitted before and is to be done in the same way is done; anything else begins anew.
 void keep_what_is_done(Submission& submission) {
     const fs::path& folder = submission.folder;
+    const std::string before = contents_of(folder / "films");
+    std::error_code ignored;
     if (contents_of(folder / "tasks") != list_of(submission.parts) ||
         contents_of(folder / "joins") != list_of(submission.joins)) {
-        std::error_code ignored;
         fs::remove_all(folder / "state", ignored);
         fs::remove_all(folder / "logs", ignored);
         return;
     }
     for (auto* tasks : {&submission.parts, &submission.joins})
-        for (SubmittedTask& task : *tasks)
-            task.is_done = is_newer(folder / "state" / (task.name + ".done"), task.scene);
+        for (SubmittedTask& task : *tasks) {
+            const auto state = [&](const char* what) {
+                return folder / "state" / (task.name + what);
+            };
+            if (before.find(task.film) != std::string::npos) {
+                task.is_done = is_there(state(".done"));
+                continue;
+            }
+            for (const char* what : {".started", ".done", ".failed"})
+                fs::remove(state(what), ignored);
+        }
 }
 
 }  // namespace
@@ -170,11 +175,7 @@ Submission write_submission(const fs::path& folder, const std::vector<FilmToSubm
     std::set<std::string> taken;
     std::string list;
     for (const FilmToSubmit& film : films) {
-        const std::string name = name_for(film.output, taken);
-        const std::size_t n_before = submission.parts.size();
-        add_film(submission, film, options, n_parts, name);
-        list += fmt::format("{}\t{}\t{}\n", name, submission.parts.size() - n_before,
-                            fs::absolute(film.output).string());
+        list += add_film(submission, film, options, n_parts, name_for(film.output, taken));
     }
     keep_what_is_done(submission);
     make_folder(submission.folder / "state");
@@ -264,7 +265,7 @@ std::vector<FilmStatus> status_of(const fs::path& asked) {
     std::vector<FilmStatus> films;
     for (const std::string& line : split(contents_of(folder / "films"), '\n')) {
         const std::vector<std::string> fields = split(line, '\t');
-        if (fields.size() != 3)
+        if (fields.size() != 4)
             throw InputError(fmt::format("{}: is no list of films; submit them again",
                                          printable((folder / "films").string())));
         FilmStatus film;

@@ -15,14 +15,15 @@ struct FilmToSubmit {
     std::vector<std::string> options;  // of render, its own
     std::filesystem::path output;
     std::int64_t n_frames = 0;
+    std::string scene_hash;  // of the record: of all that is drawn, meshes and pictures too
 };
 
 // A line of the lists of tasks: a name, a tab, a command as a shell reads it.
 struct SubmittedTask {
     std::string name;  // "generic.3": of the film, and of the part; "generic.join"
     std::string command;
-    std::filesystem::path scene = {};
-    bool is_done = false;  // by an earlier submission of the same scene, unchanged since
+    std::string film;      // the line that `films` has of it
+    bool is_done = false;  // by an earlier submission of the same film, nothing of it changed since
 };
 
 struct Submission {
@@ -35,7 +36,8 @@ std::filesystem::path submission_folder(const std::filesystem::path& output);
 
 // Writes the folder: `tasks`, `joins`, `films` and `task.sh`, which runs a line of a list and keeps
 // its log and what became of it. `options` go to every render. An earlier submission of the same
-// films is gone on with. Throws InputError for an output that has no parts, EnvironmentError.
+// films is gone on with, but for those whose scenes have changed. Throws InputError for an output
+// that has no parts, EnvironmentError.
 Submission write_submission(const std::filesystem::path& folder,
                             const std::vector<FilmToSubmit>& films,
                             const std::vector<std::string>& options, std::int64_t n_parts);

@@ -123,9 +123,9 @@ VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
         record.page = sha256_of(without_text(vector::svg_of(page, title, "record"), "record"));
         still.bytes = vector::svg_of(page, title, sealed_text(record));
     } else {
-        std::string pdf = vector::pdf_of(page, title);
+        std::string pdf = vector::pdf_of(page);
         record.page = sha256_of(pdf);
-        still.bytes = vector::with_pdf_text(std::move(pdf), text_name, sealed_text(record));
+        still.bytes = vector::with_pdf_text(std::move(pdf), title, text_name, sealed_text(record));
     }
     return still;
 }
