@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "construction/adaptive_curve.h"
+#include "mechanics/free/jacobi_solution.h"
+#include "numerics/wide_double.h"
 
 namespace poinsot {
 
@@ -15,9 +17,9 @@ Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body
     : body_from_principal_(inertia.body_from_principal()), moments_(inertia.moments_kg_m2()) {
     // Scaled to order one; only ratios matter from here on.
     const double I_largest = moments_.maxCoeff();
+    const double omega_largest = omega_body.cwiseAbs().maxCoeff();
     const Eigen::Vector3d I = moments_ / I_largest;
-    const Eigen::Vector3d omega =
-        body_from_principal_.transpose() * (omega_body / omega_body.cwiseAbs().maxCoeff());
+    const Eigen::Vector3d omega = body_from_principal_.transpose() * (omega_body / omega_largest);
 
     std::array<int, 3> order{0, 1, 2};
     std::stable_sort(order.begin(), order.end(), [&I](int i, int j) { return I[i] < I[j]; });
@@ -26,9 +28,14 @@ Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body
     const int high = order[2];
 
     // Δ_i = L² − 2T·I_i as sums of terms of one sign for the outer axes; Δ of the middle one
-    // decides the family.
+    // decides the family, as it does that of the motion.
     const auto term = [&](int i, int j) { return I[j] * omega[j] * omega[j] * (I[j] - I[i]); };
-    const double delta_middle = term(middle, high) + term(middle, low);
+    const WideDouble unit = WideDouble(I_largest) * omega_largest;
+    const double delta_middle =
+        (momentum_difference(moments_, body_from_principal_.transpose() * omega_body, middle) /
+         (unit * unit))
+            .double_double()
+            .hi;
     a_ = delta_middle >= 0.0 ? high : low;
     b_ = middle;
     c_ = delta_middle >= 0.0 ? low : high;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "mechanics/motion.h"
+
 namespace poinsot {
 namespace {
 
@@ -34,6 +36,30 @@ TEST(Polhode, TangentIsFiniteAtTheEndsOfTheSeparatrix) {
     ASSERT_EQ(polhode.kind(), Polhode::Kind::separatrix);
     for (const double chi : {polhode.first_chi_rad(), 0.0, polhode.last_chi_rad()})
         EXPECT_TRUE(polhode.tangent(chi).allFinite());
+}
+
+// Where L² = 2T·I₂ holds exactly, whatever a moment's quotient by another rounds to; and not
+// beside.
+TEST(Polhode, IsTheSeparatrixWhereTheMotionIs) {
+    struct Case {
+        Eigen::Vector3d moments, omega;
+    };
+    for (const Case& one :
+         {Case{{1.0, 2.0, 2.25}, {1.5, 1.0, 2.0}}, Case{{3.0, 3.25, 4.0}, {2.0, 1.0, 1.0}},
+          Case{0x1p900 * Eigen::Vector3d(3.0, 6.0, 8.0), 0x1p-450 * Eigen::Vector3d(4.0, 7.0, 3.0)},
+          Case{{1.0, 2.0, 2.25}, {1.5, -1e-9, -2.0}}}) {
+        const InertiaTensor inertia = InertiaTensor::from_principal_moments(one.moments);
+        const Polhode polhode(inertia, one.omega);
+        MotionProblem problem;
+        problem.inertia = inertia;
+        problem.start.omega_body = one.omega;
+        ASSERT_EQ(Motion(problem).regime(), Regime::separatrix);
+        EXPECT_EQ(polhode.kind(), Polhode::Kind::separatrix) << one.moments.transpose();
+        EXPECT_EQ(polhode.annulus().inner, 0.0);
+        Eigen::Vector3d beside = one.omega;
+        beside[0] = std::nextafter(beside[0], 1e300);
+        EXPECT_EQ(Polhode(inertia, beside).kind(), Polhode::Kind::closed);
+    }
 }
 
 TEST(Polhode, OfASymmetricBodyIsACircleByItsAxes) {

@@ -276,8 +276,15 @@ void LevelScale::add_to(Sheet& sheet, const Eigen::Vector3d& half_axes,
     const Eigen::Vector3d here = at(foot.norm());
     add(foot, here, theme.contact, 1.6);
     sheet.view.dots.push_back(dot_at(panel, here, theme.contact, 5.5));
-    // Its name stands over the line that joins it with the plane, and beside the scale.
-    LabelWish& wish = name(here - 0.22 * right - 0.13 * normal, 0.0, own_, theme.contact);
+    // Its name stands over the line that joins it with the plane, and beside the scale; below that
+    // line where over it another distance's mark is nearer: level with a mark it would name that.
+    constexpr double beyond = 0.13, preferred = 0.02;
+    const auto free_at = [&](double distance) {
+        return (half_axes.array() - distance).abs().minCoeff();
+    };
+    const bool over = free_at(foot.norm() - beyond) + preferred >= free_at(foot.norm() + beyond);
+    LabelWish& wish =
+        name(here - 0.22 * right + (over ? -beyond : beyond) * normal, 0.0, own_, theme.contact);
     wish.away = {-0.2, 0.0};  // its middle is at the anchor
     const double half_px = 0.5 * own_.width_px();
     wish.anchor_px.x() = std::min(wish.anchor_px.x() + 0.62 * (wish.gap_px + half_px),
@@ -292,8 +299,9 @@ Drawer make_levels(Panel& panel) {
     };
 }
 
-// ω × r of the matter on the ellipsoid along an arc that faces the camera, from the contact, where
-// it is at rest, to the other end of the axis.
+// ω × r of the matter on the ellipsoid along an arc on the camera's side, from the contact, where
+// it is at rest, to the other end of the axis. The arc is turned about the axis out of the plane of
+// sight, in which all of it would stand on the axis's line.
 Drawer make_velocity(Panel& panel) {
     const SetType type = set_label(panel, "\\boldsymbol{\\omega}\\times\\mathbf{r}", 0.85);
     return [&panel, type](const Instant& instant, Sheet& sheet) {
@@ -301,7 +309,9 @@ Drawer make_velocity(Panel& panel) {
         const Eigen::Vector3d rho = picture.contact(instant);
         const Eigen::Vector3d axis = rho.stableNormalized();
         const Eigen::Vector3d towards_eye = sheet.view.camera.eye;
+        const double aside_rad = 35.0 * std::numbers::pi / 180.0;
         const Eigen::Vector3d facing =
+            Eigen::AngleAxisd(aside_rad, axis) *
             (towards_eye - towards_eye.dot(axis) * axis).stableNormalized();
         const Eigen::Vector3d sideways = axis.cross(facing);
 
@@ -324,6 +334,7 @@ Drawer make_velocity(Panel& panel) {
                                         colour, 0.7);
             arrow.hidden_opacity = 0.8;
             sheet.view.arrows.push_back(arrow);
+            sheet.view.dots.push_back(dot_at(panel, point, colour, 3.0));
             if (k == named) wish_at_tip(panel, arrow, type, sheet);
         }
     };

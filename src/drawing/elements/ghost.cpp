@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "drawing/elements/elements.h"
 #include "drawing/marks.h"
 #include "error/error.h"
 
@@ -91,7 +92,8 @@ Drawer make_ghost(Panel& panel) {
     ellipsoid.ruling_px = 0.0;
     ellipsoid.casts_shadow = false;
     const SetType type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
-    return [&panel, ellipsoid, type](const Instant& instant, Sheet& sheet) {
+    const bool beyond = is_shown(*panel.stage, "radius");
+    return [&panel, ellipsoid, type, beyond](const Instant& instant, Sheet& sheet) {
         const ConstructionPicture& picture = *panel.stage->rolling;
         const Eigen::Quaterniond turn =
             picture.picture_from_space * instant.beside->space_from_body;
@@ -100,7 +102,8 @@ Drawer make_ghost(Panel& panel) {
             turn.toRotationMatrix() * picture.construction.inertia().body_from_principal() *
             picture.half_axes.asDiagonal();
         const Eigen::Vector3d contact = contact_of(picture, *instant.beside);
-        add_ghost_arrow(panel, omega_tip(contact), type, sheet);
+        // As long beside ρ as ω itself is.
+        add_ghost_arrow(panel, beyond ? spin_axis_end(contact) : contact, type, sheet);
         if (contact.norm() <= out_of_picture) {
             sheet.view.dots.push_back(dot_at(panel, contact, panel.stage->theme->ghost, 5.5));
         }

@@ -46,8 +46,9 @@ ScaledTerm momentum_term(double I, double w, double J) {
     return term;
 }
 
-// Σ_j I_j ω_j² (I_j − I_i) = L² − 2T·I_i: the two terms cancel for the middle moment, so the sum is
-// exact before it is rounded once.
+}  // namespace
+
+// The two terms cancel for the middle moment, so the sum is exact before it is rounded once.
 WideDouble momentum_difference(const Vector3d& I, const Vector3d& w, int i) {
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;
@@ -63,6 +64,8 @@ WideDouble momentum_difference(const Vector3d& I, const Vector3d& w, int i) {
     return WideDouble(x.significand.plus(y.significand.times(std::ldexp(1.0, shift))).value(),
                       x.exponent);
 }
+
+namespace {
 
 WideDouble exact_difference(double x, double y) { return WideDouble(two_sum(x, -y)); }
 

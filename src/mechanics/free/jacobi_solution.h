@@ -43,6 +43,11 @@ struct JacobiSolution {
     WideDouble start_phase;          // u₀/2K; on the separatrix u₀
 };
 
+// Σ_j I_j ω_j² (I_j − I_i) = L² − 2T·I_i, rounded once: its sign tells the families of polhodes
+// apart, and it is zero on the separatrix alone. kg² m⁴/s²; moments and rates as below.
+WideDouble momentum_difference(const Eigen::Vector3d& moments_kg_m2,
+                               const Eigen::Vector3d& omega_principal, int i);
+
 // Moments in kg m² and angular velocity in rad/s along the principal axes, both finite, moments
 // positive. In permanent rotation and at rest only regime, axis, momentum and twice_energy are set.
 // Source: Jacobi 1849; van Zon & Schofield 2007; Celledoni, Fassò, Säfström & Zanna, SIAM J. Sci.
