@@ -227,9 +227,10 @@ Curve line_between(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Ve
     return line;
 }
 
-void add_turn(const Panel& panel, const Turn& turn, const Ink& ink, const SetType& type,
-              Sheet& sheet) {
-    const Eigen::Vector3d from = turn.axis.unitOrthogonal();
+double arc_head_rad(double radius) { return std::min(0.45, 0.12 / radius); }
+
+void add_arc_arrow(const Panel& panel, const Turn& turn, const Eigen::Vector3d& from,
+                   const Ink& ink, Sheet& sheet) {
     const Eigen::Vector3d towards = turn.axis.cross(from);
     sheet.view.curves.push_back(
         arc_about(panel, turn.centre, from, towards, turn.radius, turn.angle_rad, ink, 3.2));
@@ -238,11 +239,16 @@ void add_turn(const Panel& panel, const Turn& turn, const Ink& ink, const SetTyp
                                turn.radius * (std::cos(angle) * from + std::sin(angle) * towards));
     };
     // The head follows the arc's end; its shaft hides in the arc.
-    const double head = std::copysign(0.45, turn.angle_rad);
+    const double head = std::copysign(arc_head_rad(turn.radius), turn.angle_rad);
     Arrow arrow = arrow_between(panel, at(turn.angle_rad - 0.2 * head),
                                 at(turn.angle_rad + 0.8 * head), ink, 0.85);
     arrow.shaft_px = 3.2 * ink.weight * panel.px;
     sheet.view.arrows.push_back(arrow);
+}
+
+void add_turn(const Panel& panel, const Turn& turn, const Ink& ink, const SetType& type,
+              Sheet& sheet) {
+    add_arc_arrow(panel, turn, turn.axis.unitOrthogonal(), ink, sheet);
     // Its name stands to the right, where neither axis nor arrow runs.
     const Eigen::Vector3d right = camera_axes(sheet.view.camera).col(0);
     wish_beside(panel, turn.centre + 1.1 * turn.radius * right, turn.centre, type, ink, sheet);

@@ -99,6 +99,12 @@ struct Turn {
     double radius = 0.2;
     double angle_rad = 5.0;
 };
+// From the direction `from`, a unit vector at right angles to the axis; the head goes on beyond the
+// angle by four fifths of its own.
+void add_arc_arrow(const Panel& panel, const Turn& turn, const Eigen::Vector3d& from,
+                   const Ink& ink, Sheet& sheet);
+double arc_head_rad(double radius);
+// From anywhere, and with its name beside it.
 void add_turn(const Panel& panel, const Turn& turn, const Ink& ink, const SetType& type,
               Sheet& sheet);
 

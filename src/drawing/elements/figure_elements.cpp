@@ -32,7 +32,8 @@ Drawer make_given_axes(Panel& panel) {
     };
 }
 
-// The turn from x, y, z to e1, e2, e3, about its axis, with its angle.
+// The turn from x, y, z to e1, e2, e3: about its axis an arc from each of the first to each of the
+// second, with the angle at the longest.
 Drawer make_turn(Panel& panel) {
     // The rotation that takes x, y, z to e1, e2, e3: about one axis by one angle (Euler's theorem).
     const Eigen::AngleAxisd turn(picture_of(panel).construction.inertia().body_from_principal());
@@ -45,7 +46,24 @@ Drawer make_turn(Panel& panel) {
         Curve line = line_between(panel, Eigen::Vector3d::Zero(), 1.3 * axis, colour, 2.0);
         line.hidden_opacity = 0.6;
         sheet.view.curves.push_back(line);
-        add_turn(panel, {1.12 * axis, axis, 0.24, turn.angle()}, colour, type, sheet);
+        const Eigen::Matrix3d given =
+            picture_of(panel).picture_from_body(instant).toRotationMatrix();
+        constexpr double reach = 1.12;
+        double longest = 0.0;
+        Eigen::Vector3d middle = axis;
+        for (int i = 0; i < 3; ++i) {
+            const Eigen::Vector3d tip = given.col(i);
+            const Eigen::Vector3d centre = reach * tip.dot(axis) * axis;
+            const Eigen::Vector3d from = reach * tip - centre;
+            const double radius = from.norm();
+            if (!(radius > 0.1)) continue;
+            const double arc_rad = std::max(0.0, turn.angle() - 0.8 * arc_head_rad(radius));
+            add_arc_arrow(panel, {centre, axis, radius, arc_rad}, from / radius, colour, sheet);
+            if (radius <= longest) continue;
+            longest = radius;
+            middle = centre + Eigen::AngleAxisd(0.5 * turn.angle(), axis) * from;
+        }
+        wish_beside(panel, middle, Eigen::Vector3d::Zero(), type, colour, sheet);
     };
 }
 

@@ -41,6 +41,13 @@ std::vector<Eigen::Vector3d> points_aside(const Panel& panel, double azimuth_deg
         }
     }
     if (is_shown(stage, "distance")) points.emplace_back(1.6 * right);
+    // Axes and their turn may come to point anywhere.
+    if (is_shown(stage, "given-axes") || is_shown(stage, "turn")) {
+        constexpr double reach = 1.36;  // of an axis with its name
+        for (const double colatitude_deg : {0.0, 45.0, 90.0, 135.0, 180.0})
+            for (double turn_deg = 0.0; turn_deg < 360.0; turn_deg += 30.0)
+                points.emplace_back(reach * direction_of(turn_deg, 90.0 - colatitude_deg));
+    }
     return points;
 }
 
