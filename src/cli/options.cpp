@@ -123,8 +123,8 @@ ContextChoice context_choice_of(const ContextOptions& options) {
     return choice;
 }
 
-Option output_option(std::string& output) {
-    return {"-o,--output", "where to write", &output, "", "FILE", false, "file"};
+Option output_option(std::string& output, std::string_view help) {
+    return {"-o,--output", std::string(help), &output, "", "FILE", false, "file"};
 }
 
 Option json_option(bool& json) { return {"--json", "answer in JSON", &json}; }

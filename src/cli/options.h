@@ -40,7 +40,7 @@ Option portable_option(ContextOptions& context);
 // Throws InputError for a backend that does not exist.
 ContextChoice context_choice_of(const ContextOptions& options);
 
-Option output_option(std::string& output);
+Option output_option(std::string& output, std::string_view help = "where to write");
 Option json_option(bool& json);
 Option quiet_option(bool& quiet);
 

@@ -94,7 +94,7 @@ CommandLine render_line(std::any& room) {
     auto& c = room.emplace<RenderChoices>();
     return {
         &c.scenes,
-        {output_option(c.output),
+        {output_option(c.output, "where to write; output/SCENE.mp4 if not given"),
          set_option(c.scene),
          sweep_option(c.sweeps),
          size_option(c.scene),
@@ -129,7 +129,7 @@ extern const Command render_command{
     "make a film or a PNG sequence of each scene",
     render_line,
     {{{"poinsot render generic -o generic.mp4", "the film of a scene that came with the program"},
-      {"poinsot render generic -o frames/####.png --frames 0-59",
+      {"poinsot render generic -o frame_####.png --frames 0-59",
        "two seconds as a PNG sequence"}}}};
 
 }  // namespace poinsot

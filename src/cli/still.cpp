@@ -158,47 +158,49 @@ int run(const StillChoices& choices) {
 
 CommandLine still_line(std::any& room) {
     auto& c = room.emplace<StillChoices>();
-    return {&c.scenes,
-            {output_option(c.output),
-             set_option(c.scene),
-             sweep_option(c.sweeps),
-             size_option(c.scene),
-             {"--width-mm", "width on paper in millimetres", &c.print.width_mm, "millimetres"},
-             {"--height-mm", "height on paper; from the scene's shape if not given",
-              &c.print.height_mm, "millimetres"},
-             {"--dpi", "dots per inch on paper; 300 if not given", &c.print.dpi, "dots per inch"},
-             {"--type-pt", "size of labels on paper in points, 8.5 if not given; lines follow it",
-              &c.print.type_pt, "points"},
-             {"--journal",
-              "NAME: widths, type and lines as its author pages ask for them, and the theme print",
-              &c.print.journal,
-              "",
-              {},
-              false,
-              "journals"},
-             {"--shading",
-              "how vectors fill surfaces: tone (follows the light, the default), none (lines "
-              "alone) or picture (pixels, 600 an inch, within the exact outlines)",
-              &c.vectors.shading, "", "tone|none|picture", false, "tone|none|picture"},
-             {"--text",
-              "type in vectors: font (real text, the default), paths, or latex (none in the "
-              "figure; a .tex beside it sets it with your own LaTeX)",
-              &c.vectors.text, "", "font|paths|latex", false, "font|paths|latex"},
-             {"--depth", "bits a colour component: 8 or 16", &c.bit_depth, "8 or 16"},
-             {"--sheet",
-              "CxR: all of them in one picture of C columns and R rows, each with its values",
-              ReadText{[&c](const std::string& text) { c.sheet = parse_sheet(text); }}},
-             quality_option(c.scene),
-             theme_option(c.scene),
-             {"--time",
-              "instant of the motion in seconds; if not given, film.still_s of the scene, or the "
-              "film's last",
-              &c.time_s, "an instant in seconds"},
-             quiet_option(c.quiet),
-             backend_option(c.context),
-             portable_option(c.context),
-             allow_outside_option(c.scene.allow_outside)},
-            [&c] { return run(c); }};
+    return {
+        &c.scenes,
+        {output_option(c.output,
+                       "where to write, .pdf and .svg in vectors; output/SCENE.png if not given"),
+         set_option(c.scene),
+         sweep_option(c.sweeps),
+         size_option(c.scene),
+         {"--width-mm", "width on paper in millimetres", &c.print.width_mm, "millimetres"},
+         {"--height-mm", "height on paper; from the scene's shape if not given", &c.print.height_mm,
+          "millimetres"},
+         {"--dpi", "dots per inch on paper; 300 if not given", &c.print.dpi, "dots per inch"},
+         {"--type-pt", "size of labels on paper in points, 8.5 if not given; lines follow it",
+          &c.print.type_pt, "points"},
+         {"--journal",
+          "NAME: widths, type and lines as its author pages ask for them, and the theme print",
+          &c.print.journal,
+          "",
+          {},
+          false,
+          "journals"},
+         {"--shading",
+          "how vectors fill surfaces: tone (follows the light, the default), none (lines "
+          "alone) or picture (pixels, 600 an inch, within the exact outlines)",
+          &c.vectors.shading, "", "tone|none|picture", false, "tone|none|picture"},
+         {"--text",
+          "type in vectors: font (real text, the default), paths, or latex (none in the "
+          "figure; a .tex beside it sets it with your own LaTeX)",
+          &c.vectors.text, "", "font|paths|latex", false, "font|paths|latex"},
+         {"--depth", "bits a colour component: 8 or 16", &c.bit_depth, "8 or 16"},
+         {"--sheet",
+          "CxR: all of them in one picture of C columns and R rows, each with its values",
+          ReadText{[&c](const std::string& text) { c.sheet = parse_sheet(text); }}},
+         quality_option(c.scene),
+         theme_option(c.scene),
+         {"--time",
+          "instant of the motion in seconds; if not given, film.still_s of the scene, or the "
+          "film's last",
+          &c.time_s, "an instant in seconds"},
+         quiet_option(c.quiet),
+         backend_option(c.context),
+         portable_option(c.context),
+         allow_outside_option(c.scene.allow_outside)},
+        [&c] { return run(c); }};
 }
 
 }  // namespace
@@ -211,7 +213,7 @@ extern const Command still_command{
     "make one picture of each scene",
     still_line,
     {{{"poinsot still generic -o generic.png --time 2.5", "the picture of one instant"},
-      {"poinsot still generic -o figure.png --width-mm 86 --theme print",
-       "a figure for a column of 86 mm"}}}};
+      {"poinsot still generic -o figure.pdf --width-mm 86 --theme print",
+       "a figure in vectors for a column of 86 mm"}}}};
 
 }  // namespace poinsot

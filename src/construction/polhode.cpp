@@ -30,12 +30,16 @@ Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body
     // Δ_i = L² − 2T·I_i as sums of terms of one sign for the outer axes; Δ of the middle one
     // decides the family, as it does that of the motion.
     const auto term = [&](int i, int j) { return I[j] * omega[j] * omega[j] * (I[j] - I[i]); };
-    const WideDouble unit = WideDouble(I_largest) * omega_largest;
-    const double delta_middle =
-        (momentum_difference(moments_, body_from_principal_.transpose() * omega_body, middle) /
-         (unit * unit))
-            .double_double()
-            .hi;
+    const double with_high = term(middle, high), with_low = term(middle, low);
+    double delta_middle = with_high + with_low;
+    // Where the two cancel, what is left of them is rounded otherwise than the motion's.
+    if (std::abs(delta_middle) < 1e-6 * with_high) {
+        const Eigen::Vector3d omega_principal = body_from_principal_.transpose() * omega_body;
+        const WideDouble unit = WideDouble(I_largest) * omega_largest;
+        delta_middle = (momentum_difference(moments_, omega_principal, middle) / (unit * unit))
+                           .double_double()
+                           .hi;
+    }
     a_ = delta_middle >= 0.0 ? high : low;
     b_ = middle;
     c_ = delta_middle >= 0.0 ? low : high;

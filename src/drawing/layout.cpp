@@ -260,8 +260,8 @@ void StageData::make_panels() {
         boundaries(scene.grid.rows, room.y_px, room.height_px, options.samples);
     for (const PanelSpec& spec : specs) {
         // By its address: to g++ 14 a reference may be to what was only lent for the call.
-        const PanelKind& kind =
-            *at_scene_key(scene, "panels", [&spec] { return &panel_kind_named(spec.kind); });
+        const PanelKind& kind = *at_scene_key(scene, fmt::format("panels[{}].kind", panels.size()),
+                                              [&spec] { return &panel_kind_named(spec.kind); });
         if (!kind.possible(*this)) {
             const bool rests = motion.motion().problem().start.omega_body.isZero(0.0);
             throw SceneError(scene.location_of(rests ? "start.omega_rad_s" : "panels"),

@@ -11,9 +11,9 @@ std::string_view name_of(Regime regime) {
         case Regime::symmetric:
             return "symmetric body";
         case Regime::elliptic_about_lowest:
-            return "elliptic, about the axis of the lowest moment";
+            return "elliptic, about the axis of the smallest moment";
         case Regime::elliptic_about_highest:
-            return "elliptic, about the axis of the highest moment";
+            return "elliptic, about the axis of the largest moment";
         case Regime::separatrix:
             return "separatrix";
         case Regime::heavy_top:

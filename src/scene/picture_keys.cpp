@@ -61,7 +61,7 @@ const SceneKey picture_rows[] = {
      [](const GivenValue& g, SceneDraft& d) { d.scene.caption = g.text(); },
      [](const Scene& s, size_t) { return toml_text(std::string_view(s.caption)); }},
     {"accuracy_px", "a number from 1e-6 to 100", "pixels", "0.1",
-     "largest distance of anything drawn from the truth; default 0.1",
+     "largest distance of the motion from the truth, and half of it of curves; default 0.1",
      [](const GivenValue& g, SceneDraft& d) {
          d.scene.accuracy_px = g.number_between(1e-6, 100.0);
      },

@@ -69,6 +69,29 @@ double plane_presence(const Eigen::Vector3d& foot, const Camera& camera) {
     return 1.0 + (glass - 1.0) * beyond * beyond * (3.0 - 2.0 * beyond);
 }
 
+double radius_in_view(const Panel& panel, const Eigen::Vector3d& centre, double least,
+                      double wanted) {
+    const double bottom_px = panel.box.y_px + panel.box.height_px;
+    View view;
+    view.x_px = panel.box.x_px, view.y_px = panel.box.y_px;
+    view.width_px = panel.box.width_px, view.height_px = panel.box.height_px;
+    view.camera = panel.camera;
+    Eigen::Vector3d towards_us = panel.camera.eye - panel.camera.target;
+    towards_us.z() = 0.0;
+    if (!(towards_us.norm() > 0.0)) return wanted;
+    const auto is_seen = [&](double radius) {
+        const Eigen::Vector3d rim = centre + radius * towards_us.normalized();
+        return project(view, rim).depth > 0.0 && project(view, rim).px.y() < bottom_px;
+    };
+    double seen = 0.0;
+    double cut = wanted;
+    for (int round = 0; round < 40 && !is_seen(wanted); ++round) {
+        const double middle = 0.5 * (seen + cut);
+        (is_seen(middle) ? seen : cut) = middle;
+    }
+    return is_seen(wanted) ? wanted : std::max(seen, least);
+}
+
 // L from the centre through the plane, its foot there marked with a right angle.
 Drawer make_momentum(Panel& panel) {
     const ConstructionPicture& picture = picture_of(panel);
@@ -277,14 +300,16 @@ void LevelScale::add_to(Sheet& sheet, const Eigen::Vector3d& half_axes,
     add(foot, here, theme.contact, 1.6);
     sheet.view.dots.push_back(dot_at(panel, here, theme.contact, 5.5));
     // Its name stands over the line that joins it with the plane, and beside the scale; below that
-    // line where over it another distance's mark is nearer: level with a mark it would name that.
-    constexpr double beyond = 0.13, preferred = 0.02;
+    // line where over it another distance's mark is nearer, and farther off where marks are near on
+    // both sides: level with a mark it would name that.
+    constexpr double beyond = 0.13, preferred = 0.02, level = 0.06;
     const auto free_at = [&](double distance) {
         return (half_axes.array() - distance).abs().minCoeff();
     };
-    const bool over = free_at(foot.norm() - beyond) + preferred >= free_at(foot.norm() + beyond);
-    LabelWish& wish =
-        name(here - 0.22 * right + (over ? -beyond : beyond) * normal, 0.0, own_, theme.contact);
+    const double over = free_at(foot.norm() - beyond), below = free_at(foot.norm() + beyond);
+    const double along = over + preferred >= below ? -beyond : beyond;
+    const double off = std::max(over, below) < level ? 0.6 : 0.22;
+    LabelWish& wish = name(here - off * right + along * normal, 0.0, own_, theme.contact);
     wish.away = {-0.2, 0.0};  // its middle is at the anchor
     const double half_px = 0.5 * own_.width_px();
     wish.anchor_px.x() = std::min(wish.anchor_px.x() + 0.62 * (wish.gap_px + half_px),

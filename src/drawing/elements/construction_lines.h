@@ -13,6 +13,12 @@ namespace poinsot {
 // hardly any of it is seen. `foot`: the plane's point on L.
 double plane_presence(const Eigen::Vector3d& foot, const Camera& camera);
 
+// How far a plane about a point is drawn, at most `wanted`: so near that the rim towards us is
+// seen, for then the panel has no hard edge and the plane is faint where the caption stands;
+// `least` at least. Needs the panel's camera.
+double radius_in_view(const Panel& panel, const Eigen::Vector3d& centre, double least,
+                      double wanted);
+
 // The distances 1/√I₁, 1/√I₂, 1/√I₃ at which a plane touches the ends of the half-axes, and √(2T)/L
 // among them, on a scale along L beside the ellipsoid.
 class LevelScale {

@@ -22,32 +22,11 @@ namespace {
 constexpr int the_ellipsoid = 0;
 constexpr int the_plane = 0;
 
-// Far enough for the herpolhode, and so near that the rim towards us is seen: the panel has no hard
-// edge, and the plane is faint where the caption stands.
+// Far enough for the herpolhode.
 double plane_radius(const Panel& panel) {
-    const double wanted = std::max(2.4, 2.2 * picture_of(panel).herpolhode_radius);
-    const double bottom_px = panel.box.y_px + panel.box.height_px;
-
-    View view;
-    view.x_px = panel.box.x_px, view.y_px = panel.box.y_px;
-    view.width_px = panel.box.width_px, view.height_px = panel.box.height_px;
-    view.camera = panel.camera;
-    Eigen::Vector3d towards_us = panel.camera.eye - panel.camera.target;
-    towards_us.z() = 0.0;
-    if (!(towards_us.norm() > 0.0)) return wanted;
-    const Eigen::Vector3d centre = picture_of(panel).foot();
-    const auto is_seen = [&](double radius) {
-        const Eigen::Vector3d rim = centre + radius * towards_us.normalized();
-        return project(view, rim).depth > 0.0 && project(view, rim).px.y() < bottom_px;
-    };
-    double seen = 0.0;
-    double cut = wanted;
-    for (int round = 0; round < 40 && !is_seen(wanted); ++round) {
-        const double middle = 0.5 * (seen + cut);
-        (is_seen(middle) ? seen : cut) = middle;
-    }
-    const double least = std::max(1.0, 1.3 * picture_of(panel).herpolhode_radius);
-    return is_seen(wanted) ? wanted : std::max(seen, least);
+    const double herpolhode = picture_of(panel).herpolhode_radius;
+    return radius_in_view(panel, picture_of(panel).foot(), std::max(1.0, 1.3 * herpolhode),
+                          std::max(2.4, 2.2 * herpolhode));
 }
 
 // A plane ruled in circles about the foot of L. Seen from a camera that turns about L they stand

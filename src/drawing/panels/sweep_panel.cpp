@@ -271,7 +271,7 @@ void make_energy_sweep(Panel& panel) {
     aim_around(panel, std::move(points), margins_of(panel).left_px);
 
     Plane plane;
-    plane.radius = 2.0;
+    plane.radius = radius_in_view(panel, farthest * normal, 1.0, 2.0);
     plane.grid_spacing = 0.2;
     plane.grid_px = 1.1 * panel.px;
     plane.colour = panel.stage->theme->plane;
@@ -332,6 +332,10 @@ void make_energy_sweep(Panel& panel) {
             sheet.view.arrows.push_back(*arrow);
         }
         wish_at_tip(panel, momentum, momentum_type, sheet);
+        // The axis goes on beyond the contact, off which the name stands.
+        Curve axis = line_between(panel, contact, past_contact(contact), theme.omega, 2.0);
+        axis.hidden_opacity = 0.6;
+        sheet.view.curves.push_back(axis);
         wish_beside(panel, past_contact(contact), Eigen::Vector3d::Zero(), omega_type, theme.omega,
                     sheet);
         Dot dot = dot_at(panel, contact, theme.contact);
