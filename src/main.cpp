@@ -1,4 +1,4 @@
-// Entry: hands over to the command line; the only catch, the only exit codes.
+// Entry: hands over to the command line; what nothing else catches, and the exit codes.
 #include <malloc.h>
 #include <unistd.h>
 

@@ -17,7 +17,7 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }  // namespace
 
 PoinsotConstruction::PoinsotConstruction(const InertiaTensor& inertia, const RotationState& start)
-    : inertia_(inertia), tensor_(inertia.matrix_body()), omega_start_body_(start.omega_body) {
+    : inertia_(inertia), tensor_(inertia.matrix_body()) {
     const double largest = start.omega_body.cwiseAbs().maxCoeff();
     if (!(largest > 0.0)) {
         throw InputError(

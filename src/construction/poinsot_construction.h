@@ -60,8 +60,7 @@ class PoinsotConstruction {
 
  private:
     InertiaTensor inertia_;
-    Eigen::Matrix3d tensor_;  // body axes, kg m²
-    Eigen::Vector3d omega_start_body_;
+    Eigen::Matrix3d tensor_;       // body axes, kg m²
     int omega_exponent_ = 0;       // ω·2^−exponent has a largest component in [½, 1)
     double sqrt_2T_scaled_ = 0.0;  // √(2T) of the scaled ω
     double plane_distance_ = 0.0;

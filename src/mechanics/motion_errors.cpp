@@ -26,8 +26,6 @@ MotionErrors worst_errors(const Motion& motion, const Motion& truth,
         const RotationState state = motion.at(time_s);
         const RotationState exact = truth.at(time_s);
         keep(worst.attitude_rad, angle_between(state.space_from_body, exact.space_from_body));
-        keep(worst.omega_relative,
-             (state.omega_body - exact.omega_body).stableNorm() / exact.omega_body.stableNorm());
         const Eigen::Vector3d momentum_body = tensor * state.omega_body;
         keep(worst.energy_relative,
              std::abs(state.omega_body.dot(momentum_body) - energy_start) / energy_start);

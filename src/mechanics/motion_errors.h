@@ -9,7 +9,6 @@ namespace poinsot {
 
 struct MotionErrors {
     double attitude_rad = 0.0;     // largest angle between the two attitudes
-    double omega_relative = 0.0;   // largest |Δω| over |ω|
     double energy_relative = 0.0;  // largest |T − T(0)| over T(0) of `motion`
     double momentum_relative =
         0.0;  // largest |L − L(0)| over |L(0)| of `motion`, as vectors in space

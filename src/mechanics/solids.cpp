@@ -101,7 +101,7 @@ void check_mass(double mass_kg, std::string_view what) {
     throw InputError(fmt::format("{} = {}: a mass is finite and positive", what, mass_kg));
 }
 
-// Exact product of two doubles, or their sum with what it left over.
+// Of a double and a sum with what it left over, rounded to two doubles.
 DoubleDouble difference(double a, DoubleDouble b) { return DoubleDouble(a) - b; }
 
 // A power of two near the largest coordinate or mass: scaling by it rounds nothing.

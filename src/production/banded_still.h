@@ -20,8 +20,7 @@ bool wants_bands(const PictureMaker& pictures);
 using TextsOfPixels = std::function<std::map<std::string, std::string>(const std::string& pixels)>;
 
 // Draws the picture of an instant and writes it. The bands show no seams: every pixel is computed
-// by itself, and the dither goes on. Throws: EnvironmentError if it cannot be written; InputError
-// for 16 bits with a quality that averages samples.
+// by itself, and the dither goes on. Throws EnvironmentError if it cannot be written.
 void write_in_bands(PictureMaker& pictures, const FilmMoment& moment,
                     const std::filesystem::path& path, const PngOptions& png, int bit_depth,
                     const TextsOfPixels& texts);

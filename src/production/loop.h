@@ -8,8 +8,6 @@
 
 namespace poinsot {
 
-struct FilmPlan;
-
 // After loop_s of motion the picture is the same.
 struct Loop {
     double loop_s = 0.0;

@@ -25,6 +25,7 @@ struct ContextChoice {
     Backend backend = Backend::automatic;
     Portability portability = Portability::native;
 };
+// Throws EnvironmentError where the machine has no such context.
 OffscreenContext make_context(const ContextChoice& choice,
                               ShaderCompilation compilation = ShaderCompilation::thorough);
 

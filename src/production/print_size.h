@@ -22,7 +22,6 @@ struct PrintChoices {
     std::optional<double> width_mm, height_mm;  // --width-mm, --height-mm
     std::optional<double> dpi;                  // --dpi
     std::optional<double> type_pt;              // --type-pt, of labels
-    int bit_depth = 8;                          // --depth
     std::string journal{};                      // --journal, whose sizes are kept
     // No type is smaller, no sub- or superscript, no line thinner.
     double least_type_pt = 8.0, least_script_pt = 6.0, least_line_pt = 0.5;

@@ -80,8 +80,8 @@ std::string told(const std::string& metadata, const Contents& contents);
 // what is not a record, and for one that is not as its hash, or that of its scene, says.
 Record parse_record(std::string_view text, const std::string& name);
 
-// The record that a PNG or film carries. Throws InputError if the file cannot be read or carries
-// none.
+// The record that a picture, a page or a film carries. Throws InputError if the file cannot be read
+// or carries none.
 Record read_record(const std::filesystem::path& file);
 
 // Whether a file's pixels, or packets, are those that its record was written with.

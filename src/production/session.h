@@ -81,6 +81,7 @@ Certificate certify_film(const Session& session, const FilmPlan& film, const Tel
 // The certificate as lines of text, one a claim, with what was measured and what was promised.
 std::string text_of(const Certificate& certificate);
 
+// Throws the SceneError that at_key_of_error makes of one.
 [[noreturn]] void throw_at_key(const Scene& scene, const std::string& key,
                                const std::string& time_key, const InputError& error);
 

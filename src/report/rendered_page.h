@@ -8,7 +8,7 @@ namespace poinsot {
 // Whether a file is a page: .pdf or .svg.
 bool is_page_name(const std::filesystem::path& file);
 
-// A folder for pictures of pages, gone with it. Move-only.
+// A folder for pictures of pages, gone with it.
 class RenderedPages {
  public:
     // Throws EnvironmentError where no folder can be made.

@@ -121,15 +121,14 @@ struct PanelCameraSpec {
 
 // [construction]: how Poinsot's construction is laid into the picture, and what runs over the film.
 struct ConstructionSpec {
-    std::string plane =
-        "below";        // of plane_sides(): where the invariable plane lies in the picture
-    std::string sweep;  // of construction_sweeps(): what the film runs through instead of
-                        // the motion; empty: nothing
+    std::string plane = "below";  // or "above": where the invariable plane lies in the picture
+    std::string sweep;  // "axis", "energy": what the film runs through instead of the motion;
+                        // empty: nothing
 };
 
 // [trail]: how much of the paths of the contact point is shown, and how.
 struct TrailSpec {
-    std::string polhode = "whole";       // of trail_kinds()
+    std::string polhode = "whole";       // or "history", "fading"
     std::string herpolhode = "history";  // likewise
     std::optional<double> length_s;      // of a fading trail; absent: one polhode period
     bool direction_marks = false;        // chevrons that show which way it runs
@@ -186,7 +185,7 @@ struct LookSpec {
 
 // [style]: what is drawn otherwise than the theme says.
 struct StyleSpec {
-    std::map<std::string, LookSpec, std::less<>> looks;  // by names of style_names()
+    std::map<std::string, LookSpec, std::less<>> looks;  // by the names of style_roles()
     // Factors on the type of each kind.
     std::optional<double> title_scale, caption_scale, heading_scale, label_scale, chart_scale;
 };

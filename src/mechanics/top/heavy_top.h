@@ -63,7 +63,6 @@ struct TopNutation {
     double theta_max_rad = 0.0;
     double period_s = 0.0;
     double precession_rate_rad_s = 0.0;  // mean φ̇
-    double spin_rate_rad_s = 0.0;        // mean ψ̇
 };
 
 // The exact motion of a heavy symmetric top; immutable. Setup is done once in wide double-double,

@@ -173,10 +173,7 @@ void TopSetup::fill_nutation() {
         nutation.period_s = quarter == 0 ? std::numeric_limits<double>::infinity()
                                          : (2 * quarter / lambda).rounded();
     }
-    const WideDouble sum = back ? angle_rate[1] : angle_rate[0];
-    const WideDouble difference = back ? angle_rate[0] : angle_rate[1];
-    nutation.precession_rate_rad_s = ((sum + difference) / 2).rounded();
-    nutation.spin_rate_rad_s = ((sum - difference) / 2).rounded();
+    nutation.precession_rate_rad_s = ((angle_rate[0] + angle_rate[1]) / 2).rounded();
 }
 
 }  // namespace poinsot

@@ -37,7 +37,7 @@ struct JobChoice {
 // command does the same again. Throws InputError for a name or quality that is not known.
 JobChoice choose_jobs(const FilmWork& film, const Machine& machine);
 
-// "2, each drawing with one thread, about 900 MiB together"
+// "2 processes, each drawing with one thread, about 900 MiB together"
 std::string in_words(const JobChoice& choice);
 
 // Threads that each of so many jobs draws with.
