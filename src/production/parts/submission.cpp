@@ -98,7 +98,7 @@ std::string add_film(Submission& submission, const FilmToSubmit& film,
     const fs::path parts = submission.folder / "parts" / name;
     const bool is_film = format.join != nullptr;
     if (is_film) make_folder(parts);
-    const std::string line =
+    std::string line =
         fmt::format("{}\t{}\t{}\t{}\n", name, n_parts, output.string(), film.scene_hash);
     std::vector<std::string> join{program(), "join", "-q", "-o", output.string()};
     if (!is_film) join.push_back(output.string());
