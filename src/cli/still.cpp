@@ -41,27 +41,27 @@ struct StillChoices {
 // All scenes at all points of the sweep in one picture.
 int draw_sheet_of(const StillChoices& choices) {
     const PrintChoices& print = choices.print;
-    const std::pair<const char*, bool> of_paper[] = {{"--journal", !print.journal.empty()},
-                                                     {"--width-mm", print.width_mm.has_value()},
-                                                     {"--height-mm", print.height_mm.has_value()},
-                                                     {"--dpi", print.dpi.has_value()},
-                                                     {"--type-pt", print.type_pt.has_value()}};
-    const std::pair<const char*, bool> of_one_picture[] = {
-        {"--depth", choices.bit_depth != 8},
-        {"--shading", choices.vectors.shading != VectorChoices().shading},
-        {"--text", choices.vectors.text != VectorChoices().text}};
-    for (const auto& [option, is_given] : of_one_picture)
-        if (is_given)
+    struct Unfit {
+        const char* option;
+        bool is_given;
+        const char* kind;
+    };
+    const char* const paper = "for paper";
+    const char* const alone = "for one picture alone";
+    const Unfit unfit[] = {{"--journal", !print.journal.empty(), paper},
+                           {"--width-mm", print.width_mm.has_value(), paper},
+                           {"--height-mm", print.height_mm.has_value(), paper},
+                           {"--dpi", print.dpi.has_value(), paper},
+                           {"--type-pt", print.type_pt.has_value(), paper},
+                           {"--depth", choices.bit_depth != 8, alone},
+                           {"--shading", choices.vectors.shading != VectorChoices().shading, alone},
+                           {"--text", choices.vectors.text != VectorChoices().text, alone}};
+    for (const Unfit& one : unfit)
+        if (one.is_given)
             throw InputError(
-                fmt::format("--sheet: is a PNG of 8 bits, and has no {0}; leave {0} "
+                fmt::format("--sheet: is a PNG of 8 bits for a screen, and {0} is {1}; leave {0} "
                             "out, or draw stills without --sheet",
-                            option));
-    for (const auto& [option, is_given] : of_paper)
-        if (is_given)
-            throw InputError(
-                fmt::format("--sheet: its pictures are for a screen, and {0} is for paper; leave "
-                            "{0} out, or draw stills without --sheet",
-                            option));
+                            one.option, one.kind));
     SheetRequest sheet;
     std::tie(sheet.n_columns, sheet.n_rows) = *choices.sheet;
     sheet.output = choices.output;

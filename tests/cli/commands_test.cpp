@@ -239,6 +239,18 @@ TEST(Recover, GivesTheFramesThatWereDrawnAndRenderGoesOn) {
     EXPECT_EQ(text_of(folder.path() / "a.mp4"), text_of(folder.path() / "whole.mp4"));
 }
 
+// Draws a film of a minute by one process until some 40 kB lie aside, and interrupts that.
+void interrupt_render(const ScratchFolder& folder, const std::string& scene,
+                      const std::string& film) {
+    const std::string script =
+        "cd '" + folder.path().string() + "' && '" + program_path() + "' render " + scene + " -o " +
+        film +
+        " --jobs 1 --size 96x54 --set film.duration_s=60 -q & pid=$!\nwhile [ \"$(stat -c %s '" +
+        (folder.path() / ("." + film + ".part.frames")).string() +
+        "' 2>/dev/null || echo 0)\" -lt 40000 ]; do sleep 0.01; done\nkill -INT $pid; wait $pid";
+    ASSERT_NE(std::system(script.c_str()), 0);
+}
+
 TEST(Recover, WritesTheChaptersThatAreThere) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket +
@@ -246,14 +258,7 @@ TEST(Recover, WritesTheChaptersThatAreThere) {
                                    "[[chapters]]\nat_s = 3\ntitle = \"Two\"\n"
                                    "[[chapters]]\nat_s = 50\ntitle = \"Three\"\n");
     // Interrupted when some 250 frames lie aside: the second chapter has begun with frame 90.
-    const std::string script =
-        "cd '" + folder.path().string() + "' && '" + program_path() +
-        "' render scene.toml -o a.webm --size 96x54 --set film.duration_s=60 -q & pid=$!\n"
-        "while [ \"$(stat -c %s '" +
-        folder.path().string() +
-        "/.a.webm.part.frames' 2>/dev/null || echo 0)\" -lt 40000 ]; do sleep 0.01; done\n"
-        "kill -INT $pid; wait $pid";
-    ASSERT_NE(std::system(script.c_str()), 0);
+    interrupt_render(folder, "scene.toml", "a.webm");
     ASSERT_EQ(run_program_in(folder, "recover a.webm").code, 0);
     const VideoInfo info = VideoReader(folder.path() / "a.webm").info();
     ASSERT_EQ(info.chapters.size(), 2u);
@@ -273,14 +278,7 @@ TEST(Recover, LeavesTheChaptersOfNoOtherFilm) {
     folder.write("plain.toml", racket);
     ASSERT_EQ(run_program_in(folder, "render told.toml -q --size 96x54 -o a.mp4").code, 0);
     ASSERT_TRUE(std::filesystem::exists(folder.path() / "a.chapters.json"));
-    const std::string script =
-        "cd '" + folder.path().string() + "' && '" + program_path() +
-        "' render plain.toml -o a.mp4 --jobs 1 --size 96x54 --set film.duration_s=60 -q & pid=$!\n"
-        "while [ \"$(stat -c %s '" +
-        folder.path().string() +
-        "/.a.mp4.part.frames' 2>/dev/null || echo 0)\" -lt 40000 ]; do sleep 0.01; done\n"
-        "kill -INT $pid; wait $pid";
-    ASSERT_NE(std::system(script.c_str()), 0);
+    interrupt_render(folder, "plain.toml", "a.mp4");
     ASSERT_EQ(run_program_in(folder, "recover a.mp4").code, 0);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.chapters.json"));
 }
