@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 
 #include "cli/documents.h"
@@ -43,15 +41,8 @@ std::vector<CatalogueEntry> rows_of(const Rows& rows) {
 // The scenes that came with the program, with their titles.
 std::vector<CatalogueEntry> scene_entries() {
     std::vector<CatalogueEntry> entries;
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(scenes_folder(), error)) {
-        if (entry.path().extension() != ".toml") continue;
-        entries.push_back({entry.path().stem().string(), load_scene(entry.path(), {}).title});
-    }
-    if (error)
-        throw EnvironmentError(fmt::format("the scenes cannot be listed: {}", error.message()));
-    std::sort(entries.begin(), entries.end(),
-              [](const auto& a, const auto& b) { return a.name < b.name; });
+    for (const std::filesystem::path& file : own_scenes())
+        entries.push_back({file.stem().string(), load_scene(file, {}).title});
     return entries;
 }
 

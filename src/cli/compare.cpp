@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 
 #include "cli/command.h"
@@ -17,6 +16,7 @@
 #include "report/rendered_page.h"
 #include "system/atomic_file.h"
 #include "system/file_kind.h"
+#include "text/numbers.h"
 #include "text/printable.h"
 #include "text/say.h"
 
@@ -41,10 +41,9 @@ namespace fs = std::filesystem;
 double parse_share(std::string_view option, std::string_view text) {
     const bool percent = text.ends_with('%');
     const std::string_view digits = text.substr(0, text.size() - (percent ? 1 : 0));
-    double value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    const double share = percent ? value / 100 : value;
-    if (error != std::errc{} || end != digits.data() + digits.size() || !(share >= 0 && share <= 1))
+    const auto value = number_of<double>(digits);
+    const double share = value.value_or(-1.0) / (percent ? 100 : 1);
+    if (!(share >= 0 && share <= 1))
         throw InputError(fmt::format(
             "{} {}: not a share of the pixels; give one from 0 to 1, or from 0% to 100%", option,
             printable(text)));

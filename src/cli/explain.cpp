@@ -7,6 +7,7 @@
 #include "cli/command.h"
 #include "cli/options.h"
 #include "production/record.h"
+#include "production/record_fields.h"
 #include "text/json_text.h"
 #include "text/printable.h"
 #include "text/say.h"
@@ -35,30 +36,10 @@ std::string_view name_of(Verified verified) {
 
 std::string json_of(const Record& record, const std::optional<Verification>& verification) {
     JsonObject object;
-    object.add("version", record.version).add("scene", record.scene_name);
-    object.add("scene_sha256", record.scene_hash);
-    if (!record.mesh_hash.empty()) object.add("mesh_sha256", record.mesh_hash);
-    object.add("method", record.method).add("bounds", record.bounds);
-    object.add("profile", record.portable ? "portable" : "native");
-    if (!record.processor.empty()) object.add("processor", record.processor);
-    object.add("renderer", record.renderer).add("mesa", record.mesa);
-    if (!record.fonts.empty()) object.add("fonts", record.fonts);
-    object.json("size", json_numbers(record.width_px, record.height_px));
-    if (record.time_s) object.add("time_s", *record.time_s);
-    if (record.dpi) object.add("dpi", *record.dpi);
-    if (record.type_pt) object.add("type_pt", *record.type_pt);
-    if (record.bit_depth != 8) object.add("depth", record.bit_depth);
-    if (!record.shading.empty()) object.add("shading", record.shading);
-    if (!record.journal.empty()) object.add("journal", record.journal);
-    if (!record.lettering.empty()) object.add("type_as", record.lettering);
-    const auto range = [](const auto& of) { return fmt::format("[{}, {}]", of.first, of.second); };
-    if (record.frames) object.json("frames", range(*record.frames));
-    if (record.run) object.json("run", range(*record.run));
-    if (record.frame) object.add("frame", *record.frame);
-    if (!record.sheet.empty()) object.add("sheet", record.sheet);
-    if (!record.pixels.empty()) object.add("pixels_xxh64", record.pixels);
-    if (!record.packets.empty()) object.add("packets_sha256", record.packets);
-    if (!record.page.empty()) object.add("page_sha256", record.page);
+    object.add("version", record.version);
+    for (const RecordField& field : record_fields())
+        if (const auto said = field.text_of(record))
+            object.json(json_key_of(field), json_of(field, *said));
     if (verification) object.add("verified", name_of(verification->verified));
     return object.add("scene_toml", record.scene_toml).lines();
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -12,6 +11,7 @@
 #include <sstream>
 
 #include "error/error.h"
+#include "text/numbers.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -23,13 +23,9 @@ constexpr double most_instants = 1e8;
 
 // A finite number that is all of the text. Of more digits than a double has, so that the k-th of
 // first + k·step is the double that its decimals name: 0:1:0.1 gives 0.3, as one would write it.
-std::optional<long double> whole_number(std::string_view text) {
-    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-    long double number{};
-    const char* const last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(text.data(), last, number);
-    const bool whole = error == std::errc{} && end == last;
-    if (!whole || !std::isfinite(static_cast<double>(number))) return std::nullopt;
+std::optional<long double> finite_decimal(std::string_view text) {
+    const auto number = number_of<long double>(without_plus(text));
+    if (!number || !std::isfinite(static_cast<double>(*number))) return std::nullopt;
     return number;
 }
 
@@ -76,7 +72,7 @@ void append_divided(std::string_view item, long double first, long double last, 
 void append_item(std::string_view item, std::vector<double>& times) {
     const std::size_t colon = item.find(':');
     if (colon == std::string_view::npos) {
-        const auto time = whole_number(item);
+        const auto time = finite_decimal(item);
         if (!time) throw_no_time(item);
         times.push_back(static_cast<double>(*time));
         return;
@@ -84,9 +80,9 @@ void append_item(std::string_view item, std::vector<double>& times) {
     const std::string_view rest = item.substr(colon + 1);
     const std::size_t split = rest.find_first_of(":/");
     if (split == std::string_view::npos) throw_no_time(item);
-    const auto first = whole_number(item.substr(0, colon));
-    const auto last = whole_number(rest.substr(0, split));
-    const auto third = whole_number(rest.substr(split + 1));
+    const auto first = finite_decimal(item.substr(0, colon));
+    const auto last = finite_decimal(rest.substr(0, split));
+    const auto third = finite_decimal(rest.substr(split + 1));
     if (!first || !last || !third) throw_no_time(item);
     if (rest[split] == ':') {
         append_stepped(item, *first, *last, *third, times);
@@ -118,7 +114,7 @@ void append_line(std::string_view line, const std::string& file, std::size_t lin
     while ((begin = line.find_first_not_of(between, begin)) != std::string_view::npos) {
         const std::size_t end = std::min(line.find_first_of(between, begin), line.size());
         const std::string_view item = line.substr(begin, end - begin);
-        const auto time = whole_number(item);
+        const auto time = finite_decimal(item);
         if (!time)
             throw InputError(
                 fmt::format("{}:{}:{}: \"{}\" is not a time in seconds; write one instant a line",

@@ -1,6 +1,5 @@
 // poinsot list WHAT: the tables that the program is made of.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -137,9 +136,8 @@ int run(const ListChoices& choices) {
         }
         return 0;
     }
-    throw InputError(fmt::format("poinsot list: nothing called \"{}\"{}; choose from: {}",
-                                 printable(what), did_you_mean(what, names),
-                                 fmt::join(names, ", ")));
+    throw InputError(fmt::format("poinsot list: nothing called \"{}\"{}", printable(what),
+                                 choose_instead(what, names)));
 }
 
 CommandLine list_line(std::any& room) {

@@ -2,30 +2,25 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "error/error.h"
-#include "text/nearest.h"
+#include "text/numbers.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
 namespace {
 
-// A number that is all of the text; from_chars knows no locale, no hexadecimal and no spaces.
+// A number that is all of what was typed.
 template <typename Number>
-std::optional<Number> whole_text(std::string_view text) {
-    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-    Number number{};
-    const char* const last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(text.data(), last, number);
-    if (error != std::errc{} || end != last) return std::nullopt;
-    return number;
+std::optional<Number> typed(std::string_view text) {
+    return number_of<Number>(without_plus(text));
 }
 
 std::optional<double> finite_number(std::string_view text) {
-    const auto number = whole_text<double>(text);
+    const auto number = typed<double>(text);
     return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
@@ -44,16 +39,16 @@ double parse_number(std::string_view option, std::string_view text, std::string_
 }
 
 int parse_whole(std::string_view option, std::string_view text, std::string_view wanted) {
-    if (const auto number = whole_text<int>(text)) return *number;
+    if (const auto number = typed<int>(text)) return *number;
     throw InputError(
         fmt::format("{}: \"{}\" is not a whole number; give {}", option, printable(text), wanted));
 }
 
 std::pair<std::int64_t, std::int64_t> parse_frames(std::string_view text) {
     const std::size_t dash = text.find('-');
-    const auto first = whole_text<std::int64_t>(text.substr(0, dash));
+    const auto first = typed<std::int64_t>(text.substr(0, dash));
     const auto last =
-        dash == std::string_view::npos ? first : whole_text<std::int64_t>(text.substr(dash + 1));
+        dash == std::string_view::npos ? first : typed<std::int64_t>(text.substr(dash + 1));
     if (!first || !last || *first < 0 || *last < *first)
         throw InputError(fmt::format(
             "--frames {}: not a range of frames; write A-B with 0 <= A <= B, as in 0-99",
@@ -65,8 +60,8 @@ std::pair<std::int64_t, std::int64_t> parse_part(std::string_view text) {
     const std::size_t slash = text.find('/');
     std::optional<std::int64_t> number, n_parts;
     if (slash != std::string_view::npos) {
-        number = whole_text<std::int64_t>(text.substr(0, slash));
-        n_parts = whole_text<std::int64_t>(text.substr(slash + 1));
+        number = typed<std::int64_t>(text.substr(0, slash));
+        n_parts = typed<std::int64_t>(text.substr(slash + 1));
     }
     if (!number || !n_parts || *number < 1 || *number > *n_parts)
         throw InputError(fmt::format(

@@ -29,7 +29,7 @@ Option override_option(SceneOptions& scene, const char* flag, const char* key,
 
 // "light, dark or print", of a table's rows.
 template <typename Rows>
-std::string names_of(const Rows& rows) {
+std::string listed(const Rows& rows) {
     std::string names;
     for (std::size_t i = 0; i < rows.size(); ++i)
         names += fmt::format("{}{}",
@@ -61,13 +61,13 @@ Option fps_option(SceneOptions& scene) {
 }
 
 Option quality_option(SceneOptions& scene) {
-    return override_option(scene, "--quality", "film.quality", names_of(qualities()), "NAME",
+    return override_option(scene, "--quality", "film.quality", listed(qualities()), "NAME",
                            "qualities");
 }
 
 Option theme_option(SceneOptions& scene) {
     return override_option(scene, "--theme", "theme",
-                           names_of(themes()) + ", or a theme of one's own in a .toml file", "NAME",
+                           listed(themes()) + ", or a theme of one's own in a .toml file", "NAME",
                            "themes");
 }
 

@@ -190,12 +190,9 @@ CommandToRun read_command_line(int argc, const char* const* argv) {
 
     // A mistyped command gets the nearest name, which CLI11 does not give.
     if (argc > 1 && argv[1][0] != '-') {
-        std::vector<std::string_view> names;
-        for (const Command& command : commands()) names.push_back(command.name);
-        if (std::find(names.begin(), names.end(), argv[1]) == names.end()) {
-            refuse(fmt::format("unknown command \"{}\"{}", printable(argv[1]),
-                               did_you_mean(argv[1], names)));
-        }
+        const std::vector<std::string_view> names = names_of(commands());
+        if (std::find(names.begin(), names.end(), argv[1]) == names.end())
+            refuse(unknown("command", argv[1], names));
     }
 
     // Every command's choices, which CLI11 fills in and the one that was named reads.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -20,6 +19,7 @@
 #include "output/frame_name.h"
 #include "production/sampling/sample_table.h"
 #include "production/session.h"
+#include "text/numbers.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -69,15 +69,14 @@ SampleTable table_of(const SampleChoices& choices, const std::string& scene,
                         choices.times.empty() ? "--times-file" : "--times");
 }
 
-double number_of(const std::string& key, const std::string& value) {
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-    if (error != std::errc{} || end != value.data() + value.size())
+double swept_number(const std::string& key, const std::string& value) {
+    const auto number = number_of<double>(value);
+    if (!number)
         throw InputError(fmt::format(
             "--sweep {}: {} is no number, which one table's column could hold; name a file for "
             "each value with -o and {{KEY}}, {{key}} or ####",
             printable(key), printable(value)));
-    return number;
+    return *number;
 }
 
 // One table of all runs: before each row the values that it belongs to.
@@ -91,7 +90,7 @@ SampleTable table_of_sweep(const SampleChoices& choices, const std::vector<Sweep
         values.reserve(point.size());
         for (const auto& [key, value] : point) {
             headings.push_back(key);
-            values.push_back(number_of(key, value));
+            values.push_back(swept_number(key, value));
         }
         const SampleTable table =
             table_of(choices, choices.scenes.at(0), overrides_of(point), times_s, telling);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "error/error.h"
@@ -13,6 +14,7 @@
 #include "production/output_place.h"
 #include "system/file_kind.h"
 #include "system/own_files.h"
+#include "text/nearest.h"
 #include "text/printable.h"
 #include "text/say.h"
 
@@ -54,8 +56,7 @@ void refuse_one_name(const std::vector<SceneJob>& jobs, OutputKind kind) {
     }
 }
 
-}  // namespace
-
+// Beside an installed program, or in the checkout that a build stands in.
 std::filesystem::path scenes_folder() {
     namespace fs = std::filesystem;
     std::error_code ignored;
@@ -66,6 +67,19 @@ std::filesystem::path scenes_folder() {
         "no folder of scenes beside the program; install it with its scenes, or name scene files");
 }
 
+}  // namespace
+
+std::vector<std::filesystem::path> own_scenes() {
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(scenes_folder(), error))
+        if (entry.path().extension() == ".toml") files.push_back(entry.path().lexically_normal());
+    if (error)
+        throw EnvironmentError(fmt::format("the scenes cannot be listed: {}", error.message()));
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 std::string scene_file(const std::string& given) {
     namespace fs = std::filesystem;
     std::error_code ignored;
@@ -73,12 +87,22 @@ std::string scene_file(const std::string& given) {
     if (given.empty() || name.has_parent_path() || name.has_extension() ||
         fs::exists(name, ignored))
         return given;
+    std::vector<std::string> known;
     try {
-        const fs::path file = (scenes_folder() / (given + ".toml")).lexically_normal();
-        return fs::exists(file, ignored) ? file.string() : given;
+        for (const fs::path& file : own_scenes()) {
+            if (file.stem() == name) return file.string();
+            known.push_back(file.stem().string());
+        }
     } catch (const EnvironmentError&) {
-        return given;  // which is then said not to be there
+        // Said of the name below.
     }
+    const std::string near =
+        fs::exists(given + ".toml", ignored)
+            ? fmt::format("; did you mean \"{}.toml\"?", printable(given, any_length))
+            : did_you_mean(given, std::vector<std::string_view>(known.begin(), known.end()));
+    if (near.empty()) return given;  // which is then said not to be there
+    throw InputError(fmt::format("{}: no such file, and no scene of that name{}",
+                                 printable(given, any_length), near));
 }
 
 std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std::string& output,

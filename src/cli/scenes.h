@@ -8,12 +8,12 @@
 
 namespace poinsot {
 
-// Where the scenes lie that came with the program: beside an installed one, or in the checkout that
-// a build stands in. Throws EnvironmentError.
-std::filesystem::path scenes_folder();
+// The scenes that came with the program, beside an installed one or in the checkout that a build
+// stands in, by name. Throws EnvironmentError.
+std::vector<std::filesystem::path> own_scenes();
 
 // The file of a scene as a user names it: "generic" is one that came with the program, where no
-// such file is here.
+// such file is here. Throws InputError with the nearest for a mere name that is neither.
 std::string scene_file(const std::string& given);
 
 struct SceneJob {

@@ -20,9 +20,9 @@ struct StatusChoices {
     bool json = false;
 };
 
-constexpr std::array<const char*, 5> kStates{"waiting", "running", "stopped", "failed", "done"};
+constexpr std::array<const char*, 5> state_names{"waiting", "running", "stopped", "failed", "done"};
 
-const char* name_of(TaskState state) { return kStates[static_cast<std::size_t>(state)]; }
+const char* name_of(TaskState state) { return state_names[static_cast<std::size_t>(state)]; }
 
 std::string in_words(const TaskStatus& task) {
     std::string text = name_of(task.state);
@@ -35,12 +35,12 @@ std::string in_words(const TaskStatus& task) {
 
 void print_words(const std::vector<FilmStatus>& films) {
     for (const FilmStatus& film : films) {
-        std::array<int, kStates.size()> n{};
+        std::array<int, state_names.size()> n{};
         for (const TaskStatus& part : film.parts) ++n[static_cast<std::size_t>(part.state)];
         std::string counts;
-        for (std::size_t i = kStates.size(); i-- > 0;)
+        for (std::size_t i = state_names.size(); i-- > 0;)
             if (n[i] > 0)
-                counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", n[i], kStates[i]);
+                counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", n[i], state_names[i]);
         fmt::print("{}: {} parts: {}; join {}\n", printable(film.name), film.parts.size(), counts,
                    in_words(film.join));
         for (const TaskStatus& part : film.parts)

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "error/error.h"
+#include "text/numbers.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -17,14 +17,6 @@ namespace poinsot {
 namespace {
 
 constexpr std::size_t most_runs = 100000;
-
-template <typename Number>
-std::optional<Number> whole_number(std::string_view text) {
-    Number number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return number;
-}
 
 // Pieces between separators that stand in no brackets and no quotes.
 std::vector<std::string> pieces_of(std::string_view text, char separator) {
@@ -53,8 +45,8 @@ std::vector<std::string> pieces_of(std::string_view text, char separator) {
 std::vector<std::string> range_of(std::string_view text) {
     const std::vector<std::string> pieces = pieces_of(text, ':');
     if (pieces.size() != 3) return {};
-    const auto from = whole_number<double>(pieces[0]), to = whole_number<double>(pieces[1]);
-    const auto n = whole_number<std::int64_t>(pieces[2]);
+    const auto from = number_of<double>(pieces[0]), to = number_of<double>(pieces[1]);
+    const auto n = number_of<std::int64_t>(pieces[2]);
     if (!from || !to || !n || !std::isfinite(*from) || !std::isfinite(*to)) return {};
     if (*n < 2 || *n > static_cast<std::int64_t>(most_runs))
         throw InputError(fmt::format(
@@ -65,7 +57,8 @@ std::vector<std::string> range_of(std::string_view text) {
         const double share = static_cast<double>(i) / static_cast<double>(*n - 1);
         const double value = i + 1 == *n ? *to : *from + (*to - *from) * share;
         // As one would write it: 0.1 + 0.2·2 is 0.5 to the last digit but one.
-        values.push_back(fmt::format("{}", std::stod(fmt::format("{:.15g}", value))));
+        values.push_back(
+            fmt::format("{}", number_of<double>(fmt::format("{:.15g}", value)).value_or(value)));
     }
     return values;
 }
@@ -155,8 +148,8 @@ std::pair<int, int> parse_sheet(std::string_view text) {
     const std::size_t cross = text.find('x');
     std::optional<int> columns, rows;
     if (cross != std::string_view::npos) {
-        columns = whole_number<int>(text.substr(0, cross));
-        rows = whole_number<int>(text.substr(cross + 1));
+        columns = number_of<int>(text.substr(0, cross));
+        rows = number_of<int>(text.substr(cross + 1));
     }
     if (!columns || !rows || *columns < 1 || *rows < 1 || *columns > most || *rows > most)
         throw InputError(fmt::format(

@@ -1,6 +1,5 @@
 // The panels of a stage in the cells of their grid, and what keyframes and fades need of them.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +18,7 @@
 #include "scene/scene_error.h"
 #include "text/languages.h"
 #include "text/nearest.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -209,10 +209,9 @@ void StageData::check_fades() const {
         for (const std::string& name : scene.fades[i].elements) {
             if (can_fade.contains(name)) continue;
             const std::vector<std::string_view> known(can_fade.begin(), can_fade.end());
-            throw SceneError(
-                scene.location_of(fmt::format("fades[{}].elements", i)),
-                fmt::format("nothing shown is called \"{}\"{}; here fade: {}", printable(name),
-                            did_you_mean(name, known), fmt::join(known, ", ")));
+            throw SceneError(scene.location_of(fmt::format("fades[{}].elements", i)),
+                             fmt::format("nothing shown is called \"{}\"{}", printable(name),
+                                         choose_instead(name, known)));
         }
     }
 }
@@ -221,10 +220,9 @@ void StageData::check_unlabelled() const {
     for (const std::string& name : scene.unlabelled) {
         if (can_fade.contains(name)) continue;
         const std::vector<std::string_view> known(can_fade.begin(), can_fade.end());
-        throw SceneError(
-            scene.location_of("unlabelled"),
-            fmt::format("nothing shown is called \"{}\"{}; here there are: {}", printable(name),
-                        did_you_mean(name, known), fmt::join(known, ", ")));
+        throw SceneError(scene.location_of("unlabelled"),
+                         fmt::format("nothing shown is called \"{}\"{}", printable(name),
+                                     choose_instead(name, known)));
     }
 }
 

@@ -57,8 +57,12 @@ void mark_arrows_at_viewer(const Panel& panel, View& view);
 // A label in the panel's type, `scale` times the usual size.
 SetType set_label(const Panel& panel, std::string_view text, double scale = 1.0);
 
-// A formula of ours with the scene's own names of quantities, [symbols], in place of the usual.
+// A formula of ours with the scene's own names of quantities, [symbols], in place of the usual: of
+// \boldsymbol{\omega}, \mathbf{L}, \boldsymbol{\rho}, \mathbf{e}_1 … and of the components
+// \omega_… and L_…, spelt like this. L alone is the length of what \mathbf{L} is called.
 std::string named_by_scene(const Scene& scene, std::string_view formula);
+// The same of a title in words, with formulas between dollars: a word L is the vector.
+std::string title_named_by_scene(const Scene& scene, std::string_view title);
 
 // The label of an arrow: at its tip, on the side that it points to, turned clockwise by an angle in
 // the picture. The names of arrows that may lie on one line are turned apart, and off that line.

@@ -1,7 +1,6 @@
 #include "drawing/panel.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +10,6 @@
 
 #include "error/error.h"
 #include "text/nearest.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
@@ -156,13 +154,8 @@ std::vector<std::string> idle_camera_keys(const Scene& scene) {
 }
 
 const PanelKind& panel_kind_named(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const PanelKind& kind : table) {
-        if (kind.name == name) return kind;
-        names.push_back(kind.name);
-    }
-    throw InputError(fmt::format("unknown panel \"{}\"{}; choose from: {}", printable(name),
-                                 did_you_mean(name, names), fmt::join(names, ", ")));
+    if (const PanelKind* row = find_row(table, name)) return *row;
+    throw InputError(unknown("panel", name, names_of(table)));
 }
 
 }  // namespace poinsot

@@ -1,14 +1,10 @@
 #include "drawing/theme.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <cstdint>
 #include <vector>
 
 #include "error/error.h"
 #include "text/nearest.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
@@ -184,17 +180,11 @@ const Theme table[] = {
 std::span<const Theme> themes() { return table; }
 
 const Theme& theme_named(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const Theme& theme : table) {
-        if (theme.name == name) return theme;
-        names.push_back(theme.name);
-    }
-    const std::string nearest = did_you_mean(name, names);
-    throw InputError(fmt::format(
-        "unknown theme \"{}\"{}", printable(name),
-        nearest.empty() ? fmt::format("; choose one of: {}, or a theme in a file, as in my.toml",
-                                      fmt::join(names, ", "))
-                        : nearest));
+    if (const Theme* row = find_row(table, name)) return *row;
+    const std::vector<std::string_view> names = names_of(table);
+    const bool none_near = did_you_mean(name, names).empty();
+    throw InputError(unknown("theme", name, names) +
+                     (none_near ? ", or a theme in a file, as in my.toml" : ""));
 }
 
 }  // namespace poinsot

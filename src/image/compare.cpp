@@ -20,7 +20,7 @@ bool same_size(const Image& a, const Image& b) {
 
 // One level of 8 bits is so many of the samples' own.
 template <typename Sample>
-constexpr int kLevel = sizeof(Sample) == 2 ? 257 : 1;
+constexpr int one_level = sizeof(Sample) == 2 ? 257 : 1;
 
 template <typename Sample>
 void count_differences(std::span<const Sample> a, std::span<const Sample> b, int level,
@@ -35,14 +35,14 @@ void count_differences(std::span<const Sample> a, std::span<const Sample> b, int
             largest = std::max(largest, difference);
         }
         result.n_differing += largest > 0;
-        result.n_over_level += largest > kLevel<Sample> * level;
+        result.n_over_level += largest > one_level<Sample> * level;
         largest_of_all = std::max(largest_of_all, largest);
     }
     result.n_pixels = static_cast<std::int64_t>(a.size() / 4);
-    result.largest_difference = 1.0 * largest_of_all / kLevel<Sample>;
+    result.largest_difference = 1.0 * largest_of_all / one_level<Sample>;
     if (!a.empty())
         result.mean_difference =
-            static_cast<double>(sum) / static_cast<double>(a.size()) / kLevel<Sample>;
+            static_cast<double>(sum) / static_cast<double>(a.size()) / one_level<Sample>;
 }
 
 void judge(const CompareLimits& limits, Comparison& result) {

@@ -14,7 +14,7 @@ namespace poinsot {
 
 namespace {
 
-constexpr double kPixelsPerDegree = 67;
+constexpr double pixels_per_degree = 67;
 
 struct Triple {
     double a, b, c;
@@ -32,17 +32,17 @@ Triple rgb_of(const Triple& xyz) {
             -0.9692660 * xyz.a + 1.8760108 * xyz.b + 0.0415560 * xyz.c,
             0.0556434 * xyz.a - 0.2040259 * xyz.b + 1.0572252 * xyz.c};
 }
-const Triple kWhite = xyz_of({1, 1, 1});
+const Triple white_xyz = xyz_of({1, 1, 1});
 
 // The opponent space YCxCz, linear in light (§4.1).
 Triple opponent_of(const Triple& rgb) {
     const Triple xyz = xyz_of(rgb);
-    const double x = xyz.a / kWhite.a, y = xyz.b / kWhite.b, z = xyz.c / kWhite.c;
+    const double x = xyz.a / white_xyz.a, y = xyz.b / white_xyz.b, z = xyz.c / white_xyz.c;
     return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 Triple rgb_of_opponent(const Triple& ycc) {
     const double y = (ycc.a + 16) / 116, x = y + ycc.b / 500, z = y - ycc.c / 200;
-    return rgb_of({x * kWhite.a, y * kWhite.b, z * kWhite.c});
+    return rgb_of({x * white_xyz.a, y * white_xyz.b, z * white_xyz.c});
 }
 
 // CIE L*a*b* with Hunt's adjustment of chroma (§4.1.2).
@@ -52,7 +52,7 @@ Triple hunt_lab_of(const Triple& rgb) {
         constexpr double delta = 6.0 / 29.0;
         return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29.0;
     };
-    const double x = f(xyz.a / kWhite.a), y = f(xyz.b / kWhite.b), z = f(xyz.c / kWhite.c);
+    const double x = f(xyz.a / white_xyz.a), y = f(xyz.b / white_xyz.b), z = f(xyz.c / white_xyz.c);
     const double lightness = 116 * y - 16;
     return {lightness, 0.01 * lightness * 500 * (x - y), 0.01 * lightness * 200 * (y - z)};
 }
@@ -86,7 +86,7 @@ Channels opponent_channels(const Image& image) {
 }
 
 // One term a·√(π/b)·exp(−π²x²/b) of a contrast sensitivity in space; x in degrees.
-double deviation_px(double b) { return std::sqrt(b / 2) / std::numbers::pi * kPixelsPerDegree; }
+double deviation_px(double b) { return std::sqrt(b / 2) / std::numbers::pi * pixels_per_degree; }
 
 // Blue–yellow sensitivity is a sum of two Gaussians. The published filter keeps the factor √(π/b)
 // in two dimensions, where each then carries the volume a·√(b/π).
@@ -140,7 +140,7 @@ std::vector<float> derivative_kernel(double sigma, int radius, int order) {
 
 // Strength of edges (order 1) or points (order 2) in the luminance.
 Channel features(const Channel& luminance, int order) {
-    const double sigma = 0.5 * 0.082 * kPixelsPerDegree;
+    const double sigma = 0.5 * 0.082 * pixels_per_degree;
     const int radius = static_cast<int>(std::ceil(3 * sigma));
     const std::vector<float> across = derivative_kernel(sigma, radius, order);
     const std::vector<float> along = gaussian_kernel(sigma, radius);

@@ -10,9 +10,9 @@ namespace poinsot {
 
 namespace {
 
-constexpr std::uint64_t kPrime1 = 0x9e3779b185ebca87, kPrime2 = 0xc2b2ae3d27d4eb4f,
-                        kPrime3 = 0x165667b19e3779f9, kPrime4 = 0x85ebca77c2b2ae63,
-                        kPrime5 = 0x27d4eb2f165667c5;
+constexpr std::uint64_t prime_1 = 0x9e3779b185ebca87, prime_2 = 0xc2b2ae3d27d4eb4f,
+                        prime_3 = 0x165667b19e3779f9, prime_4 = 0x85ebca77c2b2ae63,
+                        prime_5 = 0x27d4eb2f165667c5;
 
 // The message is read the low byte first, as this processor does.
 static_assert(std::endian::native == std::endian::little);
@@ -25,7 +25,7 @@ Word word_at(const std::uint8_t* bytes) {
 }
 
 std::uint64_t mixed(std::uint64_t lane, std::uint64_t word) {
-    return std::rotl(lane + word * kPrime2, 31) * kPrime1;
+    return std::rotl(lane + word * prime_2, 31) * prime_1;
 }
 
 }  // namespace
@@ -51,22 +51,22 @@ void Xxh64::add(std::span<const std::uint8_t> bytes) {
 }
 
 std::uint64_t Xxh64::value() const {
-    std::uint64_t hash = kPrime5;
+    std::uint64_t hash = prime_5;
     if (n_bytes_ >= waiting_.size()) {
         hash = std::rotl(lanes_[0], 1) + std::rotl(lanes_[1], 7) + std::rotl(lanes_[2], 12) +
                std::rotl(lanes_[3], 18);
-        for (const std::uint64_t lane : lanes_) hash = (hash ^ mixed(0, lane)) * kPrime1 + kPrime4;
+        for (const std::uint64_t lane : lanes_) hash = (hash ^ mixed(0, lane)) * prime_1 + prime_4;
     }
     hash += n_bytes_;
     const std::uint8_t* at = waiting_.data();
     const std::uint8_t* const end = at + n_bytes_ % waiting_.size();
     for (; end - at >= 8; at += 8)
-        hash = std::rotl(hash ^ mixed(0, word_at<std::uint64_t>(at)), 27) * kPrime1 + kPrime4;
+        hash = std::rotl(hash ^ mixed(0, word_at<std::uint64_t>(at)), 27) * prime_1 + prime_4;
     for (; end - at >= 4; at += 4)
-        hash = std::rotl(hash ^ word_at<std::uint32_t>(at) * kPrime1, 23) * kPrime2 + kPrime3;
-    for (; at != end; ++at) hash = std::rotl(hash ^ *at * kPrime5, 11) * kPrime1;
-    hash = (hash ^ hash >> 33) * kPrime2;
-    hash = (hash ^ hash >> 29) * kPrime3;
+        hash = std::rotl(hash ^ word_at<std::uint32_t>(at) * prime_1, 23) * prime_2 + prime_3;
+    for (; at != end; ++at) hash = std::rotl(hash ^ *at * prime_5, 11) * prime_1;
+    hash = (hash ^ hash >> 33) * prime_2;
+    hash = (hash ^ hash >> 29) * prime_3;
     return hash ^ hash >> 32;
 }
 

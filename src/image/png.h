@@ -39,11 +39,11 @@ struct StoredPicture {
 };
 
 // The largest side of a picture that is drawn and written at once.
-inline constexpr int kLargestPngSide_px = 16384;
+inline constexpr int largest_png_side_px = 16384;
 // The largest of one written band by band, and of any that is read.
-inline constexpr int kLargestBandedPngSide_px = 65536;
+inline constexpr int largest_banded_png_side_px = 65536;
 // The most pixels that are read into memory: 1 GiB. More are refused before any is taken.
-inline constexpr std::int64_t kMostPngPixels = std::int64_t{1} << 28;
+inline constexpr std::int64_t most_png_pixels = std::int64_t{1} << 28;
 
 // Makes PNG files in memory, keeping its buffers between pictures: for sequences. Move-only.
 class PngEncoder {
@@ -78,7 +78,7 @@ void write_png(const std::filesystem::path& path, const Image& image,
 // Any PNG as 8-bit RGBA: palettes and greys expanded, 16 bits rounded to 8, samples otherwise as
 // stored. `name` stands in messages.
 // Throws: InputError for what is not a whole PNG, is an animation, of which the first picture alone
-// would be read, or has more than kMostPngPixels.
+// would be read, or has more than most_png_pixels.
 Image decode_png(std::span<const std::uint8_t> file, const std::string& name,
                  PngInfo* info = nullptr);
 

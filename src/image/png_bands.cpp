@@ -20,8 +20,8 @@ namespace {
 using png::Bytes;
 
 // zlib's scale ends at 9, libdeflate's at 12; from 4 on zlib's time grows faster than its gain.
-constexpr int kLargestZlibLevel = 9;
-constexpr std::size_t kChunk_bytes = 1 << 18;
+constexpr int largest_zlib_level = 9;
+constexpr std::size_t chunk_bytes = 1 << 18;
 
 }  // namespace
 
@@ -29,11 +29,12 @@ struct PngBandWriter::Impl {
     Impl(const std::filesystem::path& path, const png::Format& format_, const PngOptions& options)
         : format(format_),
           check(format.width_px, format.height_px, format.bit_depth),
-          chunk(kChunk_bytes) {
-        const Bytes front = png::front(format, kLargestBandedPngSide_px, png::description(options));
+          chunk(chunk_bytes) {
+        const Bytes front =
+            png::front(format, largest_banded_png_side_px, png::description(options));
         file.emplace(path);
         file->write(front);
-        const int level = std::clamp(options.deflate_level, 1, kLargestZlibLevel);
+        const int level = std::clamp(options.deflate_level, 1, largest_zlib_level);
         if (deflateInit(&stream, level) != Z_OK)
             throw EnvironmentError("no memory to compress a picture");
     }

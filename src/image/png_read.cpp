@@ -26,10 +26,10 @@ namespace fs = std::filesystem;
 namespace {
 
 // A text chunk or a colour profile beyond this is refused.
-constexpr png_alloc_size_t kLargestChunk_bytes = 4u << 20;
+constexpr png_alloc_size_t largest_chunk_bytes = 4u << 20;
 // Deflate turns at most 258 bytes into 2 bits.
-constexpr std::size_t kLargestDeflateRatio = 1032;
-constexpr std::uintmax_t kLargestFile_bytes = std::uintmax_t{5} << 28;
+constexpr std::size_t largest_deflate_ratio = 1032;
+constexpr std::uintmax_t largest_file_bytes = std::uintmax_t{5} << 28;
 
 struct Source {
     std::span<const std::uint8_t> file;
@@ -62,8 +62,8 @@ void on_read(png_structp png, png_bytep to, std::size_t size) {
 bool read_header(Source& source) {
     if (setjmp(png_jmpbuf(source.png))) return false;
     png_set_read_fn(source.png, &source, on_read);
-    png_set_user_limits(source.png, kLargestBandedPngSide_px, kLargestBandedPngSide_px);
-    png_set_chunk_malloc_max(source.png, kLargestChunk_bytes);
+    png_set_user_limits(source.png, largest_banded_png_side_px, largest_banded_png_side_px);
+    png_set_chunk_malloc_max(source.png, largest_chunk_bytes);
     png_set_crc_action(source.png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_read_info(source.png, source.info);
     return true;
@@ -130,12 +130,12 @@ void check_start(std::span<const std::uint8_t> file, const std::string& name, bo
         throw InputError(fmt::format("{} is not a PNG picture", name));
     if (file.size() < header_end) throw InputError(fmt::format("{} is cut short", name));
     const std::uint32_t width = u32_at(file, 16), height = u32_at(file, 20);
-    if (width > kLargestBandedPngSide_px || height > kLargestBandedPngSide_px)
+    if (width > largest_banded_png_side_px || height > largest_banded_png_side_px)
         throw InputError(fmt::format("{} is {}×{} pixels; at most {} a side are read", name, width,
-                                     height, kLargestBandedPngSide_px));
-    if (with_pixels && std::int64_t{width} * height > kMostPngPixels)
+                                     height, largest_banded_png_side_px));
+    if (with_pixels && std::int64_t{width} * height > most_png_pixels)
         throw InputError(fmt::format("{} is {}×{} pixels; at most {} million of them are read",
-                                     name, width, height, kMostPngPixels / 1'000'000));
+                                     name, width, height, most_png_pixels / 1'000'000));
 }
 
 // The chunks before the pixels by type, the first of each.
@@ -200,11 +200,11 @@ void check_chunks(std::span<const std::uint8_t> file, const std::string& name) {
         const std::size_t length = u32_at(file, at);
         const std::string_view type(reinterpret_cast<const char*>(file.data()) + at + 4, 4);
         if (length > file.size() - at - 12) throw InputError(fmt::format("{} is cut short", name));
-        if (length > kLargestChunk_bytes && type != "IDAT")
+        if (length > largest_chunk_bytes && type != "IDAT")
             throw InputError(
                 fmt::format("{} is a broken PNG picture: a chunk of {} bytes besides "
                             "the pixels; at most {} are read",
-                            name, length, kLargestChunk_bytes));
+                            name, length, largest_chunk_bytes));
         if (type == "acTL")
             throw InputError(fmt::format(
                 "{} is an animation, of which only one picture would be looked at; give a picture",
@@ -252,7 +252,7 @@ std::vector<std::uint8_t> read_file(const fs::path& path) {
     if (!stream) fail(errno);
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) fail(error.value());
-    if (size > kLargestFile_bytes)
+    if (size > largest_file_bytes)
         throw InputError(fmt::format("{} is larger than any picture that is read", path.string()));
     std::vector<std::uint8_t> file(size);
     stream.read(reinterpret_cast<char*>(file.data()), static_cast<std::streamsize>(size));
@@ -272,7 +272,7 @@ Picture read_samples(Source& source, const std::string& name,
     constexpr bool deep = sizeof(Sample) == 2;
     // A short file cannot hold a large picture; nothing is allocated on its word alone.
     const std::size_t height = png_get_image_height(source.png, source.info);
-    if (png_get_rowbytes(source.png, source.info) * height / kLargestDeflateRatio >
+    if (png_get_rowbytes(source.png, source.info) * height / largest_deflate_ratio >
         source.file.size())
         throw InputError(fmt::format("{} is cut short", name));
     if (!choose_rgba(source, deep)) refuse(source, name);

@@ -94,7 +94,7 @@ PngEncoder& PngEncoder::operator=(PngEncoder&&) noexcept = default;
 std::span<const std::uint8_t> PngEncoder::encode(const Image& image) {
     const bool opaque = is_opaque(image);
     const png::Format format{image.width(), image.height(), opaque};
-    const Bytes front = png::front(format, kLargestPngSide_px, impl_->description);
+    const Bytes front = png::front(format, largest_png_side_px, impl_->description);
     const Bytes back = png::back();
     const Filter filter = impl_->better_filter(image, opaque);
     const std::span<std::uint8_t> raw =

@@ -13,7 +13,6 @@
 #include "error/error.h"
 #include "mechanics/top/heavy_top.h"
 #include "text/nearest.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
@@ -172,13 +171,8 @@ void check_order(const Method& method, int order) {
 std::span<const Method> methods() { return table; }
 
 const Method& find_method(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const Method& method : table) {
-        if (method.name == name) return method;
-        names.push_back(method.name);
-    }
-    throw InputError(fmt::format("unknown method \"{}\"{}; the methods are {}", printable(name),
-                                 did_you_mean(name, names), joined(names)));
+    if (const Method* row = find_row(table, name)) return *row;
+    throw InputError(unknown("method", name, names_of(table)));
 }
 
 bool can_solve(const Method& method, const InertiaTensor& inertia, const Torque& torque) {

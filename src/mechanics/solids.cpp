@@ -1,7 +1,6 @@
 #include "mechanics/solids.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +11,6 @@
 #include "error/error.h"
 #include "numerics/symmetric_eigen.h"
 #include "text/nearest.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
@@ -88,12 +86,8 @@ constexpr std::array<Solid, 12> table{{
 }};
 
 const Solid& solid_named(std::string_view name) {
-    const auto* const row = std::ranges::find(table, name, &Solid::name);
-    if (row != table.end()) return *row;
-    std::array<std::string_view, table.size()> names;
-    std::ranges::transform(table, names.begin(), &Solid::name);
-    throw InputError(fmt::format("unknown shape \"{}\"{}; the shapes are {}", printable(name),
-                                 did_you_mean(name, names), fmt::join(names, ", ")));
+    if (const Solid* row = find_row(table, name)) return *row;
+    throw InputError(unknown("shape", name, names_of(table)));
 }
 
 void check_mass(double mass_kg, std::string_view what) {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "mechanics/methods.h"
@@ -13,6 +15,8 @@
 namespace poinsot {
 
 namespace {
+
+constexpr double finest_tolerance = 5e-14;
 
 // Instants at which errors are measured: they grow with time, so the ends count most.
 std::vector<double> instants(const MotionProblem& problem) {
@@ -37,27 +41,28 @@ MethodChoice exact_choice() {
     return choice;
 }
 
-// The rungs, coarse to fine.
-std::vector<MethodChoice> ladder(const MotionProblem& problem, const Method& method,
-                                 double most_steps, double finest_tolerance) {
-    std::vector<MethodChoice> rungs;
-    MethodChoice rung = problem.method;
-    if (!method.takes_step) {
-        for (double tolerance = 1e-4; tolerance > finest_tolerance || rungs.empty();
-             tolerance *= 0.1) {
-            rung.tolerance = tolerance;
-            rungs.push_back(rung);
-        }
-        return rungs;
+double span_of(const MotionProblem& problem) {
+    return std::max(std::abs(problem.first_time_s), std::abs(problem.last_time_s));
+}
+
+// The ladder's next rung; nothing past its finest, or where that one would take too many steps.
+std::optional<MethodChoice> finer_than(const MethodChoice& rung, const MotionProblem& problem,
+                                       double most_steps) {
+    MethodChoice finer = rung;
+    if (rung.step_s) {
+        *finer.step_s *= 0.5;
+        if (span_of(problem) / *finer.step_s > most_steps) return std::nullopt;
+        return finer;
     }
-    const double span_s = std::max(std::abs(problem.first_time_s), std::abs(problem.last_time_s));
-    const double turn_s = 2.0 * std::numbers::pi / problem.start.omega_body.stableNorm();
-    double step_s = std::min(span_s, turn_s / 16.0);
-    for (; span_s / step_s <= most_steps || rungs.empty(); step_s *= 0.5) {
-        rung.step_s = step_s;
-        rungs.push_back(rung);
-    }
-    return rungs;
+    *finer.tolerance *= 0.1;
+    if (!(*finer.tolerance > finest_tolerance)) return std::nullopt;
+    return finer;
+}
+
+// Steps that an adaptive method took: how many a tolerance needs is only known afterwards.
+double n_adaptive_steps(const Motion& motion) {
+    const IntegratedRotation& stepped = *motion.integrated();
+    return stepped.method().takes_step ? 0.0 : static_cast<double>(stepped.counters().n_steps);
 }
 
 // The error of a choice that names its step or tolerance: against the truth, or else against half
@@ -82,11 +87,18 @@ double error_of(const MotionProblem& problem, const std::optional<Motion>& truth
 }  // namespace
 
 MethodChoice coarsest_choice(const MotionProblem& problem) {
-    return ladder(problem, find_method(problem.method.name), 0.0, 1.0).front();
+    MethodChoice coarsest = problem.method;
+    if (find_method(problem.method.name).takes_step) {
+        const double turn_s = 2.0 * std::numbers::pi / problem.start.omega_body.stableNorm();
+        coarsest.step_s = std::min(span_of(problem), turn_s / 16.0);
+    } else {
+        coarsest.tolerance = 1e-4;
+    }
+    return coarsest;
 }
 
 StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_rad,
-                       double most_steps, double finest_tolerance) {
+                       double most_steps) {
     StepChoice choice{problem.method, 0.0, true};
     const Method& method = find_method(problem.method.name);
     const bool given = problem.method.step_s || problem.method.tolerance;
@@ -104,18 +116,23 @@ StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_r
         choice.reached = choice.attitude_rad <= attitude_tolerance_rad;
         return choice;
     }
-    const std::vector<MethodChoice> rungs = ladder(problem, method, most_steps, finest_tolerance);
-    choice.reached = false;
-    for (std::size_t i = 0; i < rungs.size() && !choice.reached; ++i) {
-        if (!truth && i + 1 == rungs.size()) break;
-        const Motion motion(with(problem, rungs[i]));
-        choice.method = rungs[i];
-        choice.attitude_rad =
-            truth ? worst_errors(motion, *truth, times).attitude_rad
-                  : worst_errors(motion, Motion(with(problem, rungs[i + 1])), times).attitude_rad;
+    constexpr double any_number = std::numeric_limits<double>::infinity();
+    choice.method = coarsest_choice(problem);
+    Motion motion(with(problem, choice.method));
+    while (true) {
+        const std::optional<MethodChoice> finer = finer_than(choice.method, problem, most_steps);
+        std::optional<Motion> next;  // stands for the truth where there is none
+        if (!truth)
+            next.emplace(
+                with(problem, finer ? *finer : *finer_than(choice.method, problem, any_number)));
+        choice.attitude_rad = worst_errors(motion, truth ? *truth : *next, times).attitude_rad;
         choice.reached = choice.attitude_rad <= attitude_tolerance_rad;
+        const bool ends = !finer || (!truth && !finer_than(*finer, problem, most_steps)) ||
+                          n_adaptive_steps(motion) > most_steps;
+        if (choice.reached || ends) return choice;
+        choice.method = *finer;
+        motion = next ? *std::move(next) : Motion(with(problem, *finer));
     }
-    return choice;
 }
 
 }  // namespace poinsot

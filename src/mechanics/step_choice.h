@@ -20,10 +20,11 @@ struct StepChoice {
 // problem's time span stays within `attitude_tolerance_rad`. Measured against the exact motion
 // where one exists, otherwise against the same method at the next rung. A choice that names its
 // step or tolerance is kept and measured in the same way; an exact method is returned as it is. If
-// no rung of at most `most_steps` steps, or of at least `finest_tolerance`, reaches it, the finest
-// is returned with reached = false.
+// no rung of at most `most_steps` steps, or of a tolerance that rounding leaves room for, reaches
+// it, the finest is returned with reached = false. Steps are counted, not timed: every machine
+// chooses alike.
 StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_rad,
-                       double most_steps = most_chosen_steps, double finest_tolerance = 5e-14);
+                       double most_steps = most_chosen_steps);
 
 // The coarsest rung, for a choice that names neither step nor tolerance. Precondition: the body
 // turns, and the method steps.

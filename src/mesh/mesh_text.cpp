@@ -9,6 +9,7 @@
 
 #include "error/error.h"
 #include "mesh/mesh_reader.h"
+#include "text/numbers.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -104,8 +105,7 @@ void MeshText::refuse(std::string_view word, std::string_view what) const {
 
 double MeshText::coordinate(std::string_view word) const {
     // A plus sign is usual in these files, but not known to from_chars.
-    const std::string_view digits =
-        word.starts_with('+') && !word.starts_with("+-") ? word.substr(1) : word;
+    const std::string_view digits = without_plus(word);
     double value = 0.0;
     const char* const digits_end = digits.data() + digits.size();
     const auto [end, error] = std::from_chars(digits.data(), digits_end, value);

@@ -1,16 +1,11 @@
 #include "mesh/named_objects.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "error/error.h"
 #include "mesh/object_makers.h"
 #include "text/nearest.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
@@ -76,12 +71,8 @@ constexpr std::array<NamedObject, 15> table{{
 std::span<const NamedObject> named_objects() { return table; }
 
 const NamedObject& object_named(std::string_view name) {
-    const auto* const row = std::ranges::find(table, name, &NamedObject::name);
-    if (row != table.end()) return *row;
-    std::array<std::string_view, table.size()> names;
-    std::ranges::transform(table, names.begin(), &NamedObject::name);
-    throw InputError(fmt::format("unknown object \"{}\"{}; the objects are {}", printable(name),
-                                 did_you_mean(name, names), fmt::join(names, ", ")));
+    if (const NamedObject* row = find_row(table, name)) return *row;
+    throw InputError(unknown("object", name, names_of(table)));
 }
 
 BodyProperties properties_of(std::span<const ObjectPart> parts) {

@@ -1,7 +1,6 @@
 #include "mesh/solid_meshes.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +12,6 @@
 #include "mesh/circle.h"
 #include "mesh/mass_properties.h"
 #include "text/nearest.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
@@ -184,14 +182,8 @@ TriangleMesh torus_mesh(double centre_line_radius_m, double tube_radius_m, int f
 }
 
 TriangleMesh solid_mesh(std::string_view shape, std::span<const double> size_m) {
-    const auto* const row = std::ranges::find(table, shape, &SolidRow::name);
-    if (row == table.end()) {
-        std::array<std::string_view, table.size()> names;
-        std::ranges::transform(table, names.begin(), &SolidRow::name);
-        throw InputError(fmt::format("no mesh for a shape \"{}\"{}; the shapes are {}",
-                                     printable(shape), did_you_mean(shape, names),
-                                     fmt::join(names, ", ")));
-    }
+    const SolidRow* row = find_row(table, shape);
+    if (row == nullptr) throw InputError(unknown("shape", shape, names_of(table)));
     if (size_m.size() != row->n_sizes) {
         throw InputError(fmt::format("size_m of a {} has {} values, not {}; give {}", shape,
                                      row->n_sizes, size_m.size(), row->n_sizes));

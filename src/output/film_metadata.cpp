@@ -22,7 +22,7 @@ std::string film_metadata(const std::filesystem::path& film) {
     const VideoReader reader(film);
     // A GIF has one comment and no names.
     for (const auto& [name, text] : reader.info().texts)
-        if (same_name(name, kMetadataName) ||
+        if (same_name(name, metadata_name) ||
             (reader.info().container == "gif" && same_name(name, "comment")))
             return text;
     return "";

@@ -7,7 +7,7 @@
 namespace poinsot {
 
 // The name under which files carry OutputPlan::metadata.
-inline constexpr const char* kMetadataName = "poinsot";
+inline constexpr const char* metadata_name = "poinsot";
 
 // What OutputPlan::metadata was when the film was written; empty if it carries none. Throws
 // InputError if the file is missing or is no film.

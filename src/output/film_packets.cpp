@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "output/formats.h"
 #include "output/libav.h"
 #include "output/video_encoder.h"
+#include "system/file_contents.h"
 
 namespace poinsot {
 
@@ -32,7 +32,7 @@ std::string hash_of_stream(const fs::path& film) {
     AVFormatContext* const context = input.get();
     const int stream = check(av_find_best_stream(context, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0));
     const libav::Packet packet = libav::make_packet();
-    PacketHash hash(kChunkFrames);
+    PacketHash hash(frames_a_chunk);
     for (int result = 0; (result = av_read_frame(context, packet.get())) != AVERROR_EOF;) {
         check(result);
         if (packet->stream_index == stream) {
@@ -67,14 +67,14 @@ class GifReader {
         const auto head = take(13);
         if (!std::equal(head.begin(), head.begin() + 3, "GIF")) refuse();
         take(colours_of(head[flags_at]));
-        while (at_ < file_.size() && file_[at_] != kTrailer) {
-            const bool is_comment = file_[at_] == kExtension && file_.size() - at_ > 1 &&
-                                    file_[at_ + 1] == kCommentLabel;
+        while (at_ < file_.size() && file_[at_] != trailer_byte) {
+            const bool is_comment = file_[at_] == extension_byte && file_.size() - at_ > 1 &&
+                                    file_[at_ + 1] == comment_label;
             const std::size_t before = picture.size();
-            if (file_[at_] == kExtension) {
+            if (file_[at_] == extension_byte) {
                 take(2);
                 take_blocks();
-            } else if (file_[at_] == kImage) {
+            } else if (file_[at_] == image_byte) {
                 take(colours_of(take(10)[9]));
                 take(1);
                 take_blocks();
@@ -91,8 +91,8 @@ class GifReader {
     }
 
  private:
-    static constexpr std::uint8_t kExtension = 0x21, kImage = 0x2c, kTrailer = 0x3b,
-                                  kCommentLabel = 0xfe;
+    static constexpr std::uint8_t extension_byte = 0x21, image_byte = 0x2c, trailer_byte = 0x3b,
+                                  comment_label = 0xfe;
 
     // Bytes of a table of colours that flags announce.
     static std::size_t colours_of(std::uint8_t flags) {
@@ -155,10 +155,7 @@ std::string packet_hash_of(const fs::path& film) {
     std::array<char, 3> start{};
     stream.read(start.data(), start.size());
     if (std::string_view(start.data(), start.size()) != "GIF") return hash_of_stream(film);
-    stream.seekg(0);
-    const std::vector<std::uint8_t> file{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream) throw InputError(fmt::format("{} cannot be read", film.string()));
-    return gif_packets(file, film.string()).of_film();
+    return gif_packets(read_bytes(film), film.string()).of_film();
 }
 
 }  // namespace poinsot

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+
+#include "text/numbers.h"
 
 namespace poinsot {
 
@@ -15,17 +16,9 @@ void append(std::string& text, std::string_view value) {
     text += fmt::format("{}\n{}\n", value.size(), value);
 }
 
-bool take_number(std::string_view& text, std::int64_t& number, char after) {
-    const char* const last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(text.data(), last, number);
-    if (error != std::errc{} || end == last || *end != after || number < 0) return false;
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()) + 1);
-    return true;
-}
-
 bool take(std::string_view& text, std::string& value) {
     std::int64_t size = 0;
-    if (!take_number(text, size, '\n') || static_cast<std::size_t>(size) >= text.size())
+    if (!take_count(text, size, '\n') || static_cast<std::size_t>(size) >= text.size())
         return false;
     value = text.substr(0, static_cast<std::size_t>(size));
     text.remove_prefix(static_cast<std::size_t>(size) + 1);
@@ -63,7 +56,7 @@ bool parse_part(std::string_view text, FilmPart& part) {
     const std::array<std::int64_t*, 5> numbers{&part.number, &part.n_parts, &part.n_before,
                                                &part.n_frames, &part.n_film_frames};
     for (std::int64_t* number : numbers)
-        if (!take_number(text, *number, number == numbers.back() ? '\n' : ' ')) return false;
+        if (!take_count(text, *number, number == numbers.back() ? '\n' : ' ')) return false;
     for (std::string* value : {&part.format, &part.chapters})
         if (!take(text, *value)) return false;
     return text.empty() && part.number >= 1 && part.number <= part.n_parts && part.n_frames >= 1 &&

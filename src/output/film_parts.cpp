@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kBegin = "part ";  // of the first block's contents
+constexpr std::string_view part_word = "part ";  // of the first block's contents
 
 // An open file that is read.
 class Reading {
@@ -68,10 +68,10 @@ PartFile::PartFile(fs::path path) : path_(std::move(path)) {
 
 bool looks_like_part(const fs::path& path) {
     const Reading file(path);
-    std::array<char, kBlockHead + kBegin.size()> start{};
+    std::array<char, block_head + part_word.size()> start{};
     const ssize_t n = ::pread(file.descriptor(), start.data(), start.size(), 0);
     return n == static_cast<ssize_t>(start.size()) &&
-           std::string_view(start.data(), start.size()).substr(kBlockHead) == kBegin;
+           std::string_view(start.data(), start.size()).substr(block_head) == part_word;
 }
 
 JoinedEntries::JoinedEntries(const std::vector<PartFile>& parts) : parts_(&parts) {
@@ -103,7 +103,7 @@ std::span<const std::uint8_t> JoinedEntries::read(std::int64_t k) {
     const PartFile& part = (*parts_)[index];
     const FrameBlock& wanted = part.blocks().at(static_cast<std::size_t>(k - part.part().n_before));
     FrameBlock found;
-    if (!read_block(descriptor_, part.path(), wanted.at - kBlockHead, found, buffer_) ||
+    if (!read_block(descriptor_, part.path(), wanted.at - block_head, found, buffer_) ||
         found.size != wanted.size)
         throw EnvironmentError(
             fmt::format("{} has changed while it was read; make it again", part.path().string()));

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <utility>
 
 #include "error/error.h"
 #include "text/markup.h"
+#include "text/numbers.h"
 
 namespace poinsot {
 
@@ -46,14 +46,6 @@ std::string texts_of(const OutputPlan& plan) {
 
 namespace {
 
-bool take_number(std::string_view& text, std::int64_t& number) {
-    const char* const last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(text.data(), last, number);
-    if (error != std::errc{} || number < 0 || end == last || *end != ' ') return false;
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()) + 1);
-    return true;
-}
-
 // Cuts a row off the front; false for what is none.
 bool take_row(std::string_view& text, OutputPlan& plan) {
     const bool is_chapter = text.starts_with("c ");
@@ -62,8 +54,8 @@ bool take_row(std::string_view& text, OutputPlan& plan) {
     std::array<std::int64_t, 3> numbers{};
     std::int64_t length = 0;
     for (std::size_t i = 0; i < (is_chapter ? 2U : 3U); ++i)
-        if (!take_number(text, numbers[i])) return false;
-    if (!take_number(text, length)) return false;
+        if (!take_count(text, numbers[i], ' ')) return false;
+    if (!take_count(text, length, ' ')) return false;
     if (static_cast<std::size_t>(length) >= text.size()) return false;
     std::string said(text.substr(0, static_cast<std::size_t>(length)));
     text.remove_prefix(static_cast<std::size_t>(length) + 1);

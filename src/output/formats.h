@@ -9,7 +9,7 @@ namespace poinsot {
 // 128; with 120 an MP4 is a tenth larger, and an interrupted film goes on from 4 s before, at 30
 // frames a second. A GIF's pictures depend on those before them by the palette alone, which is the
 // whole's.
-inline constexpr std::int64_t kChunkFrames = 120;
+inline constexpr std::int64_t frames_a_chunk = 120;
 
 // The text that a file made as planned carries.
 std::string text_of(const OutputPlan& plan, const Contents& contents);

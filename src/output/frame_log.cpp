@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <limits>
 #include <string_view>
 
 #include "error/error.h"
 #include "output/film_texts.h"
 #include "output/libav_calls.h"
+#include "text/numbers.h"
 
 namespace poinsot {
 
@@ -48,14 +48,13 @@ std::string film_head(const OutputPlan& plan, const std::string& settings) {
 }
 
 // Of a part, what it says of itself comes first: its size, and that text.
-constexpr std::string_view kPartKey = "part ";
+constexpr std::string_view part_key = "part ";
 
 bool take_part(std::string_view& head, OutputPlan& plan) {
-    head.remove_prefix(kPartKey.size());
-    std::size_t size = 0;
-    const auto [end, error] = std::from_chars(head.data(), head.data() + head.size(), size);
-    if (error != std::errc{} || end == head.data() + head.size() || *end != '\n') return false;
-    head.remove_prefix(static_cast<std::size_t>(end - head.data()) + 1);
+    head.remove_prefix(part_key.size());
+    std::int64_t length = 0;
+    if (!take_count(head, length, '\n')) return false;
+    const auto size = static_cast<std::size_t>(length);
     if (size > head.size() || !parse_part(head.substr(0, size), plan.part.emplace())) return false;
     head.remove_prefix(size);
     return true;
@@ -68,13 +67,10 @@ std::span<const std::uint8_t> bytes_of(std::string_view text) {
 }  // namespace
 
 bool read_head(std::string_view head, OutputPlan& plan, std::string& settings) {
-    if (head.starts_with(kPartKey) && !take_part(head, plan)) return false;
+    if (head.starts_with(part_key) && !take_part(head, plan)) return false;
     std::array<std::int64_t, 7> numbers{};
-    for (std::int64_t& number : numbers) {
-        const auto [end, error] = std::from_chars(head.data(), head.data() + head.size(), number);
-        if (error != std::errc{} || number < 0 || end == head.data() + head.size()) return false;
-        head.remove_prefix(static_cast<std::size_t>(end - head.data()) + 1);
-    }
+    for (std::int64_t& number : numbers)
+        if (!take_count(head, number, &number == &numbers.back() ? '\n' : ' ')) return false;
     const auto n_settings = static_cast<std::size_t>(numbers[5]);
     const auto n_metadata = static_cast<std::size_t>(numbers[6]);
     constexpr std::int64_t largest = std::numeric_limits<int>::max();
@@ -104,11 +100,11 @@ bool read_block(int descriptor, const fs::path& path, std::int64_t at, FrameBloc
         }
         return true;
     };
-    std::array<std::uint8_t, kBlockHead> head{};
+    std::array<std::uint8_t, block_head> head{};
     struct stat status {};
     if (fstat(descriptor, &status) != 0) throw_write_error(path, errno);
     if (!read_fully(at, head)) return false;
-    block = {at + kBlockHead, get_u32(head.data())};
+    block = {at + block_head, get_u32(head.data())};
     if (block.size > status.st_size - block.at) return false;
     contents.resize(block.size);
     return read_fully(block.at, contents) && checksum(contents) == get_u32(head.data() + 4);
@@ -186,16 +182,16 @@ void FrameLog::append_block(std::span<const std::uint8_t> contents) {
     if (contents.size() > std::numeric_limits<std::uint32_t>::max())
         throw EnvironmentError(
             fmt::format("cannot write {}: a frame takes more than 4 GB", file_.path().string()));
-    buffer_.resize(kBlockHead + contents.size());
+    buffer_.resize(block_head + contents.size());
     put_u32(buffer_.data(), static_cast<std::uint32_t>(contents.size()));
     put_u32(buffer_.data() + 4, checksum(contents));
-    std::copy(contents.begin(), contents.end(), buffer_.begin() + kBlockHead);
+    std::copy(contents.begin(), contents.end(), buffer_.begin() + block_head);
     file_.write(buffer_);
     end_ += static_cast<std::int64_t>(buffer_.size());
 }
 
 void FrameLog::append(std::span<const std::uint8_t> entry) {
-    const std::int64_t at = end_ + kBlockHead;
+    const std::int64_t at = end_ + block_head;
     append_block(entry);
     entries_.push_back({at, static_cast<std::uint32_t>(entry.size())});
 }
@@ -203,7 +199,7 @@ void FrameLog::append(std::span<const std::uint8_t> entry) {
 std::span<const std::uint8_t> FrameLog::read(std::int64_t k) {
     const FrameBlock& wanted = entries_.at(static_cast<std::size_t>(k));
     FrameBlock found;
-    if (!read_block(file_.descriptor(), file_.path(), wanted.at - kBlockHead, found, buffer_) ||
+    if (!read_block(file_.descriptor(), file_.path(), wanted.at - block_head, found, buffer_) ||
         found.size != wanted.size)
         throw EnvironmentError(fmt::format("cannot write {}: what lies aside cannot be read back",
                                            file_.path().string()));

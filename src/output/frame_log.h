@@ -31,7 +31,7 @@ class FrameEntries {
 
 // A file of them is blocks: size and CRC-32 (IEEE 802.3) of the contents, four bytes each, the
 // least first, and the contents. The first says what film this is; the others are the entries.
-constexpr std::int64_t kBlockHead = 8;
+constexpr std::int64_t block_head = 8;
 
 // A block, without its head.
 struct FrameBlock {

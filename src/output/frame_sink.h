@@ -123,6 +123,9 @@ struct OutputFormat {
     // part's frames are whole as they are, or where there are no parts.
     void (*join)(FrameEntries& entries, const OutputPlan& plan);
     bool has_parts;
+    // Cores that a process keeps busy with its encoder, so that more of them would only wait for
+    // each other; 0: one process ends sooner, since it encodes alone.
+    int n_cores_a_job;
     double most_fps = 0.0;  // 0: any rate
 };
 

@@ -23,9 +23,9 @@ namespace poinsot {
 namespace {
 
 // One index stays free for what is transparent or as it was in the frame before.
-constexpr std::uint8_t kTransparentIndex = 255;
+constexpr std::uint8_t transparent_index = 255;
 // A pixel is there or not: what fades out does so into white, and ends where it is all but gone.
-constexpr std::uint8_t kHoleBelowAlpha = 16;
+constexpr std::uint8_t hole_below_alpha = 16;
 
 // What is in the file so far.
 std::vector<std::uint8_t> contents_of(const AtomicFile& file) {
@@ -81,7 +81,7 @@ void set_palette(AVFrame& frame, const std::vector<Rgba8>& palette) {
     for (std::size_t i = 0; i < palette.size(); ++i)
         entries[i] = 0xff000000u | static_cast<std::uint32_t>(palette[i].r) << 16 |
                      static_cast<std::uint32_t>(palette[i].g) << 8 | palette[i].b;
-    entries[kTransparentIndex] = 0;
+    entries[transparent_index] = 0;
 }
 
 void take_packets(VideoEncoder& encoder, libav::Muxer& muxer, AVPacket* packet) {
@@ -103,8 +103,8 @@ std::int64_t hundredth_of(std::int64_t k, const FrameRate& rate) {
 // Puts the film together from the frames in the log, whose colours have been counted.
 void write_gif(FrameEntries& log, const ColourCount& count, const OutputPlan& plan) {
     AtomicFile file(plan.path);
-    const std::vector<Rgba8> palette = palette_for(count, kTransparentIndex);
-    Ditherer ditherer(palette, kTransparentIndex);
+    const std::vector<Rgba8> palette = palette_for(count, transparent_index);
+    Ditherer ditherer(palette, transparent_index);
     VideoEncoder encoder(gif_settings(plan), plan.path);
     libav::Muxer muxer("gif", file.descriptor(), plan.path, file.aside());
     libav::checked(avcodec_parameters_from_context(muxer.stream()->codecpar, &encoder.context()),
@@ -178,7 +178,7 @@ class GifSink : public FrameSink {
     void flatten_keeping_holes(const Image& frame) {
         flatten_on_white(frame, flat_);
         for (std::size_t i = 3; i < frame.bytes().size(); i += 4)
-            flat_.bytes()[i] = frame.bytes()[i] < kHoleBelowAlpha ? 0 : 255;
+            flat_.bytes()[i] = frame.bytes()[i] < hole_below_alpha ? 0 : 255;
     }
 
     OutputPlan plan_;

@@ -18,7 +18,7 @@ namespace poinsot::libav {
 
 namespace {
 
-constexpr int kBufferSize = 1 << 16;
+constexpr int buffer_size = 1 << 16;
 
 // The largest piece of memory that FFmpeg asks for, while it lives.
 class LargestPiece {
@@ -79,9 +79,9 @@ int checked(int result, const std::filesystem::path& path, std::string_view what
 }
 
 DescriptorIo::DescriptorIo(int descriptor) : descriptor_(descriptor) {
-    auto* buffer = static_cast<unsigned char*>(av_malloc(kBufferSize));
+    auto* buffer = static_cast<unsigned char*>(av_malloc(buffer_size));
     if (buffer)
-        context_ = avio_alloc_context(buffer, kBufferSize, 1, this, nullptr, &DescriptorIo::write,
+        context_ = avio_alloc_context(buffer, buffer_size, 1, this, nullptr, &DescriptorIo::write,
                                       &DescriptorIo::seek);
     if (!context_) {
         av_free(buffer);

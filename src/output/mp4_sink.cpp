@@ -32,7 +32,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 // x264 decides otherwise with another number of threads, so the number must not come from the
 // machine.
-constexpr int kThreads = 3;
+constexpr int usual_threads = 3;
 
 EncoderSettings x264_settings(const OutputPlan& plan) {
     const X264Effort& effort = quality_named(plan.quality).x264;
@@ -41,7 +41,7 @@ EncoderSettings x264_settings(const OutputPlan& plan) {
     settings.width_px = plan.width_px;
     settings.height_px = plan.height_px;
     settings.rate = plan.rate;
-    settings.n_threads = plan.encoder_threads > 0 ? plan.encoder_threads : kThreads;
+    settings.n_threads = plan.encoder_threads > 0 ? plan.encoder_threads : usual_threads;
     settings.header_in_container = true;
     settings.options = {{"preset", effort.preset},
                         {"crf", effort.crf},
@@ -61,22 +61,22 @@ void check_mp4(const OutputPlan& plan) {
 
 // Everything that the packets depend on, besides the frames; the parameter sets, in which the
 // encoder's version stands, come last.
-constexpr std::string_view kHeaderKey = " header=";
+constexpr std::string_view header_key = " header=";
 
 std::string description_of(const EncoderSettings& settings, const AVCodecContext& encoder) {
     std::string text = fmt::format("{} threads={}", settings.codec, settings.n_threads);
     for (const auto& [key, value] : settings.options) text += fmt::format(" {}={}", key, value);
-    text += kHeaderKey;
+    text += header_key;
     for (int i = 0; i < encoder.extradata_size; ++i)
         text += fmt::format("{:02x}", encoder.extradata[i]);
     return text;
 }
 
 Bytes header_of(std::string_view description) {
-    const std::size_t at = description.rfind(kHeaderKey);
+    const std::size_t at = description.rfind(header_key);
     Bytes header;
     if (at == std::string_view::npos) return header;
-    for (std::string_view digits = description.substr(at + kHeaderKey.size()); digits.size() >= 2;
+    for (std::string_view digits = description.substr(at + header_key.size()); digits.size() >= 2;
          digits.remove_prefix(2)) {
         std::uint8_t byte = 0;
         std::from_chars(digits.data(), digits.data() + 2, byte, 16);
@@ -116,7 +116,7 @@ void put_start_codes(std::span<std::uint8_t> rest) {
 
 // A packet as an entry of the log: whether a player may begin with it, when it is shown and when it
 // is decoded, in frames, and its units with their lengths, as they stand in the film.
-constexpr std::size_t kEntryHead = 17;
+constexpr std::size_t entry_head = 17;
 
 void append_time(std::int64_t time, Bytes& out) {
     for (int i = 0; i < 8; ++i)
@@ -139,7 +139,7 @@ void pack(const AVPacket& packet, Bytes& entry) {
 }
 
 void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::path& path) {
-    const auto units = entry.subspan(kEntryHead);
+    const auto units = entry.subspan(entry_head);
     libav::checked(av_new_packet(&packet, static_cast<int>(units.size())), path, "packet");
     std::copy(units.begin(), units.end(), packet.data);
     put_start_codes({packet.data, units.size()});
@@ -152,7 +152,7 @@ void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::pat
 // Entry k of a log, which has a head.
 std::span<const std::uint8_t> entry_of(FrameEntries& log, std::int64_t k) {
     const auto entry = log.read(k);
-    if (entry.size() < kEntryHead) log.refuse_entry();
+    if (entry.size() < entry_head) log.refuse_entry();
     return entry;
 }
 
@@ -190,8 +190,8 @@ void describe_stream(AVStream& stream, const OutputPlan& plan, const Bytes& head
 }
 
 std::string text_of_film(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
-    PacketHash hash(kChunkFrames);
-    for (std::int64_t k = 0; k < n_frames; ++k) hash.add(entry_of(log, k).subspan(kEntryHead));
+    PacketHash hash(frames_a_chunk);
+    for (std::int64_t k = 0; k < n_frames; ++k) hash.add(entry_of(log, k).subspan(entry_head));
     return text_of(plan, {.n_frames = n_frames, .packets = hash.of_film()});
 }
 
@@ -226,7 +226,7 @@ class Mp4Sink : public FrameSink {
           frame_(make_yuv_frame(AV_PIX_FMT_YUV420P, plan.width_px, plan.height_px)),
           packet_(libav::make_packet()),
           encoder_(std::make_unique<VideoEncoder>(settings_, plan.path)),
-          log_(plan, description_of(settings_, encoder_->context()), kChunkFrames),
+          log_(plan, description_of(settings_, encoder_->context()), frames_a_chunk),
           n_before_(plan.part ? plan.part->n_before : 0),
           n_kept_(log_.n_entries()),
           n_written_(n_kept_) {}
@@ -239,7 +239,7 @@ class Mp4Sink : public FrameSink {
 
     void write_telling(const Image& frame, const WasRead& was_read) override {
         check_frame(frame, plan_);
-        if (n_in_chunk_ == kChunkFrames) start_chunk();
+        if (n_in_chunk_ == frames_a_chunk) start_chunk();
         libav::checked(av_frame_make_writable(frame_.get()), plan_.path, "video frame");
         const bool opaque = is_opaque(frame);
         if (!opaque) flatten_on_white(frame, flat_);

@@ -12,11 +12,11 @@ namespace {
 using Colour = std::array<double, 3>;
 
 // The eye's unequal sensitivity to red, green and blue, roughly.
-constexpr Colour kWeight = {2, 4, 1.5};
+constexpr Colour channel_weights = {2, 4, 1.5};
 
 double distance(const Colour& a, const Colour& b) {
     double sum = 0;
-    for (std::size_t c = 0; c < 3; ++c) sum += kWeight[c] * (a[c] - b[c]) * (a[c] - b[c]);
+    for (std::size_t c = 0; c < 3; ++c) sum += channel_weights[c] * (a[c] - b[c]) * (a[c] - b[c]);
     return sum;
 }
 
@@ -40,7 +40,7 @@ Box box_of(const std::vector<Point>& points, std::size_t begin, std::size_t end)
             const double value = points[i].colour[c];
             n += points[i].n, sum += points[i].n * value, squares += points[i].n * value * value;
         }
-        const double variance = kWeight[c] * (squares - sum * sum / n);
+        const double variance = channel_weights[c] * (squares - sum * sum / n);
         if (variance > box.variance) box = {begin, end, c, variance, sum / n};
     }
     return box;
@@ -112,18 +112,18 @@ int threshold(int x, int y) {
     return value;
 }
 
-constexpr std::size_t kCellsPerSide = 64;
-constexpr std::size_t kRemembered = 1 << 16;
+constexpr std::size_t cells_per_side = 64;
+constexpr std::size_t n_remembered = 1 << 16;
 
 }  // namespace
 
-ColourCount::ColourCount() : cells_(kCellsPerSide * kCellsPerSide * kCellsPerSide) {}
+ColourCount::ColourCount() : cells_(cells_per_side * cells_per_side * cells_per_side) {}
 
 void ColourCount::add(const Image& image) {
     const auto bytes = image.bytes();
     for (std::size_t i = 0; i < bytes.size(); i += 4) {
         if (bytes[i + 3] < 128) continue;
-        Cell& cell = cells_[(bytes[i] / 4u * kCellsPerSide + bytes[i + 1] / 4u) * kCellsPerSide +
+        Cell& cell = cells_[(bytes[i] / 4u * cells_per_side + bytes[i + 1] / 4u) * cells_per_side +
                             bytes[i + 2] / 4u];
         cell.n += 1;
         for (std::size_t c = 0; c < 3; ++c) cell.sum[c] += bytes[i + c];
@@ -152,7 +152,7 @@ std::vector<Rgba8> palette_for(const ColourCount& count, std::size_t n_colours) 
 Ditherer::Ditherer(std::vector<Rgba8> palette, std::uint8_t transparent_index)
     : palette_(std::move(palette)),
       transparent_index_(transparent_index),
-      remembered_(kRemembered) {}
+      remembered_(n_remembered) {}
 
 std::uint8_t Ditherer::nearest(const std::array<int, 3>& colour) const {
     std::size_t nearest = 0;
@@ -181,8 +181,8 @@ const Ditherer::Mix& Ditherer::mix_for(const std::uint8_t* rgb) {
     const Colour part = {double(rgb[0] - p.r), double(rgb[1] - p.g), double(rgb[2] - p.b)};
     double along = 0, length = 0;
     for (std::size_t c = 0; c < 3; ++c) {
-        along += kWeight[c] * way[c] * part[c];
-        length += kWeight[c] * way[c] * way[c];
+        along += channel_weights[c] * way[c] * part[c];
+        length += channel_weights[c] * way[c] * way[c];
     }
     mix.share =
         length > 0

@@ -26,7 +26,7 @@ namespace {
 std::map<std::string, std::string> texts_of(const OutputPlan& plan, std::int64_t frame,
                                             const Image& image) {
     if (plan.metadata.empty()) return {};
-    return {{kMetadataName, text_of(plan, {.frame = frame, .pixels = pixel_check(image)})}};
+    return {{metadata_name, text_of(plan, {.frame = frame, .pixels = pixel_check(image)})}};
 }
 
 // Parts of one sequence are written side by side.
@@ -44,8 +44,8 @@ class PngSequenceSink : public FrameSink {
         : plan_(plan),
           lock_(plan.path, lock_path_of(plan)),
           first_number_(first_number(plan)),
-          encoders_(
-              static_cast<std::size_t>(plan.encoder_threads > 0 ? plan.encoder_threads : kThreads)),
+          encoders_(static_cast<std::size_t>(plan.encoder_threads > 0 ? plan.encoder_threads
+                                                                      : usual_threads)),
           there_(frames_that_are_there()) {
         // A killed run may have been about to replace a frame that now stays.
         for (const std::int64_t k : there_) {
@@ -54,7 +54,7 @@ class PngSequenceSink : public FrameSink {
                                     not_there);
         }
         workers_ = std::make_unique<FrameWorkers>(
-            encoders_.size(), kPictures,
+            encoders_.size(), n_pictures,
             [this](std::size_t worker, std::int64_t number, const Image& frame, const WasRead&) {
                 write_one(encoders_[worker], number, frame);
             });
@@ -77,8 +77,8 @@ class PngSequenceSink : public FrameSink {
     }
 
  private:
-    static constexpr int kThreads = 2;
-    static constexpr std::size_t kPictures = 4;
+    static constexpr int usual_threads = 2;
+    static constexpr std::size_t n_pictures = 4;
 
     void write_one(PngEncoder& encoder, std::int64_t number, const Image& frame) const {
         const std::int64_t frame_number = first_number_ + frame_of(number);

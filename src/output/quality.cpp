@@ -1,13 +1,7 @@
 #include "output/quality.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <vector>
-
 #include "error/error.h"
 #include "text/nearest.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
@@ -63,13 +57,8 @@ constexpr Quality table[] = {
 std::span<const Quality> qualities() { return table; }
 
 const Quality& quality_named(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const Quality& quality : table) {
-        if (quality.name == name) return quality;
-        names.push_back(quality.name);
-    }
-    throw InputError(fmt::format("unknown quality \"{}\"{}; choose from: {}", printable(name),
-                                 did_you_mean(name, names), fmt::join(names, ", ")));
+    if (const Quality* row = find_row(table, name)) return *row;
+    throw InputError(unknown("quality", name, names_of(table)));
 }
 
 }  // namespace poinsot

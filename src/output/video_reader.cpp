@@ -76,10 +76,10 @@ void VideoReader::Impl::open_decoder() {
     decoder.reset(avcodec_alloc_context3(codec));
     if (!decoder) throw EnvironmentError("no memory for a video decoder");
     check(avcodec_parameters_to_context(decoder.get(), stream->codecpar), "its parameters");
-    if (decoder->width > kLargestPngSide_px || decoder->height > kLargestPngSide_px)
+    if (decoder->width > largest_png_side_px || decoder->height > largest_png_side_px)
         throw InputError(fmt::format("{} is {}×{} pixels; at most {} a side are read",
                                      path.string(), decoder->width, decoder->height,
-                                     kLargestPngSide_px));
+                                     largest_png_side_px));
     check(avcodec_open2(decoder.get(), codec, nullptr), "its decoder");
 }
 

@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // As with x264, the bytes depend on the number of threads.
-constexpr int kThreads = 2;
+constexpr int usual_threads = 2;
 
 EncoderSettings vp9_settings(const OutputPlan& plan, bool alpha) {
     const Vp9Effort& effort = quality_named(plan.quality).vp9;
@@ -39,7 +39,7 @@ EncoderSettings vp9_settings(const OutputPlan& plan, bool alpha) {
     settings.width_px = plan.width_px;
     settings.height_px = plan.height_px;
     settings.rate = plan.rate;
-    settings.n_threads = plan.encoder_threads > 0 ? plan.encoder_threads : kThreads;
+    settings.n_threads = plan.encoder_threads > 0 ? plan.encoder_threads : usual_threads;
     // Frames that are never shown cannot carry alpha.
     settings.options = {{"deadline", effort.deadline},
                         {"cpu-used", effort.speed},
@@ -62,7 +62,7 @@ std::string description_of(const EncoderSettings& settings) {
 
 // A packet as an entry of the log: whether a player may begin with it, the length of what comes
 // beside it (the alpha plane's packet, as FFmpeg hands it to Matroska), that, and the packet.
-constexpr std::size_t kEntryHead = 5;
+constexpr std::size_t entry_head = 5;
 
 void pack(const AVPacket& packet, std::vector<std::uint8_t>& entry) {
     std::size_t n_beside = 0;
@@ -83,14 +83,14 @@ std::size_t n_beside_of(std::span<const std::uint8_t> entry) {
 // Entry k of a log, whose head fits what follows.
 std::span<const std::uint8_t> entry_of(FrameEntries& log, std::int64_t k) {
     const auto entry = log.read(k);
-    if (entry.size() < kEntryHead || n_beside_of(entry) > entry.size() - kEntryHead)
+    if (entry.size() < entry_head || n_beside_of(entry) > entry.size() - entry_head)
         log.refuse_entry();
     return entry;
 }
 
 void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::path& path) {
     const std::size_t n_beside = n_beside_of(entry);
-    const auto data = entry.subspan(kEntryHead + n_beside);
+    const auto data = entry.subspan(entry_head + n_beside);
     libav::checked(av_new_packet(&packet, static_cast<int>(data.size())), path, "packet");
     std::copy(data.begin(), data.end(), packet.data);
     packet.flags |= entry[0] & AV_PKT_FLAG_KEY;
@@ -98,7 +98,7 @@ void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::pat
     std::uint8_t* const beside =
         av_packet_new_side_data(&packet, AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, n_beside);
     if (beside == nullptr) throw EnvironmentError("no memory for a video packet");
-    std::copy_n(entry.data() + kEntryHead, n_beside, beside);
+    std::copy_n(entry.data() + entry_head, n_beside, beside);
 }
 
 bool has_alpha(FrameEntries& log) {
@@ -125,11 +125,11 @@ void describe_stream(AVStream& stream, const OutputPlan& plan, bool alpha) {
 }
 
 std::string text_of_film(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
-    PacketHash hash(kChunkFrames);
+    PacketHash hash(frames_a_chunk);
     for (std::int64_t k = 0; k < n_frames; ++k) {
         const auto entry = entry_of(log, k);
         const std::size_t n_beside = n_beside_of(entry);
-        hash.add(entry.subspan(kEntryHead + n_beside), entry.subspan(kEntryHead, n_beside));
+        hash.add(entry.subspan(entry_head + n_beside), entry.subspan(entry_head, n_beside));
     }
     return text_of(plan, {.n_frames = n_frames, .packets = hash.of_film()});
 }
@@ -166,7 +166,7 @@ class WebmSink : public FrameSink {
         : plan_(plan),
           converter_(plan.width_px),
           packet_(libav::make_packet()),
-          log_(plan, description_of(vp9_settings(plan, false)), kChunkFrames),
+          log_(plan, description_of(vp9_settings(plan, false)), frames_a_chunk),
           n_before_(plan.part ? plan.part->n_before : 0),
           n_kept_(log_.n_entries()),
           alpha_(has_alpha(log_)),
@@ -181,7 +181,7 @@ class WebmSink : public FrameSink {
     void write_telling(const Image& frame, const WasRead& was_read) override {
         check_frame(frame, plan_);
         if (n_written_ == 0) alpha_ = plan_.has_alpha.value_or(!is_opaque(frame));
-        if (n_written_ % kChunkFrames == 0) end_chunk();
+        if (n_written_ % frames_a_chunk == 0) end_chunk();
         if (!encoder_) start_chunk();
         libav::checked(av_frame_make_writable(frame_.get()), plan_.path, "video frame");
         const bool flattened = !alpha_ && !is_opaque(frame);

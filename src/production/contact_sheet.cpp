@@ -23,10 +23,10 @@ namespace poinsot {
 
 namespace {
 
-constexpr int kMostPixels = 16384;  // of a side
+constexpr int most_pixels = 16384;  // of a side
 
 // What a caption takes of a picture's height, and how large its type is in that.
-constexpr double kCaptionShare = 0.09, kTypeShare = 0.62;
+constexpr double caption_share = 0.09, type_share = 0.62;
 
 class ContactSheet {
  public:
@@ -35,15 +35,15 @@ class ContactSheet {
         : request_(&request),
           width_px_(first.width()),
           height_px_(first.height()),
-          caption_px_(std::max(14, static_cast<int>(kCaptionShare * first.height()))),
+          caption_px_(std::max(14, static_cast<int>(caption_share * first.height()))),
           ground_(first.at(0, 0)) {
         const std::int64_t width = std::int64_t{width_px_} * request.n_columns;
         const std::int64_t height = std::int64_t{height_px_ + caption_px_} * request.n_rows;
-        if (width > kMostPixels || height > kMostPixels)
+        if (width > most_pixels || height > most_pixels)
             throw InputError(fmt::format(
                 "--sheet {}x{}: the sheet would have {}×{} pixels, more than {} a side; draw "
                 "smaller pictures with --size",
-                request.n_columns, request.n_rows, width, height, kMostPixels));
+                request.n_columns, request.n_rows, width, height, most_pixels));
         image_ = Image(static_cast<int>(width), static_cast<int>(height));
         for (int y = 0; y < image_.height(); ++y)
             for (int x = 0; x < image_.width(); ++x) image_.set(x, y, ground_);
@@ -69,7 +69,7 @@ class ContactSheet {
     void write(const std::string& caption, int left, int top) {
         TypeStyle style;
         style.mode = TypeMode::text;
-        style.size_px = kTypeShare * caption_px_;
+        style.size_px = type_share * caption_px_;
         const std::string text = as_caption(caption);
         const double room_px = 0.94 * width_px_;
         const TypeExtent extent = typesetter_.measure(text, style);
@@ -142,7 +142,7 @@ void draw_sheet(const SheetRequest& request, Easel& easel, const Telling& tellin
     record.height_px = sheet->image().height();
     record.pixels = pixel_check(sheet->image());
     PngOptions png;
-    png.texts[kMetadataName] = sealed_text(record);
+    png.texts[metadata_name] = sealed_text(record);
     write_png(request.output, sheet->image(), png);
     telling.finish(printable(request.output));
 }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -11,6 +13,7 @@
 #include "drawing/stage.h"
 #include "mechanics/free/free_rotation.h"
 #include "mechanics/motion_errors.h"
+#include "mechanics/top/heavy_top.h"
 #include "production/picture.h"
 #include "text/json_text.h"
 
@@ -109,6 +112,83 @@ void add_free_motion(const Session& session, std::vector<Fact>& facts) {
     }
 }
 
+std::string regime_in_words(TopRegime regime) {
+    switch (regime) {
+        case TopRegime::sleeping:
+            return "sleeping: upright, and stable since (Cω₃)² ≥ 4A·Mgl";
+        case TopRegime::sleeping_unstable:
+            return "sleeping, unstable: upright by symmetry alone, since (Cω₃)² < 4A·Mgl";
+        case TopRegime::hanging:
+            return "hanging: vertical, with the centre of mass below the fixed point";
+        case TopRegime::steady_slow:
+            return "steady precession, the slower of the two: θ stays as it is";
+        case TopRegime::steady_fast:
+            return "steady precession, the faster of the two: θ stays as it is";
+        case TopRegime::wavy:
+            return "wavy nutation: φ̇ keeps its sign";
+        case TopRegime::cusp:
+            return "cuspidal nutation: φ̇ vanishes at the upper end";
+        case TopRegime::looping:
+            return "looping nutation: φ̇ changes its sign";
+        case TopRegime::planar_pendulum:
+            return "planar pendulum: neither spin nor precession";
+        case TopRegime::separatrix:
+            return "separatrix: the axis tends to the upright and never returns";
+        case TopRegime::no_gravity:
+            return "without gravity: a free symmetric body";
+        default:
+            return std::string(name_of(regime));
+    }
+}
+
+// The closed form of a heavy symmetric top, by whatever method the motion is computed.
+std::optional<HeavyTop> heavy_top_of(const Session& session) {
+    const MotionProblem& problem = session.motion.problem();
+    const auto* gravity = std::get_if<GravityTorque>(&problem.torque);
+    if (gravity == nullptr || !HeavyTop::accepts(problem.inertia, *gravity)) return std::nullopt;
+    return HeavyTop(problem.inertia, *gravity, problem.start, problem.top_start);
+}
+
+// What a heavy top keeps: its momenta, its energy, and the ends and rates of its nutation.
+void add_heavy_top(const HeavyTop& top, std::vector<Fact>& facts) {
+    facts.push_back({"top_regime", json_string(name_of(top.regime())), "kind of its motion",
+                     regime_in_words(top.regime())});
+    const TopInvariants& kept = top.invariants();
+    add_number(facts, "p_phi_kg_m2_s", "p_φ, along the vertical", kept.p_phi_kg_m2_s, "kg m²/s");
+    add_number(facts, "p_psi_kg_m2_s", "p_ψ = Cω₃, along the axis", kept.p_psi_kg_m2_s, "kg m²/s");
+    add_number(facts, "energy_J", "E = T + Mgl cos θ", kept.energy_J, "J");
+    const TopNutation& nutation = top.nutation();
+    const double least = nutation.theta_min_rad, most = nutation.theta_max_rad;
+    const bool nods = least < most;
+    constexpr double deg = 180.0 / std::numbers::pi;
+    facts.push_back({"theta_rad", json_numbers(least, most), nods ? "θ between" : "θ",
+                     nods ? fmt::format("{:.9g} and {:.9g} rad ({:.4f}° and {:.4f}°)", least, most,
+                                        deg * least, deg * most)
+                          : fmt::format("{:.9g} rad ({:.4f}°)", least, deg * least)});
+    if (std::isinf(nutation.period_s)) {
+        facts.push_back({"nutation_period_s", "null", "period of the nutation", "infinite"});
+    } else if (nutation.period_s > 0.0) {
+        add_number(facts, "nutation_period_s",
+                   nods ? "period of the nutation" : "period of a small nutation about it",
+                   nutation.period_s, "s");
+    }
+    // While the axis is vertical φ means nothing.
+    const bool is_vertical = top.regime() == TopRegime::sleeping ||
+                             top.regime() == TopRegime::sleeping_unstable ||
+                             top.regime() == TopRegime::hanging;
+    if (!is_vertical)
+        add_number(facts, "precession_rate_rad_s", "φ̇ in the mean", nutation.precession_rate_rad_s,
+                   "rad/s");
+}
+
+// T and L change under a torque; these are those of the start.
+void add_start(const MotionProblem& problem, std::vector<Fact>& facts) {
+    const Eigen::Vector3d& omega = problem.start.omega_body;
+    const Eigen::Vector3d momentum = problem.inertia.matrix_body() * omega;
+    add_number(facts, "start_kinetic_energy_J", "T at t = 0", 0.5 * omega.dot(momentum), "J");
+    add_number(facts, "start_momentum_kg_m2_s", "L at t = 0", momentum.stableNorm(), "kg m²/s");
+}
+
 // What the scene's accuracy in pixels means here, and what is reached.
 void add_accuracy(const Session& session, const PictureBound& bound, std::vector<Fact>& facts) {
     const bool stepped = session.motion.integrated() != nullptr;
@@ -166,6 +246,8 @@ void add_motion(const Session& session, std::vector<Fact>& facts) {
     } else {
         facts.push_back({"regime", json_string(name_of(session.motion.regime())), "regime",
                          std::string(name_of(session.motion.regime()))});
+        if (const auto top = heavy_top_of(session)) add_heavy_top(*top, facts);
+        add_start(problem, facts);
     }
 }
 

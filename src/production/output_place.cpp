@@ -9,12 +9,12 @@
 namespace poinsot {
 
 namespace {
-constexpr const char* kFolder = "output";
-constexpr std::string_view kSceneName = "{scene}";
+constexpr const char* default_folder = "output";
+constexpr std::string_view scene_placeholder = "{scene}";
 }  // namespace
 
 bool has_scene_name(std::string_view pattern) {
-    return pattern.find(kSceneName) != std::string_view::npos;
+    return pattern.find(scene_placeholder) != std::string_view::npos;
 }
 
 std::filesystem::path with_scene_name(const std::filesystem::path& pattern,
@@ -22,9 +22,9 @@ std::filesystem::path with_scene_name(const std::filesystem::path& pattern,
     std::string name(scene_name);
     std::replace(name.begin(), name.end(), '#', '_');
     std::string path = pattern.string();
-    for (std::size_t at = 0; (at = path.find(kSceneName, at)) != std::string::npos;
+    for (std::size_t at = 0; (at = path.find(scene_placeholder, at)) != std::string::npos;
          at += name.size())
-        path.replace(at, kSceneName.size(), name);
+        path.replace(at, scene_placeholder.size(), name);
     return path;
 }
 
@@ -35,9 +35,9 @@ std::filesystem::path numbered_output(const std::filesystem::path& pattern, std:
 }
 
 std::filesystem::path default_output(std::string_view scene_name, std::string_view suffix) {
-    return with_scene_name(
-        std::filesystem::path(kFolder) / (std::string(kSceneName) + std::string(suffix)),
-        scene_name);
+    return with_scene_name(std::filesystem::path(default_folder) /
+                               (std::string(scene_placeholder) + std::string(suffix)),
+                           scene_name);
 }
 
 OutputPlace::OutputPlace(const std::string& asked, const Scene& scene, std::string_view suffix)
@@ -45,13 +45,13 @@ OutputPlace::OutputPlace(const std::string& asked, const Scene& scene, std::stri
     if (!path_.empty()) return;
     // What cannot be made is said where the file is opened.
     std::error_code ignored;
-    made_ = std::filesystem::create_directory(kFolder, ignored);
+    made_ = std::filesystem::create_directory(default_folder, ignored);
     path_ = default_output(scene.name, suffix);
 }
 
 OutputPlace::~OutputPlace() {
     std::error_code not_empty;
-    if (made_) std::filesystem::remove(kFolder, not_empty);
+    if (made_) std::filesystem::remove(default_folder, not_empty);
 }
 
 }  // namespace poinsot

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <ctime>
 #include <limits>
 #include <system_error>
@@ -13,14 +12,11 @@
 
 #include "error/error.h"
 #include "mechanics/stepped/integrated_rotation.h"
-#include "system/interrupt.h"
 
 namespace poinsot {
 
 Patience::Patience(std::string what, double estimate_s, const Telling& telling) {
     stop_if_interrupted();
-    interrupt_ = std::signal(SIGINT, SIG_DFL);
-    terminate_ = std::signal(SIGTERM, SIG_DFL);
     try {
         teller_ = std::thread([this, what = std::move(what), estimate_s, say = telling.say] {
             tell(what, estimate_s, say);
@@ -37,8 +33,6 @@ Patience::~Patience() {
     }
     ended_.notify_all();
     if (teller_.joinable()) teller_.join();
-    std::signal(SIGINT, interrupt_);
-    std::signal(SIGTERM, terminate_);
 }
 
 void Patience::tell(const std::string& what, double estimate_s,

@@ -9,6 +9,7 @@
 
 #include "mechanics/motion_problem.h"
 #include "production/telling.h"
+#include "system/interrupt.h"
 
 namespace poinsot {
 
@@ -30,8 +31,7 @@ class Patience {
     std::condition_variable ended_;
     bool done_ = false;
     std::thread teller_;
-    void (*interrupt_)(int);
-    void (*terminate_)(int);
+    EndsAtOnce ends_at_once_;
 };
 
 // Stepping may take so long; more is refused beforehand.

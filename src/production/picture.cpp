@@ -10,7 +10,6 @@
 #include "output/quality.h"
 #include "production/print_size.h"
 #include "scene/scene_error.h"
-#include "text/nearest.h"
 #include "text/utf8.h"
 
 namespace poinsot {

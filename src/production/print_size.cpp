@@ -24,11 +24,11 @@ void check_between(const char* option, std::optional<double> value, double least
 // The pixels of a side, from the option that decides it.
 int side_px(const char* option, double given_mm, double side_mm, double dpi) {
     const double px = std::round(side_mm / mm_per_inch * dpi);
-    if (px >= least_side_px && px <= kLargestBandedPngSide_px) return static_cast<int>(px);
+    if (px >= least_side_px && px <= largest_banded_png_side_px) return static_cast<int>(px);
     throw InputError(fmt::format(
         "{} {:g} at {:g} dpi makes a side of {:.0f} pixels; a picture has {} to {} a side: change "
         "{} or --dpi",
-        option, given_mm, dpi, px, least_side_px, kLargestBandedPngSide_px, option));
+        option, given_mm, dpi, px, least_side_px, largest_banded_png_side_px, option));
 }
 
 }  // namespace

@@ -4,11 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <fstream>
-#include <iterator>
 #include <map>
-#include <tuple>
 
 #include "drawing/stage_data.h"
 #include "error/error.h"
@@ -17,12 +13,15 @@
 #include "output/film_metadata.h"
 #include "output/film_packets.h"
 #include "output/frame_sink.h"
+#include "production/record_fields.h"
 #include "production/vectors/vector_still.h"
 #include "scene/toml_document.h"
 #include "scene/write_scene.h"
+#include "system/file_contents.h"
 #include "system/file_kind.h"
 #include "system/processor.h"
 #include "system/sha256.h"
+#include "text/numbers.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -54,51 +53,19 @@ std::string method_in_words(const Motion& motion) {
 using Fields = std::map<std::string, std::string, std::less<>>;
 
 // The line that seals a record.
-constexpr std::string_view kSealKey = "record-sha256: ";
+constexpr std::string_view seal_key = "record-sha256: ";
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
     throw InputError(fmt::format("{}: its record {}; it was not written by poinsot, or changed",
                                  printable(name), what));
 }
 
-const std::string& field(const Fields& fields, std::string_view key, const std::string& name) {
-    const auto found = fields.find(key);
-    if (found == fields.end()) refuse(name, fmt::format("has no \"{}\"", key));
-    return found->second;
-}
-
-// Numbers with something between them: "640x360", "0-299".
-template <typename Number>
-std::pair<Number, Number> number_pair(const std::string& text, char between,
-                                      const std::string& name) {
-    std::pair<Number, Number> numbers{};
-    const char* const end = text.data() + text.size();
-    const auto [middle, first_error] = std::from_chars(text.data(), end, numbers.first);
-    if (first_error == std::errc{} && middle != end && *middle == between) {
-        const auto [last, second_error] = std::from_chars(middle + 1, end, numbers.second);
-        if (second_error == std::errc{} && last == end) return numbers;
-    }
-    refuse(name, fmt::format("says \"{}\"", printable(text)));
-}
-
-template <typename Number = double>
-Number number(const std::string& text, const std::string& name) {
-    Number value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [last, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc{} || last != end)
-        refuse(name, fmt::format("says \"{}\"", printable(text)));
-    return value;
-}
-
 // The fonts that stood in for those that come with the program, each by its name and its hash.
 std::string fonts_in_words(const Stage& stage) {
     std::string text;
     for (const auto& file : stage.data().type_case.typesetter().fallbacks_used()) {
-        std::ifstream stream(file, std::ios::binary);
-        const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", file.filename().string(),
-                            sha256_of(bytes));
+                            sha256_of(read_text(file)));
     }
     return text;
 }
@@ -173,38 +140,14 @@ std::string to_text(const Record& record) {
         // A name with a line break in it would pass for another field.
         text += fmt::format("{}: {}\n", key, printable(value, any_length));
     };
-    add("scene", record.scene_name);
-    add("scene-sha256", record.scene_hash);
-    if (!record.mesh_hash.empty()) add("mesh-sha256", record.mesh_hash);
-    add("method", record.method);
-    add("bounds", record.bounds);
-    add("profile", record.portable ? "portable" : "native");
-    if (!record.processor.empty()) add("processor", record.processor);
-    add("renderer", record.renderer);
-    add("mesa", record.mesa);
-    if (!record.fonts.empty()) add("fonts", record.fonts);
-    add("size", fmt::format("{}x{}", record.width_px, record.height_px));
-    if (record.time_s) add("time_s", fmt::format("{}", *record.time_s));
-    if (record.dpi) add("dpi", fmt::format("{}", *record.dpi));
-    if (record.type_pt) add("type-pt", fmt::format("{}", *record.type_pt));
-    if (record.bit_depth != 8) add("depth", fmt::format("{}", record.bit_depth));
-    if (!record.shading.empty()) add("shading", record.shading);
-    if (!record.journal.empty()) add("journal", record.journal);
-    if (!record.lettering.empty()) add("type-as", record.lettering);
-    if (record.frames)
-        add("frames", fmt::format("{}-{}", record.frames->first, record.frames->second));
-    if (record.run) add("run", fmt::format("{}-{}", record.run->first, record.run->second));
-    if (record.frame) add("frame", fmt::format("{}", *record.frame));
-    if (!record.sheet.empty()) add("sheet", record.sheet);
-    if (!record.pixels.empty()) add("pixels-xxh64", record.pixels);
-    if (!record.packets.empty()) add("packets-sha256", record.packets);
-    if (!record.page.empty()) add("page-sha256", record.page);
+    for (const RecordField& field : record_fields())
+        if (const auto said = field.text_of(record)) add(field.key, *said);
     return text + "\n" + record.scene_toml;
 }
 
 std::string sealed_text(const Record& record) {
     std::string text = to_text(record);
-    const std::string seal = fmt::format("{}{}\n", kSealKey, sha256_of(text));
+    const std::string seal = fmt::format("{}{}\n", seal_key, sha256_of(text));
     return text.insert(text.find("\n\n") + 1, seal);
 }
 
@@ -250,12 +193,12 @@ Record parse_record(std::string_view text, const std::string& name) {
     Record record;
     record.text = text;
     // A hash of what stands around its line.
-    if (const std::size_t seal = text.find(fmt::format("\n{}", kSealKey)); seal < blank) {
+    if (const std::size_t seal = text.find(fmt::format("\n{}", seal_key)); seal < blank) {
         const std::size_t end = text.find('\n', seal + 1);
         Sha256 hash;
         hash.add(text.substr(0, seal + 1));
         hash.add(text.substr(end + 1));
-        const std::size_t digits = seal + 1 + kSealKey.size();
+        const std::size_t digits = seal + 1 + seal_key.size();
         record.sealed = hash.finish() == text.substr(digits, end - digits);
         if (!record.sealed) refuse(name, "is not the one whose hash it holds");
     }
@@ -272,38 +215,16 @@ Record parse_record(std::string_view text, const std::string& name) {
     }
 
     record.scene_toml = text.substr(blank + 2);
-    record.scene_name = field(fields, "scene", name);
-    record.scene_hash = field(fields, "scene-sha256", name);
-    if (fields.contains("mesh-sha256")) record.mesh_hash = field(fields, "mesh-sha256", name);
+    for (const RecordField& field : record_fields()) {
+        const auto found = fields.find(field.key);
+        if (found == fields.end()) {
+            if (field.is_required) refuse(name, fmt::format("has no \"{}\"", field.key));
+        } else if (!field.read(found->second, record)) {
+            refuse(name, fmt::format("says \"{}\"", printable(found->second)));
+        }
+    }
     if (record.scene_hash != sha256_of(record.scene_toml + record.mesh_hash))
         refuse(name, "holds another scene than its hash says");
-    record.method = field(fields, "method", name);
-    record.bounds = field(fields, "bounds", name);
-    record.portable = field(fields, "profile", name) == "portable";
-    if (fields.contains("processor")) record.processor = field(fields, "processor", name);
-    record.renderer = field(fields, "renderer", name);
-    record.mesa = field(fields, "mesa", name);
-    if (fields.contains("fonts")) record.fonts = field(fields, "fonts", name);
-    std::tie(record.width_px, record.height_px) =
-        number_pair<int>(field(fields, "size", name), 'x', name);
-    if (fields.contains("time_s")) record.time_s = number(field(fields, "time_s", name), name);
-    if (fields.contains("dpi")) record.dpi = number(field(fields, "dpi", name), name);
-    if (fields.contains("type-pt")) record.type_pt = number(field(fields, "type-pt", name), name);
-    if (fields.contains("depth"))
-        record.bit_depth = number<int>(field(fields, "depth", name), name);
-    if (fields.contains("frames"))
-        record.frames = number_pair<std::int64_t>(field(fields, "frames", name), '-', name);
-    if (fields.contains("run"))
-        record.run = number_pair<std::int64_t>(field(fields, "run", name), '-', name);
-    if (fields.contains("frame"))
-        record.frame = number<std::int64_t>(field(fields, "frame", name), name);
-    if (fields.contains("sheet")) record.sheet = field(fields, "sheet", name);
-    if (fields.contains("pixels-xxh64")) record.pixels = field(fields, "pixels-xxh64", name);
-    if (fields.contains("packets-sha256")) record.packets = field(fields, "packets-sha256", name);
-    if (fields.contains("page-sha256")) record.page = field(fields, "page-sha256", name);
-    if (fields.contains("shading")) record.shading = field(fields, "shading", name);
-    if (fields.contains("journal")) record.journal = field(fields, "journal", name);
-    if (fields.contains("type-as")) record.lettering = field(fields, "type-as", name);
     if (record.time_s.has_value() == record.frames.has_value())
         refuse(name, "must say either an instant or frames");
     check_frames(record, name);
@@ -315,7 +236,7 @@ Record read_record(const std::filesystem::path& file) {
     if (is_vector_name(file)) {
         text = read_vector_text(file).text;
     } else if (suffix_of(file) == ".png") {
-        text = read_png_info(file).texts[kMetadataName];
+        text = read_png_info(file).texts[metadata_name];
     } else {
         text = film_metadata(file);
     }
@@ -365,11 +286,7 @@ std::optional<std::int64_t> frame_of_name(const std::filesystem::path& file) {
     const std::string stem = file.stem().string();
     const auto last_other = std::find_if(stem.rbegin(), stem.rend(),
                                          [](unsigned char c) { return std::isdigit(c) == 0; });
-    const std::string digits(last_other.base(), stem.end());
-    std::int64_t number = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (digits.empty() || error != std::errc{}) return std::nullopt;
-    return number;
+    return number_of<std::int64_t>(std::string(last_other.base(), stem.end()));
 }
 
 }  // namespace poinsot

@@ -56,7 +56,7 @@ void redraw_frame(const RedrawRequest& request, const Record& record, const Sess
     Record again = record_of(session, pictures, easel.is_portable());
     again.frames = record.frames;
     PngOptions png;
-    png.texts[kMetadataName] =
+    png.texts[metadata_name] =
         told(to_text(again), {.frame = *frame, .pixels = pixel_check(image)});
     write_png(request.output, image, png);
 }

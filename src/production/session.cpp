@@ -70,12 +70,10 @@ void set_size_on_paper(const SceneRequest& request, Scene& scene) {
     height_px += rows_added_by_charts(scene, paper->width_px, room_px, px, paper->least);
 }
 
-// What stepping over a problem's span may cost, found before it is done.
+// What stepping over a problem's span takes, found before it is done.
 struct SteppingPlan {
     bool steps = false;
     double estimate_s = 0.0;  // 0: the step is still to be chosen
-    double most_steps = most_chosen_steps;
-    double finest_tolerance = 5e-14;
 };
 
 // The seconds that stepping so many times will take. Throws InputError where that is too long.
@@ -101,24 +99,11 @@ SteppingPlan stepping_plan(const MotionProblem& problem) {
         plan.estimate_s = affordable_s(problem, has_truth ? 2.0 : 4.0);
         return plan;
     }
-    // The rungs of a ladder take twice as long as its finest, which then is taken once more.
-    const double n_times = has_truth ? 3.0 : 5.0;
+    // The coarsest rung, its double, and the motion that is chosen: clocks refuse, and never
+    // choose.
     MotionProblem rung = problem;
     rung.method = coarsest_choice(problem);
-    const double coarsest_s = affordable_s(rung, n_times);
-    if (rung.method.step_s) {
-        const double span_s =
-            std::max(std::abs(problem.first_time_s), std::abs(problem.last_time_s));
-        const double n_steps = span_s / *rung.method.step_s;
-        if (coarsest_s > 0.0)
-            plan.most_steps =
-                std::min(plan.most_steps, n_steps * (longest_stepping_s / coarsest_s));
-        return plan;
-    }
-    while (*rung.method.tolerance > plan.finest_tolerance &&
-           n_times * stepping_estimate_s(rung) <= longest_stepping_s)
-        *rung.method.tolerance *= 0.1;
-    plan.finest_tolerance = *rung.method.tolerance;
+    affordable_s(rung, has_truth ? 3.0 : 5.0);
     return plan;
 }
 
@@ -158,9 +143,8 @@ Session session_of(Scene scene, std::span<const double> times_s, const Telling& 
     if (plan.steps)
         patience.emplace(fmt::format("{}: stepping the motion", printable(scene.name, 40)),
                          plan.estimate_s, telling);
-    StepChoice step = at_key_of_error(scene, key, "film", [&] {
-        return choose_step(problem, accuracy.motion_rad(), plan.most_steps, plan.finest_tolerance);
-    });
+    StepChoice step = at_key_of_error(scene, key, "film",
+                                      [&] { return choose_step(problem, accuracy.motion_rad()); });
     note_unreached(accuracy, step, scene);
     problem.method = step.method;
     // What a closed form refuses is its start.

@@ -181,7 +181,7 @@ void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
         watch_for_interrupts();
         const auto texts = [&record](const std::string& pixels) {
             record.pixels = pixels;
-            return std::map<std::string, std::string>{{kMetadataName, sealed_text(record)}};
+            return std::map<std::string, std::string>{{metadata_name, sealed_text(record)}};
         };
         write_in_bands(pictures, moment_, place.path(), png, record.bit_depth, texts);
         telling.say(words);
@@ -189,7 +189,7 @@ void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
         Image image;
         pictures.draw(moment_, image);
         record.pixels = pixel_check(image);
-        png.texts[kMetadataName] = sealed_text(record);
+        png.texts[metadata_name] = sealed_text(record);
         writer.write(std::move(place), std::move(image), std::move(png),
                      [say = telling.say, words = std::move(words)] { say(words); });
     }

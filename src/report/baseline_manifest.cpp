@@ -3,21 +3,19 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "error/error.h"
 #include "system/atomic_file.h"
+#include "system/file_contents.h"
 #include "system/file_kind.h"
-#include "text/nearest.h"
 #include "text/printable.h"
 
 namespace poinsot {
 
 namespace {
 
-constexpr std::string_view kHeading =
+constexpr std::string_view heading_lines =
     "# What each picture beside this file was made of, and why it was taken; see `poinsot approve "
     "--help`.\n";
 
@@ -26,12 +24,12 @@ struct Field {
     std::string_view name;
     std::string Baseline::*value;
 };
-constexpr std::array<Field, 6> kFields{{{"pixels", &Baseline::pixels},
-                                        {"scene", &Baseline::scene},
-                                        {"renderer", &Baseline::renderer},
-                                        {"mesa", &Baseline::mesa},
-                                        {"version", &Baseline::version},
-                                        {"why", &Baseline::why}}};
+constexpr std::array<Field, 6> baseline_fields{{{"pixels", &Baseline::pixels},
+                                                {"scene", &Baseline::scene},
+                                                {"renderer", &Baseline::renderer},
+                                                {"mesa", &Baseline::mesa},
+                                                {"version", &Baseline::version},
+                                                {"why", &Baseline::why}}};
 
 // A basic string (TOML 1.0, "String").
 std::string toml_string(std::string_view text) {
@@ -104,12 +102,13 @@ std::optional<std::pair<std::string, Baseline>> parse_line(std::string_view line
     auto name = reader.string();
     if (!name || !reader.skip("=") || !reader.skip("{")) return std::nullopt;
     Baseline baseline;
-    for (std::size_t i = 0; i < kFields.size(); ++i) {
-        if ((i > 0 && !reader.skip(",")) || !reader.skip(kFields[i].name) || !reader.skip("="))
+    for (std::size_t i = 0; i < baseline_fields.size(); ++i) {
+        if ((i > 0 && !reader.skip(",")) || !reader.skip(baseline_fields[i].name) ||
+            !reader.skip("="))
             return std::nullopt;
         auto value = reader.string();
         if (!value) return std::nullopt;
-        baseline.*kFields[i].value = std::move(*value);
+        baseline.*baseline_fields[i].value = std::move(*value);
     }
     if (!reader.skip("}") || !reader.at_end()) return std::nullopt;
     return std::make_pair(std::move(*name), std::move(baseline));
@@ -118,12 +117,12 @@ std::optional<std::pair<std::string, Baseline>> parse_line(std::string_view line
 }  // namespace
 
 std::string to_text(const BaselineManifest& manifest) {
-    std::string text(kHeading);
+    std::string text(heading_lines);
     for (const auto& [name, baseline] : manifest) {
         text += toml_string(name) + " = { ";
-        for (const Field& field : kFields)
-            text += fmt::format("{}{} = {}", &field == kFields.data() ? "" : ", ", field.name,
-                                toml_string(baseline.*field.value));
+        for (const Field& field : baseline_fields)
+            text += fmt::format("{}{} = {}", &field == baseline_fields.data() ? "" : ", ",
+                                field.name, toml_string(baseline.*field.value));
         text += " }\n";
     }
     return text;
@@ -151,7 +150,7 @@ BaselineManifest parse_manifest(std::string_view text, const std::string& name) 
 namespace {
 
 std::filesystem::path next_path(const std::filesystem::path& folder) {
-    return folder / fmt::format(".{}.next", kManifestName);
+    return folder / fmt::format(".{}.next", manifest_name);
 }
 
 std::optional<BaselineManifest> read_if_there(const std::filesystem::path& path) {
@@ -159,10 +158,7 @@ std::optional<BaselineManifest> read_if_there(const std::filesystem::path& path)
     if (kind == FileKind::missing) return std::nullopt;
     if (kind != FileKind::regular)
         throw InputError(fmt::format("{}: {}", printable(path.string()), in_words(kind)));
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file) throw EnvironmentError(fmt::format("{}: cannot be read", path.string()));
-    return parse_manifest(text, path.string());
+    return parse_manifest(read_text(path), path.string());
 }
 
 void write(const std::filesystem::path& path, const BaselineManifest& manifest) {
@@ -172,11 +168,11 @@ void write(const std::filesystem::path& path, const BaselineManifest& manifest) 
 }  // namespace
 
 BaselineManifest read_manifest(const std::filesystem::path& folder) {
-    return read_if_there(folder / kManifestName).value_or(BaselineManifest{});
+    return read_if_there(folder / manifest_name).value_or(BaselineManifest{});
 }
 
 void write_manifest(const std::filesystem::path& folder, const BaselineManifest& manifest) {
-    write(folder / kManifestName, manifest);
+    write(folder / manifest_name, manifest);
 }
 
 std::optional<BaselineManifest> read_next_manifest(const std::filesystem::path& folder) {
@@ -190,12 +186,12 @@ void write_next_manifest(const std::filesystem::path& folder, const BaselineMani
 void remove_next_manifest(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::remove(next_path(folder), error);
-    if (error) throw_write_error(folder / kManifestName, error.value());
+    if (error) throw_write_error(folder / manifest_name, error.value());
 }
 
 void remove_half_manifests(const std::filesystem::path& folder) {
     std::error_code not_there;
-    for (const std::filesystem::path& path : {folder / kManifestName, next_path(folder)})
+    for (const std::filesystem::path& path : {folder / manifest_name, next_path(folder)})
         std::filesystem::remove(aside_path_of(path), not_there);
 }
 

@@ -23,7 +23,7 @@ struct Baseline {
 
 using BaselineManifest = std::map<std::string, Baseline>;
 
-inline constexpr const char* kManifestName = "manifest.toml";
+inline constexpr const char* manifest_name = "manifest.toml";
 
 // The file's text.
 std::string to_text(const BaselineManifest& manifest);

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "error/error.h"
 #include "image/pixel_hash.h"
 #include "image/png.h"
+#include "system/file_contents.h"
 
 namespace poinsot {
 
@@ -17,9 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void copy_picture(const fs::path& from, const fs::path& to) {
-    std::ifstream file(from, std::ios::binary);
-    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
-    if (!file) throw EnvironmentError(fmt::format("{}: cannot be read", from.string()));
+    const std::vector<std::uint8_t> bytes = read_bytes(from);
     std::error_code ignored;  // the write that follows says what is wrong
     fs::create_directories(to.parent_path(), ignored);
     write_whole(to, bytes);
@@ -49,7 +46,7 @@ Baselines::Baselines(fs::path folder) : folder_(std::move(folder)) {
     std::error_code ignored;
     manifest_ = read_manifest(folder_);
     next_ = read_next_manifest(folder_);
-    has_manifest_ = fs::exists(folder_ / kManifestName, ignored) || next_.has_value();
+    has_manifest_ = fs::exists(folder_ / manifest_name, ignored) || next_.has_value();
 }
 
 fs::path Baselines::picture(const std::string& name) const { return picture_in(folder_, name); }
@@ -67,18 +64,18 @@ std::string Baselines::fault(const std::string& name, const std::string& pixels)
     if (line == manifest_.end())
         return fmt::format(
             "the baseline has no line in {}, so nobody has approved it; approve it or take it away",
-            kManifestName);
+            manifest_name);
     return fmt::format(
         "the baseline is not the picture that was approved, whose hash is in {}; put that one "
         "back, or approve the one that is right",
-        kManifestName);
+        manifest_name);
 }
 
 BaselineWriter::BaselineWriter(fs::path folder, const std::function<void()>& when_held)
     : folder_(std::move(folder)) {
     std::error_code ignored;  // the lock says what is wrong
     made_ = fs::create_directories(folder_, ignored);
-    const fs::path list = folder_ / kManifestName;
+    const fs::path list = folder_ / manifest_name;
     lock_.emplace(list, aside_path_of(list, ".lock"), false, when_held);
     manifest_ = read_manifest(folder_);
     remove_half_manifests(folder_);

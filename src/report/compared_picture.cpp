@@ -100,7 +100,7 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
         result.outcome = Outcome::baseline;
         result.reason = fmt::format(
             "{} names this baseline, but the picture is gone; put it back, or approve one",
-            kManifestName);
+            manifest_name);
         return result;
     }
     if (result.actual.empty()) {

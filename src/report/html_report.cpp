@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
-#include "error/error.h"
 #include "image/png.h"
 #include "report/report_page.h"
+#include "system/file_contents.h"
 #include "text/markup.h"
 
 namespace poinsot {
@@ -20,13 +18,6 @@ namespace {
 
 std::string data_uri(std::span<const std::uint8_t> png) {
     return "data:image/png;base64," + base64(png);
-}
-
-std::vector<std::uint8_t> contents_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
-    if (!file) throw EnvironmentError(fmt::format("{}: cannot be read again", path.string()));
-    return bytes;
 }
 
 // The middle of expected | difference × 16 | actual.
@@ -52,7 +43,7 @@ std::string object_of(const ComparedPicture& picture) {
                     script_string(picture.name), script_string(name_of(picture.outcome)),
                     script_string(picture.reason), script_string(numbers_in_words(picture)));
     const auto add_file = [&object](const char* key, const std::filesystem::path& path) {
-        if (!path.empty()) object += fmt::format(R"(,"{}":"{}")", key, data_uri(contents_of(path)));
+        if (!path.empty()) object += fmt::format(R"(,"{}":"{}")", key, data_uri(read_bytes(path)));
     };
     if (picture.outcome != Outcome::same) {
         add_file("expected", picture.expected);

@@ -1,15 +1,10 @@
 #include "scene/camera_views.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <array>
-#include <vector>
 
 #include "error/error.h"
 #include "scene/scene.h"
 #include "text/nearest.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
@@ -33,13 +28,8 @@ const std::array<CameraView, 6> table{{
 std::span<const CameraView> camera_views() { return table; }
 
 const CameraView& camera_view_named(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const CameraView& view : table) {
-        if (view.name == name) return view;
-        names.push_back(view.name);
-    }
-    throw InputError(fmt::format("unknown camera view \"{}\"{}; choose from: {}", printable(name),
-                                 did_you_mean(name, names), fmt::join(names, ", ")));
+    if (const CameraView* row = find_row(table, name)) return *row;
+    throw InputError(unknown("camera view", name, names_of(table)));
 }
 
 std::span<const std::string_view> camera_aims() { return aims; }

@@ -1,6 +1,5 @@
 // [body]: the inertia from whichever way it was given.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -59,17 +58,9 @@ void complete_solid(SceneDraft& draft) {
     }
 
     const auto table = solids();
-    const auto solid = std::find_if(table.begin(), table.end(),
-                                    [&body](const Solid& row) { return row.name == body.shape; });
-    if (solid == table.end()) {
-        std::vector<std::string_view> names;
-        for (const Solid& row : table) names.push_back(row.name);
-        const std::string near = did_you_mean(body.shape, names);
-        refuse(scene, "body.shape",
-               fmt::format(
-                   "unknown shape \"{}\"{}", printable(body.shape),
-                   near.empty() ? fmt::format("; choose from: {}", fmt::join(names, ", ")) : near));
-    }
+    const Solid* solid = find_row(table, body.shape);
+    if (solid == nullptr)
+        refuse(scene, "body.shape", unknown("shape", body.shape, names_of(table)));
     if (!draft.size_m) {
         refuse(scene, "body.shape",
                fmt::format("body.size_m is missing; give the {}'s {} in m", body.shape,

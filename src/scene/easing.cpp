@@ -1,14 +1,9 @@
 #include "scene/easing.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <array>
-#include <vector>
 
 #include "error/error.h"
 #include "text/nearest.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
@@ -37,13 +32,8 @@ const std::array<Easing, 7> table{{
 std::span<const Easing> easings() { return table; }
 
 const Easing& easing_named(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const Easing& easing : table) {
-        if (easing.name == name) return easing;
-        names.push_back(easing.name);
-    }
-    throw InputError(fmt::format("unknown easing \"{}\"{}; choose from: {}", printable(name),
-                                 did_you_mean(name, names), fmt::join(names, ", ")));
+    if (const Easing* row = find_row(table, name)) return *row;
+    throw InputError(unknown("easing", name, names_of(table)));
 }
 
 }  // namespace poinsot

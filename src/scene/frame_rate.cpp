@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numeric>
-#include <system_error>
+
+#include "text/numbers.h"
 
 namespace poinsot {
 
@@ -24,14 +24,6 @@ std::optional<RateRatio> reduced(std::int64_t numerator, std::int64_t denominato
     if (numerator > most_term || denominator > most_term) return std::nullopt;
     if (numerator > most * denominator || numerator * most < denominator) return std::nullopt;
     return RateRatio{numerator, denominator};
-}
-
-template <typename Number>
-std::optional<Number> whole_number(std::string_view text) {
-    Number number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return number;
 }
 
 }  // namespace
@@ -63,11 +55,11 @@ std::optional<RateRatio> rate_of_decimal(double frames_per_s) {
 std::optional<RateRatio> rate_of_text(std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos) {
-        const auto decimal = whole_number<double>(text);
+        const auto decimal = number_of<double>(text);
         return decimal ? rate_of_decimal(*decimal) : std::nullopt;
     }
-    const auto numerator = whole_number<std::int64_t>(text.substr(0, slash));
-    const auto denominator = whole_number<std::int64_t>(text.substr(slash + 1));
+    const auto numerator = number_of<std::int64_t>(text.substr(0, slash));
+    const auto denominator = number_of<std::int64_t>(text.substr(slash + 1));
     if (!numerator || !denominator) return std::nullopt;
     return reduced(*numerator, *denominator);
 }

@@ -1,7 +1,6 @@
 #include "scene/given_value.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "scene/scene_error.h"
 #include "text/nearest.h"
+#include "text/printable.h"
 #include "text/units.h"
 #include "text/utf8.h"
 
@@ -125,11 +125,8 @@ std::string GivenValue::text(const TomlValue& value, const std::string& name) co
 std::string GivenValue::one_of(std::span<const std::string_view> names) const {
     std::string given = text();
     if (std::find(names.begin(), names.end(), given) != names.end()) return given;
-    const std::string near = did_you_mean(given, names);
     throw SceneError(value_.where, fmt::format("{} is \"{}\"{}", name_, printable(given),
-                                               near.empty() ? fmt::format("; choose from: {}",
-                                                                          fmt::join(names, ", "))
-                                                            : near));
+                                               choose_instead(given, names)));
 }
 
 const std::vector<TomlValue>& GivenValue::items(const TomlValue& value, const std::string& name,

@@ -18,6 +18,7 @@
 #include "system/file_kind.h"
 #include "text/label_text.h"
 #include "text/nearest.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

@@ -101,13 +101,13 @@ const SceneKey picture_rows[] = {
      [](const Scene& s, size_t) {
          return s.units.empty() ? "" : toml_text(std::span<const std::string>(s.units));
      }},
-    {"symbols.omega", "a string", "", R"("\Omega")", "what ω is called in labels, as a formula",
+    {"symbols.omega", "a string", "", R"('\Omega')", "what ω is called in labels, as a formula",
      [](const GivenValue& g, SceneDraft& d) { d.scene.symbols.omega = g.text(); },
      [](const Scene& s, size_t) { return text_unless_empty(s.symbols.omega); }},
-    {"symbols.momentum", "a string", "", R"("\mathbf{J}")", "what L is called, likewise",
+    {"symbols.momentum", "a string", "", R"('\mathbf{J}')", "what L is called, likewise",
      [](const GivenValue& g, SceneDraft& d) { d.scene.symbols.momentum = g.text(); },
      [](const Scene& s, size_t) { return text_unless_empty(s.symbols.momentum); }},
-    {"symbols.rho", "a string", "", R"("\mathbf{r}")", "what ρ is called, likewise",
+    {"symbols.rho", "a string", "", R"('\mathbf{r}')", "what ρ is called, likewise",
      [](const GivenValue& g, SceneDraft& d) { d.scene.symbols.rho = g.text(); },
      [](const Scene& s, size_t) { return text_unless_empty(s.symbols.rho); }},
     {"symbols.e1", "a string", "", R"("x")", "what the first principal axis is called, likewise",

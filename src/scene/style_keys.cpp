@@ -14,6 +14,8 @@
 #include "scene/scene_draft.h"
 #include "scene/scene_key_rows.h"
 #include "text/nearest.h"
+#include "text/numbers.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -90,12 +92,9 @@ std::optional<std::array<double, 3>> colour_of(std::string_view word) {
     return srgb_of(rgb);
 }
 
-std::optional<double> number_of(std::string_view word) {
-    double number = 0.0;
-    const auto [stopped, failed] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (failed != std::errc{} || stopped != word.data() + word.size() || !std::isfinite(number))
-        return std::nullopt;
-    return number;
+std::optional<double> finite_number(std::string_view word) {
+    const auto number = number_of<double>(word);
+    return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 std::string_view expectation_of(StyleKind kind) {
@@ -128,7 +127,7 @@ bool takes(LookSpec& look, std::string_view word, StyleKind kind) {
     }
     if (kind == StyleKind::line) {
         constexpr double least = 0.1, most = 10.0;
-        if (const auto weight = number_of(word);
+        if (const auto weight = finite_number(word);
             weight && *weight >= least && *weight <= most && !look.weight) {
             look.weight = weight;
             return true;
@@ -140,7 +139,7 @@ bool takes(LookSpec& look, std::string_view word, StyleKind kind) {
         }
     }
     if (kind == StyleKind::surface && word.ends_with('%')) {
-        const auto percent = number_of(word.substr(0, word.size() - 1));
+        const auto percent = finite_number(word.substr(0, word.size() - 1));
         if (percent && *percent >= 0.0 && *percent <= 100.0 && !look.opacity_percent) {
             look.opacity_percent = percent;
             return true;

@@ -31,12 +31,11 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "scene/scene_error.h"
+#include "text/numbers.h"
 
 #if TOML_SHARED_LIB || !defined(NDEBUG)
 #error "toml++ must be compiled in, without assertions: malformed scenes would abort the program"
@@ -134,10 +133,16 @@ TomlValue parse_override_value(std::string_view text, const SourceLocation& wher
     } catch (const toml::parse_error&) {
         // A bare word, such as draft or 1920x1080, or a number that TOML writes differently: .5
     }
+    // Nobody means the quotes themselves.
+    const bool is_quoted = text.size() > 1 && (text.front() == '"' || text.front() == '\'') &&
+                           text.find(text.front(), 1) == text.size() - 1;
+    if (is_quoted)
+        throw SceneError(where,
+                         "what stands in the quotes is no string of TOML; leave them out, or "
+                         "double each backslash");
     TomlValue value;
-    const auto [end, failed] =
-        std::from_chars(text.data(), text.data() + text.size(), value.number);
-    const bool number = failed == std::errc{} && end == text.data() + text.size();
+    const auto number = number_of<double>(text);
+    value.number = number.value_or(value.number);
     value.type = number ? TomlValue::Type::number : TomlValue::Type::text;
     value.text = text;
     return value;

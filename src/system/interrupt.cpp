@@ -1,5 +1,6 @@
 #include "system/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 
 #include "error/error.h"
@@ -9,10 +10,13 @@ namespace poinsot {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+std::atomic<int> n_ends_at_once{0};
+static_assert(std::atomic<int>::is_always_lock_free);  // read by a signal's handler
 
 extern "C" void remember_interrupt(int signal_number) {
     interrupted = 1;
     std::signal(signal_number, SIG_DFL);
+    if (n_ends_at_once > 0) std::raise(signal_number);  // comes when this handler is left
 }
 
 }  // namespace
@@ -27,5 +31,8 @@ void stop_if_interrupted() {
         throw EnvironmentError(
             "interrupted; nothing is under the final name; a film goes on with the same command");
 }
+
+EndsAtOnce::EndsAtOnce() { ++n_ends_at_once; }
+EndsAtOnce::~EndsAtOnce() { --n_ends_at_once; }
 
 }  // namespace poinsot

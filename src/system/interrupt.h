@@ -10,4 +10,13 @@ void watch_for_interrupts();
 // Throws EnvironmentError if one has come.
 void stop_if_interrupted();
 
+// While one lives, in whatever thread, they end the process after all: for work that does not ask.
+class EndsAtOnce {
+ public:
+    EndsAtOnce();
+    ~EndsAtOnce();
+    EndsAtOnce(const EndsAtOnce&) = delete;
+    EndsAtOnce& operator=(const EndsAtOnce&) = delete;
+};
+
 }  // namespace poinsot

@@ -3,8 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
+#include <optional>
 #include <thread>
+
+#include "system/control_group.h"
 
 namespace poinsot {
 
@@ -27,16 +29,18 @@ std::string processor_capabilities() {
 
 int n_processors() {
     const int n_bound = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    // "200000 100000" is two processors' time, "max 100000" no limit. Source: Linux, cgroup-v2.rst.
-    std::ifstream limit("/sys/fs/cgroup/cpu.max");
-    double granted = 0.0, period = 0.0;
-    if (!(limit >> granted >> period) || granted <= 0.0 || period <= 0.0) return n_bound;
-    return std::clamp(static_cast<int>(granted / period), 1, n_bound);
+    const std::optional<double> granted = own_grant().n_processors;
+    return granted && *granted < n_bound ? std::max(1, static_cast<int>(*granted)) : n_bound;
 }
 
 std::int64_t memory_MiB() {
+    constexpr std::int64_t MiB = 1 << 20;
     const std::int64_t pages = ::sysconf(_SC_PHYS_PAGES), page_bytes = ::sysconf(_SC_PAGESIZE);
-    return pages > 0 && page_bytes > 0 ? pages / 1024 * page_bytes / 1024 : 0;
+    const std::int64_t all_MiB = pages > 0 && page_bytes > 0 ? pages / 1024 * page_bytes / 1024 : 0;
+    const std::optional<std::int64_t> granted = own_grant().memory_bytes;
+    if (!granted) return all_MiB;
+    const std::int64_t granted_MiB = std::max<std::int64_t>(1, *granted / MiB);
+    return all_MiB > 0 ? std::min(all_MiB, granted_MiB) : granted_MiB;
 }
 
 bool has_sse41() {

@@ -11,10 +11,10 @@ namespace poinsot {
 std::string processor_capabilities();
 
 // Processors that this process may use: those it is bound to, or as much of them as its control
-// group grants, 1 at least.
+// groups grant, 1 at least.
 int n_processors();
 
-// Memory of the machine; 0 if it does not say.
+// Memory of the machine, or as much of it as the process's control groups grant; 0 if nobody says.
 std::int64_t memory_MiB();
 
 // Whether it has SSE4.1, the least that portable pictures are drawn with. True on other families,

@@ -11,7 +11,7 @@ namespace poinsot {
 
 namespace {
 
-constexpr std::string_view kReplacement = "\xef\xbf\xbd";  // U+FFFD
+constexpr std::string_view replacement_character = "\xef\xbf\xbd";  // U+FFFD
 
 }  // namespace
 
@@ -30,7 +30,7 @@ std::string escaped_markup(std::string_view text) {
         } else if (c.code == '\'') {
             escaped += "&#39;";
         } else if (!c.valid || (is_hidden(c.code) && c.code != '\n' && c.code != '\t')) {
-            escaped += kReplacement;
+            escaped += replacement_character;
         } else {
             escaped += text.substr(0, c.size);
         }

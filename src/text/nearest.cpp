@@ -1,6 +1,7 @@
 #include "text/nearest.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
@@ -41,6 +42,16 @@ std::string did_you_mean(std::string_view given, std::span<const std::string_vie
         }
     }
     return best.empty() ? "" : fmt::format("; did you mean \"{}\"?", best);
+}
+
+std::string choose_instead(std::string_view given, std::span<const std::string_view> known) {
+    std::string near = did_you_mean(given, known);
+    return near.empty() ? fmt::format("; choose from: {}", fmt::join(known, ", ")) : near;
+}
+
+std::string unknown(std::string_view what, std::string_view given,
+                    std::span<const std::string_view> known) {
+    return fmt::format("unknown {} \"{}\"{}", what, printable(given), choose_instead(given, known));
 }
 
 }  // namespace poinsot

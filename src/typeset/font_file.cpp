@@ -220,8 +220,8 @@ TallGlyph FontFile::assembled(GlyphId glyph, double min_extent) {
     hb_ot_math_get_glyph_assembly(font, glyph, HB_DIRECTION_TTB, 0, &n, parts.data(), &italic);
     if (n == 0) return {};
     const double least = hb_ot_math_get_min_connector_overlap(font, HB_DIRECTION_TTB);
-    constexpr int kMostRepeats = 1000;
-    for (int repeats = 0; repeats <= kMostRepeats; ++repeats) {
+    constexpr int most_repeats = 1000;
+    for (int repeats = 0; repeats <= most_repeats; ++repeats) {
         std::vector<const hb_ot_math_glyph_part_t*> row;
         for (unsigned i = 0; i < n; ++i) {
             const bool extender = (parts[i].flags & HB_OT_MATH_GLYPH_PART_FLAG_EXTENDER) != 0;
@@ -237,7 +237,7 @@ TallGlyph FontFile::assembled(GlyphId glyph, double min_extent) {
                 std::min<double>(row[i - 1]->end_connector_length, row[i]->start_connector_length) -
                 least;
         }
-        if (longest < min_extent && repeats < kMostRepeats) continue;
+        if (longest < min_extent && repeats < most_repeats) continue;
         const double excess = std::clamp(longest - min_extent, 0.0, std::max(0.0, most_overlap));
         TallGlyph built;
         for (std::size_t i = 0; i < row.size(); ++i) {

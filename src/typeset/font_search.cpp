@@ -61,11 +61,11 @@ std::vector<std::filesystem::path> fonts_below(const std::vector<std::filesystem
 }
 
 const std::array<std::string_view, 7>& font_names() {
-    static constexpr std::array<std::string_view, 7> kNames{
+    static constexpr std::array<std::string_view, 7> names{
         "latinmodern-math.otf", "lmsans10-regular.otf",  "lmsans10-bold.otf",
         "lmsans10-oblique.otf", "lmroman10-regular.otf", "lmroman10-bold.otf",
         "lmroman10-italic.otf"};
-    return kNames;
+    return names;
 }
 
 std::filesystem::path find_font(std::string_view name, const FontSearch& search) {

@@ -21,12 +21,12 @@ std::string describe(char32_t character) {
 }
 
 LabelCursor::LabelCursor(std::string_view utf8) {
-    characters_.reserve(utf8.size() < kLabelLengthLimit ? utf8.size() : kLabelLengthLimit);
+    characters_.reserve(utf8.size() < label_length_limit ? utf8.size() : label_length_limit);
     for (std::size_t index = 0; index < utf8.size();) {
         const int column = static_cast<int>(characters_.size()) + 1;
-        if (column > kLabelLengthLimit) {
+        if (column > label_length_limit) {
             throw LabelError(column, fmt::format("a label holds at most {} characters; shorten it",
-                                                 kLabelLengthLimit));
+                                                 label_length_limit));
         }
         const Utf8Character character = first_character(utf8.substr(index));
         if (!character.valid) {
@@ -67,10 +67,10 @@ void LabelCursor::fail_expected(const std::string& what) const {
 }
 
 LabelCursor::Nesting::Nesting(LabelCursor& cursor) : cursor_(cursor) {
-    if (cursor_.depth_ == kLabelNestingLimit) {
+    if (cursor_.depth_ == label_nesting_limit) {
         throw LabelError(
             cursor_.column(),
-            fmt::format("nested more than {} deep; simplify the label", kLabelNestingLimit));
+            fmt::format("nested more than {} deep; simplify the label", label_nesting_limit));
     }
     ++cursor_.depth_;
 }

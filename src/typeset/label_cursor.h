@@ -10,8 +10,8 @@
 
 namespace poinsot {
 
-constexpr int kLabelLengthLimit = 4096;  // characters
-constexpr int kLabelNestingLimit = 32;   // groups, arguments and scripts within one another
+constexpr int label_length_limit = 4096;  // characters
+constexpr int label_nesting_limit = 32;   // groups, arguments and scripts within one another
 
 // The character in a message: itself where that is harmless, and its code point where it says more.
 std::string describe(char32_t character);
@@ -19,7 +19,7 @@ std::string describe(char32_t character);
 class LabelCursor {
  public:
     // throws: LabelError where the label is not UTF-8, holds control characters other than line
-    // feed and tab, or is longer than kLabelLengthLimit.
+    // feed and tab, or is longer than label_length_limit.
     explicit LabelCursor(std::string_view utf8);
 
     bool at_end() const { return position_ == characters_.size(); }
@@ -41,7 +41,7 @@ class LabelCursor {
     // throws: LabelError "expected …, found …" at the next character.
     [[noreturn]] void fail_expected(const std::string& what) const;
 
-    // Counts how deep the parser stands; throws LabelError past kLabelNestingLimit.
+    // Counts how deep the parser stands; throws LabelError past label_nesting_limit.
     class Nesting {
      public:
         explicit Nesting(LabelCursor& cursor);

@@ -75,8 +75,8 @@ class CaptionParser {
             return;
         }
         const std::string name = cursor_.take_command_name();
-        constexpr std::string_view kSpecial = "$%&#_{}";
-        if (name.size() == 1 && kSpecial.find(name[0]) != std::string_view::npos) {
+        constexpr std::string_view special_characters = "$%&#_{}";
+        if (name.size() == 1 && special_characters.find(name[0]) != std::string_view::npos) {
             append({static_cast<unsigned char>(name[0]), column});
             return;
         }

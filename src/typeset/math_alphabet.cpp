@@ -79,7 +79,7 @@ AlphabetOrigin origin_of(MathAlphabet alphabet) {
 }
 
 // The variant letters that follow ω in each Greek alphabet, in their order there.
-constexpr std::array<char32_t, 7> kAfterOmega{U'∂', U'ϵ', U'ϑ', U'ϰ', U'ϕ', U'ϱ', U'ϖ'};
+constexpr std::array<char32_t, 7> after_omega{U'∂', U'ϵ', U'ϑ', U'ϰ', U'ϕ', U'ϱ', U'ϖ'};
 
 }  // namespace
 
@@ -93,13 +93,13 @@ char32_t in_alphabet(char32_t c, MathAlphabet alphabet) {
     }
     if (!origin.greek_small) return c;
     if (c >= U'α' && c <= U'ω') return origin.greek_small + c - U'α';
-    const auto* variant = std::ranges::find(kAfterOmega, c);
-    if (variant == kAfterOmega.end()) {
+    const auto* variant = std::ranges::find(after_omega, c);
+    if (variant == after_omega.end()) {
         return c == U'∇' && origin.greek_capital && alphabet != MathAlphabet::italic
                    ? origin.greek_capital + 25
                    : c;
     }
-    return origin.greek_small + 25 + static_cast<char32_t>(variant - kAfterOmega.begin());
+    return origin.greek_small + 25 + static_cast<char32_t>(variant - after_omega.begin());
 }
 
 }  // namespace poinsot

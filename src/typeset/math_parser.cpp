@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "text/nearest.h"
 
@@ -44,17 +43,17 @@ bool is_accent_mark(char32_t c) {
 }  // namespace
 
 std::string unknown_command(const std::string& name) {
-    constexpr std::size_t kShown = 24;
-    if (name.size() > kShown) return fmt::format("unknown command \\{}…", name.substr(0, kShown));
+    constexpr std::size_t most_shown = 24;
+    if (name.size() > most_shown)
+        return fmt::format("unknown command \\{}…", name.substr(0, most_shown));
     // One character that is no letter may be anything; it is described, not echoed.
     if (name.size() == 1 || static_cast<unsigned char>(name[0]) >= 0x80) {
         return "unknown command after the backslash; write \\backslash for a backslash";
     }
     // A name of two letters has half the table for neighbours.
     if (name.size() < 3) return fmt::format("unknown command \\{}", name);
-    std::vector<std::string_view> known;
-    for (const LabelCommand& each : label_commands()) known.push_back(each.name);
-    return fmt::format("unknown command \\{}", name) + did_you_mean(name, known);
+    return fmt::format("unknown command \\{}", name) +
+           did_you_mean(name, names_of(label_commands()));
 }
 
 char32_t subscript_digit(char32_t c) { return c >= U'₀' && c <= U'₉' ? U'0' + c - U'₀' : 0; }
@@ -85,11 +84,11 @@ bool MathParser::at(End end) const {
         case End::dollar:
             return cursor_.peek() == U'$';
         case End::right: {
-            constexpr std::u32string_view kRight = U"\\right";
-            for (std::size_t i = 0; i < kRight.size(); ++i) {
-                if (cursor_.peek(i) != kRight[i]) return false;
+            constexpr std::u32string_view right_word = U"\\right";
+            for (std::size_t i = 0; i < right_word.size(); ++i) {
+                if (cursor_.peek(i) != right_word[i]) return false;
             }
-            const char32_t after = cursor_.peek(kRight.size());
+            const char32_t after = cursor_.peek(right_word.size());
             return !(after >= U'a' && after <= U'z') && !(after >= U'A' && after <= U'Z');
         }
     }
@@ -324,7 +323,7 @@ MathList MathParser::argument(const std::string& what) {
 // Raw combining marks, as in a pasted ω̇, are accents over what they follow.
 void MathParser::combining_marks(MathAtom& atom) {
     for (int n_marks = 0; is_accent_mark(cursor_.peek()); ++n_marks) {
-        if (n_marks == kLabelNestingLimit) {
+        if (n_marks == label_nesting_limit) {
             throw LabelError(cursor_.column(), "too many accents on one symbol; remove some");
         }
         const LabelCharacter mark = cursor_.take();

@@ -11,7 +11,7 @@ using Level = MathStyle::Level;
 // Space between two atoms in eighteenths of a quad; negative where scripts have none (The TeXbook,
 // p. 170: thin 3, medium 4, thick 5). Rows: left atom; columns: right atom, both in the order of
 // AtomClass.
-constexpr std::array<std::array<int, 8>, 8> kSpacing_mu{{
+constexpr std::array<std::array<int, 8>, 8> spacing_table_mu{{
     // ord op bin rel open close punct inner
     {0, 3, -4, -5, 0, 0, 0, -3},      // ord
     {3, 3, 0, -5, 0, 0, 0, -3},       // op
@@ -40,7 +40,7 @@ MathStyle denominator_style(MathStyle style) { return cramped(numerator_style(st
 
 int spacing_mu(AtomClass left, AtomClass right, MathStyle style) {
     const int mu =
-        kSpacing_mu.at(static_cast<std::size_t>(left)).at(static_cast<std::size_t>(right));
+        spacing_table_mu.at(static_cast<std::size_t>(left)).at(static_cast<std::size_t>(right));
     if (mu >= 0) return mu;
     return is_script(style) ? 0 : -mu;
 }

@@ -9,8 +9,8 @@ namespace {
 
 // A chord may leave its cubic by this much. The area lost along an edge is two thirds of it, a
 // third of the 1/255 that a mask can show.
-constexpr double kFlatness_px = 0.002;
-constexpr int kMaxChords = 4096;
+constexpr double flatness_px = 0.002;
+constexpr int max_chords = 4096;
 
 OutlinePoint second_difference(OutlinePoint a, OutlinePoint b, OutlinePoint c) {
     return {a.x - 2.0 * b.x + c.x, a.y - 2.0 * b.y + c.y};
@@ -83,8 +83,8 @@ void Rasteriser::add_rectangle(double left, double top, double right, double bot
 void Rasteriser::cubic(OutlinePoint p0, OutlinePoint p1, OutlinePoint p2, OutlinePoint p3) {
     const double bend =
         std::max(square(second_difference(p0, p1, p2)), square(second_difference(p1, p2, p3)));
-    const double wanted = std::sqrt(0.75 * std::sqrt(bend) / kFlatness_px);
-    const int n = static_cast<int>(std::clamp(std::ceil(wanted), 1.0, double{kMaxChords}));
+    const double wanted = std::sqrt(0.75 * std::sqrt(bend) / flatness_px);
+    const int n = static_cast<int>(std::clamp(std::ceil(wanted), 1.0, double{max_chords}));
     OutlinePoint at = p0;
     for (int i = 1; i <= n; ++i) {
         const double t = static_cast<double>(i) / n;
@@ -182,8 +182,8 @@ std::vector<double> Rasteriser::coverage() const {
 
 void Rasteriser::write(std::uint8_t* rows) const {
     // Coverage is never negative, so that adding a half and cutting rounds to nearest.
-    constexpr double kHalf = 0.5;
-    sum_rows([&rows](double part) { *rows++ = static_cast<std::uint8_t>(255.0 * part + kHalf); });
+    constexpr double a_half = 0.5;
+    sum_rows([&rows](double part) { *rows++ = static_cast<std::uint8_t>(255.0 * part + a_half); });
 }
 
 }  // namespace poinsot

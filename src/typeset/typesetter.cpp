@@ -14,14 +14,14 @@
 namespace poinsot {
 namespace {
 
-constexpr double kSizeLimit_px = 4096.0;
+constexpr double size_limit_px = 4096.0;
 // A band of rows of a large mask is summed at a time, so that the buffer stays within the cache.
-constexpr std::size_t kBandPixels = 1u << 18;
+constexpr std::size_t band_pixels = 1u << 18;
 
 void check_style(const TypeStyle& style) {
-    if (!(style.size_px >= 1.0 && style.size_px <= kSizeLimit_px)) {
+    if (!(style.size_px >= 1.0 && style.size_px <= size_limit_px)) {
         throw InputError(fmt::format("type size {} px; give one between 1 and {}", style.size_px,
-                                     kSizeLimit_px));
+                                     size_limit_px));
     }
     if (!(style.max_width_px >= 0.0 && std::isfinite(style.max_width_px))) {
         throw InputError(
@@ -98,11 +98,11 @@ TypeExtent extent_of(const SetType& set) {
     if (ink.empty) return extent;
     const double left = std::floor(ink.left), top = std::floor(ink.top);
     const double width = std::ceil(ink.right) - left, height = std::ceil(ink.bottom) - top;
-    if (!(width <= kMaskSideLimit_px && height <= kMaskSideLimit_px)) {
+    if (!(width <= mask_side_limit_px && height <= mask_side_limit_px)) {
         throw InputError(
             fmt::format("a label of {:.0f}x{:.0f} px; at most {} a side can be set, "
                         "take a smaller size or shorten it",
-                        width, height, kMaskSideLimit_px));
+                        width, height, mask_side_limit_px));
     }
     extent.width = static_cast<int>(width);
     extent.height = static_cast<int>(height);
@@ -115,7 +115,7 @@ void rasterise(const TypeBox& box, TypesetMask& mask) {
     const auto width = static_cast<std::size_t>(mask.width);
     mask.coverage.resize(width * static_cast<std::size_t>(mask.height));
     if (mask.coverage.empty()) return;
-    const int band = static_cast<int>(std::max<std::size_t>(1, kBandPixels / width));
+    const int band = static_cast<int>(std::max<std::size_t>(1, band_pixels / width));
     for (int first = 0; first < mask.height; first += band) {
         Rasteriser rows(mask.width, first, std::min(band, mask.height - first));
         for (const PlacedGlyph& placed : box.glyphs) {

@@ -12,7 +12,7 @@
 
 namespace poinsot {
 
-constexpr int kMaskSideLimit_px = 16384;
+constexpr int mask_side_limit_px = 16384;
 
 enum class TypeMode {
     math,  // a label: one formula, set in display style
@@ -74,7 +74,7 @@ class Typesetter {
     // give the same bytes on every machine.
     // What a run of text has and the fonts lack comes from another font of the system, or is a box.
     // throws: LabelError for what the string says, InputError for a style out of its domain or a
-    // mask larger than kMaskSideLimit_px, EnvironmentError for a missing font.
+    // mask larger than mask_side_limit_px, EnvironmentError for a missing font.
     TypesetMask set(std::string_view text, const TypeStyle& style = {}) const;
 
     // The mask's extent without its pixels. throws: as set.

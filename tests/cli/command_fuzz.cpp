@@ -21,7 +21,7 @@
 
 namespace {
 
-constexpr const char* kScene =
+constexpr const char* a_scene =
     "[body]\nmoments_kg_m2 = [3.0, 2.0, 1.0]\n[start]\nomega_rad_s = [0.01, 2.0, 0.01]\n";
 
 // Calls what may refuse.
@@ -63,7 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         refusable([&] { poinsot::parse_whole("--depth", words[k], "8 or 16"); });
     }
     const std::vector<std::string> given(words.begin() + 1, words.end());
-    refusable([&] { poinsot::parse_scene(kScene, "fuzz.toml", given); });
+    refusable([&] { poinsot::parse_scene(a_scene, "fuzz.toml", given); });
     if (given.size() > 1)
         refusable([&] {
             poinsot::jobs_of({given.begin() + 1, given.end()}, given.front(),

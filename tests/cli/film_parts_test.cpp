@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A film of 372 frames: four chunks, the last of them short.
-constexpr const char* kScene = R"(title = "In parts"
+constexpr const char* a_scene = R"(title = "In parts"
 [body]
 moments_kg_m2 = [3.0, 2.0, 1.0]
 [start]
@@ -39,11 +39,12 @@ text = '$\mathbf{L}$ stays'
 )";
 
 // Lasts until a signal comes.
-const std::string kLarge = sanitized ? " --set film.size=[160,90] " : " --set film.size=[640,360] ";
+const std::string large_size =
+    sanitized ? " --set film.size=[160,90] " : " --set film.size=[640,360] ";
 
 class Parts : public ::testing::Test {
  protected:
-    Parts() { folder_.write("a.toml", kScene); }
+    Parts() { folder_.write("a.toml", a_scene); }
 
     ProgramRun run(const std::string& arguments) { return run_program_in(folder_, arguments); }
     void make(const std::string& arguments) {
@@ -216,11 +217,11 @@ TEST_F(Parts, AreDrawnByOneRunAtATime) {
     for (const std::string output : {"a.mp4", "a_####.png"}) {
         const std::string held = output == "a.mp4" ? ".a.mp4.part.frames" : ".a_####.png.part";
         const ProgramRun done = run_shell(
-            folder_, "\"$1\" render a.toml -q --jobs 2" + kLarge + "-o '" + output +
+            folder_, "\"$1\" render a.toml -q --jobs 2" + large_size + "-o '" + output +
                          "' & first=$!; for i in $(seq 3000); do [ -e '" + held +
                          "' ] && [ -n \"$(pgrep -P $first)\" ] && break; sleep 0.05; done; "
                          "\"$1\" render a.toml -q --jobs 1" +
-                         kLarge + "-o '" + output +
+                         large_size + "-o '" + output +
                          "'; echo $? >code; kill -INT $first; wait $first");
         EXPECT_EQ(bytes("code"), "3\n") << output << done.err;
         EXPECT_NE(done.err.find("another run"), std::string::npos) << done.err;
@@ -229,14 +230,14 @@ TEST_F(Parts, AreDrawnByOneRunAtATime) {
 
 // The processes that a shell's child has started, by their command.
 std::string kill_one_of(const ScratchFolder& folder, const std::string& how) {
-    return "(\"$1\" render a.toml -o k.mp4 --jobs 2" + kLarge +
+    return "(\"$1\" render a.toml -o k.mp4 --jobs 2" + large_size +
            "-q; echo $? >code) & "
            "parent=$!; " +
            how + " wait $parent; cd '" + folder.path().string() + "'";
 }
 
 TEST_F(Parts, OfAKilledJobAreGoneOnWith) {
-    const std::string big = "render a.toml -q" + kLarge;
+    const std::string big = "render a.toml -q" + large_size;
     make(big + "-o one.mp4 --jobs 1");
     // Until both children are drawing, then one of them or their parent.
     const std::string started =
@@ -260,7 +261,7 @@ TEST_F(Parts, OfAKilledJobAreGoneOnWith) {
 // What several processes have left of a film: recover makes a film of it as far as it goes, and one
 // process goes on with it.
 TEST_F(Parts, OfAnInterruptedJobAreRecovered) {
-    const std::string big = "render a.toml -q" + kLarge;
+    const std::string big = "render a.toml -q" + large_size;
     make(big + "-o one.mp4 --jobs 1");
     // The first part has two of the four chunks, of which more than one must be there.
     const std::string enough =
@@ -290,14 +291,14 @@ TEST_F(Parts, OfAnInterruptedJobAreRecovered) {
     // What the second part has is not lost: it is said, and the film goes on with it.
     const bool has_more = recovered.err.find("later frames come after a gap") != std::string::npos;
     EXPECT_EQ(has_more, fs::exists(folder_.path() / ".k.mp4.parts")) << recovered.err;
-    make("render a.toml" + kLarge + "-q -o k.mp4");
+    make("render a.toml" + large_size + "-q -o k.mp4");
     EXPECT_TRUE(bytes("k.mp4") == bytes("one.mp4"));
     for (const std::string& name : names()) EXPECT_NE(name.front(), '.') << name;
     fs::remove(folder_.path() / "k.mp4");
     // Whoever says nothing goes on with as many processes as there were.
     interrupted();
     const bool first_is_whole = fs::exists(folder_.path() / ".k.mp4.parts" / "1-of-2.mp4");
-    const ProgramRun done = run("render a.toml" + kLarge + "-o k.mp4");
+    const ProgramRun done = run("render a.toml" + large_size + "-o k.mp4");
     EXPECT_EQ(done.code, 0) << done.err;
     // Where the others had the processors meanwhile, the first part was done when the signal came.
     const char* said = first_is_whole ? "part 1 of 2 is there" : "going on with frame";
@@ -309,8 +310,8 @@ TEST_F(Parts, OfAnInterruptedJobAreRecovered) {
 // The default draws what one process does, whatever it chooses; several scenes share one process
 // once it has drawn.
 TEST_F(Parts, OfAnyNumberThatPaysAreTheBytesOfOne) {
-    folder_.write("b.toml", kScene);
-    const std::string big = kLarge + "-q ";
+    folder_.write("b.toml", a_scene);
+    const std::string big = large_size + "-q ";
     make("render b.toml a.toml --jobs 1 -o 'one_{scene}.mp4'" + big);
     make("render b.toml a.toml -o '{scene}.mp4'" + big);
     for (const char* name : {"a.mp4", "b.mp4"})

@@ -156,6 +156,15 @@ TEST_F(Messages, ASuffixThatIsNotWrittenNamesTheNearestWay) {
     refuses("render scene.toml -o a.xyzzy", 2, {"the known are .mp4, .webm, .gif"});
 }
 
+// A mere name is that of a scene which came with the program, or nearly one.
+TEST_F(Messages, AMistypedSceneGetsTheNearestName) {
+    refuses("check genric", 2, {"genric: no such file, and no scene", "did you mean \"generic\"?"});
+    refuses("check scene", 2, {"did you mean \"scene.toml\"?"});
+    refuses("check qqqqqqqqq", 2, {"qqqqqqqqq: no such file", "poinsot list scenes"});
+    folder_.write("generic.toml", "not read");
+    EXPECT_EQ(run("check generic").code, 0);
+}
+
 TEST_F(Messages, ASizeAndAQuantityHaveTheirPlace) {
     folder_.write("odd.toml",
                   "film.size = [1, 2]\n[body]\nmoments_kg_m2 = [1.0, 2.0, 2.5]\n"

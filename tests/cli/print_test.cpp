@@ -170,7 +170,7 @@ TEST(PrintedStill, RefusalsAreOneLineAndLeaveNothing) {
         names += line.substr(0, line.find(' ')) + ", ";
     EXPECT_TRUE(names.starts_with("light, dark, print, ")) << names;
     EXPECT_EQ(run_program_in(folder, still + "--theme xyzzy").err,
-              "--set theme=xyzzy: unknown theme \"xyzzy\"; choose one of: " + names +
+              "--set theme=xyzzy: unknown theme \"xyzzy\"; choose from: " + names +
                   "or a theme in a file, as in my.toml\n");
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kScene = R"(title = "Submitted"
+constexpr const char* a_scene = R"(title = "Submitted"
 [body]
 moments_kg_m2 = [3.0, 2.0, 1.0]
 [start]
@@ -26,8 +26,8 @@ quality = "draft"
 class Submit : public ::testing::Test {
  protected:
     Submit() {
-        folder_.write("a.toml", kScene);
-        folder_.write("b.toml", kScene);
+        folder_.write("a.toml", a_scene);
+        folder_.write("b.toml", a_scene);
         fs::create_directory(folder_.path() / "bin");
         fs::create_directory(folder_.path() / "config");
     }
@@ -50,10 +50,10 @@ class Submit : public ::testing::Test {
 };
 
 // Numbers its answers from 100, and keeps its words a line a call.
-constexpr const char* kAccepts = "echo \"$@\" >>calls\necho $((99 + $(wc -l <calls)))\n";
+constexpr const char* accepting_sbatch = "echo \"$@\" >>calls\necho $((99 + $(wc -l <calls)))\n";
 
 TEST_F(Submit, HandsOverAnArrayAndTheJoinsAfterIt) {
-    stand_in("sbatch", kAccepts);
+    stand_in("sbatch", accepting_sbatch);
     stand_in("scontrol", "echo 'MaxArraySize            = 6'\n");
     folder_.write("config/x", "");
     fs::create_directory(folder_.path() / "config/poinsot");
@@ -76,7 +76,7 @@ TEST_F(Submit, HandsOverAnArrayAndTheJoinsAfterIt) {
 
 // The tasks are what an array would run, here one after the other.
 TEST_F(Submit, EndsInTheBytesOfOneRun) {
-    stand_in("sbatch", kAccepts);
+    stand_in("sbatch", accepting_sbatch);
     const ProgramRun written = run("submit a.toml -o a.mp4 --parts 2 --dry-run");
     ASSERT_EQ(written.code, 0) << written.err;
     EXPECT_NE(written.out.find("parts=$parts:$(sbatch --parsable --array=1-2"), std::string::npos);
@@ -124,7 +124,7 @@ TEST_F(Submit, DrawsAgainWhatHasChangedAndNothingElse) {
     EXPECT_NE(run(submit).err.find("all of it is done"), std::string::npos);
     const fs::path scene = folder_.path() / "b.toml";
     const auto then = fs::last_write_time(scene);
-    std::string text_now = kScene;
+    std::string text_now = a_scene;
     text_now.replace(text_now.find("0.3, 2.0"), 8, "0.4, 2.0");
     folder_.write("b.toml", text_now);
     fs::last_write_time(scene, then);

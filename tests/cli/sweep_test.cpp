@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kScene = R"(title = "Swept"
+constexpr const char* a_scene = R"(title = "Swept"
 [body]
 moments_kg_m2 = [3.0, 2.0, 1.0]
 [start]
@@ -47,7 +47,7 @@ TEST(Sweep, ReadsListsAndRanges) {
 
 class Swept : public ::testing::Test {
  protected:
-    Swept() { folder_.write("a.toml", kScene); }
+    Swept() { folder_.write("a.toml", a_scene); }
     Image image(const std::string& name) { return read_png(folder_.path() / name); }
     ProgramRun run(const std::string& arguments) { return run_program_in(folder_, arguments); }
 

@@ -48,8 +48,9 @@ TEST(LiveText, DoubledBracesStandForThemselves) {
 
 TEST(LiveText, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(error_of("at {time}"),
-              "caption column 5: no number called \"time\"; did you mean \"time_s\"?; known: "
-              "time_s, omega_1_rad_s");
+              "caption column 5: no number called \"time\"; did you mean \"time_s\"?");
+    EXPECT_EQ(error_of("at {xyzzy}"),
+              "caption column 5: no number called \"xyzzy\"; choose from: time_s, omega_1_rad_s");
     EXPECT_EQ(error_of("at {time_s"),
               "caption column 4: a brace without its partner; double it to print a brace");
     EXPECT_EQ(error_of("}"),

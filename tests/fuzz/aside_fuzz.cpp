@@ -17,7 +17,7 @@
 
 namespace {
 
-constexpr std::size_t kBlockHead = 8;
+constexpr std::size_t block_head = 8;
 
 std::uint32_t get_u32(const std::uint8_t* at) {
     return std::uint32_t{at[0]} | std::uint32_t{at[1]} << 8U | std::uint32_t{at[2]} << 16U |
@@ -38,18 +38,18 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
                                                std::size_t most, unsigned seed) {
     size = LLVMFuzzerMutate(data, size, most);
     if (seed % 4 == 0) return size;
-    for (std::size_t at = 1; at + kBlockHead <= size;) {
+    for (std::size_t at = 1; at + block_head <= size;) {
         std::size_t length = get_u32(data + at);
-        if (length > size - at - kBlockHead) {
-            length = size - at - kBlockHead;
+        if (length > size - at - block_head) {
+            length = size - at - block_head;
             for (std::size_t i = 0; i < 4; ++i)
                 data[at + i] = static_cast<std::uint8_t>(length >> 8 * i);
         }
         // FFmpeg's CRC-32 is zlib's before its bits are turned round.
-        const uLong sum = ~crc32(0, data + at + kBlockHead, static_cast<uInt>(length));
+        const uLong sum = ~crc32(0, data + at + block_head, static_cast<uInt>(length));
         for (std::size_t i = 0; i < 4; ++i)
             data[at + 4 + i] = static_cast<std::uint8_t>(sum >> 8 * i);
-        at += kBlockHead + length;
+        at += block_head + length;
     }
     return size;
 }

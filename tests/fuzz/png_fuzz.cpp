@@ -17,7 +17,7 @@ std::uint32_t big_endian(const std::uint8_t* bytes) {
            std::uint32_t{bytes[2]} << 8U | std::uint32_t{bytes[3]};
 }
 
-constexpr std::size_t kSignature_bytes = 8;
+constexpr std::size_t signature_bytes = 8;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
                                                std::size_t most, unsigned seed) {
     size = LLVMFuzzerMutate(data, size, most);
     if (seed % 4 == 0) return size;
-    std::size_t at = kSignature_bytes;
+    std::size_t at = signature_bytes;
     while (at + 12 <= size) {
         const std::size_t length = big_endian(data + at);
         if (length > size - at - 12) break;

@@ -19,8 +19,8 @@ void require(bool condition) {
     if (!condition) std::abort();
 }
 
-constexpr std::string_view kScene = "\nscene-sha256: ";
-constexpr std::string_view kMesh = "\nmesh-sha256: ";
+constexpr std::string_view scene_line = "\nscene-sha256: ";
+constexpr std::string_view mesh_line = "\nmesh-sha256: ";
 
 // The value of the line that begins with a key, or an empty view.
 std::string_view value_of(std::string_view text, std::string_view key) {
@@ -43,11 +43,11 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     std::string text(reinterpret_cast<const char*>(data), size);
     if (const std::size_t seal = text.find("\nrecord-sha256: "); seal != std::string::npos)
         text.erase(seal, text.find('\n', seal + 1) - seal);
-    const std::size_t blank = text.find("\n\n"), at = text.find(kScene);
+    const std::size_t blank = text.find("\n\n"), at = text.find(scene_line);
     if (blank != std::string::npos && at < blank) {
         const std::string hash =
-            poinsot::sha256_of(text.substr(blank + 2) + std::string(value_of(text, kMesh)));
-        const std::size_t from = at + kScene.size();
+            poinsot::sha256_of(text.substr(blank + 2) + std::string(value_of(text, mesh_line)));
+        const std::size_t from = at + scene_line.size();
         text.replace(from, text.find('\n', from) - from, hash);
     }
     if (text.size() > most) return size;
@@ -65,10 +65,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(poinsot::sealed_text(again) == written);
         poinsot::PngOptions options;
         options.deflate_level = 0;
-        options.texts[poinsot::kMetadataName] = written;
+        options.texts[poinsot::metadata_name] = written;
         poinsot::PngInfo info;
         poinsot::decode_png(poinsot::encode_png(poinsot::Image(1, 1), options), "fuzz.png", &info);
-        require(poinsot::parse_record(info.texts[poinsot::kMetadataName], "fuzz.png") == again);
+        require(poinsot::parse_record(info.texts[poinsot::metadata_name], "fuzz.png") == again);
     } catch (const poinsot::InputError& error) {
         require(std::string_view(error.what()).find('\n') == std::string_view::npos);
     }

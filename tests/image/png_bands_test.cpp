@@ -52,7 +52,7 @@ TEST(PngBands, OfAnotherSizeAreRefused) {
     }
     EXPECT_TRUE(folder.contents().empty());
     EXPECT_THROW(PngBandWriter(folder / "a.png", 0, 18, true), InputError);
-    EXPECT_THROW(PngBandWriter(folder / "a.png", 32, kLargestBandedPngSide_px + 1, true),
+    EXPECT_THROW(PngBandWriter(folder / "a.png", 32, largest_banded_png_side_px + 1, true),
                  InputError);
     EXPECT_TRUE(folder.contents().empty());
 }

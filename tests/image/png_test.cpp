@@ -344,7 +344,7 @@ TEST(PngReading, SaysWhatIsWrongWithAFile) {
 TEST(PngWriting, RefusesWhatAPngCannotHold) {
     PngOptions options;
     EXPECT_THROW(encode_png(Image(), options), InputError);
-    EXPECT_THROW(encode_png(Image(kLargestPngSide_px + 1, 1), options), InputError);
+    EXPECT_THROW(encode_png(Image(largest_png_side_px + 1, 1), options), InputError);
     for (const std::string& keyword : {std::string(), std::string(80, 'k'), std::string("a\0b", 3),
                                        std::string(" a"), std::string("a\nb")}) {
         options.texts = {{keyword, "text"}};

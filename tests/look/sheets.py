@@ -2,7 +2,7 @@
 """Every scene in every theme, on sheets to be looked at before the golden pictures are renewed.
 
 Usage: sheets.py POINSOT FOLDER [SCENE...]      all scenes, or those named (stems)
-A scene's sheet has seven pictures of 900 pixels: the themes at 1920 × 1080, then the still for paper (print theme,
+A scene's sheet has a picture of 900 pixels for each theme at 1920 × 1080, then the still for paper (print theme,
 85 mm at 600 dpi). `NAME.film.png` has four frames of its film, at 0, 1/3, 2/3 and the end. The pictures themselves stay in
 FOLDER/THEME/. `transparent` is laid on a mid grey, where wrong alpha shows, `transparent-dark` on a dark blue. Takes about four
 minutes. Needs Pillow (python3-pil).
@@ -15,7 +15,6 @@ import sys
 from PIL import Image, ImageDraw
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
-THEMES = ["light", "dark", "print", "colour-blind", "transparent", "transparent-dark"]
 PAPER = ["--theme", "print", "--width-mm", "85", "--dpi", "600"]
 WIDTH = 900           # pixels of a picture on a sheet
 GROUNDS = {"transparent-dark": (38, 50, 70)}
@@ -69,7 +68,8 @@ def sheet(pictures, out):
 def main(program, folder, names):
     folder = pathlib.Path(folder)
     names = names or sorted(path.stem for path in SCENES.glob("*.toml"))
-    drawn = {theme: stills(program, names, folder / theme, ["--theme", theme]) for theme in THEMES}
+    themes = json.loads(subprocess.run([program, "list", "themes", "--json"], check=True, capture_output=True).stdout)
+    drawn = {theme["name"]: stills(program, names, folder / theme["name"], ["--theme", theme["name"]]) for theme in themes}
     drawn["85 mm, 600 dpi"] = stills(program, names, folder / "paper", PAPER)
     for name in names:
         sheet([(theme, pictures[name]) for theme, pictures in drawn.items()], folder / f"{name}.png")

@@ -76,5 +76,34 @@ TEST(StepChoice, SaysWhenItCannotBeReached) {
     EXPECT_GT(choice.attitude_rad, 1e-9);
 }
 
+MotionProblem damped_problem(const std::string& method) {
+    MotionProblem problem = generic_problem(method);
+    problem.torque = DissipationTorque{0.01};
+    return problem;
+}
+
+// How many steps a tolerance needs is only known once they are taken; a clock in their place would
+// choose otherwise on a slower machine, and parts of one film would not be of one motion.
+TEST(StepChoice, CountsTheStepsOfATolerance) {
+    for (const MotionProblem& problem : {generic_problem("dopri5"), damped_problem("dopri5")}) {
+        const StepChoice choice = choose_step(problem, 1e-14, 100.0);
+        EXPECT_FALSE(choice.reached);
+        MotionProblem chosen = problem;
+        chosen.method = choice.method;
+        const std::int64_t n_steps = Motion(chosen).integrated()->counters().n_steps;
+        EXPECT_GT(n_steps, 100);
+        EXPECT_LT(n_steps, 250);  // fifth order: a tenth of the tolerance takes 1.6 times the steps
+    }
+}
+
+// Where not even the coarsest step is within the number, it is measured all the same.
+TEST(StepChoice, MeasuresTheCoarsestStepWhereThereIsNoOther) {
+    const MotionProblem problem = damped_problem("rkmk4");
+    const StepChoice choice = choose_step(problem, 1e-14, 1.0);
+    EXPECT_FALSE(choice.reached);
+    EXPECT_TRUE(choice.method.step_s);
+    EXPECT_GT(choice.attitude_rad, 1e-14);
+}
+
 }  // namespace
 }  // namespace poinsot

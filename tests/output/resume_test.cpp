@@ -399,7 +399,7 @@ TEST(Films, FaultsAreReportedAndLeaveNothing) {
                 }
                 throw std::runtime_error("nothing was noticed");
             });
-            if (outcome == kNoMount) continue;
+            if (outcome == no_mount) continue;
             EXPECT_EQ(outcome.find("cannot write " + folder.path().string()), 0u)
                 << fault.name << " " << name << ": " << outcome;
             EXPECT_NE(outcome.find(fault.reason), std::string::npos)

@@ -12,7 +12,7 @@
 namespace poinsot {
 namespace {
 
-const BaselineManifest kTwo = {
+const BaselineManifest two_baselines = {
     {"turn", {"12ab", "34cd", "llvmpipe (LLVM 15.0.6, 128 bits)", "22.3.6", "0.1.0", "first"}},
     {"folder/a \"name\" = { }, # \\", {"", "", "a\nb", "\x1b[31m\x7f", "ω", "why = \"x\""}}};
 
@@ -26,15 +26,15 @@ std::string message_of(const std::string& text) {
 }
 
 TEST(BaselineManifest, ComesBackWhateverItsNames) {
-    EXPECT_EQ(parse_manifest(to_text(kTwo), "list.toml"), kTwo);
+    EXPECT_EQ(parse_manifest(to_text(two_baselines), "list.toml"), two_baselines);
     EXPECT_TRUE(parse_manifest("", "list.toml").empty());
     EXPECT_TRUE(parse_manifest("# a comment\n\n", "list.toml").empty());
 }
 
 // One line each, sorted: a change of one picture is a change of one line.
 TEST(BaselineManifest, HasALineForEach) {
-    const std::string before = to_text(kTwo);
-    BaselineManifest changed = kTwo;
+    const std::string before = to_text(two_baselines);
+    BaselineManifest changed = two_baselines;
     changed["turn"].why = "later";
     const std::string after = to_text(changed);
     EXPECT_EQ(std::count(before.begin(), before.end(), '\n'), 3);
@@ -43,7 +43,7 @@ TEST(BaselineManifest, HasALineForEach) {
 }
 
 TEST(BaselineManifest, RefusesOtherLinesByNumber) {
-    const std::string line = to_text({{"turn", kTwo.at("turn")}});
+    const std::string line = to_text({{"turn", two_baselines.at("turn")}});
     const std::string good = line.substr(line.find('\n') + 1);
     EXPECT_EQ(message_of(good + good).rfind("list.toml:2: this picture stands", 0), 0u);
     // A line that is cut anywhere, or goes on, is none.
@@ -57,10 +57,10 @@ TEST(BaselineManifest, RefusesOtherLinesByNumber) {
 TEST(BaselineManifest, IsAFileBesideThePictures) {
     const TemporaryFolder folder;
     EXPECT_TRUE(read_manifest(folder.path()).empty());
-    write_manifest(folder.path(), kTwo);
-    EXPECT_EQ(folder.contents(), std::vector<std::string>{kManifestName});
-    EXPECT_EQ(read_manifest(folder.path()), kTwo);
-    std::ofstream(folder / kManifestName) << "nonsense\n";
+    write_manifest(folder.path(), two_baselines);
+    EXPECT_EQ(folder.contents(), std::vector<std::string>{manifest_name});
+    EXPECT_EQ(read_manifest(folder.path()), two_baselines);
+    std::ofstream(folder / manifest_name) << "nonsense\n";
     EXPECT_THROW(read_manifest(folder.path()), InputError);
 }
 

@@ -59,7 +59,7 @@ TEST_F(BaselineFolder, AsApprovedIsTheSame) {
     EXPECT_EQ(compared(),
               (std::map<std::string, Outcome>{{"a", Outcome::same}, {"b", Outcome::same}}));
     EXPECT_EQ(TemporaryFolder::contents_of(folder_ / "ref"),
-              (std::vector<std::string>{"a.png", "b.png", kManifestName}));
+              (std::vector<std::string>{"a.png", "b.png", manifest_name}));
 }
 
 // Both were swapped for the same other picture, so pixels alone would say nothing.

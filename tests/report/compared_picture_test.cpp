@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // A name that would be markup, and a script's end, if it were not escaped.
-const std::string kHostile = "a<b> & \"c\" 'd' </script>\x1b[31m";
-const std::string kHostileFile = "a<b> & \"c\" 'd' <script>\x1b[31m";
+const std::string hostile_name = "a<b> & \"c\" 'd' </script>\x1b[31m";
+const std::string hostile_file = "a<b> & \"c\" 'd' <script>\x1b[31m";
 
 class Folders : public ::testing::Test {
  protected:
@@ -127,14 +127,14 @@ TEST_F(Folders, BecomeTestResults) {
 }
 
 TEST_F(Folders, NamesOfAnyKindStayText) {
-    put("ref/" + kHostileFile, 0), put("new/" + kHostileFile, 3);
+    put("ref/" + hostile_file, 0), put("new/" + hostile_file, 3);
     ComparedPicture picture =
-        compare_files(kHostile, folder_ / ("ref/" + kHostileFile + ".png"),
-                      folder_ / ("new/" + kHostileFile + ".png"), CompareLimits::exact());
+        compare_files(hostile_name, folder_ / ("ref/" + hostile_file + ".png"),
+                      folder_ / ("new/" + hostile_file + ".png"), CompareLimits::exact());
     ASSERT_EQ(picture.outcome, Outcome::pixels);
-    picture.reason += kHostile;
-    const std::string xml = junit_xml(kHostile, {&picture, 1});
-    const std::string page = html_report(kHostile, {&picture, 1});
+    picture.reason += hostile_name;
+    const std::string xml = junit_xml(hostile_name, {&picture, 1});
+    const std::string page = html_report(hostile_name, {&picture, 1});
     const std::string bare = html_report("title", {&picture, 0});
     for (const std::string* text : {&xml, &page}) {
         EXPECT_EQ(text->find("<b>"), std::string::npos);

@@ -338,6 +338,11 @@ TEST(BadScene, OverrideNamesItself) {
               "\"body.moments_kg_m2\"?");
     EXPECT_EQ(refusal(a_scene, {"fps=3"}),
               "--set fps=3: unknown key \"fps\"; did you mean \"film.fps\"?");
+    EXPECT_EQ(refusal(a_scene, {"title=\"$\\vec{H}$\""}),
+              "--set title=\"$\\vec{H}$\": what stands in the quotes is no string of TOML; leave "
+              "them out, or double each backslash");
+    EXPECT_EQ(parse_scene(a_scene, "a.toml", std::vector<std::string>{"title='a' or 'b'"}).title,
+              "'a' or 'b'");
     EXPECT_EQ(refusal(a_scene, {"film"}), "--set film: no \"=\"; write --set key=value");
     EXPECT_EQ(refusal(a_scene, {"film=3"}),
               "--set film=3: [film] is a table; set one of its keys, see `poinsot list keys`");

@@ -180,7 +180,7 @@ TEST(AtomicFile, FullDiskIsReportedAndLeavesNothing) {
             throw;
         }
     });
-    if (outcome == kNoMount) GTEST_SKIP() << outcome;
+    if (outcome == no_mount) GTEST_SKIP() << outcome;
     EXPECT_EQ(outcome, "cannot write " + (folder / "a.png").string() + ": No space left on device");
 }
 

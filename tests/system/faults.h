@@ -112,6 +112,6 @@ inline bool mount_small(const std::filesystem::path& folder, const std::string& 
     return mount("tmpfs", folder.c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;
 }
 
-inline constexpr const char* kNoMount = "other: this machine does not let us mount";
+inline constexpr const char* no_mount = "other: this machine does not let us mount";
 
 }  // namespace poinsot

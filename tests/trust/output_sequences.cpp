@@ -291,7 +291,7 @@ class Sequence {
                 right = right || (found != whole.end() && found->second == bytes);
             }
             // The lines of two looks may stand side by side while pictures are replaced.
-            if (!right && name != kManifestName)
+            if (!right && name != manifest_name)
                 return fmt::format("{} is there, of {} bytes, and is no run's", name, bytes.size());
         }
         return "";

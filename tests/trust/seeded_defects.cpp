@@ -34,8 +34,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // In the middle of the motion, while the herpolhode is being drawn.
-constexpr double kTime_s = 3.0;
-constexpr double kFrame_s = 1.0 / 30.0;
+constexpr double shown_at_s = 3.0;
+constexpr double frame_length_s = 1.0 / 30.0;
 
 struct Size {
     int width_px, height_px;
@@ -93,7 +93,7 @@ std::vector<Defect> drawing_defects(std::size_t n_curves) {
              herpolhode_of(d.views[0])->placement.pretranslate(half_pixel(d.views[0]));
          }},
         {"herpolhode one frame late", [](Drawing& d, const Stage& stage) {
-             Drawing before = stage.at(kTime_s - kFrame_s);
+             Drawing before = stage.at(shown_at_s - frame_length_s);
              herpolhode_of(d.views[0])->last = herpolhode_of(before.views[0])->last;
              // With the contact point, which lies over the curve's end.
              d.views[0].dots = before.views[0].dots;
@@ -140,17 +140,17 @@ Comparison compared(const Image& expected, const Image& actual) {
 int defects_of(const std::string& name, const Size& size, Renderer& renderer) {
     const std::string picture = fmt::format("{} {}×{}", name, size.width_px, size.height_px);
     const Subject subject(scene_named(name), size);
-    const Image good = renderer.render(subject.stage.at(kTime_s));
+    const Image good = renderer.render(subject.stage.at(shown_at_s));
     int n_wrong = 0;
     for (const Defect& defect :
-         drawing_defects(subject.stage.at(kTime_s).views.at(0).curves.size())) {
-        Drawing drawing = subject.stage.at(kTime_s);
+         drawing_defects(subject.stage.at(shown_at_s).views.at(0).curves.size())) {
+        Drawing drawing = subject.stage.at(shown_at_s);
         defect.make(drawing, subject.stage);
         n_wrong += !print_row(picture, defect.name, compared(good, renderer.render(drawing)), true);
     }
     const Subject wrong(with_wrong_omega(scene_named(name)), size);
     n_wrong += !print_row(picture, "omega wrong in 4th digit",
-                          compared(good, renderer.render(wrong.stage.at(kTime_s))), true);
+                          compared(good, renderer.render(wrong.stage.at(shown_at_s))), true);
     return n_wrong;
 }
 
@@ -160,7 +160,7 @@ struct NoisePicture {
     const char* name;
     Size size;
 };
-constexpr std::array<NoisePicture, 4> kNoisePictures = {{{"generic", {240, 135}},
+constexpr std::array<NoisePicture, 4> noise_pictures = {{{"generic", {240, 135}},
                                                          {"tennis_racket", {240, 135}},
                                                          {"generic", {960, 540}},
                                                          {"tennis_racket", {960, 540}}}};
@@ -196,25 +196,25 @@ bool draw_elsewhere(const std::string& processor, const fs::path& folder) {
 // What other processors make of the same scenes, in the native profile.
 int noise(Renderer& renderer) {
     std::vector<Image> good;
-    good.reserve(kNoisePictures.size());
-    for (const NoisePicture& picture : kNoisePictures)
+    good.reserve(noise_pictures.size());
+    for (const NoisePicture& picture : noise_pictures)
         good.push_back(
-            renderer.render(Subject(scene_named(picture.name), picture.size).stage.at(kTime_s)));
+            renderer.render(Subject(scene_named(picture.name), picture.size).stage.at(shown_at_s)));
     const fs::path folder = fs::temp_directory_path() / fmt::format("poinsot-noise-{}", ::getpid());
     fs::create_directory(folder);
     int n_wrong = 0;
     for (const std::string processor : {"", "Haswell", "EPYC"}) {
         const std::string what = "noise, " + (processor.empty() ? "this machine" : processor);
         const bool drawn = draw_elsewhere(processor, folder);
-        for (std::size_t i = 0; i < kNoisePictures.size(); ++i) {
-            const auto& [name, size] = kNoisePictures[i];
+        for (std::size_t i = 0; i < noise_pictures.size(); ++i) {
+            const auto& [name, size] = noise_pictures[i];
             const std::string picture =
                 fmt::format("{} {}×{}", name, size.width_px, size.height_px);
             if (!drawn) {
                 fmt::print("{:24} {:28} cannot be run here\n", picture, what);
                 continue;
             }
-            const fs::path file = file_of(folder, kNoisePictures[i]);
+            const fs::path file = file_of(folder, noise_pictures[i]);
             n_wrong += !print_row(picture, what, compared(good[i], read_png(file)), false);
             fs::remove(file);
         }
@@ -226,9 +226,9 @@ int noise(Renderer& renderer) {
 int draw_native(const fs::path& folder) {
     const OffscreenContext context(Backend::automatic, Portability::native);
     Renderer renderer(context);
-    for (const NoisePicture& picture : kNoisePictures) {
+    for (const NoisePicture& picture : noise_pictures) {
         const Subject subject(scene_named(picture.name), picture.size);
-        write_png(file_of(folder, picture), renderer.render(subject.stage.at(kTime_s)));
+        write_png(file_of(folder, picture), renderer.render(subject.stage.at(shown_at_s)));
     }
     return 0;
 }

@@ -92,7 +92,7 @@ TEST(LabelLimits, NestingIsBoundedForEveryConstruct) {
                                             "\\dot",  "\\sqrt",  "\\bar\\vec"};
     for (const std::string& opening : openings) {
         std::string label;
-        while (label.size() + opening.size() < kLabelLengthLimit) label += opening;
+        while (label.size() + opening.size() < label_length_limit) label += opening;
         try {
             parse_math(label);
             ADD_FAILURE() << opening;
@@ -106,12 +106,12 @@ TEST(LabelLimits, NestingIsBoundedForEveryConstruct) {
 
 TEST(LabelLimits, DeepestAndLongestLabelsAreAccepted) {
     // The label itself is the first level.
-    const int groups = kLabelNestingLimit - 1;
+    const int groups = label_nesting_limit - 1;
     EXPECT_EQ(parse_math(std::string(groups, '{') + "xy" + std::string(groups, '}')).size(), 1u);
     EXPECT_THROW(parse_math(std::string(groups + 1, '{') + "xy" + std::string(groups + 1, '}')),
                  LabelError);
-    EXPECT_EQ(parse_math(std::string(kLabelLengthLimit, 'x')).size(), 4096u);
-    EXPECT_THROW(parse_math(std::string(kLabelLengthLimit + 1, 'x')), LabelError);
+    EXPECT_EQ(parse_math(std::string(label_length_limit, 'x')).size(), 4096u);
+    EXPECT_THROW(parse_math(std::string(label_length_limit + 1, 'x')), LabelError);
 }
 
 TEST(MathLabels, EmptyLabelHasNoAtoms) {

@@ -13,7 +13,7 @@
 namespace poinsot {
 namespace {
 
-constexpr double kSize = 1000.0;  // px per em: one px is one font unit
+constexpr double em_px = 1000.0;  // px per em: one px is one font unit
 
 // The math font, read by HarfBuzz alone.
 class MathTable : public testing::Test {
@@ -48,7 +48,7 @@ class MathTable : public testing::Test {
         return extents;
     }
     TypeBox set(const char* label, MathStyle::Level level = MathStyle::Level::text) {
-        return set_formula(parse_math(label), {level, false}, kSize, fonts_);
+        return set_formula(parse_math(label), {level, false}, em_px, fonts_);
     }
 
     struct Destroy {
@@ -58,14 +58,14 @@ class MathTable : public testing::Test {
     FontSet fonts_;
 };
 
-constexpr char32_t kItalicOmega = 0x1D714, kItalicX = 0x1D465, kItalicL = 0x1D43F;
+constexpr char32_t italic_omega = 0x1D714, italic_x = 0x1D465, italic_l = 0x1D43F;
 
 TEST_F(MathTable, SubscriptStandsAtTheFontsShift) {
     const TypeBox box = set("\\omega_1");
     ASSERT_EQ(box.glyphs.size(), 2u);
     EXPECT_EQ(box.glyphs[0].y, 0.0);
     EXPECT_DOUBLE_EQ(box.glyphs[1].y, -constant(HB_OT_MATH_CONSTANT_SUBSCRIPT_SHIFT_DOWN));
-    EXPECT_DOUBLE_EQ(box.glyphs[1].x, advance(kItalicOmega));
+    EXPECT_DOUBLE_EQ(box.glyphs[1].x, advance(italic_omega));
     EXPECT_DOUBLE_EQ(box.glyphs[1].px_per_unit,
                      constant(HB_OT_MATH_CONSTANT_SCRIPT_PERCENT_SCALE_DOWN) / 100.0);
 }
@@ -74,7 +74,7 @@ TEST_F(MathTable, SuperscriptStandsAtTheFontsShiftPastTheSlant) {
     const TypeBox box = set("\\omega^2");
     ASSERT_EQ(box.glyphs.size(), 2u);
     EXPECT_DOUBLE_EQ(box.glyphs[1].y, constant(HB_OT_MATH_CONSTANT_SUPERSCRIPT_SHIFT_UP));
-    EXPECT_DOUBLE_EQ(box.glyphs[1].x, advance(kItalicOmega) + italic(kItalicOmega));
+    EXPECT_DOUBLE_EQ(box.glyphs[1].x, advance(italic_omega) + italic(italic_omega));
     // Under a root the style is cramped.
     const TypeBox under = set("\\sqrt{\\omega^2}");
     double top = 0.0;
@@ -104,8 +104,8 @@ TEST_F(MathTable, BothScriptsKeepTheFontsGap) {
 }
 
 TEST_F(MathTable, WidthsAddUpFromAdvancesAndSpaces) {
-    const double thick = 5.0 / 18.0 * kSize, medium = 4.0 / 18.0 * kSize, thin = kSize / 6.0;
-    const double x = advance(kItalicX) + italic(kItalicX);
+    const double thick = 5.0 / 18.0 * em_px, medium = 4.0 / 18.0 * em_px, thin = em_px / 6.0;
+    const double x = advance(italic_x) + italic(italic_x);
     EXPECT_DOUBLE_EQ(set("xx").width, 2.0 * x);
     EXPECT_DOUBLE_EQ(set("x=x").width, 2.0 * x + advance(U'=') + 2.0 * thick);
     EXPECT_DOUBLE_EQ(set("x-x").width, 2.0 * x + advance(0x2212) + 2.0 * medium);
@@ -113,7 +113,7 @@ TEST_F(MathTable, WidthsAddUpFromAdvancesAndSpaces) {
     EXPECT_DOUBLE_EQ(set("x=-x").width, 2.0 * x + advance(U'=') + advance(0x2212) + 2.0 * thick);
     EXPECT_DOUBLE_EQ(set("(x,x)").width,
                      2.0 * x + advance(U'(') + advance(U')') + advance(U',') + thin);
-    EXPECT_DOUBLE_EQ(set("x\\,x\\;x\\quad x").width, 4.0 * x + thin + thick + kSize);
+    EXPECT_DOUBLE_EQ(set("x\\,x\\;x\\quad x").width, 4.0 * x + thin + thick + em_px);
     // A function's name is a word, followed by a thin space.
     EXPECT_DOUBLE_EQ(set("\\sin x").width, set("\\text{sin}x").width + thin);
     EXPECT_DOUBLE_EQ(set("\\sin(x)").width, set("\\text{sin}(x)").width);
@@ -215,8 +215,8 @@ TEST_F(MathTable, RootTallerThanAnyVariantIsAssembledWithoutGaps) {
 }
 
 TEST_F(MathTable, AccentStandsOverItsLettersAttachment) {
-    for (const char32_t letter : {kItalicOmega, kItalicL}) {
-        const TypeBox box = set(letter == kItalicL ? "\\dot L" : "\\dot\\omega");
+    for (const char32_t letter : {italic_omega, italic_l}) {
+        const TypeBox box = set(letter == italic_l ? "\\dot L" : "\\dot\\omega");
         ASSERT_EQ(box.glyphs.size(), 2u);
         const double base = hb_ot_math_get_glyph_top_accent_attachment(font_.get(), glyph(letter));
         const double mark =

@@ -380,7 +380,7 @@ TEST(Mistakes, MasksBeyondTheLimitAreRefused) {
 }
 
 // rapidcheck reads its seed from the environment, once.
-const bool kSeeded = ::setenv("RC_PARAMS", "seed=4179 max_success=3000 max_size=60", 1) == 0;
+const bool is_seeded = ::setenv("RC_PARAMS", "seed=4179 max_success=3000 max_size=60", 1) == 0;
 
 // Pieces of labels in any order: mostly mistakes, sometimes deep or strange formulas.
 rc::Gen<std::string> random_label() {
@@ -401,7 +401,7 @@ rc::Gen<std::string> random_label() {
 }
 
 TEST(RandomLabels, AreSetOrRefusedButNeverBreakAnything) {
-    ASSERT_TRUE(kSeeded);
+    ASSERT_TRUE(is_seeded);
     const Typesetter typesetter;
     int n_set = 0, n_refused = 0;
     const bool holds = rc::check("a label is set, or refused with a column within it", [&] {

@@ -1,18 +1,15 @@
 #include "drawing/charts/plot_quantity.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "drawing/charts/plot_frame.h"
 #include "error/error.h"
 #include "text/nearest.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
@@ -237,20 +234,15 @@ PlotValues shown_values(const StageData& stage, const PlotQuantity& quantity,
 
 const PlotQuantity& plot_quantity_of(const StageData& stage, std::string_view name) {
     if (name.empty()) name = is_heavy_top(stage) ? "euler_angles" : "omega";
-    std::vector<std::string_view> names;
-    for (const PlotQuantity& row : table) {
-        names.push_back(row.name);
-        if (row.name != name) continue;
-        if (!row.possible(stage)) {
-            throw InputError(fmt::format("a plot of \"{}\" needs {}; choose another quantity",
-                                         row.name, row.needs));
-        }
-        const bool falls =
-            std::holds_alternative<GravityTorque>(stage.motion.motion().problem().torque);
-        return row.values == energy_values && !falls ? without_potential(row) : row;
+    const PlotQuantity* row = find_row(table, name);
+    if (row == nullptr) throw InputError(unknown("quantity", name, names_of(table)));
+    if (!row->possible(stage)) {
+        throw InputError(fmt::format("a plot of \"{}\" needs {}; choose another quantity",
+                                     row->name, row->needs));
     }
-    throw InputError(fmt::format("unknown quantity \"{}\"{}; choose from: {}", printable(name),
-                                 did_you_mean(name, names), fmt::join(names, ", ")));
+    const bool falls =
+        std::holds_alternative<GravityTorque>(stage.motion.motion().problem().torque);
+    return row->values == energy_values && !falls ? without_potential(*row) : *row;
 }
 
 }  // namespace poinsot

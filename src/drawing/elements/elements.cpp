@@ -1,7 +1,6 @@
 #include "drawing/elements/elements.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -11,7 +10,6 @@
 #include "drawing/marks.h"
 #include "error/error.h"
 #include "text/nearest.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
@@ -162,14 +160,8 @@ bool is_shown(const StageData& stage, std::string_view name) {
 }
 
 const Element& element_named(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const Element& element : elements()) {
-        if (element.name == name) return element;
-        names.push_back(element.name);
-    }
-    throw InputError(fmt::format("unknown element \"{}\" in show{}; choose from: {}",
-                                 printable(name), did_you_mean(name, names),
-                                 fmt::join(names, ", ")));
+    if (const Element* row = find_row(table, name)) return *row;
+    throw InputError(unknown("element", name, names_of(table)));
 }
 
 }  // namespace poinsot

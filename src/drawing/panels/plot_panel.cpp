@@ -118,16 +118,20 @@ class PlotMaker {
     }
 
  private:
-    // A label or title with the scene's own symbols, its words in the scene's language.
-    std::string named(const Phrase& label) const {
+    // With the scene's own symbols, its words in the scene's language.
+    std::string named_label(const Phrase& label) const {
         const Scene& scene = panel_->stage->scene;
         return named_by_scene(scene, phrase_in(scene.language, label));
+    }
+    std::string named_title(const Phrase& title) const {
+        const Scene& scene = panel_->stage->scene;
+        return title_named_by_scene(scene, phrase_in(scene.language, title));
     }
 
     void set_names() {
         for (const PlotCurve& curve : quantity_->curves) {
             names_.push_back(
-                set_chart_type(*panel_, named(curve.label), TypeMode::math, chart_name_size));
+                set_chart_type(*panel_, named_label(curve.label), TypeMode::math, chart_name_size));
             widest_name_ = std::max(widest_name_, names_.back().width_px());
         }
     }
@@ -188,9 +192,10 @@ class PlotMaker {
         const std::string unit_name = unit_of(stage, *quantity_).name;
         std::string y_title =
             quantity_->stacked
-                ? axis_title(fmt::format("${}$", named(quantity_->curves[place.first_curve].label)),
-                             unit_name, place.y.exponent)
-                : axis_title(named(quantity_->title), unit_name, place.y.exponent);
+                ? axis_title(
+                      fmt::format("${}$", named_label(quantity_->curves[place.first_curve].label)),
+                      unit_name, place.y.exponent)
+                : axis_title(named_title(quantity_->title), unit_name, place.y.exponent);
         if (beside_) {
             y_title += fmt::format(";  {}: {}", phrase_in(stage.scene.language, thin_lines_note),
                                    stage.beside->motion().problem().method.name);

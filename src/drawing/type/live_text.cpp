@@ -1,10 +1,8 @@
 #include "drawing/type/live_text.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cctype>
-#include <vector>
 
 #include "error/error.h"
 #include "text/nearest.h"
@@ -98,16 +96,10 @@ std::string expand_live_text(std::string_view text, std::span<const LiveValue> v
         const std::string_view name = inside.substr(0, inside.find(':'));
         const std::string_view format =
             name.size() < inside.size() ? inside.substr(name.size() + 1) : "g";
-        const LiveValue* found = nullptr;
-        std::vector<std::string_view> names;
-        for (const LiveValue& value : values) {
-            names.push_back(value.name);
-            if (value.name == name) found = &value;
-        }
+        const LiveValue* found = find_row(values, name);
         if (found == nullptr) {
-            throw InputError(fmt::format("caption column {}: no number called \"{}\"{}; known: {}",
-                                         i + 2, printable(name), did_you_mean(name, names),
-                                         fmt::join(names, ", ")));
+            throw InputError(fmt::format("caption column {}: no number called \"{}\"{}", i + 2,
+                                         printable(name), choose_instead(name, names_of(values))));
         }
         out += formatted(found->value, format, i);
         i = close;

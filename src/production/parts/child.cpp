@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 #include <cstring>
 #include <exception>
@@ -18,19 +17,20 @@
 
 #include "error/error.h"
 #include "system/interrupt.h"
+#include "text/numbers.h"
 
 namespace poinsot {
 
 namespace {
 
 // What a line on the pipe is, by its first letter.
-constexpr char kDone = 'd', kSays = 's', kRefused = 'r', kFailed = 'f';
+constexpr char tells_done = 'd', tells_line = 's', tells_refusal = 'r', tells_failure = 'f';
 
 // A message of several lines is one on the pipe.
-constexpr char kLineBreak = '\x1e';
+constexpr char line_break = '\x1e';
 
 void tell(int pipe, char what, std::string text) {
-    std::replace(text.begin(), text.end(), '\n', kLineBreak);
+    std::replace(text.begin(), text.end(), '\n', line_break);
     text = what + text + '\n';
     for (std::string_view rest = text; !rest.empty();) {
         const ssize_t n = ::write(pipe, rest.data(), rest.size());
@@ -42,8 +42,8 @@ void tell(int pipe, char what, std::string text) {
 
 Telling telling_on(int pipe) {
     Telling telling;
-    telling.say = [pipe](const std::string& line) { tell(pipe, kSays, line); };
-    telling.done = [pipe](std::int64_t n) { tell(pipe, kDone, fmt::format("{}", n)); };
+    telling.say = [pipe](const std::string& line) { tell(pipe, tells_line, line); };
+    telling.done = [pipe](std::int64_t n) { tell(pipe, tells_done, fmt::format("{}", n)); };
     return telling;
 }
 
@@ -53,11 +53,12 @@ Telling telling_on(int pipe) {
         work(telling_on(pipe));
         code = 0;
     } catch (const InputError& error) {
-        tell(pipe, kRefused, error.what());
+        tell(pipe, tells_refusal, error.what());
     } catch (const std::bad_alloc&) {
-        tell(pipe, kFailed, "out of memory; take fewer jobs, a smaller picture or a shorter film");
+        tell(pipe, tells_failure,
+             "out of memory; take fewer jobs, a smaller picture or a shorter film");
     } catch (const std::exception& error) {
-        tell(pipe, kFailed, error.what());
+        tell(pipe, tells_failure, error.what());
     }
     // Nothing of the parent's is flushed or destroyed here.
     ::_exit(code);
@@ -102,18 +103,18 @@ Children::~Children() {
 
 void Children::take_line(Child& child, const std::string& line, const Telling& telling) {
     std::string text = line.substr(1);
-    std::replace(text.begin(), text.end(), kLineBreak, '\n');
-    if (line[0] == kDone) {
-        std::from_chars(text.data(), text.data() + text.size(), child.n_done);
+    std::replace(text.begin(), text.end(), line_break, '\n');
+    if (line[0] == tells_done) {
+        child.n_done = number_of<std::int64_t>(text).value_or(child.n_done);
         std::int64_t n_done = 0;
         for (const Child& each : children_) n_done += each.n_done;
         telling.done(n_done);
-    } else if (line[0] == kSays) {
+    } else if (line[0] == tells_line) {
         // All would say the same of the scene.
         if (&child == &children_.front()) telling.say(text);
     } else {
         child.failure = text;
-        child.refused = line[0] == kRefused;
+        child.refused = line[0] == tells_refusal;
     }
 }
 

@@ -26,7 +26,7 @@ double frame_s(const FilmWork& film) {
 
 // Work below which another process does not pay: its start takes 0.2 s of CPU, 0.5 s where the
 // shaders have to be compiled.
-constexpr double kLeast_s = 0.5;
+constexpr double least_job_s = 0.5;
 
 // A process's share of the memory: libraries, shaders and curves, and for its pixels layers,
 // pictures in the queue and the encoder's. Measured beside one other (Pss, lecture, 2026-11-22):
@@ -36,15 +36,6 @@ std::int64_t job_MiB(const FilmWork& film) {
     const int samples = quality_named(film.quality).samples;
     return 120 + std::int64_t{film.width_px} * film.height_px *
                      (94 + std::int64_t{23} * samples * samples) / 1000000;
-}
-
-// How many cores a job of a format keeps busy with its encoder, so that more jobs would only make
-// them wait for each other; 0: one process ends sooner, since it encodes alone.
-int cores_a_job(const OutputFormat& format) {
-    if (format.name == "mp4" || format.name == "png-sequence") return 1;
-    // libvpx's threads wait for each other busily: two jobs on two cores took 1.3 times as long.
-    if (format.name == "webm") return 2;
-    return 0;
 }
 
 // The most that the memory, of which a half stays free, holds.
@@ -77,7 +68,7 @@ JobChoice choose_jobs(const FilmWork& film, const Machine& machine) {
         n_jobs = most;
         choice.why = why;
     };
-    const int cores = cores_a_job(format);
+    const int cores = format.n_cores_a_job;
     if (cores == 0 || !format.has_parts) {
         choice.why = fmt::format("a .{} is put together by one process", format.name);
     } else if (kind_of_file(film.output) == FileKind::special || film.output == "-") {
@@ -92,10 +83,11 @@ JobChoice choose_jobs(const FilmWork& film, const Machine& machine) {
         limit(n_chunks, fmt::format("the film has {} part{} of {} frames", n_chunks,
                                     n_chunks == 1 ? "" : "s", format.n_chunk_frames));
         const double work_s = frame_s(film) * static_cast<double>(film.n_frames);
-        limit(std::max<std::int64_t>(1, std::llround(std::floor(std::min(work_s / kLeast_s, 1e6)))),
+        limit(std::max<std::int64_t>(1,
+                                     std::llround(std::floor(std::min(work_s / least_job_s, 1e6)))),
               fmt::format("drawing and encoding take some {:.2g} s of processor time, and another "
                           "process pays from {} s each on",
-                          work_s, kLeast_s));
+                          work_s, least_job_s));
         limit(most_in(machine, each_MiB),
               fmt::format("half of the memory has room for them, {} MiB each", each_MiB));
     }

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -20,6 +18,7 @@
 #include "production/record.h"
 #include "production/recovery.h"
 #include "system/atomic_file.h"
+#include "system/file_contents.h"
 #include "system/file_kind.h"
 #include "system/interrupt.h"
 #include "text/printable.h"
@@ -186,10 +185,7 @@ std::string gaps_in(const std::vector<PartPicture>& pictures, std::int64_t first
 void copy_picture(const fs::path& from, const fs::path& to) {
     std::error_code not_there;
     if (fs::equivalent(from, to, not_there)) return;
-    std::ifstream stream(from, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream) throw EnvironmentError(fmt::format("{} cannot be read", name_of(from)));
-    write_whole(to, bytes);
+    write_whole(to, read_bytes(from));
 }
 
 std::string join_pictures(const std::vector<std::string>& names, const std::string& output,

@@ -17,7 +17,7 @@ namespace poinsot {
 
 namespace {
 
-constexpr int kDefaultLargestArray = 1001;  // slurm.conf(5), MaxArraySize
+constexpr int default_largest_array = 1001;  // slurm.conf(5), MaxArraySize
 
 // "1-3,7" of lines counted from 1 that are not done, those after an offset and within an array's
 // size; empty if there are none.
@@ -149,9 +149,9 @@ int largest_array() {
     const ProgramOutcome answer = run_program({"scontrol", "show", "config"});
     const std::size_t at = answer.out.find("MaxArraySize");
     const std::size_t equals = at == std::string::npos ? at : answer.out.find('=', at);
-    if (equals == std::string::npos) return kDefaultLargestArray;
+    if (equals == std::string::npos) return default_largest_array;
     const int size = std::atoi(answer.out.c_str() + equals + 1);
-    return size > 1 ? size : kDefaultLargestArray;
+    return size > 1 ? size : default_largest_array;
 }
 
 SlurmIds submit(const std::vector<SlurmCall>& calls) {

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <system_error>
 
@@ -16,6 +14,7 @@
 #include "output/frame_log.h"
 #include "output/frame_sink.h"
 #include "system/atomic_file.h"
+#include "system/file_contents.h"
 #include "system/own_files.h"
 #include "system/run_program.h"
 #include "text/printable.h"
@@ -28,7 +27,7 @@ namespace fs = std::filesystem;
 
 // Runs a line of a list. A program that was killed (out of memory, by hand) is started again: it
 // goes on from where it was. So does a task that the scheduler puts back into its queue.
-constexpr const char* kTaskScript = R"(#!/bin/sh
+constexpr const char* task_script = R"(#!/bin/sh
 # task.sh LIST [LINE]: runs one line of a list (a name, a tab, a command), here or as a task of a Slurm array.
 cd {folder} || exit 3
 line=$(sed -n "${{2:-$((SLURM_ARRAY_TASK_ID + ${{POINSOT_OFFSET:-0}}))}}p" "$1")
@@ -129,18 +128,13 @@ std::string list_of(const std::vector<SubmittedTask>& tasks) {
     return text;
 }
 
-std::string contents_of(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 // What was submitted before and is to be done in the same way is done; anything else begins anew.
 void keep_what_is_done(Submission& submission) {
     const fs::path& folder = submission.folder;
-    const std::string before = contents_of(folder / "films");
+    const std::string before = read_text_if_there(folder / "films");
     std::error_code ignored;
-    if (contents_of(folder / "tasks") != list_of(submission.parts) ||
-        contents_of(folder / "joins") != list_of(submission.joins)) {
+    if (read_text_if_there(folder / "tasks") != list_of(submission.parts) ||
+        read_text_if_there(folder / "joins") != list_of(submission.joins)) {
         fs::remove_all(folder / "state", ignored);
         fs::remove_all(folder / "logs", ignored);
         return;
@@ -181,7 +175,7 @@ Submission write_submission(const fs::path& folder, const std::vector<FilmToSubm
     make_folder(submission.folder / "state");
     make_folder(submission.folder / "logs");
     write_whole(submission.folder / "task.sh",
-                fmt::format(fmt::runtime(kTaskScript),
+                fmt::format(fmt::runtime(task_script),
                             fmt::arg("folder", shell_word(submission.folder.string())),
                             fmt::arg("tab", "\t")));
     write_whole(submission.folder / "films", list);
@@ -212,7 +206,7 @@ bool is_fresh(const fs::path& path) {
 }
 
 std::string last_line_of(const fs::path& log) {
-    const std::vector<std::string> lines = split(contents_of(log), '\n');
+    const std::vector<std::string> lines = split(read_text_if_there(log), '\n');
     return lines.empty() ? "" : lines.back();
 }
 
@@ -263,7 +257,7 @@ fs::path folder_with_tasks(const fs::path& folder) {
 std::vector<FilmStatus> status_of(const fs::path& asked) {
     const fs::path folder = folder_with_tasks(asked);
     std::vector<FilmStatus> films;
-    for (const std::string& line : split(contents_of(folder / "films"), '\n')) {
+    for (const std::string& line : split(read_text_if_there(folder / "films"), '\n')) {
         const std::vector<std::string> fields = split(line, '\t');
         if (fields.size() != 4)
             throw InputError(fmt::format("{}: is no list of films; submit them again",

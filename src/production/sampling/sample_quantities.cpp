@@ -10,6 +10,7 @@
 #include "mechanics/euler_angles.h"
 #include "production/sampling/sampled_instant.h"
 #include "text/nearest.h"
+#include "text/printable.h"
 
 namespace poinsot {
 

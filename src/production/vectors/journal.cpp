@@ -1,15 +1,11 @@
 #include "production/vectors/journal.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
-#include <vector>
 
 #include "error/error.h"
 #include "text/nearest.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
@@ -52,16 +48,8 @@ constexpr std::array<Journal, 5> table{
 std::span<const Journal> journals() { return table; }
 
 const Journal& journal_named(std::string_view name) {
-    std::vector<std::string_view> names;
-    names.reserve(table.size());
-    for (const Journal& journal : table) {
-        if (journal.name == name) return journal;
-        names.push_back(journal.name);
-    }
-    const std::string nearest = did_you_mean(name, names);
-    throw InputError(fmt::format(
-        "--journal {}: unknown{}", printable(name),
-        nearest.empty() ? fmt::format("; choose one of: {}", fmt::join(names, ", ")) : nearest));
+    if (const Journal* row = find_row(table, name)) return *row;
+    throw InputError(unknown("journal", name, names_of(table)));
 }
 
 void set_least_sizes(const Journal& journal, PrintChoices& print) {

@@ -1,16 +1,13 @@
 #include "production/vectors/vector_still.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "error/error.h"
 #include "production/vectors/latex_figure.h"
+#include "system/file_contents.h"
 #include "system/file_kind.h"
 #include "system/sha256.h"
 #include "text/nearest.h"
@@ -29,30 +26,30 @@ constexpr double longest_inches = 200.0;  // ISO 32000-1, annex C: 14,400 units
 
 enum class Lettering { font, paths, latex };
 
-constexpr std::array<std::pair<std::string_view, vector::Shading>, 3> shadings{
-    {{"none", vector::Shading::none},
-     {"tone", vector::Shading::tone},
-     {"picture", vector::Shading::picture}}};
-constexpr std::array<std::pair<std::string_view, Lettering>, 3> letterings{
-    {{"font", Lettering::font}, {"paths", Lettering::paths}, {"latex", Lettering::latex}}};
+// A value of an option, by its name.
+template <typename Value>
+struct Named {
+    std::string_view name;
+    Value value;
+};
+constexpr Named<vector::Shading> shadings[] = {{"none", vector::Shading::none},
+                                               {"tone", vector::Shading::tone},
+                                               {"picture", vector::Shading::picture}};
+constexpr Named<Lettering> letterings[] = {
+    {"font", Lettering::font}, {"paths", Lettering::paths}, {"latex", Lettering::latex}};
 
-// The row of a table that an option names.
-template <typename Rows>
-auto named(std::string_view option, const Rows& rows, const std::string& name) {
-    std::vector<std::string_view> names;
-    for (const auto& [known, value] : rows) {
-        if (known == name) return value;
-        names.push_back(known);
-    }
-    const std::string nearest = did_you_mean(name, names);
-    throw InputError(fmt::format(
-        "{} {}: unknown{}", option, printable(name),
-        nearest.empty() ? fmt::format("; choose one of: {}", fmt::join(names, ", ")) : nearest));
+template <typename Table>
+auto value_named(std::string_view option, const Table& table, const std::string& name) {
+    if (const auto* row = find_row(table, name)) return row->value;
+    throw InputError(fmt::format("{} {}: unknown{}", option, printable(name),
+                                 choose_instead(name, names_of(table))));
 }
 vector::Shading shading_named(const std::string& name) {
-    return named("--shading", shadings, name);
+    return value_named("--shading", shadings, name);
 }
-Lettering lettering_named(const std::string& name) { return named("--text", letterings, name); }
+Lettering lettering_named(const std::string& name) {
+    return value_named("--text", letterings, name);
+}
 
 bool is_svg(const std::filesystem::path& name) { return suffix_of(name) == ".svg"; }
 
@@ -134,10 +131,7 @@ VectorText read_vector_text(const std::filesystem::path& file) {
     const FileKind kind = kind_of_file(file);
     if (kind != FileKind::regular)
         throw InputError(fmt::format("{}: {}", printable(file.string()), in_words(kind)));
-    std::ifstream stream(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream.good() && !stream.eof())
-        throw InputError(fmt::format("{}: cannot be read", printable(file.string())));
+    const std::string bytes = read_text(file);
     VectorText found;
     if (is_svg(file)) {
         found.text = vector::svg_text(bytes);
