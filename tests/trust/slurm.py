@@ -89,10 +89,10 @@ class Slurm:
         os.environ["PATH"] += ":/usr/sbin"
         self.start("slurmctld")
         self.start("slurmd")
-        deadline = time.monotonic() + 20
+        deadline = time.monotonic() + 60
         while "idle" not in self.ask("sinfo", "-h", "-o", "%T"):
             if time.monotonic() > deadline:
-                raise CannotStart("no node became idle in 20 s: " + (folder / "slurmd.log").read_text()[-300:])
+                raise CannotStart("no node became idle in 60 s: " + (folder / "slurmd.log").read_text()[-300:])
             time.sleep(0.2)
 
     def munge(self):
@@ -162,7 +162,7 @@ class Trial:
         print(f"{what:58} {seconds:5.1f} s  {'' if right else 'WRONG: '}{outcome}", flush=True)
 
     @staticmethod
-    def wait_for(question, seconds=40):
+    def wait_for(question, seconds=160):
         deadline = time.monotonic() + seconds
         while time.monotonic() < deadline:
             answer = question()
@@ -209,8 +209,8 @@ class Trial:
         self.slurm.start("slurmd")
         states = self.poinsot("status", place, check=False).stdout
         # Slurm holds a requeued task back for two minutes; that need not be waited for here.
-        self.wait_for(lambda: self.release(told["parts"]), 20)
-        empty = self.slurm.wait_until_empty(90)
+        self.wait_for(lambda: self.release(told["parts"]), 90)
+        empty = self.slurm.wait_until_empty(400)
         seconds = time.monotonic() - began
         self.say("film of 1,920 frames in 8 parts, 320×180", empty and filecmp.cmp(one / "film.mp4", place / "film.mp4", False)
                  if (place / "film.mp4").exists() else False, "the bytes of one run", seconds)
@@ -242,7 +242,7 @@ class Trial:
         place.mkdir()
         began = time.monotonic()
         self.submit(scene, "-q", "-o", place / "s_####.png", "--parts", "20", "--frames", "0-999", "--size", "64x36")
-        empty = self.slurm.wait_until_empty(100)
+        empty = self.slurm.wait_until_empty(400)
         seconds = time.monotonic() - began
         one = self.folder / "still_frames"
         one.mkdir()
