@@ -112,33 +112,35 @@ void add_free_motion(const Session& session, std::vector<Fact>& facts) {
     }
 }
 
-std::string regime_in_words(TopRegime regime) {
+// What the name of a top's motion means.
+std::string_view meaning_of(TopRegime regime) {
     switch (regime) {
         case TopRegime::sleeping:
-            return "sleeping: upright, and stable since (Cω₃)² ≥ 4A·Mgl";
+            return "upright, and stable since (Cω₃)² ≥ 4A·Mgl";
         case TopRegime::sleeping_unstable:
-            return "sleeping, unstable: upright by symmetry alone, since (Cω₃)² < 4A·Mgl";
+            return "upright by symmetry alone, since (Cω₃)² < 4A·Mgl";
         case TopRegime::hanging:
-            return "hanging: vertical, with the centre of mass below the fixed point";
+            return "vertical, with the centre of mass below the fixed point";
         case TopRegime::steady_slow:
-            return "steady precession, the slower of the two: θ stays as it is";
+            return "θ stays as it is, and of its two precessions this is the slower";
         case TopRegime::steady_fast:
-            return "steady precession, the faster of the two: θ stays as it is";
+            return "θ stays as it is, and of its two precessions this is the faster";
         case TopRegime::wavy:
-            return "wavy nutation: φ̇ keeps its sign";
+            return "φ̇ keeps its sign";
         case TopRegime::cusp:
-            return "cuspidal nutation: φ̇ vanishes at the upper end";
+            return "φ̇ vanishes at the upper end";
         case TopRegime::looping:
-            return "looping nutation: φ̇ changes its sign";
+            return "φ̇ changes its sign";
+        case TopRegime::through_vertical:
+            return "φ jumps by π at each passage";
         case TopRegime::planar_pendulum:
-            return "planar pendulum: neither spin nor precession";
+            return "neither spin nor precession";
         case TopRegime::separatrix:
-            return "separatrix: the axis tends to the upright and never returns";
+            return "the axis tends to the upright and never returns";
         case TopRegime::no_gravity:
-            return "without gravity: a free symmetric body";
-        default:
-            return std::string(name_of(regime));
+            return "a free symmetric body";
     }
+    return "";
 }
 
 // The closed form of a heavy symmetric top, by whatever method the motion is computed.
@@ -152,7 +154,7 @@ std::optional<HeavyTop> heavy_top_of(const Session& session) {
 // What a heavy top keeps: its momenta, its energy, and the ends and rates of its nutation.
 void add_heavy_top(const HeavyTop& top, std::vector<Fact>& facts) {
     facts.push_back({"top_regime", json_string(name_of(top.regime())), "kind of its motion",
-                     regime_in_words(top.regime())});
+                     fmt::format("{}: {}", name_of(top.regime()), meaning_of(top.regime()))});
     const TopInvariants& kept = top.invariants();
     add_number(facts, "p_phi_kg_m2_s", "p_φ, along the vertical", kept.p_phi_kg_m2_s, "kg m²/s");
     add_number(facts, "p_psi_kg_m2_s", "p_ψ = Cω₃, along the axis", kept.p_psi_kg_m2_s, "kg m²/s");

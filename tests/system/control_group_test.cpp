@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "system/faults.h"
 #include "system/processor.h"
 
 namespace poinsot {
@@ -17,18 +17,15 @@ namespace fs = std::filesystem;
 
 class ControlGroup : public testing::Test {
  protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "poinsot-test-XXXXXX").string();
-        root_ = mkdtemp(name.data());
-        fs::create_directories(root_ / "slurm" / "job_7");
-    }
-    void TearDown() override { fs::remove_all(root_); }
+    ControlGroup() { fs::create_directories(root() / "slurm" / "job_7"); }
 
+    const fs::path& root() const { return folder_.path(); }
     void write(const fs::path& file, const std::string& text) const {
-        std::ofstream(root_ / file) << text << '\n';
+        std::ofstream(root() / file) << text << '\n';
     }
 
-    fs::path root_;
+ private:
+    TemporaryFolder folder_;
 };
 
 TEST_F(ControlGroup, GrantsTheLeastOfThoseAbove) {
@@ -36,7 +33,7 @@ TEST_F(ControlGroup, GrantsTheLeastOfThoseAbove) {
     write("slurm/memory.max", "8589934592");
     write("slurm/job_7/cpu.max", "max 100000");
     write("slurm/job_7/memory.max", "2147483648");
-    const Grant grant = grant_of(root_, "4:memory:/elsewhere\n0::/slurm/job_7\n");
+    const Grant grant = grant_of(root(), "4:memory:/elsewhere\n0::/slurm/job_7\n");
     EXPECT_EQ(grant.n_processors, 1.5);
     EXPECT_EQ(grant.memory_bytes, 2147483648);
 }
@@ -45,7 +42,7 @@ TEST_F(ControlGroup, GrantsTheLeastOfThoseAbove) {
 TEST_F(ControlGroup, GrantsWhatTheRootOfAContainerSays) {
     write("cpu.max", "50000 100000");
     write("memory.max", "536870912");
-    const Grant grant = grant_of(root_, "0::/\n");
+    const Grant grant = grant_of(root(), "0::/\n");
     EXPECT_EQ(grant.n_processors, 0.5);
     EXPECT_EQ(grant.memory_bytes, 536870912);
 }
@@ -54,11 +51,11 @@ TEST_F(ControlGroup, IsNoBoundWhereNothingIsBounded) {
     write("slurm/cpu.max", "max 100000");
     write("slurm/memory.max", "max");
     for (const char* own : {"0::/slurm\n", "0::/gone/away\n", "1:cpu:/\n", "", "0::/"}) {
-        const Grant grant = grant_of(root_, own);
+        const Grant grant = grant_of(root(), own);
         EXPECT_FALSE(grant.n_processors) << own;
         EXPECT_FALSE(grant.memory_bytes) << own;
     }
-    EXPECT_FALSE(grant_of(root_ / "nothing", "0::/slurm\n").memory_bytes);
+    EXPECT_FALSE(grant_of(root() / "nothing", "0::/slurm\n").memory_bytes);
 }
 
 TEST(Processor, CountsAtLeastOneAndSomeMemory) {

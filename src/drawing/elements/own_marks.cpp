@@ -29,9 +29,8 @@ SetType name_of(const Panel& panel, std::size_t i) {
     const double scale = 0.85 * stage.scene.style.label_scale.value_or(1.0);
     const TypeStyle style{.size_px =
                               std::max(scale * label_size * panel.type_px, least_type_px(stage))};
-    return at_scene_key(stage.scene, fmt::format("marks[{}].name", i), [&] {
-        return stage.type_case.set(named_by_scene(stage.scene, stage.scene.marks[i].name), style);
-    });
+    return at_scene_key(stage.scene, fmt::format("marks[{}].name", i),
+                        [&] { return stage.type_case.set(stage.scene.marks[i].name, style); });
 }
 
 RotationState state_at(const StageData& stage, double time_s) {
