@@ -127,7 +127,7 @@ std::vector<CatalogueEntry> journal_entries() {
     return entries;
 }
 
-const auto table = std::to_array<Catalogue>({
+const auto catalogue_rows = std::to_array<Catalogue>({
     {"scenes", scene_entries},
     {"keys", key_entries},
     {"methods", method_entries},
@@ -149,6 +149,6 @@ const auto table = std::to_array<Catalogue>({
 
 }  // namespace
 
-std::span<const Catalogue> catalogues() { return table; }
+std::span<const Catalogue> catalogues() { return catalogue_rows; }
 
 }  // namespace poinsot

@@ -10,6 +10,10 @@
 
 namespace poinsot {
 
+// What curves of a panel's view lie on (Curve::on_surface, on_plane): its first of each.
+constexpr int the_ellipsoid = 0;
+constexpr int the_plane = 0;
+
 // Type beside arrows, px per em at 1080 rows.
 constexpr double label_size = 34.0;
 

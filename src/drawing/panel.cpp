@@ -61,7 +61,7 @@ constexpr Phrase effective_potential_title{"Effective potential", "Effektives Po
                                            "Potentiel effectif",  "Potencial efectivo",
                                            "Potenziale efficace", "有効ポテンシャル"};
 
-const PanelKind table[] = {
+const PanelKind panel_rows[] = {
     {"space", "the ellipsoid rolling on the invariable plane", invariable_plane_title, false,
      keeps_momentum, turning, make_space_panel, CameraUse::all},
     {"body", "the ellipsoid at rest, all its polhodes and the separatrices", body_axes_title, true,
@@ -118,7 +118,7 @@ std::string_view default_panel(const StageData& stage) {
     return keeps_L ? "space" : "object";
 }
 
-std::span<const PanelKind> panel_kinds() { return table; }
+std::span<const PanelKind> panel_kinds() { return panel_rows; }
 
 std::vector<std::string> idle_camera_keys(const Scene& scene) {
     // What the panels seen as [camera] says take of it.
@@ -126,9 +126,9 @@ std::vector<std::string> idle_camera_keys(const Scene& scene) {
     bool any_view = scene.panels.empty();
     for (const PanelSpec& spec : scene.panels) {
         const auto kind =
-            std::find_if(std::begin(table), std::end(table),
+            std::find_if(std::begin(panel_rows), std::end(panel_rows),
                          [&spec](const PanelKind& row) { return row.name == spec.kind; });
-        if (kind == std::end(table)) return {};
+        if (kind == std::end(panel_rows)) return {};
         // The plan is flat, and yet lies as the camera of the space panel sees the plane.
         if (kind->name == "plan") return {};
         any_view = any_view || kind->camera != CameraUse::none;
@@ -154,8 +154,8 @@ std::vector<std::string> idle_camera_keys(const Scene& scene) {
 }
 
 const PanelKind& panel_kind_named(std::string_view name) {
-    if (const PanelKind* row = find_row(table, name)) return *row;
-    throw InputError(unknown("panel", name, names_of(table)));
+    if (const PanelKind* row = find_row(panel_rows, name)) return *row;
+    throw InputError(unknown("panel", name, names_of(panel_rows)));
 }
 
 }  // namespace poinsot

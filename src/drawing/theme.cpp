@@ -165,7 +165,7 @@ Theme transparent_of(Theme theme, std::string_view name, std::string_view summar
     return theme;
 }
 
-const Theme table[] = {
+const Theme theme_rows[] = {
     light,
     dark,
     print,
@@ -177,11 +177,11 @@ const Theme table[] = {
 
 }  // namespace
 
-std::span<const Theme> themes() { return table; }
+std::span<const Theme> themes() { return theme_rows; }
 
 const Theme& theme_named(std::string_view name) {
-    if (const Theme* row = find_row(table, name)) return *row;
-    const std::vector<std::string_view> names = names_of(table);
+    if (const Theme* row = find_row(theme_rows, name)) return *row;
+    const std::vector<std::string_view> names = names_of(theme_rows);
     const bool none_near = did_you_mean(name, names).empty();
     throw InputError(unknown("theme", name, names) +
                      (none_near ? ", or a theme in a file, as in my.toml" : ""));

@@ -61,7 +61,7 @@ constexpr std::array order_4{4};
 constexpr std::array order_5{5};
 constexpr std::array even_orders{2, 4, 6, 8, 10};
 
-constexpr std::array table{
+constexpr std::array method_rows{
     Method{.name = "exact",
            .summary = "closed form, any instant at the same cost, accurate to rounding",
            .source = "Jacobi 1849; Klein & Sommerfeld, Theorie des Kreisels",
@@ -168,11 +168,11 @@ void check_order(const Method& method, int order) {
 
 }  // namespace
 
-std::span<const Method> methods() { return table; }
+std::span<const Method> methods() { return method_rows; }
 
 const Method& find_method(std::string_view name) {
-    if (const Method* row = find_row(table, name)) return *row;
-    throw InputError(unknown("method", name, names_of(table)));
+    if (const Method* row = find_row(method_rows, name)) return *row;
+    throw InputError(unknown("method", name, names_of(method_rows)));
 }
 
 bool can_solve(const Method& method, const InertiaTensor& inertia, const Torque& torque) {
@@ -184,7 +184,7 @@ bool can_solve(const Method& method, const InertiaTensor& inertia, const Torque&
 
 std::string methods_that_solve(const InertiaTensor& inertia, const Torque& torque) {
     std::vector<std::string_view> names;
-    for (const Method& method : table) {
+    for (const Method& method : method_rows) {
         if (can_solve(method, inertia, torque)) names.push_back(method.name);
     }
     return joined(names);

@@ -70,7 +70,7 @@ Eigen::Vector3d plate(Sizes s) {
     return Eigen::Vector3d(y, x, x + y) / 12.0;
 }
 
-constexpr std::array<Solid, 12> table{{
+constexpr std::array<Solid, 12> solid_rows{{
     {"box", 3, "edge lengths along e1, e2, e3", box},
     {"ellipsoid", 3, "half-axes along e1, e2, e3", ellipsoid},
     {"cylinder", 2, "radius, height along e3", cylinder},
@@ -86,8 +86,8 @@ constexpr std::array<Solid, 12> table{{
 }};
 
 const Solid& solid_named(std::string_view name) {
-    if (const Solid* row = find_row(table, name)) return *row;
-    throw InputError(unknown("shape", name, names_of(table)));
+    if (const Solid* row = find_row(solid_rows, name)) return *row;
+    throw InputError(unknown("shape", name, names_of(solid_rows)));
 }
 
 void check_mass(double mass_kg, std::string_view what) {
@@ -161,7 +161,7 @@ void check_extent(const Eigen::Vector3d& moments, double mass, double rounding) 
 
 }  // namespace
 
-std::span<const Solid> solids() { return table; }
+std::span<const Solid> solids() { return solid_rows; }
 
 InertiaTensor inertia_of_solid(std::string_view name, std::span<const double> size_m,
                                double mass_kg) {

@@ -24,9 +24,6 @@ std::vector<ProfilePoint> rectangle(double inner_m, double outer_m, double heigh
     return {{inner_m, -h}, {outer_m, -h}, {outer_m, h}, {inner_m, h}};
 }
 
-bool even(int sector) { return sector % 2 == 0; }
-bool odd(int sector) { return sector % 2 != 0; }
-
 }  // namespace
 
 // Crossbar along z, stem along −y: the middle moment is the one about the stem.
@@ -158,8 +155,8 @@ std::vector<ObjectPart> football() {
     profile[n_steps + 1].radius_m = profile.back().radius_m = 0.0;
     // Four panels, two and two in one shade.
     constexpr int facets = 64;
-    return of_mass({{"panels", sectors(profile, 4, even, facets), {0.48, 0.24, 0.12}},
-                    {"other panels", sectors(profile, 4, odd, facets), {0.40, 0.19, 0.10}}},
+    return of_mass({{"panels", sectors(profile, 4, even_sector, facets), {0.48, 0.24, 0.12}},
+                    {"other panels", sectors(profile, 4, odd_sector, facets), {0.40, 0.19, 0.10}}},
                    mass_kg);
 }
 
@@ -185,12 +182,14 @@ std::vector<ObjectPart> disc() {
     constexpr double polycarbonate_kg_m3 = 1200.0;
     const std::vector<ProfilePoint> profile = rectangle(0.0075, 0.060, 0.0012);
     constexpr int facets = 144;
-    return {
-        {"sectors", sectors(profile, 12, even, facets), {0.78, 0.80, 0.84}, polycarbonate_kg_m3},
-        {"other sectors",
-         sectors(profile, 12, odd, facets),
-         {0.58, 0.62, 0.70},
-         polycarbonate_kg_m3}};
+    return {{"sectors",
+             sectors(profile, 12, even_sector, facets),
+             {0.78, 0.80, 0.84},
+             polycarbonate_kg_m3},
+            {"other sectors",
+             sectors(profile, 12, odd_sector, facets),
+             {0.58, 0.62, 0.70},
+             polycarbonate_kg_m3}};
 }
 
 // Axis along z. Core and ring have one density; twelve

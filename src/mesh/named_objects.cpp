@@ -11,7 +11,7 @@ namespace poinsot {
 
 namespace {
 
-constexpr std::array<NamedObject, 15> table{{
+constexpr std::array<NamedObject, 15> object_rows{{
     {"t-handle", "T-shaped handle, as spun on the space station; flips about its stem",
      "proportions as seen in NASA's film of the tumbling T-handle (none are published); O'Reilly, "
      "rotations.berkeley.edu/a-tumbling-t-handle-in-space; aluminium, 2700 kg/m^3",
@@ -68,11 +68,11 @@ constexpr std::array<NamedObject, 15> table{{
 
 }  // namespace
 
-std::span<const NamedObject> named_objects() { return table; }
+std::span<const NamedObject> named_objects() { return object_rows; }
 
 const NamedObject& object_named(std::string_view name) {
-    if (const NamedObject* row = find_row(table, name)) return *row;
-    throw InputError(unknown("object", name, names_of(table)));
+    if (const NamedObject* row = find_row(object_rows, name)) return *row;
+    throw InputError(unknown("object", name, names_of(object_rows)));
 }
 
 BodyProperties properties_of(std::span<const ObjectPart> parts) {

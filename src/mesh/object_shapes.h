@@ -18,6 +18,8 @@ namespace poinsot {
 // sectors together have the mass properties of the whole.
 TriangleMesh sectors(std::span<const ProfilePoint> profile, int n_sectors,
                      const std::function<bool(int sector)>& chosen, int facets = default_facets);
+inline bool even_sector(int sector) { return sector % 2 == 0; }
+inline bool odd_sector(int sector) { return sector % 2 != 0; }
 
 // The four octants of an ellipsoid whose coordinates have a positive product, or the four others,
 // each closed by its planes. Together they have the mass properties of ellipsoid_mesh.

@@ -9,9 +9,6 @@ namespace poinsot::object_makers {
 
 namespace {
 
-bool even(int sector) { return sector % 2 == 0; }
-bool odd(int sector) { return sector % 2 != 0; }
-
 // The closed profile of a cylinder about the axis.
 std::vector<ProfilePoint> cylinder_profile(double radius_m, double height_m) {
     const double h = 0.5 * height_m;
@@ -27,8 +24,8 @@ std::vector<ObjectPart> box() {
 std::vector<ObjectPart> cylinder() {
     constexpr double size_m = 0.03917;
     const std::vector<ProfilePoint> profile = cylinder_profile(0.5 * size_m, size_m);
-    return of_mass({{"sectors", sectors(profile, 8, even), {0.80, 0.80, 0.82}},
-                    {"other sectors", sectors(profile, 8, odd), {0.62, 0.63, 0.66}}},
+    return of_mass({{"sectors", sectors(profile, 8, even_sector), {0.80, 0.80, 0.82}},
+                    {"other sectors", sectors(profile, 8, odd_sector), {0.62, 0.63, 0.66}}},
                    1.0);
 }
 
@@ -38,8 +35,8 @@ std::vector<ObjectPart> cone() {
     constexpr double maple_kg_m3 = 705.0;
     const std::vector<ProfilePoint> profile{
         {0.0, -0.25 * height_m}, {radius_m, -0.25 * height_m}, {0.0, 0.75 * height_m}};
-    return {{"sectors", sectors(profile, 8, even), {0.80, 0.62, 0.40}, maple_kg_m3},
-            {"other sectors", sectors(profile, 8, odd), {0.66, 0.47, 0.28}, maple_kg_m3}};
+    return {{"sectors", sectors(profile, 8, even_sector), {0.80, 0.62, 0.40}, maple_kg_m3},
+            {"other sectors", sectors(profile, 8, odd_sector), {0.66, 0.47, 0.28}, maple_kg_m3}};
 }
 
 std::vector<ObjectPart> ellipsoid() {

@@ -111,7 +111,7 @@ struct SolidRow {
 
 constexpr double seen_thickness = 0.01;
 
-constexpr std::array<SolidRow, 12> table{{
+constexpr std::array<SolidRow, 12> mesh_rows{{
     {"box", 3,
      [](Sizes s) {
          return box_mesh({s[0], s[1], s[2]});
@@ -182,8 +182,8 @@ TriangleMesh torus_mesh(double centre_line_radius_m, double tube_radius_m, int f
 }
 
 TriangleMesh solid_mesh(std::string_view shape, std::span<const double> size_m) {
-    const SolidRow* row = find_row(table, shape);
-    if (row == nullptr) throw InputError(unknown("shape", shape, names_of(table)));
+    const SolidRow* row = find_row(mesh_rows, shape);
+    if (row == nullptr) throw InputError(unknown("shape", shape, names_of(mesh_rows)));
     if (size_m.size() != row->n_sizes) {
         throw InputError(fmt::format("size_m of a {} has {} values, not {}; give {}", shape,
                                      row->n_sizes, size_m.size(), row->n_sizes));

@@ -21,7 +21,7 @@ namespace {
 //
 // The figures are the rows of `poinsot tradeoff scenes/generic.toml` that bear the names
 // (2026-11-22, AMD EPYC, 2 cores, processor time); users see the times as ratios.
-constexpr Quality table[] = {
+constexpr Quality quality_rows[] = {
     {"draft",
      10.0,
      1,
@@ -54,11 +54,11 @@ constexpr Quality table[] = {
 
 }  // namespace
 
-std::span<const Quality> qualities() { return table; }
+std::span<const Quality> qualities() { return quality_rows; }
 
 const Quality& quality_named(std::string_view name) {
-    if (const Quality* row = find_row(table, name)) return *row;
-    throw InputError(unknown("quality", name, names_of(table)));
+    if (const Quality* row = find_row(quality_rows, name)) return *row;
+    throw InputError(unknown("quality", name, names_of(quality_rows)));
 }
 
 }  // namespace poinsot

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<std::string_view, 3> aims{"middle", "centre", "foot"};
 constexpr std::array<std::string_view, 2> projections{"perspective", "orthographic"};
 
-const std::array<CameraView, 6> table{{
+const std::array<CameraView, 6> view_rows{{
     {"lecture", "the usual view, a little from above", CameraSpec{}.azimuth_deg,
      CameraSpec{}.elevation_deg, CameraSpec{}.distance, CameraSpec{}.field_deg, "middle"},
     {"front", "from the front, level with the centre", -90.0, 3.0, 5.4, 28.0, "middle"},
@@ -25,11 +25,11 @@ const std::array<CameraView, 6> table{{
 
 }  // namespace
 
-std::span<const CameraView> camera_views() { return table; }
+std::span<const CameraView> camera_views() { return view_rows; }
 
 const CameraView& camera_view_named(std::string_view name) {
-    if (const CameraView* row = find_row(table, name)) return *row;
-    throw InputError(unknown("camera view", name, names_of(table)));
+    if (const CameraView* row = find_row(view_rows, name)) return *row;
+    throw InputError(unknown("camera view", name, names_of(view_rows)));
 }
 
 std::span<const std::string_view> camera_aims() { return aims; }

@@ -9,7 +9,7 @@ namespace poinsot {
 
 namespace {
 
-const std::array<Easing, 7> table{{
+const std::array<Easing, 7> easing_rows{{
     {"linear", "evenly", [](double u) { return u; }, [](double u) { return 0.5 * u * u; }},
     {"smooth", "begins and ends at rest", [](double u) { return u * u * (3.0 - 2.0 * u); },
      [](double u) { return u * u * u * (1.0 - 0.5 * u); }},
@@ -29,11 +29,11 @@ const std::array<Easing, 7> table{{
 
 }  // namespace
 
-std::span<const Easing> easings() { return table; }
+std::span<const Easing> easings() { return easing_rows; }
 
 const Easing& easing_named(std::string_view name) {
-    if (const Easing* row = find_row(table, name)) return *row;
-    throw InputError(unknown("easing", name, names_of(table)));
+    if (const Easing* row = find_row(easing_rows, name)) return *row;
+    throw InputError(unknown("easing", name, names_of(easing_rows)));
 }
 
 }  // namespace poinsot

@@ -37,7 +37,7 @@ bool any_motion(const StageData&) { return true; }
 bool is_heavy_top(const StageData& stage) { return stage.motion.motion().heavy_top() != nullptr; }
 bool keeps_momentum(const StageData& stage) { return stage.rolling.has_value(); }
 bool rolls(const StageData& stage) { return keeps_momentum(stage) && !stage.rolling->dissipates; }
-bool has_cones(const StageData& stage) { return rolls(stage) && stage.rolling->cones; }
+bool rolls_with_cones(const StageData& stage) { return rolls(stage) && stage.rolling->cones; }
 
 constexpr Quantities euler_angles{.attitude = false, .herpolhode = false, .euler_angles = true};
 
@@ -179,7 +179,7 @@ PlotValues residual_values(const StageData& stage, const Instant& instant) {
             decade(r.unit_quaternion)};
 }
 
-constexpr PlotQuantity table[] = {
+constexpr PlotQuantity quantity_rows[] = {
     {"omega", "ω1, ω2, ω3 along the principal axes", formula("$\\omega_i$"), "rad/s", false, false,
      true, omega_alone, any_motion, "", omega_curves, omega_values},
     {"euler_angles", "θ, φ, ψ of a heavy top", no_words, "rad", true, false, false, euler_angles,
@@ -195,7 +195,7 @@ constexpr PlotQuantity table[] = {
      formula("$p_\\varphi$, $p_\\psi$ / (kg m²/s);  $E$"), "J", false, false, true, attitude_too,
      is_heavy_top, "a heavy symmetric top", conserved_curves, conserved_values},
     {"turns", "turns of a symmetric body's axis about L (wobble) and of marks on it (spin)",
-     turns_title, "", false, false, true, omega_alone, has_cones,
+     turns_title, "", false, false, true, omega_alone, rolls_with_cones,
      "a torque-free body with exactly two equal moments", turn_curves, turn_values},
     {"residuals", "how far T, L, the contact and the attitude are from what is conserved",
      residual_title, "", false, true, false, attitude_too, rolls, "a torque-free body that turns",
@@ -214,7 +214,7 @@ const PlotQuantity& without_potential(const PlotQuantity& energy) {
 
 }  // namespace
 
-std::span<const PlotQuantity> plot_quantities() { return table; }
+std::span<const PlotQuantity> plot_quantities() { return quantity_rows; }
 
 ShownUnit unit_of(const StageData& stage, const PlotQuantity& quantity) {
     const bool one_unit =
@@ -234,8 +234,8 @@ PlotValues shown_values(const StageData& stage, const PlotQuantity& quantity,
 
 const PlotQuantity& plot_quantity_of(const StageData& stage, std::string_view name) {
     if (name.empty()) name = is_heavy_top(stage) ? "euler_angles" : "omega";
-    const PlotQuantity* row = find_row(table, name);
-    if (row == nullptr) throw InputError(unknown("quantity", name, names_of(table)));
+    const PlotQuantity* row = find_row(quantity_rows, name);
+    if (row == nullptr) throw InputError(unknown("quantity", name, names_of(quantity_rows)));
     if (!row->possible(stage)) {
         throw InputError(fmt::format("a plot of \"{}\" needs {}; choose another quantity",
                                      row->name, row->needs));

@@ -106,7 +106,7 @@ Drawer make_cones(Panel& panel) {
     };
 }
 
-const Element table[] = {
+const Element element_rows[] = {
     {"plane", "the invariable plane with its grid", always, omega_alone, make_plane},
     {"tangent", "a patch of the plane that touches the ellipsoid at ρ: the invariable plane", never,
      attitude_too, make_tangent},
@@ -151,7 +151,7 @@ const Element table[] = {
 
 }  // namespace
 
-std::span<const Element> elements() { return table; }
+std::span<const Element> elements() { return element_rows; }
 
 bool is_shown(const StageData& stage, std::string_view name) {
     const std::vector<std::string>& show = stage.scene.show;
@@ -160,8 +160,8 @@ bool is_shown(const StageData& stage, std::string_view name) {
 }
 
 const Element& element_named(std::string_view name) {
-    if (const Element* row = find_row(table, name)) return *row;
-    throw InputError(unknown("element", name, names_of(table)));
+    if (const Element* row = find_row(element_rows, name)) return *row;
+    throw InputError(unknown("element", name, names_of(element_rows)));
 }
 
 }  // namespace poinsot

@@ -19,8 +19,6 @@ namespace poinsot {
 namespace {
 
 // Index of the one ellipsoid and the one plane in the space view; see the order of the table.
-constexpr int the_ellipsoid = 0;
-constexpr int the_plane = 0;
 
 // Far enough for the herpolhode.
 double plane_radius(const Panel& panel) {

@@ -20,8 +20,6 @@ namespace poinsot {
 
 namespace {
 
-constexpr int the_ellipsoid = 0;
-
 // L and ω are shorter here than in space, where they have to stand out of a body that turns, so
 // that the ellipsoid fills its panel; L still reaches beyond an ω beside it.
 constexpr double body_momentum_length = 1.3;

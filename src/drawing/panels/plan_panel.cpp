@@ -21,8 +21,6 @@ namespace poinsot {
 
 namespace {
 
-constexpr int the_plane = 0;
-
 // From space axes to the plan: z towards us, y up in the panel, the outer circle's radius 1.
 struct PlanScale {
     Eigen::Matrix3d plan_from_space;

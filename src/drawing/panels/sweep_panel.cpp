@@ -30,7 +30,6 @@ namespace poinsot {
 namespace {
 
 using std::numbers::pi;
-constexpr int the_ellipsoid = 0;
 
 // How much of the film has passed at an instant, 0…1.
 double share_at(const StageData& stage, const Instant& instant) {

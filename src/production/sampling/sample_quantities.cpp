@@ -104,7 +104,7 @@ bool turns_freely(const Motion& motion) {
 constexpr Quantities no_attitude{.attitude = false};
 constexpr Quantities attitude{};
 
-const std::array<SampleQuantity, 13> table{{
+const std::array<SampleQuantity, 13> sample_rows{{
     {"time", "the instant", time_columns, no_attitude, nullptr, "",
      [](const SampledInstant& at, Values v) { v[0] = at.time_s; }},
     {"omega_body", "ω in body axes; omega names it, too", omega_body_columns, no_attitude, nullptr,
@@ -158,7 +158,7 @@ std::string heading_of(const SampleColumn& column) {
 }
 
 const SampleQuantity& quantity_named(std::string_view name) {
-    return *std::find_if(table.begin(), table.end(),
+    return *std::find_if(sample_rows.begin(), sample_rows.end(),
                          [name](const SampleQuantity& quantity) { return quantity.name == name; });
 }
 
@@ -171,7 +171,7 @@ std::vector<ChosenColumn> columns_called(std::string_view name) {
     for (const auto& [symbol, meant] : symbols)
         if (name == symbol) name = meant;
     std::vector<ChosenColumn> found;
-    for (const SampleQuantity& quantity : table) {
+    for (const SampleQuantity& quantity : sample_rows) {
         for (std::size_t i = 0; i < quantity.columns.size(); ++i) {
             const SampleColumn& column = quantity.columns[i];
             if (name == quantity.name || name == column.name || name == heading_of(column))
@@ -184,7 +184,7 @@ std::vector<ChosenColumn> columns_called(std::string_view name) {
 
 [[noreturn]] void throw_unknown(std::string_view name) {
     std::vector<std::string_view> known;
-    for (const SampleQuantity& quantity : table) {
+    for (const SampleQuantity& quantity : sample_rows) {
         known.push_back(quantity.name);
         for (const SampleColumn& column : quantity.columns) known.push_back(column.name);
     }
@@ -195,7 +195,7 @@ std::vector<ChosenColumn> columns_called(std::string_view name) {
 
 }  // namespace
 
-std::span<const SampleQuantity> sample_quantities() { return table; }
+std::span<const SampleQuantity> sample_quantities() { return sample_rows; }
 
 std::vector<ChosenColumn> default_columns(const Motion& motion) {
     std::vector<ChosenColumn> columns;

@@ -12,7 +12,7 @@ namespace poinsot {
 namespace {
 
 // Where a page says nothing of a size, it is ours: 8 pt, 6 pt, 0.5 pt.
-constexpr std::array<Journal, 5> table{
+constexpr std::array<Journal, 5> journal_rows{
     {{"aip",
       "AIP Publishing (American Journal of Physics, Chaos, …): 85 mm, at most 170; type of 8 pt, "
       "lines of 0.5 pt and more, fonts embedded; colour is free online",
@@ -45,11 +45,11 @@ constexpr std::array<Journal, 5> table{
 
 }  // namespace
 
-std::span<const Journal> journals() { return table; }
+std::span<const Journal> journals() { return journal_rows; }
 
 const Journal& journal_named(std::string_view name) {
-    if (const Journal* row = find_row(table, name)) return *row;
-    throw InputError(unknown("journal", name, names_of(table)));
+    if (const Journal* row = find_row(journal_rows, name)) return *row;
+    throw InputError(unknown("journal", name, names_of(journal_rows)));
 }
 
 void set_least_sizes(const Journal& journal, PrintChoices& print) {
