@@ -235,7 +235,8 @@ TEST(Recover, GivesTheFramesThatWereDrawnAndRenderGoesOn) {
     // What is recovered can be made again, as whatever is made here can.
     ASSERT_EQ(run_program_in(folder, "rerender -q b.mp4 -o again.mp4").code, 0);
     EXPECT_TRUE(text_of(folder.path() / "again.mp4") == text_of(folder.path() / "b.mp4"));
-    ASSERT_EQ(run_program_in(folder, "render scene.toml -o a.mp4" + film).code, 0);
+    const ProgramRun gone_on = run_program_in(folder, "render scene.toml -o a.mp4" + film);
+    ASSERT_EQ(gone_on.code, 0) << gone_on.err;
     EXPECT_EQ(text_of(folder.path() / "a.mp4"), text_of(folder.path() / "whole.mp4"));
 }
 
