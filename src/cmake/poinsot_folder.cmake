@@ -26,13 +26,11 @@ function(poinsot_joined output target root)
     set(${output} ${compiled} PARENT_SCOPE)
 endfunction()
 
-# poinsot_folder(NAME [FUZZED] [INLINED] [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from ./**.cpp.
+# poinsot_folder(NAME [FUZZED] [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from ./**.cpp.
 # FUZZED: it reads what others wrote, and the fuzzers are told which of its branches they reached. Telling slows pictures threefold,
 # so that the rest does without.
-# INLINED: under sanitizers, too. clang counts what they add against inlining, and Eigen's expressions stay calls: a third of the time of
-# figures in vectors. It takes a fifth of the compiler's time, so that the rest does without.
 function(poinsot_folder name)
-    cmake_parse_arguments(arg "FUZZED;INLINED" "" "PUBLIC;PRIVATE" ${ARGN})
+    cmake_parse_arguments(arg "FUZZED" "" "PUBLIC;PRIVATE" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     if(NOT sources)
         add_library(poinsot_${name} INTERFACE)
@@ -44,9 +42,6 @@ function(poinsot_folder name)
     target_link_libraries(poinsot_${name} PUBLIC poinsot_options ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
     if(POINSOT_FUZZERS AND arg_FUZZED)
         target_compile_options(poinsot_${name} PRIVATE -fsanitize=fuzzer-no-link)
-    endif()
-    if(POINSOT_SANITIZE AND CMAKE_CXX_COMPILER_ID MATCHES Clang AND arg_INLINED)
-        target_compile_options(poinsot_${name} PRIVATE "SHELL:-mllvm -inline-threshold=1000")
     endif()
 endfunction()
 

@@ -18,8 +18,6 @@ namespace poinsot {
 
 namespace {
 
-// Index of the one ellipsoid and the one plane in the space view; see the order of the table.
-
 // Far enough for the herpolhode.
 double plane_radius(const Panel& panel) {
     const double herpolhode = picture_of(panel).herpolhode_radius;
