@@ -97,7 +97,7 @@ def commands(program):
 
 def walks(program):
     guide = (ROOT / "docs" / "guide.md").read_text()
-    walked = re.search(r"^## Three walks\n(.*?)^## ", guide, re.M | re.S).group(1)
+    walked = re.search(r"^## Three walkthroughs\n(.*?)^## ", guide, re.M | re.S).group(1)
     blocks = re.findall(r"^```sh\n(.*?)^```", walked, re.M | re.S)
     if len(blocks) < 3:
         yield f"docs/guide.md: three walks with {len(blocks)} blocks of sh"
