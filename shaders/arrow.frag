@@ -6,6 +6,7 @@
 #include "quadric.glsl"
 #define SOLIDS 17
 #include "occlusion.glsl"
+#include "light.glsl"
 //   0…4: the view   5: towards the key light; its strength   6: the sky likewise
 //   7, 8: shaft and head in the picture: px of both ends
 //   9, 10: their radii px at both ends; how open the ends' ellipses are
@@ -87,13 +88,11 @@ vec4 frustum(vec3 o, vec3 d, vec3 axis, vec4 part) {
 }
 
 vec3 shaded(vec3 n, vec3 to_eye) {
-    float key = max(0.77 * dot(n, constant(5).xyz) + 0.23, 0.0);
     float up = 0.5 + 0.5 * dot(n, constant(6).xyz);
-    float lit = constant(5).w * key + constant(6).w * (0.5 + 0.5 * up) + 0.10;
+    float lit = arrow_lit(constant(5).w, constant(6).w, dot(n, constant(5).xyz), up);
     vec3 halfway = constant(5).xyz + to_eye;
     float glint = max(dot(n, halfway) * inversesqrt(max(dot(halfway, halfway), 1e-12)), 0.0);
-    float g2 = glint * glint, g4 = g2 * g2, g8 = g4 * g4;
-    return constant(16).rgb * lit + 0.10 * constant(5).w * g8 * g8 * g8;
+    return constant(16).rgb * lit + arrow_white(constant(5).w, glint);
 }
 
 void main() {

@@ -5,6 +5,7 @@
 #include "view.glsl"
 #include "quadric.glsl"
 #include "lines.glsl"
+#include "light.glsl"
 #define SOLIDS (7 + MEMBERS * member_size)
 const int member_size = 10;
 #include "occlusion.glsl"
@@ -61,7 +62,7 @@ Layer sheet(vec4 v[5], vec2 pixel, int at, vec3 o, vec3 d, float t, float rim_px
     float per_angle = constant(at + 5).w / 6.2831853;
     float generators = ruled((angle_of(x.xy) - constant(at + 6).w) * per_angle,
                              dot(turn, turn) * per_angle * per_angle / (rim_square * rim_square), 0.6 * constant(at + 4).w);
-    float lines = constant(at + 5).w > 0.5 ? 0.55 * generators : 0.0;
+    float lines = constant(at + 5).w > 0.5 ? cone_generator_ink() * generators : 0.0;
 
     vec3 n = up_slope.x * constant(at + 6).xyz + up_slope.y * constant(at + 7).xyz + up_slope.z * constant(at + 8).xyz;
     n *= inversesqrt(max(dot(n, n), 1e-30));
@@ -70,14 +71,13 @@ Layer sheet(vec4 v[5], vec2 pixel, int at, vec3 o, vec3 d, float t, float rim_px
     float facing = dot(n, to_eye);
     n = facing < 0.0 ? -n : n;
     float limb = 1.0 - abs(facing);
-    float key = max(0.7 * dot(n, constant(5).xyz) + 0.3, 0.0);
     float up = 0.5 + 0.5 * dot(n, constant(6).xyz);
-    float lit = constant(5).w * key + constant(6).w * (0.5 + 0.5 * up) + 0.10;
+    float lit = cone_lit(constant(5).w, constant(6).w, dot(n, constant(5).xyz), up);
     vec3 tone = constant(at + 9).rgb;
-    layer.colour = mix(tone * lit, tone * 0.35, lines);
+    layer.colour = mix(tone * lit, tone * cone_line_tone(), lines);
     float opacity = constant(at + 9).w;
-    float alpha = opacity + (1.0 - opacity) * 0.5 * limb * limb * limb;
-    alpha = max(alpha, 0.85 * lines) * inside;
+    float alpha = cone_opacity(opacity, limb * limb * limb);
+    alpha = max(alpha, cone_generator_opacity() * lines) * inside;
     layer.alpha = shown(v, pixel, layer.depth, alpha * constant(at + 8).w);
     return layer;
 }
@@ -131,11 +131,11 @@ void main() {
         float behind = outline * layers[3 * k + 1].alpha * (1.0 - layers[3 * k].alpha);
         layers[3 * k].alpha *= outline;
         layers[3 * k + 1].alpha = behind / max(1.0 - layers[3 * k].alpha, 1e-6);
-        layers[3 * k + 2].colour = 0.35 * constant(at + 9).rgb;
+        layers[3 * k + 2].colour = cone_line_tone() * constant(at + 9).rgb;
         layers[3 * k + 2].depth = constant(at + 2).w + t_rim;
         layers[3 * k + 2].depth_change = -vec2(gx.z, gy.z) / descent;
         layers[3 * k + 2].alpha = shown(view, pixel, layers[3 * k + 2].depth,
-                                        0.9 * constant(at + 8).w * line_coverage(rim_px, constant(at + 4).w));
+                                        cone_rim_opacity() * constant(at + 8).w * line_coverage(rim_px, constant(at + 4).w));
     }
     vec4 sum = vec4(0.0);
     float through = 1.0;

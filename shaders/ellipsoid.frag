@@ -6,6 +6,7 @@
 #include "coverage.glsl"
 #include "quadric.glsl"
 #include "lines.glsl"
+#include "light.glsl"
 //   0: towards the key light; its strength   1: w: the sky's strength
 //   2: least depth that is drawn, 1 if perspective, 1/focal length in px
 // then for each member, after the seven of quadric.glsl:
@@ -151,29 +152,26 @@ Layer surface(int at, Sight s, vec3 slide, float side, Gaze gaze) {
     float limb = 1.0 - facing;
     limb *= limb * limb;
 
-    // Key light wrapped a little round the edge, sky from above, weak light from the ground.
     float key_strength = constant(0).w;
     float sky_strength = constant(1).w;
     float outward = -side * per_normal;
     float to_key = outward * dot(u, constant(at + 9).xyz);
-    float key = max(0.8 * to_key + 0.2, 0.0);
     float up = 0.5 + (0.5 * outward) * dot(u, constant(at + 10).xyz);
-    float lit = key_strength * key * key * (1.5 - 0.5 * key) + sky_strength * (0.42 + 0.58 * up * up) + 0.06;
+    float lit = ellipsoid_lit(key_strength, sky_strength, to_key, up);
 
     float opacity = constant(at + 12).w;
     float alpha;
     if (side < 0.0) {
         float glint = max(to_key + facing, 0.0);
-        float g2 = glint * glint * gaze.per_halfway, g4 = g2 * g2, g8 = g4 * g4, g16 = g8 * g8, g32 = g16 * g16;
-        float gloss = 0.05 * g16 + 0.16 * g32 * g32;
+        float gloss = ellipsoid_gloss(glint * glint * gaze.per_halfway);
         layer.colour = mix(constant(at + 12).rgb, constant(at + 13).rgb, lines) * lit +
-                       (key_strength * gloss * (1.0 - lines) + sky_strength * 0.30 * limb * up);
-        alpha = opacity + (1.0 - opacity) * 0.8 * limb;
-        alpha = mix(alpha, max(alpha, 0.92), lines);
+                       ellipsoid_white(key_strength, sky_strength, gloss, lines, limb, up);
+        alpha = ellipsoid_outer_opacity(opacity, limb);
+        alpha = mix(alpha, max(alpha, ellipsoid_outer_lines()), lines);
     } else {
-        layer.colour = mix(constant(at + 12).rgb, constant(at + 13).rgb, lines) * (0.62 * lit);
-        alpha = opacity * (0.55 + 0.3 * limb);
-        alpha = mix(alpha, max(alpha, 0.85), lines);
+        layer.colour = mix(constant(at + 12).rgb, constant(at + 13).rgb, lines) * ellipsoid_inner_lit(lit);
+        alpha = ellipsoid_inner_opacity(opacity, limb);
+        alpha = mix(alpha, max(alpha, ellipsoid_inner_lines()), lines);
     }
     alpha *= constant(at + 11).w;
 #if RIM

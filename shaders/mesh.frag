@@ -1,5 +1,6 @@
 // Opaque, softly lit. Normals look outward; a face seen from within is lit as its other side. A
 // surface with a picture has that in place of its colour.
+#include "light.glsl"
 uniform vec4 look[4];  // eye, or direction towards it; 1 if perspective | key light | sky | colour, linear
 in vec3 normal_out;
 in vec3 point;
@@ -19,12 +20,10 @@ void main() {
         n = -n;
         facing = -facing;
     }
-    float key = max(0.85 * dot(n, look[1].xyz) + 0.15, 0.0);
     float up = 0.5 + 0.5 * dot(n, look[2].xyz);
-    float lit = look[1].w * key + look[2].w * (0.40 + 0.60 * up) + 0.06;
+    float lit = mesh_lit(look[1].w, look[2].w, dot(n, look[1].xyz), up);
     vec3 halfway = look[1].xyz + to_eye;
     float glint = max(dot(n, halfway) * inversesqrt(max(dot(halfway, halfway), 1e-12)), 0.0);
-    float g2 = glint * glint, g4 = g2 * g2, g8 = g4 * g4, g16 = g8 * g8;
     float limb = 1.0 - max(facing, 0.0);
     limb *= limb * limb;
 #ifdef PICTURE
@@ -32,6 +31,6 @@ void main() {
 #else
     vec3 own = look[3].rgb;
 #endif
-    vec3 colour = own * lit + look[1].w * 0.06 * g16 + look[2].w * 0.15 * limb * up;
+    vec3 colour = own * lit + mesh_gloss(look[1].w, glint) + mesh_rim(look[2].w, limb, up);
     fragment = vec4(colour, 1.0);
 }

@@ -1,6 +1,5 @@
 # Puts a bundle together and packs it. Variables: BUILD, the build folder; NAME of the bundle; PROGRAM, linked for it; OPENED, names of the
-# libraries that are opened at run time; ABSENT, a library of ours that stands for the one of its name. Written for Debian, whose dpkg
-# knows which package a library is from.
+# libraries that are opened at run time. Written for Debian, whose dpkg knows which package a library is from.
 cmake_minimum_required(VERSION 3.25)
 
 set(bundle ${BUILD}/bundle/${NAME})
@@ -29,15 +28,9 @@ if(unresolved)
 endif()
 list(APPEND needed ${opened})
 list(REMOVE_DUPLICATES needed)
-get_filename_component(absent ${ABSENT} NAME)
 set(files "")
 foreach(library IN LISTS needed)
     get_filename_component(name ${library} NAME)
-    if(name STREQUAL absent)
-        file(REAL_PATH ${ABSENT} file)
-        file(COPY_FILE ${file} ${bundle}/lib/${name})
-        continue()
-    endif()
     file(REAL_PATH ${library} file)
     file(COPY_FILE ${file} ${bundle}/lib/${name})
     list(APPEND files ${file})

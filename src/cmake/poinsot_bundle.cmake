@@ -14,14 +14,8 @@ foreach(library avutil avcodec avformat swscale)
     string(REGEX MATCH "^[0-9]+" major "${LIBAV_lib${library}_VERSION}")
     list(APPEND bundled_libraries lib${library}.so.${major})
 endforeach()
-# Of what FFmpeg brings along, one library is large and of no use to a film.
-add_library(poinsot_codec2_absent SHARED EXCLUDE_FROM_ALL cmake/codec2_absent.c)
-set_target_properties(poinsot_codec2_absent PROPERTIES OUTPUT_NAME codec2 SOVERSION 1.0
-    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bundled)
-
 add_custom_target(bundle
     COMMAND ${CMAKE_COMMAND} -DBUILD=${CMAKE_BINARY_DIR} -DNAME=poinsot-${PROJECT_VERSION}-${CMAKE_SYSTEM_PROCESSOR}
             -DPROGRAM=$<TARGET_FILE:poinsot_bundled> "-DOPENED=${bundled_libraries}"
-            -DABSENT=$<TARGET_SONAME_FILE:poinsot_codec2_absent>
             -P ${CMAKE_SOURCE_DIR}/src/cmake/make_bundle.cmake
-    DEPENDS poinsot poinsot_bundled poinsot_codec2_absent VERBATIM)
+    DEPENDS poinsot poinsot_bundled VERBATIM)

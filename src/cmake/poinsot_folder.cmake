@@ -1,31 +1,5 @@
 # One CMake target a folder: every .cpp of the folder and its rooms, nothing to register by hand.
 
-# poinsot_joined(OUTPUT TARGET ROOT files…) puts what TARGET compiles for the files, all below ROOT, into OUTPUT: themselves, or, if
-# POINSOT_FILES_AS_ONE says so, a file for as many of them; one with definitions of its own stays alone. CMAKE_UNITY_BUILD names its
-# sources in full (before CMake 4), so that a compiler cache would not know them in another checkout.
-function(poinsot_joined output target root)
-    set(compiled)
-    set(count 0)
-    foreach(source ${ARGN})
-        get_source_file_property(own ${source} COMPILE_DEFINITIONS)
-        if(own OR NOT POINSOT_FILES_AS_ONE GREATER 1)
-            list(APPEND compiled ${source})
-            continue()
-        endif()
-        math(EXPR part "${count} / ${POINSOT_FILES_AS_ONE}")
-        math(EXPR count "${count} + 1")
-        file(RELATIVE_PATH name ${root} ${source})
-        string(APPEND text_${part} "#include \"${name}\"\n")
-    endforeach()
-    if(count)
-        foreach(k RANGE ${part})
-            file(CONFIGURE OUTPUT joined/${target}_${k}.cpp CONTENT "// Made by CMake.\n${text_${k}}" @ONLY)
-            list(APPEND compiled ${CMAKE_CURRENT_BINARY_DIR}/joined/${target}_${k}.cpp)
-        endforeach()
-    endif()
-    set(${output} ${compiled} PARENT_SCOPE)
-endfunction()
-
 # poinsot_folder(NAME [FUZZED] [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from ./**.cpp.
 # FUZZED: it reads what others wrote, and the fuzzers are told which of its branches they reached. Telling slows pictures threefold,
 # so that the rest does without.
@@ -37,8 +11,7 @@ function(poinsot_folder name)
         target_link_libraries(poinsot_${name} INTERFACE poinsot_options ${arg_PUBLIC} ${arg_PRIVATE})
         return()
     endif()
-    poinsot_joined(compiled poinsot_${name} ${CMAKE_SOURCE_DIR}/src ${sources})
-    add_library(poinsot_${name} STATIC ${compiled})
+    add_library(poinsot_${name} STATIC ${sources})
     target_link_libraries(poinsot_${name} PUBLIC poinsot_options ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
     if(POINSOT_FUZZERS AND arg_FUZZED)
         target_compile_options(poinsot_${name} PRIVATE -fsanitize=fuzzer-no-link)
@@ -56,20 +29,14 @@ function(poinsot_embed output)
         DEPENDS ${arg_FILES} ${script} VERBATIM)
 endfunction()
 
-# poinsot_tests(NAME [OPTIMISED] targets…) makes test_NAME from ./*_test.cpp, each claim a CTest test.
-# OPTIMISED: they compute themselves, orbits or pixels; the others are compiled in half the time without.
+# poinsot_tests(NAME targets…) makes test_NAME from ./*_test.cpp; each TEST is a CTest test.
 function(poinsot_tests name)
-    cmake_parse_arguments(arg "OPTIMISED" "" "" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp)
     if(NOT sources)
         return()
     endif()
-    poinsot_joined(compiled test_${name} ${CMAKE_SOURCE_DIR}/tests ${sources})
-    add_executable(test_${name} ${compiled} ${CMAKE_SOURCE_DIR}/tests/places.cpp)
-    target_link_libraries(test_${name} PRIVATE poinsot_options ${arg_UNPARSED_ARGUMENTS} GTest::gtest GTest::gtest_main)
-    if(NOT arg_OPTIMISED)
-        target_compile_options(test_${name} PRIVATE -O0)
-    endif()
+    add_executable(test_${name} ${sources} ${CMAKE_SOURCE_DIR}/tests/places.cpp)
+    target_link_libraries(test_${name} PRIVATE poinsot_options ${ARGN} GTest::gtest GTest::gtest_main)
     # One file alone knows where the repository lies, so that a compiler cache serves every copy.
     set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/places.cpp PROPERTIES
         COMPILE_DEFINITIONS "POINSOT_SOURCE_DIR=\"${CMAKE_SOURCE_DIR}\"")

@@ -2,30 +2,30 @@
 // every frame of a sequence has one. Where pictures are named by their pixels, sha256.h does it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 
 #include "image/png.h"
 
+struct XXH64_state_s;  // of libxxhash
+
 namespace poinsot {
 
-// XXH64 with seed 0, of a message given in parts.
-// Source: Collet, xxHash fast digest algorithm, specification 0.1.1 (2018), "XXH64".
+// XXH64 with seed 0, of a message given in parts (by libxxhash).
 class Xxh64 {
  public:
+    Xxh64();
     void add(std::span<const std::uint8_t> bytes);
     std::uint64_t value() const;
 
  private:
-    void take_stripe(const std::uint8_t* stripe);
-
-    std::array<std::uint64_t, 4> lanes_{0x60ea27eeadc0b5d6, 0xc2b2ae3d27d4eb4f, 0,
-                                        0x61c8864e7a143579};
-    std::array<std::uint8_t, 32> waiting_{};
-    std::uint64_t n_bytes_ = 0;
+    struct Free {
+        void operator()(XXH64_state_s* state) const;
+    };
+    std::unique_ptr<XXH64_state_s, Free> state_;
 };
 
 // Of a picture's size and depth ("WIDTHxHEIGHT\n", or "WIDTHxHEIGHT 16\n"), then its RGBA samples

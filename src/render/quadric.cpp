@@ -30,9 +30,9 @@ Quadric::Quadric(const Ellipsoid& ellipsoid, const Projection& projection)
       hiding(ellipsoid.opacity * ellipsoid.presence) {
     const Projection& view = projection;
     const bool before_eye = !view.perspective || depth > view.near_depth;
-    anchor_px = before_eye ? view.pixel(centre) : view.centre_px;
-    gx = to_u * view.right / view.focal_px;
-    gy = to_u * view.down / view.focal_px;
+    anchor_px = before_eye ? view.place(centre) : view.centre;
+    gx = to_u * view.right / view.focal;
+    gy = to_u * view.down / view.focal;
     depth_change = axes.transpose() * view.forward;
     const Eigen::Vector3d origin = to_u * (view.ray_origin(anchor_px) - centre);
     d0 = to_u * view.ray(anchor_px);
@@ -66,7 +66,7 @@ Quadric::Quadric(const Ellipsoid& ellipsoid, const Projection& projection)
         return;
     }
     if (values.maxCoeff() >= 0.0 || (view.perspective && depth - reach <= view.near_depth)) {
-        outline = polygon_of(view.box);
+        outline = polygon_of(box_of(view));
         return;
     }
     const Eigen::Vector2d middle = -h.inverse() * g;
@@ -93,7 +93,7 @@ Quadric::Quadric(const Ellipsoid& ellipsoid, const Projection& projection)
     if (half_px[0] > narrowest_px && half_px[1] < longest * half_px[0])
         core = polygon_in(anchor_px + middle, (half_px[0] - inset_px) * narrow,
                           (half_px[1] - inset_px) * wide);
-    seen = !outline.box.within(view.box).empty();
+    seen = !outline.box.within(box_of(view)).empty();
 }
 
 double Quadric::limb_cosine() const {

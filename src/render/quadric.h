@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "render/projection.h"
+#include "render/pixel_area.h"
 #include "shapes/unit_sphere.h"
 #include "shapes/views.h"
 

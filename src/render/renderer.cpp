@@ -106,7 +106,7 @@ void Renderer::Impl::prepare(const Drawing& drawing) {
         // A view of labels alone leaves what lies under it as it is.
         if (drawing.views[k].background.alpha <= 0.0 && drawing.views[k].planes.empty()) continue;
         for (std::size_t j = 0; j < k; ++j)
-            if (!scenes_[k].projection.box.within(scenes_[j].projection.box).empty())
+            if (!box_of(scenes_[k].projection).within(box_of(scenes_[j].projection)).empty())
                 overlaps_[k] = true;
     }
 }
@@ -128,7 +128,7 @@ bool Renderer::Impl::still_is_same(const Drawing& drawing) {
     std::vector<StillView> views;
     views.reserve(scenes_.size());
     for (const ViewScene& scene : scenes_) {
-        StillView still{scene.projection.box, scene.view->camera, scene.view->background, {}};
+        StillView still{box_of(scene.projection), scene.view->camera, scene.view->background, {}};
         for (std::size_t k = 0; k < scene.maps.size(); ++k)
             if (!scene.before_solids[k]) still.planes.push_back(scene.view->planes[k]);
         views.push_back(std::move(still));
@@ -153,9 +153,9 @@ void Renderer::Impl::draw_still(const Drawing& drawing) {
                      {0.0, top, static_cast<double>(drawing.width_px), top + rows});
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
         if (overlaps_[k]) continue;
-        limit_to(scenes_[k].projection.box);
+        limit_to(box_of(scenes_[k].projection));
         background_.draw(*scenes_[k].drawing, scenes_[k].view->background,
-                         scenes_[k].projection.box);
+                         box_of(scenes_[k].projection));
         draw_planes(scenes_[k], false);
     }
 }
@@ -172,7 +172,7 @@ void Renderer::Impl::keep_still(const Drawing& drawing) {
 }
 
 void Renderer::Impl::mark_moving(const ViewScene& scene) {
-    const PixelBox& box = scene.projection.box;
+    const PixelBox& box = box_of(scene.projection);
     shadow_.mark(scene, moving_);
     for (std::size_t k = 0; k < scene.maps.size(); ++k)
         if (scene.before_solids[k]) moving_.mark(disc_polygon(scene, k), box);
@@ -202,7 +202,7 @@ void Renderer::Impl::mark_labels() {
 void Renderer::Impl::mark_all() {
     moving_.clear();
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
-        if (overlaps_[k]) moving_.mark(scenes_[k].projection.box);
+        if (overlaps_[k]) moving_.mark(box_of(scenes_[k].projection));
         mark_moving(scenes_[k]);
     }
     mark_labels();
@@ -244,11 +244,11 @@ void Renderer::Impl::draw_views(bool only_marked) {
             mesh_.draw_layer(scenes_[k]);
             canvas_.resume();
         }
-        limit_to(scenes_[k].projection.box);
+        limit_to(box_of(scenes_[k].projection));
         if (overlaps_[k]) {
             glBindVertexArray(empty_.id());
             background_.draw(*scenes_[k].drawing, scenes_[k].view->background,
-                             scenes_[k].projection.box);
+                             box_of(scenes_[k].projection));
             draw_planes(scenes_[k], false);
         }
         draw_moving(scenes_[k], only_marked);

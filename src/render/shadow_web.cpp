@@ -54,10 +54,10 @@ ShadowWeb shadow_web(const Plane& plane, const Quadric& caster, const Light& lig
             const Eigen::Vector3d point = shade.hub() + share * share * spoke;
             const Eigen::Vector3d from_eye = point - projection.eye;
             const double depth = projection.perspective ? projection.depth(point) : 1.0;
-            const double x = projection.centre_px.x() * depth +
-                             projection.focal_px * projection.right.dot(from_eye);
-            const double y = projection.centre_px.y() * depth +
-                             projection.focal_px * projection.down.dot(from_eye);
+            const double x =
+                projection.centre.x() * depth + projection.focal * projection.right.dot(from_eye);
+            const double y =
+                projection.centre.y() * depth + projection.focal * projection.down.dot(from_eye);
             // It ends at nothing, whatever the search for its rim has left.
             const double darkness = ring == n_rings ? 0.0 : shade.darkness(point);
             web.corners.push_back(Eigen::Vector4d(x, y, depth, darkness).cast<float>());
@@ -78,7 +78,7 @@ void ShadowWeb::mark(const Projection& projection, TileMask& marks) const {
     for (int spoke = 0; spoke < n_spokes; ++spoke) {
         if (projection.perspective && std::min(at(0, 0).z(), at(n_rings, spoke).z()) <=
                                           static_cast<float>(projection.near_depth)) {
-            marks.mark(projection.box);
+            marks.mark(box_of(projection));
             return;
         }
     }
@@ -87,7 +87,7 @@ void ShadowWeb::mark(const Projection& projection, TileMask& marks) const {
         sector.add(pixel(at(0, 0)));
         sector.add(pixel(at(n_rings, spoke)));
         sector.add(pixel(at(n_rings, spoke + 1)));
-        marks.mark(sector, projection.box);
+        marks.mark(sector, box_of(projection));
     }
 }
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "render/projection.h"
+#include "render/pixel_area.h"
 #include "render/quadric.h"
 #include "render/tile_mask.h"
 #include "shapes/views.h"

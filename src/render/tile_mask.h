@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/projection.h"
+#include "render/pixel_area.h"
 
 namespace poinsot {
 

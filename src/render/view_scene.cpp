@@ -49,8 +49,8 @@ void ViewScene::prepare(const Drawing& whole, const View& shown) {
 
 void ViewScene::add_view(Constants& constants, const Eigen::Vector2d& corner_px) const {
     const Projection& p = projection;
-    constants.add(p.centre_px.x() - corner_px.x(), p.centre_px.y() - corner_px.y(),
-                  1.0 / p.focal_px, p.perspective ? 1.0 : 0.0);
+    constants.add(p.centre.x() - corner_px.x(), p.centre.y() - corner_px.y(), 1.0 / p.focal,
+                  p.perspective ? 1.0 : 0.0);
     constants.add(p.eye, p.near_depth);
     constants.add(p.right);
     constants.add(p.down);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/passes/constants.h"
-#include "render/projection.h"
+#include "render/pixel_area.h"
 #include "render/quadric.h"
 #include "render/shadow_web.h"
 #include "shapes/views.h"

@@ -38,7 +38,7 @@ struct ArrowShape {
 };
 
 ArrowShape shape_of(const Canvas& canvas, const Arrow& arrow) {
-    const Sight& sight = canvas.sight;
+    const Projection& projection = canvas.projection;
     ArrowShape shape;
     const Eigen::Vector3d run = arrow.tip - arrow.tail;
     const double length = run.norm();
@@ -46,7 +46,8 @@ ArrowShape shape_of(const Canvas& canvas, const Arrow& arrow) {
     shape.axis = run / length;
     // Sizes hold where the camera looks.
     const double unit_px =
-        sight.unit_pt(std::max(sight.depth(canvas.view.camera.target), 1e-9)) / sight.pt_per_px;
+        projection.scale(std::max(projection.depth(canvas.view.camera.target), 1e-9)) /
+        projection.units_per_px;
     shape.shaft_radius = 0.5 * arrow.shaft_px / unit_px;
     shape.head_radius = 0.5 * arrow.head_px / unit_px;
     const double head_length = std::min(arrow.head_length_px / unit_px, length);
@@ -54,21 +55,23 @@ ArrowShape shape_of(const Canvas& canvas, const Arrow& arrow) {
     shape.tip = arrow.tip;
     shape.neck = arrow.tip - head_length * shape.axis;
     const double reach = std::max(shape.head_radius, shape.shaft_radius);
-    if (sight.perspective &&
-        std::min(sight.depth(shape.tail), sight.depth(shape.tip)) <= sight.near_depth + reach)
+    if (projection.perspective &&
+        std::min(projection.depth(shape.tail), projection.depth(shape.tip)) <=
+            projection.near_depth + reach)
         return shape;
-    shape.tail_pt = sight.paper(shape.tail);
-    shape.neck_pt = sight.paper(shape.neck);
-    shape.tip_pt = sight.paper(shape.tip);
-    shape.tail_scale = sight.unit_pt(sight.depth(shape.tail));
-    shape.neck_scale = sight.unit_pt(sight.depth(shape.neck));
+    shape.tail_pt = projection.place(shape.tail);
+    shape.neck_pt = projection.place(shape.neck);
+    shape.tip_pt = projection.place(shape.tip);
+    shape.tail_scale = projection.scale(projection.depth(shape.tail));
+    shape.neck_scale = projection.scale(projection.depth(shape.neck));
     const Eigen::Vector3d ray =
-        sight.perspective ? (shape.neck - sight.eye).normalized() : sight.forward;
+        projection.perspective ? (shape.neck - projection.eye).normalized() : projection.forward;
     shape.open = std::max(std::abs(ray.dot(shape.axis)), 0.03);
     const Eigen::Vector2d on_paper = shape.tip_pt - shape.tail_pt;
     shape.along = on_paper.norm() > 1e-6 ? on_paper.normalized().eval() : Eigen::Vector2d::UnitX();
     shape.across = {-shape.along.y(), shape.along.x()};
-    const Eigen::Vector3d to_eye = sight.towards_eye(0.5 * (shape.tail + shape.tip)).normalized();
+    const Eigen::Vector3d to_eye =
+        projection.towards_eye(0.5 * (shape.tail + shape.tip)).normalized();
     const Eigen::Vector3d front = to_eye - to_eye.dot(shape.axis) * shape.axis;
     // Seen along its axis it has none.
     if (front.norm() > 1e-3) shape.to_front = shape.shaft_radius * front.normalized();
@@ -127,12 +130,12 @@ LinearFade lit_across(const Canvas& canvas, const Arrow& arrow, const ArrowShape
                       const Eigen::Vector2d& middle, double radius_pt, double cone_slope,
                       double opacity, const Colour& behind) {
     const Eigen::Vector3d to_eye =
-        canvas.sight.towards_eye(0.5 * (shape.tail + shape.tip)).normalized();
+        canvas.projection.towards_eye(0.5 * (shape.tail + shape.tip)).normalized();
     const Eigen::Vector3d side = shape.axis.cross(to_eye).normalized();
     const Eigen::Vector3d front = side.cross(shape.axis);
     // On which side of the arrow that is on paper.
     const Eigen::Vector2d side_pt =
-        Eigen::Vector2d(canvas.sight.right.dot(side), canvas.sight.down.dot(side));
+        Eigen::Vector2d(canvas.projection.right.dot(side), canvas.projection.down.dot(side));
     const Eigen::Vector2d to_side = side_pt.dot(shape.across) < 0.0 ? -shape.across : shape.across;
     LinearFade fade;
     fade.from = middle - radius_pt * to_side;
@@ -186,7 +189,7 @@ void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shap
     point.path = hull(shape, shape.neck_pt, head, shape.tip_pt, 0.0);
     point.paint = paint(shape.neck_pt, head, shape.head_radius / std::max(head_length, 1e-9));
     // The nearer part lies on top: the shaft when the arrow points away.
-    const bool away = shape.axis.dot(-canvas.sight.towards_eye(shape.neck)) > 0.0;
+    const bool away = shape.axis.dot(-canvas.projection.towards_eye(shape.neck)) > 0.0;
     bool shows_first = parts.shaft, shows_second = parts.head;
     if (away) {
         std::swap(shaft, point);
@@ -201,7 +204,7 @@ Path strip(const Canvas& canvas, const ArrowShape& shape, double from, double to
     const double reach = 2.0 * std::max(shape.head_radius * shape.neck_scale,
                                         shape.shaft_radius * shape.tail_scale) +
                          2.0;
-    const auto place = [&](double s) { return canvas.sight.paper(shape.front(s)); };
+    const auto place = [&](double s) { return canvas.projection.place(shape.front(s)); };
     const Eigen::Vector2d begin = place(from) - (from <= 0.0 ? reach : 0.0) * shape.along;
     const Eigen::Vector2d end = place(to) + (to >= 1.0 ? reach : 0.0) * shape.along;
     Path path;
@@ -216,7 +219,7 @@ Path strip(const Canvas& canvas, const ArrowShape& shape, double from, double to
 // What of it shows beside a part of its axis.
 ArrowParts parts_beside(const Canvas& canvas, const ArrowShape& shape, double from, double to) {
     const auto along = [&](double s) {
-        return shape.along.dot(canvas.sight.paper(shape.front(s)) - shape.neck_pt);
+        return shape.along.dot(canvas.projection.place(shape.front(s)) - shape.neck_pt);
     };
     // The neck's rings reach as far to both sides of it.
     const double ring = shape.open * shape.neck_scale;
@@ -239,8 +242,8 @@ std::optional<PaperEllipse> outline_at(const Canvas& canvas, const ArrowShape& s
     for (const SphereSight& sphere : canvas.occluders.spheres()) {
         if (!(sphere.hiding > 0.0) || sphere.before_limb(sphere.u(point)) >= -1e-9) continue;
         const auto limb = limb_of(sphere);
-        auto outline = limb ? picture_of(*limb, canvas.sight) : std::nullopt;
-        if (outline && std::abs(outline->radius_of(canvas.sight.paper(point)) - 1.0) < 1e-6)
+        auto outline = limb ? picture_of(*limb, canvas.projection) : std::nullopt;
+        if (outline && std::abs(outline->radius_of(canvas.projection.place(point)) - 1.0) < 1e-6)
             return outline;
     }
     return std::nullopt;
@@ -252,18 +255,19 @@ double slant(const Canvas& canvas, const ArrowShape& shape, const PaperEllipse& 
     const Eigen::Vector3d run = shape.tip - shape.tail;
     const Eigen::Vector3d point = shape.front(s);
     const bool in_head = s > shape.neck_at;
-    const double scale = canvas.sight.unit_pt(canvas.sight.depth(point));
+    const double scale = canvas.projection.scale(canvas.projection.depth(point));
     const double radius_pt = scale * (in_head ? shape.head_radius : shape.shaft_radius);
     const Eigen::Affine2d to_circle = outline.page_from_circle().inverse();
     const Eigen::Vector2d normal =
-        to_circle.linear().transpose() * (to_circle * canvas.sight.paper(point));
+        to_circle.linear().transpose() * (to_circle * canvas.projection.place(point));
     const double along = std::abs(normal.dot(shape.along));
     const double across = std::abs(normal.dot(shape.across));
     constexpr double most = 6.0, margin_pt = 0.1;
     const double reach_pt = radius_pt * std::min(across / std::max(along, 1e-9), most) + margin_pt;
     constexpr double step = 1e-4;
     const double pt_per_s =
-        (canvas.sight.paper(point + step * run) - canvas.sight.paper(point - step * run)).norm() /
+        (canvas.projection.place(point + step * run) - canvas.projection.place(point - step * run))
+            .norm() /
         (2.0 * step);
     return reach_pt / std::max(pt_per_s, 1e-9);
 }
@@ -276,7 +280,8 @@ struct BesideSpan {
 
 BesideSpan beside(const Canvas& canvas, const ArrowShape& shape, const Span& span) {
     BesideSpan part{span, {}};
-    const Eigen::Vector2d middle = canvas.sight.paper(shape.front(0.5 * (span.from + span.to)));
+    const Eigen::Vector2d middle =
+        canvas.projection.place(shape.front(0.5 * (span.from + span.to)));
     for (const double end : {span.from, span.to}) {
         const auto outline = outline_at(canvas, shape, end);
         if (!outline) continue;
@@ -293,12 +298,12 @@ BesideSpan beside(const Canvas& canvas, const ArrowShape& shape, const Span& spa
 // The part of it beside a part of its axis, of one opacity, over a layer of it that has another.
 void draw_part(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape,
                const Track& track, const Span& span, double opacity, double lower_opacity) {
-    const Eigen::Vector3d to_eye = canvas.sight.towards_eye(0.5 * (shape.tail + shape.tip));
+    const Eigen::Vector3d to_eye = canvas.projection.towards_eye(0.5 * (shape.tail + shape.tip));
     const Eigen::Vector3d front = (to_eye - to_eye.dot(shape.axis) * shape.axis).normalized();
     const Colour lit =
         encoded(arrow_surface(arrow.colour, canvas.lights, {front, to_eye.normalized()}));
     const auto look_at = [&](double s) {
-        const Colour ground = canvas.behind(canvas.sight.paper(track.flow(s).position));
+        const Colour ground = canvas.behind(canvas.projection.place(track.flow(s).position));
         const Colour behind = over(as_in_light(lit, lower_opacity, ground), ground);
         return Canvas::LineLook{lit, opacity, behind};
     };
@@ -353,7 +358,7 @@ Path circle(const Eigen::Vector2d& middle, double radius_pt, double& off_pt) {
 }
 
 void fill_dot(const Canvas& canvas, const Dot& dot, double opacity) {
-    const Eigen::Vector2d middle = canvas.sight.paper(dot.at);
+    const Eigen::Vector2d middle = canvas.projection.place(dot.at);
     const Colour behind = canvas.behind(middle);
     const double radius = canvas.pt(dot.radius_px), inner = canvas.pt(dot.radius_px - dot.rim_px);
     if (dot.rim_px > 0.0) {
@@ -373,14 +378,14 @@ void fill_dot(const Canvas& canvas, const Dot& dot, double opacity) {
 
 // The outline of an ellipsoid that hides the dot but not all of it, or the other way round.
 const SphereSight* cut_by(const Canvas& canvas, const Dot& dot) {
-    const Eigen::Vector2d middle = canvas.sight.paper(dot.at);
+    const Eigen::Vector2d middle = canvas.projection.place(dot.at);
     const double radius = canvas.pt(dot.radius_px);
     for (const SphereSight& sphere : canvas.occluders.spheres()) {
         if (!(sphere.hiding > 0.0) || sphere.surrounds_eye) continue;
         const Eigen::Vector3d u = sphere.u(dot.at);
         if (sphere.before_limb(u) >= -1e-9) continue;
         const auto limb = limb_of(sphere);
-        const auto outline = limb ? picture_of(*limb, canvas.sight) : std::nullopt;
+        const auto outline = limb ? picture_of(*limb, canvas.projection) : std::nullopt;
         if (!outline) continue;
         const double size = std::sqrt(std::abs(cross(outline->a, outline->b)));
         if (std::abs(outline->radius_of(middle) - 1.0) * std::max(size, outline->a.norm()) <
@@ -391,8 +396,8 @@ const SphereSight* cut_by(const Canvas& canvas, const Dot& dot) {
 }
 
 void draw_dot(const Canvas& canvas, const Dot& dot, ArrowLayer layer) {
-    if (dot.opacity <= 0.0 ||
-        (canvas.sight.perspective && canvas.sight.depth(dot.at) <= canvas.sight.near_depth))
+    if (dot.opacity <= 0.0 || (canvas.projection.perspective &&
+                               canvas.projection.depth(dot.at) <= canvas.projection.near_depth))
         return;
     if (dot.occlusion == Occlusion::none) {
         if (layer == ArrowLayer::visible) fill_dot(canvas, dot, dot.opacity);
@@ -411,16 +416,16 @@ void draw_dot(const Canvas& canvas, const Dot& dot, ArrowLayer layer) {
         fill_dot(canvas, dot, dot.opacity * std::max(dot.hidden_opacity, 1.0 - sphere->hiding));
         return;
     }
-    canvas.add(canvas.clip_to(*picture_of(*limb_of(*sphere), canvas.sight), false));
+    canvas.add(canvas.clip_to(*picture_of(*limb_of(*sphere), canvas.projection), false));
     fill_dot(canvas, dot, dot.opacity);
     canvas.add(ClipEnd{});
 }
 
 // Numbers of arrows, then of dots, from the back to the front.
 std::vector<std::size_t> order_of(const Canvas& canvas) {
-    const Sight& sight = canvas.sight;
-    const auto seen = [&sight](const Eigen::Vector3d& point) {
-        return SeenPoint{sight.paper(point), sight.depth(point)};
+    const Projection& projection = canvas.projection;
+    const auto seen = [&projection](const Eigen::Vector3d& point) {
+        return SeenPoint{projection.place(point), projection.depth(point)};
     };
     std::vector<SeenAxis> arrows;
     arrows.reserve(canvas.view.arrows.size());
@@ -429,7 +434,7 @@ std::vector<std::size_t> order_of(const Canvas& canvas) {
     std::vector<SeenPoint> dots;
     dots.reserve(canvas.view.dots.size());
     for (const Dot& dot : canvas.view.dots) dots.push_back(seen(dot.at));
-    return back_to_front(arrows, dots, sight.perspective);
+    return back_to_front(arrows, dots, projection.perspective);
 }
 
 }  // namespace

@@ -57,8 +57,8 @@ Colour lit_colour(const Canvas& canvas, const Mesh& mesh, const MeshSight::Trian
 Facet facet_of(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle& triangle) {
     const Eigen::Vector3d middle =
         (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
-    const Eigen::Vector3d to_eye = canvas.sight.towards_eye(middle).normalized();
-    Facet facet{&triangle, {}, triangle.normal.dot(to_eye) > 0.0, canvas.sight.depth(middle)};
+    const Eigen::Vector3d to_eye = canvas.projection.towards_eye(middle).normalized();
+    Facet facet{&triangle, {}, triangle.normal.dot(to_eye) > 0.0, canvas.projection.depth(middle)};
     if (canvas.shading == Shading::none)
         facet.colour = canvas.behind(triangle.paper[0]);
     else
@@ -141,7 +141,8 @@ Path common_outline(const std::vector<const MeshSight::Triangle*>& triangles) {
 
 // Edges that an engraver would draw: where the surface turns away from the eye, where it ends, and
 // where it bends sharply.
-std::vector<std::array<Eigen::Vector3d, 2>> drawn_edges(const Sight& sight, const MeshSight& mesh) {
+std::vector<std::array<Eigen::Vector3d, 2>> drawn_edges(const Projection& projection,
+                                                        const MeshSight& mesh) {
     constexpr double sharp_cosine = 0.8;
     struct Edge {
         int n_triangles = 0, n_facing = 0;
@@ -153,7 +154,7 @@ std::vector<std::array<Eigen::Vector3d, 2>> drawn_edges(const Sight& sight, cons
     std::map<Key, Edge> edges;
     for (const MeshSight::Triangle& triangle : mesh.triangles()) {
         const Eigen::Vector3d normal = triangle.normal.normalized();
-        const bool faces = normal.dot(sight.towards_eye(triangle.corners[0])) > 0.0;
+        const bool faces = normal.dot(projection.towards_eye(triangle.corners[0])) > 0.0;
         for (int k = 0; k < 3; ++k) {
             Eigen::Vector3d a = triangle.corners[k], b = triangle.corners[(k + 1) % 3];
             if (std::lexicographical_compare(b.data(), b.data() + 3, a.data(), a.data() + 3))
@@ -180,7 +181,7 @@ void draw_edges(const Canvas& canvas, const MeshSight& body) {
     Stroke stroke;
     stroke.ink = {encoded(0.15 * linear(body.mesh().colour)), body.mesh().opacity};
     stroke.width_pt = width_pt;
-    for (const auto& [a, b] : drawn_edges(canvas.sight, body)) {
+    for (const auto& [a, b] : drawn_edges(canvas.projection, body)) {
         Track track;
         track.flow = [from = a, run = Eigen::Vector3d(b - a)](double s) {
             return CurveFlow{from + s * run, run};
@@ -188,8 +189,8 @@ void draw_edges(const Canvas& canvas, const MeshSight& body) {
         track.knots = {0.0, 1.0};
         for (const Span& span : canvas.occluders.spans(track, {}))
             if (span.cover.clear > 0.5) {
-                stroke.path.move(canvas.sight.paper(track.flow(span.from).position));
-                stroke.path.line(canvas.sight.paper(track.flow(span.to).position));
+                stroke.path.move(canvas.projection.place(track.flow(span.from).position));
+                stroke.path.line(canvas.projection.place(track.flow(span.to).position));
             }
     }
     if (!stroke.path.steps.empty()) canvas.add(std::move(stroke));
@@ -210,12 +211,12 @@ std::vector<Facet> facets_of(const Canvas& canvas, Bodies bodies) {
             const std::size_t own = first[b] + k;
             if (!facets[own].faces) continue;
             for (const Eigen::Vector3d& place : places_of(*facets[own].triangle)) {
-                const double depth = canvas.sight.depth(place);
-                const double touching = 1e-6 * (canvas.sight.perspective ? depth : 1.0);
+                const double depth = canvas.projection.depth(place);
+                const double touching = 1e-6 * (canvas.projection.perspective ? depth : 1.0);
                 bool hidden = false;
                 for (std::size_t other = 0; other < bodies.size(); ++other) {
                     crossings.clear();
-                    bodies[other].crossings(canvas.sight.paper(place), crossings);
+                    bodies[other].crossings(canvas.projection.place(place), crossings);
                     for (const MeshSight::Crossing& there : crossings) {
                         const std::size_t number = first[other] + there.number;
                         // Of a closed surface the far side is hidden by the near one.
@@ -302,8 +303,8 @@ ConeSeen seen_at(const Canvas& canvas, const Cone& cone, const ConeAxes& axes,
     // Where the line of sight o + t d meets it: across² = (slope along)², with along up to the
     // rim's.
     const double slope = axes.radius / cone.length;
-    const Eigen::Vector3d o = canvas.sight.ray_origin(at) - cone.apex;
-    const Eigen::Vector3d d = canvas.sight.ray(at);
+    const Eigen::Vector3d o = canvas.projection.ray_origin(at) - cone.apex;
+    const Eigen::Vector3d d = canvas.projection.ray(at);
     const double o_along = o.dot(axes.axis), d_along = d.dot(axes.axis);
     const double a = d.squaredNorm() - (1.0 + slope * slope) * d_along * d_along;
     const double b = o.dot(d) - (1.0 + slope * slope) * o_along * d_along;
@@ -339,7 +340,7 @@ ConeSeen seen_at(const Canvas& canvas, const Cone& cone, const ConeAxes& axes,
 std::optional<PaperEllipse> only_outline(const Canvas& canvas) {
     if (canvas.view.ellipsoids.size() != 1) return std::nullopt;
     const auto limb = limb_of(canvas.occluders.spheres()[0]);
-    return limb ? picture_of(*limb, canvas.sight) : std::nullopt;
+    return limb ? picture_of(*limb, canvas.projection) : std::nullopt;
 }
 
 // Where a line of sight meets one sheet, within the rim, and where it meets both, between the rim
@@ -348,7 +349,7 @@ void fill_sheets(const Canvas& canvas, const Cone& cone, const ConeAxes& axes,
                  const PaperEllipse& rim, Path hull) {
     constexpr int n = 32;
     const std::optional<PaperEllipse> outline = only_outline(canvas);
-    const Eigen::Vector2d apex = canvas.sight.paper(cone.apex);
+    const Eigen::Vector2d apex = canvas.projection.place(cone.apex);
     const Eigen::Vector2d reach = (rim.a.cwiseAbs2() + rim.b.cwiseAbs2()).cwiseSqrt();
     const Eigen::Vector2d low = apex.cwiseMin(rim.centre - reach);
     const Eigen::Vector2d step = (apex.cwiseMax(rim.centre + reach) - low) / n;
@@ -386,7 +387,7 @@ void stroke_track(const Canvas& canvas, const Track& track, const Colour& colour
         Stroke stroke;
         stroke.path = canvas.path_of(track, span.from, span.to, conic_tolerance_pt);
         const Eigen::Vector3d middle = track.flow(0.5 * (span.from + span.to)).position;
-        stroke.ink = as_in_light(colour, shown, canvas.behind(canvas.sight.paper(middle)));
+        stroke.ink = as_in_light(colour, shown, canvas.behind(canvas.projection.place(middle)));
         stroke.width_pt = width_pt;
         stroke.round = false;
         canvas.add(std::move(stroke));
@@ -426,7 +427,7 @@ std::optional<BodySeen> body_at(const Canvas& canvas, const Eigen::Vector2d& at)
         for (const MeshSight::Crossing& there : crossings) {
             if (seen && there.depth >= seen->depth) continue;
             const MeshSight::Triangle& triangle = body.triangles()[there.number];
-            const Eigen::Vector3d to_eye = canvas.sight.towards_eye(triangle.corners[0]);
+            const Eigen::Vector3d to_eye = canvas.projection.towards_eye(triangle.corners[0]);
             seen = {lit_colour(canvas, body.mesh(), triangle, to_eye.normalized()), there.depth};
         }
     }
@@ -438,10 +439,12 @@ void draw_cone(const Canvas& canvas, const Cone& cone) {
     const ConeAxes axes(cone);
     const Eigen::Vector3d middle = cone.apex + cone.length * axes.axis;
     const Conic rim{middle, axes.radius * axes.first, axes.radius * axes.second};
-    const auto ellipse = picture_of(rim, canvas.sight);
-    const Sight& sight = canvas.sight;
-    if (!ellipse || (sight.perspective && sight.depth(cone.apex) <= sight.near_depth)) return;
-    const Eigen::Vector2d apex = sight.paper(cone.apex);
+    const auto ellipse = picture_of(rim, canvas.projection);
+    const Projection& projection = canvas.projection;
+    if (!ellipse ||
+        (projection.perspective && projection.depth(cone.apex) <= projection.near_depth))
+        return;
+    const Eigen::Vector2d apex = projection.place(cone.apex);
 
     if (canvas.has_fills()) {
         // The rim and the apex, and what lies between.
@@ -470,9 +473,10 @@ void draw_cone(const Canvas& canvas, const Cone& cone) {
         }
         fill_sheets(canvas, cone, axes, *ellipse, std::move(hull));
     }
-    const Colour dark = encoded(0.35 * linear(cone.colour));
+    const ConeLines lines = cone_lines();
+    const Colour dark = encoded(lines.tone * linear(cone.colour));
     if (cone.rim_px > 0.0)
-        stroke_track(canvas, track_of(rim, 0.0, 2.0 * pi), dark, 0.9 * cone.presence,
+        stroke_track(canvas, track_of(rim, 0.0, 2.0 * pi), dark, lines.rim_opacity * cone.presence,
                      canvas.line_pt(cone.rim_px));
     for (int k = 0; k < cone.n_rulings; ++k) {
         const double angle = cone.phase_rad + 2.0 * pi * k / cone.n_rulings;
@@ -482,14 +486,15 @@ void draw_cone(const Canvas& canvas, const Cone& cone) {
         constexpr double half_left_px = 9.0;
         const Eigen::Vector3d along_rim =
             std::cos(angle) * rim.sine_axis - std::sin(angle) * rim.cosine_axis;
-        const double apart_px = sight.spacing_px(end, run, 2.0 * pi / cone.n_rulings * along_rim);
+        const double apart_px =
+            spacing_px(projection, end, run, 2.0 * pi / cone.n_rulings * along_rim);
         if (!(apart_px > half_left_px)) continue;
         Track track;
         track.flow = [apex_at = cone.apex, run](double s) {
             return CurveFlow{apex_at + s * run, run};
         };
         track.knots = {half_left_px / apart_px, 1.0};
-        stroke_track(canvas, track, dark, 0.85 * 0.55 * cone.presence,
+        stroke_track(canvas, track, dark, lines.generator_opacity * cone.presence,
                      canvas.line_pt(0.6 * cone.rim_px));
     }
 }

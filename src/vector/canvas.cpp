@@ -26,8 +26,8 @@ Colour at_height(const Background& background, double y_pt, double top_pt, doubl
 Canvas::Canvas(const Drawing& whole, const View& shown, double pt_per_px, Shading how, Page& onto)
     : drawing(whole),
       view(shown),
-      sight(shown, pt_per_px),
-      occluders(shown, sight),
+      projection(shown, pt_per_px),
+      occluders(shown, projection),
       lights(shown),
       shading(how),
       page(onto) {}
@@ -37,14 +37,14 @@ Colour Canvas::ground(const Eigen::Vector2d& at) const {
     const Colour white{1.0, 1.0, 1.0};
     Colour colour = mixed(white, at_height(drawing.background, at.y(), 0.0, page.height_pt),
                           drawing.background.alpha);
-    colour =
-        mixed(colour, at_height(view.background, at.y(), sight.corner_pt.y(), sight.size_pt.y()),
-              view.background.alpha);
+    colour = mixed(colour,
+                   at_height(view.background, at.y(), projection.corner.y(), projection.size.y()),
+                   view.background.alpha);
     if (shading == Shading::none) return colour;
     for (std::size_t k = 0; k < n_planes && k < view.planes.size(); ++k) {
         const Plane& plane = view.planes[k];
-        const Eigen::Vector3d point = sight.on_plane(at, plane.centre, plane.normal);
-        if (!point.allFinite() || sight.depth(point) <= sight.near_depth) continue;
+        const Eigen::Vector3d point = projection.on_plane(at, plane.centre, plane.normal);
+        if (!point.allFinite() || projection.depth(point) <= projection.near_depth) continue;
         const double opacity = opacity_at(plane, (point - plane.centre).norm());
         colour = encoded(opacity * linear(plane.colour) + (1.0 - opacity) * linear(colour));
         if (!is_before_solids(*this, plane)) colour = shadowed(*this, plane, point, colour);
@@ -72,7 +72,7 @@ Path Canvas::path_of(const Track& track, double from, double to, double toleranc
         if (from < knot && knot < to) knots.push_back(knot);
     knots.push_back(to);
     const Fit fit =
-        fitted([&](double s) { return sight.paper(track.flow(s)); }, knots, tolerance_pt);
+        fitted([&](double s) { return on_paper(projection, track.flow(s)); }, knots, tolerance_pt);
     page.off_pt = std::max(page.off_pt, fit.off_pt + track_off_pt);
     Path path;
     path.add(fit.beziers);
@@ -122,18 +122,18 @@ Background ground_of(Background background, Shading shading) {
 
 void draw_view(const Drawing& drawing, const View& view, const PageChoices& choices, Page& page) {
     Canvas canvas(drawing, view, choices.pt_per_px, choices.shading, page);
-    const Sight& sight = canvas.sight;
-    const bool is_whole =
-        sight.corner_pt.isZero() && sight.size_pt == Eigen::Vector2d(page.width_pt, page.height_pt);
+    const Projection& projection = canvas.projection;
+    const bool is_whole = projection.corner.isZero() &&
+                          projection.size == Eigen::Vector2d(page.width_pt, page.height_pt);
     const bool has_shapes =
         !(view.planes.empty() && view.ellipsoids.empty() && view.cones.empty() &&
           view.meshes.empty() && view.curves.empty() && view.arrows.empty() && view.dots.empty());
-    draw_background(ground_of(view.background, choices.shading), sight.corner_pt, sight.size_pt,
+    draw_background(ground_of(view.background, choices.shading), projection.corner, projection.size,
                     page);
     const bool clips = has_shapes && !is_whole;
     if (clips) {
         ClipBegin clip;
-        clip.path.add_rectangle(sight.corner_pt, sight.size_pt);
+        clip.path.add_rectangle(projection.corner, projection.size);
         page.add(std::move(clip));
     }
     const bool has_surfaces = !(view.planes.empty() && view.ellipsoids.empty() &&
@@ -151,7 +151,8 @@ void draw_view(const Drawing& drawing, const View& view, const PageChoices& choi
     order.reserve(view.ellipsoids.size());
     for (std::size_t k = 0; k < view.ellipsoids.size(); ++k) order.push_back(k);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return sight.depth(view.ellipsoids[a].centre) > sight.depth(view.ellipsoids[b].centre);
+        return projection.depth(view.ellipsoids[a].centre) >
+               projection.depth(view.ellipsoids[b].centre);
     });
     light_sheets(canvas, order);
     draw_meshes(canvas);

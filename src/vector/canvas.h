@@ -14,7 +14,7 @@
 #include "vector/light.h"
 #include "vector/occluders.h"
 #include "vector/page.h"
-#include "vector/sight.h"
+#include "vector/paper_flow.h"
 
 namespace poinsot::vector {
 
@@ -50,7 +50,7 @@ struct Canvas {
     Colour behind(const Eigen::Vector2d& at) const;
     // Of that, background and planes.
     Colour ground(const Eigen::Vector2d& at) const;
-    double pt(double px) const { return px * sight.pt_per_px; }
+    double pt(double px) const { return px * projection.units_per_px; }
     // A line's width: none on paper is thinner than printers take.
     double line_pt(double px) const { return px > 0.0 ? std::max(pt(px), least_line_pt) : 0.0; }
     void add(Item item) const { page.add(std::move(item)); }
@@ -64,7 +64,7 @@ struct Canvas {
 
     const Drawing& drawing;
     const View& view;
-    Sight sight;
+    Projection projection;
     Occluders occluders;
     Lights lights;
     Shading shading;

@@ -30,17 +30,19 @@ double PaperEllipse::radius_of(const Eigen::Vector2d& point) const {
     return (axes.inverse() * (point - centre)).norm();
 }
 
-std::optional<PaperEllipse> picture_of(const Conic& conic, const Sight& sight) {
+std::optional<PaperEllipse> picture_of(const Conic& conic, const Projection& projection) {
     // Homogeneous coordinates on paper, from the view's axis, are linear in (cos s, sin s, 1).
     const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector2d {
-        return sight.focal_pt * Eigen::Vector2d(sight.right.dot(v), sight.down.dot(v));
+        return projection.focal * Eigen::Vector2d(projection.right.dot(v), projection.down.dot(v));
     };
-    const Eigen::Vector3d from_eye = conic.centre - sight.eye;
-    const double cosine_depth = sight.perspective ? sight.forward.dot(conic.cosine_axis) : 0.0;
-    const double sine_depth = sight.perspective ? sight.forward.dot(conic.sine_axis) : 0.0;
-    const double depth = sight.perspective ? sight.forward.dot(from_eye) : 1.0;
+    const Eigen::Vector3d from_eye = conic.centre - projection.eye;
+    const double cosine_depth =
+        projection.perspective ? projection.forward.dot(conic.cosine_axis) : 0.0;
+    const double sine_depth =
+        projection.perspective ? projection.forward.dot(conic.sine_axis) : 0.0;
+    const double depth = projection.perspective ? projection.forward.dot(from_eye) : 1.0;
     const double swing = std::hypot(cosine_depth, sine_depth);
-    if (sight.perspective && depth - swing <= sight.near_depth) return std::nullopt;
+    if (projection.perspective && depth - swing <= projection.near_depth) return std::nullopt;
 
     // Turned so that the depth is depth + swing·cos s: tangents at s = 0 and π are then parallel
     // on paper, so those are the ends of a diameter, and the sine's axis is conjugate to it.
@@ -51,7 +53,7 @@ std::optional<PaperEllipse> picture_of(const Conic& conic, const Sight& sight) {
     const Eigen::Vector2d aside = across(c * conic.sine_axis - s * conic.cosine_axis);
     const Eigen::Vector2d far = (middle + ahead) / (depth + swing);
     const Eigen::Vector2d near = (middle - ahead) / (depth - swing);
-    const PaperEllipse ellipse{sight.centre_pt + 0.5 * (far + near), 0.5 * (far - near),
+    const PaperEllipse ellipse{projection.centre + 0.5 * (far + near), 0.5 * (far - near),
                                aside / std::sqrt((depth - swing) * (depth + swing))};
     const double area = ellipse.a.x() * ellipse.b.y() - ellipse.a.y() * ellipse.b.x();
     if (std::abs(area) < 1e-12 * (ellipse.a.squaredNorm() + ellipse.b.squaredNorm()))

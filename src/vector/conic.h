@@ -25,7 +25,7 @@ struct PaperEllipse {
 
 // What a conic of the view looks like: an ellipse again, if all of it is before the eye and it is
 // not seen edge-on.
-std::optional<PaperEllipse> picture_of(const Conic& conic, const Sight& sight);
+std::optional<PaperEllipse> picture_of(const Conic& conic, const Projection& projection);
 
 // The circle, on an ellipsoid, along which lines of sight touch it; none if the eye is inside.
 std::optional<Conic> limb_of(const SphereSight& sphere);

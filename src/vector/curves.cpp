@@ -86,9 +86,9 @@ Track placed_track(const SmoothForm& smooth, const Eigen::Affine3d& placement, d
 SmoothForm form_of(const Canvas& canvas, const Curve& curve) {
     const CurveGeometry& geometry = *curve.geometry;
     if (geometry.smooth) {
-        const double stretch =
-            curve.placement.linear().jacobiSvd().singularValues()[0] *
-            canvas.sight.unit_pt(std::max(canvas.sight.depth(canvas.view.camera.target), 1e-9));
+        const double stretch = curve.placement.linear().jacobiSvd().singularValues()[0] *
+                               canvas.projection.scale(std::max(
+                                   canvas.projection.depth(canvas.view.camera.target), 1e-9));
         // What lies in front of where the camera looks is seen larger, by less than this.
         constexpr double nearer = 2.0;
         if (stretch > 0.0) return geometry.smooth(form_tolerance_pt / (nearer * stretch));
@@ -121,12 +121,13 @@ std::vector<double> dashes_of(const Canvas& canvas, const Curve& curve, bool hid
 }
 
 // The length of a part on paper, near enough for dashes.
-double length_pt(const Sight& sight, const Track& track, double from, double to) {
+double length_pt(const Projection& projection, const Track& track, double from, double to) {
     constexpr int n = 400;
     double length = 0.0;
-    Eigen::Vector2d before = sight.paper(track.flow(from).position);
+    Eigen::Vector2d before = projection.place(track.flow(from).position);
     for (int k = 1; k <= n && from < to; ++k) {
-        const Eigen::Vector2d here = sight.paper(track.flow(from + (to - from) * k / n).position);
+        const Eigen::Vector2d here =
+            projection.place(track.flow(from + (to - from) * k / n).position);
         length += (here - before).norm();
         before = here;
     }
@@ -179,7 +180,8 @@ void draw_curve(const Canvas& canvas, const Curve& curve) {
             }
             if (faded < 1e-3) continue;
             const auto look_at = [&](double s) {
-                const Colour behind = canvas.behind(canvas.sight.paper(track.flow(s).position));
+                const Colour behind =
+                    canvas.behind(canvas.projection.place(track.flow(s).position));
                 return Canvas::LineLook{curve.colour, faded, behind};
             };
             std::vector<Canvas::EvenPart> parts{{cuts[k - 1], cuts[k], {curve.colour, faded}}};
@@ -200,7 +202,7 @@ void draw_curve(const Canvas& canvas, const Curve& curve) {
                 // Dashes go on where a part ends; the curve begins in the middle of a gap.
                 if (stroke.dashes_pt.size() == 2)
                     stroke.dash_offset_pt = stroke.dashes_pt[0] + 0.5 * stroke.dashes_pt[1] +
-                                            length_pt(canvas.sight, track, first, part.from);
+                                            length_pt(canvas.projection, track, first, part.from);
                 stroke.round = whole && stroke.dashes_pt.empty();
                 canvas.add(std::move(stroke));
             }

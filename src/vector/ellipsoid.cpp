@@ -26,9 +26,10 @@ struct Meeting {
     double front_depth = 0.0, back_depth = 0.0;
 };
 
-Meeting meeting_of(const Sight& sight, const SphereSight& sphere, const Eigen::Vector2d& at) {
-    const Eigen::Vector3d origin = sphere.u(sight.ray_origin(at));
-    const Eigen::Vector3d ray = sight.ray(at);
+Meeting meeting_of(const Projection& projection, const SphereSight& sphere,
+                   const Eigen::Vector2d& at) {
+    const Eigen::Vector3d origin = sphere.u(projection.ray_origin(at));
+    const Eigen::Vector3d ray = projection.ray(at);
     const Eigen::Vector3d d = (sphere.to_u * ray).normalized();
     const Eigen::Vector3d moment = origin.cross(d);
     const double square = 1.0 - moment.squaredNorm();
@@ -44,7 +45,7 @@ Meeting meeting_of(const Sight& sight, const SphereSight& sphere, const Eigen::V
     meeting.front = point(-1.0);
     meeting.back = point(1.0);
     const auto depth = [&](double side) {
-        return sight.depth(sphere.centre + sphere.axes * (nearest + side * root * d));
+        return projection.depth(sphere.centre + sphere.axes * (nearest + side * root * d));
     };
     meeting.front_depth = depth(-1.0);
     meeting.back_depth = depth(1.0);
@@ -89,7 +90,8 @@ ShadedDisc lit_disc(const Canvas& canvas, std::size_t number, const PaperEllipse
             behind.push_back(canvas.behind(place));
             wanted.push_back(
                 encoded(through_ellipsoids(canvas, all, place, linear(canvas.ground(place)))));
-            alpha += opacity_of(ellipsoid, canvas.lights, meeting_of(canvas.sight, sphere, place));
+            alpha +=
+                opacity_of(ellipsoid, canvas.lights, meeting_of(canvas.projection, sphere, place));
         }
     }
     // One opacity for all of it, so that it can be a single sheet; colours make up for it.
@@ -107,7 +109,7 @@ Canvas::LineLook line_on(const Canvas& canvas, std::size_t number, const Eigen::
     // Lines alone: what lies behind is paler, over nothing.
     if (canvas.shading == Shading::none)
         return {ellipsoid.line_colour, opacity * ellipsoid.presence * (front ? 1.0 : 0.35), behind};
-    const Meeting meeting = meeting_of(canvas.sight, canvas.occluders.spheres()[number], at);
+    const Meeting meeting = meeting_of(canvas.projection, canvas.occluders.spheres()[number], at);
     const auto fore = [&](double lines) {
         return outer_surface(ellipsoid, canvas.lights, meeting.front, lines);
     };
@@ -128,7 +130,7 @@ bool is_within(const Canvas& canvas, const PaperEllipse& outline, const Track& t
     const double shorter = outline.page_from_circle().linear().jacobiSvd().singularValues()[1];
     for (int k = 0; k <= n; ++k) {
         const double s = part.from + (part.to - part.from) * k / n;
-        const Eigen::Vector2d at = canvas.sight.paper(track.flow(s).position);
+        const Eigen::Vector2d at = canvas.projection.place(track.flow(s).position);
         if (outline.radius_of(at) > 1.0 - margin_pt / shorter) return false;
     }
     return true;
@@ -159,10 +161,12 @@ void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& 
         const double s = 0.5 * (cuts[k - 1] + cuts[k]);
         const bool front = alpha + beta * std::cos(s) + gamma * std::sin(s) > 0.0;
         if (!front && !also_behind) continue;
-        if (canvas.sight.perspective && canvas.sight.depth(conic.at(s)) <= canvas.sight.near_depth)
+        if (canvas.projection.perspective &&
+            canvas.projection.depth(conic.at(s)) <= canvas.projection.near_depth)
             continue;
         const auto look_at = [&](double t) {
-            return line_on(canvas, number, canvas.sight.paper(conic.at(t)), front, opacity_at(t));
+            return line_on(canvas, number, canvas.projection.place(conic.at(t)), front,
+                           opacity_at(t));
         };
         constexpr double unseen = 0.15, faintest = 0.1, faint = 0.25;
         const double step = (cuts[k] - cuts[k - 1]) / 200.0;
@@ -203,8 +207,8 @@ void stroke_rulings(const Canvas& canvas, std::size_t number, const PaperEllipse
         const Eigen::Vector3d at =
             sphere.centre + std::cos(latitude) * out + std::sin(latitude) * c;
         const double px = per_meridian > 0.0
-                              ? canvas.sight.spacing_px(at, north, per_meridian * east)
-                              : canvas.sight.spacing_px(at, east, per_parallel * north);
+                              ? spacing_px(canvas.projection, at, north, per_meridian * east)
+                              : spacing_px(canvas.projection, at, east, per_parallel * north);
         return ellipsoid.ruling_opacity * std::clamp(0.1 * px - 0.4, 0.0, 1.0);
     };
     for (int k = 0; k < ellipsoid.n_meridians; ++k) {
@@ -247,7 +251,8 @@ Eigen::Vector3d through_ellipsoids(const Canvas& canvas, const std::vector<std::
     for (const std::size_t number : numbers) {
         const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
         if (!is_present(ellipsoid)) continue;
-        const Meeting meeting = meeting_of(canvas.sight, canvas.occluders.spheres()[number], at);
+        const Meeting meeting =
+            meeting_of(canvas.projection, canvas.occluders.spheres()[number], at);
         if (!meeting.any) continue;
         surfaces.emplace_back(meeting.front_depth,
                               outer_surface(ellipsoid, canvas.lights, meeting.front, 0.0));
@@ -266,7 +271,7 @@ void light_sheets(Canvas& canvas, const std::vector<std::size_t>& order) {
     for (const std::size_t number : order) {
         if (is_present(canvas.view.ellipsoids[number]))
             if (const auto limb = limb_of(canvas.occluders.spheres()[number]))
-                if (const auto outline = picture_of(*limb, canvas.sight)) {
+                if (const auto outline = picture_of(*limb, canvas.projection)) {
                     LitSheet sheet{number, *outline, {}};
                     if (canvas.has_fills()) sheet.disc = lit_disc(canvas, number, *outline);
                     canvas.sheets.push_back(std::move(sheet));
@@ -278,11 +283,11 @@ void light_sheets(Canvas& canvas, const std::vector<std::size_t>& order) {
 
 Colour under_sheets(const Canvas& canvas, const Eigen::Vector3d& point, const Colour& colour) {
     if (canvas.sheets.empty() || !canvas.has_fills()) return colour;
-    const Eigen::Vector2d at = canvas.sight.paper(point);
+    const Eigen::Vector2d at = canvas.projection.place(point);
     std::vector<std::size_t> numbers;
     for (const LitSheet& sheet : canvas.sheets) numbers.push_back(sheet.number);
-    Colour needed =
-        encoded(through_ellipsoids(canvas, numbers, at, linear(colour), canvas.sight.depth(point)));
+    Colour needed = encoded(
+        through_ellipsoids(canvas, numbers, at, linear(colour), canvas.projection.depth(point)));
     for (auto sheet = canvas.sheets.rbegin(); sheet != canvas.sheets.rend(); ++sheet) {
         const Eigen::Vector2d in_disc = sheet->disc.page_from_disc.inverse() * at;
         if (in_disc.norm() >= 1.0 || sheet->disc.alpha >= 1.0) continue;

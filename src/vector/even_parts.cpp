@@ -22,7 +22,7 @@ double off_at(const Ink& ink, const Ink& wanted, const Colour& behind) {
 // How far parts reach under the next, as a parameter: a third of a point.
 double overlap(const Canvas& canvas, const Track& track, double at) {
     constexpr double overlap_pt = 0.33;
-    const double speed = canvas.sight.paper(track.flow(at)).velocity.norm();
+    const double speed = on_paper(canvas.projection, track.flow(at)).velocity.norm();
     return speed > 0.0 ? overlap_pt / speed : 0.0;
 }
 

@@ -40,7 +40,8 @@ struct SeenTriangle {
 std::vector<SeenTriangle> seen_triangles(const Canvas& canvas, const MeshSight& body) {
     std::vector<SeenTriangle> seen;
     for (const MeshSight::Triangle& triangle : body.triangles()) {
-        if (triangle.normal.dot(canvas.sight.towards_eye(triangle.corners[0])) <= 0.0) continue;
+        if (triangle.normal.dot(canvas.projection.towards_eye(triangle.corners[0])) <= 0.0)
+            continue;
         SeenTriangle& one = seen.emplace_back();
         one.triangle = &triangle;
         for (std::size_t k = 0; k < 3; ++k)
@@ -77,9 +78,10 @@ void look_at(const Canvas& canvas, const SurfacePicture& picture,
                                     [&at](const SeenTriangle& one) { return one.covers(at); });
     if (found == seen.end()) return;
     const MeshSight::Triangle& triangle = *found->triangle;
-    const Eigen::Vector3d point = canvas.sight.on_plane(at, triangle.corners[0], triangle.normal);
+    const Eigen::Vector3d point =
+        canvas.projection.on_plane(at, triangle.corners[0], triangle.normal);
     if (is_hidden(point)) return;
-    const Eigen::Vector3d to_eye = canvas.sight.towards_eye(point).normalized();
+    const Eigen::Vector3d to_eye = canvas.projection.towards_eye(point).normalized();
     look.light += mesh_surface(colour_at(picture, found->place(point)), canvas.lights,
                                {triangle.shading_normal.normalized(), to_eye});
     ++look.n_seen;
@@ -101,8 +103,8 @@ void draw_face_picture(const Canvas& canvas, const MeshSight& body, const IsHidd
             high = high.cwiseMax(corner);
         }
     // What lies beyond the view is not drawn.
-    low = low.cwiseMax(canvas.sight.corner_pt);
-    high = high.cwiseMin(canvas.sight.corner_pt + canvas.sight.size_pt);
+    low = low.cwiseMax(canvas.projection.corner);
+    high = high.cwiseMin(canvas.projection.corner + canvas.projection.size);
     if (!(low.x() < high.x() && low.y() < high.y())) return;
 
     Picture drawn;

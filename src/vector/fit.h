@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "vector/sight.h"
+#include "vector/paper_flow.h"
 
 namespace poinsot::vector {
 

@@ -9,6 +9,9 @@ namespace poinsot::vector {
 
 namespace {
 
+using real = double;
+#include "shaders/light.glsl"
+
 double encoded(double light) { return srgb_from_linear(std::clamp(light, 0.0, 1.0)); }
 
 double cube(double x) { return x * x * x; }
@@ -107,68 +110,60 @@ Layer outer_surface(const Ellipsoid& ellipsoid, const Lights& lights, const Surf
     const double facing = std::clamp(point.normal.dot(point.to_eye), 0.0, 1.0);
     const double limb = cube(1.0 - facing);
     const double to_key = point.normal.dot(lights.towards);
-    const double key = std::max(0.8 * to_key + 0.2, 0.0);
     const double up = 0.5 + 0.5 * point.normal.dot(lights.up);
-    const double lit =
-        lights.key * key * key * (1.5 - 0.5 * key) + lights.sky * (0.42 + 0.58 * up * up) + 0.06;
+    const double lit = ellipsoid_lit(lights.key, lights.sky, to_key, up);
     const double glint = std::max(to_key + facing, 0.0);
     const double per_halfway = 1.0 / std::max(2.0 + 2.0 * point.to_eye.dot(lights.towards), 1e-6);
-    const double g2 = glint * glint * per_halfway;
-    const double g16 = std::pow(g2, 8), g64 = std::pow(g2, 32);
-    const double gloss = 0.05 * g16 + 0.16 * g64;
+    const double gloss = ellipsoid_gloss(glint * glint * per_halfway);
     const Eigen::Vector3d tone =
         (1.0 - lines) * linear(ellipsoid.colour) + lines * linear(ellipsoid.line_colour);
-    const double white = lights.key * gloss * (1.0 - lines) + lights.sky * 0.30 * limb * up;
-    double alpha = ellipsoid.opacity + (1.0 - ellipsoid.opacity) * 0.8 * limb;
-    alpha += lines * (std::max(alpha, 0.92) - alpha);
+    const double white = ellipsoid_white(lights.key, lights.sky, gloss, lines, limb, up);
+    double alpha = ellipsoid_outer_opacity(ellipsoid.opacity, limb);
+    alpha += lines * (std::max(alpha, ellipsoid_outer_lines()) - alpha);
     return {tone * lit + Eigen::Vector3d::Constant(white), alpha * ellipsoid.presence};
 }
 
 Layer inner_surface(const Ellipsoid& ellipsoid, const Lights& lights, const SurfacePoint& point,
                     double lines) {
     const double limb = cube(1.0 - std::clamp(point.normal.dot(point.to_eye), 0.0, 1.0));
-    const double key = std::max(0.8 * point.normal.dot(lights.towards) + 0.2, 0.0);
     const double up = 0.5 + 0.5 * point.normal.dot(lights.up);
-    const double lit =
-        lights.key * key * key * (1.5 - 0.5 * key) + lights.sky * (0.42 + 0.58 * up * up) + 0.06;
+    const double lit = ellipsoid_lit(lights.key, lights.sky, point.normal.dot(lights.towards), up);
     const Eigen::Vector3d tone =
         (1.0 - lines) * linear(ellipsoid.colour) + lines * linear(ellipsoid.line_colour);
-    double alpha = ellipsoid.opacity * (0.55 + 0.3 * limb);
-    alpha += lines * (std::max(alpha, 0.85) - alpha);
-    return {tone * (0.62 * lit), alpha * ellipsoid.presence};
+    double alpha = ellipsoid_inner_opacity(ellipsoid.opacity, limb);
+    alpha += lines * (std::max(alpha, ellipsoid_inner_lines()) - alpha);
+    return {tone * ellipsoid_inner_lit(lit), alpha * ellipsoid.presence};
+}
+
+ConeLines cone_lines() {
+    return {cone_line_tone(), cone_rim_opacity(), cone_generator_opacity() * cone_generator_ink()};
 }
 
 Layer cone_surface(const Cone& cone, const Lights& lights, const SurfacePoint& point) {
     const double limb = cube(1.0 - std::abs(point.normal.dot(point.to_eye)));
-    const double key = std::max(0.7 * point.normal.dot(lights.towards) + 0.3, 0.0);
     const double up = 0.5 + 0.5 * point.normal.dot(lights.up);
-    const double lit = lights.key * key + lights.sky * (0.5 + 0.5 * up) + 0.10;
-    const double alpha = cone.opacity + (1.0 - cone.opacity) * 0.5 * limb;
-    return {linear(cone.colour) * lit, alpha * cone.presence};
+    const double lit = cone_lit(lights.key, lights.sky, point.normal.dot(lights.towards), up);
+    return {linear(cone.colour) * lit, cone_opacity(cone.opacity, limb) * cone.presence};
 }
 
 Eigen::Vector3d arrow_surface(const Colour& colour, const Lights& lights,
                               const SurfacePoint& point) {
-    const double key = std::max(0.77 * point.normal.dot(lights.towards) + 0.23, 0.0);
     const double up = 0.5 + 0.5 * point.normal.dot(lights.up);
-    const double lit = lights.key * key + lights.sky * (0.5 + 0.5 * up) + 0.10;
+    const double lit = arrow_lit(lights.key, lights.sky, point.normal.dot(lights.towards), up);
     const Eigen::Vector3d halfway = lights.towards + point.to_eye;
     const double glint = std::max(point.normal.dot(halfway) / std::max(halfway.norm(), 1e-6), 0.0);
-    return linear(colour) * lit +
-           Eigen::Vector3d::Constant(0.10 * lights.key * std::pow(glint, 24));
+    return linear(colour) * lit + Eigen::Vector3d::Constant(arrow_white(lights.key, glint));
 }
 
 Eigen::Vector3d mesh_surface(const Colour& colour, const Lights& lights,
                              const SurfacePoint& point) {
-    const double key = std::max(0.85 * point.normal.dot(lights.towards) + 0.15, 0.0);
     const double up = 0.5 + 0.5 * point.normal.dot(lights.up);
-    const double lit = lights.key * key + lights.sky * (0.40 + 0.60 * up) + 0.06;
+    const double lit = mesh_lit(lights.key, lights.sky, point.normal.dot(lights.towards), up);
     const Eigen::Vector3d halfway = lights.towards + point.to_eye;
     const double glint = std::max(point.normal.dot(halfway) / std::max(halfway.norm(), 1e-6), 0.0);
     const double limb = cube(1.0 - std::max(point.normal.dot(point.to_eye), 0.0));
-    return linear(colour) * lit +
-           Eigen::Vector3d::Constant(lights.key * 0.06 * std::pow(glint, 16) +
-                                     lights.sky * 0.15 * limb * up);
+    return linear(colour) * lit + Eigen::Vector3d::Constant(mesh_gloss(lights.key, glint) +
+                                                            mesh_rim(lights.sky, limb, up));
 }
 
 }  // namespace poinsot::vector

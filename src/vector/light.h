@@ -1,4 +1,4 @@
-// How surfaces are lit: the same formulas as in shaders/, so that paper and screen show one tone.
+// How surfaces are lit, by the formulas of shaders/light.glsl: paper and screen show one tone.
 #pragma once
 
 #include <Eigen/Core>
@@ -57,6 +57,11 @@ Layer outer_surface(const Ellipsoid& ellipsoid, const Lights& lights, const Surf
                     double lines);
 Layer inner_surface(const Ellipsoid& ellipsoid, const Lights& lights, const SurfacePoint& point,
                     double lines);
+// The lines of a cone: their tone beside its colour in linear light, and their opacities.
+struct ConeLines {
+    double tone, rim_opacity, generator_opacity;
+};
+ConeLines cone_lines();
 Layer cone_surface(const Cone& cone, const Lights& lights, const SurfacePoint& point);
 Eigen::Vector3d arrow_surface(const Colour& colour, const Lights& lights,
                               const SurfacePoint& point);

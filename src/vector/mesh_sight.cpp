@@ -19,7 +19,8 @@ bool holds(const MeshSight::Triangle& t, const Eigen::Vector2d& at) {
 
 }  // namespace
 
-MeshSight::MeshSight(const Mesh& mesh, const Sight& sight) : mesh_(mesh), sight_(sight) {
+MeshSight::MeshSight(const Mesh& mesh, const Projection& projection)
+    : mesh_(mesh), projection_(projection) {
     const auto& positions = mesh.geometry->positions;
     Eigen::Vector2d low(1e300, 1e300), high(-1e300, -1e300);
     const Eigen::Matrix3d turned = mesh.placement.linear().inverse().transpose();
@@ -28,9 +29,9 @@ MeshSight::MeshSight(const Mesh& mesh, const Sight& sight) : mesh_(mesh), sight_
         triangle.first = k;
         for (std::size_t i = 0; i < 3; ++i) {
             triangle.corners[i] = mesh.placement * positions[k + i].cast<double>();
-            triangle.before_eye =
-                triangle.before_eye &&
-                (!sight.perspective || sight.depth(triangle.corners[i]) > sight.near_depth);
+            triangle.before_eye = triangle.before_eye &&
+                                  (!projection.perspective ||
+                                   projection.depth(triangle.corners[i]) > projection.near_depth);
         }
         triangle.normal = (triangle.corners[1] - triangle.corners[0])
                               .cross(triangle.corners[2] - triangle.corners[0]);
@@ -42,7 +43,7 @@ MeshSight::MeshSight(const Mesh& mesh, const Sight& sight) : mesh_(mesh), sight_
         }
         if (!triangle.before_eye) continue;
         for (std::size_t i = 0; i < 3; ++i) {
-            triangle.paper[i] = sight.paper(triangle.corners[i]);
+            triangle.paper[i] = projection.place(triangle.corners[i]);
             low = low.cwiseMin(triangle.paper[i]);
             high = high.cwiseMax(triangle.paper[i]);
         }
@@ -87,22 +88,22 @@ const std::vector<std::uint32_t>* MeshSight::cell_at(const Eigen::Vector2d& pape
 double MeshSight::depth_at(const Triangle& t, const Eigen::Vector2d& paper) const {
     constexpr double nowhere = std::numeric_limits<double>::infinity();
     if (!holds(t, paper)) return nowhere;
-    const Eigen::Vector3d origin = sight_.ray_origin(paper), ray = sight_.ray(paper);
+    const Eigen::Vector3d origin = projection_.ray_origin(paper), ray = projection_.ray(paper);
     const double descent = t.normal.dot(ray);
     if (descent == 0.0) return nowhere;
     const double there = t.normal.dot(t.corners[0] - origin) / descent;
     // Along the ray as along the axis: its component there is 1.
-    return sight_.perspective ? there : sight_.depth(origin + there * ray);
+    return projection_.perspective ? there : projection_.depth(origin + there * ray);
 }
 
 bool MeshSight::hides(const Eigen::Vector3d& point) const {
     if (cells_.empty()) return false;
-    const double depth = sight_.depth(point);
-    if (sight_.perspective && depth <= sight_.near_depth) return false;
-    const Eigen::Vector2d at = sight_.paper(point);
+    const double depth = projection_.depth(point);
+    if (projection_.perspective && depth <= projection_.near_depth) return false;
+    const Eigen::Vector2d at = projection_.place(point);
     const auto* cell = cell_at(at);
     if (cell == nullptr) return false;
-    const double touching = 1e-6 * (sight_.perspective ? depth : 1.0);
+    const double touching = 1e-6 * (projection_.perspective ? depth : 1.0);
     return std::any_of(cell->begin(), cell->end(), [&](std::uint32_t k) {
         return depth_at(triangles_[k], at) < depth - touching;
     });

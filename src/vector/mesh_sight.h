@@ -6,14 +6,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "vector/sight.h"
+#include "vector/paper_flow.h"
 
 namespace poinsot::vector {
 
 // The triangles of a mesh on paper, in cells, so that those at a place are found at once.
 class MeshSight {
  public:
-    MeshSight(const Mesh& mesh, const Sight& sight);
+    MeshSight(const Mesh& mesh, const Projection& projection);
 
     struct Triangle {
         Eigen::Vector3d corners[3];  // view axes
@@ -46,7 +46,7 @@ class MeshSight {
     double depth_at(const Triangle& triangle, const Eigen::Vector2d& paper) const;
 
     const Mesh& mesh_;
-    const Sight& sight_;
+    const Projection& projection_;
     std::vector<Triangle> triangles_;
     Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();
     double cell_pt_ = 1.0;

@@ -15,8 +15,9 @@ namespace {
 constexpr int n_plane_levels = 8;
 
 // Where the line of sight of a point crosses a plane, as distance from its centre.
-double crossing_distance(const Sight& sight, const Plane& plane, const Eigen::Vector3d& point) {
-    const Eigen::Vector3d towards = sight.towards_eye(point);
+double crossing_distance(const Projection& projection, const Plane& plane,
+                         const Eigen::Vector3d& point) {
+    const Eigen::Vector3d towards = projection.towards_eye(point);
     const double rise = plane.normal.dot(towards);
     const double height = plane.normal.dot(point - plane.centre);
     if (std::abs(rise) < 1e-12 * towards.norm()) return 1e12;
@@ -24,9 +25,10 @@ double crossing_distance(const Sight& sight, const Plane& plane, const Eigen::Ve
 }
 
 // How far in front of a plane a point is, towards the eye.
-double before_plane(const Sight& sight, const Plane& plane, const Eigen::Vector3d& point) {
-    const double eye_side = sight.perspective ? plane.normal.dot(sight.eye - plane.centre)
-                                              : -plane.normal.dot(sight.forward);
+double before_plane(const Projection& projection, const Plane& plane,
+                    const Eigen::Vector3d& point) {
+    const double eye_side = projection.perspective ? plane.normal.dot(projection.eye - plane.centre)
+                                                   : -plane.normal.dot(projection.forward);
     const double height = plane.normal.dot(point - plane.centre);
     return eye_side < 0.0 ? -height : height;
 }
@@ -101,11 +103,11 @@ class RootFinder {
 
 }  // namespace
 
-SphereSight::SphereSight(const Ellipsoid& ellipsoid, const Sight& sight)
+SphereSight::SphereSight(const Ellipsoid& ellipsoid, const Projection& projection)
     : UnitSphere(ellipsoid),
-      perspective(sight.perspective),
+      perspective(projection.perspective),
       hiding(ellipsoid.opacity * ellipsoid.presence) {
-    eye_u = perspective ? u(sight.eye) : (to_u * -sight.forward).normalized();
+    eye_u = perspective ? u(projection.eye) : (to_u * -projection.forward).normalized();
     surrounds_eye = perspective && eye_u.norm() <= 1.0;
 }
 
@@ -128,10 +130,11 @@ bool SphereSight::hides(const Eigen::Vector3d& u) const {
     return within_outline(u) > rounding && before_limb(u) < -rounding;
 }
 
-Occluders::Occluders(const View& view, const Sight& sight) : view_(view), sight_(sight) {
-    for (const Ellipsoid& ellipsoid : view.ellipsoids) spheres_.emplace_back(ellipsoid, sight);
+Occluders::Occluders(const View& view, const Projection& projection)
+    : view_(view), projection_(projection) {
+    for (const Ellipsoid& ellipsoid : view.ellipsoids) spheres_.emplace_back(ellipsoid, projection);
     for (const Mesh& mesh : view.meshes)
-        if (mesh.geometry != nullptr && mesh.opacity > 0.0) meshes_.emplace_back(mesh, sight);
+        if (mesh.geometry != nullptr && mesh.opacity > 0.0) meshes_.emplace_back(mesh, projection);
 }
 
 Cover Occluders::at(const Eigen::Vector3d& point, const Membership& of) const {
@@ -150,8 +153,10 @@ Cover Occluders::at(const Eigen::Vector3d& point, const Membership& of) const {
     }
     for (std::size_t k = 0; k < view_.planes.size(); ++k) {
         const Plane& plane = view_.planes[k];
-        if (of.plane == static_cast<int>(k) || before_plane(sight_, plane, point) > -1e-9) continue;
-        const double opacity = level(opacity_at(plane, crossing_distance(sight_, plane, point)));
+        if (of.plane == static_cast<int>(k) || before_plane(projection_, plane, point) > -1e-9)
+            continue;
+        const double opacity =
+            level(opacity_at(plane, crossing_distance(projection_, plane, point)));
         cover.clear *= 1.0 - opacity;
         cover.transmitted *= 1.0 - opacity;
     }
@@ -165,9 +170,10 @@ Cover Occluders::at(const Eigen::Vector3d& point, const Membership& of) const {
 
 std::vector<Occluders::Condition> Occluders::conditions(const Membership& of) const {
     std::vector<Condition> all;
-    if (sight_.perspective)
-        all.emplace_back(
-            [this](const Eigen::Vector3d& x) { return sight_.depth(x) - sight_.near_depth; });
+    if (projection_.perspective)
+        all.emplace_back([this](const Eigen::Vector3d& x) {
+            return projection_.depth(x) - projection_.near_depth;
+        });
     for (std::size_t k = 0; k < spheres_.size(); ++k) {
         const SphereSight& sphere = spheres_[k];
         if (!(sphere.hiding > 0.0) || sphere.surrounds_eye) continue;
@@ -182,8 +188,9 @@ std::vector<Occluders::Condition> Occluders::conditions(const Membership& of) co
     for (std::size_t k = 0; k < view_.planes.size(); ++k) {
         if (of.plane == static_cast<int>(k)) continue;
         const Plane& plane = view_.planes[k];
-        all.emplace_back(
-            [this, &plane](const Eigen::Vector3d& x) { return before_plane(sight_, plane, x); });
+        all.emplace_back([this, &plane](const Eigen::Vector3d& x) {
+            return before_plane(projection_, plane, x);
+        });
         // Where the opacity goes from one step to the next.
         for (int step = 0; step < n_plane_levels; ++step) {
             const double there = (step + 0.5) / n_plane_levels;
@@ -194,9 +201,9 @@ std::vector<Occluders::Condition> Occluders::conditions(const Membership& of) co
                 (opacity_at(plane, middle) > there ? near : far) = middle;
             }
             all.emplace_back([this, &plane, near](const Eigen::Vector3d& x) {
-                return before_plane(sight_, plane, x) > 0.0
+                return before_plane(projection_, plane, x) > 0.0
                            ? 1.0
-                           : crossing_distance(sight_, plane, x) - near;
+                           : crossing_distance(projection_, plane, x) - near;
             });
         }
     }
@@ -207,7 +214,7 @@ std::vector<double> Occluders::closer(const Track& track, std::span<const double
     constexpr double apart_pt = 0.25;
     constexpr double most = 4096.0;  // between two: a curve may run far off the page
     const auto lies_before = [this](const Eigen::Vector3d& x) {
-        return !sight_.perspective || sight_.depth(x) > sight_.near_depth;
+        return !projection_.perspective || projection_.depth(x) > projection_.near_depth;
     };
     std::vector<double> all{places[0]};
     Eigen::Vector3d last = track.flow(places[0]).position;
@@ -215,8 +222,9 @@ std::vector<double> Occluders::closer(const Track& track, std::span<const double
         const Eigen::Vector3d here = track.flow(places[k]).position;
         double n = 1.0;
         if (lies_before(last) && lies_before(here))
-            n = std::clamp(std::ceil((sight_.paper(here) - sight_.paper(last)).norm() / apart_pt),
-                           1.0, most);
+            n = std::clamp(
+                std::ceil((projection_.place(here) - projection_.place(last)).norm() / apart_pt),
+                1.0, most);
         for (double i = 1.0; i < n; ++i)
             all.push_back(places[k - 1] + (places[k] - places[k - 1]) * i / n);
         all.push_back(places[k]);
@@ -279,7 +287,8 @@ std::vector<Span> Occluders::spans(const Track& track, const Membership& part_of
     for (std::size_t k = 1; k < breaks.size(); ++k) {
         const double from = breaks[k - 1], to = breaks[k];
         const Eigen::Vector3d middle = track.flow(0.5 * (from + to)).position;
-        if (sight_.perspective && sight_.depth(middle) <= sight_.near_depth) continue;
+        if (projection_.perspective && projection_.depth(middle) <= projection_.near_depth)
+            continue;
         const Cover cover = at(middle, of);
         if (!spans.empty() && spans.back().to == from && spans.back().cover == cover)
             spans.back().to = to;

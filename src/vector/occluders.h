@@ -9,7 +9,7 @@
 
 #include "shapes/unit_sphere.h"
 #include "vector/mesh_sight.h"
-#include "vector/sight.h"
+#include "vector/paper_flow.h"
 
 namespace poinsot::vector {
 
@@ -23,7 +23,7 @@ struct Cover {
 
 // An ellipsoid as lines of sight meet it.
 struct SphereSight : UnitSphere {
-    SphereSight(const Ellipsoid& ellipsoid, const Sight& sight);
+    SphereSight(const Ellipsoid& ellipsoid, const Projection& projection);
 
     Eigen::Vector3d u(const Eigen::Vector3d& point) const { return to_u * (point - centre); }
     // Above 0 outside the surface.
@@ -66,7 +66,7 @@ struct Span {
 
 class Occluders {
  public:
-    Occluders(const View& view, const Sight& sight);
+    Occluders(const View& view, const Projection& projection);
 
     Cover at(const Eigen::Vector3d& point, const Membership& of) const;
     // The whole track in spans before the eye, each as long as its cover stays. Where it changes is
@@ -87,7 +87,7 @@ class Occluders {
     std::vector<bool> lies_on(const Track& track, std::span<const double> places) const;
 
     const View& view_;
-    const Sight& sight_;
+    const Projection& projection_;
     std::vector<SphereSight> spheres_;
     std::vector<MeshSight> meshes_;
 };

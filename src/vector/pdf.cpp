@@ -63,9 +63,9 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
     return CAIRO_STATUS_SUCCESS;
 }
 
-class Writer {
+class PdfWriter {
  public:
-    explicit Writer(cairo_t* cairo) : cairo_(cairo) {
+    explicit PdfWriter(cairo_t* cairo) : cairo_(cairo) {
         cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
         cairo_set_tolerance(cairo, 0.01);
     }
@@ -426,7 +426,7 @@ std::string pdf_of(const Page& page) {
                                    "2000-01-01T00:00:00Z");
     {
         const Context cairo(cairo_create(surface.get()));
-        Writer writer(cairo.get());
+        PdfWriter writer(cairo.get());
         for (const Item& item : page.items) std::visit(writer, item);
         check(cairo_status(cairo.get()));
         cairo_show_page(cairo.get());

@@ -20,18 +20,18 @@ Conic circle_of(const Plane& plane, double radius) {
 
 // The largest disc of it that is all before the eye, as a share of its radius.
 double share_before_eye(const Canvas& canvas, const Plane& plane) {
-    if (!canvas.sight.perspective) return 1.0;
+    if (!canvas.projection.perspective) return 1.0;
     const Eigen::Vector3d across = plane.normal.cross(plane.along);
-    const double tilt =
-        std::hypot(canvas.sight.forward.dot(plane.along), canvas.sight.forward.dot(across));
-    const double room = canvas.sight.depth(plane.centre) - 2.0 * canvas.sight.near_depth;
+    const double tilt = std::hypot(canvas.projection.forward.dot(plane.along),
+                                   canvas.projection.forward.dot(across));
+    const double room = canvas.projection.depth(plane.centre) - 2.0 * canvas.projection.near_depth;
     return std::clamp(room / std::max(tilt * plane.radius, 1e-12), 0.0, 1.0);
 }
 
 void fill_disc(const Canvas& canvas, const Plane& plane, double share) {
-    const auto rim = picture_of(circle_of(plane, share * plane.radius), canvas.sight);
+    const auto rim = picture_of(circle_of(plane, share * plane.radius), canvas.projection);
     const auto inner =
-        picture_of(circle_of(plane, share * plane.fade_from * plane.radius), canvas.sight);
+        picture_of(circle_of(plane, share * plane.fade_from * plane.radius), canvas.projection);
     if (!rim || !inner) return;
     RadialFade fade;
     fade.page_from_circle = rim->page_from_circle();
@@ -42,7 +42,7 @@ void fill_disc(const Canvas& canvas, const Plane& plane, double share) {
     const double inner_radius = std::sqrt(std::abs(shrunk.determinant()));
     fade.focus = inner_centre / std::max(1.0 - inner_radius, 1e-6);
     if (fade.focus.norm() > 0.95) fade.focus *= 0.95 / fade.focus.norm();
-    const Colour behind = canvas.behind(canvas.sight.paper(plane.centre));
+    const Colour behind = canvas.behind(canvas.projection.place(plane.centre));
     const auto ink = [&](double radius) {
         return as_in_light(plane.colour, opacity_at(plane, radius), behind);
     };
@@ -61,10 +61,10 @@ void fill_disc(const Canvas& canvas, const Plane& plane, double share) {
 }
 
 // Both ends of a segment moved to where it is before the eye; false if none of it is.
-bool cut_before_eye(const Sight& sight, Eigen::Vector3d& a, Eigen::Vector3d& b) {
-    if (!sight.perspective) return true;
-    const double least = 2.0 * sight.near_depth;
-    const double depth_a = sight.depth(a), depth_b = sight.depth(b);
+bool cut_before_eye(const Projection& projection, Eigen::Vector3d& a, Eigen::Vector3d& b) {
+    if (!projection.perspective) return true;
+    const double least = 2.0 * projection.near_depth;
+    const double depth_a = projection.depth(a), depth_b = projection.depth(b);
     if (std::max(depth_a, depth_b) <= least) return false;
     const Eigen::Vector3d crossing = a + (least - depth_a) / (depth_b - depth_a) * (b - a);
     if (depth_a < least) a = crossing;
@@ -96,7 +96,7 @@ class Grid {
             Stroke stroke;
             stroke.path = std::move(path);
             stroke.ink = as_in_light(plane_.grid_colour, alpha,
-                                     canvas_.behind(canvas_.sight.paper(plane_.centre)));
+                                     canvas_.behind(canvas_.projection.place(plane_.centre)));
             stroke.width_pt = canvas_.line_pt(plane_.grid_px);
             stroke.round = false;
             canvas_.add(std::move(stroke));
@@ -122,22 +122,23 @@ class Grid {
                    double from, double to) {
         const Eigen::Vector3d foot = plane_.centre + offset * side;
         Eigen::Vector3d a = foot + from * direction, b = foot + to * direction;
-        if (!cut_before_eye(canvas_.sight, a, b)) return;
+        if (!cut_before_eye(canvas_.projection, a, b)) return;
         const Eigen::Vector3d middle = 0.5 * (a + b);
         // Lines closer than a few pixels would merge into a tone.
-        const Eigen::Vector2d here = canvas_.sight.paper(middle);
-        const Eigen::Vector2d next = canvas_.sight.paper(middle + plane_.grid_spacing * side);
+        const Eigen::Vector2d here = canvas_.projection.place(middle);
+        const Eigen::Vector2d next = canvas_.projection.place(middle + plane_.grid_spacing * side);
         const Eigen::Vector2d along =
-            (canvas_.sight.paper(b) - canvas_.sight.paper(a)).normalized();
+            (canvas_.projection.place(b) - canvas_.projection.place(a)).normalized();
         const Eigen::Vector2d apart = next - here;
-        const double apart_px =
-            std::abs(apart.x() * along.y() - apart.y() * along.x()) / canvas_.sight.pt_per_px;
+        const double apart_px = std::abs(apart.x() * along.y() - apart.y() * along.x()) /
+                                canvas_.projection.units_per_px;
         const double t = std::clamp((apart_px - 3.0) / 11.0, 0.0, 1.0);
         const double alpha =
             opacity_at(plane_, std::hypot(offset, 0.5 * (from + to))) * t * t * (3.0 - 2.0 * t);
         const int level = static_cast<int>(std::lround(alpha * n_shades));
         if (level == 0) return;
-        const Eigen::Vector2d begin = canvas_.sight.paper(a), end = canvas_.sight.paper(b);
+        const Eigen::Vector2d begin = canvas_.projection.place(a),
+                              end = canvas_.projection.place(b);
         Path& path = paths_[level];
         if (path.steps.empty() || path.steps.back().to != begin) path.move(begin);
         path.line(end);
@@ -153,9 +154,9 @@ class Grid {
 }  // namespace
 
 bool is_before_solids(const Canvas& canvas, const Plane& plane) {
-    const Sight& sight = canvas.sight;
-    const double eye_side = sight.perspective ? plane.normal.dot(sight.eye - plane.centre)
-                                              : -plane.normal.dot(sight.forward);
+    const Projection& projection = canvas.projection;
+    const double eye_side = projection.perspective ? plane.normal.dot(projection.eye - plane.centre)
+                                                   : -plane.normal.dot(projection.forward);
     double far_side = 0.0;
     for (const Ellipsoid& ellipsoid : canvas.view.ellipsoids)
         far_side += plane.normal.dot(ellipsoid.centre - plane.centre) * eye_side < 0.0 ? 1.0 : -1.0;

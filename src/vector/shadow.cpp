@@ -102,10 +102,10 @@ void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
                 std::cos(angle) * plane.along + std::sin(angle) * across;
             const Eigen::Vector3d point =
                 shade.hub() + extent(shade, direction, deepest * level / n_levels) * direction;
-            if (canvas.sight.perspective &&
-                canvas.sight.depth(point) <= 2.0 * canvas.sight.near_depth)
+            if (canvas.projection.perspective &&
+                canvas.projection.depth(point) <= 2.0 * canvas.projection.near_depth)
                 return;
-            places[k] = canvas.sight.paper(point);
+            places[k] = canvas.projection.place(point);
         }
         // All outlines about a place together are as dark as it is.
         const Ink wanted = as_shade(tint, deepest * (level + 0.5) / n_levels, plane.colour);

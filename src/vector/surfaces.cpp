@@ -15,17 +15,17 @@ constexpr double pt_per_inch = 72.0;
 
 // Pixels of the picture to a pixel of the drawing.
 int fineness(const Canvas& canvas) {
-    const double dots_per_inch = pt_per_inch / canvas.sight.pt_per_px;
+    const double dots_per_inch = pt_per_inch / canvas.projection.units_per_px;
     return std::max(1, static_cast<int>(std::ceil(least_dots_per_inch / dots_per_inch - 1e-9)));
 }
 
 // How many times as large an ellipsoid is whose outline lies so many pixels further out.
 double grown(const Canvas& canvas, std::size_t number, double out_px, int fine) {
     const auto limb = limb_of(canvas.occluders.spheres()[number]);
-    const auto outline = limb ? picture_of(*limb, canvas.sight) : std::nullopt;
+    const auto outline = limb ? picture_of(*limb, canvas.projection) : std::nullopt;
     if (!outline) return 1.0;
     const double shorter_px =
-        std::min(outline->a.norm(), outline->b.norm()) / canvas.sight.pt_per_px * fine;
+        std::min(outline->a.norm(), outline->b.norm()) / canvas.projection.units_per_px * fine;
     return std::max(1.0 + out_px / std::max(shorter_px, 1.0), 0.5);
 }
 
@@ -64,8 +64,8 @@ Drawing surfaces_of(const Canvas& canvas, double out_px, bool has_grid) {
 void draw_pixels(const Canvas& canvas, const DrawPixels& draw, double out_px, bool has_grid) {
     Picture picture;
     picture.raster = draw(surfaces_of(canvas, out_px, has_grid));
-    picture.corner_pt = canvas.sight.corner_pt;
-    picture.size_pt = canvas.sight.size_pt;
+    picture.corner_pt = canvas.projection.corner;
+    picture.size_pt = canvas.projection.size;
     canvas.add(std::move(picture));
 }
 
@@ -84,7 +84,7 @@ void draw_ellipsoid_pixels(const Canvas& canvas, const DrawPixels& draw) {
         const Ellipsoid& ellipsoid = canvas.view.ellipsoids[k];
         const auto limb = limb_of(canvas.occluders.spheres()[k]);
         if (!limb || !(ellipsoid.opacity * ellipsoid.presence > 0.0)) continue;
-        if (const auto outline = picture_of(*limb, canvas.sight))
+        if (const auto outline = picture_of(*limb, canvas.projection))
             clip.path.add(canvas.path_of(*outline));
     }
     if (clip.path.steps.empty()) return;

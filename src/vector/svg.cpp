@@ -178,7 +178,7 @@ std::string data_of(const Path& path) {
 
 constexpr std::string_view group_end = "</g>\n";
 
-class Writer {
+class SvgWriter {
  public:
     void operator()(const Fill& fill) {
         if (const ShadedDisc* disc = std::get_if<ShadedDisc>(&fill.paint)) {
@@ -475,7 +475,7 @@ class Writer {
 }  // namespace
 
 std::string svg_of(const Page& page, std::string_view title, std::string_view text) {
-    Writer writer;
+    SvgWriter writer;
     for (const Item& item : page.items) std::visit(writer, item);
     const std::string body = writer.take_body();
     constexpr double mm_per_pt = 25.4 / 72.0;

@@ -12,7 +12,7 @@ namespace {
 void draw_band(const Canvas& canvas, const Label& label) {
     const GlyphMask& mask = *label.mask;
     const double pt = canvas.pt(mask.samples);
-    const Eigen::Vector2d corner = canvas.sight.pt_per_px * label.top_left_px;
+    const Eigen::Vector2d corner = canvas.projection.units_per_px * label.top_left_px;
     const Eigen::Vector2d size = pt * Eigen::Vector2d(mask.width, mask.height);
     LinearFade fade{corner, corner + Eigen::Vector2d(0.0, size.y()), {}};
     constexpr int n_stops = 33;
@@ -40,16 +40,17 @@ void draw_label(const Canvas& canvas, const Label& label) {
         return;
     }
     const double pt = canvas.pt(mask.samples);
-    const Eigen::Vector2d corner = canvas.sight.pt_per_px * label.top_left_px;
+    const Eigen::Vector2d corner = canvas.projection.units_per_px * label.top_left_px;
     Type type;
-    type.wording = {mask.source.text,
-                    mask.source.is_formula,
-                    pt * mask.source.em_px,
-                    corner,
-                    canvas.sight.pt_per_px * Eigen::Vector2d(mask.width_px(), mask.height_px()),
-                    pt * mask.source.baseline_px,
-                    label.held_at,
-                    pt * mask.source.max_width_px};
+    type.wording = {
+        mask.source.text,
+        mask.source.is_formula,
+        pt * mask.source.em_px,
+        corner,
+        canvas.projection.units_per_px * Eigen::Vector2d(mask.width_px(), mask.height_px()),
+        pt * mask.source.baseline_px,
+        label.held_at,
+        pt * mask.source.max_width_px};
     for (const MaskLetter& letter : mask.letters)
         type.letters.push_back({letter.font_file, letter.glyph, corner.x() + pt * letter.x_px,
                                 corner.y() + pt * letter.baseline_px, pt * letter.em_px});

@@ -26,21 +26,6 @@ TEST(Xxh64, IsThatOfItsSpecification) {
     EXPECT_EQ(hash_of("Nobody inspects the spammish repetition"), 0xfbcea83c8a378bf1u);
 }
 
-TEST(Xxh64, DoesNotDependOnTheParts) {
-    std::mt19937 random(5);
-    std::string text(1000, ' ');
-    for (char& c : text) c = static_cast<char>(random());
-    for (int round = 0; round < 50; ++round) {
-        Xxh64 hash;
-        for (std::size_t at = 0; at < text.size();) {
-            const std::size_t n = std::min<std::size_t>(random() % 90, text.size() - at);
-            hash.add({reinterpret_cast<const std::uint8_t*>(text.data()) + at, n});
-            at += n;
-        }
-        EXPECT_EQ(hash.value(), hash_of(text));
-    }
-}
-
 TEST(PixelCheck, IsThatOfThePixelsInAFile) {
     const TemporaryFolder folder;
     Image image = synthetic_frame(70, 50, 4);

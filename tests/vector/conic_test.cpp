@@ -16,8 +16,8 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 
 // How far a point on paper is from a conic of the view: Newton's method on the distance from the
 // conic's picture, point by point.
-double distance_um(const Conic& conic, const Sight& sight, const Eigen::Vector2d& at) {
-    const auto place = [&](double s) { return sight.paper(conic.at(s)); };
+double distance_um(const Conic& conic, const Projection& projection, const Eigen::Vector2d& at) {
+    const auto place = [&](double s) { return projection.place(conic.at(s)); };
     double best = 0.0, least = 1e300;
     for (int k = 0; k < 720; ++k) {
         const double s = two_pi * k / 720.0, d = (place(s) - at).squaredNorm();
@@ -37,13 +37,13 @@ TEST(Conic, ItsPictureIsAnEllipseThroughItsPoints) {
     int n_seen = 0;
     for (int k = 0; k < 100; ++k) {
         const View view = random.view(k);
-        const Sight sight(view, print_pt_per_px);
+        const Projection projection(view, print_pt_per_px);
         const Conic conic = random.conic();
-        const auto picture = picture_of(conic, sight);
+        const auto picture = picture_of(conic, projection);
         if (!picture) continue;
         ++n_seen;
         for (int i = 0; i < 16; ++i) {
-            const Eigen::Vector2d at = sight.paper(conic.at(two_pi * i / 16.0));
+            const Eigen::Vector2d at = projection.place(conic.at(two_pi * i / 16.0));
             EXPECT_NEAR(picture->radius_of(at), 1.0, 1e-9) << "view " << k;
         }
     }
@@ -56,9 +56,9 @@ TEST(Conic, BeziersStayWithinAMicrometre) {
     std::size_t n_most = 0;
     for (int k = 0; k < 60; ++k) {
         const View view = random.view(k);
-        const Sight sight(view, print_pt_per_px);
-        const auto limb = limb_of(SphereSight(view.ellipsoids[0], sight));
-        const auto picture = limb ? picture_of(*limb, sight) : std::nullopt;
+        const Projection projection(view, print_pt_per_px);
+        const auto limb = limb_of(SphereSight(view.ellipsoids[0], projection));
+        const auto picture = limb ? picture_of(*limb, projection) : std::nullopt;
         if (!picture) continue;
         double bound_pt = 0.0;
         const auto beziers = beziers_of(*picture, conic_tolerance_pt, bound_pt);
@@ -70,7 +70,7 @@ TEST(Conic, BeziersStayWithinAMicrometre) {
             // Where the radial error of an arc is greatest, and beside it.
             for (const double t : {0.1, 0.2, 0.211, 0.3, 0.5, 0.789, 0.9})
                 worst_here_um =
-                    std::max(worst_here_um, distance_um(*limb, sight, at(beziers[i], t)));
+                    std::max(worst_here_um, distance_um(*limb, projection, at(beziers[i], t)));
         }
         EXPECT_LE(worst_here_um, um(bound_pt) + 1e-3) << "view " << k;
         worst_um = std::max(worst_um, worst_here_um);
@@ -85,15 +85,16 @@ TEST(Conic, TheLimbIsWhereLinesOfSightTouch) {
     RandomViews random(3);
     for (int k = 0; k < 60; ++k) {
         const View view = random.view(k);
-        const Sight sight(view, print_pt_per_px);
+        const Projection projection(view, print_pt_per_px);
         const Ellipsoid& ellipsoid = view.ellipsoids[0];
-        const auto limb = limb_of(SphereSight(ellipsoid, sight));
+        const auto limb = limb_of(SphereSight(ellipsoid, projection));
         if (!limb) continue;
         const Eigen::Matrix3d to_u = ellipsoid.half_axes.inverse();
         for (int i = 0; i < 12; ++i) {
             const Eigen::Vector3d u = to_u * (limb->at(two_pi * i / 12.0) - ellipsoid.centre);
             EXPECT_NEAR(u.norm(), 1.0, 1e-9);
-            const Eigen::Vector3d towards = to_u * sight.towards_eye(limb->at(two_pi * i / 12.0));
+            const Eigen::Vector3d towards =
+                to_u * projection.towards_eye(limb->at(two_pi * i / 12.0));
             EXPECT_NEAR(u.dot(towards) / towards.norm(), 0.0, 1e-9);
         }
     }
@@ -102,7 +103,7 @@ TEST(Conic, TheLimbIsWhereLinesOfSightTouch) {
 TEST(Conic, AnEyeInsideSeesNoOutline) {
     View view = RandomViews(4).view(1);
     view.ellipsoids[0].centre = view.camera.eye;
-    EXPECT_FALSE(limb_of(SphereSight(view.ellipsoids[0], Sight(view, print_pt_per_px))));
+    EXPECT_FALSE(limb_of(SphereSight(view.ellipsoids[0], Projection(view, print_pt_per_px))));
 }
 
 }  // namespace

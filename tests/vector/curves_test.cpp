@@ -109,14 +109,15 @@ struct Held {
 template <typename Hidden>
 void hold(const View& view, const Track& track, const Membership& of, Hidden hidden, int n,
           RandomViews& random, Held& held) {
-    const Sight sight(view, print_pt_per_px);
-    const Occluders occluders(view, sight);
+    const Projection projection(view, print_pt_per_px);
+    const Occluders occluders(view, projection);
     if (!occluders.spheres().empty() && occluders.spheres()[0].surrounds_eye) return;
     const std::vector<Span> spans = occluders.spans(track, of);
     for (int i = 0; i < n; ++i) {
         const double s = random.between(track.knots.front(), track.knots.back());
         const Eigen::Vector3d point = track.flow(s).position;
-        if (sight.perspective && sight.depth(point) <= 1.01 * sight.near_depth) continue;
+        if (projection.perspective && projection.depth(point) <= 1.01 * projection.near_depth)
+            continue;
         const auto span = std::find_if(spans.begin(), spans.end(),
                                        [s](const Span& x) { return x.from <= s && s <= x.to; });
         ASSERT_NE(span, spans.end()) << s;
@@ -125,9 +126,10 @@ void hold(const View& view, const Track& track, const Membership& of, Hidden hid
         held.n_hidden += truth ? 1 : 0;
         if ((span->cover.clear < 0.5) == truth) continue;
         ++held.n_beside;
-        const Eigen::Vector2d here = sight.paper(point);
-        const double off = std::min((sight.paper(track.flow(span->from).position) - here).norm(),
-                                    (sight.paper(track.flow(span->to).position) - here).norm());
+        const Eigen::Vector2d here = projection.place(point);
+        const double off =
+            std::min((projection.place(track.flow(span->from).position) - here).norm(),
+                     (projection.place(track.flow(span->to).position) - here).norm());
         held.worst_um = std::max(held.worst_um, um(off));
     }
 }

@@ -118,7 +118,8 @@ TEST(Inks, UnderTheSheetsABodyIsSeenAsThroughTheSurfacesBeforeIt) {
     const Colour body = grey(0.6);
     const auto seen = [&](double y) {
         const Eigen::Vector3d point(0.1, y, 0.2);
-        const Eigen::Vector2d in_disc = disc.page_from_disc.inverse() * canvas.sight.paper(point);
+        const Eigen::Vector2d in_disc =
+            disc.page_from_disc.inverse() * canvas.projection.place(point);
         return over(Ink{disc.at(in_disc), disc.alpha}, under_sheets(canvas, point, body));
     };
     EXPECT_NEAR(seen(-2.0).g, body.g, 1e-9);
@@ -133,18 +134,18 @@ TEST(Inks, UnderTheSheetsABodyIsSeenAsThroughTheSurfacesBeforeIt) {
 
 // From the third axis's equator, along the line of sight: meridians stand as far apart as the step
 // of their longitudes, times the cosine of that from the middle.
-TEST(Sight, RulingsStandAsFarApartAsTheyAreSeen) {
+TEST(Projection, RulingsStandAsFarApartAsTheyAreSeen) {
     View view;
     view.width_px = view.height_px = 1000;
     view.camera.eye = {0.0, -5.0, 0.0};
     view.camera.orthographic = true;
-    const Sight sight(view, 0.24);
-    const double unit_px = sight.unit_pt(5.0) / 0.24;
+    const Projection projection(view, 0.24);
+    const double unit_px = projection.scale(5.0) / 0.24;
     constexpr double step = 0.3;
     for (const double longitude : {0.0, 0.5, 1.2, 1.5}) {
         const Eigen::Vector3d at(std::sin(longitude), -std::cos(longitude), 0.0);
         const Eigen::Vector3d east(std::cos(longitude), std::sin(longitude), 0.0);
-        EXPECT_NEAR(sight.spacing_px(at, Eigen::Vector3d::UnitZ(), step * east),
+        EXPECT_NEAR(spacing_px(projection, at, Eigen::Vector3d::UnitZ(), step * east),
                     step * unit_px * std::cos(longitude), 1e-9 * unit_px);
     }
 }

@@ -60,29 +60,30 @@ void in_random_views(Check check) {
         View view = random.view(k);
         Conic conic = random.conic();
         // Every sixth conic touches the ellipsoid's outline from within a hair.
-        const Sight sight(view, print_pt_per_px);
+        const Projection projection(view, print_pt_per_px);
         if (k % 6 == 0) {
-            const SphereSight sphere(view.ellipsoids[0], sight);
+            const SphereSight sphere(view.ellipsoids[0], projection);
             if (const auto limb = limb_of(sphere)) {
                 conic = *limb;
                 conic.cosine_axis *= 1.0 + random.between(-1e-3, 1e-3);
                 conic.centre += 0.2 * (view.camera.target - view.camera.eye).normalized();
             }
         }
-        if (Occluders(view, sight).spheres()[0].surrounds_eye) continue;
-        check(k, view, sight, track_of(conic, 0.0, two_pi), random);
+        if (Occluders(view, projection).spheres()[0].surrounds_eye) continue;
+        check(k, view, projection, track_of(conic, 0.0, two_pi), random);
     }
 }
 
 TEST(Occluders, AgreeWithRaysAtTenThousandRandomPoints) {
     int n_points = 0, n_hidden = 0, n_beside_breaks = 0;
-    in_random_views([&](int k, const View& view, const Sight& sight, const Track& track,
+    in_random_views([&](int k, const View& view, const Projection& projection, const Track& track,
                         RandomViews& random) {
-        const std::vector<Span> spans = Occluders(view, sight).spans(track, {});
+        const std::vector<Span> spans = Occluders(view, projection).spans(track, {});
         for (int i = 0; i < 60; ++i) {
             const double s = random.between(0.0, two_pi);
             const Eigen::Vector3d point = track.flow(s).position;
-            if (sight.perspective && sight.depth(point) <= 1.01 * sight.near_depth) continue;
+            if (projection.perspective && projection.depth(point) <= 1.01 * projection.near_depth)
+                continue;
             const auto span = std::find_if(spans.begin(), spans.end(),
                                            [s](const Span& x) { return x.from <= s && s <= x.to; });
             ASSERT_NE(span, spans.end()) << "view " << k << " at " << s;
@@ -90,10 +91,10 @@ TEST(Occluders, AgreeWithRaysAtTenThousandRandomPoints) {
             const int truth = hidden_by_rays(view, point);
             n_hidden += truth != 0 ? 1 : 0;
             if (hidden(view, span->cover) == truth) continue;
-            const Eigen::Vector2d here = sight.paper(point);
+            const Eigen::Vector2d here = projection.place(point);
             const double from_break =
-                std::min((sight.paper(track.flow(span->from).position) - here).norm(),
-                         (sight.paper(track.flow(span->to).position) - here).norm());
+                std::min((projection.place(track.flow(span->from).position) - here).norm(),
+                         (projection.place(track.flow(span->to).position) - here).norm());
             ++n_beside_breaks;
             EXPECT_LT(um(from_break), 3.0) << "view " << k << " at " << s;
         }
@@ -107,9 +108,9 @@ TEST(Occluders, AgreeWithRaysAtTenThousandRandomPoints) {
 TEST(Occluders, BreakWhereBisectionPutsIt) {
     int n_breaks = 0;
     double worst_um = 0.0;
-    in_random_views([&](int n, const View& view, const Sight& sight, const Track& track,
+    in_random_views([&](int n, const View& view, const Projection& projection, const Track& track,
                         RandomViews&) {
-        const std::vector<Span> spans = Occluders(view, sight).spans(track, {});
+        const std::vector<Span> spans = Occluders(view, projection).spans(track, {});
         for (std::size_t k = 1; k < spans.size(); ++k) {
             if (spans[k].from != spans[k - 1].to) continue;  // behind the eye between them
             const double at = spans[k].from;
@@ -118,8 +119,8 @@ TEST(Occluders, BreakWhereBisectionPutsIt) {
             if (before == hidden_by_rays(view, track.flow(high).position)) {
                 // A graze that rays and roots tell apart by rounding alone.
                 const auto length_um = [&](const Span& span) {
-                    return um((sight.paper(track.flow(span.to).position) -
-                               sight.paper(track.flow(span.from).position))
+                    return um((projection.place(track.flow(span.to).position) -
+                               projection.place(track.flow(span.from).position))
                                   .norm());
                 };
                 EXPECT_LT(std::min(length_um(spans[k - 1]), length_um(spans[k])), 3.0)
@@ -131,9 +132,9 @@ TEST(Occluders, BreakWhereBisectionPutsIt) {
                 (hidden_by_rays(view, track.flow(middle).position) == before ? low : high) = middle;
             }
             ++n_breaks;
-            const double off_um =
-                um((sight.paper(track.flow(low).position) - sight.paper(track.flow(at).position))
-                       .norm());
+            const double off_um = um((projection.place(track.flow(low).position) -
+                                      projection.place(track.flow(at).position))
+                                         .norm());
             worst_um = std::max(worst_um, off_um);
         }
     });
@@ -146,8 +147,8 @@ TEST(Occluders, ACurveOnTheSurfaceIsHiddenWhereTheSurfaceTurnsAway) {
     RandomViews random(7);
     for (int k = 0; k < 50; ++k) {
         const View view = random.view(k);
-        const Sight sight(view, print_pt_per_px);
-        const Occluders occluders(view, sight);
+        const Projection projection(view, print_pt_per_px);
+        const Occluders occluders(view, projection);
         if (occluders.spheres()[0].surrounds_eye) continue;
         const Ellipsoid& ellipsoid = view.ellipsoids[0];
         const Conic equator{ellipsoid.centre, ellipsoid.half_axes.col(0),
@@ -157,7 +158,7 @@ TEST(Occluders, ACurveOnTheSurfaceIsHiddenWhereTheSurfaceTurnsAway) {
             const Eigen::Vector3d at = equator.at(0.5 * (span.from + span.to));
             // The gradient of |u|² is the outward normal.
             const Eigen::Vector3d normal = to_u.transpose() * (to_u * (at - ellipsoid.centre));
-            EXPECT_EQ(span.cover.clear == 1.0, normal.dot(sight.towards_eye(at)) > 0.0) << k;
+            EXPECT_EQ(span.cover.clear == 1.0, normal.dot(projection.towards_eye(at)) > 0.0) << k;
         }
     }
 }
@@ -169,8 +170,8 @@ TEST(Occluders, WhatFadesLetsGo) {
     const Eigen::Vector3d inside = view.ellipsoids[0].centre;
     for (const double presence : {1.0, 0.2, 0.1, 0.0}) {
         view.ellipsoids[0].presence = presence;
-        const Sight sight(view, print_pt_per_px);
-        const Cover cover = Occluders(view, sight).at(inside, {});
+        const Projection projection(view, print_pt_per_px);
+        const Cover cover = Occluders(view, projection).at(inside, {});
         const double hiding = presence * view.ellipsoids[0].opacity;
         EXPECT_NEAR(cover.transmitted, 1.0 - hiding, 1e-12);
         EXPECT_NEAR(cover.clear, 1.0 - std::min(1.0, 4.0 * hiding), 1e-12);
@@ -190,8 +191,8 @@ TEST(Occluders, ACurveInWhichTwoSurfacesMeetIsHiddenByNeitherWhereBothFaceTheEye
     // ρ² + z² = 1 = ρ²/1.44 + z²/0.64.
     const double z_square = (1.0 - 1.0 / 1.44) / (1.0 / 0.64 - 1.0 / 1.44);
     const double z = std::sqrt(z_square), radius = std::sqrt(1.0 - z_square);
-    const Sight sight(view, 0.24);
-    const Occluders occluders(view, sight);
+    const Projection projection(view, 0.24);
+    const Occluders occluders(view, projection);
     Track track;
     for (int k = 0; k <= 16; ++k) track.knots.push_back(2.0 * std::numbers::pi * k / 16);
     track.flow = [=](double s) {

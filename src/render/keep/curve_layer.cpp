@@ -35,7 +35,7 @@ void KeptTextures::bind() const {
 TraceKey::TraceKey(const ViewScene& scene, const Curve& curve, const DashPattern& shown_dashes)
     : geometry(curve.geometry->id),
       camera(scene.view->camera),
-      view(scene.projection.box),
+      view(box_of(scene.projection)),
       width_px(scene.drawing->width_px),
       height_px(scene.drawing->height_px),
       placement(curve.placement.matrix()),
@@ -105,7 +105,7 @@ void CurveLayer::restart(const TraceKey& key, const PixelBox& box, int first_seg
 void CurveLayer::begin_growth(const ViewScene& scene, const Curve& curve, int end_segment,
                               std::uint64_t picture) {
     grown_.clear();
-    const PixelBox limits = scene.projection.box;
+    const PixelBox limits = box_of(scene.projection);
     for (int segment = end_segment_; segment < end_segment; ++segment) {
         const double from = std::max(key_.first - segment, 0.0);
         const SeenSegment seen = seen_segment(scene.projection, curve, segment, from);
@@ -139,8 +139,8 @@ SeenSegment seen_segment(const Projection& projection, const Curve& curve, int s
         if (depth < near_depth) seen.start = point(seen.from = share(depth, depth_end));
         if (depth_end < near_depth) seen.end = point(seen.to = share(depth, depth_end));
     }
-    seen.start_px = projection.pixel(seen.start);
-    seen.end_px = projection.pixel(seen.end);
+    seen.start_px = projection.place(seen.start);
+    seen.end_px = projection.place(seen.end);
     return seen;
 }
 

@@ -11,12 +11,12 @@ PixelBox box_of(const ViewScene& scene, const Curve& curve, const StoredCurve& s
     PixelBox box;
     for (const CurveStretch& stretch : stored.stretches) {
         const PixelBox ball =
-            scene.projection.ball_box(curve.placement * stretch.centre, scale * stretch.radius);
+            ball_box(scene.projection, curve.placement * stretch.centre, scale * stretch.radius);
         box.add({ball.left, ball.top}, margin);
         box.add({ball.right, ball.bottom}, margin);
     }
     const PixelBox picture{0.0, 0.0, 1.0 * scene.drawing->width_px, 1.0 * scene.drawing->height_px};
-    return box.within(scene.projection.box).within(picture);
+    return box.within(box_of(scene.projection)).within(picture);
 }
 
 // Cosine of the angle between the ellipsoid's normal at a point and the line of sight, in the axes
@@ -146,7 +146,7 @@ void LastingCurvePass::draw(const ViewScene& scene, const Curve& curve, const Ti
                                     [&](const Shown& s) { return s.curve == &curve; });
     if (shown == shown_.end()) return;
     cells_ = shown->layer->cells();
-    mark_stroke(shown->last, curve.width_px, scene.projection.box, cells_);
+    mark_stroke(shown->last, curve.width_px, box_of(scene.projection), cells_);
     rects_.clear();
     cells_.add_rects(within, rects_);
     if (!rects_.empty())
@@ -156,7 +156,7 @@ void LastingCurvePass::draw(const ViewScene& scene, const Curve& curve, const Ti
 void LastingCurvePass::mark(const ViewScene& scene, TileMask& marks) const {
     for (const Shown& shown : shown_)
         if (shown.scene == &scene)
-            mark_stroke(shown.last, shown.curve->width_px, scene.projection.box, marks);
+            mark_stroke(shown.last, shown.curve->width_px, box_of(scene.projection), marks);
 }
 
 void LastingCurvePass::add_stamps(std::vector<std::uint64_t>& stamps) const {

@@ -28,7 +28,7 @@ ArrowShape shape_of(const Projection& p, const Camera& camera, const Arrow& arro
     if (!(shape.length > 0.0) || arrow.opacity <= 0.0) return shape;
     shape.axis = run / shape.length;
     // Sizes hold where the camera looks.
-    const double unit_px = p.unit_px(std::max(p.depth(camera.target), 1e-9));
+    const double unit_px = p.scale(std::max(p.depth(camera.target), 1e-9));
     shape.shaft_radius = 0.5 * arrow.shaft_px / unit_px;
     shape.head_radius = 0.5 * arrow.head_px / unit_px;
     shape.head_length = std::min(arrow.head_length_px / unit_px, shape.length);
@@ -38,19 +38,19 @@ ArrowShape shape_of(const Projection& p, const Camera& camera, const Arrow& arro
     const double reach = std::max(shape.head_radius, shape.shaft_radius);
     if (p.perspective && std::min(p.depth(shape.tail), p.depth(shape.tip)) <= p.near_depth + reach)
         return shape;
-    shape.tail_px = p.pixel(shape.tail);
-    shape.neck_px = p.pixel(shape.neck);
-    shape.tip_px = p.pixel(shape.tip);
-    shape.tail_scale = p.unit_px(p.depth(shape.tail));
-    shape.neck_scale = p.unit_px(p.depth(shape.neck));
-    shape.tip_scale = p.unit_px(p.depth(shape.tip));
+    shape.tail_px = p.place(shape.tail);
+    shape.neck_px = p.place(shape.neck);
+    shape.tip_px = p.place(shape.tip);
+    shape.tail_scale = p.scale(p.depth(shape.tail));
+    shape.neck_scale = p.scale(p.depth(shape.neck));
+    shape.tip_scale = p.scale(p.depth(shape.tip));
     // Where the line of sight to the head is along the axis, circles are seen open.
     const Eigen::Vector3d sight = p.perspective ? (shape.neck - p.eye).normalized() : p.forward;
     shape.open = std::max(std::abs(sight.dot(shape.axis)), 0.03);
     shape.box.add(shape.tail_px, reach * shape.tail_scale + 2.0);
     shape.box.add(shape.neck_px, reach * shape.neck_scale + 2.0);
     shape.box.add(shape.tip_px, 2.0);
-    shape.seen = !shape.box.within(p.box).empty();
+    shape.seen = !shape.box.within(box_of(p)).empty();
     return shape;
 }
 
@@ -116,7 +116,7 @@ void ArrowPass::order(const ViewScene& scene) {
     const View& view = *scene.view;
     const Projection& p = scene.projection;
     const auto seen = [&p](const Eigen::Vector3d& point) {
-        return SeenPoint{p.pixel(point), p.depth(point)};
+        return SeenPoint{p.place(point), p.depth(point)};
     };
     std::vector<SeenAxis> arrows;
     arrows.reserve(view.arrows.size());
@@ -148,7 +148,7 @@ void ArrowPass::draw_arrow(const ViewScene& scene, const Arrow& arrow, Layer lay
     const double shaft_length = std::max(shape.length - shape.head_length, 1e-9);
     // Lines of sight are followed from beside the arrow's middle, where few digits are lost.
     const Eigen::Vector3d middle = 0.5 * (shape.tail + shape.tip);
-    const Eigen::Vector2d anchor = p.pixel(middle);
+    const Eigen::Vector2d anchor = p.place(middle);
     Constants constants;
     scene.add_view(constants);
     scene.add_light(constants);
@@ -175,11 +175,11 @@ void ArrowPass::draw_dot(const ViewScene& scene, const Dot& dot, Layer layer) {
     const double depth = p.depth(dot.at);
     if (dot.opacity <= 0.0 || (p.perspective && depth <= p.near_depth)) return;
     PixelBox box;
-    box.add(p.pixel(dot.at), dot.radius_px + 1.5);
-    if (box.within(p.box).empty()) return;
+    box.add(p.place(dot.at), dot.radius_px + 1.5);
+    if (box.within(box_of(p)).empty()) return;
     const DotProgram& made =
         occluded ? dot_programs_.of(scene.solids()) : dot_programs_.of(Solids{});
-    const Eigen::Vector2d pixel = p.pixel(dot.at);
+    const Eigen::Vector2d pixel = p.place(dot.at);
     Constants constants;
     scene.add_view(constants);
     constants.add(pixel.x(), pixel.y(), depth, dot.radius_px);
@@ -195,14 +195,14 @@ void ArrowPass::mark(const ViewScene& scene, TileMask& marks) const {
     for (const Arrow& arrow : scene.view->arrows) {
         const ArrowShape shape = shape_of(p, scene.view->camera, arrow);
         if (!shape.seen) continue;
-        marks.mark(shaft_polygon(shape), p.box);
-        marks.mark(head_polygon(shape), p.box);
+        marks.mark(shaft_polygon(shape), box_of(p));
+        marks.mark(head_polygon(shape), box_of(p));
     }
     for (const Dot& dot : scene.view->dots) {
         if (p.perspective && p.depth(dot.at) <= p.near_depth) continue;
         PixelBox box;
-        box.add(p.pixel(dot.at), dot.radius_px + 1.5);
-        marks.mark(box.within(p.box));
+        box.add(p.place(dot.at), dot.radius_px + 1.5);
+        marks.mark(box.within(box_of(p)));
     }
 }
 

@@ -38,7 +38,7 @@ PixelBox box_of(const Projection& p, const Cone& cone) {
     PixelBox box;
     const auto add = [&](const Eigen::Vector3d& point) {
         if (p.perspective && p.depth(point) <= p.near_depth) return false;
-        box.add(p.pixel(point), 2.0 + cone.rim_px);
+        box.add(p.place(point), 2.0 + cone.rim_px);
         return true;
     };
     bool before_eye = add(cone.apex);
@@ -50,17 +50,17 @@ PixelBox box_of(const Projection& p, const Cone& cone) {
             add(middle +
                 outside * radius * (std::cos(angle) * axes.first + std::sin(angle) * axes.second));
     }
-    return before_eye ? box.within(p.box) : p.box;
+    return before_eye ? box.within(box_of(p)) : box_of(p);
 }
 
 void add_cone(Constants& constants, const Projection& p, const Cone& cone) {
     const ConeAxes axes(cone);
     const double depth = p.depth(cone.apex);
     const bool before_eye = !p.perspective || depth > p.near_depth;
-    const Eigen::Vector2d anchor = before_eye ? p.pixel(cone.apex) : p.centre_px;
+    const Eigen::Vector2d anchor = before_eye ? p.place(cone.apex) : p.centre;
     // Points of the lines of sight at the apex's depth, and their directions, change with the
     // pixel.
-    const double unit = 1.0 / p.focal_px;
+    const double unit = 1.0 / p.focal;
     const double spread = p.perspective ? depth * unit : unit;
     const Eigen::Vector3d ray = p.ray(anchor);
     const Eigen::Vector3d at_apex = p.ray_origin(anchor) + depth * ray - cone.apex;

@@ -82,9 +82,9 @@ void CurvePass::mark(const ViewScene& scene, const Curve& curve, CurveStore& sto
     for (const CurveStretch& stretch : store.of(*curve.geometry).stretches) {
         if (stretch.last < range.first_segment || stretch.first > range.end_segment) continue;
         PixelBox box =
-            scene.projection.ball_box(curve.placement * stretch.centre, scale * stretch.radius);
+            ball_box(scene.projection, curve.placement * stretch.centre, scale * stretch.radius);
         box.left -= margin, box.top -= margin, box.right += margin, box.bottom += margin;
-        marks.mark(box.within(scene.projection.box));
+        marks.mark(box.within(box_of(scene.projection)));
     }
 }
 

@@ -64,7 +64,7 @@ void EllipsoidPass::draw_group(const ViewScene& scene, const int* members, int n
     const Projection& p = scene.projection;
     Constants constants;
     scene.add_light(constants);
-    constants.add(p.near_depth, p.perspective ? 1.0 : 0.0, 1.0 / p.focal_px, 0.0);
+    constants.add(p.near_depth, p.perspective ? 1.0 : 0.0, 1.0 / p.focal, 0.0);
     PixelBox box;
     for (int k = 0; k < n_members; ++k) {
         const auto i = static_cast<std::size_t>(members[k]);
@@ -88,7 +88,7 @@ void EllipsoidPass::draw_group(const ViewScene& scene, const int* members, int n
     const Variant& variant = variant_of(n_members);
     variant.use(p);
     if (n_members > 1) {
-        variant.program.draw(polygon_of(box.within(p.box)), constants, *scene.drawing);
+        variant.program.draw(polygon_of(box.within(box_of(p))), constants, *scene.drawing);
     } else if (first.core.n_corners == 0) {
         variant.program.draw(first.outline, constants, *scene.drawing);
     } else {

@@ -78,10 +78,10 @@ PixelBox pixels_of(const Projection& p, const Mesh& mesh, const Eigen::AlignedBo
     for (int k = 0; k < 8; ++k) {
         const Eigen::Vector3d corner =
             mesh.placement * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)).eval();
-        if (p.perspective && p.depth(corner) <= p.near_depth) return p.box;
-        pixels.add(p.pixel(corner), 1.0);
+        if (p.perspective && p.depth(corner) <= p.near_depth) return box_of(p);
+        pixels.add(p.place(corner), 1.0);
     }
-    return pixels.within(p.box);
+    return pixels.within(box_of(p));
 }
 
 }  // namespace

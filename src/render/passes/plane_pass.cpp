@@ -53,7 +53,7 @@ void PlanePass::draw(const ViewScene& scene, std::size_t plane) const {
     const Plane& shape = scene.view->planes[plane];
     const PlaneMap& map = scene.maps[plane];
     const PixelPolygon polygon = disc_polygon(scene, plane);
-    if (map.edge_on || polygon.box.within(scene.projection.box).empty()) return;
+    if (map.edge_on || polygon.box.within(box_of(scene.projection)).empty()) return;
     Constants constants;
     constants.add(map.plane_from_pixel.col(0), map.anchor_px.x());
     constants.add(map.plane_from_pixel.col(1), map.anchor_px.y());

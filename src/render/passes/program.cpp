@@ -52,7 +52,7 @@ GlShader compiled(GLenum kind, std::string_view name, const std::vector<std::str
 }  // namespace
 
 std::string shader_text(std::string_view name, const std::vector<std::string>& defines) {
-    std::string text = "#version 330 core\n";
+    std::string text = "#version 330 core\n#define real float\n";
     for (const std::string& define : defines) text += "#define " + define + "\n";
     append(text, name);
     return text;

@@ -11,7 +11,7 @@
 
 #include "render/context/gl_handles.h"
 #include "render/passes/constants.h"
-#include "render/projection.h"
+#include "render/pixel_area.h"
 #include "render/view_scene.h"
 #include "shapes/views.h"
 

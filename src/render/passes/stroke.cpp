@@ -33,7 +33,7 @@ bool shows(const Curve& curve) {
 DashPattern dashes_of(const ViewScene& scene, const Curve& curve, double length) {
     // As long as asked for where the camera looks; a closed curve has whole ones.
     const Projection& p = scene.projection;
-    const double unit_px = p.unit_px(std::max(p.depth(scene.view->camera.target), p.near_depth)) *
+    const double unit_px = p.scale(std::max(p.depth(scene.view->camera.target), p.near_depth)) *
                            scale_of(curve.placement);
     const bool solid = !(curve.dash_px > 0.0);
     const double dash_px = solid ? 2.0 * curve.width_px : curve.dash_px;

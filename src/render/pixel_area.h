@@ -1,11 +1,11 @@
-// How a view's axes land on the pixels of the whole picture: x right, y down, pixel centres at
-// half integers.
+// Which pixels of the whole picture a shape may cover: x right, y down, pixel centres at half
+// integers.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
 
-#include "shapes/views.h"
+#include "shapes/projection.h"
 
 namespace poinsot {
 
@@ -18,7 +18,8 @@ struct PixelBox {
     PixelBox within(const PixelBox& other) const;
 };
 
-PixelBox box_of(const View& view);
+// The view of a projection.
+PixelBox box_of(const Projection& projection);
 
 // A convex polygon in pixels, to be drawn as a fan.
 struct PixelPolygon {
@@ -31,30 +32,8 @@ struct PixelPolygon {
 
 PixelPolygon polygon_of(const PixelBox& box);
 
-struct Projection {
-    bool perspective = true;
-    Eigen::Vector3d eye, right, down, forward;  // orthonormal axes of the picture
-    Eigen::Vector2d centre_px;                  // where the view axis meets the picture
-    double focal_px = 1.0;  // focal length in pixels; pixels a unit if orthographic
-    double near_depth = 0.0;
-    PixelBox box;
-
-    Projection() = default;
-    explicit Projection(const View& view);
-
-    // Distance in front of the eye along the view axis.
-    double depth(const Eigen::Vector3d& point) const { return forward.dot(point - eye); }
-    // Pixels to a unit of length at a depth.
-    double unit_px(double depth) const { return perspective ? focal_px / depth : focal_px; }
-    // Precondition: depth(point) > 0 in perspective.
-    Eigen::Vector2d pixel(const Eigen::Vector3d& point) const;
-    // Direction of the line of sight of a pixel, with unit component along the view axis.
-    Eigen::Vector3d ray(const Eigen::Vector2d& pixel) const;
-    // A point of that line.
-    Eigen::Vector3d ray_origin(const Eigen::Vector2d& pixel) const;
-    // Box of a ball's picture; the whole view where it reaches behind the eye.
-    PixelBox ball_box(const Eigen::Vector3d& centre, double radius) const;
-};
+// Box of a ball's picture; the whole view where it reaches behind the eye.
+PixelBox ball_box(const Projection& projection, const Eigen::Vector3d& centre, double radius);
 
 // Coordinates on a plane as a homogeneous linear map of (x, y, 1), (x, y) = pixel - anchor_px:
 // along and across over the third, which is positive where the plane is before the eye.

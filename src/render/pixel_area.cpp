@@ -1,4 +1,4 @@
-#include "render/projection.h"
+#include "render/pixel_area.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -19,10 +19,9 @@ PixelBox PixelBox::within(const PixelBox& other) const {
             std::min(bottom, other.bottom)};
 }
 
-PixelBox box_of(const View& view) {
-    return {static_cast<double>(view.x_px), static_cast<double>(view.y_px),
-            static_cast<double>(view.x_px + view.width_px),
-            static_cast<double>(view.y_px + view.height_px)};
+PixelBox box_of(const Projection& projection) {
+    const Eigen::Vector2d low = projection.corner, high = low + projection.size;
+    return {low.x(), low.y(), high.x(), high.y()};
 }
 
 void PixelPolygon::add(const Eigen::Vector2d& corner) {
@@ -39,53 +38,16 @@ PixelPolygon polygon_of(const PixelBox& box) {
     return polygon;
 }
 
-Projection::Projection(const View& view)
-    : perspective(!view.camera.orthographic),
-      eye(view.camera.eye),
-      centre_px(view.x_px + 0.5 * view.width_px, view.y_px + 0.5 * view.height_px),
-      box(box_of(view)) {
-    const Camera& camera = view.camera;
-    const double distance = (camera.target - eye).norm();
-    forward = distance > 0.0 ? Eigen::Vector3d((camera.target - eye) / distance)
-                             : Eigen::Vector3d::UnitY();
-    right = forward.cross(camera.up);
-    // Looking along `up`: any direction across will do.
-    if (right.norm() < 1e-9 * camera.up.norm() || right.norm() == 0.0)
-        right = forward.unitOrthogonal();
-    right.normalize();
-    down = forward.cross(right);
-    focal_px = perspective ? 0.5 * view.height_px / std::tan(0.5 * camera.vertical_field_rad)
-                           : view.height_px / camera.height_units;
-    near_depth = perspective ? 1e-3 * distance : -1e30;
-}
-
-Eigen::Vector2d Projection::pixel(const Eigen::Vector3d& point) const {
-    const Eigen::Vector3d from_eye = point - eye;
-    return centre_px +
-           unit_px(depth(point)) * Eigen::Vector2d(right.dot(from_eye), down.dot(from_eye));
-}
-
-Eigen::Vector3d Projection::ray(const Eigen::Vector2d& pixel) const {
-    if (!perspective) return forward;
-    const Eigen::Vector2d slope = (pixel - centre_px) / focal_px;
-    return forward + slope.x() * right + slope.y() * down;
-}
-
-Eigen::Vector3d Projection::ray_origin(const Eigen::Vector2d& pixel) const {
-    if (perspective) return eye;
-    const Eigen::Vector2d across = (pixel - centre_px) / focal_px;
-    return eye + across.x() * right + across.y() * down;
-}
-
-PixelBox Projection::ball_box(const Eigen::Vector3d& centre, double radius) const {
-    const double nearest = depth(centre) - radius;
-    if (perspective && nearest <= near_depth) return box;
+PixelBox ball_box(const Projection& projection, const Eigen::Vector3d& centre, double radius) {
+    const double nearest = projection.depth(centre) - radius;
+    if (projection.perspective && nearest <= projection.near_depth) return box_of(projection);
     PixelBox ball;
     // A ball's picture reaches at most this far from its middle's: its radius at its nearest
     // depth, and the slant of the line of sight over its depth.
-    const Eigen::Vector2d middle = pixel(centre);
-    const double slant = perspective ? (middle - centre_px).norm() / focal_px : 0.0;
-    ball.add(middle, radius * unit_px(nearest) * (1.0 + slant));
+    const Eigen::Vector2d middle = projection.place(centre);
+    const double slant =
+        projection.perspective ? (middle - projection.centre).norm() / projection.focal : 0.0;
+    ball.add(middle, radius * projection.scale(nearest) * (1.0 + slant));
     return ball;
 }
 
@@ -100,8 +62,8 @@ PixelPolygon disc_polygon(const Projection& projection, const Eigen::Vector3d& c
         const Eigen::Vector3d corner =
             centre + reach * (std::cos(angle) * along + std::sin(angle) * across);
         if (projection.perspective && projection.depth(corner) <= projection.near_depth)
-            return polygon_of(projection.box);
-        polygon.add(projection.pixel(corner));
+            return polygon_of(box_of(projection));
+        polygon.add(projection.place(corner));
     }
     return polygon;
 }
@@ -109,11 +71,11 @@ PixelPolygon disc_polygon(const Projection& projection, const Eigen::Vector3d& c
 PlaneMap map_of(const Projection& projection, const Eigen::Vector3d& centre,
                 const Eigen::Vector3d& along, const Eigen::Vector3d& across) {
     PlaneMap map;
-    map.anchor_px = projection.centre_px;
+    map.anchor_px = projection.centre;
     const Eigen::Vector3d normal = along.cross(across);
     // Directions of the line of sight as columns: its change with x and y, and at the anchor.
     Eigen::Matrix3d rays;
-    rays << projection.right / projection.focal_px, projection.down / projection.focal_px,
+    rays << projection.right / projection.focal, projection.down / projection.focal,
         projection.forward;
     const Eigen::Vector3d from_centre = projection.eye - centre;
     const double height = normal.dot(from_centre);

@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""CMake configures the program on machines that have only some of the packages; nothing is built.
+
+Each library of the tests is hidden in turn, then all of them. The program alone (BUILD_TESTING=OFF, as `sh .ci/film` configures it) must
+configure without a word about tests; with BUILD_TESTING=ON the tests are left out and a warning names the Debian package. Each library
+of the program is hidden in turn, too: CMake must stop with its Debian package.
+Usage: configure_check.py CMAKE SOURCE
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+TEST_PACKAGES = {  # Debian package → what hides it from CMake
+    "libgtest-dev": "-DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON",
+    "librapidcheck-dev": "-DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON",
+    "libbenchmark-dev": "-DCMAKE_DISABLE_FIND_PACKAGE_benchmark=ON",
+    "nlohmann-json3-dev": "-DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON",
+    "libgmp-dev": "-DPOINSOT_TEST_gmp=OFF",
+    "libmpfr-dev": "-DPOINSOT_TEST_mpfr=OFF",
+}
+PROGRAM_PACKAGES = {
+    "libeigen3-dev": "-DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON",
+    "libfmt-dev": "-DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON",
+    "libcli11-dev": "-DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON",
+}
+
+
+def unset(option):
+    return "-U" + re.match(r"-D([^=]+)=", option)[1]
+
+
+def main():
+    cmake, source = sys.argv[1:]
+    failures = []
+    with tempfile.TemporaryDirectory() as build:
+        every = [*TEST_PACKAGES.values(), *PROGRAM_PACKAGES.values()]
+
+        def configure(*options):
+            """With these options alone: what an earlier run hid is found again."""
+            shown = [unset(hidden) for hidden in every if hidden not in options]
+            done = subprocess.run([cmake, "-S", source, "-B", build, "--no-warn-unused-cli", *shown, *options], capture_output=True,
+                                  text=True)
+            return done.returncode, " ".join((done.stdout + done.stderr).split())
+
+        def expect(true, what, said):
+            if not true:
+                failures.append(f"{what}: {said[-600:]}")
+
+        tests_off, tests_on = "-DBUILD_TESTING=OFF", "-DBUILD_TESTING=ON"
+        for name, hidden in [*TEST_PACKAGES.items(), ("all test packages", None)]:
+            options = [hidden] if hidden else list(TEST_PACKAGES.values())
+            code, said = configure(tests_off, *options)
+            expect(code == 0 and "Warning" not in said, f"without {name}, BUILD_TESTING=OFF", said)
+            expect(not (pathlib.Path(build) / "tests").exists(), f"without {name}, BUILD_TESTING=OFF configures tests", said)
+            code, said = configure(tests_on, *options)
+            expect(code == 0, f"without {name}, BUILD_TESTING=ON", said)
+            for package in [name] if hidden else TEST_PACKAGES:
+                expect(f"{package}" in said and "tests are left out" in said, f"{package} is not named", said)
+        for name, hidden in PROGRAM_PACKAGES.items():
+            code, said = configure(tests_off, hidden)
+            expect(code != 0 and f"install {name}" in said, f"without {name}", said)
+        # Nothing is hidden any more: the tests are configured, so the checks above could have failed.
+        code, said = configure(tests_on)
+        expect(code == 0 and (pathlib.Path(build) / "tests").exists() and "left out" not in said, "with all packages", said)
+    print("\n".join(failures) or f"{len(TEST_PACKAGES)} test packages and {len(PROGRAM_PACKAGES)} libraries hidden in turn")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
