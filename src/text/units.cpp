@@ -115,7 +115,7 @@ const NamedUnit* take_name(std::string_view& rest) {
 std::optional<Rational> take_denominator(std::string_view& rest) {
     std::string_view after = rest;
     if (!take(after, "/")) return std::nullopt;
-    const auto below = take_decimal(after);
+    auto below = take_decimal(after);
     if (!below || below->is_negative() || below->is_zero()) return std::nullopt;
     rest = after;
     return below;
