@@ -110,6 +110,7 @@ int run(const ListChoices& choices) {
     if (choices.what.empty()) {
         if (choices.json) {
             std::vector<std::string> quoted;
+            quoted.reserve(names.size());
             for (const std::string_view name : names) quoted.push_back(json_string(name));
             fmt::print("{}\n", json_lines(quoted));
             return 0;
