@@ -42,7 +42,7 @@ double parse_share(std::string_view option, std::string_view text) {
     const bool percent = text.ends_with('%');
     const std::string_view digits = text.substr(0, text.size() - (percent ? 1 : 0));
     const auto value = rational_of(digits);
-    const double share = value ? (*value / (percent ? 100 : 1)).nearest() : -1.0;
+    const double share = value ? nearest_double(*value / (percent ? 100 : 1)) : -1.0;
     if (!(share >= 0 && share <= 1))
         throw InputError(fmt::format(
             "{} {}: not a share of the pixels; give one from 0 to 1, or from 0% to 100%", option,

@@ -53,7 +53,7 @@ void append(const Progression& instants, std::int64_t n, std::vector<double>& ti
 
 void append_stepped(std::string_view item, const Rational& first, const Rational& last,
                     const Rational& step, std::vector<double>& times) {
-    const double steps = step.is_zero() ? -1.0 : ((last - first) / step).nearest();
+    const double steps = step.is_zero() ? -1.0 : nearest_double((last - first) / step);
     if (!(steps >= 0.0))
         throw_bad_range(item, "never reaches its last instant; give a step that leads there");
     check_count(item, steps);

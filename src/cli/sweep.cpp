@@ -49,7 +49,7 @@ std::vector<std::string> range_of(std::string_view text) {
     const auto from = rational_of(pieces[0]), to = rational_of(pieces[1]);
     const auto n = number_of<std::int64_t>(pieces[2]);
     if (!from || !to || !n) return {};
-    if (!std::isfinite(from->nearest()) || !std::isfinite(to->nearest())) return {};
+    if (!std::isfinite(nearest_double(*from)) || !std::isfinite(nearest_double(*to))) return {};
     if (*n < 2 || *n > static_cast<std::int64_t>(most_runs))
         throw InputError(fmt::format(
             "--sweep: {} has {} values; from:to:n has 2 to {} of them, both ends included",

@@ -2,64 +2,20 @@
 // one rounding makes a double of it.
 #pragma once
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 namespace poinsot {
 
-// A natural number of any size, as the digits of Rational.
-class Natural {
- public:
-    Natural(std::uint64_t value = 0);  // NOLINT(google-explicit-constructor): 2 * n reads as it is
-    static Natural power_of_ten(int exponent);
+// A fraction of integers of any size.
+using Rational = boost::multiprecision::number<boost::multiprecision::cpp_rational::backend_type,
+                                               boost::multiprecision::et_off>;
 
-    bool is_zero() const { return words_.empty(); }
-    int bit_width() const;
-
-    Natural shifted_left(int bits) const;
-    // *this · factor + addend, in place.
-    void multiply_add(std::uint32_t factor, std::uint32_t addend);
-    friend Natural operator+(const Natural& a, const Natural& b);
-    // Precondition: a ≥ b.
-    friend Natural operator-(const Natural& a, const Natural& b);
-    friend Natural operator*(const Natural& a, const Natural& b);
-    friend bool operator<(const Natural& a, const Natural& b);
-    friend bool operator==(const Natural& a, const Natural& b) = default;
-
- private:
-    void trim();
-    std::vector<std::uint32_t> words_;  // the lowest first, none that is 0 at the end
-};
-
-class Rational {
- public:
-    Rational(std::int64_t whole = 0);  // NOLINT(google-explicit-constructor): 1 / r as in formulas
-    // A finite double, exactly.
-    static Rational of_double(double value);
-
-    bool is_zero() const { return above_.is_zero(); }
-    bool is_negative() const { return negative_; }
-    // The nearest double, of two equally near the one whose last bit is 0; infinite beyond the
-    // largest.
-    double nearest() const;
-
-    Rational operator-() const;
-    friend Rational operator+(const Rational& a, const Rational& b);
-    friend Rational operator-(const Rational& a, const Rational& b) { return a + (-b); }
-    friend Rational operator*(const Rational& a, const Rational& b);
-    // Precondition: b is not 0.
-    friend Rational operator/(const Rational& a, const Rational& b);
-
- private:
-    friend std::optional<Rational> take_decimal(std::string_view& text);
-
-    // ± above / below · 10^exponent
-    bool negative_ = false;
-    Natural above_, below_{1};
-    int exponent_ = 0;
-};
+// The nearest double; of two equally near ones, the one whose last bit is 0; infinite beyond the
+// largest.
+double nearest_double(const Rational& number);
 
 // Cuts a decimal such as "-1.5e3" off the front of the text, as std::from_chars reads one. Nothing
 // where there is none, where it has more than a thousand significant digits, or where it is

@@ -116,7 +116,7 @@ std::optional<Rational> take_denominator(std::string_view& rest) {
     std::string_view after = rest;
     if (!take(after, "/")) return std::nullopt;
     auto below = take_decimal(after);
-    if (!below || below->is_negative() || below->is_zero()) return std::nullopt;
+    if (!below || *below <= 0) return std::nullopt;
     rest = after;
     return below;
 }
@@ -173,7 +173,7 @@ double with_pi(Rational number, int power) {
             "803482");
         for (int k = 0; k < std::abs(power); ++k) number = power > 0 ? number * pi : number / pi;
     }
-    return number.nearest();
+    return nearest_double(number);
 }
 
 struct MeasuredExactly {
