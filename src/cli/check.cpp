@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/sweep.h"
+#include "error/error.h"
 #include "production/findings.h"
 #include "text/json_text.h"
 #include "text/printable.h"
+#include "text/say.h"
 
 namespace poinsot {
 
@@ -24,13 +27,6 @@ struct CheckChoices {
     SceneOptions scene;
     bool json = false, plan = false, quiet = false;
 };
-
-void print_json(const std::vector<Fact>& facts, const SweepPoint& point) {
-    JsonObject object;
-    for (const auto& [key, value] : point) object.add(key, value);
-    for (const Fact& fact : facts) object.json(fact.key, fact.json);
-    fmt::print("{}", object.lines());
-}
 
 void print_words(const Findings& findings) {
     for (const Fact& fact : findings.facts)
@@ -44,37 +40,63 @@ void print_words(const Findings& findings) {
     if (findings.certificate) fmt::print("\n{}", text_of(*findings.certificate));
 }
 
-// One scene, at one point of its sweeps.
-int check(const CheckChoices& choices, const SceneJob& job, const SweepPoint& point,
-          const Telling& telling) {
-    const Session session =
-        open_session(scene_request_of(job.scene, choices.scene, job.overrides), telling);
+// Of the scene with the values of one point of its sweeps.
+Findings findings_of(const CheckChoices& choices, const SweepPoint& point, const Telling& telling) {
+    const Session session = open_session(
+        scene_request_of(choices.scenes.at(0), choices.scene, overrides_of(point)), telling);
     tell_notes(session.scene, telling);
-    const Findings findings = examine(session, choices.plan, telling);
-    if (choices.json) {
-        print_json(findings.facts, point);
-    } else {
-        if (!point.empty()) fmt::print("{}:\n", printable(in_words(point), any_length));
-        print_words(findings);
-    }
+    return examine(session, choices.plan, telling);
+}
+
+int code_of(const Findings& findings) {
     return !findings.certificate || findings.certificate->holds() ? 0 : 1;
 }
 
-// A sweep prints a blank line between its runs, in JSON an array of them.
+int check_alone(const CheckChoices& choices, const Telling& telling) {
+    const Findings findings = findings_of(choices, {}, telling);
+    if (choices.json) {
+        JsonObject answer;
+        for (const Fact& fact : findings.facts) answer.json(fact.key, fact.json);
+        fmt::print("{}", answer.lines());
+    } else {
+        print_words(findings);
+    }
+    return code_of(findings);
+}
+
+// Checks every value, also after one that is refused: that one has an "error" in JSON, which is an
+// array, printed when it is whole.
+int check_sweep(const CheckChoices& choices, const Telling& telling) {
+    std::vector<std::string> answers;
+    std::string_view between;
+    int worst = 0;
+    for (const SweepPoint& point : points_of(choices.sweeps)) {
+        JsonObject answer;
+        for (const auto& [key, value] : point) answer.add(key, value);
+        try {
+            const Findings findings = findings_of(choices, point, telling);
+            worst = std::max(worst, code_of(findings));
+            for (const Fact& fact : findings.facts) answer.json(fact.key, fact.json);
+            if (!choices.json) {
+                fmt::print("{}{}:\n", between, printable(in_words(point), any_length));
+                print_words(findings);
+                between = "\n";
+            }
+        } catch (const InputError& error) {
+            worst = 2;
+            say(printable(error.what()));
+            answer.add("error", error.what());
+        }
+        answers.push_back(answer.line());
+    }
+    if (choices.json) fmt::print("{}\n", json_lines(answers));
+    return worst;
+}
+
 int run(const CheckChoices& choices) {
     Progress progress(choices.quiet);
     const Telling telling = progress.telling();
-    const std::vector<SweepPoint> points = points_of(choices.sweeps);
-    const bool is_array = choices.json && !choices.sweeps.empty();
-    if (is_array) fmt::print("[\n");
-    int worst = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        if (k > 0) fmt::print("{}\n", is_array ? "," : "");
-        const SceneJob job{choices.scenes.at(0), "", overrides_of(points[k])};
-        worst = std::max(worst, check(choices, job, points[k], telling));
-    }
-    if (is_array) fmt::print("]\n");
-    return worst;
+    return choices.sweeps.empty() ? check_alone(choices, telling) : check_sweep(choices, telling);
 }
 
 CommandLine check_line(std::any& room) {
@@ -85,7 +107,8 @@ CommandLine check_line(std::any& room) {
              size_option(c.scene),
              fps_option(c.scene),
              quality_option(c.scene),
-             json_option(c.json),
+             json_option(c.json,
+                         "answer in JSON: an object, with --sweep an array of one for each value"),
              quiet_option(c.quiet),
              {"--plan", "what will be modelled, and why", &c.plan},
              allow_outside_option(c.scene.allow_outside)},

@@ -16,8 +16,8 @@
 #include "report/rendered_page.h"
 #include "system/atomic_file.h"
 #include "system/file_kind.h"
-#include "text/numbers.h"
 #include "text/printable.h"
+#include "text/rational.h"
 #include "text/say.h"
 
 namespace poinsot {
@@ -41,8 +41,8 @@ namespace fs = std::filesystem;
 double parse_share(std::string_view option, std::string_view text) {
     const bool percent = text.ends_with('%');
     const std::string_view digits = text.substr(0, text.size() - (percent ? 1 : 0));
-    const auto value = number_of<double>(digits);
-    const double share = value.value_or(-1.0) / (percent ? 100 : 1);
+    const auto value = rational_of(digits);
+    const double share = value ? nearest_double(*value / (percent ? 100 : 1)) : -1.0;
     if (!(share >= 0 && share <= 1))
         throw InputError(fmt::format(
             "{} {}: not a share of the pixels; give one from 0 to 1, or from 0% to 100%", option,

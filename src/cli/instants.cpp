@@ -13,6 +13,7 @@
 #include "error/error.h"
 #include "text/numbers.h"
 #include "text/printable.h"
+#include "text/rational.h"
 
 namespace poinsot {
 
@@ -21,12 +22,13 @@ namespace {
 // No table holds more.
 constexpr double most_instants = 1e8;
 
-// A finite number that is all of the text. Of more digits than a double has, so that the k-th of
-// first + k·step is the double that its decimals name: 0:1:0.1 gives 0.3, as one would write it.
-std::optional<long double> finite_decimal(std::string_view text) {
-    const auto number = number_of<long double>(without_plus(text));
-    if (!number || !std::isfinite(static_cast<double>(*number))) return std::nullopt;
-    return number;
+// A finite number that is all of the text, as the nearest double and as what it says.
+std::optional<double> finite_decimal(std::string_view text) {
+    const auto number = number_of<double>(without_plus(text));
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+std::optional<Rational> exact_decimal(std::string_view text) {
+    return finite_decimal(text) ? rational_of(without_plus(text)) : std::nullopt;
 }
 
 [[noreturn]] void throw_no_time(std::string_view item) {
@@ -40,33 +42,34 @@ std::optional<long double> finite_decimal(std::string_view text) {
     throw InputError(fmt::format("--times: \"{}\" {}", printable(item), what));
 }
 
-void check_count(std::string_view item, long double count) {
+void check_count(std::string_view item, double count) {
     if (count > most_instants)
         throw_bad_range(item, "is more than 100000000 instants; ask for them in several");
 }
 
-void append_stepped(std::string_view item, long double first, long double last, long double step,
-                    std::vector<double>& times) {
-    const long double steps = (last - first) / step;
-    if (step == 0 || !(steps >= 0))
-        throw_bad_range(item, "never reaches its last instant; give a step that leads there");
-    check_count(item, steps);
-    // A last instant that the steps reach but for rounding is one of them.
-    const auto n = static_cast<std::int64_t>(std::floor(steps * (1 + 1e-15L) + 1e-12L));
-    for (std::int64_t k = 0; k <= n; ++k)
-        times.push_back(static_cast<double>(first + static_cast<long double>(k) * step));
+void append(const Progression& instants, std::int64_t n, std::vector<double>& times) {
+    for (std::int64_t k = 0; k < n; ++k) times.push_back(instants.at(k));
 }
 
-void append_divided(std::string_view item, long double first, long double last, long double n_given,
-                    std::vector<double>& times) {
+void append_stepped(std::string_view item, const Rational& first, const Rational& last,
+                    const Rational& step, std::vector<double>& times) {
+    const double steps = step.is_zero() ? -1.0 : nearest_double((last - first) / step);
+    if (!(steps >= 0.0))
+        throw_bad_range(item, "never reaches its last instant; give a step that leads there");
+    check_count(item, steps);
+    // A last instant that is missed only because step was rounded before it was written is one of
+    // them.
+    const auto n = static_cast<std::int64_t>(std::floor(steps * (1.0 + 1e-15) + 1e-12));
+    append(Progression(first, step), n + 1, times);
+}
+
+void append_divided(std::string_view item, const Rational& first, const Rational& last,
+                    double n_given, std::vector<double>& times) {
     check_count(item, n_given);
     if (!(n_given >= 2) || n_given != std::floor(n_given))
         throw_bad_range(item, "needs a whole number of instants, 2 or more, after its /");
     const auto n = static_cast<std::int64_t>(n_given);
-    for (std::int64_t k = 0; k < n; ++k)
-        times.push_back(static_cast<double>(
-            (first * static_cast<long double>(n - 1 - k) + last * static_cast<long double>(k)) /
-            static_cast<long double>(n - 1)));
+    append(Progression(first, (last - first) / (n - 1)), n, times);
 }
 
 void append_item(std::string_view item, std::vector<double>& times) {
@@ -74,20 +77,24 @@ void append_item(std::string_view item, std::vector<double>& times) {
     if (colon == std::string_view::npos) {
         const auto time = finite_decimal(item);
         if (!time) throw_no_time(item);
-        times.push_back(static_cast<double>(*time));
+        times.push_back(*time);
         return;
     }
     const std::string_view rest = item.substr(colon + 1);
     const std::size_t split = rest.find_first_of(":/");
     if (split == std::string_view::npos) throw_no_time(item);
-    const auto first = finite_decimal(item.substr(0, colon));
-    const auto last = finite_decimal(rest.substr(0, split));
-    const auto third = finite_decimal(rest.substr(split + 1));
-    if (!first || !last || !third) throw_no_time(item);
+    const std::string_view third = rest.substr(split + 1);
+    const auto first = exact_decimal(item.substr(0, colon));
+    const auto last = exact_decimal(rest.substr(0, split));
+    if (!first || !last) throw_no_time(item);
     if (rest[split] == ':') {
-        append_stepped(item, *first, *last, *third, times);
+        const auto step = exact_decimal(third);
+        if (!step) throw_no_time(item);
+        append_stepped(item, *first, *last, *step, times);
     } else {
-        append_divided(item, *first, *last, *third, times);
+        const auto n = finite_decimal(third);
+        if (!n) throw_no_time(item);
+        append_divided(item, *first, *last, *n, times);
     }
 }
 
@@ -120,7 +127,7 @@ void append_line(std::string_view line, const std::string& file, std::size_t lin
                 fmt::format("{}:{}:{}: \"{}\" is not a time in seconds; write one instant a line",
                             file == "-" ? "standard input" : printable(file), line_number,
                             begin + 1, printable(item)));
-        times.push_back(static_cast<double>(*time));
+        times.push_back(*time);
         begin = end;
     }
 }

@@ -108,6 +108,13 @@ int run(const ListChoices& choices) {
     for (const Catalogue& catalogue : catalogues()) names.push_back(catalogue.name);
     names.emplace_back("schema");
     if (choices.what.empty()) {
+        if (choices.json) {
+            std::vector<std::string> quoted;
+            quoted.reserve(names.size());
+            for (const std::string_view name : names) quoted.push_back(json_string(name));
+            fmt::print("{}\n", json_lines(quoted));
+            return 0;
+        }
         for (const std::string_view name : names) fmt::print("{}\n", name);
         return 0;
     }
@@ -115,6 +122,9 @@ int run(const ListChoices& choices) {
     const std::string& what = choices.what[0];
     for (const Document& document : documents()) {
         if (document.name != what) continue;
+        if (choices.json && document.name != "schema")
+            throw InputError(
+                fmt::format("poinsot list {}: is a text and not a list; leave --json out", what));
         fmt::print("{}", document.text(document.name));
         return 0;
     }
@@ -142,7 +152,7 @@ int run(const ListChoices& choices) {
 
 CommandLine list_line(std::any& room) {
     auto& c = room.emplace<ListChoices>();
-    return {&c.what, {json_option(c.json)}, [&c] { return run(c); }};
+    return {&c.what, {json_option(c.json, "answer in JSON: an array")}, [&c] { return run(c); }};
 }
 
 }  // namespace

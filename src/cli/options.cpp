@@ -127,7 +127,9 @@ Option output_option(std::string& output, std::string_view help) {
     return {"-o,--output", std::string(help), &output, "", "FILE", false, "file"};
 }
 
-Option json_option(bool& json) { return {"--json", "answer in JSON", &json}; }
+Option json_option(bool& json, std::string_view help) {
+    return {"--json", std::string(help), &json};
+}
 
 Option quiet_option(bool& quiet) { return {"--quiet,-q", "no progress, no notes", &quiet}; }
 

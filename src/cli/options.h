@@ -41,7 +41,8 @@ Option portable_option(ContextOptions& context);
 ContextChoice context_choice_of(const ContextOptions& options);
 
 Option output_option(std::string& output, std::string_view help = "where to write");
-Option json_option(bool& json);
+// One document, whatever is asked for.
+Option json_option(bool& json, std::string_view help = "answer in JSON, one document");
 Option quiet_option(bool& quiet);
 
 }  // namespace poinsot

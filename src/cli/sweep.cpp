@@ -11,6 +11,7 @@
 #include "error/error.h"
 #include "text/numbers.h"
 #include "text/printable.h"
+#include "text/rational.h"
 
 namespace poinsot {
 
@@ -45,21 +46,17 @@ std::vector<std::string> pieces_of(std::string_view text, char separator) {
 std::vector<std::string> range_of(std::string_view text) {
     const std::vector<std::string> pieces = pieces_of(text, ':');
     if (pieces.size() != 3) return {};
-    const auto from = number_of<double>(pieces[0]), to = number_of<double>(pieces[1]);
+    const auto from = rational_of(pieces[0]), to = rational_of(pieces[1]);
     const auto n = number_of<std::int64_t>(pieces[2]);
-    if (!from || !to || !n || !std::isfinite(*from) || !std::isfinite(*to)) return {};
+    if (!from || !to || !n) return {};
+    if (!std::isfinite(nearest_double(*from)) || !std::isfinite(nearest_double(*to))) return {};
     if (*n < 2 || *n > static_cast<std::int64_t>(most_runs))
         throw InputError(fmt::format(
             "--sweep: {} has {} values; from:to:n has 2 to {} of them, both ends included",
             printable(text), *n, most_runs));
+    const Progression numbers(*from, (*to - *from) / (*n - 1));
     std::vector<std::string> values;
-    for (std::int64_t i = 0; i < *n; ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(*n - 1);
-        const double value = i + 1 == *n ? *to : *from + (*to - *from) * share;
-        // As one would write it: 0.1 + 0.2·2 is 0.5 to the last digit but one.
-        values.push_back(
-            fmt::format("{}", number_of<double>(fmt::format("{:.15g}", value)).value_or(value)));
-    }
+    for (std::int64_t i = 0; i < *n; ++i) values.push_back(fmt::format("{}", numbers.at(i)));
     return values;
 }
 

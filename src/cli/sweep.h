@@ -19,8 +19,8 @@ struct Sweep {
 // Texts of sweeps, to be read when all are there.
 Option sweep_option(std::vector<std::string>& sweeps);
 
-// Reads one. Commas within brackets and quotes part no values; n values from:to:n lie evenly, both
-// ends included. Throws InputError.
+// Reads one. Commas within brackets and quotes part no values; from:to:n gives the n doubles
+// nearest to from + k·(to − from)/(n − 1). Throws InputError.
 Sweep parse_sweep(std::string_view text);
 
 // A value for each key, the last key's changing fastest. One empty point without sweeps. Throws

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <system_error>
 
@@ -22,13 +21,6 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' |
 std::size_t continuation(std::string_view rest) {
     if (rest.starts_with("\\\n")) return 2;
     return rest.starts_with("\\\r\n") ? 3 : 0;
-}
-
-// Whether a number that no double holds is too small rather than too large.
-bool is_too_small(std::string_view digits) {
-    const std::size_t exponent = digits.find_first_of("eE");
-    if (exponent != std::string_view::npos) return digits.substr(exponent + 1).starts_with('-');
-    return digits.find_first_of("123456789") > digits.find('.');
 }
 
 }  // namespace
@@ -104,17 +96,16 @@ void MeshText::refuse(std::string_view word, std::string_view what) const {
 }
 
 double MeshText::coordinate(std::string_view word) const {
-    // A plus sign is usual in these files, but not known to from_chars.
+    // A plus sign is usual in these files, but not known to read_double.
     const std::string_view digits = without_plus(word);
     double value = 0.0;
     const char* const digits_end = digits.data() + digits.size();
-    const auto [end, error] = std::from_chars(digits.data(), digits_end, value);
+    const auto [end, error] = read_double(digits, value);
     if (word.empty()) refuse(word, "a coordinate is missing; give three, in metres");
     if (error == std::errc::invalid_argument || end != digits_end) {
         refuse(word,
                fmt::format("{} is not a number; give the coordinate in metres", quoted(word)));
     }
-    if (error == std::errc::result_out_of_range) value = is_too_small(digits) ? 0.0 : HUGE_VAL;
     if (!(std::abs(value) <= largest_mesh_coordinate_m)) {
         refuse(word, fmt::format("{} is not a coordinate within ±{:.0e} m; scale the mesh",
                                  quoted(word), largest_mesh_coordinate_m));

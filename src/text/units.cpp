@@ -1,18 +1,16 @@
 #include "text/units.h"
 
-#include <charconv>
-#include <cmath>
+#include <cstdlib>
 
 namespace poinsot {
 
 namespace {
 
-constexpr long double pi = 3.14159265358979323846264338327950288L;
-
 struct NamedUnit {
     std::string_view name;
     std::array<int, 4> powers;  // kg, m, s, rad
-    long double factor;
+    std::string_view factor;    // a decimal or a quotient of two
+    int power_of_pi = 0;
 };
 
 constexpr std::array<int, 4> mass{1, 0, 0, 0};
@@ -22,49 +20,49 @@ constexpr std::array<int, 4> angle{0, 0, 0, 1};
 constexpr std::array<int, 4> turning{0, 0, -1, 1};
 
 constexpr NamedUnit units[] = {
-    {"kg", mass, 1.0L},
-    {"g", mass, 1e-3L},
-    {"mg", mass, 1e-6L},
-    {"t", mass, 1e3L},
-    {"lb", mass, 0.45359237L},
-    {"oz", mass, 0.028349523125L},
-    {"m", length, 1.0L},
-    {"cm", length, 1e-2L},
-    {"mm", length, 1e-3L},
-    {"km", length, 1e3L},
-    {"\u00b5m", length, 1e-6L},
-    {"um", length, 1e-6L},
-    {"nm", length, 1e-9L},
-    {"in", length, 0.0254L},
-    {"ft", length, 0.3048L},
-    {"s", time, 1.0L},
-    {"ms", time, 1e-3L},
-    {"\u00b5s", time, 1e-6L},
-    {"us", time, 1e-6L},
-    {"ns", time, 1e-9L},
-    {"min", time, 60.0L},
-    {"h", time, 3600.0L},
-    {"d", time, 86400.0L},
-    {"yr", time, 31557600.0L},
-    {"rad", angle, 1.0L},
-    {"mrad", angle, 1e-3L},
-    {"deg", angle, pi / 180.0L},
-    {"degree", angle, pi / 180.0L},
-    {"degrees", angle, pi / 180.0L},
-    {"\u00b0", angle, pi / 180.0L},
-    {"turn", angle, 2.0L * pi},
-    {"turns", angle, 2.0L * pi},
-    {"rev", angle, 2.0L * pi},
-    {"rpm", turning, 2.0L * pi / 60.0L},
-    {"N", {1, 1, -2, 0}, 1.0L},
-    {"mN", {1, 1, -2, 0}, 1e-3L},
-    {"kN", {1, 1, -2, 0}, 1e3L},
-    {"J", {1, 2, -2, 0}, 1.0L},
-    {"mJ", {1, 2, -2, 0}, 1e-3L},
-    {"\u00b5J", {1, 2, -2, 0}, 1e-6L},
-    {"kJ", {1, 2, -2, 0}, 1e3L},
-    {"Nm", {1, 2, -2, 0}, 1.0L},
-    {"px", {0, 0, 0, 0}, 0.0L},  // no unit of ours, so that it is not taken for one
+    {"kg", mass, "1"},
+    {"g", mass, "1e-3"},
+    {"mg", mass, "1e-6"},
+    {"t", mass, "1e3"},
+    {"lb", mass, "0.45359237"},
+    {"oz", mass, "0.028349523125"},
+    {"m", length, "1"},
+    {"cm", length, "1e-2"},
+    {"mm", length, "1e-3"},
+    {"km", length, "1e3"},
+    {"\u00b5m", length, "1e-6"},
+    {"um", length, "1e-6"},
+    {"nm", length, "1e-9"},
+    {"in", length, "0.0254"},
+    {"ft", length, "0.3048"},
+    {"s", time, "1"},
+    {"ms", time, "1e-3"},
+    {"\u00b5s", time, "1e-6"},
+    {"us", time, "1e-6"},
+    {"ns", time, "1e-9"},
+    {"min", time, "60"},
+    {"h", time, "3600"},
+    {"d", time, "86400"},
+    {"yr", time, "31557600"},
+    {"rad", angle, "1"},
+    {"mrad", angle, "1e-3"},
+    {"deg", angle, "1/180", 1},
+    {"degree", angle, "1/180", 1},
+    {"degrees", angle, "1/180", 1},
+    {"\u00b0", angle, "1/180", 1},
+    {"turn", angle, "2", 1},
+    {"turns", angle, "2", 1},
+    {"rev", angle, "2", 1},
+    {"rpm", turning, "1/30", 1},
+    {"N", {1, 1, -2, 0}, "1"},
+    {"mN", {1, 1, -2, 0}, "1e-3"},
+    {"kN", {1, 1, -2, 0}, "1e3"},
+    {"J", {1, 2, -2, 0}, "1"},
+    {"mJ", {1, 2, -2, 0}, "1e-3"},
+    {"\u00b5J", {1, 2, -2, 0}, "1e-6"},
+    {"kJ", {1, 2, -2, 0}, "1e3"},
+    {"Nm", {1, 2, -2, 0}, "1"},
+    {"px", {0, 0, 0, 0}, ""},  // no unit of ours, so that it is not taken for one
 };
 
 // Superscripts that follow a name: "²" is 2, "⁻¹" is −1.
@@ -104,7 +102,7 @@ const NamedUnit* take_name(std::string_view& rest) {
         if (rest.starts_with(unit.name) &&
             (found == nullptr || unit.name.size() > found->name.size()))
             found = &unit;
-    if (found == nullptr || found->factor == 0.0L) return nullptr;
+    if (found == nullptr || found->factor.empty()) return nullptr;
     const std::string_view after = rest.substr(found->name.size());
     const bool goes_on = !after.empty() && ((after.front() >= 'a' && after.front() <= 'z') ||
                                             (after.front() >= 'A' && after.front() <= 'Z'));
@@ -113,32 +111,25 @@ const NamedUnit* take_name(std::string_view& rest) {
     return found;
 }
 
-// A number in decimals; from_chars knows no locale.
-std::optional<long double> take_decimal(std::string_view& rest) {
-    long double number{};
-    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
-    if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
-    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-    return number;
+// "/3" after a number.
+std::optional<Rational> take_denominator(std::string_view& rest) {
+    std::string_view after = rest;
+    if (!take(after, "/")) return std::nullopt;
+    auto below = take_decimal(after);
+    if (!below || *below <= 0) return std::nullopt;
+    rest = after;
+    return below;
 }
 
 // "24", "1/3", "33 1/3": a number, a quotient of whole ones, or both.
-std::optional<long double> take_number(std::string_view& rest) {
+std::optional<Rational> take_number(std::string_view& rest) {
     const bool negative = rest.starts_with('-');
     if (negative || rest.starts_with('+')) rest.remove_prefix(1);
     if (rest.empty() || rest.front() == '-' || rest.front() == '+') return std::nullopt;
     auto number = take_decimal(rest);
     if (!number) return std::nullopt;
-    const auto take_denominator = [&rest]() -> std::optional<long double> {
-        std::string_view after = rest;
-        if (!take(after, "/")) return std::nullopt;
-        const auto below = take_decimal(after);
-        if (!below || *below <= 0.0L) return std::nullopt;
-        rest = after;
-        return below;
-    };
-    if (const auto below = take_denominator()) {
-        *number /= *below;
+    if (const auto below = take_denominator(rest)) {
+        number = *number / *below;
     } else {
         std::string_view fraction = rest;
         skip_spaces(fraction);
@@ -147,9 +138,9 @@ std::optional<long double> take_number(std::string_view& rest) {
             // "7 1/s" has none: what follows is its unit.
             std::swap(rest, fraction);
             const auto above = take_decimal(rest);
-            const auto under = above ? take_denominator() : std::nullopt;
+            const auto under = above ? take_denominator(rest) : std::nullopt;
             if (under) {
-                *number += *above / *under;
+                number = *number + *above / *under;
             } else {
                 rest = fraction;
             }
@@ -158,8 +149,35 @@ std::optional<long double> take_number(std::string_view& rest) {
     return negative ? -*number : *number;
 }
 
+Unit unit_of(const NamedUnit& named) {
+    std::string_view factor = named.factor;
+    return {{named.powers}, *take_number(factor), named.power_of_pi};
+}
+
+// unit becomes unit · other^power.
+void multiply(Unit& unit, const Unit& other, int power) {
+    for (std::size_t i = 0; i < 4; ++i)
+        unit.dimension.powers[i] += power * other.dimension.powers[i];
+    for (int k = 0; k < std::abs(power); ++k)
+        unit.factor = power > 0 ? unit.factor * other.factor : unit.factor / other.factor;
+    unit.power_of_pi += power * other.power_of_pi;
+}
+
+// The double nearest to number · π^power.
+double with_pi(Rational number, int power) {
+    // To 90 digits: wrong only for a product that lies closer than 1e-80 of its size to the middle
+    // of two doubles.
+    if (power != 0) {
+        const Rational pi = *rational_of(
+            "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862"
+            "803482");
+        for (int k = 0; k < std::abs(power); ++k) number = power > 0 ? number * pi : number / pi;
+    }
+    return nearest_double(number);
+}
+
 struct MeasuredExactly {
-    long double value;
+    Rational value;  // in the unit
     Unit unit;
 };
 
@@ -169,7 +187,7 @@ std::optional<MeasuredExactly> measured_exactly(std::string_view text) {
     if (!number) return std::nullopt;
     const auto unit = unit_named(text);
     if (!unit) return std::nullopt;
-    return MeasuredExactly{*number * unit->factor, *unit};
+    return MeasuredExactly{*number, *unit};
 }
 
 }  // namespace
@@ -180,7 +198,10 @@ std::optional<Unit> unit_named(std::string_view text) {
     while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
     bool any = take(text, "1/");
     int sign = any ? -1 : 1;
-    while (!text.empty()) {
+    // Products of any length would take any time.
+    constexpr int most_names = 16;
+    for (int n_names = 0; !text.empty(); ++n_names) {
+        if (n_names == most_names) return std::nullopt;
         skip_spaces(text);
         if (take(text, "/")) {
             if (!any || sign < 0) return std::nullopt;
@@ -197,19 +218,13 @@ std::optional<Unit> unit_named(std::string_view text) {
             const auto inner = unit_named(text.substr(0, close));
             if (!inner) return std::nullopt;
             text.remove_prefix(close + 1);
-            for (std::size_t i = 0; i < 4; ++i)
-                unit.dimension.powers[i] += sign * inner->dimension.powers[i];
-            unit.factor *= sign > 0 ? inner->factor : 1.0L / inner->factor;
+            multiply(unit, *inner, sign);
         } else {
             const NamedUnit* named = take_name(text);
             if (named == nullptr) return std::nullopt;
             const int power = take_power(text);
             if (power == 0) return std::nullopt;
-            for (std::size_t i = 0; i < 4; ++i)
-                unit.dimension.powers[i] += sign * power * named->powers[i];
-            for (int k = 0; k < std::abs(power); ++k)
-                unit.factor =
-                    sign * power > 0 ? unit.factor * named->factor : unit.factor / named->factor;
+            multiply(unit, unit_of(*named), sign * power);
         }
         any = true;
     }
@@ -223,7 +238,8 @@ ShownUnit unit_shown(std::span<const std::string> wanted, std::string_view si_un
         for (const std::string& name : wanted) {
             const auto unit = unit_named(name);
             if (unit && unit->dimension == plain->dimension)
-                return {name, static_cast<double>(plain->factor / unit->factor)};
+                return {name, with_pi(plain->factor / unit->factor,
+                                      plain->power_of_pi - unit->power_of_pi)};
         }
     }
     return {std::string(si_unit), 1.0};
@@ -232,13 +248,15 @@ ShownUnit unit_shown(std::span<const std::string> wanted, std::string_view si_un
 std::optional<Measured> measured(std::string_view text) {
     const auto exactly = measured_exactly(text);
     if (!exactly) return std::nullopt;
-    return Measured{static_cast<double>(exactly->value), exactly->unit};
+    const Unit& unit = exactly->unit;
+    return Measured{with_pi(exactly->value * unit.factor, unit.power_of_pi), unit};
 }
 
 std::optional<double> measured_in(std::string_view text, const Unit& wanted) {
     const auto exactly = measured_exactly(text);
     if (!exactly || exactly->unit.dimension != wanted.dimension) return std::nullopt;
-    return static_cast<double>(exactly->value / wanted.factor);
+    return with_pi(exactly->value * exactly->unit.factor / wanted.factor,
+                   exactly->unit.power_of_pi - wanted.power_of_pi);
 }
 
 }  // namespace poinsot

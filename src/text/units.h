@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "text/rational.h"
+
 namespace poinsot {
 
 // What a unit measures: powers of mass, length, time and angle. Angles count, so that a rate of
@@ -16,24 +18,27 @@ struct Dimension {
     bool operator==(const Dimension&) const = default;
 };
 
+// One of it is factor · π^power_of_pi SI units (kg, m, s, rad).
 struct Unit {
     Dimension dimension;
-    long double factor = 1.0L;  // SI units (kg, m, s, rad) in one of it
+    Rational factor = 1;
+    int power_of_pi = 0;
 };
 
 // A product of powers of named units: "kg m²", "kg*m^2", "rad/s", "N m", "1/s". Nothing if the text
-// is none.
+// is none, or of more than 16 names.
 std::optional<Unit> unit_named(std::string_view text);
 
-// A number before its unit: "24 cm", "33 1/3 rpm", "1/3 m", "800g".
+// A number before its unit: "24 cm", "33 1/3 rpm", "1/3 m", "800g". The value is the double nearest
+// to what is written; where π is in it, nearest to within 1e-80 of a double's spacing.
 struct Measured {
-    double value = 0.0;  // in SI, rounded once
+    double value = 0.0;  // in SI
     Unit unit;
 };
 std::optional<Measured> measured(std::string_view text);
 
-// The value of a measured text in another unit, rounded once; nothing if the text is none or
-// measures something else.
+// The value of a measured text in another unit, rounded once as in Measured; nothing if the text is
+// none or measures something else.
 std::optional<double> measured_in(std::string_view text, const Unit& wanted);
 
 // The unit that numbers in an SI unit are shown in: of those wanted the one that measures the same,

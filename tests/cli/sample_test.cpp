@@ -1,4 +1,5 @@
 // What sample takes and gives: ranges and files of instants, columns by name, and three formats.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -12,10 +13,12 @@
 #include <vector>
 
 #include "cli/instants.h"
+#include "cli/sweep.h"
 #include "error/error.h"
 #include "production/session.h"
 #include "program_run.h"
 #include "scene/load_scene.h"
+#include "text/random_decimals.h"
 
 namespace poinsot {
 namespace {
@@ -72,6 +75,55 @@ TEST(SampleTimes, ARangeGivesTheDoublesThatItsDecimalsName) {
     ASSERT_EQ(fine.size(), 1'000'001u);
     for (std::size_t k = 0; k < fine.size(); ++k)
         ASSERT_EQ(fine[k], static_cast<double>(k) / 1000.0) << k;
+}
+
+TEST(SampleTimes, AreRoundedOnce) {
+    // Rounded to 64 bits first, it becomes the double above.
+    EXPECT_EQ(parse_times("4.155289061186346"), std::vector<double>{4.155289061186346});
+    EXPECT_EQ(parse_times("+4.155289061186346,1e-400"),
+              (std::vector<double>{4.155289061186346, 0.0}));
+    testing::RandomDecimals random(37);
+    for (int i = 0; i < 100'000; ++i) {
+        const std::string text = i % 4 == 0   ? random.near_a_middle(random.ordinary_double())
+                                 : i % 4 == 1 ? random.any(300)
+                                              : random.any(3);
+        const double right = testing::read_by_mpfr(text);
+        if (!std::isfinite(right)) continue;
+        ASSERT_EQ(parse_times(text), std::vector<double>{right}) << text;
+    }
+}
+
+// Against GMP's rationals: first + k·step, and first + k·(last − first)/(n − 1).
+TEST(SampleTimes, OfARangeAreRoundedOnce) {
+    using testing::Exact;
+    testing::RandomDecimals random(38);
+    for (int i = 0; i < 5'000; ++i) {
+        const std::string first = random.any(i % 3 == 0 ? 12 : 1), last = random.any(3);
+        const Exact a = Exact::of_decimal(first), b = Exact::of_decimal(last);
+        const std::int64_t n = random.between(2, 40);
+        const std::string range = first + ":" + last;
+        const std::vector<double> divided = parse_times(range + "/" + std::to_string(n));
+        ASSERT_EQ(divided.size(), static_cast<std::size_t>(n)) << range;
+        const Sweep sweep = parse_sweep("a=" + range + ":" + std::to_string(n));
+        ASSERT_EQ(sweep.values.size(), divided.size()) << range;
+        for (std::int64_t k = 0; k < n; ++k) {
+            const double right = (a + (b - a) * Exact(k) / Exact(n - 1)).nearest();
+            ASSERT_EQ(divided[static_cast<std::size_t>(k)], right) << range << "/" << n;
+            ASSERT_EQ(testing::read_by_mpfr(sweep.values[static_cast<std::size_t>(k)]), right)
+                << range << ":" << n;
+        }
+        // 40 steps of as many digits, unless the last instant's rounding is a tenth of a step.
+        const std::string step = random.any(0);
+        const Exact s = Exact::of_decimal(step);
+        const double end = (a + s * Exact(40)).nearest();
+        if (std::abs(end) > 1e14 * std::abs(s.nearest())) continue;
+        const std::vector<double> stepped =
+            parse_times(first + ":" + fmt::format("{}", end) + ":" + step);
+        ASSERT_GE(stepped.size(), 40u) << first << " " << step;
+        for (std::size_t k = 0; k < stepped.size(); ++k)
+            ASSERT_EQ(stepped[k], (a + s * Exact(static_cast<std::int64_t>(k))).nearest())
+                << first << " + " << k << " * " << step;
+    }
 }
 
 TEST(SampleTimes, ABadRangeIsRefusedByName) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "cli/program_run.h"
 #include "error/error.h"
@@ -32,6 +33,11 @@ TEST(Sweep, ReadsListsAndRanges) {
     EXPECT_EQ(parse_sweep("a.b=1,2.5,x").values, (Values{"1", "2.5", "x"}));
     EXPECT_EQ(parse_sweep("a=0:1:5").values, (Values{"0", "0.25", "0.5", "0.75", "1"}));
     EXPECT_EQ(parse_sweep("a=0:0.3:4").values, (Values{"0", "0.1", "0.2", "0.3"}));
+    // Each is the double nearest to its exact value, written as short as it can be.
+    EXPECT_EQ(parse_sweep("a=0:1:4").values,
+              (Values{"0", "0.3333333333333333", "0.6666666666666666", "1"}));
+    EXPECT_EQ(parse_sweep("a=4.155289061186346:4.155289061186346:2").values,
+              (Values{"4.155289061186346", "4.155289061186346"}));
     EXPECT_EQ(parse_sweep("a=1:-1:3").values, (Values{"1", "0", "-1"}));
     EXPECT_EQ(parse_sweep("a=[1,2],[3,4]").values, (Values{"[1,2]", "[3,4]"}));
     EXPECT_EQ(parse_sweep("a=\"x,y\",z").values, (Values{"\"x,y\"", "z"}));
@@ -96,9 +102,69 @@ TEST_F(Swept, IsCheckedValueByValue) {
     EXPECT_EQ(words.code, 0) << words.err;
     EXPECT_NE(words.out.find("start.omega_rad_s[0] = 0.3:\n"), std::string::npos) << words.out;
     EXPECT_NE(words.out.find("\n\nstart.omega_rad_s[0] = 0.6:\n"), std::string::npos) << words.out;
-    const ProgramRun json = run("check a.toml -q --json --sweep 'start.omega_rad_s[0]=0.3,0.6'");
-    EXPECT_EQ(json.out.substr(0, 2), "[\n");
+}
+
+// JSON's punctuation outside of strings, so that whole documents can be counted: "[{:,:},{}]".
+std::string skeleton(const std::string& json) {
+    std::string punctuation;
+    bool in_string = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        if (in_string && json[i] == '\\')
+            ++i;
+        else if (json[i] == '"')
+            in_string = !in_string;
+        else if (!in_string && std::string("[]{}").find(json[i]) != std::string::npos)
+            punctuation += json[i];
+    }
+    return in_string ? "a string without an end" : punctuation;
+}
+
+// Whether all brackets close, the last one as the text's only document.
+bool is_one_document(const std::string& json) {
+    const std::string punctuation = skeleton(json);
+    int depth = 0;
+    for (std::size_t i = 0; i < punctuation.size(); ++i) {
+        depth += punctuation[i] == '[' || punctuation[i] == '{' ? 1 : -1;
+        if (depth == 0) return i + 1 == punctuation.size();
+    }
+    return false;
+}
+
+TEST_F(Swept, IsOneDocumentInJSONWhateverIsRefused) {
+    const std::string sweep = "check a.toml -q --json --sweep 'start.omega_rad_s[0]=0.3,";
+    const ProgramRun json = run(sweep + "0.6'");
+    EXPECT_EQ(json.code, 0) << json.err;
+    EXPECT_TRUE(json.out.starts_with("[\n")) << json.out;
+    EXPECT_TRUE(is_one_document(json.out)) << json.out;
     EXPECT_NE(json.out.find("\"start.omega_rad_s[0]\": \"0.6\""), std::string::npos) << json.out;
+    // A value that is refused, first, last or between, takes nothing from the others.
+    const ProgramRun partly = run(sweep + "none,0.6,1e400'");
+    EXPECT_EQ(partly.code, 2);
+    EXPECT_TRUE(is_one_document(partly.out)) << partly.out;
+    EXPECT_EQ(std::count(partly.err.begin(), partly.err.end(), '\n'), 2) << partly.err;
+    std::vector<std::string> lines;
+    std::istringstream text(partly.out);
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    ASSERT_EQ(lines.size(), 6u) << partly.out;
+    const char* values[] = {"0.3", "none", "0.6", "1e400"};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const std::string& line = lines[k + 1];
+        EXPECT_NE(line.find(std::string("[0]\": \"") + values[k] + "\""), std::string::npos)
+            << line;
+        EXPECT_EQ(line.find("\"error\": ") != std::string::npos, k % 2 == 1) << line;
+    }
+    EXPECT_TRUE(is_one_document(run("check a.toml -q --json").out));
+    const ProgramRun refused = run("check a.toml -q --json --set fps=0");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_EQ(refused.out, "");
+    // What can be listed is listed in JSON, too; a manual page is no JSON.
+    const ProgramRun lists = run("list --json");
+    EXPECT_TRUE(is_one_document(lists.out)) << lists.out;
+    EXPECT_NE(lists.out.find("\"schema\""), std::string::npos) << lists.out;
+    EXPECT_TRUE(is_one_document(run("list schema --json").out));
+    EXPECT_EQ(run("list poinsot.1 --json").code, 2);
+    EXPECT_FALSE(is_one_document("{}\n{}\n"));
+    EXPECT_FALSE(is_one_document("[\n{}\n"));
 }
 
 TEST_F(Swept, IsRefusedInASentence) {

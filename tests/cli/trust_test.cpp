@@ -416,6 +416,9 @@ TEST_F(Pictures, ComparedWithoutPortableAreTold) {
     EXPECT_EQ(run("compare a.png b.png --quiet").err, "");
     EXPECT_EQ(run("compare a.png b.png --profile native").err, "");
     EXPECT_EQ(run("compare a.png a.png").err, "");
+    // 0.07/100 in doubles would be 0.0007000000000000001.
+    const ProgramRun capped = run("compare a.png a.png --json --max-differing 0.07%");
+    EXPECT_TRUE(contains(capped.out, "\"differing_share\": 0.0007,")) << capped.out;
 }
 
 TEST_F(Pictures, AreBaselinesOnlyIfPortable) {
