@@ -8,6 +8,7 @@
 #include "cli/options.h"
 #include "production/record.h"
 #include "production/record_fields.h"
+#include "production/redraw.h"
 #include "text/json_text.h"
 #include "text/printable.h"
 #include "text/say.h"
@@ -20,6 +21,7 @@ struct ExplainChoices {
     std::vector<std::string> files;
     bool json = false;
     bool verify = false;
+    bool allow_outside = false;
 };
 
 std::string_view name_of(Verified verified) {
@@ -34,13 +36,16 @@ std::string_view name_of(Verified verified) {
     return "cannot be";
 }
 
-std::string json_of(const Record& record, const std::optional<Verification>& verification) {
+std::string json_of(const Record& record, const std::optional<Verification>& verification,
+                    const std::optional<RedrawCheck>& redraw) {
     JsonObject object;
     object.add("version", record.version);
     for (const RecordField& field : record_fields())
         if (const auto said = field.text_of(record))
             object.json(json_key_of(field), json_of(field, *said));
     if (verification) object.add("verified", name_of(verification->verified));
+    if (redraw) object.add("can_be_drawn_again", redraw->obstacle.empty() ? "yes" : "no");
+    if (redraw && !redraw->obstacle.empty()) object.add("why_not", redraw->obstacle);
     return object.add("scene_toml", record.scene_toml).lines();
 }
 
@@ -54,13 +59,24 @@ void print_text(const Record& record) {
     }
 }
 
+std::string in_words(const RedrawCheck& redraw) {
+    if (redraw.obstacle.empty()) return "; it can be drawn again here";
+    return fmt::format("; it cannot be drawn again here: {}",
+                       printable(redraw.obstacle, most_of_a_message));
+}
+
 int run(const ExplainChoices& choices) {
     const std::filesystem::path file = choices.files.at(0);
     const Record record = read_record(file);
     std::optional<Verification> verification;
     if (choices.verify || is_quickly_verified(file, record)) verification = verify(file, record);
+    const bool is_whole = verification && verification->verified == Verified::yes;
+    std::optional<RedrawCheck> redraw;
+    if (choices.verify && is_whole)
+        redraw = check_redraw({.file = file, .outside = outside_files(choices.allow_outside)},
+                              record, {.say = say});
     if (choices.json)
-        fmt::print("{}", json_of(record, verification));
+        fmt::print("{}", json_of(record, verification, redraw));
     else
         print_text(record);
     const auto named = frame_of_name(file);
@@ -70,8 +86,11 @@ int run(const ExplainChoices& choices) {
     if (!verification) return 0;
     const bool says_no = verification->verified == Verified::no;
     if (says_no || choices.verify)
-        say(fmt::format("{}: {}", printable(file.string()), verification->sentence));
-    return says_no || (choices.verify && verification->verified != Verified::yes) ? 1 : 0;
+        say(fmt::format("{}: {}{}", printable(file.string()), verification->sentence,
+                        redraw ? in_words(*redraw) : ""));
+    if (!redraw) return says_no || choices.verify ? 1 : 0;
+    for (const std::string& note : redraw->notes) say(note);
+    return redraw->obstacle.empty() ? 0 : 1;
 }
 
 CommandLine explain_line(std::any& room) {
@@ -79,8 +98,10 @@ CommandLine explain_line(std::any& room) {
     return {&c.files,
             {json_option(c.json),
              {"--verify",
-              "read all of the file: is it as it was written? tells mistakes, not forgeries",
-              &c.verify}},
+              "read all of the file: is it as it was written, and can it be drawn again here? exit "
+              "code 0 if both; tells mistakes, not forgeries",
+              &c.verify},
+             allow_outside_option(c.allow_outside)},
             [&c] { return run(c); }};
 }
 
@@ -94,6 +115,7 @@ extern const Command explain_command{
     "print how a picture or film was made",
     explain_line,
     {{{"poinsot explain generic.png", "scene, options and versions that made it"},
-      {"poinsot explain generic.mp4 --verify", "is the file as it was written?"}}}};
+      {"poinsot explain generic.mp4 --verify",
+       "is it as it was written, and can it be drawn again?"}}}};
 
 }  // namespace poinsot

@@ -25,7 +25,8 @@ struct PngInfo {
     std::map<std::string, std::string> texts;
     double pixels_per_metre = 0;  // 0: not said, or not square
     int width_px = 0, height_px = 0;
-    int bit_depth = 8;  // of a component: 16, or 8, which stands for less, too
+    int bit_depth = 8;               // of a component: 16, or 8, which stands for less, too
+    std::size_t n_bytes_behind = 0;  // that follow its end
     // By what its samples become colours, in words: "sRGB", which is also what a file means that
     // says nothing; "gamma 1", "an ICC profile (SHA-256 …)".
     std::string colours = "sRGB";

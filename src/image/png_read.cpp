@@ -34,6 +34,7 @@ constexpr std::uintmax_t largest_file_bytes = std::uintmax_t{5} << 28;
 struct Source {
     std::span<const std::uint8_t> file;
     std::size_t position = 0;
+    std::size_t n_bytes_behind = 0;  // of the file, after the picture's end
     std::array<char, 160> message{};
     png_structp png = nullptr;
     png_infop info = nullptr;
@@ -105,6 +106,7 @@ PngInfo info_of(const Source& source) {
     info.height_px = static_cast<int>(png_get_image_height(source.png, source.info));
     info.bit_depth = png_get_bit_depth(source.png, source.info) == 16 ? 16 : 8;
     info.colours = colours_of(source.file);
+    info.n_bytes_behind = source.n_bytes_behind;
     png_textp texts = nullptr;
     int n_texts = 0;
     png_get_text(source.png, source.info, &texts, &n_texts);
@@ -192,8 +194,9 @@ std::string colours_of(std::span<const std::uint8_t> file) {
     return words.empty() ? "sRGB" : words;
 }
 
-// libpng takes memory for a chunk by the length that it claims, before reading it.
-void check_chunks(std::span<const std::uint8_t> file, const std::string& name) {
+// libpng takes memory for a chunk by the length that it claims, before reading it. Returns how many
+// bytes follow the last chunk.
+std::size_t check_chunks(std::span<const std::uint8_t> file, const std::string& name) {
     std::size_t at = 8;
     while (at < file.size()) {
         if (file.size() - at < 12) throw InputError(fmt::format("{} is cut short", name));
@@ -209,9 +212,10 @@ void check_chunks(std::span<const std::uint8_t> file, const std::string& name) {
             throw InputError(fmt::format(
                 "{} is an animation, of which only one picture would be looked at; give a picture",
                 name));
-        if (type == "IEND") return;
         at += 12 + length;
+        if (type == "IEND") break;
     }
+    return file.size() - at;
 }
 
 [[noreturn]] void refuse(const Source& source, const std::string& name) {
@@ -230,7 +234,7 @@ void begin_checked(std::span<const std::uint8_t> file, const std::string& name, 
 void begin(std::span<const std::uint8_t> file, const std::string& name, bool with_pixels,
            Source& source) {
     check_start(file, name, with_pixels);
-    check_chunks(file, name);
+    source.n_bytes_behind = check_chunks(file, name);
     begin_checked(file, name, source);
 }
 
@@ -392,9 +396,9 @@ std::string pixel_check_of(const fs::path& path) {
 PngInfo read_png_info(const fs::path& path) {
     const std::vector<std::uint8_t> file = read_file(path);
     check_start(file, path.string(), false);
-    check_chunks(file, path.string());
-    const std::vector<std::uint8_t> said = without_pixels(file);
     Source source;
+    source.n_bytes_behind = check_chunks(file, path.string());
+    const std::vector<std::uint8_t> said = without_pixels(file);
     begin_checked(said, path.string(), source);
     return info_of(source);
 }

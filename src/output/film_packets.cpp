@@ -90,6 +90,12 @@ class GifReader {
         return hash;
     }
 
+    std::size_t end() {
+        packets();
+        next(1);
+        return at_;
+    }
+
  private:
     static constexpr std::uint8_t extension_byte = 0x21, image_byte = 0x2c, trailer_byte = 0x3b,
                                   comment_label = 0xfe;
@@ -148,6 +154,10 @@ std::string PacketHash::of_film() {
 
 PacketHash gif_packets(std::span<const std::uint8_t> file, const std::string& name) {
     return GifReader(file, name).packets();
+}
+
+std::size_t end_of_gif(std::span<const std::uint8_t> file, const std::string& name) {
+    return GifReader(file, name).end();
 }
 
 std::string packet_hash_of(const fs::path& film) {

@@ -43,4 +43,8 @@ std::string packet_hash_of(const std::filesystem::path& film);
 // trailer. Throws InputError, with the name, for what is no GIF.
 PacketHash gif_packets(std::span<const std::uint8_t> file, const std::string& name);
 
+// The number of bytes up to a GIF's trailer, which is the last of them. Throws as gif_packets does,
+// for one without a trailer, too.
+std::size_t end_of_gif(std::span<const std::uint8_t> file, const std::string& name);
+
 }  // namespace poinsot

@@ -116,7 +116,8 @@ class PngSequenceSink : public FrameSink {
         try {
             PngInfo info;
             const Image image = read_png(frame_name(plan_.path, first_number_ + k), &info);
-            return info.texts == texts_of(plan_, first_number_ + k, image) &&
+            return info.n_bytes_behind == 0 &&
+                   info.texts == texts_of(plan_, first_number_ + k, image) &&
                    image.width() == plan_.width_px && image.height() == plan_.height_px;
         } catch (const Error&) {
             return false;

@@ -8,6 +8,7 @@
 #include "drawing/theme.h"
 #include "error/error.h"
 #include "image/alpha.h"
+#include "image/png.h"
 #include "output/film_parts.h"
 #include "output/frame_name.h"
 #include "output/pipeline.h"
@@ -98,6 +99,14 @@ void note_transparency(const Scene& scene, const OutputFormat& format, const Tel
                 : fmt::format(".{} keeps no transparency, its ground is white", format.name)));
 }
 
+// Frames are drawn whole; a still that is larger is drawn in bands.
+void check_size(const OutputPlan& plan) {
+    if (std::max(plan.width_px, plan.height_px) <= largest_png_side_px) return;
+    throw InputError(fmt::format(
+        "film.size is {}x{}; a frame of a film has at most {} pixels a side, so make it smaller",
+        plan.width_px, plan.height_px, largest_png_side_px));
+}
+
 }  // namespace
 
 FilmJob::FilmJob(const Session& session, FilmRequest request)
@@ -160,6 +169,7 @@ bool FilmJob::take_part(OutputPlan& plan, const Telling& telling) const {
 void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan, const Telling& telling) const {
     const OutputFormat& format = format_for(plan.path);
     at_scene_key(session_->scene, "film.fps", [&] { check_rate(format, plan.rate); });
+    at_scene_key(session_->scene, "film.size", [&] { check_size(plan); });
     // What a format refuses of a plan besides is its size.
     AsyncSink sink(at_scene_key(session_->scene, "film.size", [&] { return format.open(plan); }));
     std::int64_t n_done = 0;

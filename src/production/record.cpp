@@ -10,11 +10,14 @@
 #include "error/error.h"
 #include "image/pixel_check.h"
 #include "image/png.h"
+#include "output/film_end.h"
 #include "output/film_metadata.h"
 #include "output/film_packets.h"
 #include "output/frame_sink.h"
 #include "production/record_fields.h"
 #include "production/vectors/vector_still.h"
+#include "scene/load_scene.h"
+#include "scene/scene_error.h"
 #include "scene/toml_document.h"
 #include "scene/write_scene.h"
 #include "system/file_contents.h"
@@ -100,6 +103,12 @@ void record_context(const ContextInfo& context, bool portable, Record& record) {
     if (!portable) record.processor = processor_capabilities();
     record.renderer = context.renderer;
     record.mesa = mesa_version(context.version);
+}
+
+void record_without_context(Record& record) {
+    record.portable = true;
+    record.renderer = "vectors";
+    record.mesa = "none";
 }
 
 Record record_of(const Session& session, const PictureMaker& pictures, bool portable) {
@@ -248,6 +257,39 @@ Record read_record(const std::filesystem::path& file) {
     return parse_record(text, file.string());
 }
 
+Scene scene_of(const Record& record, OutsideFiles outside) {
+    try {
+        return parse_scene(record.scene_toml, record.scene_name + ".toml", {}, outside);
+    } catch (const SceneFileError&) {
+        throw;
+    } catch (const SceneError& error) {
+        throw InputError(fmt::format("its scene cannot be read again: {}", error.what()));
+    }
+}
+
+std::string fault_of_scene(const Record& record) {
+    try {
+        scene_of(record, OutsideFiles::refused);
+    } catch (const SceneFileError&) {
+        // Another matter.
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+namespace {
+
+// What was appended to a file, in words; empty for nothing.
+std::string bytes_behind(std::uintmax_t n_bytes) {
+    if (n_bytes == 0) return "";
+    return fmt::format("{} follow{} its end",
+                       n_bytes == 1 ? "a byte" : fmt::format("{} bytes", n_bytes),
+                       n_bytes == 1 ? "s" : "");
+}
+
+}  // namespace
+
 Verification verify(const std::filesystem::path& file, const Record& record) {
     const bool is_picture = suffix_of(file) == ".png";
     const bool is_page = is_vector_name(file);
@@ -256,21 +298,35 @@ Verification verify(const std::filesystem::path& file, const Record& record) {
         return {Verified::cannot_be,
                 "its record holds no hash, as those of older versions do not: cannot be verified"};
     bool same = false;
+    std::string behind;
     if (is_page) {
-        same = read_vector_text(file).page_hash == then;
+        const VectorText page = read_vector_text(file);
+        same = page.page_hash == then;
+        if (!page.is_last) behind = "something was appended to its end";
     } else if (is_picture) {
         const PngInfo info = read_png_info(file);
         same = info.width_px == record.width_px && info.height_px == record.height_px &&
                pixel_check_of(file) == then;
+        behind = bytes_behind(info.n_bytes_behind);
     } else {
         same = packet_hash_of(file) == then;
+        const auto end = same ? end_of_film(file) : std::nullopt;
+        if (same && !end)
+            return {Verified::cannot_be,
+                    "its pictures are those that its record was written with, but its container "
+                    "does not say where it ends: cannot be verified"};
+        const std::uintmax_t n_bytes = std::filesystem::file_size(file);
+        if (same && *end > n_bytes) behind = "its end is missing";
+        if (same && *end < n_bytes) behind = bytes_behind(n_bytes - *end);
     }
+    if (same && !behind.empty())
+        return {Verified::no, fmt::format("{}; it was changed since it was written", behind)};
     if (same) return {Verified::yes, "as it was written, record and pictures"};
     return {Verified::no,
-            fmt::format("its {} not those that its record was written with; it was changed since",
-                        is_page      ? "page is"
-                        : is_picture ? "pixels are"
-                                     : "pictures are")};
+            fmt::format("its {} that its record was written with; it was changed since",
+                        is_page      ? "page is not the one"
+                        : is_picture ? "pixels are not those"
+                                     : "pictures are not those")};
 }
 
 bool is_quickly_verified(const std::filesystem::path& file, const Record& record) {

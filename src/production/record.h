@@ -62,6 +62,8 @@ Record record_of(const Session& session, const Stage& stage, const std::string& 
 
 // Puts in what drew the pixels.
 void record_context(const ContextInfo& context, bool portable, Record& record);
+// The same of vectors without pixels, which no renderer but this program has a part in.
+void record_without_context(Record& record);
 
 // The record of pictures of a session, without time or frames.
 Record record_of(const Session& session, const PictureMaker& pictures, bool portable);
@@ -84,7 +86,16 @@ Record parse_record(std::string_view text, const std::string& name);
 // or carries none.
 Record read_record(const std::filesystem::path& file);
 
-// Whether a file's pixels, or packets, are those that its record was written with.
+// Its scene, read as a file of its name in this folder would be. Throws InputError where the text
+// is no scene of this program, SceneFileError where a file that it names cannot be used.
+Scene scene_of(const Record& record, OutsideFiles outside);
+
+// Why that text is no scene of this program, in a line; empty where it is one, whether the files
+// that it names are here or not.
+std::string fault_of_scene(const Record& record);
+
+// Whether a file's pixels, or packets, are those that its record was written with, and nothing was
+// appended to it.
 enum class Verified { yes, no, cannot_be };
 struct Verification {
     Verified verified = Verified::cannot_be;

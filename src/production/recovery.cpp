@@ -11,16 +11,13 @@
 #include "production/beside/subtitles.h"
 #include "production/parts/jobs.h"
 #include "production/session.h"
-#include "scene/load_scene.h"
 #include "text/printable.h"
 
 namespace poinsot {
 
 void write_what_lies_beside(const std::filesystem::path& path, const Record& record,
                             const Telling& telling) {
-    // The record's scene is read as a file of its name in this folder would be.
-    Scene scene =
-        parse_scene(record.scene_toml, record.scene_name + ".toml", {}, OutsideFiles::refused);
+    Scene scene = scene_of(record, OutsideFiles::refused);
     if ((scene.chapters.empty() && scene.captions.empty()) || !record.frames) {
         remove_stale_chapters(path);
         if (!has_frame_number(path)) write_subtitles(path, {});

@@ -24,40 +24,58 @@ namespace poinsot {
 namespace {
 
 // What keeps this machine from drawing as the one that made the file, in words for the user.
-void note_differences(const Record& then, const Record& now, const Telling& telling) {
+std::vector<std::string> differences(const Record& then, const Record& now) {
+    std::vector<std::string> notes;
     const auto note = [&](std::string_view what, const std::string& was, const std::string& is) {
         if (was == is) return;
-        telling.say(fmt::format("note: made with {} {}, this is {}: the bytes may differ", what,
-                                printable(was), printable(is)));
+        notes.push_back(fmt::format("note: made with {} {}, this is {}: the bytes may differ", what,
+                                    printable(was), printable(is)));
     };
     note("poinsot", then.version, now.version);
     note("the renderer", then.renderer, now.renderer);
     if (!then.processor.empty()) note("the processor", then.processor, now.processor);
     note("Mesa", then.mesa, now.mesa);
     note("the fonts", then.fonts, now.fonts);
+    return notes;
 }
 
-// One frame of a sequence carries the record of the whole, whose histories it shows.
-void redraw_frame(const RedrawRequest& request, const Record& record, const Session& session,
-                  Easel& easel) {
-    // A picture of an older poinsot does not say which of the frames it is.
-    const auto frame = record.frame ? record.frame : frame_of_name(request.file);
+void refuse_sheet(const std::filesystem::path& file, const Record& record) {
+    if (record.sheet.empty()) return;
+    throw InputError(fmt::format(
+        "{}: is a sheet of many pictures, whose record holds the scene of the first and the values "
+        "of all; draw it again by still --sweep --sheet, with what explain prints",
+        printable(file.string())));
+}
+
+// Which frame of its sequence a picture is. One of an older poinsot does not say it itself.
+std::int64_t frame_of_picture(const std::filesystem::path& file, const Record& record) {
+    const auto frame = record.frame ? record.frame : frame_of_name(file);
     const auto [first, last] = *record.frames;
     if (!frame || *frame < first || *frame > last)
         throw InputError(fmt::format(
             "{}: is one of the frames {}-{} of a sequence, and its name does not say which; let "
             "the name end in the frame's number",
-            printable(request.file.string()), first, last));
+            printable(file.string()), first, last));
+    return *frame;
+}
+
+// What the histories of a film's frames span.
+PictureSpan span_of(const FilmPlan& film, const Record& record) {
+    return {.first_time_s = film.time_of(0), .last_time_s = film.time_of(record.frames->second)};
+}
+
+// One frame of a sequence carries the record of the whole, whose histories it shows.
+void redraw_frame(const RedrawRequest& request, const Record& record, const Session& session,
+                  Easel& easel) {
+    const std::int64_t frame = frame_of_picture(request.file, record);
     const FilmPlan film = film_plan(session);
-    PictureMaker pictures(session, easel,
-                          {.first_time_s = film.time_of(0), .last_time_s = film.time_of(last)});
+    PictureMaker pictures(session, easel, span_of(film, record));
     Image image;
-    pictures.draw(film.moment_of(*frame), image);
+    pictures.draw(film.moment_of(frame), image);
     Record again = record_of(session, pictures, easel.is_portable());
     again.frames = record.frames;
     PngOptions png;
-    png.texts[metadata_name] =
-        told(to_text(again), {.frame = *frame, .pixels = pixel_check(image)});
+    png.texts[metadata_name] = told(to_text(again), {.frame = frame, .pixels = pixel_check(image)});
     write_png(request.output, image, png);
 }
 
@@ -74,16 +92,25 @@ RedrawRequest with_its_names(RedrawRequest request, const Record& record) {
     return request;
 }
 
-// The record's scene, read as a file of its name in this folder would be.
-Scene scene_of(const RedrawRequest& request, const Record& record) {
-    Scene scene = parse_scene(record.scene_toml, record.scene_name + ".toml", {}, request.outside);
+// The session of the record's scene, whose meshes and pictures are those that it was drawn with.
+Session session_of_record(const RedrawRequest& request, const Record& record,
+                          const Telling& telling) {
+    Scene scene = scene_of(record, request.outside);
     scene.notes.clear();
-    if (mesh_hash_of(scene) == record.mesh_hash) return scene;
-    std::string files = scene.body.mesh.empty() ? scene.object.mesh : scene.body.mesh;
-    for (const FacePictureSpec& picture : scene.object.pictures)
-        files += (files.empty() ? "" : ", ") + picture.file;
-    throw InputError(fmt::format("{}: {} is not what it was drawn with; put that back",
-                                 printable(request.file.string()), printable(files)));
+    if (mesh_hash_of(scene) != record.mesh_hash) {
+        std::string files = scene.body.mesh.empty() ? scene.object.mesh : scene.body.mesh;
+        for (const FacePictureSpec& picture : scene.object.pictures)
+            files += (files.empty() ? "" : ", ") + picture.file;
+        throw InputError(
+            fmt::format("{} is not what it was drawn with; put that back", printable(files)));
+    }
+    const double time_s = record.time_s.value_or(0.0);
+    return session_of(std::move(scene), {&time_s, 1}, telling);
+}
+
+ContextChoice context_for(const RedrawRequest& request, const Record& record) {
+    return {.backend = request.backend,
+            .portability = record.portable ? Portability::portable : Portability::native};
 }
 
 StillRequest still_request_of(const RedrawRequest& request, const Record& record) {
@@ -97,15 +124,50 @@ StillRequest still_request_of(const RedrawRequest& request, const Record& record
     return still;
 }
 
+// The record that the file would have if it were drawn again, but for what is known only then.
+Record record_to_come(const RedrawRequest& request, const Record& record, const Telling& telling) {
+    refuse_sheet(request.file, record);
+    Session session = session_of_record(request, record, telling);
+    StillRequest still = still_request_of(request, record);
+    still.output = request.file.string();
+    Record now;
+    if (record.time_s) {
+        now = StillJob(std::move(session), still).record();
+    } else {
+        if (suffix_of(request.file) == ".png") frame_of_picture(request.file, record);
+        const FilmJob film(session, {.frames = record.run ? record.run : record.frames});
+        const Staging staging(session, span_of(film.film(), record), PrintChoices{});
+        now = record_of(session, staging.stage, "");
+    }
+    if (is_vector_name(request.file) && !has_pixels(still.vectors)) {
+        record_without_context(now);
+    } else {
+        Easel easel(context_for(request, record));
+        record_context(easel.context().info(), easel.is_portable(), now);
+    }
+    return now;
+}
+
 }  // namespace
+
+RedrawCheck check_redraw(const RedrawRequest& request, const Record& record,
+                         const Telling& telling) {
+    try {
+        const Record now = record_to_come(request, record, telling);
+        if (now.version == record.version && now.scene_toml != record.scene_toml)
+            return {"its scene is read as another than it was written", {}};
+        return {"", differences(record, now)};
+    } catch (const Error& error) {
+        // What is said of the file has its name before it already.
+        std::string what = error.what();
+        const std::string name = printable(request.file.string()) + ": ";
+        return {what.starts_with(name) ? what.substr(name.size()) : what, {}};
+    }
+}
 
 void redraw(const RedrawRequest& asked, const Telling& telling) {
     const Record record = read_record(asked.file);
-    if (!record.sheet.empty())
-        throw InputError(fmt::format(
-            "{}: is a sheet of many pictures, whose record holds the scene of the first and the "
-            "values of all; draw it again by still --sweep --sheet, with what explain prints",
-            printable(asked.file.string())));
+    refuse_sheet(asked.file, record);
     const RedrawRequest request = with_its_names(asked, record);
     const bool is_picture = suffix_of(request.file) == ".png";
     const bool is_page = is_vector_name(request.file);
@@ -118,10 +180,16 @@ void redraw(const RedrawRequest& asked, const Telling& telling) {
                                      : is_picture ? "in .png"
                                                   : "in .mp4, .webm or .gif"));
 
-    const double time_s = record.time_s.value_or(0.0);
-    Session session = session_of(scene_of(request, record), {&time_s, 1}, telling);
-    Easel easel({.backend = request.backend,
-                 .portability = record.portable ? Portability::portable : Portability::native});
+    Session session = [&] {
+        try {
+            return session_of_record(request, record, telling);
+        } catch (const SceneError&) {
+            throw;
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}: {}", printable(request.file.string()), error.what()));
+        }
+    }();
+    Easel easel(context_for(request, record));
     if (record.time_s) {
         StillWriter writer;
         StillJob(std::move(session), still_request_of(request, record))
@@ -136,7 +204,8 @@ void redraw(const RedrawRequest& asked, const Telling& telling) {
         if (record.run) film.n_shown = last - first + 1;
         FilmJob(session, film).make(easel, telling);
     }
-    note_differences(record, read_record(request.output), telling);
+    for (const std::string& note : differences(record, read_record(request.output)))
+        telling.say(note);
 }
 
 }  // namespace poinsot

@@ -113,6 +113,11 @@ std::int64_t StillJob::n_pixels() const {
     return std::int64_t{session_.scene.film.width_px} * session_.scene.film.height_px;
 }
 
+Record StillJob::record() const {
+    return record_of(session_, staging_.stage,
+                     in_words(staging_.bound, session_.accuracy.asked_px));
+}
+
 void StillJob::draw_vectors(OutputPlace place, Record record, Easel& easel,
                             const Telling& telling) {
     record.time_s = moment_.time_s;
@@ -126,10 +131,7 @@ void StillJob::draw_vectors(OutputPlace place, Record record, Easel& easel,
         record_context(easel.context().info(), easel.is_portable(), record);
         draw_pixels = [&easel](const Drawing& drawing) { return pixels_of(drawing, easel); };
     } else {
-        // The same on every machine: no renderer but this one has a part in it.
-        record.portable = true;
-        record.renderer = "vectors";
-        record.mesa = "none";
+        record_without_context(record);
     }
     const double dpi = record.dpi.value_or(default_dpi);
     const VectorStill still = vector_still(place.path(), staging_.stage, moment_, request_.vectors,
@@ -158,8 +160,7 @@ void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
     tell_type_notes(staging_.stage, telling);
     OutputPlace place(request_.output, scene, ".png");
     if (is_vector_name(request_.output)) {
-        const std::string bounds = in_words(staging_.bound, session_.accuracy.asked_px);
-        draw_vectors(std::move(place), record_of(session_, staging_.stage, bounds), easel, telling);
+        draw_vectors(std::move(place), record(), easel, telling);
         return;
     }
     PictureMaker pictures(std::move(staging_), easel);

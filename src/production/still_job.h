@@ -37,6 +37,9 @@ class StillJob {
     bool opens_context() const {
         return !is_vector_name(request_.output) || has_pixels(request_.vectors);
     }
+    // What its record says, but for what draws it and for the instant.
+    Record record() const;
+
     // Draws it; the writer may still have it in hand. Throws InputError, EnvironmentError, and what
     // the writer throws of an earlier one.
     void draw(Easel& easel, StillWriter& writer, const Telling& telling);

@@ -88,6 +88,9 @@ Candidate candidate_for(const std::string& name, const ApprovalRequest& request,
         throw InputError(fmt::format(
             "{}: drawn for this processor alone; draw it with --portable, or say --any-renderer",
             printable(candidate.file.string())));
+    if (const std::string fault = fault_of_scene(record); !fault.empty())
+        throw InputError(
+            fmt::format("{}: {}; draw it again", printable(candidate.file.string()), fault));
     const Verification verification = verify(candidate.file, record);
     if (verification.verified == Verified::no)
         throw InputError(fmt::format("{}: {}; draw it again", printable(candidate.file.string()),

@@ -125,9 +125,10 @@ void complete_body(SceneDraft& draft) {
         body.inertia = at_scene_key(scene, "body.tensor_kg_m2", [&] {
             return InertiaTensor::from_matrix(*draft.tensor_kg_m2, physicality);
         });
-        // The average of two doubles that are equal is that double, bit for bit.
+        // Halves of the least doubles are rounded, so equal elements are kept as they are.
         const Eigen::Matrix3d& tensor = *draft.tensor_kg_m2;
-        body.tensor_kg_m2 = 0.5 * tensor + 0.5 * tensor.transpose();
+        body.tensor_kg_m2 = tensor.binaryExpr(
+            tensor.transpose(), [](double x, double y) { return x == y ? x : 0.5 * x + 0.5 * y; });
     } else if (draft.has("body.masses")) {
         complete_masses(draft);
     } else if (draft.has("body.object")) {

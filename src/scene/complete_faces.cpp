@@ -90,8 +90,8 @@ void complete_picture(SceneDraft& draft, std::size_t number) {
                fmt::format("{}.up = \"{}\" points through the face {}; give a direction along it",
                            item, picture.up, picture.face));
     const fs::path file = file_named(draft, item + ".file", picture.file);
-    picture.image = at_scene_key(scene, item + ".file",
-                                 [&] { return picture_in(file, printable(picture.file)); });
+    picture.image = at_file_key(scene, item + ".file",
+                                [&] { return picture_in(file, printable(picture.file)); });
 }
 
 }  // namespace

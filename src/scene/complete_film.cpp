@@ -239,7 +239,8 @@ void complete_camera(SceneDraft& draft) {
     if (!draft.has("camera.elevation_deg")) camera.elevation_deg = view.elevation_deg;
     if (!draft.has("camera.distance")) camera.distance = view.distance;
     if (!draft.has("camera.field_deg")) camera.field_deg = view.field_deg;
-    if (!draft.has("camera.look_at")) camera.look_at = view.look_at;
+    // Of a target and a view's aim the target is what the scene says.
+    if (!draft.has("camera.look_at") && !camera.target) camera.look_at = view.look_at;
 }
 
 void complete_timeline(SceneDraft& draft) {

@@ -37,7 +37,7 @@ Thing thing_named(std::string_view name) {
 // The solid in a file, of unit density; what was mended on the way is noted.
 Thing thing_in_file(SceneDraft& draft, const std::string& key, const std::string& name) {
     SolidMesh solid =
-        at_scene_key(draft.scene, key, [&] { return read_solid(file_named(draft, key, name)); });
+        at_file_key(draft.scene, key, [&] { return read_solid(file_named(draft, key, name)); });
     for (const std::string& note : solid.notes) {
         draft.scene.notes.push_back(fmt::format("{}: {}: {}", key, name, note));
     }
@@ -119,8 +119,8 @@ fs::path file_named(const SceneDraft& draft, const std::string& key, const std::
         std::mismatch(true_folder.begin(), true_folder.end(), true_file.begin(), true_file.end());
     if (failed || name.empty() || end_of_folder != true_folder.end() ||
         fs::path(name).is_absolute()) {
-        refuse(
-            draft.scene, key,
+        throw SceneFileError(
+            draft.scene.location_of(key),
             fmt::format("{} = \"{}\" does not lie in the scene's folder; move it there, or trust "
                         "the scene and say --allow-outside",
                         key, printable(name)));

@@ -124,7 +124,8 @@ void check_motion(const SceneDraft& draft) {
 
 // [grid] and [[panels]]
 
-// A grid that was not given has as many equal cells as the panels reach.
+// A grid that was not given has as many equal cells as the panels reach, and no more than one that
+// is given may have.
 void complete_grid(SceneDraft& draft) {
     Scene& scene = draft.scene;
     const auto extend = [&](const std::string& key, std::vector<double>& sizes, int PanelSpec::*at,
@@ -137,6 +138,13 @@ void complete_grid(SceneDraft& draft) {
                        fmt::format("panels[{}] reaches to cell {} of {}, which has {}; move it or "
                                    "extend the grid",
                                    i, end, key, sizes.size()));
+            }
+            if (end > most_cells) {
+                refuse(
+                    scene, fmt::format("panels[{}]", i),
+                    fmt::format("panels[{}] reaches to cell {} of {}, and a grid has at most {}; "
+                                "move it or let it span fewer",
+                                i, end, key, most_cells));
             }
             sizes.resize(static_cast<std::size_t>(end), 1.0);
         }

@@ -58,7 +58,7 @@ void complete_style(SceneDraft& draft) {
     Scene& scene = draft.scene;
     if (!scene.theme.ends_with(".toml")) return;
     const fs::path file = theme_file(draft);
-    const std::string text = at_scene_key(scene, "theme", [&] { return text_of_file(file); });
+    const std::string text = at_file_key(scene, "theme", [&] { return text_of_file(file); });
     SceneDraft theme;
     theme.scene.theme = "light";
     read_theme(parse_toml(text, file.string()), theme);

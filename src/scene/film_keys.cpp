@@ -19,7 +19,7 @@ namespace {
 
 using std::size_t;
 
-constexpr int most_pixels = 16384;  // largest framebuffer
+constexpr int most_pixels = 65536;  // of the largest still, which is drawn in bands
 
 void read_loop(const GivenValue& given, SceneDraft& draft) {
     draft.scene.film.loop = given.text();
@@ -117,7 +117,8 @@ const SceneKey film_rows[] = {
          return s.film.fps_denominator == 1 ? rate : toml_text(std::string_view(rate));
      }},
     {"film.size", "two integers or a string", "pixels", "[1920, 1080]",
-     "width and height of the picture, from 1 to 16384, also \"1920x1080\"; default 1920x1080",
+     "width and height of the picture, from 1 to 65536 (a film: 16384), also \"1920x1080\"; "
+     "default 1920x1080",
      read_size,
      [](const Scene& s, size_t) {
          return fmt::format("[{}, {}]", s.film.width_px, s.film.height_px);

@@ -1,5 +1,6 @@
 // Keys of the motion: how it starts, what torque acts, and by which method it is computed.
 #include <array>
+#include <cstring>
 #include <numbers>
 #include <string_view>
 #include <variant>
@@ -32,8 +33,11 @@ std::string torque_text(const Scene& scene, Value Kind::*value) {
 
 std::string attitude_text(const Scene& scene) {
     const Eigen::Quaterniond& q = scene.start.space_from_body;
-    if (scene.start.top || q.coeffs() == Eigen::Quaterniond::Identity().coeffs()) return "";
-    return toml_text(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()));
+    const Eigen::Vector4d attitude(q.w(), q.x(), q.y(), q.z());
+    // By its bits: a component of −0 is not that of the default.
+    constexpr std::array<double, 4> by_default{1.0, 0.0, 0.0, 0.0};
+    const bool is_default = std::memcmp(attitude.data(), by_default.data(), sizeof by_default) == 0;
+    return scene.start.top || is_default ? "" : toml_text(attitude);
 }
 
 // What is read of the second method; the first key of it makes it.

@@ -19,8 +19,6 @@ namespace {
 
 using std::size_t;
 
-constexpr int most_cells = 64;  // columns or rows of a grid
-
 int cell(const GivenValue& given, int least) { return given.integer_between(least, most_cells); }
 
 std::vector<double> grid_sizes(const GivenValue& given) {

@@ -210,6 +210,9 @@ struct PanelSpec {
     PanelCameraSpec camera;
 };
 
+// Columns or rows of a grid.
+inline constexpr int most_cells = 64;
+
 // [grid]: relative widths of the columns and heights of the rows.
 struct GridSpec {
     std::vector<double> columns{1.0};

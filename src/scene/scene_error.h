@@ -22,6 +22,12 @@ class SceneError : public InputError {
     SourceLocation where_;
 };
 
+// What is thrown where a file that a scene names cannot be used: the scene itself may be right.
+class SceneFileError : public SceneError {
+ public:
+    using SceneError::SceneError;
+};
+
 // Calls what may throw an InputError without a place: what it refuses is wrong at this key.
 template <typename Call>
 decltype(auto) at_scene_key(const Scene& scene, const std::string& key, Call call) {
@@ -31,6 +37,18 @@ decltype(auto) at_scene_key(const Scene& scene, const std::string& key, Call cal
         throw;
     } catch (const InputError& error) {
         throw SceneError(scene.location_of(key), error.what());
+    }
+}
+
+// The same where a file is read that the key names.
+template <typename Call>
+decltype(auto) at_file_key(const Scene& scene, const std::string& key, Call call) {
+    try {
+        return call();
+    } catch (const SceneFileError&) {
+        throw;
+    } catch (const InputError& error) {
+        throw SceneFileError(scene.location_of(key), error.what());
     }
 }
 

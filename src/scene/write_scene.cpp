@@ -2,39 +2,64 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
 #include "scene/scene_keys.h"
 
 namespace poinsot {
 
+namespace {
+
+// Lines by their table, the tables in the order in which they come up. In TOML a line belongs to
+// the header above it, so whatever the order of the rows, those of `first`, which has no header
+// here, stand before all others, and each table has one header.
+class Tables {
+ public:
+    explicit Tables(std::string_view first) { tables_.emplace_back(first, ""); }
+
+    void add(const SceneKey& key, const std::string& value) {
+        auto table = std::find_if(tables_.begin(), tables_.end(),
+                                  [&key](const auto& known) { return known.first == key.table(); });
+        if (table == tables_.end()) table = tables_.emplace(table, key.table(), "");
+        table->second += fmt::format("{} = {}\n", key.leaf(), value);
+    }
+
+    std::string text() const {
+        std::string text = tables_.front().second;
+        for (auto table = tables_.begin() + 1; table != tables_.end(); ++table)
+            text += fmt::format("\n{}\n{}", written_table(table->first), table->second);
+        return text;
+    }
+
+ private:
+    std::vector<std::pair<std::string_view, std::string>> tables_;
+};
+
+}  // namespace
+
 std::string to_toml(const Scene& scene) {
-    std::string text;
-    std::string_view table;
+    Tables tables("");
     for (const SceneKey& key : scene_keys()) {
         // Arrays of tables follow below their table.
         if (key.path.find("[]") != std::string_view::npos) continue;
         const std::string value = key.write(scene, 0);
-        if (value.empty()) continue;
-        if (key.table() != table) {
-            table = key.table();
-            text += fmt::format("\n[{}]\n", table);
-        }
-        text += fmt::format("{} = {}\n", key.leaf(), value);
+        if (!value.empty()) tables.add(key, value);
     }
+    std::string text = tables.text();
     for (const SceneArray& array : scene_arrays()) {
         const std::string items = fmt::format("{}[]", array.path);  // "panels[]"
         for (std::size_t i = 0; i < array.n_items(scene); ++i) {
-            text += fmt::format("\n[[{}]]\n", array.path);
-            table = items;
+            Tables item(items);
             for (const SceneKey& key : scene_keys()) {
-                if (!key.path.starts_with(items)) continue;
-                const std::string value = key.write(scene, i);
-                if (value.empty()) continue;
-                if (key.table() != table) {
-                    table = key.table();
-                    text += fmt::format("\n{}\n", written_table(table));
-                }
-                text += fmt::format("{} = {}\n", key.leaf(), value);
+                const bool is_of_item =
+                    key.table() == items || key.table().starts_with(items + ".");
+                const std::string value = is_of_item ? key.write(scene, i) : "";
+                if (!value.empty()) item.add(key, value);
             }
+            text += fmt::format("\n[[{}]]\n{}", array.path, item.text());
         }
     }
     return text;

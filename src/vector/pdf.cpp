@@ -463,7 +463,8 @@ PdfText pdf_text(std::string_view pdf, std::string_view name) {
     if (at == std::string_view::npos) return {};
     PdfText found;
     found.before = pdf.substr(0, pdf.rfind('\n', at) + 1);
-    for (std::size_t k = at + opening.size(); k < pdf.size() && pdf[k] != ')'; ++k) {
+    std::size_t k = at + opening.size();
+    for (; k < pdf.size() && pdf[k] != ')'; ++k) {
         if (pdf[k] == '\\' && k + 1 < pdf.size()) {
             ++k;
             found.text += pdf[k] == 'r' ? '\r' : pdf[k];
@@ -471,6 +472,9 @@ PdfText pdf_text(std::string_view pdf, std::string_view name) {
             found.text += pdf[k];
         }
     }
+    constexpr std::string_view last_line = "%%EOF\n";
+    const std::size_t end = pdf.find(last_line, k);
+    found.is_last = end != std::string_view::npos && end + last_line.size() == pdf.size();
     return found;
 }
 

@@ -24,6 +24,7 @@ std::string with_pdf_text(std::string pdf, std::string_view title, std::string_v
 struct PdfText {
     std::string text;
     std::string_view before;
+    bool is_last = true;  // nothing was added after it
 };
 PdfText pdf_text(std::string_view pdf, std::string_view name);
 

@@ -252,9 +252,12 @@ void interrupt_render(const ScratchFolder& folder, const std::string& scene,
     ASSERT_NE(std::system(script.c_str()), 0);
 }
 
+// They come from the scene in the film's record, which is read again: here one with symbols and
+// with keys of no table, whose rows stand behind those.
 TEST(Recover, WritesTheChaptersThatAreThere) {
     const ScratchFolder folder;
-    folder.write("scene.toml", racket +
+    folder.write("scene.toml", "labels = false\nunlabelled = [\"omega\"]\n" + racket +
+                                   "[symbols]\nomega = \"w\"\n"
                                    "[[chapters]]\nat_s = 0\ntitle = \"One\"\n"
                                    "[[chapters]]\nat_s = 3\ntitle = \"Two\"\n"
                                    "[[chapters]]\nat_s = 50\ntitle = \"Three\"\n");

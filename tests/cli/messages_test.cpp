@@ -149,6 +149,8 @@ TEST_F(Messages, AGifGoesThroughAPipe) {
 }
 
 TEST_F(Messages, ASuffixThatIsNotWrittenNamesTheNearestWay) {
+    refuses("render scene.toml --size 20000x100 -o a.mp4", 2,
+            {"film.size is 20000x100", "at most 16384 pixels a side"});
     refuses("render scene.toml -o a.mov", 2, {"\".mov\"", "write .mp4", "ffmpeg -i film.mp4"});
     refuses("render scene.toml -o a.mpg4", 2, {"did you mean \".mp4\"?"});
     refuses("render scene.toml -o a.avi", 2, {"write .mp4"});

@@ -13,6 +13,7 @@
 #include "image/png.h"
 #include "image/png_bands.h"
 #include "places.h"
+#include "system/sha256.h"
 
 namespace poinsot::testing::trust_tests {
 namespace {
@@ -240,6 +241,153 @@ TEST_F(Pictures, SayWhetherTheyAreThoseThatWereDrawn) {
     film[film.size() - 20] = static_cast<char>(film[film.size() - 20] ^ 1);
     std::ofstream(folder_.path() / "a.mp4", std::ios::binary) << film;
     EXPECT_EQ(run("explain a.mp4").code, 1);
+}
+
+// What players, browsers and demuxers pass over is seen.
+TEST_F(Pictures, WithBytesBehindTheirEndAreNotAsTheyWereWritten) {
+    for (const std::string name : {"a.png", "a.pdf", "a.svg", "a.mp4", "a.webm", "a.gif"}) {
+        const bool is_still = name == "a.png" || name == "a.pdf" || name == "a.svg";
+        ASSERT_EQ(
+            run((is_still ? "still" : "render") + std::string(" scene.toml -q -o ") + name).code,
+            0);
+        ASSERT_EQ(run("explain --verify " + name).code, 0) << name;
+        const std::string whole = text_of(folder_.path() / name);
+        const std::string box("\0\0\0\x10mdatjunkjunk", 16), padding(
+                                                                 "\0\0\0\x0c"
+                                                                 "freejunk",
+                                                                 12);
+        for (const std::string& more :
+             {std::string("x"), std::string("\n"), std::string(1000, '\0'), std::string("%%EOF\n"),
+              box, padding, whole}) {
+            folder_.write(name, whole + more);
+            const ProgramRun verified = run("explain --verify " + name);
+            EXPECT_EQ(verified.code, 1) << name << " with " << more.size() << " bytes behind it";
+            EXPECT_TRUE(is_one_line(verified.err)) << verified.err;
+            EXPECT_EQ(run("explain " + name).code, 1) << name;
+        }
+        folder_.write(name, whole);
+        EXPECT_EQ(run("explain --verify " + name).code, 0) << name;
+    }
+    // Such a picture is no baseline, and no frame that another run goes on from.
+    draw("new/a.png", "--portable --time 0.3");
+    std::ofstream(folder_.path() / "new/a.png", std::ios::binary | std::ios::app) << "junk";
+    EXPECT_EQ(approve("a").code, 2);
+    ASSERT_EQ(run("render scene.toml -q --frames 2-4 -o f_##.png").code, 0);
+    const std::string third = text_of(folder_.path() / "f_03.png");
+    std::ofstream(folder_.path() / "f_03.png", std::ios::binary | std::ios::app) << "junk";
+    ASSERT_EQ(run("render scene.toml -q --frames 2-4 -o f_##.png").code, 0);
+    EXPECT_TRUE(text_of(folder_.path() / "f_03.png") == third);
+}
+
+const std::string with_symbols = R"(
+title = "Renamed"
+show = ["plane", "ellipsoid", "omega"]
+labels = true
+unlabelled = ["omega"]
+[symbols]
+omega = '\Omega'
+[body]
+moments_kg_m2 = [3.0, 2.0, 1.0]
+[start]
+omega_rad_s = [0.01, 2.0, 0.01]
+[film]
+size = [128, 72]
+length_s = 0.5
+[[chapters]]
+at_s = 0.0
+title = "First"
+[[chapters]]
+at_s = 0.2
+title = "Second"
+)";
+
+// Symbols are a table, and keys of no table were once written behind them.
+TEST_F(Pictures, OfScenesWithSymbolsAreMadeAgain) {
+    folder_.write("scene.toml", with_symbols);
+    for (const std::string name : {"a.png", "a.pdf", "a.svg", "a.mp4", "a_##.png"}) {
+        const bool is_film = name == "a.mp4" || name == "a_##.png";
+        const std::string file = name == "a_##.png" ? "a_07.png" : name;
+        const std::string again = "again_07" + fs::path(file).extension().string();
+        ASSERT_EQ(
+            run((is_film ? "render" : "still") + std::string(" scene.toml -q -o ") + name).code, 0);
+        const ProgramRun verified = run("explain --verify " + file);
+        EXPECT_EQ(verified.code, 0) << verified.err;
+        EXPECT_TRUE(is_one_line(verified.err) && contains(verified.err, "can be drawn again here"));
+        const ProgramRun drawn = run("rerender -q " + file + " -o " + again);
+        ASSERT_EQ(drawn.code, 0) << drawn.err;
+        EXPECT_TRUE(text_of(folder_.path() / file) == text_of(folder_.path() / again)) << file;
+        fs::remove(folder_.path() / again);
+    }
+}
+
+// A record with another scene and hashes that fit, as a program with that fault would write it.
+void write_with_scene(const fs::path& file, const std::string& words, const std::string& others) {
+    retell(file, [&](std::string& text) {
+        replace(text, words, others);
+        const auto set = [&text](const std::string& key, const std::string& value) {
+            const std::size_t at = text.find("\n" + key + ": ") + 1;
+            text.replace(at, text.find('\n', at) - at, key + ": " + value);
+        };
+        set("scene-sha256", sha256_of(text.substr(text.find("\n\n") + 2)));
+        const std::size_t seal = text.find("\nrecord-sha256: ") + 1;
+        std::string rest = text;
+        rest.erase(seal, text.find('\n', seal) + 1 - seal);
+        set("record-sha256", sha256_of(rest));
+    });
+}
+
+// What nothing can be drawn again from is said, and is no baseline.
+TEST_F(Pictures, SayWhyTheyCannotBeDrawnAgain) {
+    struct Case {
+        std::string words, others, why;
+        bool is_scene;
+    };
+    for (const Case& one :
+         {Case{"\n[body]", "\n[]\n[body]", "its scene cannot be read again: scene.toml:", false},
+          Case{"\n[body]", "\n[later]\nmood = 1\n\n[body]", "unknown table \"later\"", false},
+          Case{"theme = \"light\"", "theme = \"neon\"", "neon", true},
+          Case{"quality = \"lecture\"", "quality = \"finest\"", "finest", true}}) {
+        draw("new/a.png", "--portable --time 0.3");
+        write_with_scene(folder_.path() / "new/a.png", one.words, one.others);
+        EXPECT_EQ(run("explain new/a.png").code, 0) << one.others;
+        const ProgramRun asked = run("explain --verify new/a.png");
+        EXPECT_EQ(asked.code, 1) << one.others;
+        EXPECT_TRUE(is_one_line(asked.err) && contains(asked.err, "cannot be drawn again here") &&
+                    contains(asked.err, one.why))
+            << asked.err;
+        const ProgramRun json = run("explain --verify --json new/a.png");
+        EXPECT_TRUE(contains(json.out, "\"can_be_drawn_again\": \"no\"")) << json.out;
+        EXPECT_EQ(run("rerender new/a.png -o b.png").code, 2) << one.others;
+        const ProgramRun approved = approve("a");
+        EXPECT_EQ(approved.code, one.is_scene ? 0 : 2) << one.others << approved.err;
+        EXPECT_EQ(contains(approved.err, "cannot be read again"), !one.is_scene) << approved.err;
+        fs::remove_all(folder_.path() / "ref");
+    }
+    EXPECT_TRUE(contains(run("explain --json --verify new/a.png").out, "\"why_not\": "));
+}
+
+// A scene's files belong to it.
+TEST_F(Pictures, SayThatAFileOfTheirSceneIsMissing) {
+    folder_.write("wedge.obj",
+                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 3 2\n"
+                  "f 4 5 6\nf 1 2 5 4\nf 2 3 6 5\nf 3 1 4 6\n");
+    folder_.write("scene.toml",
+                  "[body]\nmesh = \"wedge.obj\"\ndensity_kg_m3 = 1.0\n[start]\nomega_rad_s = "
+                  "[0.5, 2.0, 0.1]\n[film]\nsize = [128, 72]\n");
+    draw("new/a.png", "--portable");
+    EXPECT_EQ(run("explain --verify new/a.png").code, 0);
+    fs::rename(folder_.path() / "wedge.obj", folder_.path() / "new/wedge.obj");
+    const ProgramRun missing = run("explain --verify new/a.png");
+    EXPECT_EQ(missing.code, 1);
+    EXPECT_TRUE(is_one_line(missing.err) && contains(missing.err, "wedge.obj")) << missing.err;
+    // The picture itself is as good as before.
+    EXPECT_EQ(approve("a").code, 0);
+    folder_.write("wedge.obj",
+                  "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 1\nv 2 0 1\nv 0 1 1\nf 1 3 2\n"
+                  "f 4 5 6\nf 1 2 5 4\nf 2 3 6 5\nf 3 1 4 6\n");
+    const ProgramRun other = run("explain --verify new/a.png");
+    EXPECT_EQ(other.code, 1);
+    EXPECT_TRUE(contains(other.err, "wedge.obj is not what it was drawn with")) << other.err;
 }
 
 // A picture of an older poinsot is still explained and drawn again; it cannot be verified, which is

@@ -135,6 +135,19 @@ TEST(VectorStill, SaysHowItWasMadeAndIsMadeAgainToTheByte) {
     }
 }
 
+// On paper a side may have more pixels than a frame of a film, which the record's scene says.
+TEST(VectorStill, AsLargeAsAPosterIsMadeAgain) {
+    const ScratchFolder folder;
+    ASSERT_EQ(run_program_in(folder, "still '" + scene("generic") +
+                                         "' -q --shading none --width-mm 1500 -o a.pdf")
+                  .code,
+              0);
+    EXPECT_TRUE(contains(run_program_in(folder, "explain a.pdf").out, "size = [17717, "));
+    const ProgramRun again = run_program_in(folder, "rerender a.pdf -q -o b.pdf");
+    ASSERT_EQ(again.code, 0) << again.err;
+    EXPECT_TRUE(text_of(folder.path() / "a.pdf") == text_of(folder.path() / "b.pdf"));
+}
+
 TEST(VectorStill, RefusesWhatItCannotBeInOneLine) {
     const ScratchFolder folder;
     const std::string still = "still '" + scene("generic") + "' ";

@@ -4,9 +4,10 @@
 check:  one scene against its baseline in tests/golden/scenes, by `poinsot compare`: with the renderer that drew the baselines no
         pixel may differ; with another llvmpipe 0.1 % may, by a level. On failure a report is left and named.
 together: all scenes three times over in one process, in an order that says nothing: each has the bytes that it has alone.
+rerendered: every scene's picture drawn again from its own record alone: the same bytes, as `explain --verify` promises.
 renew:  takes the pictures of all scenes as baselines, after you have looked at them; --why says what changed them.
 sheet:  all baselines on one picture, to be looked at.
-Usage: golden.py check POINSOT NAME FOLDER | golden.py together POINSOT | golden.py renew POINSOT "WHY" [FOLDER] | golden.py sheet POINSOT OUT.png
+Usage: golden.py check POINSOT NAME FOLDER | golden.py together POINSOT | golden.py rerendered POINSOT | golden.py renew POINSOT "WHY" [FOLDER] | golden.py sheet POINSOT OUT.png
 """
 import pathlib
 import random
@@ -68,6 +69,31 @@ def together(program, alone):
     return 1 if wrong else 0
 
 
+def rerendered(program):
+    """The scene's own file is not at hand, only what lies beside it: its meshes and pictures."""
+    names = sorted(scene.stem for scene in SCENES.glob("*.toml"))
+    wrong = []
+    with tempfile.TemporaryDirectory() as scratch:
+        for name in names:
+            folder = pathlib.Path(scratch, name)
+            folder.mkdir()
+            for beside in SCENES.iterdir():
+                if beside.suffix not in (".toml", ".json"):
+                    (folder / beside.name).symlink_to(beside)
+            picture = draw(program, name, folder)
+            again = folder / "again.png"
+            verified = subprocess.run([program, "explain", "--verify", picture], cwd=folder, capture_output=True, text=True)
+            drawn = subprocess.run([program, "rerender", picture, "-q", "-o", again], cwd=folder, capture_output=True, text=True)
+            if verified.returncode != 0:
+                wrong.append(f"{name}: {verified.stderr.strip()}")
+            if drawn.returncode != 0:
+                wrong.append(f"{name}: {drawn.stderr.strip()}")
+            elif again.read_bytes() != picture.read_bytes():
+                wrong.append(f"{name}: drawn again it has other bytes")
+    print(f"{len(names)} pictures drawn again from their records, {len(wrong)} faults", *wrong, sep="\n")
+    return 1 if wrong else 0
+
+
 def renew(program, why, folder=None):
     with tempfile.TemporaryDirectory() as scratch:
         results = pathlib.Path(folder or scratch)
@@ -103,4 +129,4 @@ def sheet(program, out):
 
 
 if __name__ == "__main__":
-    sys.exit({"check": check, "together": together, "renew": renew, "sheet": sheet}[sys.argv[1]](*sys.argv[2:]))
+    sys.exit({"check": check, "together": together, "rerendered": rerendered, "renew": renew, "sheet": sheet}[sys.argv[1]](*sys.argv[2:]))

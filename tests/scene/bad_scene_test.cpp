@@ -295,7 +295,7 @@ TEST(BadScene, FrameRateOutOfItsDomainIsRefused) {
 }
 
 TEST(BadScene, SizeOutOfItsDomainIsRefused) {
-    const std::string rule = "; give a width and a height from 1 to 16384 pixels";
+    const std::string rule = "; give a width and a height from 1 to 65536 pixels";
     EXPECT_EQ(refusal(a_scene + "[film]\nsize = [0, 1080]\n"),
               "scenes/a.toml:7:8: film.size is 0x1080" + rule);
     EXPECT_EQ(refusal(a_scene + "[film]\nsize = \"100000x1080\"\n"),
@@ -318,6 +318,10 @@ TEST(BadScene, PanelsThatDoNotFitAreRefused) {
     EXPECT_EQ(refusal(a_scene + "[grid]\ncolumns = [1, 1]\n[[panels]]\ncolumn = 2\n"),
               "scenes/a.toml:8:1: panels[0] reaches to cell 3 of grid.columns, which has 2; move "
               "it or extend the grid");
+    // No grid that is given has so many cells, so the one that is chosen could not be written.
+    EXPECT_EQ(refusal(a_scene + "[[panels]]\ncolumn = 60\ncolumns = 5\n"),
+              "scenes/a.toml:6:1: panels[0] reaches to cell 65 of grid.columns, and a grid has at "
+              "most 64; move it or let it span fewer");
     EXPECT_EQ(refusal(a_scene + "[[panels]]\ncolumns = 2\n[[panels]]\ncolumn = 1\n"),
               "scenes/a.toml:8:1: panels[1] covers a cell of panels[0]; give each panel cells of "
               "its own by column and row");

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "places.h"
+#include "scene/camera_views.h"
 #include "scene/frame_rate.h"
 #include "scene/toml_text.h"
 #include "scene/write_scene.h"
@@ -173,6 +174,64 @@ TEST(RoundTrip, TopsComeBack) {
         expect_same(scene, again);
         RC_ASSERT(bits(scene.start.top->phi_dot_rad_s) == bits(again.start.top->phi_dot_rad_s));
     }));
+}
+
+// In TOML a line belongs to the header above it.
+TEST(RoundTrip, KeysOfNoTableAreWrittenBeforeAllTables) {
+    const std::string given =
+        "show = [\"plane\"]\nlabels = false\nunlabelled = [\"omega\"]\n"
+        "[symbols]\nomega = \"w\"\n" +
+        a_scene;
+    const Scene scene = scene_of(given);
+    const std::string written = to_toml(scene);
+    for (const char* key : {"\nshow = ", "\nlabels = ", "\nunlabelled = "})
+        EXPECT_LT(written.find(key), written.find("\n[")) << written;
+    const Scene again = scene_of(written);
+    EXPECT_EQ(to_toml(again), written);
+    EXPECT_EQ(again.show, scene.show);
+    EXPECT_FALSE(again.labels);
+    EXPECT_EQ(again.unlabelled, scene.unlabelled);
+    EXPECT_EQ(again.symbols.omega, "w");
+}
+
+// A view's aim is not written beside a target, which contradicts it.
+TEST(RoundTrip, TargetsBesideAViewComeBack) {
+    for (const CameraView& view : camera_views()) {
+        const Scene scene = scene_of(a_scene + "[camera]\nview = \"" + std::string(view.name) +
+                                     "\"\ntarget = [1.0, 2.0, 3.0]\n");
+        const Scene again = scene_of(to_toml(scene));
+        EXPECT_EQ(again.camera.target, Eigen::Vector3d(1.0, 2.0, 3.0)) << view.name;
+        EXPECT_EQ(to_toml(again), to_toml(scene)) << view.name;
+    }
+}
+
+TEST(RoundTrip, NegativeZerosOfAnAttitudeComeBack) {
+    // That of −1, 0, 0, 0, too, whose sign is turned.
+    for (const char* attitude : {"[1.0, -0.0, 0.0, 0.0]", "[-1.0, 0.0, 0.0, 0.0]"}) {
+        const Scene scene = scene_of(a_scene + "attitude = " + attitude + "\n");
+        const Scene again = scene_of(to_toml(scene));
+        for (int i = 0; i < 4; ++i)
+            EXPECT_EQ(bits(again.start.space_from_body.coeffs()[i]),
+                      bits(scene.start.space_from_body.coeffs()[i]))
+                << attitude;
+    }
+}
+
+TEST(RoundTrip, LeastElementsOfATensorComeBack) {
+    const Scene scene =
+        scene_of("[body]\ntensor_kg_m2 = [[2, 5e-324, 0], [5e-324, 2, 0], [0, 0, 3]]\n" + a_start);
+    EXPECT_EQ(scene.body.tensor_kg_m2(0, 1), 5e-324);
+    EXPECT_EQ(scene_of(to_toml(scene)).body.tensor_kg_m2, scene.body.tensor_kg_m2);
+}
+
+// A still on paper has as many pixels as its inches and dots make.
+TEST(RoundTrip, LargestStillsComeBack) {
+    Scene scene = scene_of(a_scene);
+    scene.film.width_px = 65536;
+    scene.film.height_px = 16385;
+    const Scene again = scene_of(to_toml(scene));
+    EXPECT_EQ(again.film.width_px, 65536);
+    EXPECT_EQ(again.film.height_px, 16385);
 }
 
 TEST(RoundTrip, EverySceneOfTheLectureComesBack) {

@@ -139,6 +139,7 @@ VectorText read_vector_text(const std::filesystem::path& file) {
     } else {
         vector::PdfText text = vector::pdf_text(bytes, text_name);
         found.page_hash = sha256_of(std::string(text.before));
+        found.is_last = text.is_last;
         found.text = std::move(text.text);
     }
     return found;

@@ -52,6 +52,7 @@ VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
 struct VectorText {
     std::string text;
     std::string page_hash;
+    bool is_last = true;  // of a PDF: nothing was added after the text
 };
 VectorText read_vector_text(const std::filesystem::path& file);
 

@@ -1,0 +1,622 @@
+// Random scenes that use every key come back from what is written of them, which is what the
+// record of a picture holds.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mechanics/methods.h"
+#include "mechanics/solids.h"
+#include "mesh/named_objects.h"
+#include "mesh_folder.h"
+#include "scene/body_faces.h"
+#include "scene/camera_views.h"
+#include "scene/easing.h"
+#include "scene/scene_keys.h"
+#include "scene/style_keys.h"
+#include "scene/toml_document.h"
+#include "scene/toml_text.h"
+#include "scene/write_scene.h"
+#include "scene_text.h"
+
+namespace poinsot::random_scenes_tests {
+
+namespace {
+
+class Dice {
+ public:
+    explicit Dice(std::uint64_t seed) : engine_(seed) {}
+
+    // From 0 to n − 1.
+    int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
+    bool one_in(int n) { return below(n) == 0; }
+    double between(double least, double most) {
+        const double part = static_cast<double>(engine_() >> 11) * 0x1p-53;
+        return std::clamp(least + part * (most - least), least, most);
+    }
+    // Any finite double, by its bits: subnormal ones and −0, too.
+    double any() {
+        if (one_in(8)) return one_in(2) ? 0.0 : -0.0;
+        const double value = std::bit_cast<double>(engine_());
+        return std::isfinite(value) ? value : 0x1.fffffffffffffp1023;
+    }
+    double magnitude(int least_exponent, int most_exponent) {
+        const int exponent = least_exponent + below(most_exponent - least_exponent + 1);
+        return std::ldexp(between(1.0, 2.0), exponent);
+    }
+    template <typename List>
+    auto one_of(const List& list) {
+        return list[static_cast<std::size_t>(below(static_cast<int>(std::size(list))))];
+    }
+    // What scenes may hold and TOML must keep: quotes, backslashes, line ends, what looks like
+    // TOML, letters of two to four bytes, characters that cannot be seen.
+    std::string text() {
+        static const std::vector<std::string> parts{"a",         "Z",
+                                                    "7",         " ",
+                                                    "\"",        "\\",
+                                                    "'",         "\n",
+                                                    "\t",        "#",
+                                                    "=",         "[",
+                                                    "]",         "{",
+                                                    "}",         ",",
+                                                    ".",         "ω",
+                                                    "₁",         "𝐋",
+                                                    "\\u",       "\"\"\"",
+                                                    "'''",       "\n\n",
+                                                    "poinsot 1", "\xef\xbb\xbf",
+                                                    "\u202e",    "\u200b",
+                                                    "\uffff",    "\ufffe",
+                                                    "\u00a0",    "\U0001fffe",
+                                                    "[marks]\n", "a = 1\n"};
+        std::string text;
+        for (int n = below(8); n > 0; --n) text += one_of(parts);
+        return text;
+    }
+
+ private:
+    std::mt19937_64 engine_;
+};
+
+// A scene as text, key by key. Tables may come in any order, as a user writes them.
+class Text {
+ public:
+    void set(const std::string& path, const std::string& value) { values_[path] = value; }
+    void set_text(const std::string& path, const std::string& value) {
+        set(path, toml_text(std::string_view(value)));
+    }
+    void set_number(const std::string& path, double value) { set(path, toml_text(value)); }
+    bool has(const std::string& path) const { return values_.contains(path); }
+    // "panels[2].camera.view" → its value as TOML.
+    const std::map<std::string, std::string>& values() const { return values_; }
+
+    std::string toml() const {
+        std::string top;
+        std::map<std::string, std::string> tables;  // "panels[0]", "panels[0].camera", "body"
+        for (const auto& [path, value] : values_) {
+            const std::size_t dot = path.rfind('.');
+            const std::string table = dot == std::string::npos ? "" : path.substr(0, dot);
+            (table.empty() ? top : tables[table]) +=
+                fmt::format("{} = {}\n", path.substr(dot + 1), value);
+        }
+        // An item without keys of its own is there before its tables.
+        for (const auto& [path, value] : values_)
+            if (const std::size_t end = path.find(']'); end != std::string::npos)
+                tables[path.substr(0, end + 1)];
+        for (const auto& [table, lines] : tables) {
+            std::string header;
+            bool inside = false;
+            for (const char c : table) {
+                inside = c == '[' || (inside && c != ']');
+                if (!inside && c != ']') header += c;
+            }
+            const bool is_item = table.ends_with(']');
+            top += fmt::format("{}{}{}\n{}", is_item ? "[[" : "[", header, is_item ? "]]" : "]",
+                               lines);
+        }
+        return top;
+    }
+
+ private:
+    std::map<std::string, std::string> values_;
+};
+
+std::string vector_text(double x, double y, double z) {
+    return toml_text(Eigen::Vector3d(x, y, z));
+}
+
+std::string any_vector(Dice& dice) {
+    const double x = dice.any(), y = dice.any();
+    return vector_text(x, y, dice.any());
+}
+
+std::string list_text(std::vector<std::string> texts) {
+    return toml_text(std::span<const std::string>(texts));
+}
+
+std::string some_texts(Dice& dice) {
+    std::vector<std::string> texts{dice.text()};
+    for (int n = dice.below(3); n > 0; --n) texts.push_back(dice.text());
+    return list_text(texts);
+}
+
+std::string a_target(Dice& dice) {
+    const double x = dice.between(-1e4, 1e4), y = dice.one_in(4) ? -0.0 : dice.between(-1.0, 1.0);
+    return vector_text(x, y, dice.between(-1e-4, 1e-4));
+}
+
+std::string name_of_view(Dice& dice) { return std::string(dice.one_of(camera_views()).name); }
+std::string name_of_easing(Dice& dice) { return std::string(dice.one_of(easings()).name); }
+
+void write_picture(Dice& dice, Text& text) {
+    for (const char* key : {"title", "caption", "symbols.omega", "symbols.momentum", "symbols.rho",
+                            "symbols.e1", "symbols.e2", "symbols.e3"})
+        if (dice.one_in(2)) text.set_text(key, dice.text());
+    for (const char* key : {"show", "unlabelled"})
+        if (dice.one_in(2)) text.set(key, some_texts(dice));
+    for (const char* key : {"labels", "clock"})
+        if (dice.one_in(2)) text.set(key, toml_text(dice.one_in(2)));
+    if (dice.one_in(2)) text.set_number("accuracy_px", dice.between(1e-6, 100.0));
+    if (dice.one_in(2)) text.set_text("theme", "dark");
+    if (dice.one_in(2)) text.set_number("type_scale", dice.between(0.25, 8.0));
+    constexpr std::array units{"rpm", "deg", "g cm²", "mN m", "cm"};
+    if (dice.one_in(2)) text.set("units", list_text({dice.one_of(units)}));
+}
+
+// What of a row its own words say: names, true or false, and what lies between bounds is drawn.
+void write_rows_with_names(Dice& dice, Text& text) {
+    for (const SceneKey& key : scene_keys()) {
+        const bool in_array = key.path.find("[]") != std::string_view::npos;
+        if (key.names.empty() || in_array || key.path == "torque.kind" ||
+            key.path == "object.marked_face" || key.path == "camera.look_at" ||
+            key.path == "film.loop_changes" || key.path == "camera.motion")
+            continue;
+        if (dice.one_in(2))
+            text.set_text(std::string(key.path), std::string(dice.one_of(key.names)));
+    }
+}
+
+void write_body(Dice& dice, Text& text) {
+    const int way = dice.below(6);
+    const double scale = dice.magnitude(-40, 40);
+    if (dice.one_in(3)) text.set("body.allow_unphysical", "true");
+    const bool is_free = text.has("body.allow_unphysical");
+    if (way == 0) {
+        const double I1 = scale * dice.between(1.0, 2.0);
+        const double I2 = dice.one_in(2) ? I1 : scale * dice.between(1.0, 2.0);
+        text.set("body.moments_kg_m2",
+                 vector_text(I1, I2, scale * dice.between(1.0, is_free ? 9.0 : 2.0)));
+    } else if (way == 1) {
+        Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
+        for (int i = 0; i < 3; ++i) {
+            tensor(i, i) = scale * dice.between(2.0, 2.5);
+            for (int j = 0; j < i; ++j)
+                tensor(i, j) = tensor(j, i) = dice.one_in(4) ? (dice.one_in(2) ? -0.0 : 5e-324)
+                                                             : scale * dice.between(-0.1, 0.1);
+        }
+        text.set("body.tensor_kg_m2", toml_text(tensor));
+    } else if (way == 2) {
+        const Solid& solid = dice.one_of(solids());
+        std::vector<double> sizes;
+        // Ascending: a tube's outer radius is its second.
+        for (int k = 0; k < solid.n_sizes; ++k) sizes.push_back(dice.between(0.1, 0.2) * (k + 1));
+        if (solid.name == "torus") std::reverse(sizes.begin(), sizes.end());
+        text.set_text("body.shape", std::string(solid.name));
+        text.set("body.size_m", toml_text(std::span<const double>(sizes)));
+        text.set_number("body.mass_kg", scale);
+    } else if (way == 3) {
+        const std::array<Eigen::Vector3d, 4> corners{
+            Eigen::Vector3d{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {-1.0, -1.0, -1.0}};
+        for (int k = 0; k < 4; ++k) {
+            const Eigen::Vector3d corner = corners[static_cast<std::size_t>(k)];
+            text.set_number(fmt::format("body.masses[{}].mass_kg", k), dice.between(0.5, 2.0));
+            const double x = corner.x() + dice.between(-0.3, 0.3);
+            text.set(fmt::format("body.masses[{}].at_m", k),
+                     vector_text(x, corner.y() + dice.between(-0.3, 0.3), corner.z()));
+        }
+    } else if (way == 4) {
+        // The others have so many triangles that a thousand scenes would take long.
+        constexpr std::array few_triangles{"box", "book", "coin", "t-handle"};
+        text.set_text("body.object", dice.one_of(few_triangles));
+        if (dice.one_in(2)) text.set_number("body.mass_kg", scale);
+        if (dice.one_in(2)) text.set_number("body.scale", dice.magnitude(-30, 30));
+    } else {
+        text.set_text("body.mesh", "wedge.obj");
+        text.set_number(dice.one_in(2) ? "body.mass_kg" : "body.density_kg_m3", scale);
+        if (dice.one_in(2)) text.set_number("body.scale", dice.magnitude(-30, 30));
+    }
+    if (way < 2 && dice.one_in(2)) {
+        if (dice.one_in(2))
+            text.set_text("object.name", "book");
+        else
+            text.set_text("object.mesh", "wedge.obj");
+    }
+    if (way > 1 || text.has("object.mesh") || text.has("object.name")) return;
+    // A box, whose faces are flat.
+    const int face = dice.below(6);
+    if (dice.one_in(2)) text.set_text("object.marked_face", std::string(body_faces()[face]));
+    for (int k = 0, n = dice.below(3); k < n; ++k) {
+        const std::string item = fmt::format("object.pictures[{}].", k);
+        const int own = (face + 1 + k) % 6;
+        text.set_text(item + "face", std::string(body_faces()[own]));
+        text.set_text(item + "file", "cover.png");
+        if (dice.one_in(2)) text.set_text(item + "up", std::string(body_faces()[(own + 2) % 6]));
+    }
+}
+
+void write_motion(Dice& dice, Text& text) {
+    if (dice.one_in(3)) {
+        text.set_number("start.theta_rad", dice.between(0.0, 3.14));
+        for (const char* key :
+             {"start.theta_dot_rad_s", "start.phi_dot_rad_s", "start.omega3_rad_s"})
+            if (dice.one_in(2)) text.set_number(key, dice.any());
+    } else {
+        const bool any = dice.one_in(2);
+        const double x = dice.between(-3.0, 3.0), y = dice.between(-3.0, 3.0);
+        text.set("start.omega_rad_s",
+                 any ? any_vector(dice) : vector_text(x, y, dice.between(0.1, 3.0)));
+        if (dice.one_in(3)) {
+            Eigen::Vector4d q;
+            for (double& entry : q.reshaped())
+                entry = dice.one_in(3) ? (dice.one_in(2) ? 0.0 : -0.0) : dice.between(-1.0, 1.0);
+            text.set("start.attitude", toml_text(q));
+        } else if (dice.one_in(2)) {
+            const Eigen::Quaterniond q(dice.between(0.1, 1.0), dice.between(-1.0, 1.0),
+                                       dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
+            text.set("start.attitude_matrix",
+                     toml_text(Eigen::Matrix3d(q.normalized().toRotationMatrix())));
+        }
+    }
+    const std::string kind(dice.one_of(find_scene_key("torque.kind")->names));
+    text.set_text("torque.kind", kind);
+    if (kind == "gravity") {
+        text.set_number("torque.mgl_N_m", dice.any());
+        if (dice.one_in(2))
+            text.set("torque.arm_body", vector_text(dice.between(-1.0, 1.0), -0.0, 0.6));
+    } else if (kind == "constant_body") {
+        text.set("torque.torque_body_N_m", any_vector(dice));
+    } else if (kind == "constant_space") {
+        text.set("torque.torque_space_N_m", any_vector(dice));
+    } else if (kind == "dissipation") {
+        if (dice.one_in(2))
+            text.set_number("torque.rate_1_s", dice.magnitude(-40, 40));
+        else
+            text.set_number("torque.half_life_s", dice.between(0.1, 100.0));
+    }
+    for (const std::string table : {"motion", "beside"}) {
+        const Method& method = dice.one_of(methods());
+        if (dice.one_in(3) && kind == "none") continue;
+        text.set_text(table + ".method", std::string(method.name));
+        if (method.takes_step && dice.one_in(2))
+            text.set_number(table + ".step_s", dice.magnitude(-40, 40));
+        if (method.takes_tolerance && dice.one_in(2))
+            text.set_number(table + ".tolerance", dice.between(1e-14, 1e-3));
+        if (!method.orders.empty() && dice.one_in(2))
+            text.set(table + ".order", toml_text(dice.one_of(method.orders)));
+    }
+}
+
+void write_film(Dice& dice, Text& text) {
+    if (dice.one_in(2)) text.set_number("film.start_s", dice.between(-1e3, 1e3));
+    const int way = dice.below(3);
+    if (way > 0)
+        text.set_number(way == 1 ? "film.duration_s" : "film.length_s", dice.between(8.0, 20.0));
+    if (dice.one_in(2)) text.set_number("film.still_s", dice.any());
+    if (dice.one_in(2)) text.set_number("film.speed", dice.between(0.5, 2.0));
+    constexpr std::array rates{"24", "25", "\"30000/1001\"", "\"1/7\"", "50"};
+    if (dice.one_in(2)) text.set("film.fps", dice.one_of(rates));
+    if (dice.one_in(2))
+        text.set("film.size",
+                 fmt::format("[{}, {}]", 1 + dice.below(16384), 1 + dice.below(16384)));
+    if (dice.one_in(2)) text.set_text("film.quality", "draft");
+    // Loops and turning cameras belong to free bodies.
+    if (text.values().at("torque.kind") != "\"none\"") return;
+    const int loop = dice.below(4);
+    if (loop == 1)
+        text.set_text("film.loop",
+                      fmt::format("{}/{}", 1 + dice.below(1000), 1 + dice.below(1000)));
+    if (loop == 1 && dice.one_in(2)) text.set_text("film.loop_changes", "omega_2");
+    if (loop == 2) text.set_text("film.loop", "period");
+    if (loop >= 2) text.set_text("camera.motion", "co-precessing");
+}
+
+// The camera of [camera], of a panel or of a keyframe.
+void write_camera(Dice& dice, const std::string& table, Text& text) {
+    if (dice.one_in(2)) text.set_number(table + "azimuth_deg", dice.between(-3600.0, 3600.0));
+    if (dice.one_in(2)) text.set_number(table + "elevation_deg", dice.between(-90.0, 90.0));
+    if (dice.one_in(2)) text.set_number(table + "distance", dice.between(0.01, 10000.0));
+    if (dice.one_in(2)) text.set_number(table + "field_deg", dice.between(0.1, 150.0));
+    if (dice.one_in(2)) text.set_text(table + "view", name_of_view(dice));
+    const int aim = dice.below(3);
+    if (aim == 1) text.set(table + "target", a_target(dice));
+    if (aim == 2) text.set_text(table + "look_at", std::string(dice.one_of(camera_aims())));
+}
+
+void write_cameras_and_panels(Dice& dice, Text& text) {
+    write_camera(dice, "camera.", text);
+    if (dice.one_in(2)) text.set_number("trail.length_s", dice.magnitude(-40, 40));
+    if (dice.one_in(2)) text.set("trail.direction_marks", "true");
+
+    const int n_panels = dice.below(4);
+    for (int k = 0; k < n_panels; ++k) {
+        const std::string item = fmt::format("panels[{}].", k);
+        text.set(item + "row", toml_text(2 * k));
+        if (dice.one_in(2)) text.set(item + "column", toml_text(dice.below(65)));
+        if (dice.one_in(2)) text.set(item + "columns", toml_text(1 + dice.below(64)));
+        if (dice.one_in(2)) text.set(item + "rows", "2");
+        if (dice.one_in(2)) text.set(item + "curves", toml_text(dice.below(41)));
+        for (const char* key : {"kind", "quantity", "title"})
+            if (dice.one_in(2)) text.set_text(item + key, dice.text());
+        if (dice.one_in(2)) write_camera(dice, item + "camera.", text);
+        if (dice.one_in(3)) text.set_text(item + "camera.projection", "orthographic");
+    }
+    for (const char* key : {"grid.columns", "grid.rows"}) {
+        if (!dice.one_in(4)) continue;
+        std::vector<double> sizes;
+        for (int n = 1 + dice.below(64); n > 0; --n) sizes.push_back(dice.magnitude(-1074, 1023));
+        text.set(key, toml_text(std::span<const double>(sizes)));
+    }
+    for (int k = 0, n = dice.below(3); k < n; ++k) {
+        const std::string item = fmt::format("marks[{}].", k);
+        text.set(item + "at", a_target(dice));
+        if (dice.one_in(2)) text.set_text(item + "on", std::string(dice.one_of(mark_places())));
+        if (dice.one_in(2)) text.set_text(item + "name", dice.text());
+        if (dice.one_in(2)) text.set(item + "trail", "true");
+        if (dice.one_in(2))
+            text.set_text(item + "colour", fmt::format("#{:06x}", dice.below(1 << 24)));
+    }
+}
+
+// Within the eight seconds that the shortest film lasts.
+void write_what_is_told(Dice& dice, Text& text) {
+    const int n_panels = static_cast<int>(
+        std::count_if(text.values().begin(), text.values().end(), [](const auto& value) {
+            return value.first.starts_with("panels[") && value.first.ends_with("].row");
+        }));
+    double at_s = 0.0;
+    for (int k = 0, n = dice.below(4); k < n; ++k) {
+        const std::string item = fmt::format("keyframes[{}].", k);
+        text.set_number(item + "at_s", at_s += dice.between(0.01, 1.0));
+        if (dice.one_in(2)) text.set_text(item + "easing", name_of_easing(dice));
+        write_camera(dice, item, text);
+        if (n_panels > 0 && dice.one_in(2))
+            text.set(item + "panel", toml_text(dice.below(n_panels)));
+        text.set_number(item + "speed", dice.between(0.5, 2.0));
+    }
+    at_s = 0.0;
+    for (int k = 0, n = dice.below(3); k < n; ++k) {
+        const std::string item = fmt::format("fades[{}].", k);
+        text.set_number(item + "at_s", at_s += dice.between(0.5, 1.0));
+        if (dice.one_in(2)) text.set_number(item + "over_s", dice.between(0.0, 0.5));
+        if (dice.one_in(2)) text.set_text(item + "easing", name_of_easing(dice));
+        if (dice.one_in(2)) text.set_number(item + "opacity", dice.between(0.0, 1.0));
+        text.set(item + "elements", some_texts(dice));
+    }
+    at_s = -0.0;
+    for (int k = 0, n = dice.below(3); k < n; ++k) {
+        const std::string item = fmt::format("captions[{}].", k);
+        text.set_number(item + "at_s", at_s);
+        at_s += dice.between(0.5, 1.0);
+        if (dice.one_in(2)) text.set_number(item + "over_s", dice.between(0.1, 0.5));
+        text.set_text(item + "text", dice.text());
+        if (dice.one_in(2)) text.set_text(item + "place", "top");
+    }
+    at_s = -0.0;
+    for (int k = 0, n = dice.below(3); k < n; ++k) {
+        const std::string item = fmt::format("chapters[{}].", k);
+        text.set_number(item + "at_s", at_s);
+        at_s += dice.between(0.5, 1.0);
+        text.set_text(item + "title", dice.text());
+    }
+}
+
+void write_style(Dice& dice, Text& text) {
+    for (const StyleRole& role : style_roles()) {
+        if (!dice.one_in(3)) continue;
+        std::vector<std::string> words;
+        if (dice.one_in(2)) words.push_back(fmt::format("#{:06x}", dice.below(1 << 24)));
+        if (role.kind == StyleKind::line && dice.one_in(2))
+            words.push_back(fmt::format("{}", dice.between(0.1, 10.0)));
+        if (role.kind == StyleKind::surface && dice.one_in(2))
+            words.push_back(fmt::format("{}%", dice.between(0.0, 100.0)));
+        if (role.kind == StyleKind::line && dice.one_in(2))
+            words.emplace_back(dice.one_of(line_kinds()));
+        if (words.empty()) words.emplace_back("#012345");
+        std::string look;
+        for (const std::string& word : words) look += (look.empty() ? "" : " ") + word;
+        text.set_text(fmt::format("style.{}", role.name), look);
+    }
+    for (const char* key :
+         {"title_scale", "caption_scale", "heading_scale", "label_scale", "chart_scale"})
+        if (dice.one_in(2)) text.set_number(fmt::format("style.{}", key), dice.between(0.25, 8.0));
+}
+
+Text random_scene(Dice& dice) {
+    Text text;
+    write_picture(dice, text);
+    write_rows_with_names(dice, text);
+    write_body(dice, text);
+    write_motion(dice, text);
+    write_film(dice, text);
+    write_cameras_and_panels(dice, text);
+    write_what_is_told(dice, text);
+    write_style(dice, text);
+    return text;
+}
+
+std::optional<Scene> scene_if_any(const std::string& text) {
+    try {
+        return scene_of(text);
+    } catch (const SceneError&) {
+        return std::nullopt;
+    }
+}
+
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+// Bit for bit; integers and the numbers that they are count as one.
+bool same(const TomlValue& a, const TomlValue& b) {
+    using Type = TomlValue::Type;
+    const auto is_number = [](const TomlValue& value) {
+        return value.type == Type::integer || value.type == Type::number;
+    };
+    if (is_number(a) && is_number(b)) return bits(a.number) == bits(b.number);
+    if (a.type != b.type || a.items.size() != b.items.size()) return false;
+    for (std::size_t i = 0; i < a.items.size(); ++i)
+        if (!same(a.items[i], b.items[i])) return false;
+    return a.boolean == b.boolean && a.text == b.text;
+}
+
+// The values of a document by their paths: "panels[2].camera.view".
+void flatten(const TomlValue& value, const std::string& path,
+             std::map<std::string, TomlValue>& values) {
+    const bool is_array_of_tables = value.type == TomlValue::Type::array && !value.items.empty() &&
+                                    value.items[0].type == TomlValue::Type::table;
+    if (value.type == TomlValue::Type::table) {
+        for (const TomlEntry& entry : value.entries)
+            flatten(entry.value, path + (path.empty() ? "" : ".") + entry.key, values);
+    } else if (is_array_of_tables) {
+        for (std::size_t i = 0; i < value.items.size(); ++i)
+            flatten(value.items[i], fmt::format("{}[{}]", path, i), values);
+    } else {
+        values[path] = value;
+    }
+}
+
+std::map<std::string, TomlValue> values_of(const std::string& text) {
+    std::map<std::string, TomlValue> values;
+    flatten(parse_toml(text, "scenes/a.toml"), "", values);
+    return values;
+}
+
+std::string row_of(const std::string& path) {
+    const std::size_t open = path.find('['), close = path.find(']');
+    return open == std::string::npos ? path : path.substr(0, open + 1) + path.substr(close);
+}
+
+// What a row writes of a scene that says nothing.
+std::string text_by_default(const SceneKey& key) {
+    static const Scene plain = [] {
+        Scene scene;
+        scene.body.masses_as_given.emplace_back();
+        scene.object.pictures.emplace_back();
+        scene.panels.emplace_back();
+        scene.marks.emplace_back();
+        scene.keyframes.emplace_back();
+        scene.fades.emplace_back();
+        scene.captions.emplace_back();
+        scene.chapters.emplace_back();
+        return scene;
+    }();
+    return key.write(plain, 0);
+}
+
+// Values that are not written, since the scene is the same without them.
+bool goes_without_saying(const std::string& row, const std::string& value) {
+    static const std::map<std::string, std::string> defaults{
+        {"labels", "true"},
+        {"language", "\"en\""},
+        {"torque.kind", "\"none\""},
+        {"marks[].name", "\"\""},
+        {"panels[].quantity", "\"\""},
+        {"captions[].place", "\"bottom\""},
+        {"camera.projection", "\"perspective\""}};
+    if (row.starts_with("symbols.")) return value == "\"\"";
+    const auto found = defaults.find(row);
+    return found != defaults.end() && found->second == value;
+}
+
+// Attitudes and arms are made unit vectors, and a matrix becomes a quaternion.
+bool is_normalised(const std::string& row) {
+    return row == "start.attitude" || row == "start.attitude_matrix" || row == "torque.arm_body";
+}
+
+// Everything that a scene was computed from and that is not a text of its own.
+void expect_same_state(const Scene& a, const Scene& b, const std::string& text) {
+    for (int i = 0; i < 4; ++i)
+        EXPECT_EQ(bits(a.start.space_from_body.coeffs()[i]),
+                  bits(b.start.space_from_body.coeffs()[i]))
+            << text;
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(bits(a.start.omega_rad_s[i]), bits(b.start.omega_rad_s[i])) << text;
+        EXPECT_EQ(bits(a.body.inertia.moments_kg_m2()[i]), bits(b.body.inertia.moments_kg_m2()[i]))
+            << text;
+        for (int j = 0; j < 3; ++j)
+            EXPECT_EQ(bits(a.body.inertia.body_from_principal()(i, j)),
+                      bits(b.body.inertia.body_from_principal()(i, j)))
+                << text;
+    }
+    EXPECT_EQ(bits(a.body.mass_kg), bits(b.body.mass_kg)) << text;
+    EXPECT_EQ(a.torque.index(), b.torque.index()) << text;
+    EXPECT_EQ(a.surfaces.size(), b.surfaces.size()) << text;
+    EXPECT_EQ(a.object.pictures.size(), b.object.pictures.size()) << text;
+}
+
+TEST(RandomScenes, OfEveryKeyComeBackFromWhatIsWrittenOfThem) {
+    const MeshFolder folder;
+    Dice dice(20260301);
+    std::set<std::string> said;  // rows that said something else than their default
+    constexpr int n_scenes = 500;
+    int n_read = 0;
+    for (int n = 0; n < n_scenes && !HasFailure(); ++n) {
+        const Text text = random_scene(dice);
+        // Some contradict themselves; they are no scenes.
+        const std::optional<Scene> scene = scene_if_any(text.toml());
+        if (!scene) continue;
+        ++n_read;
+        const std::string written = to_toml(*scene);
+        std::optional<Scene> again;
+        ASSERT_NO_THROW(again = scene_of(written)) << text.toml() << "\nwritten:\n" << written;
+        ASSERT_EQ(to_toml(*again), written);
+        expect_same_state(*scene, *again, text.toml());
+        EXPECT_EQ(again->notes, std::vector<std::string>{}) << written;
+
+        // Whatever was given stands there, or goes without saying.
+        const auto given = values_of(text.toml());
+        const auto found = values_of(written);
+        for (const auto& [path, value] : given) {
+            const SceneKey* key = find_scene_key(row_of(path));
+            ASSERT_NE(key, nullptr) << path;
+            if (is_normalised(row_of(path))) {
+                const Eigen::Quaterniond& q = scene->start.space_from_body;
+                if (key->path != "torque.arm_body" && std::abs(q.w()) != 1.0)
+                    said.emplace(key->path);
+                continue;
+            }
+            const auto there = found.find(path);
+            if (there != found.end()) {
+                EXPECT_TRUE(same(value, there->second)) << path << "\n" << text.toml() << written;
+            } else {
+                EXPECT_TRUE(goes_without_saying(row_of(path), text.values().at(path)))
+                    << path << " is not written\n"
+                    << text.toml();
+            }
+        }
+        for (const auto& [path, value] : found) {
+            const SceneKey* key = find_scene_key(row_of(path));
+            ASSERT_NE(key, nullptr) << path;
+            const std::size_t open = path.find('[');
+            const std::size_t item =
+                open == std::string::npos ? 0 : std::stoul(path.substr(open + 1));
+            if (key->write(*again, item) != text_by_default(*key)) said.emplace(key->path);
+        }
+    }
+    if (HasFailure()) return;
+    for (const SceneKey& key : scene_keys())
+        EXPECT_TRUE(said.contains(std::string(key.path))) << key.path << " was never said";
+    EXPECT_GT(n_read, n_scenes / 4);
+}
+
+}  // namespace
+
+}  // namespace poinsot::random_scenes_tests
