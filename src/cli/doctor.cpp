@@ -50,6 +50,10 @@ int run(const DoctorChoices& choices) {
     findings.push_back(try_backend("context EGL", Backend::egl));
     findings.push_back(try_backend("context GPU (--backend gpu)", Backend::gpu));
     const bool draws = findings[0].works || findings[1].works;
+    // One of the two is enough, and new distributions have the second alone.
+    if (draws && !findings[0].works)
+        findings[0].detail = "not needed: EGL works, and draws the same";
+    if (draws && !findings[1].works) findings[1].detail += "; not needed: OSMesa works";
 
     bool encodes = true;
     for (const CodecStatus& codec : codec_statuses()) {

@@ -16,15 +16,16 @@ namespace {
 // An option that says a scene's key. A bare word becomes a TOML string; numbers stay as they are.
 Option override_option(SceneOptions& scene, const char* flag, const char* key,
                        const std::string& help, const char* takes, const char* completes = "") {
-    return {flag,
-            help,
-            ReadText{[&scene, flag, key](const std::string& value) {
-                scene.overrides.push_back(fmt::format("{}={}", key, parse_text(flag, value)));
-            }},
-            "",
-            takes,
-            false,
-            completes};
+    return {
+        flag,
+        help,
+        ReadText{[&scene, flag, key](const std::string& value) {
+            scene.overrides.push_back(fmt::format("{} {}={}", flag, key, parse_text(flag, value)));
+        }},
+        "",
+        takes,
+        false,
+        completes};
 }
 
 // "light, dark or print", of a table's rows.

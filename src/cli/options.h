@@ -13,7 +13,7 @@ namespace poinsot {
 
 // Of commands that read a scene.
 struct SceneOptions {
-    std::vector<std::string> overrides;  // --set key=value, and --size, --fps, --quality as such
+    std::vector<std::string> overrides;  // of --set, --size, --fps, --quality, --theme
     bool allow_outside = false;
 };
 

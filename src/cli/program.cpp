@@ -1,6 +1,7 @@
 #include "cli/program.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,7 +11,10 @@
 #include <cstdio>
 #include <cstring>
 #include <functional>
+#include <iterator>
 #include <map>
+#include <set>
+#include <sstream>
 #include <string>
 #include <variant>
 #include <vector>
@@ -115,15 +119,14 @@ void bind(CLI::App& app, const Option& option) {
                                  command.empty() ? "" : " ", command, what));
 }
 
-// "-o" and "--output" of "-o,--output", each with whether a value follows it.
-std::map<std::string, bool> flags_of(const std::vector<Option>& options) {
-    std::map<std::string, bool> flags{{"--help", false}, {"-h", false}};
+// "-o" and "--output" of "-o,--output", each with its option; null for what asks for help.
+std::map<std::string, const Option*> flags_of(const std::vector<Option>& options) {
+    std::map<std::string, const Option*> flags{{"--help", nullptr}, {"-h", nullptr}};
     for (const Option& option : options) {
         std::size_t begin = 0;
         while (begin < option.flags.size()) {
             const std::size_t end = std::min(option.flags.find(',', begin), option.flags.size());
-            flags[option.flags.substr(begin, end - begin)] =
-                !std::holds_alternative<bool*>(option.value);
+            flags[option.flags.substr(begin, end - begin)] = &option;
             begin = end + 1;
         }
     }
@@ -136,32 +139,96 @@ bool looks_like_option(std::string_view argument) {
            std::string_view("0123456789.").find(argument[1]) == std::string_view::npos;
 }
 
-// An option that a command does not have is called so, whatever else is wrong with the line: CLI11
-// counts it, with its value, among the arguments.
-void refuse_unknown_option(std::span<const char* const> arguments, const Command& command,
-                           const std::vector<Option>& options) {
-    const std::map<std::string, bool> flags = flags_of(options);
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const std::string_view argument = arguments[i];
-        if (argument == "--") return;
-        if (!looks_like_option(argument)) continue;
-        const bool is_long = argument.starts_with("--");
-        const std::size_t equals = argument.find('=');
-        // A letter may have its value behind it: "-oturn.png".
-        const std::string name(argument.substr(0, is_long ? equals : 2));
-        const auto known = flags.find(name);
-        if (known == flags.end()) {
-            std::vector<std::string_view> names;
-            names.reserve(flags.size());
-            for (const auto& [flag, has_value] : flags) names.push_back(flag);
-            refuse(fmt::format("unknown option \"{}\"{}", printable(argument.substr(0, equals)),
-                               is_long ? did_you_mean(name, names) : ""),
-                   command.name);
-        }
-        const bool holds_value = is_long ? equals != std::string_view::npos : argument.size() > 2;
-        if (known->second && !holds_value) ++i;
-    }
+// "REF and NEW are", of the names of arguments from one on.
+std::string named_arguments(std::string_view arguments, std::size_t first) {
+    std::istringstream words{std::string(arguments)};
+    std::vector<std::string> names{std::istream_iterator<std::string>(words), {}};
+    names.erase(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(first));
+    return fmt::format("{}{}", fmt::join(names, " and "), names.size() > 1 ? " are" : " is");
 }
+
+// Says what is wrong with a line before CLI11 does, which has words of its own: an option that the
+// command does not have (CLI11 counts it, with its value, among the arguments), one without its
+// value or given twice, arguments too few or too many.
+class LineCheck {
+ public:
+    LineCheck(const Command& command, const std::vector<Option>& options)
+        : command_(command), flags_(flags_of(options)) {}
+
+    // False where the line asks for help, of which nothing else comes.
+    bool check(std::span<const char* const> line) {
+        std::vector<std::string_view> arguments;
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            const std::string_view word = line[i];
+            if (word == "--") {
+                arguments.insert(arguments.end(), line.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                                 line.end());
+                break;
+            }
+            if (!looks_like_option(word)) {
+                arguments.push_back(word);
+                continue;
+            }
+            const bool is_long = word.starts_with("--");
+            const std::size_t equals = word.find('=');
+            // A letter may have its value behind it: "-oturn.png".
+            const std::string flag(word.substr(0, is_long ? equals : 2));
+            const Option* option = known(flag, word.substr(0, equals), is_long);
+            if (option == nullptr) return false;
+            if (std::holds_alternative<bool*>(option->value)) continue;
+            refuse_twice(*option);
+            const bool holds_value = is_long ? equals != std::string_view::npos : word.size() > 2;
+            if (holds_value) continue;
+            if (i + 1 == line.size() || flags_.contains(line[i + 1])) refuse_without_value(*option);
+            ++i;
+        }
+        check_number(arguments);
+        return true;
+    }
+
+ private:
+    const Option* known(const std::string& flag, std::string_view given, bool is_long) const {
+        const auto found = flags_.find(flag);
+        if (found != flags_.end()) return found->second;
+        std::vector<std::string_view> names;
+        names.reserve(flags_.size());
+        for (const auto& [name, option] : flags_) names.push_back(name);
+        refuse(fmt::format("unknown option \"{}\"{}", printable(given),
+                           is_long ? did_you_mean(flag, names) : ""),
+               command_.name);
+    }
+
+    void refuse_twice(const Option& option) {
+        if (std::holds_alternative<Repeated>(option.value) || given_.insert(&option).second) return;
+        refuse(fmt::format("{} was given twice; give it once", long_name(option.flags)),
+               command_.name);
+    }
+
+    [[noreturn]] void refuse_without_value(const Option& option) const {
+        std::string example;
+        for (const OptionText& text : option_texts(command_))
+            if (text.flags.back() == long_name(option.flags)) example = text.takes;
+        refuse(fmt::format("{0} has no value; write {0} {1}", long_name(option.flags), example),
+               command_.name);
+    }
+
+    void check_number(const std::vector<std::string_view>& arguments) const {
+        const auto least = static_cast<std::size_t>(command_.least_arguments);
+        const auto most = static_cast<std::size_t>(command_.most_arguments);
+        if (arguments.size() < least)
+            refuse(named_arguments(command_.arguments, arguments.size()) + " missing",
+                   command_.name);
+        if (arguments.size() > most)
+            refuse(fmt::format("\"{}\" is one argument too many; {} takes {}",
+                               printable(arguments[most]), command_.name,
+                               most == 0 ? "none" : fmt::format("{} alone", command_.arguments)),
+                   command_.name);
+    }
+
+    const Command& command_;
+    std::map<std::string, const Option*> flags_;
+    std::set<const Option*> given_;
+};
 
 // Data that could not be printed must not look like success.
 void flush_stdout() {
@@ -189,10 +256,15 @@ CommandToRun read_command_line(int argc, const char* const* argv) {
     app.set_version_flag("--version", "poinsot " POINSOT_VERSION);
 
     // A mistyped command gets the nearest name, which CLI11 does not give.
-    if (argc > 1 && argv[1][0] != '-') {
-        const std::vector<std::string_view> names = names_of(commands());
+    const std::vector<std::string_view> names = names_of(commands());
+    if (argc < 2)
+        refuse(fmt::format("no command was given; choose from: {}", fmt::join(names, ", ")));
+    if (argv[1][0] != '-') {
         if (std::find(names.begin(), names.end(), argv[1]) == names.end())
             refuse(unknown("command", argv[1], names));
+    } else if (constexpr std::array<std::string_view, 3> known{"--help", "-h", "--version"};
+               std::find(known.begin(), known.end(), argv[1]) == known.end()) {
+        refuse(fmt::format("unknown option \"{}\"; name a command first", printable(argv[1])));
     }
 
     // Every command's choices, which CLI11 fills in and the one that was named reads.
@@ -213,7 +285,11 @@ CommandToRun read_command_line(int argc, const char* const* argv) {
         sub->callback([&chosen, run = line.run] { chosen.run = run; });
         if (argc > 1 && command.name == argv[1]) {
             named = command.name;
-            refuse_unknown_option({argv + 2, argv + argc}, command, line.options);
+            if (!LineCheck(command, line.options).check({argv + 2, argv + argc})) {
+                fmt::print("{}", sub->help());
+                chosen.run = [] { return 0; };
+                return chosen;
+            }
         }
     }
 

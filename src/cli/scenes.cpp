@@ -38,22 +38,52 @@ bool counts_scenes(std::size_t n_scenes, const std::filesystem::path& output, Ou
     return has_frame_number(output) && !(is_sequence(output, kind) && told_apart);
 }
 
+// What tells a job from another: its scene, or else the values that it sweeps.
+std::string difference(const SceneJob& job, const SceneJob& other) {
+    if (job.scene != other.scene) return job.scene;
+    std::string values;
+    for (std::size_t i = 0; i < job.overrides.size(); ++i)
+        if (job.overrides[i] != other.overrides[i])
+            values +=
+                fmt::format("{}{}", values.empty() ? "" : ", ", assignment_of(job.overrides[i]));
+    return values;
+}
+
 // One output would replace the other without a word.
 void refuse_one_name(const std::vector<SceneJob>& jobs, OutputKind kind) {
-    std::map<std::filesystem::path, std::string> taken;
+    std::map<std::filesystem::path, const SceneJob*> taken;
     for (const SceneJob& job : jobs) {
         const std::filesystem::path output =
             job.output.empty()
                 ? default_output(scene_name(job.scene), kind == OutputKind::film ? ".mp4" : ".png")
                 : std::filesystem::path(job.output);
-        const auto [other, is_new] = taken.emplace(output.lexically_normal(), job.scene);
-        if (!is_new)
-            throw InputError(fmt::format(
-                "{} and {} would both be written to {}; name the output with -o and "
-                "put #### into it for a number, {{scene}} for the scene, or {{KEY}} for what is "
-                "swept",
-                printable(other->second), printable(job.scene), printable(output.string())));
+        const auto [other, is_new] = taken.emplace(output.lexically_normal(), &job);
+        if (is_new) continue;
+        const std::string one = difference(*other->second, job),
+                          two = difference(job, *other->second);
+        if (one.empty())
+            throw InputError(
+                fmt::format("{} is given twice, and would both be written to {}; give it once",
+                            printable(job.scene), printable(output.string())));
+        throw InputError(fmt::format(
+            "{} and {} would both be written to {}; name the output with -o and "
+            "put #### into it for a number, {{scene}} for the scene, or {{KEY}} for what is "
+            "swept",
+            printable(one), printable(two), printable(output.string())));
     }
+}
+
+// A message without what differs from run to run of a sweep: the values that are swept, and every
+// number.
+std::string reason_of(const SceneJob& job, std::string message) {
+    for (const std::string& given : job.overrides)
+        for (std::size_t at = 0;
+             (at = message.find(assignment_of(given), at)) != std::string::npos;)
+            message.erase(at, assignment_of(given).size());
+    std::string reason;
+    for (const char c : message)
+        if ((c < '0' || c > '9') && c != '.' && c != '-') reason += c;
+    return job.scene + reason;
 }
 
 // Beside an installed program, or in the checkout that a build stands in.
@@ -139,20 +169,38 @@ std::vector<SceneJob> named_jobs(std::vector<SceneJob> jobs, const std::string& 
     return jobs;
 }
 
-int code_of_one(const std::function<int()>& job) {
+int Refusals::code_of(const SceneJob& job, const std::function<int()>& run) {
     try {
-        return job();
+        return run();
     } catch (const InputError& error) {
-        say(printable(error.what()));
+        if (job.overrides.empty() || said_.insert(reason_of(job, error.what())).second)
+            say(printable(error.what()));
+        else
+            likewise_.push_back(
+                difference(job, {job.scene, "", std::vector<std::string>(job.overrides.size())}));
         return 2;
     }
+}
+
+void Refusals::say_others() const {
+    if (likewise_.empty()) return;
+    constexpr std::size_t most = 5;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(most, likewise_.size()); ++i)
+        list += fmt::format("{}{}", list.empty() ? "" : "; ", likewise_[i]);
+    say(printable(fmt::format(
+        "refused for the same reason: {}{}", list,
+        likewise_.size() > most ? fmt::format("; and {} more", likewise_.size() - most) : "")));
 }
 
 int for_each_scene(const std::vector<SceneJob>& jobs,
                    const std::function<int(const SceneJob&)>& run) {
     if (jobs.size() == 1) return run(jobs.front());
     int worst = 0;
-    for (const SceneJob& job : jobs) worst = std::max(worst, code_of_one([&] { return run(job); }));
+    Refusals refusals;
+    for (const SceneJob& job : jobs)
+        worst = std::max(worst, refusals.code_of(job, [&] { return run(job); }));
+    refusals.say_others();
     return worst;
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ std::string scene_file(const std::string& given);
 struct SceneJob {
     std::string scene;
     std::string output;                  // empty: named after the scene
-    std::vector<std::string> overrides;  // "key=value", after those of the command line
+    std::vector<std::string> overrides;  // see load_scene; after those of the command line
 };
 
 // What a command makes of a scene. In the name of a film of pictures, #### may number its frames.
@@ -35,9 +36,20 @@ std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std:
 std::vector<SceneJob> named_jobs(std::vector<SceneJob> jobs, const std::string& output,
                                  OutputKind kind);
 
-// The exit code of a job over one of several scenes: one that is refused is said on stderr and
-// counts as 2.
-int code_of_one(const std::function<int()>& job);
+// What is said of several jobs that are refused: of a sweep's runs each reason once, and in the end
+// which others it holds for.
+class Refusals {
+ public:
+    // The exit code of a job: one that is refused counts as 2.
+    int code_of(const SceneJob& job, const std::function<int()>& run);
+
+    // Says for which jobs nothing was said.
+    void say_others() const;
+
+ private:
+    std::set<std::string> said_;
+    std::vector<std::string> likewise_;
+};
 
 // `run` is called for each job in turn. Returns the largest exit code. Throws what it throws of a
 // scene alone.

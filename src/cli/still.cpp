@@ -90,10 +90,10 @@ std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choi
     if (!choices.print.journal.empty()) {
         set_journal(journal_named(choices.print.journal), request.print);
         // On paper, unless the command line says otherwise.
-        const bool has_theme =
-            std::any_of(request.overrides.begin(), request.overrides.end(),
-                        [](const std::string& given) { return given.starts_with("theme"); });
-        if (!has_theme) request.overrides.emplace_back("theme=\"print\"");
+        const bool has_theme = std::any_of(
+            request.overrides.begin(), request.overrides.end(),
+            [](const std::string& given) { return assignment_of(given).starts_with("theme"); });
+        if (!has_theme) request.overrides.emplace_back("--journal theme=print");
     }
     // Vectors lie on paper, whether or not the command line speaks of it.
     if (is_vector_name(job.output) && !request.print.dpi) request.print.dpi = default_dpi;
@@ -117,16 +117,18 @@ int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Eas
     };
     if (std::any_of(jobs.begin(), jobs.end(), opens_context)) easel.context();
     int worst = 0;
+    Refusals refusals;
     std::future<std::unique_ptr<StillJob>> next = begin(0);
     for (std::size_t k = 0; k < jobs.size(); ++k) {
         std::future<std::unique_ptr<StillJob>> still = std::exchange(next, {});
         still.wait();
         if (k + 1 < jobs.size()) next = begin(k + 1);
-        worst = std::max(worst, code_of_one([&] {
-                             still.get()->draw(easel, writer, telling);
-                             return 0;
-                         }));
+        worst = std::max(worst, refusals.code_of(jobs[k], [&] {
+            still.get()->draw(easel, writer, telling);
+            return 0;
+        }));
     }
+    refusals.say_others();
     return worst;
 }
 

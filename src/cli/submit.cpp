@@ -37,7 +37,7 @@ struct SubmitChoices {
     ContextOptions context;
     std::optional<std::pair<std::int64_t, std::int64_t>> frames;  // inclusive
     int n_parts = 0;
-    std::string slurm;
+    std::vector<std::string> slurm;
     bool native = false, dry_run = false, quiet = false;
 };
 
@@ -49,10 +49,11 @@ void check(const SubmitChoices& choices) {
     context_choice_of(choices.context);
 }
 
-// An override as a task needs it, which runs in another folder: a theme in a file that is found
-// from here is named in full.
-std::string for_a_task(const std::string& given) {
+// What --set says of an override in a task, which runs in another folder: a theme in a file that is
+// found from here is named in full.
+std::string for_a_task(const std::string& override_text) {
     constexpr std::string_view theme = "theme=";
+    const std::string given(assignment_of(override_text));
     if (!given.starts_with(theme) || !given.ends_with(".toml")) return given;
     std::error_code failed;
     const std::filesystem::path file = given.substr(theme.size());
@@ -112,7 +113,8 @@ int run(const SubmitChoices& choices) {
     const Submission submission = write_submission(submission_folder(choices.output), films,
                                                    render_options(choices), choices.n_parts);
     std::vector<std::string> options = site_options();
-    for (const std::string& word : shell_words(choices.slurm)) options.push_back(word);
+    for (const std::string& given : choices.slurm)
+        for (const std::string& word : shell_words(given)) options.push_back(word);
     const std::vector<SlurmCall> calls =
         slurm_calls(submission, options, choices.dry_run ? 1001 : largest_array());
     const std::string folder = printable(submission.folder.string(), any_length);
@@ -135,8 +137,8 @@ CommandLine submit_line(std::any& room) {
     return {&c.scenes,
             {output_option(c.output),
              {"--parts", "N: parts that a film is drawn in", &c.n_parts, "a number of parts"},
-             {"--slurm", "options of sbatch, as \"--partition=short --time=10\"", &c.slurm, "",
-              "OPTIONS"},
+             {"--slurm", "options of sbatch, as \"--partition=short --time=10\"; repeatable",
+              Repeated{&c.slurm}, "", "OPTIONS"},
              {"--dry-run", "write the folder with the scripts, and submit nothing", &c.dry_run},
              {"--native", "as each machine draws fastest; otherwise --portable", &c.native},
              set_option(c.scene),

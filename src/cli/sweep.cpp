@@ -123,7 +123,8 @@ std::vector<SweepPoint> points_of(const std::vector<std::string>& sweeps) {
 
 std::vector<std::string> overrides_of(const SweepPoint& point) {
     std::vector<std::string> overrides;
-    for (const auto& [key, value] : point) overrides.push_back(fmt::format("{}={}", key, value));
+    for (const auto& [key, value] : point)
+        overrides.push_back(fmt::format("--sweep {}={}", key, value));
     return overrides;
 }
 

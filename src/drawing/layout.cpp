@@ -244,10 +244,15 @@ void StageData::check_keyframes() const {
 
 void StageData::make_panels() {
     const std::vector<PanelSpec> specs = panels_of(*this);
+    std::vector<const PanelKind*> kinds;
+    for (const PanelSpec& spec : specs)
+        // By its address: to g++ 14 a reference may be to what was only lent for the call.
+        kinds.push_back(at_scene_key(scene, fmt::format("panels[{}].kind", kinds.size()),
+                                     [&spec] { return &panel_kind_named(spec.kind); }));
 
     // Several panels, and those that fill their box, leave the title and the caption their room.
     PanelBox room{0, 0, options.width_px, options.height_px};
-    if (specs.size() > 1 || panel_kind_named(specs.front().kind).fills) {
+    if (specs.size() > 1 || kinds.front()->fills) {
         const OverlayBands bands = overlay_bands(*this);
         room.y_px = bands.top_px;
         room.height_px = std::max(1, options.height_px - bands.top_px - bands.bottom_px);
@@ -257,9 +262,7 @@ void StageData::make_panels() {
     const std::vector<int> rows =
         boundaries(scene.grid.rows, room.y_px, room.height_px, options.samples);
     for (const PanelSpec& spec : specs) {
-        // By its address: to g++ 14 a reference may be to what was only lent for the call.
-        const PanelKind& kind = *at_scene_key(scene, fmt::format("panels[{}].kind", panels.size()),
-                                              [&spec] { return &panel_kind_named(spec.kind); });
+        const PanelKind& kind = *kinds[panels.size()];
         if (!kind.possible(*this)) {
             const bool rests = motion.motion().problem().start.omega_body.isZero(0.0);
             throw SceneError(scene.location_of(rests ? "start.omega_rad_s" : "panels"),

@@ -5,16 +5,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <csetjmp>
 #include <cstring>
-#include <fstream>
 #include <map>
 #include <system_error>
 
 #include "error/error.h"
 #include "image/pixel_check.h"
 #include "image/png.h"
+#include "system/file_contents.h"
 #include "system/file_kind.h"
 #include "system/sha256.h"
 #include "text/utf8.h"
@@ -239,10 +238,6 @@ void begin(std::span<const std::uint8_t> file, const std::string& name, bool wit
 }
 
 std::vector<std::uint8_t> read_file(const fs::path& path) {
-    const auto fail = [&](int error_number) {
-        throw EnvironmentError(fmt::format("cannot read {}: {}", path.string(),
-                                           std::generic_category().message(error_number)));
-    };
     const FileKind kind = kind_of_file(path);
     if (kind == FileKind::missing)
         throw InputError(fmt::format("{} does not exist", path.string()));
@@ -251,18 +246,9 @@ std::vector<std::uint8_t> read_file(const fs::path& path) {
     if (kind != FileKind::regular)
         throw InputError(fmt::format("{}: {}", path.string(), in_words(kind)));
     std::error_code error;
-    errno = 0;
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) fail(errno);
-    const std::uintmax_t size = fs::file_size(path, error);
-    if (error) fail(error.value());
-    if (size > largest_file_bytes)
+    if (const std::uintmax_t size = fs::file_size(path, error); !error && size > largest_file_bytes)
         throw InputError(fmt::format("{} is larger than any picture that is read", path.string()));
-    std::vector<std::uint8_t> file(size);
-    stream.read(reinterpret_cast<char*>(file.data()), static_cast<std::streamsize>(size));
-    if (stream.bad()) fail(errno);
-    file.resize(static_cast<std::size_t>(stream.gcount()));
-    return file;
+    return read_bytes(path);
 }
 
 }  // namespace

@@ -52,11 +52,12 @@ bool check_triangle(const Eigen::Vector3d& I, Physicality physicality, double n_
     if (slack > 0.0 || physicality == Physicality::waived) return false;
     throw InputError(fmt::format(
         "{}: no distribution of mass has the moments {}, {}, {}, since I{} + I{} - I{} = 2 times "
-        "the "
-        "integral of x{}^2 dm is never negative (here {:.6g}); make I{} at most {}, or set "
-        "allow_unphysical = true to keep the mathematics",
+        "the integral of x{}^2 dm is never negative (here {:.6g}); make I{} at most {}, I{} at "
+        "least {:.12g} or I{} at least {:.12g}, or set allow_unphysical = true to keep the "
+        "mathematics",
         what, I[0], I[1], I[2], r.one + 1, r.other + 1, r.high + 1, r.high + 1, 4.0 * slack,
-        r.high + 1, I[r.one] + I[r.other]));
+        r.high + 1, I[r.one] + I[r.other], r.one + 1, I[r.high] - I[r.other], r.other + 1,
+        I[r.high] - I[r.one]));
 }
 
 void check_finite(const Eigen::Matrix3d& tensor) {

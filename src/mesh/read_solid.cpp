@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <system_error>
 
 #include "error/error.h"
 #include "mesh/mesh_reader.h"
+#include "system/file_contents.h"
 #include "system/file_kind.h"
 #include "text/printable.h"
 
@@ -37,15 +35,7 @@ std::string bytes_of_file(const fs::path& file) {
                                           largest_mesh_bytes >> 20));
     }
 
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-        refuse(file,
-               fmt::format("cannot be read ({}); check its permissions", std::strerror(errno)));
-    }
-    std::string bytes(size, '\0');
-    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (stream.bad()) refuse(file, "cannot be read to its end; check the disk");
-    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    std::string bytes = read_beginning(file, largest_mesh_bytes);
     if (bytes.empty()) refuse(file, "the file is empty; export the surface of a solid");
     return bytes;
 }

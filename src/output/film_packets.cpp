@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -161,10 +160,8 @@ std::size_t end_of_gif(std::span<const std::uint8_t> file, const std::string& na
 }
 
 std::string packet_hash_of(const fs::path& film) {
-    std::ifstream stream(film, std::ios::binary);
-    std::array<char, 3> start{};
-    stream.read(start.data(), start.size());
-    if (std::string_view(start.data(), start.size()) != "GIF") return hash_of_stream(film);
+    constexpr std::string_view gif = "GIF";
+    if (read_beginning(film, gif.size()) != gif) return hash_of_stream(film);
     return gif_packets(read_bytes(film), film.string()).of_film();
 }
 

@@ -1,18 +1,17 @@
 #include "output/film_parts.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <string_view>
 #include <utility>
 
 #include "error/error.h"
+#include "system/file_contents.h"
+#include "system/file_kind.h"
 #include "system/interrupt.h"
 
 namespace poinsot {
@@ -23,28 +22,17 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view part_word = "part ";  // of the first block's contents
 
-// An open file that is read.
-class Reading {
- public:
-    explicit Reading(const fs::path& path)
-        : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-        if (descriptor_ < 0)
-            throw InputError(
-                fmt::format("{} cannot be read: {}", path.string(), std::strerror(errno)));
-    }
-    ~Reading() { ::close(descriptor_); }
-    Reading(const Reading&) = delete;
-    Reading& operator=(const Reading&) = delete;
-    int descriptor() const { return descriptor_; }
-
- private:
-    int descriptor_;
-};
+InputFile open_part(const fs::path& path) {
+    if (kind_of_file(path) == FileKind::missing)
+        throw InputError(
+            fmt::format("{}: no such file; name a part that render --part wrote", path.string()));
+    return InputFile(path);
+}
 
 }  // namespace
 
 PartFile::PartFile(fs::path path) : path_(std::move(path)) {
-    const Reading file(path_);
+    const InputFile file = open_part(path_);
     std::vector<std::uint8_t> contents;
     FrameBlock block;
     std::int64_t end = 0;
@@ -67,7 +55,7 @@ PartFile::PartFile(fs::path path) : path_(std::move(path)) {
 }
 
 bool looks_like_part(const fs::path& path) {
-    const Reading file(path);
+    const InputFile file = open_part(path);
     std::array<char, block_head + part_word.size()> start{};
     const ssize_t n = ::pread(file.descriptor(), start.data(), start.size(), 0);
     return n == static_cast<ssize_t>(start.size()) &&
@@ -79,17 +67,8 @@ JoinedEntries::JoinedEntries(const std::vector<PartFile>& parts) : parts_(&parts
     open(0);
 }
 
-JoinedEntries::~JoinedEntries() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-}
-
 void JoinedEntries::open(std::size_t part) {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    const fs::path& path = (*parts_)[part].path();
-    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor_ < 0)
-        throw EnvironmentError(
-            fmt::format("{} cannot be read: {}", path.string(), std::strerror(errno)));
+    file_.emplace((*parts_)[part].path());
     open_part_ = part;
 }
 
@@ -103,7 +82,7 @@ std::span<const std::uint8_t> JoinedEntries::read(std::int64_t k) {
     const PartFile& part = (*parts_)[index];
     const FrameBlock& wanted = part.blocks().at(static_cast<std::size_t>(k - part.part().n_before));
     FrameBlock found;
-    if (!read_block(descriptor_, part.path(), wanted.at - block_head, found, buffer_) ||
+    if (!read_block(file_->descriptor(), part.path(), wanted.at - block_head, found, buffer_) ||
         found.size != wanted.size)
         throw EnvironmentError(
             fmt::format("{} has changed while it was read; make it again", part.path().string()));

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "output/frame_log.h"
 #include "output/frame_sink.h"
+#include "system/file_contents.h"
 
 namespace poinsot {
 
@@ -46,9 +48,6 @@ class JoinedEntries : public FrameEntries {
  public:
     // Precondition: the parts are whole and in order, one at least.
     explicit JoinedEntries(const std::vector<PartFile>& parts);
-    ~JoinedEntries() override;
-    JoinedEntries(const JoinedEntries&) = delete;
-    JoinedEntries& operator=(const JoinedEntries&) = delete;
 
     std::int64_t n_entries() const override { return n_entries_; }
     const std::string& settings() const override { return parts_->front().settings(); }
@@ -61,7 +60,7 @@ class JoinedEntries : public FrameEntries {
     const std::vector<PartFile>* parts_;
     std::int64_t n_entries_ = 0;
     std::size_t open_part_ = 0;
-    int descriptor_ = -1;
+    std::optional<InputFile> file_;  // the part that is open
     std::vector<std::uint8_t> buffer_;
 };
 

@@ -13,6 +13,7 @@
 #include "error/error.h"
 #include "output/video_encoder.h"
 #include "system/atomic_file.h"
+#include "system/file_kind.h"
 
 namespace poinsot::libav {
 
@@ -63,6 +64,8 @@ DemuxContext open_film(const std::filesystem::path& film) {
             throw InputError(
                 fmt::format("{} cannot be read as a film: {}", film.string(), error_text(result)));
     };
+    if (const FileKind kind = kind_of_file(film); kind == FileKind::special)
+        throw InputError(fmt::format("{}: {}", film.string(), in_words(kind)));
     silence_libav();
     const LargestPiece while_it_opens(largest_piece_of(film));
     AVFormatContext* context = nullptr;

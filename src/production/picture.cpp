@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdint>
-
 #include "error/error.h"
 #include "image/downsample.h"
 #include "output/quality.h"
 #include "production/print_size.h"
 #include "scene/scene_error.h"
-#include "text/utf8.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -45,15 +42,10 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
 void tell_type_notes(const Stage& stage, const Telling& telling) {
     const std::vector<char32_t>& missing = stage.data().type_case.typesetter().missing();
     if (missing.empty()) return;
-    std::string list;
-    constexpr std::size_t most = 8;
-    for (std::size_t i = 0; i < std::min(most, missing.size()); ++i)
-        list += fmt::format("{}{} (U+{:04X})", i > 0 ? ", " : "", utf8_of(missing[i]),
-                            static_cast<std::uint32_t>(missing[i]));
-    telling.say(
-        fmt::format("note: no font here has {}{}: drawn as boxes; install a font that has them, as "
-                    "fonts-noto or fonts-dejavu",
-                    list, missing.size() > most ? ", …" : ""));
+    telling.say(fmt::format(
+        "note: no font here has {}: drawn as boxes; install a font that has them, as fonts-noto or "
+        "fonts-dejavu",
+        listed(missing)));
 }
 
 PictureBound bound_of(const Session& session, const Stage& stage, int samples) {

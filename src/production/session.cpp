@@ -51,9 +51,9 @@ void extend(MotionProblem& problem, std::span<const double> times_s) {
 void set_size_on_paper(const SceneRequest& request, Scene& scene) {
     const auto paper = print_size_of(request.print, scene.film.width_px, scene.film.height_px);
     if (!paper) return;
-    const bool sized_twice =
-        std::any_of(request.overrides.begin(), request.overrides.end(),
-                    [](const std::string& given) { return given.starts_with("film.size="); });
+    const bool sized_twice = std::any_of(
+        request.overrides.begin(), request.overrides.end(),
+        [](const std::string& given) { return assignment_of(given).starts_with("film.size="); });
     if (sized_twice && (request.print.width_mm || request.print.height_mm))
         throw InputError(
             "--size and --width-mm or --height-mm both say how large the picture is; leave one "

@@ -37,7 +37,7 @@ struct Session {
 // What is wanted of a scene file.
 struct SceneRequest {
     std::string file;
-    std::vector<std::string> overrides;  // "key=value"
+    std::vector<std::string> overrides;  // see load_scene
     OutsideFiles outside = OutsideFiles::refused;
     PrintChoices print;
     std::vector<double> times_s;  // instants that a stepped motion must cover besides the film

@@ -100,6 +100,23 @@ PictureSetting setting_for(const Scene& scene, const StillRequest& request) {
                                           : setting_of(scene, request.print);
 }
 
+// What not every document sets as it stands in the figure.
+void note_gaps(const LatexGaps& gaps, const std::filesystem::path& file, const Telling& telling) {
+    const std::string name = printable(file.filename().string());
+    if (!gaps.hidden.empty())
+        telling.say(fmt::format("note: {} leaves out {}, which LaTeX cannot set", name,
+                                listed(gaps.hidden)));
+    if (!gaps.need_t1.empty())
+        telling.say(fmt::format(
+            "note: {}: pdfLaTeX leaves out {}; with \\usepackage[T1]{{fontenc}} it is set", name,
+            listed(gaps.need_t1)));
+    if (!gaps.need_unicode.empty())
+        telling.say(
+            fmt::format("note: {}: pdfLaTeX leaves out {}; XeLaTeX and LuaLaTeX set what their "
+                        "font has",
+                        name, listed(gaps.need_unicode)));
+}
+
 }  // namespace
 
 StillJob::StillJob(Session&& session, StillRequest request)
@@ -141,6 +158,7 @@ void StillJob::draw_vectors(OutputPlace place, Record record, Easel& easel,
     if (!still.latex.empty()) {
         const std::filesystem::path beside = latex_path_of(place.path());
         write_whole(beside, still.latex);
+        note_gaps(still.latex_gaps, beside, telling);
         files += "\n" + printable(beside.string());
     }
     telling.say(fmt::format("{}\npaths within {:.2g} um of what they show", files, still.off_um));

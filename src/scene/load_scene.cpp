@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <fstream>
 #include <system_error>
 #include <vector>
 
@@ -15,6 +12,7 @@
 #include "scene/scene_error.h"
 #include "scene/scene_keys.h"
 #include "scene/toml_document.h"
+#include "system/file_contents.h"
 #include "system/file_kind.h"
 #include "text/label_text.h"
 #include "text/nearest.h"
@@ -76,8 +74,18 @@ void locate(TomlValue& value, const SourceLocation& where) {
     }
 }
 
-Override parse_override(const std::string& text) {
-    const SourceLocation where{fmt::format("--set {}", text), 0, 0};
+// What was typed: "--set film.fps=30", "--fps 30".
+std::string as_typed(std::string_view given) {
+    const std::string_view text = assignment_of(given);
+    if (text.size() == given.size()) return fmt::format("--set {}", text);
+    const std::string_view option = given.substr(0, given.find(' '));
+    const bool has_key = option == "--set" || option == "--sweep";
+    return fmt::format("{} {}", option, has_key ? text : text.substr(text.find('=') + 1));
+}
+
+Override parse_override(const std::string& given) {
+    const SourceLocation where{as_typed(given), 0, 0};
+    const std::string text(assignment_of(given));
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) {
         throw SceneError(where, "no \"=\"; write --set key=value");
@@ -249,19 +257,17 @@ std::string text_of_file(const fs::path& file) {
     if (kind != FileKind::regular) refuse_file(file, in_words(kind));
 
     // One byte more than is accepted tells a file that is too large from one that just fits.
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-        refuse_file(
-            file, fmt::format("cannot be read ({}); check its permissions", std::strerror(errno)));
-    }
-    std::string text(most_scene_file_bytes + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
-    if (stream.bad()) refuse_file(file, "cannot be read to its end; check the disk");
+    std::string text = read_beginning(file, most_scene_file_bytes + 1);
     if (text.size() > most_scene_file_bytes) {
         refuse_file(file, "larger than 1 MiB; a scene is a short text file, name that one");
     }
     return text;
+}
+
+std::string_view assignment_of(std::string_view override_text) {
+    const bool has_option = override_text.starts_with("--");
+    const std::size_t space = has_option ? override_text.find(' ') : std::string_view::npos;
+    return space == std::string_view::npos ? override_text : override_text.substr(space + 1);
 }
 
 Scene parse_scene(std::string_view text, const std::string& file_name,

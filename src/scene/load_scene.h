@@ -10,8 +10,12 @@
 
 namespace poinsot {
 
-// Reads a scene file. `overrides` are the "key=value" of --set, in order: they replace what the
-// file says; a value that is not TOML counts as a string. Throws SceneError, for a file that cannot
+// An override is a "key=value" of --set. One that another option stands for begins with that
+// option, which messages then name: "--size film.size=640x360". This is its "key=value".
+std::string_view assignment_of(std::string_view override_text);
+
+// Reads a scene file. The overrides replace, in order, what the file says; a value that is not TOML
+// counts as a string. Throws SceneError, for a file that cannot
 // be read, too. Files that the scene names are looked for in its own folder; only with `outside`
 // allowed may they lie elsewhere.
 Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides = {},

@@ -15,14 +15,14 @@ std::string SourceLocation::prefix() const {
 }
 
 SourceLocation Scene::location_of(const std::string& key) const {
-    // The key itself, then each table above it.
+    // The key itself, then what it is an item of, and each table above it.
     std::string path = key;
     while (true) {
         const auto found = locations.find(path);
         if (found != locations.end()) return found->second;
-        const std::size_t dot = path.rfind('.');
-        if (dot == std::string::npos) break;
-        path.resize(dot);
+        const std::size_t end = path.find_last_of(".[");
+        if (end == std::string::npos) break;
+        path.resize(end);
     }
     return {file.string(), 1, 1};
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+
 #include "text/utf8.h"
 
 namespace poinsot {
@@ -41,6 +43,11 @@ std::string toml_text(std::string_view value) {
             text += "\\n";
         } else if (character.code == '\t') {
             text += "\\t";
+        } else if (character.valid && is_hidden(character.code)) {
+            // Escaped, so that records can be looked at, and stand in XML (an SVG's).
+            const auto number = static_cast<std::uint32_t>(character.code);
+            text += number < 0x10000 ? fmt::format("\\u{:04X}", number)
+                                     : fmt::format("\\U{:08X}", number);
         } else {
             text += value.substr(0, character.size);
         }

@@ -7,10 +7,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "error/error.h"
+#include "system/interrupt.h"
 
 namespace poinsot {
 
@@ -69,6 +72,35 @@ bool names(const fs::path& path, int descriptor) {
            by_name.st_ino == by_descriptor.st_ino && by_name.st_dev == by_descriptor.st_dev;
 }
 
+// What is made aside must be a file of its own: bytes for a pipe or behind a link would go
+// elsewhere, and a full pipe would never take them.
+[[noreturn]] void refuse_aside(const fs::path& path, const fs::path& aside) {
+    throw EnvironmentError(
+        fmt::format("cannot write {}: {} is where it is made first, and is not a regular file; "
+                    "remove that",
+                    path.string(), aside.string()));
+}
+
+// A pipe is open once somebody reads it. Asked again and again, since a call that waits for that
+// would go on through an interrupt.
+int open_device(const fs::path& path) {
+    std::error_code ignored;
+    if (!fs::is_fifo(path, ignored)) return ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    int descriptor = -1;
+    while ((descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK)) < 0 &&
+           errno == ENXIO) {
+        stop_if_interrupted();
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    if (descriptor >= 0) fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+    return descriptor;
+}
+
+bool is_regular(int descriptor) {
+    struct stat status {};
+    return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
 }  // namespace
 
 void throw_write_error(const fs::path& path, int error_number) {
@@ -87,7 +119,7 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(followed(path)) {
     }
     check_place(path_);
     if (is_device(path_)) {
-        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+        descriptor_ = open_device(path_);
         if (descriptor_ < 0) throw_write_error(path_, errno);
         return;
     }
@@ -126,8 +158,15 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
 
 void AtomicFile::open_aside(const std::function<void()>& when_held) {
     while (descriptor_ < 0) {
+        std::error_code ignored;
+        const fs::file_status there = fs::symlink_status(aside_, ignored);
+        if (fs::exists(there) && !fs::is_regular_file(there)) refuse_aside(path_, aside_);
         const int opened = ::open(aside_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
         if (opened < 0) throw_open_error(path_, errno);
+        if (!is_regular(opened)) {
+            ::close(opened);
+            refuse_aside(path_, aside_);
+        }
         // A file system that cannot lock still gets its file; it only cannot refuse a second run.
         int locked = flock(opened, LOCK_EX | LOCK_NB);
         if (locked != 0 && errno == EWOULDBLOCK && when_held) {

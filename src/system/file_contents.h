@@ -1,18 +1,43 @@
-// A file read as a whole.
+// Files opened for reading: regular files only, since a pipe may never end and a device has no
+// size.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace poinsot {
 
-// Throw EnvironmentError: `cannot read PATH: REASON`.
+// A regular file, open for reading while it lives.
+class InputFile {
+ public:
+    // Never waits: a pipe that nobody writes to is refused like any other that is not a regular
+    // file. Throws InputError for these (`PATH: a pipe or a device, not a regular file; …`),
+    // EnvironmentError for a file that is missing or cannot be opened (`cannot read PATH: REASON`).
+    explicit InputFile(const std::filesystem::path& path);
+    ~InputFile();
+    InputFile(InputFile&& other) noexcept;
+    InputFile& operator=(InputFile&& other) noexcept;
+
+    int descriptor() const { return descriptor_; }
+
+ private:
+    int descriptor_ = -1;
+};
+
+// The whole file. Throw as InputFile does, and EnvironmentError where reading fails.
 std::string read_text(const std::filesystem::path& path);
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path);
 
-// The same of a file that need not be there, and is empty then.
+// Its first bytes, all of them where it has fewer. Throws as read_text does.
+std::string read_beginning(const std::filesystem::path& path, std::size_t n_bytes);
+
+// Whether this is a regular file that can be read and begins so. Never throws.
+bool begins_with(const std::filesystem::path& path, std::string_view beginning) noexcept;
+
+// The whole file, or nothing where there is none. Throws as read_text does.
 std::string read_text_if_there(const std::filesystem::path& path);
 
 }  // namespace poinsot

@@ -13,12 +13,12 @@ namespace poinsot {
 // behind that outlive a context.
 class SharedLibrary {
  public:
-    // Throws EnvironmentError naming the Debian package that has the library.
-    SharedLibrary(const char* file, const char* debian_package)
+    // Throws EnvironmentError saying what to install, as "the Debian package libegl1".
+    SharedLibrary(const char* file, const char* what_to_install)
         : handle_(dlopen(file, RTLD_NOW | RTLD_LOCAL)), file_(file) {
         if (handle_ == nullptr)
-            throw EnvironmentError(std::string("cannot open ") + file +
-                                   "; install the Debian package " + debian_package);
+            throw EnvironmentError(std::string("cannot open ") + file + "; install " +
+                                   what_to_install);
     }
 
     template <class Function>

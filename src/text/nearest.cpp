@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "text/printable.h"
@@ -12,17 +13,19 @@ namespace poinsot {
 
 namespace {
 
-// Levenshtein's distance: insertions, deletions and replacements.
+// How many insertions, deletions, replacements and exchanges of two neighbours make one of the
+// other (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
+    std::vector<std::size_t> row(b.size() + 1), above, two_above;
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
+        two_above = std::exchange(above, row);
         row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+            row[j] = std::min(
+                {above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], two_above[j - 2] + 1);
         }
     }
     return row[b.size()];
@@ -33,7 +36,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string did_you_mean(std::string_view given, std::span<const std::string_view> known) {
     if (given.size() > 64) return "";
     std::string_view best;
-    std::size_t least = std::max<std::size_t>(2, given.size() / 3) + 1;
+    // Of a short name most letters must be right; the dashes of an option are none.
+    const std::size_t n_letters =
+        given.size() - std::min(given.find_first_not_of('-'), given.size());
+    const std::size_t most = n_letters < 5 ? 1 : std::max<std::size_t>(2, n_letters / 3);
+    std::size_t least = most + 1;
     for (const std::string_view name : known) {
         const std::size_t distance = edit_distance(given, name);
         if (distance < least) {

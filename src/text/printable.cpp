@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -63,6 +64,17 @@ std::string printable(std::string_view text, std::size_t most) {
     if (width > most) safe += "…";
     for (std::size_t i = end_of_cut; i < pieces.size(); ++i) safe += pieces[i].shown;
     return safe;
+}
+
+std::string listed(std::span<const char32_t> characters) {
+    constexpr std::size_t most = 8;
+    std::string list;
+    for (const char32_t c : characters.first(std::min(most, characters.size()))) {
+        const std::string code = fmt::format("U+{:04X}", static_cast<std::uint32_t>(c));
+        if (!list.empty()) list += ", ";
+        list += is_hidden(c) ? code : fmt::format("{} ({})", utf8_of(c), code);
+    }
+    return characters.size() > most ? list + ", …" : list;
 }
 
 std::string json_string(std::string_view text) {

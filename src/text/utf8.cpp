@@ -49,13 +49,13 @@ std::string utf8_of(char32_t code) {
 }
 
 bool is_hidden(char32_t code) {
-    if (is_control(code)) return true;
-    // Unicode's Default_Ignorable_Code_Point (DerivedCoreProperties), the characters of category Cf
-    // among annotations, and the noncharacters.
+    if (is_control(code) || is_noncharacter(code)) return true;
+    // Unicode's Default_Ignorable_Code_Point (DerivedCoreProperties), and the characters of
+    // category Cf among annotations.
     struct Range {
         char32_t first, last;
     };
-    constexpr std::array<Range, 19> hidden{{{0xad, 0xad},
+    constexpr std::array<Range, 17> hidden{{{0xad, 0xad},
                                             {0x34f, 0x34f},
                                             {0x61c, 0x61c},
                                             {0x115f, 0x1160},
@@ -65,19 +65,16 @@ bool is_hidden(char32_t code) {
                                             {0x202a, 0x202e},
                                             {0x2060, 0x206f},
                                             {0x3164, 0x3164},
-                                            {0xfdd0, 0xfdef},
                                             {0xfe00, 0xfe0f},
                                             {0xfeff, 0xfeff},
                                             {0xffa0, 0xffa0},
                                             {0xfff0, 0xfffb},
-                                            {0xfffe, 0xffff},
                                             {0x1bca0, 0x1bca3},
                                             {0x1d173, 0x1d17a},
                                             {0xe0000, 0xe0fff}}};
-    return (code & 0xfffe) == 0xfffe ||
-           std::any_of(hidden.begin(), hidden.end(), [code](const Range& range) {
-               return range.first <= code && code <= range.last;
-           });
+    return std::any_of(hidden.begin(), hidden.end(), [code](const Range& range) {
+        return range.first <= code && code <= range.last;
+    });
 }
 
 }  // namespace poinsot

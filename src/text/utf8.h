@@ -23,6 +23,11 @@ constexpr bool is_control(char32_t code) {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028 || code == 0x2029;
 }
 
+// True for the 66 codes that Unicode keeps from being characters (Unicode Standard §23.7).
+constexpr bool is_noncharacter(char32_t code) {
+    return (code & 0xfffe) == 0xfffe || (code >= 0xfdd0 && code <= 0xfdef);
+}
+
 // True for control characters, and for those that have no picture of their own or change that of
 // others: directions of writing, what is zero wide or blank, tags and noncharacters.
 bool is_hidden(char32_t code);

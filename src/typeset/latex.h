@@ -3,15 +3,24 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "typeset/typesetter.h"
 
 namespace poinsot {
 
+// Characters that not every document sets, each once.
+struct LatexGaps {
+    std::vector<char32_t> hidden;        // have no picture of their own; left out
+    std::vector<char32_t> need_t1;       // set where the document has \usepackage[T1]{fontenc}
+    std::vector<char32_t> need_unicode;  // set by XeLaTeX and LuaLaTeX alone
+};
+
 // What a document of LaTeX says for a label or caption (grammar: label_parser.h), its own fonts and
 // sizes left to it: a label is one formula between dollar signs, in display style. Beyond the
-// kernel it may name \boldsymbol, \mathbb, \dddot; what is no letter of mathematics stays UTF-8.
-// throws: LabelError for what the string says.
-std::string latex_of(std::string_view text, TypeMode mode);
+// kernel it may name \boldsymbol, \mathbb, \dddot and \poinsotonly{ENCODING}{…}, which sets
+// its second argument where the document has fonts of that encoding (T1, TU) and else nothing.
+// Adds to the gaps. throws: LabelError for what the string says.
+std::string latex_of(std::string_view text, TypeMode mode, LatexGaps& gaps);
 
 }  // namespace poinsot

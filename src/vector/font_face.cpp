@@ -8,6 +8,7 @@
 
 #include "error/error.h"
 #include "text/printable.h"
+#include "text/utf8.h"
 #include "vector/handle.h"
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
@@ -70,9 +71,11 @@ FontFace::FontFace(const std::filesystem::path& file) : handles_(std::make_uniqu
     handles_->face.reset(face);
     handles_->blob.reset(hb_blob_create_from_file(file.c_str()));
     FT_UInt glyph = 0;
-    for (FT_ULong c = FT_Get_First_Char(face, &glyph); glyph != 0;
-         c = FT_Get_Next_Char(face, c, &glyph))
-        characters_.emplace(glyph, static_cast<char32_t>(c));
+    // A control character or a noncharacter is no text of a page: readers refuse it.
+    for (FT_ULong code = FT_Get_First_Char(face, &glyph); glyph != 0;
+         code = FT_Get_Next_Char(face, code, &glyph))
+        if (const auto c = static_cast<char32_t>(code); !is_control(c) && !is_noncharacter(c))
+            characters_.emplace(glyph, c);
 }
 
 FontFace::~FontFace() = default;

@@ -49,19 +49,29 @@ std::string matrix(const Eigen::Affine2d& map) {
                        m(0, 1), m(1, 1), m(0, 2), m(1, 2));
 }
 
+// The characters of XML 1.0 (§2.2), production Char; a document with any other is not read at all.
+bool is_xml(char32_t c) {
+    return c == '\t' || c == '\n' || c == '\r' || (c >= 0x20 && c != 0xfffe && c != 0xffff);
+}
+
+// What XML cannot hold becomes U+FFFD.
 std::string escaped(std::string_view text) {
     std::string out;
-    for (const char c : text) {
-        if (c == '&')
+    while (!text.empty()) {
+        const Utf8Character c = first_character(text);
+        if (c.code == '&')
             out += "&amp;";
-        else if (c == '<')
+        else if (c.code == '<')
             out += "&lt;";
-        else if (c == '>')
+        else if (c.code == '>')
             out += "&gt;";
-        else if (c == '\r')
+        else if (c.code == '\r')
             out += "&#13;";
+        else if (!c.valid || !is_xml(c.code))
+            out += "\ufffd";
         else
-            out += c;
+            out += text.substr(0, c.size);
+        text.remove_prefix(c.size);
     }
     return out;
 }

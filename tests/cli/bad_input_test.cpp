@@ -331,6 +331,90 @@ TEST(BadFile, IsRefusedAtOnceWhereverItIsNamed) {
     }
 }
 
+// The same of files that a command finds by itself, beside what it was given.
+TEST(BadFile, IsNotWaitedForWhereACommandFindsItItself) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", good);
+    const auto pipe = [&folder](const std::string& name) {
+        std::filesystem::create_directories((folder.path() / name).parent_path());
+        ASSERT_EQ(mkfifo((folder.path() / name).c_str(), 0600), 0);
+    };
+    const std::string film = "render scene.toml --size 64x36 --frames 0-3 -q -o ";
+    ASSERT_EQ(run_program_in(folder, film + "1.mp4 --part 1/1").code, 0);
+    ASSERT_EQ(run_program_in(folder, "still scene.toml --size 64x36 -q -o good.png").code, 0);
+    std::filesystem::create_directory(folder.path() / "new");
+    std::filesystem::copy(folder.path() / "good.png", folder.path() / "new/good.png");
+    for (const char* name :
+         {"pipe.mp4", "pipe.png", "pipe.toml", "pipe.tex", "pipe.svg", "list.job/films",
+          "log.job/logs/a.1.log", "site/poinsot/slurm.options", "baselines/manifest.toml",
+          ".taken.mp4.part.frames", ".taken.mp4.part", ".taken.png.part", ".taken.csv.part"})
+        pipe(name);
+    folder.write("log.job/films", "a\t1\ta.mp4\thash\n");
+    std::filesystem::create_directory(folder.path() / "log.job/state");
+    folder.write("log.job/state/a.1.failed", "");
+
+    struct Refusal {
+        std::string command, says;
+        int code = 2;
+    };
+    const std::string no_file = "a pipe or a device, not a regular file";
+    const std::string in_the_way = "is where it is made first, and is not a regular file";
+    for (const Refusal& refusal : {
+             Refusal{"join pipe.mp4 -o f.mp4", "pipe.mp4: " + no_file},
+             {"join 1.mp4 pipe.mp4 -o f.mp4", "pipe.mp4: " + no_file},
+             {"join pipe.png -o 'f_####.png'", "pipe.png: " + no_file},
+             {"status list.job", "films: " + no_file},
+             {"status log.job", "a.1.log: " + no_file},
+             {"explain pipe.svg", "pipe.svg: " + no_file},
+             {"compare pipe.svg pipe.svg", "pipe.svg"},
+             {"still scene.toml -o a.png --theme pipe.toml", no_file},
+             {"check scene.toml --set 'object.pictures=[{face=\"+e1\", file=\"pipe.png\"}]'",
+              no_file},
+             {"still scene.toml -o pipe.pdf --text latex", "is a file of your own"},
+             {"compare baselines new", "manifest.toml: " + no_file},
+             {"approve good --results new --baselines baselines", "manifest.toml: " + no_file},
+             {film + "taken.mp4", in_the_way, 3},
+             {"recover taken.mp4", "", 3},
+             {"still scene.toml --size 64x36 -q -o taken.png", in_the_way, 3},
+             {"sample scene.toml --times 0 -o taken.csv", in_the_way, 3},
+         }) {
+        const ProgramRun run =
+            run_program_in(folder, refusal.command, "XDG_CONFIG_HOME=$PWD/site timeout 20");
+        EXPECT_EQ(run.code, refusal.code) << refusal.command << ": " << run.err;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+        EXPECT_NE(run.err.find(refusal.says), std::string::npos)
+            << refusal.command << ": " << run.err;
+    }
+    // What is only looked at in passing is left alone.
+    pipe("f.chapters.json");
+    pipe("f.vtt");
+    const ProgramRun made = run_program_in(folder, film + "f.mp4", "timeout 60");
+    EXPECT_EQ(made.code, 0) << made.err;
+    EXPECT_TRUE(std::filesystem::is_fifo(folder.path() / "f.vtt"));
+}
+
+// Of a sequence, whose pictures are written by threads: a signal ends the wait for a reader. After
+// another minute `timeout` would kill it, which is 137.
+TEST(OutputPipe, WithoutAReaderIsGivenUpWhenInterrupted) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", good);
+    ASSERT_EQ(mkfifo((folder.path() / "a_0000.png").c_str(), 0600), 0);
+    const ProgramRun run =
+        run_program_in(folder, "render scene.toml --size 64x36 --frames 0-1 -q -o 'a_####.png'",
+                       "timeout -k 60 3");
+    EXPECT_EQ(run.code, 124) << run.err;
+}
+
+// A pipe of instants is a use: what a program prints goes on into this one.
+TEST(TimesFile, MayBeAPipe) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", good);
+    const std::string runner = "mkfifo times && (echo 1 >times &) && timeout 60";
+    const ProgramRun run = run_program_in(folder, "sample scene.toml --times-file times", runner);
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("\n1,"), std::string::npos) << run.out;
+}
+
 TEST(BadFile, InAFolderOfPicturesIsUnreadableAndTheOthersAreCompared) {
     const ScratchFolder folder;
     folder.write("scene.toml", good);

@@ -385,6 +385,66 @@ TEST(Doctor, FindsAContextHere) {
     EXPECT_NE(run.out.find("context OSMesa"), std::string::npos);
 }
 
+// A library that cannot be opened stands in for one that is not there.
+TEST(Doctor, AdvisesWhatCanBeHad) {
+    const ScratchFolder folder;
+    std::filesystem::create_directory(folder.path() / "lib");
+    folder.write("lib/libOSMesa.so.8", "no library");
+    const ProgramRun run = run_program_in(folder, "doctor", "LD_LIBRARY_PATH=$PWD/lib");
+    EXPECT_EQ(run.code, 0) << run.out << run.err;
+    const std::size_t at = run.out.find("context OSMesa");
+    const std::string line = run.out.substr(at, run.out.find('\n', at) - at);
+    EXPECT_NE(line.find("not needed: EGL works"), std::string::npos) << line;
+    EXPECT_EQ(run.out.find("libosmesa6"), std::string::npos) << run.out;
+    // Neither: what to install on a distribution that has it no more, too.
+    folder.write("lib/libEGL.so.1", "no library");
+    const ProgramRun none = run_program_in(folder, "doctor", "LD_LIBRARY_PATH=$PWD/lib");
+    EXPECT_EQ(none.code, 1) << none.out << none.err;
+    EXPECT_NE(none.out.find("libosmesa6 where there is one"), std::string::npos) << none.out;
+    EXPECT_NE(none.out.find("libegl1, libegl-mesa0 and libgl1-mesa-dri"), std::string::npos)
+        << none.out;
+}
+
+// Some of these make Mesa crash or draw something else.
+TEST(Environment, OfTheRendererChangesNoPicture) {
+    const ScratchFolder folder;
+    const std::string scene = "'" + (source_folder() / "scenes/generic.toml").string() + "'";
+    const auto drawn = [&](const std::string& environment, const std::string& options) {
+        const ProgramRun run = run_program_in(
+            folder, "still " + scene + " --size 160x90 -q -o a.png" + options, environment);
+        EXPECT_EQ(run.code, 0) << environment << options << ": " << run.err;
+        return text_of(folder.path() / "a.png");
+    };
+    for (const std::string options : {"", " --portable"}) {
+        const std::string reference = drawn("", options);
+        for (const char* environment :
+             {"LP_NATIVE_VECTOR_WIDTH=64", "LP_NATIVE_VECTOR_WIDTH=512", "LP_NATIVE_VECTOR_WIDTH=0",
+              "LP_PERF=no_blend", "ST_DEBUG=wf", "DRAW_USE_LLVM=0", "GALLIUM_NOOP=1",
+              "MESA_EXTENSION_OVERRIDE=-GL_ARB_texture_float", "MESA_GLSL_VERSION_OVERRIDE=110",
+              "MESA_GL_VERSION_OVERRIDE=2.1", "LP_NUM_THREADS=many", "EGL_PLATFORM=x11",
+              "LIBGL_ALWAYS_INDIRECT=1", "MESA_LOADER_DRIVER_OVERRIDE=none",
+              "GALLIUM_DRIVER=llvmpipe", "GALLIUM_DRIVER="})
+            EXPECT_TRUE(drawn(environment, options) == reference) << environment << options;
+    }
+}
+
+TEST(Environment, ThatAsksForAnotherDriverIsRefusedInASentence) {
+    const ScratchFolder folder;
+    const std::string scene = "'" + (source_folder() / "scenes/generic.toml").string() + "'";
+    for (const std::string driver : {"bogus", "zink", "swr", "d3d12", "virpipe", "a b"})
+        for (const std::string backend : {"auto", "egl"}) {
+            const ProgramRun run = run_program_in(
+                folder, "still " + scene + " --size 160x90 -q -o a.png --backend " + backend,
+                "GALLIUM_DRIVER='" + driver + "'");
+            EXPECT_EQ(run.code, 3) << driver << ": " << run.err;
+            EXPECT_EQ(run.err.rfind("GALLIUM_DRIVER=" + driver + ": ", 0), 0u) << run.err;
+            EXPECT_NE(run.err.find("unset GALLIUM_DRIVER"), std::string::npos) << run.err;
+            EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+        }
+    EXPECT_EQ(folder.listing(), "");
+    EXPECT_EQ(run_program_in(folder, "doctor", "GALLIUM_DRIVER=bogus").code, 1);
+}
+
 TEST(Program, SaysItsVersionAndHelpsOnStdout) {
     const ScratchFolder folder;
     const ProgramRun version = run_program_in(folder, "--version");

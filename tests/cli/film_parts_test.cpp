@@ -126,7 +126,7 @@ TEST_F(Parts, ThatDoNotBelongTogetherAreRefusedInASentence) {
     expect_refusal("join p1.mp4 p2.mp4 p3.mp4 -o f.webm", "the parts are of a .mp4");
     expect_refusal("join p1.mp4 p2.mp4 p3.mp4 -o p1.mp4", "is one of the parts");
     expect_refusal("join p1.mp4 a.toml -o f.mp4", "a.toml: is no part of a film");
-    expect_refusal("join p1.mp4 none.mp4 -o f.mp4", "none.mp4 cannot be read");
+    expect_refusal("join p1.mp4 none.mp4 -o f.mp4", "none.mp4: no such file");
     make("render a.toml -q -o q.mp4 --part 2/3 --portable --set start.omega_rad_s[0]=0.31");
     expect_refusal("join p1.mp4 q.mp4 p3.mp4 -o f.mp4", "their scenes or settings differ");
     make("render a.toml -q -o native.mp4 --part 2/3");
@@ -259,6 +259,25 @@ TEST_F(Parts, OfAKilledJobAreGoneOnWith) {
     make(big + "-o k.mp4 --jobs 2");
     EXPECT_TRUE(bytes("k.mp4") == bytes("one.mp4"));
     for (const std::string& name : names()) EXPECT_NE(name.front(), '.') << name;
+}
+
+// A child that is stopped takes no other signal: its end does not wait for anything that it does.
+TEST_F(Parts, EndWithTheProcessThatDrawsThem) {
+    const ProgramRun done = run_shell(
+        folder_,
+        kill_one_of(folder_,
+                    "for i in $(seq 3000); do program=$(pgrep -P $parent); [ -n \"$program\" ] && "
+                    "children=$(pgrep -P $program) && [ $(echo \"$children\" | wc -l) = 2 ] && "
+                    "break; sleep 0.02; done; "
+                    "kill -STOP $children; kill -9 $program; "
+                    // One that has ended is gone, or a zombie until somebody asks for it.
+                    "for i in $(seq 3000); do left=$(ps -o stat= -p $(echo $children | tr ' ' ,) | "
+                    "grep -vc Z); [ $left = 0 ] && break; sleep 0.02; done; "
+                    "echo $left; kill -9 $children 2>/dev/null;"));
+    EXPECT_EQ(done.out, "0\n") << done.err;
+    EXPECT_EQ(bytes("code"), "137\n");
+    make("render a.toml -q" + large_size + "-o k.mp4 --jobs 2");
+    make("explain --verify k.mp4");
 }
 
 // What several processes have left of a film: recover makes a film of it as far as it goes, and one

@@ -136,7 +136,7 @@ TEST_F(Messages, ASuffixInCapitalsIsTheSame) {
 }
 
 TEST_F(Messages, ARateThatAFormatCannotShowIsCalledThat) {
-    refuses("render scene.toml --fps 60 -o a.gif", 2, {"film.fps", "at most 50 frames a second"});
+    refuses("render scene.toml --fps 60 -o a.gif", 2, {"--fps 60: ", "at most 50 frames a second"});
 }
 
 // A pipe cannot be gone back in: what is written there is whole without that.
@@ -233,6 +233,61 @@ TEST_F(Messages, ACameraKeyWithoutEffectIsNoted) {
     EXPECT_EQ(run("still body.toml -o b.png").err.find("changes nothing"), std::string::npos);
     EXPECT_EQ(run("still scene.toml --set camera.azimuth_deg=30 -o c.png").err.find("changes"),
               std::string::npos);
+}
+
+// In the words of a sentence, not of the library that splits the line.
+TEST_F(Messages, ALineThatCannotBeReadSaysWhatToChange) {
+    for (const char* twice :
+         {"still scene.toml -o a.png --output b.png", "still scene.toml --time 1 --time 2",
+          "still scene.toml --theme light --theme=dark", "still scene.toml --dpi 9 --dpi 9",
+          "still scene.toml --size 64x36 --size 64x36", "render scene.toml --fps 3 --fps 4",
+          "render scene.toml --frames 0 --frames 1", "render scene.toml --jobs 1 --jobs 2",
+          "submit scene.toml -o a.mp4 --parts 2 --parts 3", "sample scene.toml --times 1 --times 2",
+          "check scene.toml --quality draft --quality print"})
+        refuses(twice, 2, {"was given twice; give it once"});
+    refuses("still scene.toml --size", 2, {"--size has no value; write --size WxH"});
+    refuses("still scene.toml --frames", 2, {"unknown option"});
+    refuses("render scene.toml --frames", 2, {"--frames has no value; write --frames A-B"});
+    refuses("render scene.toml --fps --quiet", 2, {"--fps has no value; write --fps N[/D]"});
+    refuses("still scene.toml -o", 2, {"--output has no value; write --output FILE"});
+    refuses("still scene.toml --set", 2, {"--set has no value; write --set KEY=VALUE"});
+    refuses("still", 2, {"poinsot still: SCENE is missing"});
+    refuses("compare", 2, {"REF and NEW are missing"});
+    refuses("compare a", 2, {"NEW is missing"});
+    refuses("check scene.toml b.toml", 2, {"\"b.toml\" is one argument too many", "SCENE alone"});
+    refuses("doctor please", 2, {"\"please\" is one argument too many; doctor takes none"});
+    refuses("", 2, {"no command was given; choose from: render, still, check"});
+    refuses("--size 3", 2, {"unknown option \"--size\""});
+    // What may be repeated, and a switch that is on twice.
+    EXPECT_EQ(run("check scene.toml --set film.fps=3 --set film.fps=4 -q -q").code, 0);
+    EXPECT_EQ(run("check --help scene.toml b.toml").code, 0);
+}
+
+// A message begins with what was typed, not with the key that the option stands for.
+TEST_F(Messages, AnOptionIsNamedAsItWasTyped) {
+    for (const std::string typed : {"--size 5", "--fps x", "--quality drift", "--theme drak",
+                                    "--set film.fps=x", "--sweep film.fps=x"}) {
+        const ProgramRun done = run("render scene.toml -o a.mp4 " + typed);
+        EXPECT_EQ(done.code, 2);
+        EXPECT_EQ(done.err.rfind(typed + ": ", 0), 0u) << done.err;
+        EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
+    }
+}
+
+// Such a value is refused where it is used, which is not where the file is read.
+TEST_F(Messages, WhatSetSaysIsNotBlamedOnTheFile) {
+    for (const std::string given :
+         {"panels=[{kind=\"foo\"}]", "panels=[{kind=\"space\"},{kind=\"foo\"}]",
+          "panels=[{kind=\"plot\",quantity=\"foo\"}]", "show=[\"foo\"]",
+          "fades=[{elements=[\"foo\"],at_s=0.1}]", "unlabelled=[\"foo\"]",
+          "captions=[{text=\"$\",at_s=0}]"}) {
+        const ProgramRun done = run("check scene.toml --set '" + given + "'");
+        EXPECT_EQ(done.code, 2) << done.err;
+        EXPECT_EQ(done.err.rfind("--set ", 0), 0u) << given << ": " << done.err;
+        EXPECT_EQ(done.err.find("did you mean"), std::string::npos) << done.err;
+    }
+    folder_.write("panel.toml", scene + "[[panels]]\nkind = \"foo\"\n");
+    refuses("check panel.toml", 2, {"panel.toml:10:1: unknown panel \"foo\"; choose from: "});
 }
 
 TEST_F(Messages, HelpHasExamples) {

@@ -163,14 +163,14 @@ TEST(PrintedStill, RefusalsAreOneLineAndLeaveNothing) {
     }
     // The nearest name, or all of them.
     EXPECT_EQ(run_program_in(folder, still + "--theme drak").err,
-              "--set theme=drak: unknown theme \"drak\"; did you mean \"dark\"?\n");
+              "--theme drak: unknown theme \"drak\"; did you mean \"dark\"?\n");
     std::string names;
     std::istringstream listed(run_program_in(folder, "list themes").out);
     for (std::string line; std::getline(listed, line);)
         names += line.substr(0, line.find(' ')) + ", ";
     EXPECT_TRUE(names.starts_with("light, dark, print, ")) << names;
     EXPECT_EQ(run_program_in(folder, still + "--theme xyzzy").err,
-              "--set theme=xyzzy: unknown theme \"xyzzy\"; choose from: " + names +
+              "--theme xyzzy: unknown theme \"xyzzy\"; choose from: " + names +
                   "or a theme in a file, as in my.toml\n");
 }
 

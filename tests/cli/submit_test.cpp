@@ -169,6 +169,29 @@ TEST_F(Submit, SaysWhatFailed) {
     EXPECT_NE(run("status a.mp4.job --json").out.find("\"state\": \"failed\""), std::string::npos);
 }
 
+TEST_F(Submit, TakesOptionsOfSbatchOneByOne) {
+    stand_in("sbatch", accepting_sbatch);
+    const ProgramRun done = run(
+        "submit a.toml -o a.mp4 --parts 2 --slurm --partition=short --slurm '--time=10 --qos=b'");
+    ASSERT_EQ(done.code, 0) << done.err;
+    EXPECT_NE(text("calls").find("--partition=short --time=10 --qos=b "), std::string::npos)
+        << text("calls");
+}
+
+// The tasks know nothing of the options that stand for keys here.
+TEST_F(Submit, HandsShortOptionsOnAsKeys) {
+    folder_.write("mine.toml", "extends = \"dark\"\n");
+    ASSERT_EQ(run("submit a.toml -o a.mp4 --parts 2 --dry-run --theme mine.toml --fps 20 "
+                  "--sweep 'start.omega_rad_s[0]=0.3'")
+                  .code,
+              0);
+    const std::string tasks = text("a.mp4.job/tasks");
+    EXPECT_NE(tasks.find("--set film.fps=20"), std::string::npos) << tasks;
+    EXPECT_NE(tasks.find("--set theme=/"), std::string::npos) << tasks;
+    EXPECT_NE(tasks.find("start.omega_rad_s[0]=0.3"), std::string::npos) << tasks;
+    EXPECT_EQ(tasks.find("--sweep"), std::string::npos) << tasks;
+}
+
 TEST_F(Submit, IsRefusedInASentence) {
     const auto expect = [&](const std::string& arguments, int code, const std::string& words) {
         const ProgramRun done = run(arguments);

@@ -167,6 +167,29 @@ TEST_F(Swept, IsOneDocumentInJSONWhateverIsRefused) {
     EXPECT_FALSE(is_one_document("[\n{}\n"));
 }
 
+// Ten moments, of which a body can have the last three: said once, with the key that is swept and
+// what it must be at least.
+TEST_F(Swept, IsRefusedOnceForOneReason) {
+    const ProgramRun done =
+        run("still a.toml -q -o 'm_{key}.png' --sweep 'body.moments_kg_m2[2]=0.1:1.2:12'");
+    EXPECT_EQ(done.code, 2);
+    EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 2) << done.err;
+    EXPECT_EQ(done.err.rfind("--sweep body.moments_kg_m2[2]=0.1: ", 0), 0u) << done.err;
+    EXPECT_NE(done.err.find("make I1 at most 2.1, I2 at least 2.9 or I3 at least 1, or set"),
+              std::string::npos)
+        << done.err;
+    EXPECT_NE(done.err.find("refused for the same reason: body.moments_kg_m2[2]=0.2; "),
+              std::string::npos)
+        << done.err;
+    EXPECT_NE(done.err.find("=0.6; and 3 more\n"), std::string::npos) << done.err;
+    EXPECT_TRUE(fs::exists(folder_.path() / "m_1.2.png"));
+    EXPECT_FALSE(fs::exists(folder_.path() / "m_0.9.png"));
+    // Reasons that differ are said each.
+    const ProgramRun two = run("still a.toml -q -o 'n_{key}.png' --sweep film.fps=x,0,-1,30");
+    EXPECT_EQ(two.code, 2);
+    EXPECT_GE(std::count(two.err.begin(), two.err.end(), '\n'), 2) << two.err;
+}
+
 TEST_F(Swept, IsRefusedInASentence) {
     const auto expect = [&](const std::string& arguments, const std::string& words) {
         const ProgramRun done = run(arguments);
@@ -174,7 +197,12 @@ TEST_F(Swept, IsRefusedInASentence) {
         EXPECT_NE(done.err.find(words), std::string::npos) << done.err;
         EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
     };
-    expect("still a.toml -o one.png --sweep film.fps=30,60", "would both be written to one.png");
+    expect("still a.toml -o one.png --sweep film.fps=30,60",
+           "film.fps=30 and film.fps=60 would both be written to one.png");
+    expect("still a.toml -o '{theme}.png' --sweep theme=light,dark --sweep film.fps=30,60",
+           "film.fps=30 and film.fps=60 would both be written to light.png");
+    expect("still a.toml -o one.png --sweep theme=light,dark", "theme=light and theme=dark would");
+    expect("still a.toml a.toml", "a.toml is given twice");
     expect("still a.toml -o '##.png' --sweep 'start.omega_rad_s[3]=1'",
            "there is no omega_rad_s[3]");
     expect("still a.toml -o '##.png' --sweep 'film.duration_s[0]=1'", "there is no duration_s[0]");

@@ -148,6 +148,95 @@ TEST(VectorStill, AsLargeAsAPosterIsMadeAgain) {
     EXPECT_TRUE(text_of(folder.path() / "a.pdf") == text_of(folder.path() / "b.pdf"));
 }
 
+// Characters that XML or LaTeX cannot hold, that have no picture, or that no font of ours has:
+// noncharacters, a variation selector, what is zero wide, a soft hyphen, tags, directions of
+// writing, and letters of other scripts; as TOML writes them.
+constexpr std::array<const char*, 16> odd_characters{
+    "\\uFFFE",     "\\uFFFF", "\\U0001FFFE", "\\U0010FFFF", "\\uFDD0", "\\uFE0F",
+    "\\u200B",     "\\u00AD", "\\U000E0041", "\\u202E",     "\\uFEFF", "\\u4E2D",
+    "\\U0001F600", "\\u00AB", "\\u0416",     "\\uFFFD"};
+
+// A scene that has this text wherever type comes from.
+std::string scene_saying(const std::string& text) {
+    return "title = \"Title " + text + "\"\ncaption = \"Caption " + text +
+           "\"\n[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [1.5, 0.3, "
+           "0.75]\n[symbols]\nmomentum = \"\\\\text{L" +
+           text + "}\"\n[[marks]]\nat = [1, 0, 0]\nname = \"\\\\text{M" + text + "}\"\n";
+}
+
+TEST(VectorStill, HoldsAnyCharacterSoThatEveryReaderOpensIt) {
+    const ScratchFolder folder;
+    std::string all;
+    for (const char* character : odd_characters) all += std::string(" ") + character;
+    folder.write("all.toml", scene_saying(all));
+    for (const std::string options : {"", " --text paths"}) {
+        const ProgramRun svg = run_program_in(folder, "still all.toml -o a.svg" + options);
+        ASSERT_EQ(svg.code, 0) << svg.err;
+        EXPECT_EQ(said(folder, "xmllint --noout a.svg"), "");
+        const ProgramRun pdf = run_program_in(folder, "still all.toml -o a.pdf" + options);
+        ASSERT_EQ(pdf.code, 0) << pdf.err;
+        EXPECT_TRUE(contains(said(folder, "qpdf --check a.pdf"), "No syntax or stream encoding"));
+        // Shown as in pixels, a box for what no font has, which is said.
+        EXPECT_TRUE(contains(svg.err, "no font here has")) << svg.err;
+        for (const std::string name : {"a.svg", "a.pdf"}) {
+            EXPECT_EQ(run_program_in(folder, "explain --verify " + name).code, 0) << name;
+            const std::string again = "b" + name.substr(1);
+            const ProgramRun made = run_program_in(folder, "rerender " + name + " -o " + again);
+            EXPECT_EQ(made.code, 0) << made.err;
+            EXPECT_TRUE(text_of(folder.path() / name) == text_of(folder.path() / again)) << name;
+        }
+    }
+    // Each by itself, too: one may hide what another does.
+    for (const char* character : odd_characters) {
+        folder.write("one.toml", scene_saying(character));
+        ASSERT_EQ(run_program_in(folder, "still one.toml -o a.svg").code, 0) << character;
+        EXPECT_EQ(said(folder, "xmllint --noout a.svg"), "") << character;
+    }
+}
+
+// The file's name is the title that a reader of the page sees.
+TEST(VectorStill, HoldsAnyNameOfAScene) {
+    const ScratchFolder folder;
+    const std::string name = "a\xff\x01\uffff<&>\u200b";
+    folder.write(name + ".toml", scene_saying(""));
+    for (const std::string output : {"a.svg", "a.pdf"}) {
+        const ProgramRun run = run_program_in(folder, "still '" + name + ".toml' -o " + output);
+        ASSERT_EQ(run.code, 0) << run.err;
+        EXPECT_EQ(run_program_in(folder, "explain --verify " + output).code, 0);
+    }
+    EXPECT_EQ(said(folder, "xmllint --noout a.svg"), "");
+    EXPECT_TRUE(contains(text_of(folder.path() / "a.svg"), "&lt;&amp;&gt;"));
+    EXPECT_TRUE(contains(said(folder, "qpdf --check a.pdf"), "No syntax or stream encoding"));
+}
+
+// What LaTeX cannot set is left out of the .tex, and said.
+TEST(VectorStill, SetByLatexCompilesWhateverItsTextSays) {
+    const ScratchFolder folder;
+    std::string all;
+    for (const char* character : odd_characters) all += character;
+    folder.write("all.toml", scene_saying(all));
+    const ProgramRun still = run_program_in(folder, "still all.toml --text latex -o figure.pdf");
+    ASSERT_EQ(still.code, 0) << still.err;
+    for (const char* note :
+         {"figure.tex leaves out U+FFFE, U+FFFF, U+1FFFE, U+10FFFF, U+FDD0, U+FE0F, U+200B, U+00AD",
+          "pdfLaTeX leaves out « (U+00AB); with \\usepackage[T1]{fontenc} it is set",
+          "pdfLaTeX leaves out 中 (U+4E2D), 😀 (U+1F600), Ж (U+0416), � (U+FFFD); XeLaTeX"})
+        EXPECT_TRUE(contains(still.err, note)) << note << " in\n" << still.err;
+    EXPECT_FALSE(contains(
+        run_program_in(folder, "still '" + scene("generic") + "' --text latex -o other.pdf").err,
+        "leaves out"));
+    if (contains(said(folder, "command -v pdflatex"), "failed")) GTEST_SKIP() << "no pdflatex";
+    for (const std::string packages : {"graphicx", "graphicx,color"})
+        for (const std::string fonts : {"", "\\usepackage[T1]{fontenc}"}) {
+            folder.write("document.tex", "\\documentclass{article}\\usepackage{" + packages + "}" +
+                                             fonts +
+                                             "\\begin{document}\\input{figure}\\end{document}\n");
+            const std::string log = said(
+                folder, "pdflatex -draftmode -halt-on-error -interaction=nonstopmode document");
+            EXPECT_FALSE(contains(log, "failed: ")) << packages << fonts << ":\n" << log;
+        }
+}
+
 TEST(VectorStill, RefusesWhatItCannotBeInOneLine) {
     const ScratchFolder folder;
     const std::string still = "still '" + scene("generic") + "' ";

@@ -58,6 +58,10 @@ def main():
             expect(code == 0, f"without {name}, BUILD_TESTING=ON", said)
             for package in [name] if hidden else TEST_PACKAGES:
                 expect(f"{package}" in said and "tests are left out" in said, f"{package} is not named", said)
+        # Whoever builds the program alone can renew what is generated from it.
+        targets = subprocess.run([cmake, "--build", build, "--target", "help"], capture_output=True, text=True).stdout.split()
+        for target in ("poinsot", "docs", "gallery"):
+            expect(any(word.rstrip(":") == target for word in targets), f"there is no target {target} without tests", "")
         for name, hidden in PROGRAM_PACKAGES.items():
             code, said = configure(tests_off, hidden)
             expect(code != 0 and f"install {name}" in said, f"without {name}", said)

@@ -2,6 +2,7 @@
 #include "system/atomic_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 
@@ -118,6 +119,22 @@ TEST(AtomicFile, FolderIsNoFile) {
     const TemporaryFolder folder;
     EXPECT_NE(message_of([&] { AtomicFile file(folder.path()); }).find("it is a folder"),
               std::string::npos);
+}
+
+// A pipe there would take bytes until it is full, a link would take them elsewhere.
+TEST(AtomicFile, IsNotMadeInWhatIsNoRegularFile) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "other") << "kept";
+    ASSERT_EQ(mkfifo((folder / ".pipe.png.part").c_str(), 0600), 0);
+    fs::create_directory(folder / ".folder.png.part");
+    fs::create_symlink("other", folder / ".link.png.part");
+    for (const char* name : {"pipe.png", "folder.png", "link.png"}) {
+        const std::string aside = (folder / (std::string(".") + name + ".part")).string();
+        EXPECT_EQ(message_of([&] { AtomicFile file(folder / name); }),
+                  "cannot write " + (folder / name).string() + ": " + aside +
+                      " is where it is made first, and is not a regular file; remove that");
+    }
+    EXPECT_EQ(text_of(folder / "other"), "kept");
 }
 
 TEST(AtomicFile, FullDeviceIsReportedAtTheWrite) {

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <span>
 #include <string>
 
 #include "system/atomic_file.h"
+#include "system/file_contents.h"
 #include "system/file_kind.h"
 #include "text/json_text.h"
 
@@ -64,12 +64,8 @@ std::filesystem::path chapters_path(const std::filesystem::path& film) {
 
 void remove_stale_chapters(const std::filesystem::path& film) {
     const std::filesystem::path path = chapters_path(film);
-    if (kind_of_file(path) != FileKind::regular) return;
-    std::ifstream file(path, std::ios::binary);
-    std::string beginning(chapters_head(film).size(), '\0');
-    file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
     std::error_code ignored;
-    if (file && beginning == chapters_head(film)) std::filesystem::remove(path, ignored);
+    if (begins_with(path, chapters_head(film))) std::filesystem::remove(path, ignored);
 }
 
 std::string chapters_text_of(const OutputPlan& plan, const FilmPlan& film) {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "drawing/stage_data.h"
 #include "drawing/type/live_text.h"
 #include "system/atomic_file.h"
+#include "system/file_contents.h"
 #include "system/file_kind.h"
 #include "text/markup.h"
 #include "typeset/plain_text.h"
@@ -38,12 +38,8 @@ std::string subtitles_head(const std::filesystem::path& film) {
 
 void remove_stale(const std::filesystem::path& film) {
     const std::filesystem::path path = subtitles_path(film);
-    if (kind_of_file(path) != FileKind::regular) return;
-    std::ifstream file(path, std::ios::binary);
-    std::string beginning(subtitles_head(film).size(), '\0');
-    file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
     std::error_code ignored;
-    if (file && beginning == subtitles_head(film)) std::filesystem::remove(path, ignored);
+    if (begins_with(path, subtitles_head(film))) std::filesystem::remove(path, ignored);
 }
 
 }  // namespace

@@ -73,7 +73,9 @@ void Children::start(const Work& work) {
     const pid_t parent = ::getpid();
     const pid_t process = ::fork();
     if (process == 0) {
-        ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+        // Not SIGTERM, after which a child draws its frame to the end and empties its encoder: what
+        // it has finished is in its log, however it ends. The parent may have died before this.
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (::getppid() != parent) ::_exit(1);
         ::close(ends[0]);
         for (const Child& other : children_) ::close(other.pipe);

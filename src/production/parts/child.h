@@ -17,7 +17,7 @@ class Children {
  public:
     using Work = std::function<void(const Telling& telling)>;
 
-    // Starts one; what it throws ends it. It ends by SIGTERM when this process does. Throws
+    // Starts one; what it throws ends it. It is killed when this process dies. Throws
     // EnvironmentError.
     void start(const Work& work);
     ~Children();  // ends those that still run, and waits for them

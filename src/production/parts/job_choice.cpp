@@ -8,6 +8,7 @@
 #include "output/film_part.h"
 #include "output/frame_sink.h"
 #include "output/quality.h"
+#include "scene/scene_error.h"
 #include "system/file_kind.h"
 #include "system/processor.h"
 
@@ -51,6 +52,7 @@ Machine this_machine() { return {n_processors(), memory_MiB()}; }
 FilmWork work_of(const Session& session, std::int64_t n_frames,
                  const std::filesystem::path& output) {
     const FilmSpec& film = session.scene.film;
+    at_scene_key(session.scene, "film.quality", [&film] { quality_named(film.quality); });
     return {n_frames, film.width_px, film.height_px, film.quality, output};
 }
 

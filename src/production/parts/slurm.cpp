@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 #include <string_view>
 
 #include "error/error.h"
+#include "system/file_contents.h"
 #include "system/run_program.h"
 #include "text/printable.h"
 
@@ -137,8 +137,8 @@ std::vector<std::string> site_options() {
         files.push_back(std::filesystem::path(home) / ".config/poinsot/slurm.options");
     std::vector<std::string> options;
     for (const auto& file : files) {
-        std::ifstream stream(file);
-        for (std::string line; std::getline(stream, line);)
+        std::istringstream text(read_text_if_there(file));
+        for (std::string line; std::getline(text, line);)
             for (const std::string& word : shell_words(line.substr(0, line.find('#'))))
                 options.push_back(word);
     }

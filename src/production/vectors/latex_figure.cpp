@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "error/error.h"
+#include "system/file_contents.h"
 #include "system/file_kind.h"
 #include "text/printable.h"
-#include "typeset/latex.h"
 
 namespace poinsot {
 
@@ -30,6 +28,9 @@ constexpr std::string_view preamble = R"(%
 \providecommand\mathbb[1]{{\mathbf{{#1}}}}%
 \providecommand\poinsotsize[1]{{\fontsize{{#1bp}}{{#1bp}}\selectfont}}%
 \makeatletter
+% Characters that only some fonts have: where the document uses none of these, they are left out.
+\def\poinsotonly#1#2{{\@ifundefined{{T@TU}}%
+{{\@ifundefined{{T@#1}}{{}}{{{{\fontencoding{{#1}}\selectfont #2}}}}}}{{#2}}}}%
 \ifx\figurewidth\undefined \setlength\unitlength{{{1:.3f}bp}}%
 \else \setlength\unitlength{{\figurewidth}}\fi
 \makeatother
@@ -42,9 +43,10 @@ std::string letter_of(double held_at) {
     return held_at > 0.75 ? "[r]" : "";
 }
 
-std::string put(const vector::Page& page, const vector::Type& type) {
+std::string put(const vector::Page& page, const vector::Type& type, LatexGaps& gaps) {
     const vector::Wording& words = type.wording;
-    std::string text = latex_of(words.text, words.is_formula ? TypeMode::math : TypeMode::text);
+    std::string text =
+        latex_of(words.text, words.is_formula ? TypeMode::math : TypeMode::text, gaps);
     if (words.max_width_pt > 0.0)
         text = fmt::format("\\parbox[t]{{{:.5f}\\unitlength}}{{\\raggedright {}}}",
                            words.max_width_pt / page.width_pt, text);
@@ -79,9 +81,7 @@ void check_latex_place(const std::filesystem::path& figure) {
             "and braces",
             printable(name)));
     const std::filesystem::path beside = latex_path_of(figure);
-    std::ifstream there(beside);
-    std::string first;
-    if (there && std::getline(there, first) && !first.starts_with(signature))
+    if (kind_of_file(beside) != FileKind::missing && !begins_with(beside, signature))
         throw InputError(
             fmt::format("{}: is a file of your own, and --text latex would write one of that name; "
                         "name the figure otherwise",
@@ -89,12 +89,12 @@ void check_latex_place(const std::filesystem::path& figure) {
 }
 
 std::string latex_figure(const vector::Page& page, const std::vector<vector::Type>& type,
-                         const std::filesystem::path& figure) {
+                         const std::filesystem::path& figure, LatexGaps& gaps) {
     const std::string name = figure.filename().string();
     std::string text = fmt::format("{}the type of {}\n", signature, name);
     text += fmt::format(preamble, figure.stem().string(), page.width_pt,
                         page.height_pt / page.width_pt, name);
-    for (const vector::Type& one : type) text += put(page, one);
+    for (const vector::Type& one : type) text += put(page, one, gaps);
     return text + "\\end{picture}%\n\\endgroup\n";
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "typeset/latex.h"
 #include "vector/page.h"
 
 namespace poinsot {
@@ -17,8 +18,9 @@ std::filesystem::path latex_path_of(const std::filesystem::path& figure);
 void check_latex_place(const std::filesystem::path& figure);
 
 // What FIG.tex says: each label on its baseline, in the size that it has in the figure and the
-// document's own fonts. page: without its type. Throws LabelError for what has no meaning.
+// document's own fonts. page: without its type. Adds to the gaps. Throws LabelError for what has no
+// meaning.
 std::string latex_figure(const vector::Page& page, const std::vector<vector::Type>& type,
-                         const std::filesystem::path& figure);
+                         const std::filesystem::path& figure, LatexGaps& gaps);
 
 }  // namespace poinsot

@@ -111,7 +111,7 @@ VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
     if (lettering == Lettering::paths) page = vector::with_outlined_type(std::move(page));
     if (lettering == Lettering::latex) {
         const std::vector<vector::Type> type = vector::take_type(page);
-        still.latex = latex_figure(page, type, path);
+        still.latex = latex_figure(page, type, path, still.latex_gaps);
     }
     record.bounds = fmt::format("{}; paths within {:.2g} um of what they show, before rounding",
                                 record.bounds, still.off_um);

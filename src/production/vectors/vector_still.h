@@ -10,6 +10,7 @@
 #include "production/picture.h"
 #include "production/record.h"
 #include "production/session.h"
+#include "typeset/latex.h"
 #include "vector/picture.h"
 
 namespace poinsot {
@@ -36,7 +37,8 @@ PictureSetting vector_setting(const Scene& scene, const PrintChoices& print);
 
 struct VectorStill {
     std::string bytes;
-    std::string latex;    // what stands in the file beside it, with --text latex
+    std::string latex;  // what stands in the file beside it, with --text latex
+    LatexGaps latex_gaps;
     double off_um = 0.0;  // no path is further than this from what it shows, before rounding
 };
 

@@ -112,7 +112,7 @@ FoundDevice find_device(const SharedLibrary& library, EglDevice kind) {
 class EglContext final : public NativeContext {
  public:
     explicit EglContext(EglDevice kind)
-        : library_("libEGL.so.1", "libegl1"),
+        : library_("libEGL.so.1", "the Debian packages libegl1, libegl-mesa0 and libgl1-mesa-dri"),
           loader_(library_.function<GLADapiproc(const char*)>("eglGetProcAddress")),
           make_current_(
               library_.function<unsigned(EglDisplay, void*, void*, EglHandle)>("eglMakeCurrent")),

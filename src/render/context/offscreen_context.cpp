@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "error/error.h"
+#include "render/context/driver_environment.h"
 #include "render/context/native_context.h"
 #include "system/processor.h"
 
@@ -83,6 +84,7 @@ struct OffscreenContext::Impl {
 
 OffscreenContext::OffscreenContext(Backend backend, Portability portability,
                                    ShaderCompilation compilation) {
+    if (backend != Backend::gpu) prepare_driver_environment();
     if (portability == Portability::portable) ask_for_portable_bytes();
     // llvmpipe's word for leaving LLVM's optimisations out, read once; a user's own stands.
     if (compilation == ShaderCompilation::quick && !processor_was_read())

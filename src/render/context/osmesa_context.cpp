@@ -23,7 +23,9 @@ struct OSMesaHandle;
 class OSMesaContext final : public NativeContext {
  public:
     OSMesaContext()
-        : library_("libOSMesa.so.8", "libosmesa6"),
+        : library_("libOSMesa.so.8",
+                   "the Debian package libosmesa6 where there is one (Mesa has no OSMesa from 25.1 "
+                   "on), else those of EGL, which draws the same"),
           destroy_(library_.function<void(OSMesaHandle*)>("OSMesaDestroyContext")),
           make_current_(library_.function<unsigned char(OSMesaHandle*, void*, GLenum, int, int)>(
               "OSMesaMakeCurrent")),
