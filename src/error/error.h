@@ -1,4 +1,5 @@
-// What poinsot throws. Every layer may include this; nothing else is shared by all of them.
+// The exceptions that poinsot throws. Every layer may include this header; it is the only one that
+// all layers share.
 #pragma once
 
 #include <stdexcept>
@@ -6,7 +7,8 @@
 
 namespace poinsot {
 
-// Base of every failure that a person should read: one line saying what, where and what to do.
+// Base of every failure that a user should read: one line that says what failed, where, and what to
+// do.
 class Error : public std::runtime_error {
  public:
     using std::runtime_error::runtime_error;
@@ -18,13 +20,13 @@ class InputError : public Error {
     using Error::Error;
 };
 
-// Something that the machine would not do: no context, disk full, encoder (exit code 3).
+// The system refused a request: no OpenGL context, disk full, encoder failure (exit code 3).
 class EnvironmentError : public Error {
  public:
     using Error::Error;
 };
 
-// Whoever read what is printed on stdout reads no more: the program ends without a word.
+// The reader of stdout closed the pipe (as `| head` does): the program ends without a message.
 class ReaderGone : public Error {
  public:
     using Error::Error;
