@@ -1,5 +1,5 @@
-// Small matrices by columns, their rows in pairs: a product with a vector is a sum of columns, two
-// rows an instruction.
+// Small matrices stored by columns, with the rows in SIMD pairs. A matrix-vector product is a sum
+// of columns, and each instruction computes two rows.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 
 namespace poinsot {
 
-// Three rows: what gives a vector.
+// A matrix of three rows; its product is a Vector3d.
 template <std::size_t n_columns>
 class ThreeRows {
  public:
@@ -20,7 +20,7 @@ class ThreeRows {
         z_[column] = v[2];
     }
 
-    // scale·(matrix·x).
+    // Writes scale·(matrix·x) to out.
     void product(const std::array<double, n_columns>& x, double scale, Eigen::Vector3d& out) const {
         Pair xy = xy_[0] * x[0];
         double z = z_[0] * x[0];
@@ -39,7 +39,7 @@ class ThreeRows {
     std::array<double, n_columns> z_{};
 };
 
-// Rows x, y, z, w and columns w, x, y, z: what gives a quaternion from one.
+// A 4×4 matrix with rows x, y, z, w and columns w, x, y, z; its product is a quaternion.
 class QuaternionRows {
  public:
     void set(std::size_t column, const Eigen::Quaterniond& q) {
@@ -47,7 +47,7 @@ class QuaternionRows {
         zw_[column] = Pair{q.z(), q.w()};
     }
 
-    // scale·(matrix·(w, x, y, z)).
+    // Writes scale·(matrix·(w, x, y, z)) to out.
     void product(Pair w_x, Pair y_z, double scale, Eigen::Quaterniond& out) const {
         const Pair w = both(w_x[0]);
         const Pair x = both(w_x[1]);

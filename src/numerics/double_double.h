@@ -1,5 +1,5 @@
-// Arithmetic in pairs of doubles: a value as the unevaluated sum hi + lo, |lo| ≤ ½ ulp(hi), some
-// 106 bits. Used where setting up a motion would cancel in double.
+// Arithmetic in pairs of doubles: a value is the unevaluated sum hi + lo, |lo| ≤ ½ ulp(hi), with
+// about 106 bits. Used where the setup of a motion would lose digits by cancellation in double.
 //
 // Sources: Dekker, Numer. Math. 18 (1971) 224; Knuth, TAOCP 2 §4.2.2; Joldes, Muller & Popescu, ACM
 // TOMS 44 (2017) 15. Every operation relies on IEEE rounding to nearest without contraction.
@@ -18,13 +18,13 @@
 
 namespace poinsot {
 
-// A value hi + lo of twice double's precision and the same exponent range.
+// A value hi + lo with twice double's precision and the same exponent range.
 struct DoubleDouble {
     double hi = 0.0;
     double lo = 0.0;
 
     constexpr DoubleDouble() = default;
-    // A double is a double-double: mixed expressions read as in the formulas.
+    // The implicit conversion from double lets mixed expressions read as in the formulas.
     constexpr DoubleDouble(double value) : hi(value) {}  // NOLINT(google-explicit-constructor)
     constexpr DoubleDouble(double high, double low) : hi(high), lo(low) {}
 
@@ -62,7 +62,7 @@ constexpr DoubleDouble two_product(double a, double b) {
 
 constexpr DoubleDouble operator-(DoubleDouble a) { return {-a.hi, -a.lo}; }
 
-// Relative error ≤ 3·2^−106 also under cancellation (Joldes et al., algorithm 6).
+// The relative error is ≤ 3·2^−106, also under cancellation (Joldes et al., algorithm 6).
 constexpr DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
     const DoubleDouble s = two_sum(a.hi, b.hi);
     const DoubleDouble t = two_sum(a.lo, b.lo);

@@ -1,6 +1,6 @@
-// Two doubles side by side, as one register of every x86-64 and AArch64 holds them: one instruction
-// does for both. A vector type of the compilers, for which taking apart and joining are one
-// instruction, too; Eigen's arrays go through memory there, and that stalls.
+// Two doubles in one SIMD register of x86-64 or AArch64: one instruction computes both. This is the
+// compilers' own vector type because it also splits and joins in one instruction; Eigen's arrays go
+// through memory for that, which stalls.
 #pragma once
 
 #include <bit>
@@ -12,7 +12,7 @@ using Pair [[gnu::vector_size(16)]] = double;
 
 constexpr Pair both(double x) { return Pair{x, x}; }
 inline Pair swapped(Pair x) { return Pair{x[1], x[0]}; }
-// The first, or the second, of each.
+// The pair of the first elements, and of the second elements.
 inline Pair firsts(Pair x, Pair y) { return Pair{x[0], y[0]}; }
 inline Pair seconds(Pair x, Pair y) { return Pair{x[1], y[1]}; }
 
@@ -26,7 +26,7 @@ inline Pair second_negated(Pair x) {
     return std::bit_cast<Pair>(std::bit_cast<PairBits>(x) ^ PairBits{0, sign_bit});
 }
 
-// Pairs as complex numbers (re, im): the product, and i·x.
+// Pairs as complex numbers (re, im): i·x, and the product.
 inline Pair times_i(Pair x) { return first_negated(swapped(x)); }
 inline Pair complex_product(Pair x, Pair y) { return both(x[0]) * y + both(x[1]) * times_i(y); }
 inline double squared_length(Pair x) { return x[0] * x[0] + x[1] * x[1]; }

@@ -8,7 +8,7 @@ namespace poinsot {
 WideDouble complete_first_kind(const WideDouble& complementary_modulus) {
     WideDouble a = 1.0;
     WideDouble g = complementary_modulus;
-    // The difference squares each time: below 2^−54 of the mean the next step is exact.
+    // Each step squares the relative difference: once it is below 2^−54, the next step is exact.
     while ((a - g).exponent() > a.exponent() - 54 && !(a - g).is_zero()) {
         const WideDouble mean = ldexp(a + g, -1);
         g = sqrt(a * g);
@@ -50,7 +50,7 @@ WideDouble carlson_rf(WideDouble x, WideDouble y, WideDouble z) {
         const WideDouble Z = -(X + Y);
         const auto size_of = [](const WideDouble& w) { return w.is_zero() ? -1000 : w.exponent(); };
         const int size = std::max({size_of(X), size_of(Y), size_of(Z)});
-        // The series to the seventh order leaves an error below the eighth power of 2^−14.
+        // The series to the seventh order has an error below (2^−14)^8.
         if (size <= -14) {
             const WideDouble e2 = X * Y - Z * Z;
             const WideDouble e3 = X * Y * Z;
@@ -76,7 +76,7 @@ DoubleDouble exp(DoubleDouble x) {
 }
 
 DoubleDouble exp_minus_one(DoubleDouble x) {
-    // Over 2^8, the Taylor series, then eight squarings.
+    // The Taylor series of x/2^8, then eight squarings.
     const DoubleDouble r = ldexp(x, -8);
     DoubleDouble term = r;
     DoubleDouble sum = r;

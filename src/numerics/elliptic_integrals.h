@@ -1,6 +1,6 @@
 // Elliptic integrals in wide double-double, and the elementary functions that theta series need.
-// Every integral takes the complementary modulus, or arguments that carry it, so that nothing
-// cancels near k = 1. Relative errors below 1e-29.
+// Every integral takes the complementary modulus k′, or arguments computed from it, so that no
+// digits cancel near k = 1. Relative errors are below 1e-29.
 #pragma once
 
 #include "numerics/wide_double.h"
@@ -15,17 +15,18 @@ inline constexpr DoubleDouble ln2_dd{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56
 // k′ > 0. Source: DLMF 19.8.5.
 WideDouble complete_first_kind(const WideDouble& complementary_modulus);
 
-// ∫(a cos²φ + b sin²φ)/((cos²φ + p sin²φ)√(cos²φ + k′²sin²φ)) dφ over a quarter turn; k′, p > 0,
-// a, b ≥ 0. Source: Bulirsch, Numer. Math. 13 (1969) 305.
+// ∫(a cos²φ + b sin²φ)/((cos²φ + p sin²φ)√(cos²φ + k′²sin²φ)) dφ over a quarter turn. Precondition:
+// k′, p > 0; a, b ≥ 0. Source: Bulirsch, Numer. Math. 13 (1969) 305.
 WideDouble bulirsch_cel(const WideDouble& complementary_modulus, const WideDouble& p,
                         const WideDouble& a, const WideDouble& b);
 
-// Carlson's R_F(x, y, z), symmetric; at most one argument is zero. Source: DLMF 19.36(i).
+// Carlson's symmetric integral R_F(x, y, z). Precondition: at most one argument is zero. Source:
+// DLMF 19.36(i).
 WideDouble carlson_rf(WideDouble x, WideDouble y, WideDouble z);
 
 // e^x − 1 for |x| ≤ ½ ln 2.
 DoubleDouble exp_minus_one(DoubleDouble x);
-// exp(x); zero where a double underflows.
+// exp(x); returns zero where the result underflows in double.
 DoubleDouble exp(DoubleDouble x);
 
 struct SinCosDD {

@@ -1,5 +1,5 @@
-// Sums and products of doubles without rounding: Shewchuk's expansions, for the sign and size of a
-// difference that cancels.
+// Exact sums and products of doubles (Shewchuk's expansions), for the sign and size of a difference
+// that cancels.
 #pragma once
 
 #include <array>
@@ -9,8 +9,9 @@
 
 namespace poinsot {
 
-// A number as an exact sum of doubles that do not overlap, least first. Exact while nothing under-
-// or overflows. Source: Shewchuk, Discrete Comput. Geom. 18 (1997) 305.
+// A number as an exact sum of doubles that do not overlap, in order of increasing size. Exact
+// unless an operation underflows or overflows. Source: Shewchuk, Discrete Comput. Geom. 18 (1997)
+// 305.
 class Expansion {
  public:
     explicit Expansion(double value) { append(value); }
@@ -43,7 +44,7 @@ class Expansion {
     }
     Expansion times(DoubleDouble factor) const { return times(factor.lo).plus(times(factor.hi)); }
 
-    // The value to double-double's precision, zero exactly if it is zero.
+    // The value to double-double's precision; exactly zero if the value is zero.
     DoubleDouble value() const {
         DoubleDouble sum;
         for (int i = 0; i < size_; ++i) sum = sum + terms_[i];

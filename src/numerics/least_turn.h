@@ -1,4 +1,4 @@
-// The least turn between two directions.
+// The rotation by the smallest angle between two directions.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,9 +6,10 @@
 
 namespace poinsot {
 
-// The turn by the least angle that takes the direction of `from` onto that of `to`, neither zero;
-// between opposite directions, the half turn about an axis across them that Eigen chooses. In a
-// file of its own, since Eigen has a whole SVD compiled wherever it is asked.
+// Returns the rotation by the smallest angle that takes the direction of `from` onto that of `to`.
+// For opposite directions it is a half turn about a perpendicular axis that Eigen chooses.
+// Precondition: neither vector is zero. It has its own source file because Eigen compiles an entire
+// SVD wherever the call appears.
 Eigen::Quaterniond least_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 }  // namespace poinsot

@@ -47,7 +47,7 @@ inline VectorDD rotated(const QuaternionDD& q, const VectorDD& x) {
 
 inline QuaternionDD conjugate(const QuaternionDD& q) { return {q.w, {-q.v[0], -q.v[1], -q.v[2]}}; }
 
-// Of unit length, with w ≥ 0. Precondition: finite and not zero.
+// The unit quaternion of q, with w ≥ 0. Precondition: q is finite and not zero.
 inline QuaternionDD unit(const Eigen::Quaterniond& q) {
     int exponent = 0;
     std::frexp(q.coeffs().cwiseAbs().maxCoeff(), &exponent);

@@ -9,12 +9,12 @@ namespace poinsot {
 
 namespace {
 
-// One rotation in the plane (p, q) that takes tensor[p][q] to zero, by the smaller angle.
+// One Jacobi rotation in the plane (p, q), by the smaller angle, that makes a[p][q] zero.
 void rotate(TensorDD& a, TensorDD& v, int p, int q) {
     if (a[p][q].hi == 0.0) return;
     const DoubleDouble theta = (a[q][q] - a[p][p]) / (a[p][q] * 2.0);
     const DoubleDouble size = abs(theta);
-    // Beyond 2^500 the square would overflow, and t = 1/(2θ) is exact to all digits.
+    // Beyond 2^500 the square would overflow; t = 1/(2θ) is then exact to all digits.
     DoubleDouble t = size.hi > 0x1p500 ? DoubleDouble(0.5) / size
                                        : DoubleDouble(1.0) / (size + sqrt(size * size + 1.0));
     if (theta.hi < 0.0) t = -t;
@@ -37,7 +37,7 @@ void rotate(TensorDD& a, TensorDD& v, int p, int q) {
     }
 }
 
-// True once the off-diagonal terms are below double-double's rounding.
+// True once the off-diagonal elements are below the rounding of double-double.
 bool diagonal(const TensorDD& a) {
     for (const auto& [p, q] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
         const double off = std::abs(a[p][q].hi);
@@ -49,7 +49,7 @@ bool diagonal(const TensorDD& a) {
     return true;
 }
 
-// Columns arranged and signed so that the trace is largest among proper rotations.
+// Permutes the columns and chooses their signs so that the trace is largest among proper rotations.
 void arrange_nearest_identity(SymmetricEigen& eigen) {
     std::array<int, 3> order{0, 1, 2};
     std::array<int, 3> best_order = order;
@@ -79,7 +79,8 @@ void arrange_nearest_identity(SymmetricEigen& eigen) {
     }
 }
 
-// The axes of a repeated value are free to turn in their plane: takes them nearest to the input's.
+// The axes of a repeated eigenvalue are not unique: turns them in their plane as near as possible
+// to the input's.
 void turn_repeated(SymmetricEigen& eigen, double tolerance) {
     const auto close = [&](int i, int j) {
         return std::abs((eigen.values[i] - eigen.values[j]).hi) <= tolerance;
@@ -97,7 +98,7 @@ void turn_repeated(SymmetricEigen& eigen, double tolerance) {
         if (!close(i, j)) continue;
         const double mean = ((eigen.values[i] + eigen.values[j]) * 0.5).rounded();
         eigen.values[i] = eigen.values[j] = mean;
-        // Maximises x·e_i + y·e_j over turns of (x, y).
+        // Maximises x·e_i + y·e_j over rotations of (x, y) in their plane.
         const Eigen::Vector3d x = eigen.vectors.col(i);
         const Eigen::Vector3d y = eigen.vectors.col(j);
         const double cosine = x[i] + y[j];
@@ -114,7 +115,7 @@ void turn_repeated(SymmetricEigen& eigen, double tolerance) {
 SymmetricEigen symmetric_eigen(const TensorDD& tensor, double repeated_tolerance) {
     TensorDD a = tensor;
     TensorDD v{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-    // Convergence is quadratic; a handful of sweeps reaches double-double's rounding.
+    // Convergence is quadratic: a few sweeps reach the rounding of double-double.
     for (int sweep = 0; sweep < 40 && !diagonal(a); ++sweep) {
         rotate(a, v, 0, 1);
         rotate(a, v, 0, 2);

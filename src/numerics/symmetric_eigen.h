@@ -1,5 +1,4 @@
-// Principal axes of a symmetric 3×3 tensor in double-double, so that its doubles are taken as
-// exact.
+// Principal axes of a symmetric 3×3 tensor in double-double. The input doubles count as exact.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,10 +15,11 @@ struct SymmetricEigen {
     Eigen::Matrix3d vectors = Eigen::Matrix3d::Identity();  // columns; determinant +1
 };
 
-// Eigenvalues and eigenvectors by Jacobi's rotations. Of the axes' 24 proper arrangements the one
-// nearest the identity is returned; eigenvalues that agree within repeated_tolerance · (largest
-// magnitude) are taken as one value, and their axes are turned to be nearest the input's.
-// Units: those of the tensor. Source: Golub & Van Loan, Matrix Computations §8.5.
+// Computes eigenvalues and eigenvectors by Jacobi rotations. Of the 24 proper arrangements of the
+// axes, it returns the one nearest to the identity. Eigenvalues that agree within
+// repeated_tolerance · (largest magnitude) become one repeated value, and their axes are turned as
+// near as possible to the input's. Units: those of the tensor. Source: Golub & Van Loan, Matrix
+// Computations §8.5.
 SymmetricEigen symmetric_eigen(const TensorDD& tensor, double repeated_tolerance);
 
 }  // namespace poinsot

@@ -9,7 +9,7 @@ namespace poinsot {
 
 namespace {
 
-// Of 1/256 of a turn, by their power series.
+// Sine and cosine of 1/256 of a turn, by their power series.
 constexpr SinCosDD of_smallest_turn() {
     constexpr DoubleDouble pi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
     const DoubleDouble x = pi * (1.0 / 128.0);
@@ -23,8 +23,8 @@ constexpr SinCosDD of_smallest_turn() {
     return sum;
 }
 
-// Each entry of the first octant from the one before it, which loses five of 106 bits; the others
-// by symmetry.
+// Computes each entry of the first octant from the previous one, which loses five of 106 bits in
+// total; the other octants follow by symmetry.
 constexpr TurnTable make_turn_table() {
     TurnTable table{};
     const auto set = [&table](unsigned n, DoubleDouble sin, DoubleDouble cos) {
@@ -106,7 +106,7 @@ QuarterTurnPair PhasePair::at_distant(double time) const {
         DoubleDouble product;
         double low = 0.0;
         if (far) {
-            // Whole revolutions come off each word exactly.
+            // Removes whole revolutions from each word; fmod is exact.
             int exponent = 0;
             product = two_product(std::frexp(time, &exponent), rate_[i]);
             const double high = std::ldexp(product.hi, exponent);
@@ -117,7 +117,7 @@ QuarterTurnPair PhasePair::at_distant(double time) const {
             low = std::fmod(std::ldexp(product.lo, exponent), 4.0) +
                   std::fmod(time * rate_low_[i], 4.0);
         } else {
-            // Up to 2^61 quarter turns an integer holds the first word's.
+            // Up to 2^61 quarter turns, the whole part of the first word fits into an integer.
             product = two_product(time, rate_[i]);
             const auto whole = static_cast<std::int64_t>(product.hi);
             low = product.lo + time * rate_low_[i];

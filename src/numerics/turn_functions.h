@@ -1,6 +1,6 @@
-// Phases kept in quarter turns, two words long, and the elementary functions of what is left of
-// them after whole quarter turns are taken off. Written out, without the C library, so that the
-// digits are the same on every machine.
+// Phases stored in quarter turns as two words, and the elementary functions of the remainder after
+// whole quarter turns. Implemented here, without the C library, so that the digits are the same on
+// every machine.
 #pragma once
 
 #include <array>
@@ -13,23 +13,24 @@
 
 namespace poinsot {
 
-// A phase in quarter turns: a whole number modulo 4 and a rest in [−½, ½] to a relative error of
-// 1e-16, however small.
+// A phase in quarter turns: a whole number modulo 4 and a rest in [−½, ½]. The rest has a relative
+// error of 1e-16, however small it is.
 struct QuarterTurns {
     unsigned whole = 0;
     DoubleDouble rest;
 };
 
-// Adding this and taking it off rounds a double below 2^51 to an integer whose low bits it shows.
+// Adding and then subtracting this constant rounds a double below 2^51 to an integer; the low bits
+// of the sum are the integer's low bits.
 inline constexpr double rounding_shift = 0x1.8p52;
-// The same for 64ths and doubles below 2^45.
+// The same for multiples of 1/64 and doubles below 2^45.
 inline constexpr double rounding_shift_to_64ths = 0x1.8p46;
 inline unsigned low_bits(double shifted) {
     return static_cast<unsigned>(std::bit_cast<std::uint64_t>(shifted));
 }
 
-// Two phases side by side; the rest is the sum of two words, of which the second is not always the
-// smaller.
+// Two phases side by side. The rest is the sum of two words, and the second word is not always the
+// smaller one.
 struct QuarterTurnPair {
     std::array<unsigned, 2> whole{};
     Pair rest{0.0, 0.0};
@@ -40,8 +41,8 @@ struct QuarterTurnPair {
     }
 };
 
-// Two phases in 256ths of a turn: a whole number modulo 256 and a rest, in quarter turns, of at
-// most 1/128.
+// Two phases in 1/256 of a turn: a whole number modulo 256 and a rest, in quarter turns, of at most
+// 1/128.
 struct FineTurnPair {
     std::array<unsigned, 2> whole{};
     Pair rest{0.0, 0.0};
@@ -53,15 +54,16 @@ struct FineTurnPair {
             (turns.rest - (shifted - rounding_shift_to_64ths)) + turns.rest_low};
 }
 
-// Two phases in quarter turns that grow with time: start + time·rate, each number in two words.
+// Two phases in quarter turns that grow linearly in time: start + time·rate, each number in two
+// words.
 class PhasePair {
  public:
     void set(int i, DoubleDouble rate, DoubleDouble start);
     DoubleDouble rate(int i) const { return {rate_[i], rate_low_[i]}; }
     DoubleDouble start(int i) const { return {start_[i], start_low_[i]}; }
 
-    // With the product to 106 bits (Dekker), so that no digit is lost with time. Throws InputError
-    // if time·rate overflows.
+    // The phases at this time. The product is computed to 106 bits (Dekker), so that no digit is
+    // lost as time grows. Throws InputError if time·rate overflows.
     [[gnu::always_inline]] QuarterTurnPair at(double time) const {
         if (!(std::abs(time) < far_)) [[unlikely]]
             return at_distant(time);
@@ -85,15 +87,18 @@ class PhasePair {
     }
 
     Pair rate_{0.0, 0.0}, rate_low_{0.0, 0.0};
-    Pair rate_high_{0.0, 0.0}, rate_rest_{0.0, 0.0};  // the first word's halves
+    Pair rate_high_{0.0, 0.0}, rate_rest_{0.0, 0.0};  // halves of the first word, for Dekker's
+                                                      // product
     Pair start_{0.0, 0.0}, start_low_{0.0, 0.0};
-    double far_ = 0.0;  // from here on a phase could pass 2^49 quarter turns
+    double far_ = 0.0;  // from this time on a phase could exceed 2^49 quarter turns
 };
 
-// What sine and cosine are made of: those of n/256 of a turn, rounded, and what rounding left; and
-// the factors of the rest h of at most 1/128 (+ 2^−18) quarter turns in
+// The table and the coefficients for sine and cosine: (sin, cos) of n/256 of a turn, rounded, and
+// the rounding errors; and the coefficients of the rest h, at most 1/128 (+ 2^−18) quarter turns,
+// in
 //     sin = h (s₀ + s₁h² + s₂h⁴),   cos − 1 = h² (c₀ + c₁h² + c₂h⁴),
-// minimax to 2^−55.4 and 2^−61 relative, each twice, as Pairs are read from memory.
+// minimax to 2^−55.4 and 2^−61 relative. Each coefficient is stored twice, since Pairs are read
+// from memory.
 struct TurnTable {
     std::array<Pair, 256> rounded;
     std::array<Pair, 256> left;
@@ -102,7 +107,7 @@ struct TurnTable {
 };
 extern const TurnTable turn_table;
 
-// sin and cos − 1 of the rest, of one phase or of two at once; factors: of a Number each.
+// sin and cos − 1 of the rest, for one phase (Number = double) or for two at once (Pair).
 template <class Number>
 struct RestTurn {
     Number sin, cos_less_1;
@@ -114,7 +119,7 @@ struct RestTurn {
     }
 };
 
-// The sines and the cosines of two phases, to 0.6 units of 2^−53.
+// The sines and the cosines of two phases, with errors up to 0.6 · 2^−53.
 struct SinCosPair {
     Pair sin;
     Pair cos;
@@ -131,7 +136,7 @@ struct SinCosPair {
     return {sin + more_sin, cos + more_cos};
 }
 
-// (sin, cos) of one phase moved on by |turns| ≤ 1 quarter turns.
+// (sin, cos) of one phase advanced by `turns` quarter turns. Precondition: |turns| ≤ 1.
 [[gnu::always_inline]] inline Pair sin_cos(const QuarterTurns& phase, double turns = 0.0) {
     DoubleDouble rest = two_sum(phase.rest.hi, turns);
     rest.lo += phase.rest.lo;
@@ -148,8 +153,8 @@ struct SinCosPair {
     return entry + more;
 }
 
-// What powers of two are made of: (2^(−j/128), 2^(j/128)), 1 − 2^(−j/128) and the factors of z … z⁵
-// in 2^(−z/128) − 1, |z| ≤ ½, minimax to 2^−56 relative.
+// The table and the coefficients for powers of two: (2^(−j/128), 2^(j/128)), 1 − 2^(−j/128), and
+// the coefficients of z … z⁵ in 2^(−z/128) − 1, |z| ≤ ½, minimax to 2^−56 relative.
 struct PowerTable {
     std::array<Pair, 128> powers;
     std::array<double, 128> complements;
@@ -157,8 +162,9 @@ struct PowerTable {
 };
 extern const PowerTable power_table;
 
-// (2^(−y/128), factor·2^(y/128)) and 1 less each to a few 1e-16 relative, y = y_high + y_low; the
-// factor is given over 2^−512. Precondition: 0 ≤ y ≤ 128,000, and the second is at most ½.
+// With y = y_high + y_low: powers = (2^(−y/128), factor·2^(y/128)) and complements = 1 − powers, to
+// a relative error of a few 1e-16. factor_up is factor·2^512. Precondition: 0 ≤ y ≤ 128,000, and
+// the second power is at most ½.
 struct PowersOfHalf {
     Pair powers;
     Pair complements;

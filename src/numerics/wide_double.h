@@ -1,5 +1,5 @@
-// Double-double numbers with an exponent of their own, for setting up a motion: wobbles of 1e-300,
-// their squares and ratios neither underflow nor lose a digit.
+// Double-double numbers with a separate integer exponent, for setting up a motion: with wobbles of
+// 1e-300, squares and ratios neither underflow nor lose a digit.
 #pragma once
 
 #include <bit>
@@ -14,7 +14,7 @@ namespace poinsot {
 class WideDouble {
  public:
     WideDouble() = default;
-    // A double is a wide double: mixed expressions read as in the formulas.
+    // The implicit conversion from double lets mixed expressions read as in the formulas.
     WideDouble(double value) : WideDouble(DoubleDouble(value), 0) {}  // NOLINT(*-explicit-*)
     explicit WideDouble(DoubleDouble value, int exponent = 0) {
         if (value.hi == 0.0) return;
@@ -26,11 +26,11 @@ class WideDouble {
 
     bool is_zero() const { return significand_.hi == 0.0; }
     int sign() const { return (significand_.hi > 0.0) - (significand_.hi < 0.0); }
-    // Exponent e of 2^(e−1) ≤ |value| < 2^e; 0 for zero.
+    // The exponent e with 2^(e−1) ≤ |value| < 2^e; 0 for zero.
     int exponent() const { return exponent_; }
     DoubleDouble significand() const { return significand_; }
 
-    // The value over 2^scale, over- or underflowing as doubles do.
+    // value / 2^scale; overflows and underflows as doubles do.
     DoubleDouble over_power_of_two(int scale) const {
         return ldexp(significand_, exponent_ - scale);
     }
@@ -85,7 +85,8 @@ class WideDouble {
             std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52U);
         return {x.hi * power, x.lo * power};
     }
-    // The same from a result of normal numbers: the exponent is read off its bits.
+    // from_parts for the result of an operation on normal numbers: reads the exponent from the
+    // bits.
     static WideDouble normalised(DoubleDouble value, int exponent) {
         if (value.hi == 0.0) return {};
         const auto bits = std::bit_cast<std::uint64_t>(value.hi);

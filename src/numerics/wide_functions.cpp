@@ -8,11 +8,11 @@ namespace poinsot {
 
 namespace {
 
-// Below 2^−60 the next term of every series here is below 2^−120 of the first.
+// For |x| below 2^−60, the next term of every series here is below 2^−120 of the first.
 constexpr int tiny = -60;
 bool is_tiny(const WideDouble& x) { return x.is_zero() || x.exponent() < tiny; }
 
-// e^x = (1 + rest)·2^exponent, |x − exponent·ln 2| ≤ ½ ln 2; x not tiny.
+// e^x = (1 + rest)·2^exponent with |x − exponent·ln 2| ≤ ½ ln 2. Precondition: x is not tiny.
 struct ExpParts {
     DoubleDouble rest;
     int exponent;
@@ -35,7 +35,7 @@ WideSinCos sinh_cosh(const WideDouble& x) {
     const ExpParts parts = exp_parts(abs(x).double_double());
     const WideDouble grown(parts.rest + 1.0, parts.exponent);
     const WideDouble shrunk = WideDouble(1.0) / grown;
-    // Where e^x is near 1, of its distance from 1: nothing cancels.
+    // Where e^x is near 1, use e^x − 1: no digits cancel.
     const WideDouble sinh = parts.exponent == 0 ? ldexp(WideDouble(parts.rest) * (shrunk + 1.0), -1)
                                                 : ldexp(grown - shrunk, -1);
     return {x.sign() < 0 ? -sinh : sinh, ldexp(grown + shrunk, -1)};
@@ -44,7 +44,7 @@ WideSinCos sinh_cosh(const WideDouble& x) {
 WideSinCos sin_cos(const WideDouble& x) {
     if (is_tiny(x)) return {x, 1.0};
     const DoubleDouble value = x.double_double();
-    // Whole quarter turns are taken off: near a zero of either, nothing of it cancels.
+    // Subtracts whole quarter turns, so that no digits cancel near a zero of sine or cosine.
     const double n = std::nearbyint(value.hi / (0.5 * pi_dd.hi));
     DoubleDouble rest = value;
     if (n != 0.0) {
@@ -76,7 +76,7 @@ WideDouble atan2(const WideDouble& y, const WideDouble& x) {
         const WideDouble turn = ldexp(y.sign() < 0 ? -quarter : quarter, 1);
         return x.sign() > 0 ? y / x : turn + y / x;
     }
-    // The angle in double, and what is left of it: below 2^−50, so that its cube is nothing.
+    // The angle in double, and the remainder: it is below 2^−50, so that its cube is negligible.
     const double near = std::atan2(y.over_power_of_two(x.exponent()).rounded(),
                                    x.over_power_of_two(x.exponent()).rounded());
     const WideSinCos turn = sin_cos(WideDouble(near));
