@@ -1,15 +1,16 @@
-// The elementary functions, the same digits on every processor. glibc chooses among variants of
-// sin, cos, exp, log, pow … by what the processor can do, and those with fused multiply-add round
-// otherwise. Defined here, they are the program's for all that is loaded into it, the encoders
-// among them. SLEEF's "cinz" functions do without fused multiply-add and without choosing.
+// The elementary functions, with the same digits on every processor. glibc selects a variant of
+// sin, cos, exp, log, pow … by processor features, and the variants with fused multiply-add round
+// differently. The definitions here replace glibc's in the program and in every library that it
+// loads, including the encoders. SLEEF's "cinz" functions use no fused multiply-add and no dispatch
+// by processor.
 //
-// Accuracy: 1.0 ulp of each function, over all of its range. Unlike glibc's, they leave errno
-// alone. Source: N. Shibata & F. Petrogalli, SLEEF: A Portable Vectorized Library of C Standard
+// Accuracy: 1.0 ulp of each function, over its whole range. Unlike glibc's, they do not set errno.
+// Source: N. Shibata & F. Petrogalli, SLEEF: A Portable Vectorized Library of C Standard
 // Mathematical Functions, IEEE Trans. Parallel Distrib. Syst. 31 (2020) 1316.
 #include <sleef.h>
 
-// <math.h> is left out: this file defines what it declares. What glibc has one variant of, such as
-// cbrt, hypot, log10 and all that rounds exactly, stays glibc's.
+// <math.h> is not included: this file defines functions that it declares. Functions of which glibc
+// has a single variant (cbrt, hypot, log10, all exactly rounded ones) remain glibc's.
 extern "C" {
 
 double sin(double x) noexcept { return Sleef_cinz_sind1_u10purec(x); }
@@ -33,7 +34,8 @@ double log2(double x) noexcept { return Sleef_cinz_log2d1_u10purec(x); }
 double log1p(double x) noexcept { return Sleef_cinz_log1pd1_u10purec(x); }
 double pow(double x, double y) noexcept { return Sleef_cinz_powd1_u10purec(x, y); }
 
-// Compilers make one call of the two, or do not: SLEEF's own sincos rounds otherwise.
+// SLEEF's own sincos rounds differently from its sin and cos, and compilers may or may not merge
+// two calls into sincos: so this one calls both.
 void sincos(double x, double* sine, double* cosine) noexcept {
     *sine = sin(x);
     *cosine = cos(x);
