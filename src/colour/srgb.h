@@ -1,4 +1,5 @@
-// sRGB's encoded values and linear light, both from 0 to 1: the transfer function of IEC 61966-2-1.
+// The transfer function of sRGB (IEC 61966-2-1): encoded values to linear light and back, both from
+// 0 to 1.
 #pragma once
 
 namespace poinsot {
