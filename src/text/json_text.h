@@ -1,4 +1,4 @@
-// JSON: numbers, objects and lists; its strings are of printable.h.
+// Formats JSON numbers, objects and lists; json_string is in printable.h.
 #pragma once
 
 #include <concepts>
@@ -11,7 +11,7 @@
 
 namespace poinsot {
 
-// A finite double with enough digits to give it back, otherwise null.
+// A finite double with enough digits to read it back exactly; null for other values.
 std::string json_number(double value);
 
 // Values on one line: "[1, 2]".
@@ -21,13 +21,13 @@ std::string json_numbers(Numbers... values) {
     return json_list(std::vector<std::string>{json_number(static_cast<double>(values))...});
 }
 
-// Values on a line each, the bracket's own line being indented so far.
+// One value per line; `indent` is the indentation of the line with the brackets.
 std::string json_lines(std::span<const std::string> values, int indent = 0);
 
-// An object, its members in the order in which they come.
+// A JSON object; members keep the order in which they are added.
 class JsonObject {
  public:
-    // A member whose value is JSON already.
+    // Adds a member whose value is already JSON.
     JsonObject& json(std::string_view key, std::string_view value);
     JsonObject& add(std::string_view key, std::string_view text);
     template <std::integral Whole>
@@ -43,7 +43,7 @@ class JsonObject {
     }
 
     std::string line() const;   // {"a": 1, "b": 2}
-    std::string lines() const;  // a member a line, and a line's end
+    std::string lines() const;  // one member per line, with a newline at the end
  private:
     std::vector<std::string> members_;
 };

@@ -19,7 +19,8 @@ std::string as_caption(std::string_view text) {
             caption += '\\';
             caption += static_cast<char>(code);
         } else if (code == '-' || code == '\'' || code == '`') {
-            // Two would make one dash or quotation mark, and a hyphen before a digit a minus sign.
+            // Two such characters would become one dash or quotation mark, and a hyphen before a
+            // digit a minus sign.
             const char next = text.size() > 1 ? text[1] : '\0';
             const bool number = code == '-' && (next == '.' || (next >= '0' && next <= '9'));
             caption += static_cast<char>(code);

@@ -1,4 +1,4 @@
-// Text that is no markup, such as a file's name, as a caption that shows just that.
+// Converts text without markup, such as a file name, to a caption that shows this text.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace poinsot {
 
-// What is markup in a caption ("$", "{", "\", "~", "--", …) stands for itself; bytes that are no
-// UTF-8 and hidden characters become U+FFFD.
+// Escapes the markup of captions ("$", "{", "\", "~", "--", …); invalid UTF-8 and hidden characters
+// become U+FFFD.
 std::string as_caption(std::string_view text);
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// The languages that pictures have words of their own in, and such a word in each of them.
+// The languages of the words in pictures, and a word in each of them.
 #pragma once
 
 #include <array>
@@ -7,11 +7,11 @@
 
 namespace poinsot {
 
-// In this order.
+// The order of the words in a Phrase.
 constexpr std::array<std::string_view, 6> language_codes{"en", "de", "fr", "es", "it", "ja"};
 
-// A word, heading or formula of a picture in every language; one that stands alone is the same in
-// all of them, as formulas are.
+// A word, heading or formula of a picture in every language; an expression that is the same in all
+// languages, such as a formula, is given once.
 using Phrase = std::array<std::string_view, language_codes.size()>;
 
 constexpr Phrase no_words{};
@@ -19,7 +19,7 @@ constexpr Phrase formula(std::string_view text) { return {text}; }
 
 inline std::span<const std::string_view> languages() { return language_codes; }
 
-// Precondition: one of languages().
+// The word in this language. Precondition: `language` is in languages().
 std::string_view phrase_in(std::string_view language, const Phrase& phrase);
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// Tables whose rows have names, and what is said of a name that no row has.
+// Tables of named rows, and the messages for an unknown name.
 #pragma once
 
 #include <algorithm>
@@ -10,17 +10,17 @@
 
 namespace poinsot {
 
-// "; did you mean "render"?", or empty when nothing is near.
+// "; did you mean "render"?", or empty if no known name is similar.
 std::string did_you_mean(std::string_view given, std::span<const std::string_view> known);
 
-// The same, or where nothing is near all there are: "; choose from: draft, lecture".
+// The same, or all known names if none is similar: "; choose from: draft, lecture".
 std::string choose_instead(std::string_view given, std::span<const std::string_view> known);
 
 // "unknown quality "lectur"; did you mean "lecture"?"
 std::string unknown(std::string_view what, std::string_view given,
                     std::span<const std::string_view> known);
 
-// The names of a table's rows, in its order.
+// The names of a table's rows, in order.
 template <class Table>
 std::vector<std::string_view> names_of(const Table& table) {
     std::vector<std::string_view> names;
@@ -29,7 +29,7 @@ std::vector<std::string_view> names_of(const Table& table) {
     return names;
 }
 
-// The row of that name, or null.
+// The row of this name, or null.
 template <class Table>
 const auto* find_row(const Table& table, std::string_view name) {
     const auto row = std::find_if(std::begin(table), std::end(table),

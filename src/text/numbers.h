@@ -1,4 +1,4 @@
-// Numbers written in decimals.
+// Parses decimal numbers.
 #pragma once
 
 #include <charconv>
@@ -32,11 +32,11 @@ std::optional<Number> number_of(std::string_view text) {
     return number;
 }
 
-// "+1.5" without its sign, for those who type one.
+// Removes a leading plus sign: "+1.5" becomes "1.5".
 std::string_view without_plus(std::string_view text);
 
-// Cuts a number that is not negative, and the character after it, off the front of the text; false
-// for what is none.
+// Removes a non-negative number and the character `after` from the front of the text; returns false
+// if they are not there.
 bool take_count(std::string_view& text, std::int64_t& number, char after);
 
 }  // namespace poinsot

@@ -18,7 +18,7 @@ std::string escape_of(char32_t code) {
     return number < 0x10000 ? fmt::format("\\u{:04x}", number) : fmt::format("\\U{:08x}", number);
 }
 
-// JSON escapes what is beyond 16 bits as a pair of surrogates.
+// JSON writes characters beyond 16 bits as a surrogate pair.
 std::string json_escape_of(char32_t code) {
     const auto number = static_cast<std::uint32_t>(code);
     if (number < 0x10000) return fmt::format("\\u{:04x}", number);
@@ -49,7 +49,7 @@ std::string printable(std::string_view text, std::size_t most) {
         text.remove_prefix(character.size);
     }
 
-    // What is left out stands where the last of the text, most often the remedy, stays whole.
+    // Cut where the end of the text stays whole: it usually says what to do.
     std::size_t first_cut = pieces.size(), end_of_cut = pieces.size();
     if (width > most) {
         const std::size_t most_of_tail = most / 3;

@@ -1,5 +1,5 @@
-// Text from anywhere, as people and programs see it: nothing in it can steer a terminal, hide, turn
-// the direction of what stands around it, or fill the screen.
+// Makes text from any source safe to show: it cannot control a terminal, hide, change the writing
+// direction of its surroundings, or fill the screen.
 #pragma once
 
 #include <limits>
@@ -9,13 +9,13 @@
 
 namespace poinsot {
 
-// What a name or a value may take within a message, and a whole message, in characters.
+// The largest lengths, in characters, of a name or value inside a message, and of a whole message.
 inline constexpr std::size_t most_of_a_name = 400;
 inline constexpr std::size_t most_of_a_message = 4000;
 inline constexpr std::size_t any_length = std::numeric_limits<std::size_t>::max();
 
-// For a terminal: hidden characters are written "\u202e", bytes that are no UTF-8 "\xff", and what
-// is longer than `most` characters loses its middle to "…".
+// For a terminal: hidden characters become "\u202e", invalid UTF-8 bytes "\xff", and the middle of
+// a text longer than `most` characters becomes "…".
 std::string printable(std::string_view text, std::size_t most = most_of_a_name);
 
 // Characters of a note: "é (U+00E9), U+200B, …", the hidden ones by their codes alone and at most

@@ -21,7 +21,7 @@ void say(std::string_view message) noexcept {
         }
         std::fputs(lines.c_str(), stderr);
     } catch (const std::exception&) {
-        // Without memory for a message there is none.
+        // No memory is left to format the message.
         std::fputs("out of memory for a message\n", stderr);
     }
 }

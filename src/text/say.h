@@ -1,16 +1,16 @@
-// What the program tells a person, on stderr. Data goes to stdout by fmt::print.
+// Messages for the user, on stderr. Data goes to stdout by fmt::print.
 #pragma once
 
 #include <string_view>
 
 namespace poinsot {
 
-// A message of one line or more, each as printable() shows it; nothing for an empty one.
-// It is lost where stderr cannot be written: what has been made is there all the same.
+// Prints a message of one or more lines, each as printable() shows it; prints nothing for an empty
+// message. Ignores write errors on stderr: the results are not affected.
 void say(std::string_view message) noexcept;
 
-// Writes over the line of a terminal, as a bar of progress does; with controls, so only for texts
-// that are our own or printable().
+// Overwrites the current line of a terminal, as a progress bar does. The text is not escaped: pass
+// only constant or printable() text.
 void say_over_line(std::string_view text) noexcept;
 
 }  // namespace poinsot

@@ -65,7 +65,7 @@ constexpr NamedUnit units[] = {
     {"px", {0, 0, 0, 0}, ""},  // no unit of ours, so that it is not taken for one
 };
 
-// Superscripts that follow a name: "²" is 2, "⁻¹" is −1.
+// Superscripts after a name: "²" is 2, "⁻¹" is −1.
 constexpr std::array<std::string_view, 10> superscripts{"\u2070", "\u00b9", "\u00b2", "\u00b3",
                                                         "\u2074", "\u2075", "\u2076", "\u2077",
                                                         "\u2078", "\u2079"};
@@ -80,7 +80,7 @@ bool take(std::string_view& rest, std::string_view token) {
     return true;
 }
 
-// A power behind a name, 1 where there is none: "^2", "2", "²", "^-1", "⁻¹".
+// The power after a name, or 1 if there is none: "^2", "2", "²", "^-1", "⁻¹".
 int take_power(std::string_view& rest) {
     const bool caret = take(rest, "^") || take(rest, "**");
     const bool negative = take(rest, "\u207b") || (caret && take(rest, "-"));
@@ -95,7 +95,7 @@ int take_power(std::string_view& rest) {
     return caret || negative ? 0 : 1;
 }
 
-// The longest name that the text begins with, which no letter may follow.
+// The longest name at the beginning of the text that is not followed by a letter.
 const NamedUnit* take_name(std::string_view& rest) {
     const NamedUnit* found = nullptr;
     for (const NamedUnit& unit : units)
@@ -135,7 +135,7 @@ std::optional<Rational> take_number(std::string_view& rest) {
         skip_spaces(fraction);
         if (fraction.size() < rest.size() && !fraction.empty() && fraction.front() >= '0' &&
             fraction.front() <= '9') {
-            // "7 1/s" has none: what follows is its unit.
+            // "7 1/s" has no fraction: "1/s" is its unit.
             std::swap(rest, fraction);
             const auto above = take_decimal(rest);
             const auto under = above ? take_denominator(rest) : std::nullopt;
@@ -210,7 +210,7 @@ std::optional<Unit> unit_named(std::string_view text) {
             if (!any) return std::nullopt;
         }
         skip_spaces(text);
-        // What stands in brackets below the line: "kg/(m s)".
+        // A denominator in brackets: "kg/(m s)".
         const bool bracket = take(text, "(");
         if (bracket) {
             const std::size_t close = text.find(')');

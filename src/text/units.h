@@ -1,4 +1,4 @@
-// Units of measure as people write them: "cm", "deg/s", "g cm²", "rpm"; and numbers with them.
+// Units of measure as users write them ("cm", "deg/s", "g cm²", "rpm"), and numbers with units.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace poinsot {
 
-// What a unit measures: powers of mass, length, time and angle. Angles count, so that a rate of
-// turning is not any rate.
+// A physical dimension as powers of mass, length, time and angle. Angle counts as a dimension, so
+// that an angular rate differs from other rates.
 struct Dimension {
     std::array<int, 4> powers{};
     bool operator==(const Dimension&) const = default;
@@ -41,11 +41,11 @@ std::optional<Measured> measured(std::string_view text);
 // none or measures something else.
 std::optional<double> measured_in(std::string_view text, const Unit& wanted);
 
-// The unit that numbers in an SI unit are shown in: of those wanted the one that measures the same,
-// or the SI unit itself.
+// The unit in which numbers of an SI unit are shown: the wanted unit of the same dimension, or the
+// SI unit itself.
 struct ShownUnit {
     std::string name;
-    double per_SI = 1.0;  // the factor on a number in SI
+    double per_SI = 1.0;  // shown number = number in SI · per_SI
 };
 ShownUnit unit_shown(std::span<const std::string> wanted, std::string_view si_unit);
 

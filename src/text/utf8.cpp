@@ -17,7 +17,7 @@ Utf8Character first_character(std::string_view text) {
     const unsigned lead = byte_at(text, 0);
     if (lead < 0x80) return {lead, 1, true};
 
-    // Lead bytes give the length and the smallest code that needs it.
+    // The lead byte gives the length and the smallest code of that length.
     const std::size_t size = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
     if (lead < 0xc2 || lead > 0xf4 || text.size() < size) return {};
     char32_t code = lead & (0xffu >> (size + 1));

@@ -1,4 +1,4 @@
-// Characters of UTF-8 text, and which of them a reader would not see.
+// Characters of UTF-8 text, and which characters are invisible to a reader.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@ namespace poinsot {
 
 struct Utf8Character {
     char32_t code = 0;
-    std::size_t size = 1;  // bytes; 1 where the byte is not UTF-8
+    std::size_t size = 1;  // bytes; 1 for a byte that is not valid UTF-8
     bool valid = false;
 };
 
-// The first character of a text that is not empty (RFC 3629 §4).
+// The first character of a text (RFC 3629 §4). Precondition: the text is not empty.
 Utf8Character first_character(std::string_view text);
 
-// A character as UTF-8. Precondition: a Unicode scalar value.
+// Encodes a character as UTF-8. Precondition: a Unicode scalar value.
 std::string utf8_of(char32_t code);
 
-// True for C0 and C1 control characters, DEL, and the two separators that end a line elsewhere.
+// True for C0 and C1 control characters, DEL, and the Unicode line and paragraph separators.
 constexpr bool is_control(char32_t code) {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028 || code == 0x2029;
 }
