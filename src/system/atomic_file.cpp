@@ -27,7 +27,7 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-// The final name with symbolic links followed, so that a link stays a link.
+// The final name with symbolic links followed, so that the link itself is not replaced.
 fs::path followed(const fs::path& path) {
     std::error_code ignored;
     if (!fs::is_symlink(path, ignored)) return path;
@@ -53,7 +53,7 @@ void check_place(const fs::path& path) {
                         path.string(), folder.string()));
 }
 
-// Nothing can be made in a folder: that is what is wrong, not the name.
+// If no file can be created in the folder, the message names the folder, not the file.
 [[noreturn]] void throw_open_error(const fs::path& path, int error_number) {
     const bool of_folder = error_number == EACCES || error_number == EPERM ||
                            error_number == EROFS || error_number == ENOENT;
@@ -63,8 +63,8 @@ void check_place(const fs::path& path) {
                     path.string(), folder_of(path).string(), reason(error_number)));
 }
 
-// Whether the name still means the open file: between opening and locking, the run that held the
-// lock may have renamed or removed it.
+// Whether the name still refers to the open file: between opening and locking, another run may have
+// renamed or removed it.
 bool names(const fs::path& path, int descriptor) {
     struct stat by_name {};
     struct stat by_descriptor {};
@@ -135,7 +135,7 @@ AtomicFile::AtomicFile(const fs::path& path, const fs::path& aside, bool keep_co
 }
 
 AtomicFile::~AtomicFile() {
-    // Whatever goes wrong after an interrupted run, what it has left is not lost.
+    // Keep the contents that an interrupted run has left, whatever the error.
     if (keeps_ && has_contents()) aside_.clear();
     discard();
 }
@@ -211,7 +211,7 @@ void AtomicFile::write(std::span<const std::uint8_t> bytes) {
 
 void AtomicFile::commit() {
     const bool renames = !aside_.empty();
-    // A pipe or a terminal cannot be synced, and has nothing to lose.
+    // A pipe or a terminal cannot be synced and does not need to be.
     if (fsync(descriptor_) != 0 && (renames || (errno != EINVAL && errno != EROFS))) {
         const int error_number = errno;
         discard();
@@ -224,7 +224,7 @@ void AtomicFile::commit() {
             throw_write_error(path_, error_number);
         }
         aside_.clear();
-        // The name itself must reach the disk too; some file systems cannot sync a folder.
+        // The folder entry must be synced, too; some file systems cannot sync a folder.
         const int folder = ::open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
         if (folder >= 0) {
             fsync(folder);
@@ -232,7 +232,7 @@ void AtomicFile::commit() {
         }
     }
     const int closed = ::close(std::exchange(descriptor_, -1));
-    // What was synced and renamed is whole, whatever closing says.
+    // After sync and rename the file is complete, even if closing reports an error.
     if (closed != 0 && errno != EINTR && !renames) throw_write_error(path_, errno);
 }
 
@@ -250,7 +250,8 @@ void AtomicFile::replace(AtomicFile& other) {
 }
 
 void AtomicFile::discard() noexcept {
-    // Removed before the lock goes, so that nobody else's file aside can be the one removed.
+    // Remove the file before releasing the lock, so that another run's temporary file is never
+    // removed.
     if (descriptor_ >= 0 && !aside_.empty()) ::unlink(aside_.c_str());
     if (descriptor_ >= 0) ::close(descriptor_);
     descriptor_ = -1;

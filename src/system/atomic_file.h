@@ -1,5 +1,5 @@
-// A file made aside and renamed when it is whole: under the final name stands the old file or the
-// new one, never a part of one. The lowest layer that writes files; images and films both use it.
+// Writes files atomically: a temporary file is renamed when it is complete, so that the final name
+// is always the old or the new file. The lowest layer that writes files; used for images and films.
 #pragma once
 
 #include <cstdint>
@@ -11,54 +11,60 @@
 
 namespace poinsot {
 
-// Throws EnvironmentError: `cannot write PATH: REASON`, the reason being that of the errno given.
+// Throws EnvironmentError: `cannot write PATH: REASON`, with the reason of this errno.
 [[noreturn]] void throw_write_error(const std::filesystem::path& path, int error_number);
 
-// Where a file is made before it gets its name: hidden, in the same folder.
+// The path of the temporary file: hidden, in the same folder.
 std::filesystem::path aside_path_of(const std::filesystem::path& path,
                                     std::string_view suffix = ".part");
 
-// Holds the file aside open and locked, so that a second run on the same output is refused. A file
-// aside that a killed run has left is taken over. Where the final name is a device or a pipe there
-// is nothing to make aside: bytes go straight to it. A symbolic link is followed. "-" is standard
-// output; writing to it throws ReaderGone where nobody reads. Move-only.
+// Holds the temporary file open and locked, so that a second run with the same output is rejected.
+// Takes over a temporary file that a killed run has left. If the final name is a device or a pipe,
+// bytes go directly to it, without a temporary file. Symbolic links are followed. "-" is standard
+// output; writing to it throws ReaderGone if the reader has closed the pipe. Move-only.
 //
-// Writing past a limit on file sizes raises SIGXFSZ, which the program must ignore for the error to
-// arrive here.
+// Writing past a limit on file size raises SIGXFSZ; the program must ignore it so that this class
+// can report the error.
 class AtomicFile {
  public:
-    // Throws EnvironmentError if the folder does not exist or cannot be written, if the name is
-    // that of a folder, or if another run holds the file.
+    // Throws EnvironmentError if the folder does not exist or is not writable, if the name is a
+    // folder, or if another run holds the file.
     explicit AtomicFile(const std::filesystem::path& path);
-    // The same with a file aside of the caller's naming, in the same folder.
-    // keep_contents leaves what a killed run has written, for the caller to go on from, and unless
-    // it is discarded leaves it again.
-    // Another run that holds it is waited for where when_held is given, which is called first.
+    // The same with a temporary file named by the caller, in the same folder. keep_contents keeps
+    // the contents that a killed run has written, so that the caller can continue, and keeps them
+    // again unless the file is discarded. With when_held, waits for another run that holds the
+    // file, after calling when_held.
     AtomicFile(const std::filesystem::path& path, const std::filesystem::path& aside,
                bool keep_contents = false, const std::function<void()>& when_held = {});
-    ~AtomicFile();  // removes what is aside, unless it was committed or released or is kept
+    ~AtomicFile();  // removes the temporary file, unless committed, released or kept
     AtomicFile(AtomicFile&& other) noexcept;
     AtomicFile& operator=(AtomicFile&& other) noexcept;
 
     int descriptor() const { return descriptor_; }
-    const std::filesystem::path& path() const { return path_; }    // final name, links followed
-    const std::filesystem::path& aside() const { return aside_; }  // empty for a device
+    const std::filesystem::path& path() const {
+        return path_;
+    }  // final name, with links
+       // followed
+    const std::filesystem::path& aside() const {
+        return aside_;
+    }  // temporary file; empty for a
+       // device
 
-    // Appends at the descriptor's position. Throws EnvironmentError.
+    // Appends at the current position. Throws EnvironmentError.
     void write(std::span<const std::uint8_t> bytes);
 
-    // Syncs the contents, renames, syncs the folder and closes. Throws EnvironmentError, and then
-    // leaves nothing.
+    // Syncs the contents, renames the file, syncs the folder and closes. On failure throws
+    // EnvironmentError and removes the temporary file.
     void commit();
 
-    // Syncs, closes and leaves the contents aside for a later run to find.
+    // Syncs, closes and leaves the temporary file for a later run.
     void release();
 
-    // Removes what is aside and closes.
+    // Removes the temporary file and closes.
     void discard() noexcept;
 
-    // Takes the place of another file aside of the same output, which is closed and forgotten.
-    // Throws EnvironmentError.
+    // Renames this temporary file to the path of `other`, another temporary file of the same
+    // output, which is closed. Throws EnvironmentError.
     void replace(AtomicFile& other);
 
  private:
@@ -71,7 +77,7 @@ class AtomicFile {
     bool keeps_ = false;
 };
 
-// A whole file at once. Throws EnvironmentError.
+// Writes a whole file atomically. Throws EnvironmentError.
 void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_whole(const std::filesystem::path& path, std::string_view text);
 

@@ -8,7 +8,8 @@ namespace poinsot {
 
 namespace {
 
-// The group's path below the root; empty for the root itself, as a container sees its own.
+// The group's path below the root; empty for the root itself, which a container sees as its own
+// group.
 std::filesystem::path group_of(std::string_view own) {
     constexpr std::string_view unified = "0::/";
     for (std::size_t at = 0; at < own.size();) {
@@ -32,7 +33,7 @@ Grant grant_of(const std::filesystem::path& root, std::string_view own) {
     Grant grant;
     std::filesystem::path group = group_of(own);
     while (true) {
-        // "200000 100000" is two processors' time, "max 100000" no limit.
+        // "200000 100000" is the time of two processors; "max 100000" is no limit.
         std::ifstream processors(root / group / "cpu.max");
         double granted = 0.0, period = 0.0;
         if (processors >> granted >> period && granted > 0.0 && period > 0.0)
@@ -46,7 +47,7 @@ Grant grant_of(const std::filesystem::path& root, std::string_view own) {
 }
 
 Grant own_grant() {
-    // Where it may not be read, nothing is known to be bounded.
+    // If the file is not readable, no limit is known.
     std::ifstream groups("/proc/self/cgroup");
     std::string own;
     for (std::string line; std::getline(groups, line);) own += line + '\n';

@@ -1,4 +1,4 @@
-// What Linux grants a process of the machine: containers and clusters bound it by control groups.
+// The resource limits that Linux control groups set for a process in a container or cluster.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 namespace poinsot {
 
 struct Grant {
-    std::optional<double> n_processors;        // processors' time; not whole ones
-    std::optional<std::int64_t> memory_bytes;  // past which the process is killed
+    std::optional<double> n_processors;        // CPU time in processors; may be a fraction
+    std::optional<std::int64_t> memory_bytes;  // the process is killed above this limit
 };
 
-// The least that a group and those above it grant. Nothing where nobody bounds it, or where the
-// files are not there: version 1, other systems. Source: Linux, admin-guide/cgroup-v2.rst.
-//   root  where the groups are mounted
-//   own   the text of /proc/self/cgroup, of which the line "0::/PATH" counts
+// The smallest limits of a control group and its ancestors. Empty where there is no limit, or no
+// such files (version 1, other systems). Source: Linux, admin-guide/cgroup-v2.rst.
+// root: the mount point of the control groups
+// own: the text of /proc/self/cgroup, of which the line "0::/PATH" is used
 Grant grant_of(const std::filesystem::path& root, std::string_view own);
 
-// The grant of this process.
+// The limits of this process.
 Grant own_grant();
 
 }  // namespace poinsot

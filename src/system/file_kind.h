@@ -1,5 +1,5 @@
-// What a name on the disk means, asked before it is opened: reading a pipe may never end, and a
-// device has no size.
+// The kind of a file, checked before opening: reading a pipe may never end, and a device has no
+// size.
 #pragma once
 
 #include <filesystem>
@@ -9,23 +9,22 @@
 namespace poinsot {
 
 enum class FileKind {
-    regular,      // a file that has a size and an end
-    missing,      // nothing of that name
+    regular,      // a file with a size and an end
+    missing,      // no file of this name
     folder,       //
-    link_circle,  // symbolic links that lead back to themselves
-    unreachable,  // a folder on the way to it may not be entered
+    link_circle,  // a cycle of symbolic links
+    unreachable,  // a parent folder has no permission
     special       // a pipe, a socket or a device
 };
 
-// Symbolic links are followed.
+// Follows symbolic links.
 FileKind kind_of_file(const std::filesystem::path& path) noexcept;
 
-// What it is instead of a file, as the predicate of a message: "a pipe or a device, not a regular
-// file". Precondition: not regular.
+// A description for messages: "a pipe or a device, not a regular file". Precondition: not regular.
 std::string_view in_words(FileKind kind);
 
-// What a name ends in, as ".png", in small letters: a.PNG and a.png are files of one kind. Letters
-// other than A to Z stay as they are.
+// The suffix of a path in lower case, as ".png": suffixes are case-insensitive. Only A to Z are
+// converted.
 std::string suffix_of(const std::filesystem::path& path);
 
 }  // namespace poinsot

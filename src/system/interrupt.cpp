@@ -11,12 +11,12 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 std::atomic<int> n_ends_at_once{0};
-static_assert(std::atomic<int>::is_always_lock_free);  // read by a signal's handler
+static_assert(std::atomic<int>::is_always_lock_free);  // the signal handler reads it
 
 extern "C" void remember_interrupt(int signal_number) {
     interrupted = 1;
     std::signal(signal_number, SIG_DFL);
-    if (n_ends_at_once > 0) std::raise(signal_number);  // comes when this handler is left
+    if (n_ends_at_once > 0) std::raise(signal_number);  // delivered when this handler returns
 }
 
 }  // namespace

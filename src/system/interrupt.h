@@ -1,16 +1,17 @@
-// Ctrl-C as a question that long loops ask, so that they can stop cleanly.
+// Lets long loops check for Ctrl-C, so that they can stop cleanly.
 #pragma once
 
 namespace poinsot {
 
-// From here on SIGINT and SIGTERM are remembered instead of ending the process; a second one ends
-// it.
+// From this call on, the first SIGINT or SIGTERM is recorded and does not end the process; the
+// second one ends it.
 void watch_for_interrupts();
 
-// Throws EnvironmentError if one has come.
+// Throws EnvironmentError if a signal has been received.
 void stop_if_interrupted();
 
-// While one lives, in whatever thread, they end the process after all: for work that does not ask.
+// While an object of this class exists in any thread, signals end the process at once: for work
+// that does not check.
 class EndsAtOnce {
  public:
     EndsAtOnce();

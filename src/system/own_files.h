@@ -1,14 +1,14 @@
-// Where the running program lies, and what was installed with it.
+// The path of the running program, and of the files installed with it.
 #pragma once
 
 #include <filesystem>
 
 namespace poinsot {
 
-// The program's file; empty where the system does not tell.
+// The program's executable; empty if the system does not report it.
 std::filesystem::path own_program();
 
-// share/poinsot of the prefix that the program lies in, whether it is there or not.
+// share/poinsot in the program's install prefix; it may be missing.
 std::filesystem::path own_share();
 
 }  // namespace poinsot

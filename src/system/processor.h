@@ -1,4 +1,4 @@
-// What the processor can do, where pixels depend on it.
+// Processor features on which pixels depend.
 #pragma once
 
 #include <cstdint>
@@ -6,19 +6,19 @@
 
 namespace poinsot {
 
-// The widest vectors, and whether products are rounded before they are added: "x86 sse4.1 avx avx2
-// fma". A renderer that is not told otherwise uses what is there.
+// The widest vector instructions and fused multiply-add, which rounds differently: "x86 sse4.1 avx
+// avx2 fma". By default, the renderer uses all that are available.
 std::string processor_capabilities();
 
-// Processors that this process may use: those it is bound to, or as much of them as its control
-// groups grant, 1 at least.
+// The number of processors that this process may use, by its affinity and its control groups; at
+// least 1.
 int n_processors();
 
-// Memory of the machine, or as much of it as the process's control groups grant; 0 if nobody says.
+// The memory of the machine, or the limit of the process's control groups if smaller; 0 if unknown.
 std::int64_t memory_MiB();
 
-// Whether it has SSE4.1, the least that portable pictures are drawn with. True on other families,
-// which the question is not for.
+// Whether the processor has SSE4.1, the minimum for portable pictures. True on other architectures,
+// where SSE4.1 does not apply.
 bool has_sse41();
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// Whether a long run will fit on its disk, asked as soon as that can be estimated.
+// Checks early whether the output of a long run will fit on the disk.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 namespace poinsot {
 
-// Given what the first n_done of n_frames took, throws EnvironmentError if not even half of what
-// the rest will need by that measure is free where the path lies.
+// Estimates the size of the remaining frames from the first n_done of n_frames. Throws
+// EnvironmentError if less than half of the estimate is free on the disk of this path.
 void check_room(const std::filesystem::path& path, std::uint64_t n_bytes_done, std::int64_t n_done,
                 std::int64_t n_frames);
 

@@ -18,7 +18,7 @@ namespace poinsot {
 
 namespace {
 
-using Ends = std::array<int, 2>;  // of a pipe: read, write
+using Ends = std::array<int, 2>;  // of a pipe: read end, write end
 
 Ends make_pipe() {
     Ends ends{};
@@ -27,7 +27,7 @@ Ends make_pipe() {
     return ends;
 }
 
-// Reads both ends until they are closed.
+// Reads from both pipes until they are closed.
 void read_all(const std::array<int, 2>& from, const std::array<std::string*, 2>& to) {
     std::array<pollfd, 2> pipes{pollfd{from[0], POLLIN, 0}, pollfd{from[1], POLLIN, 0}};
     std::array<char, 4096> buffer{};

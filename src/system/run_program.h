@@ -1,4 +1,4 @@
-// Another program, run to its end: what it said and how it ended.
+// Runs another program to its end and returns its output and exit code.
 #pragma once
 
 #include <string>
@@ -7,20 +7,19 @@
 namespace poinsot {
 
 struct ProgramOutcome {
-    bool found = true;  // otherwise there is no such program, and nothing ran
-    int code = -1;      // its exit code; 128 + the signal that ended it
+    bool found = true;  // false: no such program was found, and nothing ran
+    int code = -1;      // the exit code; 128 + signal number if a signal ended the program
     std::string out, err;
 };
 
-// Looks the program up along PATH; its input is empty. Throws EnvironmentError if no process can be
-// made.
+// Searches the program in PATH and runs it with empty input. Throws EnvironmentError if no process
+// can be created.
 ProgramOutcome run_program(const std::vector<std::string>& command);
 
-// As a shell reads it back: in single quotes where it has anything that a shell would not pass on.
+// Quotes a word for a shell: single quotes if it contains special characters.
 std::string shell_word(const std::string& text);
 
-// The words of a line, as a shell parts them: at spaces, quotes keep them together, a backslash
-// keeps what follows it.
+// Splits a line into words as a shell does: at spaces, with quotes and backslashes.
 std::vector<std::string> shell_words(const std::string& line);
 
 }  // namespace poinsot

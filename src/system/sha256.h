@@ -1,4 +1,4 @@
-// SHA-256, by which pictures, scenes and baselines are named in records: libmd's.
+// SHA-256 (by libmd), which identifies pictures, scenes and baselines in records.
 #pragma once
 
 #include <sha2.h>
@@ -10,21 +10,21 @@
 
 namespace poinsot {
 
-// A message given in parts.
+// The hash of a message given in parts.
 class Sha256 {
  public:
     Sha256();
     void add(std::span<const std::uint8_t> bytes);
     void add(std::string_view text);
 
-    // 64 hexadecimal digits, of all that was added; afterwards the object is used up.
+    // Returns 64 hexadecimal digits. The object must not be used afterwards.
     std::string finish();
 
  private:
     SHA2_CTX state_;
 };
 
-// Of a text's bytes.
+// The hash of a text's bytes.
 std::string sha256_of(std::string_view text);
 
 }  // namespace poinsot

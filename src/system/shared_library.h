@@ -1,4 +1,4 @@
-// A library opened at run time, and its functions by name.
+// A shared library loaded at run time, and its functions by name.
 #pragma once
 
 #include <dlfcn.h>
@@ -9,8 +9,7 @@
 
 namespace poinsot {
 
-// The library stays loaded for the life of the process: Mesa leaves threads and thread-local data
-// behind that outlive a context.
+// The library is never unloaded: Mesa keeps threads and thread-local data that outlive a context.
 class SharedLibrary {
  public:
     // Throws EnvironmentError saying what to install, as "the Debian package libegl1".
