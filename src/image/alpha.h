@@ -1,16 +1,16 @@
-// Questions and answers about transparency.
+// Functions for transparency.
 #pragma once
 
 #include "image/image.h"
 
 namespace poinsot {
 
-// Whether alpha is 255 everywhere.
+// Whether alpha is 255 in every pixel.
 bool is_opaque(const Image& image);
 
-// The picture on a white ground, for formats without alpha; flat is resized where it must be.
-// Mixed as stored, in sRGB, which is how slides and pages lay a transparent PNG on their own
-// ground.
+// Draws the picture on a white background, for formats without alpha. `flat` is resized if
+// necessary. Blends the stored sRGB values, as slides and pages blend a transparent PNG with their
+// background.
 void flatten_on_white(const Image& image, Image& flat);
 
 }  // namespace poinsot

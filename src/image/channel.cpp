@@ -7,7 +7,7 @@ namespace poinsot {
 
 namespace {
 
-// One row, read through a copy that is padded with its end values.
+// Convolves one row, using a copy that is padded with its end values.
 void convolve_row(const float* row, std::size_t n, std::span<const float> kernel,
                   std::vector<float>& padded, float* out) {
     const std::size_t radius = kernel.size() / 2;

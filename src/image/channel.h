@@ -1,4 +1,4 @@
-// One channel of a picture as real numbers, and the convolutions that measures of likeness need.
+// One channel of a picture as real numbers, and the convolutions for similarity measures.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,12 @@ struct Channel {
     std::vector<float> values;  // row by row
 };
 
-// Convolution with odd kernels along x, then along y. Beyond the border the border's value stands.
+// Convolution with odd kernels along x, then along y. Border values are repeated outside the
+// border.
 Channel convolved(const Channel& channel, std::span<const float> kernel_x,
                   std::span<const float> kernel_y);
 
-// A Gaussian sampled at the integers within ±radius, its sum 1.
+// A Gaussian sampled at the integers within ±radius, normalised to the sum 1.
 std::vector<float> gaussian_kernel(double sigma, int radius);
 
 }  // namespace poinsot

@@ -18,7 +18,7 @@ bool same_size(const Image& a, const Image& b) {
     return a.width() == b.width() && a.height() == b.height();
 }
 
-// One level of 8 bits is so many of the samples' own.
+// The number of sample levels in one 8-bit level.
 template <typename Sample>
 constexpr int one_level = sizeof(Sample) == 2 ? 257 : 1;
 
@@ -134,7 +134,8 @@ Comparison compare(const StoredPicture& expected, const StoredPicture& actual,
 
 double structural_similarity(const Image& expected, const Image& actual) {
     assert(same_size(expected, actual) && !expected.empty());
-    // About a middle grey, so that variances of light pictures do not cancel in single precision.
+    // Values relative to middle grey, so that variances of light pictures do not cancel in single
+    // precision.
     constexpr float middle = 128;
     constexpr double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
     Channel a = luma_of(expected), b = luma_of(actual);

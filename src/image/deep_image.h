@@ -1,4 +1,4 @@
-// A picture of 16 bits a component, for print: the end of a rendering, the start of a file.
+// A picture with 16 bits per component, for print: the output of rendering and the input of files.
 #pragma once
 
 #include <cstddef>

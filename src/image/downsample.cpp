@@ -14,7 +14,7 @@ namespace poinsot {
 
 namespace {
 
-// Linear light of every level of 16 bits.
+// Linear light of every 16-bit level.
 const std::vector<double>& deep_linear_levels() {
     static const std::vector<double> levels = [] {
         std::vector<double> table(65536);
@@ -25,7 +25,7 @@ const std::vector<double>& deep_linear_levels() {
     return levels;
 }
 
-// Linear light of every sRGB level.
+// Linear light of every 8-bit sRGB level.
 const std::array<float, 256>& linear_levels() {
     static const std::array<float, 256> levels = [] {
         std::array<float, 256> table{};
@@ -37,7 +37,7 @@ const std::array<float, 256>& linear_levels() {
     return levels;
 }
 
-// The nearest level at or below the light k/n_bins: where the search for a level begins.
+// The search for a level begins at the nearest level at or below the light k/n_bins.
 constexpr int n_bins = 4096;
 const std::array<std::uint8_t, n_bins + 1>& first_levels() {
     static const std::array<std::uint8_t, n_bins + 1> levels = [] {
@@ -53,7 +53,7 @@ const std::array<std::uint8_t, n_bins + 1>& first_levels() {
     return levels;
 }
 
-// Sums of light over the pixels of a block, each weighted by its alpha.
+// Sums of light over the pixels of a block, weighted by alpha.
 struct Light {
     float r = 0.0F, g = 0.0F, b = 0.0F;
     int alpha = 0;
@@ -66,7 +66,7 @@ class Averager {
         for (std::size_t k = 0; k < linear_.size(); ++k) opaque_[k] = linear_[k] * 255.0F;
     }
 
-    // `from`: the block's upper left pixel; stride in bytes.
+    // `from` is the block's upper left pixel; stride in bytes.
     void average(const std::uint8_t* from, std::ptrdiff_t stride, std::uint8_t* to) const {
         Light light;
         for (int j = 0; j < factor_; ++j) {
@@ -100,7 +100,7 @@ class Averager {
         light.b += linear_[pixel[2]] * alpha;
     }
 
-    // The level whose linear light is nearest.
+    // The level with the nearest linear light.
     std::uint8_t encoded(float light) const {
         const auto bin = static_cast<std::size_t>(std::min(light, 1.0F) * n_bins);
         std::size_t level = first_levels_[bin];

@@ -1,4 +1,4 @@
-// A picture drawn larger than wanted, averaged down: supersampling for settings that pay for it.
+// Averages a picture that was drawn larger than requested (supersampling).
 #pragma once
 
 #include "image/deep_image.h"
@@ -6,14 +6,14 @@
 
 namespace poinsot {
 
-// The mean of factor × factor pixels in linear light, alpha-weighted. Precondition: both sides are
-// multiples of the factor, which is at least 1.
+// The mean of factor × factor pixels in linear light, weighted by alpha. Precondition: width and
+// height are multiples of the factor, which is at least 1.
 Image downsampled(const Image& image, int factor);
 
-// The same, into a picture whose memory is used again.
+// The same, into a picture whose memory is reused.
 void downsample_into(const Image& image, int factor, Image& small);
 
-// The same of 16 bits a component.
+// The same with 16 bits per component.
 void downsample_into(const DeepImage& image, int factor, DeepImage& small);
 
 }  // namespace poinsot

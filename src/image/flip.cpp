@@ -1,4 +1,4 @@
-// FLIP for pictures of standard dynamic range; the section numbers are those of the paper.
+// FLIP for standard dynamic range pictures; section numbers refer to the paper.
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -21,7 +21,7 @@ struct Triple {
 };
 using Channels = std::array<Channel, 3>;
 
-// Linear sRGB primaries and white D65 (IEC 61966-2-1).
+// CIE XYZ of linear sRGB (primaries and white D65 of IEC 61966-2-1).
 Triple xyz_of(const Triple& rgb) {
     return {0.4124564 * rgb.a + 0.3575761 * rgb.b + 0.1804375 * rgb.c,
             0.2126729 * rgb.a + 0.7151522 * rgb.b + 0.0721750 * rgb.c,
@@ -85,11 +85,12 @@ Channels opponent_channels(const Image& image) {
     return channels;
 }
 
-// One term a·√(π/b)·exp(−π²x²/b) of a contrast sensitivity in space; x in degrees.
+// Standard deviation, in pixels, of one term a·√(π/b)·exp(−π²x²/b) of the spatial contrast
+// sensitivity; x in degrees.
 double deviation_px(double b) { return std::sqrt(b / 2) / std::numbers::pi * pixels_per_degree; }
 
 // Blue–yellow sensitivity is a sum of two Gaussians. The published filter keeps the factor √(π/b)
-// in two dimensions, where each then carries the volume a·√(b/π).
+// in two dimensions, so that each Gaussian has the volume a·√(b/π).
 Channel blurred(const Channel& channel, std::span<const std::array<double, 2>> terms) {
     const int radius = static_cast<int>(std::ceil(3 * deviation_px(0.04)));
     double volume = 0;
@@ -105,7 +106,8 @@ Channel blurred(const Channel& channel, std::span<const std::array<double, 2>> t
     return sum;
 }
 
-// What the eye resolves of a picture, in the space where distances are taken (§4.1.1, §4.1.2).
+// The part of a picture that the eye resolves, in the colour space of the distances (§4.1.1,
+// §4.1.2).
 std::vector<Triple> perceived(const Channels& channels) {
     constexpr std::array<std::array<double, 2>, 1> achromatic = {{{1, 0.0047}}};
     constexpr std::array<std::array<double, 2>, 1> red_green = {{{1, 0.0053}}};
@@ -121,7 +123,7 @@ std::vector<Triple> perceived(const Channels& channels) {
     return colours;
 }
 
-// Derivatives of a Gaussian, their positive and negative weights each summing to one (§4.2).
+// Derivatives of a Gaussian; the positive and the negative weights each sum to one (§4.2).
 std::vector<float> derivative_kernel(double sigma, int radius, int order) {
     std::vector<double> weights;
     double positive = 0, negative = 0;
@@ -138,7 +140,7 @@ std::vector<float> derivative_kernel(double sigma, int radius, int order) {
     return kernel;
 }
 
-// Strength of edges (order 1) or points (order 2) in the luminance.
+// Strength of edges (order 1) or points (order 2) in luminance.
 Channel features(const Channel& luminance, int order) {
     const double sigma = 0.5 * 0.082 * pixels_per_degree;
     const int radius = static_cast<int>(std::ceil(3 * sigma));
@@ -151,7 +153,7 @@ Channel features(const Channel& luminance, int order) {
     return x;
 }
 
-// Colour distance to 0…1, large ones compressed (§4.1.3).
+// Maps a colour distance to 0…1, compressing large ones (§4.1.3).
 double remapped(double distance) {
     constexpr double exponent = 0.7, knee = 0.4, knee_value = 0.95;
     static const double largest =
@@ -177,7 +179,7 @@ double flip_error(const Image& expected, const Image& actual) {
         const double colour = remapped(hyab(colours_a[i], colours_b[i]));
         const double feature = std::max(std::abs(edges_a.values[i] - edges_b.values[i]),
                                         std::abs(points_a.values[i] - points_b.values[i]));
-        // A difference in features raises that in colour (§4.3).
+        // A difference in features amplifies the difference in colour (§4.3).
         sum += std::pow(colour, 1 - std::sqrt(feature / std::numbers::sqrt2));
     }
     return sum / static_cast<double>(colours_a.size());

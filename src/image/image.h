@@ -1,4 +1,4 @@
-// A picture in memory: the end of every rendering, the start of every file.
+// A picture in memory: the output of every rendering and the input of every file.
 #pragma once
 
 #include <cstdint>
@@ -42,8 +42,8 @@ class Image {
         p[0] = c.r, p[1] = c.g, p[2] = c.b, p[3] = c.a;
     }
 
-    // A number that whoever wrote the picture gave it, so that he knows it again while nothing else
-    // was written to it; 0: none. Copies have the number, too.
+    // An identifier that the writer of the pixels sets, to recognise its own output as long as
+    // nothing else writes to the picture; 0: none. Copies keep the identifier.
     std::uint64_t content() const { return content_; }
     void set_content(std::uint64_t content) { content_ = content; }
 

@@ -1,5 +1,5 @@
-// A quick hash of pixels, by which a picture's record and its pixels know each other: so quick that
-// every frame of a sequence has one. Where pictures are named by their pixels, sha256.h does it.
+// A fast hash of pixels (XXH64) that links a picture's record to its pixels. It is fast enough for
+// every frame of a sequence. pixel_hash.h has the cryptographic hash.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct XXH64_state_s;  // of libxxhash
 
 namespace poinsot {
 
-// XXH64 with seed 0, of a message given in parts (by libxxhash).
+// XXH64 with seed 0 of a message given in parts (by libxxhash).
 class Xxh64 {
  public:
     Xxh64();
@@ -28,8 +28,9 @@ class Xxh64 {
     std::unique_ptr<XXH64_state_s, Free> state_;
 };
 
-// Of a picture's size and depth ("WIDTHxHEIGHT\n", or "WIDTHxHEIGHT 16\n"), then its RGBA samples
-// row by row, the high byte of 16 bits first. Rows are given from the top, in parts of any height.
+// Hash of a picture's size and depth ("WIDTHxHEIGHT\n", or "WIDTHxHEIGHT 16\n"), then its RGBA
+// samples row by row; 16-bit samples are big-endian. Rows are added from the top, in parts of any
+// height.
 class PixelCheck {
  public:
     PixelCheck(int width_px, int height_px, int bit_depth);
@@ -46,7 +47,7 @@ class PixelCheck {
 std::string pixel_check(const Image& image);
 std::string pixel_check(const StoredPicture& picture);
 
-// Of the pixels that a PNG file holds, of any size: read row by row. Throws: as read_png.
+// The hash of the pixels of a PNG file of any size; reads it row by row. Throws: as read_png.
 std::string pixel_check_of(const std::filesystem::path& png);
 
 }  // namespace poinsot

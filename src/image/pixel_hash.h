@@ -1,4 +1,4 @@
-// What a picture shows as one name: a hash of its size and pixels.
+// A cryptographic hash (SHA-256) of a picture's size and pixels, used to identify pictures.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace poinsot {
 
-// Of a picture's size and pixels ("WIDTHxHEIGHT\n", then 8-bit RGBA row by row): the same for every
-// file that holds the same picture.
+// Hash of "WIDTHxHEIGHT\n", then 8-bit RGBA row by row: equal for every file that holds the same
+// picture.
 std::string pixel_hash(const Image& image);
 
-// The same of 16 bits a component ("WIDTHxHEIGHT 16\n", then the samples, the high byte first).
+// The same for 16 bits per component ("WIDTHxHEIGHT 16\n", then the samples, big-endian).
 std::string pixel_hash(const DeepImage& image);
 
-// Of the pixels as they are stored.
+// Hash of the pixels at their stored depth.
 std::string pixel_hash(const StoredPicture& picture);
 
 }  // namespace poinsot

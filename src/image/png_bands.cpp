@@ -19,7 +19,8 @@ namespace {
 
 using png::Bytes;
 
-// zlib's scale ends at 9, libdeflate's at 12; from 4 on zlib's time grows faster than its gain.
+// zlib's levels end at 9, libdeflate's at 12; from level 4 on, zlib's time grows faster than its
+// gain.
 constexpr int largest_zlib_level = 9;
 constexpr std::size_t chunk_bytes = 1 << 18;
 
@@ -42,7 +43,7 @@ struct PngBandWriter::Impl {
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
 
-    // Makes rows ready for a band's. Throws InputError for one that does not fit.
+    // Makes room for the rows of a band. Throws InputError if the band does not fit.
     std::uint8_t* take_rows(int width_px, int n_rows) {
         if (width_px != format.width_px || n_rows > format.height_px - n_rows_written)
             throw InputError(
@@ -53,7 +54,7 @@ struct PngBandWriter::Impl {
         return rows.data();
     }
 
-    // Compresses what is in rows; what comes out goes to the file a chunk at a time.
+    // Compresses the contents of `rows`; writes the output to the file in chunks.
     void compress(int flush) {
         stream.next_in = rows.data();
         stream.avail_in = static_cast<uInt>(rows.size());
@@ -70,7 +71,8 @@ struct PngBandWriter::Impl {
         rows.clear();
     }
 
-    // A sample of full alpha stands for the one that is not written.
+    // Adds samples to the hash. In a picture without alpha channel, full alpha takes the place of
+    // alpha.
     template <typename Sample>
     void add_to_check(std::span<const Sample> samples) {
         if (!format.opaque) return check.add(samples);

@@ -1,4 +1,4 @@
-// A PNG file written band by band, for pictures that would not fit into memory whole.
+// Writes a PNG file band by band, for pictures that do not fit into memory.
 #pragma once
 
 #include <cstdint>
@@ -13,29 +13,28 @@
 
 namespace poinsot {
 
-// Takes a picture in bands from the top, each as wide as the picture; memory is that of one band.
-// Move-only. Destroyed unfinished, it leaves nothing.
+// Takes a picture in bands from the top, each as wide as the picture; needs the memory of one band.
+// Move-only. If it is destroyed before finish(), no file is left.
 class PngBandWriter {
  public:
-    // Opaque pictures are written without alpha, whatever their bands say. A sample has 8 bits or
-    // 16.
-    // Throws: InputError as PngEncoder does, EnvironmentError as AtomicFile does.
+    // Opaque pictures are written without alpha; the alpha of their bands is ignored. bit_depth is
+    // 8 or 16. Throws: InputError as PngEncoder does, EnvironmentError as AtomicFile does.
     PngBandWriter(const std::filesystem::path& path, int width_px, int height_px, bool opaque,
                   const PngOptions& options = {}, int bit_depth = 8);
     ~PngBandWriter();
     PngBandWriter(PngBandWriter&&) noexcept;
     PngBandWriter& operator=(PngBandWriter&&) noexcept;
 
-    // Bands are of the depth said. Throws: InputError for a band of another width or one row too
-    // many; EnvironmentError.
+    // Writes a band of the bit depth given to the constructor. Throws: InputError for a band of a
+    // different width or with too many rows; EnvironmentError.
     void write(const Image& band);
     void write(const DeepImage& band);
 
-    // The quick hash of the pixels written so far; see image/pixel_check.h.
+    // The XXH64 of the pixels written so far; see image/pixel_check.h.
     std::string pixel_check() const;
 
-    // Writes texts that are known only now, after the pixels; syncs and renames. Throws: InputError
-    // if rows are missing, or for a keyword that PNG cannot hold; EnvironmentError.
+    // Writes texts that are known only after the pixels; syncs and renames the file. Throws:
+    // InputError if rows are missing or PNG cannot hold a keyword; EnvironmentError.
     void finish(const std::map<std::string, std::string>& texts = {});
 
  private:

@@ -33,7 +33,7 @@ void append_text(Bytes& out, const std::string& keyword, const std::string& text
     append_chunk(out, "iTXt", contents);
 }
 
-// Each sample less that of the pixel before it.
+// Subtracts from each sample that of the previous pixel.
 template <std::size_t n_channels>
 void subtract_left(const std::uint8_t* rgba, std::size_t width, std::uint8_t* to) {
     for (std::size_t c = 0; c < n_channels; ++c) to[c] = rgba[c];
@@ -137,7 +137,7 @@ void filter_rows(const DeepImage& image, bool opaque, std::uint8_t* to) {
             for (std::size_t c = 0; c < n_channels; ++c) {
                 const std::uint16_t now = row[4 * x + c];
                 const std::uint16_t left = x == 0 ? std::uint16_t{0} : row[4 * x - 4 + c];
-                // Samples are stored the high byte first, and filtered byte by byte (§9.2).
+                // Samples are stored big-endian and filtered byte by byte (§9.2).
                 *to++ = static_cast<std::uint8_t>((now >> 8) - (left >> 8));
                 *to++ = static_cast<std::uint8_t>((now & 0xff) - (left & 0xff));
             }

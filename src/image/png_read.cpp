@@ -1,5 +1,5 @@
-// The reader, on libpng. libpng leaves by longjmp, so every stage that may do so is a function
-// without objects of its own; what it works on lives in the caller.
+// The PNG reader, based on libpng. libpng reports errors by longjmp, so every stage that may fail
+// is a function without local objects; its data belongs to the caller.
 #include <fmt/format.h>
 #include <png.h>
 
@@ -24,9 +24,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A text chunk or a colour profile beyond this is refused.
+// Larger text chunks and colour profiles are rejected.
 constexpr png_alloc_size_t largest_chunk_bytes = 4u << 20;
-// Deflate turns at most 258 bytes into 2 bits.
+// Deflate encodes at most 258 bytes in 2 bits.
 constexpr std::size_t largest_deflate_ratio = 1032;
 constexpr std::uintmax_t largest_file_bytes = std::uintmax_t{5} << 28;
 
@@ -69,7 +69,7 @@ bool read_header(Source& source) {
     return true;
 }
 
-// Samples of 16 bits come the low byte first, as this processor has them.
+// Requests 16-bit samples in little-endian order, as this processor stores them.
 bool choose_rgba(Source& source, bool deep) {
     if (setjmp(png_jmpbuf(source.png))) return false;
     png_set_expand(source.png);
@@ -124,7 +124,7 @@ std::uint32_t u32_at(std::span<const std::uint8_t> bytes, std::size_t offset) {
            std::uint32_t{bytes[offset + 2]} << 8 | std::uint32_t{bytes[offset + 3]};
 }
 
-// The signature and the size, before libpng is asked for anything.
+// Checks the signature and the size before any call of libpng.
 void check_start(std::span<const std::uint8_t> file, const std::string& name, bool with_pixels) {
     constexpr std::size_t header_end = 33;
     if (file.size() < 8 || png_sig_cmp(file.data(), 0, 8) != 0)
@@ -139,7 +139,7 @@ void check_start(std::span<const std::uint8_t> file, const std::string& name, bo
                                      name, width, height, most_png_pixels / 1'000'000));
 }
 
-// The chunks before the pixels by type, the first of each.
+// The chunks before the pixels by type; of several, the first.
 using Chunks = std::map<std::string, std::span<const std::uint8_t>, std::less<>>;
 
 // Precondition: check_chunks has passed.
@@ -161,7 +161,8 @@ std::string hexadecimal(std::span<const std::uint8_t> bytes) {
     return digits;
 }
 
-// Of several, the first in this order counts. Source: PNG specification (third edition), §4.3.
+// If several colour chunks are present, the first in this order has precedence. Source: PNG
+// specification (third edition), §4.3.
 std::string colours_of(std::span<const std::uint8_t> file) {
     const Chunks chunks = chunks_before_pixels(file);
     if (const auto cicp = chunks.find("cICP"); cicp != chunks.end())
@@ -172,7 +173,7 @@ std::string colours_of(std::span<const std::uint8_t> file) {
         return fmt::format("an ICC profile (SHA-256 {}…)", hash.finish().substr(0, 16));
     }
     if (chunks.contains("sRGB")) return "sRGB";
-    // In units of 1/100,000: what sRGB comes to (§11.3.2.5).
+    // In units of 1/100,000: the values equivalent to sRGB (§11.3.2.5).
     constexpr std::uint32_t unit = 100'000, srgb_gamma = 45'455;
     constexpr std::array<std::uint32_t, 8> srgb_points{31270, 32900, 64000, 33000,
                                                        30000, 60000, 15000, 6000};
@@ -221,7 +222,7 @@ std::size_t check_chunks(std::span<const std::uint8_t> file, const std::string& 
     throw InputError(fmt::format("{} is a broken PNG picture: {}", name, source.message.data()));
 }
 
-// Reads all that stands before the pixels of a file that is checked.
+// Reads everything before the pixels. Precondition: the file has been checked.
 void begin_checked(std::span<const std::uint8_t> file, const std::string& name, Source& source) {
     source.file = file;
     source.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
@@ -255,12 +256,12 @@ std::vector<std::uint8_t> read_file(const fs::path& path) {
 
 namespace {
 
-// Reads the pixels into rows of samples, of 8 bits or of 16.
+// Reads the pixels into rows of 8-bit or 16-bit samples.
 template <typename Picture, typename Sample>
 Picture read_samples(Source& source, const std::string& name,
                      std::span<Sample> (Picture::*samples)()) {
     constexpr bool deep = sizeof(Sample) == 2;
-    // A short file cannot hold a large picture; nothing is allocated on its word alone.
+    // A short file cannot hold a large picture; allocate nothing before this check.
     const std::size_t height = png_get_image_height(source.png, source.info);
     if (png_get_rowbytes(source.png, source.info) * height / largest_deflate_ratio >
         source.file.size())
@@ -280,7 +281,7 @@ Image read_image(Source& source, const std::string& name) {
     return read_samples<Image, std::uint8_t>(source, name, &Image::bytes);
 }
 
-// To the nearest level, as libpng scales.
+// Rounds to the nearest level, as libpng does.
 Image rounded(const DeepImage& deep) {
     Image image(deep.width(), deep.height());
     std::transform(
@@ -323,7 +324,7 @@ Image read_png(const fs::path& path, PngInfo* info) {
 
 namespace {
 
-// The file as if all that it says stood before its pixels, of which only the beginning is left.
+// The file with all metadata moved before the pixels, and only the beginning of the pixels.
 // Precondition: check_chunks has passed.
 std::vector<std::uint8_t> without_pixels(std::span<const std::uint8_t> file) {
     const std::span<const std::uint8_t> signature = file.first(8);
@@ -371,7 +372,7 @@ std::string pixel_check_of(const fs::path& path) {
     const std::vector<std::uint8_t> file = read_file(path);
     Source source;
     begin(file, path.string(), false, source);
-    // The rows of an interlaced picture come in seven turns.
+    // An interlaced picture has its rows in seven passes: read it whole.
     if (png_get_interlace_type(source.png, source.info) != PNG_INTERLACE_NONE)
         return pixel_check(decode_stored_png(file, path.string()));
     return png_get_bit_depth(source.png, source.info) == 16

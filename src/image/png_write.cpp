@@ -1,5 +1,6 @@
-// The writer of whole pictures. libpng's own deflate is zlib, which takes four times as long as
-// libdeflate for the same size; so the few chunks are written here, and libpng reads.
+// The writer of whole pictures. libpng compresses with zlib, which takes four times as long as
+// libdeflate for the same size. So this file writes the few chunks itself, and libpng is only used
+// for reading.
 #include <fmt/format.h>
 #include <libdeflate.h>
 
@@ -19,8 +20,8 @@ namespace {
 using png::Bytes;
 using png::Filter;
 
-// Memory that grows and is never cleared: clearing two buffers of a picture's size costs as much
-// as a quarter of the compression.
+// A growing buffer that is never cleared: clearing two buffers of a picture's size would cost a
+// quarter of the compression time.
 class Scratch {
  public:
     std::span<std::uint8_t> of_size(std::size_t size) {
@@ -56,8 +57,8 @@ struct PngEncoder::Impl {
     Scratch rows, file;
 };
 
-// Shaded surfaces want the differences, flat grounds and lines the samples: four bands of eight
-// rows are tried both ways.
+// Shaded surfaces compress better as differences, flat backgrounds and lines as samples: tries both
+// on four bands of eight rows.
 Filter PngEncoder::Impl::better_filter(const Image& image, bool opaque) {
     constexpr int n_bands = 4, n_band_rows = 8;
     if (image.height() < n_bands * n_band_rows) return Filter::none;
@@ -101,7 +102,7 @@ std::span<const std::uint8_t> PngEncoder::encode(const Image& image) {
         impl_->rows.of_size(format.row_size() * static_cast<std::size_t>(image.height()));
     png::filter_rows(image, opaque, filter, 0, image.height(), raw.data());
 
-    // IDAT is compressed in place, between its length and type and its checksum.
+    // Compresses IDAT in place, between its length and type and its checksum.
     const std::size_t bound = impl_->bound(raw.size());
     std::uint8_t* const start = impl_->file.of_size(front.size() + bound + 12 + back.size()).data();
     std::uint8_t* const idat = std::copy(front.begin(), front.end(), start);
