@@ -1,4 +1,4 @@
-// Celestial bodies. The sources of their numbers stand in the table of named_objects.cpp.
+// Celestial bodies. The sources of their numbers are in the table in named_objects.cpp.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -11,7 +11,7 @@ namespace poinsot::object_makers {
 
 namespace {
 
-// Half-axes of a spheroid of given equatorial radius and flattening.
+// Half-axes of a spheroid with this equatorial radius and flattening.
 Eigen::Vector3d spheroid(double equatorial_m, double flattening) {
     return {equatorial_m, equatorial_m, equatorial_m * (1.0 - flattening)};
 }
@@ -22,9 +22,9 @@ double volume_of(const Eigen::Vector3d& half_axes_m) {
 
 }  // namespace
 
-// Axis along z. The densities of mantle and core are the two that give the whole its mass and its
-// polar moment C = 0.3307 M a²; the dynamical flattening (C − A)/C then comes out at 1/305.3, for
-// 1/305.46 observed, and the rigid Earth's Euler period A/(C − A) at 304.3 sidereal days.
+// Axis along z. The densities of mantle and core follow from the total mass and the polar moment C
+// = 0.3307 M a². The dynamical flattening (C − A)/C is then 1/305.3 (observed: 1/305.46), and the
+// rigid Earth's Euler period A/(C − A) is 304.3 sidereal days.
 std::vector<ObjectPart> earth() {
     constexpr double mass_kg = 5.9722e24;
     constexpr double equatorial_m = 6378137.0;
@@ -52,9 +52,9 @@ std::vector<ObjectPart> earth() {
             {"core", ellipsoid_mesh(core_m, 12), {0.90, 0.55, 0.20}, mantle + excess}};
 }
 
-// Long axis along z. Two ellipsoids of one ratio of widths meet in a plane, where each is cut.
-// Their sizes are chosen so that the whole is 4.60 km long, 2.30 and 1.96 km wide, and its moments
-// stand as 3.24 : 3.08 : 1, for 3.22 : 3.09 : 1 of the radar model.
+// Long axis along z. Two ellipsoids with the same ratio of widths, cut at the plane in which they
+// meet. Their sizes make the whole 4.60 km long, 2.30 and 1.96 km wide, with moments in the ratio
+// 3.24 : 3.08 : 1 (the radar model: 3.22 : 3.09 : 1).
 std::vector<ObjectPart> toutatis() {
     constexpr double density_kg_m3 = 2500.0;
     constexpr double width_ratio = 0.85;
@@ -62,7 +62,8 @@ std::vector<ObjectPart> toutatis() {
     const Eigen::Vector3d head_m(width_ratio * 650.0, 650.0, 950.0);
     constexpr double head_z_m = 2200.0;
 
-    // Both half-widths are equal in the plane: y²(1 − z²/c²) of the body is that of the head.
+    // In the plane z both ellipsoids have the same half-widths: y²(1 − z²/c²) is equal for body and
+    // head.
     double low = head_z_m - head_m.z();
     double high = body_m.z();
     const auto half_width_squared = [](const Eigen::Vector3d& half_axes, double z) {

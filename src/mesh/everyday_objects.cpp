@@ -1,4 +1,4 @@
-// Things at hand. The sources of their numbers stand in the table of named_objects.cpp.
+// Everyday objects. The sources of their numbers are in the table in named_objects.cpp.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -26,7 +26,7 @@ std::vector<ProfilePoint> rectangle(double inner_m, double outer_m, double heigh
 
 }  // namespace
 
-// Crossbar along z, stem along −y: the middle moment is the one about the stem.
+// Crossbar along z, stem along −y: the moment about the stem is the middle one.
 std::vector<ObjectPart> t_handle() {
     constexpr double bar_radius_m = 0.008;
     constexpr double bar_length_m = 0.100;
@@ -42,21 +42,21 @@ std::vector<ObjectPart> t_handle() {
 }
 
 // Handle and long axis along z, strings in the y-z plane. The masses of the parts are chosen to
-// give the racket what is usual: 340 g, its balance 327 mm from the butt, a swingweight (about an
-// axis 100 mm from the butt) of 0.033 kg m² and a twistweight of 0.0016 kg m². The ends of the
-// throat lie within the hoop and count twice there.
+// give typical values: mass 340 g, balance 327 mm from the butt, swingweight (about an axis 100 mm
+// from the butt) 0.033 kg m² and twistweight 0.0016 kg m². The ends of the throat lie inside the
+// hoop and count twice there.
 std::vector<ObjectPart> racket() {
     constexpr double length_m = 0.6858;
     constexpr double handle_length_m = 0.200;
     constexpr EllipticBar hoop{0.1285, 0.170, 0.0115, 0.0060};
     constexpr double hoop_z_m = length_m - hoop.half_axis_z_m - hoop.half_width_in_plane_m;
-    // Seen on white paper and on a dark slide.
+    // Visible on white paper and on a dark slide.
     constexpr std::array<double, 3> frame{0.20, 0.38, 0.68};
 
     const Eigen::Affine3d to_hoop(Eigen::Translation3d(0.0, 0.0, hoop_z_m));
     TriangleMesh ring = placed(elliptic_ring(hoop), to_hoop);
 
-    // The throat runs from the handle to the hoop 50° away from its lowest point.
+    // The throat runs from the handle to the point of the hoop 50° from its lowest point.
     const double at = 50.0 * pi / 180.0;
     std::vector<TriangleMesh> throat;
     for (const double side : {1.0, -1.0}) {
@@ -66,8 +66,8 @@ std::vector<ObjectPart> racket() {
                                       0.010, 0.0060));
     }
 
-    // Sixteen strings along the racket, nineteen across, 1.3 mm thick, from side to side of the
-    // hoop's inside.
+    // Sixteen strings along the racket and nineteen across, 1.3 mm thick, between the inner sides
+    // of the hoop.
     constexpr double string_radius_m = 0.00065;
     constexpr double inside_y_m = hoop.half_axis_y_m - hoop.half_width_in_plane_m;
     constexpr double inside_z_m = hoop.half_axis_z_m - hoop.half_width_in_plane_m;
@@ -97,7 +97,7 @@ std::vector<ObjectPart> racket() {
     return centred(std::move(parts));
 }
 
-// Thickness along x, width along y, height along z; the spine at the negative end of y.
+// Thickness along x, width along y, height along z; the spine is at the negative end of y.
 std::vector<ObjectPart> book() {
     constexpr double page_width_m = 0.156;
     constexpr double page_height_m = 0.234;
@@ -126,9 +126,10 @@ std::vector<ObjectPart> book() {
                      board_kg_m3}});
 }
 
-// Long axis along z. Length, girth and mass are the middle of what the rule allows: 11 1/8 and
-// 21 1/8 inches, 14 1/2 ounces. The meridian is a mean of an ellipse and a parabola, as pointed as
-// the least long circumference, 28 inches, lets it be. Bladder and leather are 4 mm thick together.
+// Long axis along z. Length, girth and mass are the middle of the ranges that the rule allows: 11
+// 1/8 and 21 1/8 inches, 14 1/2 ounces. The meridian is a mean of an ellipse and a parabola, as
+// pointed as the smallest allowed long circumference, 28 inches, permits. Bladder and leather
+// together are 4 mm thick.
 std::vector<ObjectPart> football() {
     constexpr double inch_m = 0.0254;
     constexpr double half_length_m = 0.5 * 11.125 * inch_m;
@@ -153,15 +154,15 @@ std::vector<ObjectPart> football() {
         profile.push_back(meridian(thickness_m, angle));
     }
     profile[n_steps + 1].radius_m = profile.back().radius_m = 0.0;
-    // Four panels, two and two in one shade.
+    // Four panels in two alternating shades.
     constexpr int facets = 64;
     return of_mass({{"panels", sectors(profile, 4, even_sector, facets), {0.48, 0.24, 0.12}},
                     {"other panels", sectors(profile, 4, odd_sector, facets), {0.40, 0.19, 0.10}}},
                    mass_kg);
 }
 
-// Axis along z, the hollow side up: a flat well and a rim that rises, one sixteenth of it the
-// medallion.
+// Axis along z, the hollow side up: a flat well and a rising rim. One sixteenth of the rim carries
+// the medallion.
 std::vector<ObjectPart> plate() {
     constexpr double porcelain_kg_m3 = 2400.0;
     constexpr std::array<double, 3> white{0.94, 0.94, 0.92};
@@ -177,7 +178,7 @@ std::vector<ObjectPart> plate() {
          {"medallion", sectors(rim, 16, medallion), {0.70, 0.10, 0.12}, porcelain_kg_m3}});
 }
 
-// Axis along z; twelve sectors, so that its turning is seen.
+// Axis along z; twelve sectors make the rotation visible.
 std::vector<ObjectPart> disc() {
     constexpr double polycarbonate_kg_m3 = 1200.0;
     const std::vector<ProfilePoint> profile = rectangle(0.0075, 0.060, 0.0012);
@@ -192,8 +193,8 @@ std::vector<ObjectPart> disc() {
              polycarbonate_kg_m3}};
 }
 
-// Axis along z. Core and ring have one density; twelve
-// narrow sectors of the ring stand for its stars.
+// Axis along z. Core and ring have the same density; twelve narrow sectors of the ring represent
+// its stars.
 std::vector<ObjectPart> coin() {
     constexpr double diameter_m = 0.02575;
     constexpr double core_diameter_m = 0.01875;

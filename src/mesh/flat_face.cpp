@@ -8,7 +8,7 @@ namespace poinsot {
 
 namespace {
 
-// Twice the triangle's area, along its outer normal.
+// The triangle's outer normal times twice its area.
 Eigen::Vector3d doubled_area(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& corner) {
     const Eigen::Vector3d& a = mesh.vertices[corner[0]];
     return (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a);

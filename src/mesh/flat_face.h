@@ -1,4 +1,4 @@
-// The flat faces of bodies: what a contrast or a picture can lie on.
+// Flat faces of bodies: a picture or a contrasting mark can be placed on them.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,21 +7,23 @@
 
 namespace poinsot {
 
-// Largest component of the vertices along a unit vector, in m; -infinity without any.
+// Returns the largest coordinate of the vertices along the unit vector `outward`, in m; -infinity
+// for an empty mesh.
 double farthest_along(const TriangleMesh& mesh, const Eigen::Vector3d& outward);
 
-// A surface in two: the triangles in a plane, and the others. Both have all vertices.
+// A surface split into the triangles in one plane and the others. Both meshes keep all vertices.
 struct PartedMesh {
     TriangleMesh face, rest;
 };
 
-// The triangles that lie in the plane outward·x = at_m and look outward, taken out of a surface.
-// `outward` has unit length; a plane is met within a millionth of the vertices' largest distance.
+// Splits off the triangles that lie in the plane outward·x = at_m and face outward. A vertex is in
+// the plane if it is within a millionth of the vertices' largest distance. Precondition: `outward`
+// has unit length.
 PartedMesh parted_at(const TriangleMesh& mesh, const Eigen::Vector3d& outward, double at_m);
 
-// Whether a surface has a flat face where it reaches farthest along an axis (column of `axes`,
-// 0 to 2; sign +1 or -1): one that fills at least a tenth of the rectangle that the surface's box
-// along these axes shows there.
+// Whether a surface has a flat face at its farthest point along an axis (column 0 to 2 of `axes`;
+// sign +1 or -1): a face that fills at least a tenth of that side of the bounding box along these
+// axes.
 bool has_flat_face(const TriangleMesh& mesh, const Eigen::Matrix3d& axes, int axis, double sign);
 
 }  // namespace poinsot

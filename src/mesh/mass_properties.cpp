@@ -9,7 +9,7 @@ namespace poinsot {
 
 namespace {
 
-// Sum with its rounding errors kept aside. Source: Neumaier, ZAMM 54 (1974) 39.
+// Compensated sum. Source: Neumaier, ZAMM 54 (1974) 39.
 class CompensatedSum {
  public:
     void add(double x) {
@@ -29,7 +29,8 @@ using Corners = std::array<Eigen::Vector3d, 3>;
 // Six times the signed volume of the tetrahedron between the origin and a triangle.
 double six_volumes(const Corners& p) { return p[0].dot(p[1].cross(p[2])); }
 
-// The mesh moved and scaled to a size of order one; the scale is a power of two and rounds nothing.
+// Moves and scales the mesh to a size of order one. The scale is a power of two, so that scaling
+// does not round.
 struct Placement {
     Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
     int exponent = 0;
@@ -107,7 +108,7 @@ Eigen::Matrix3d second_moments(const TriangleMesh& mesh, const Placement& placem
 }
 
 Eigen::Matrix3d inertia_from_second_moments(const Eigen::Matrix3d& c) {
-    // The trace less the element would cancel for a thin body.
+    // Computing an element as trace minus element would cancel for a thin body.
     Eigen::Matrix3d inertia = -c;
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
@@ -117,7 +118,7 @@ Eigen::Matrix3d inertia_from_second_moments(const Eigen::Matrix3d& c) {
     return inertia;
 }
 
-// What rounding leaves of a zero and of an equality, removed.
+// Sets products and differences of moments to zero where they are only rounding errors.
 Eigen::Matrix3d without_rounding(Eigen::Matrix3d inertia) {
     const double rounding = 64.0 * std::numeric_limits<double>::epsilon() * inertia.trace();
     bool diagonal = true;

@@ -17,7 +17,7 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-// Length of a backslash and line end at the beginning of rest, or 0.
+// Length of a backslash and line end at the beginning of rest; 0 if there is none.
 std::size_t continuation(std::string_view rest) {
     if (rest.starts_with("\\\n")) return 2;
     return rest.starts_with("\\\r\n") ? 3 : 0;
@@ -57,7 +57,7 @@ std::string_view MeshText::word_in_line() {
 }
 
 bool MeshText::next_line() {
-    // A comment ends with its line, whatever stands at the end of it.
+    // A backslash does not continue a comment: it ends with its line.
     while (!word_in_line().empty()) {
     }
     skip_line();
@@ -87,7 +87,7 @@ void MeshText::refuse(std::string_view word, std::string_view what) const {
     const std::size_t line_end = before.rfind('\n');
     const std::string_view in_line =
         line_end == std::string_view::npos ? before : before.substr(line_end + 1);
-    // Columns count characters: the bytes that continue one in UTF-8 are left out.
+    // Columns count characters: UTF-8 continuation bytes are not counted.
     const auto column =
         std::ranges::count_if(
             in_line, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }) +

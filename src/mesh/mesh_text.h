@@ -1,4 +1,4 @@
-// Words of a text mesh file, and refusals that say where in it they stand. Inside of src/mesh only.
+// Tokenizer of text mesh files; its errors name line and column. Included only inside src/mesh.
 #pragma once
 
 #include <cstddef>
@@ -7,31 +7,31 @@
 
 namespace poinsot {
 
-// A cursor that hands out words as views into the text, so that the place of each stays known.
+// A cursor that returns words as views into the text, so that the position of each word is known.
 class MeshText {
  public:
-    // A byte-order mark at the beginning is passed over.
+    // Skips a byte-order mark at the beginning.
     MeshText(std::string_view text, std::string_view name)
         : text_(text), name_(name), position_(text.starts_with("\xef\xbb\xbf") ? 3 : 0) {}
 
-    // Next word of the line; empty at its end and at a comment ("#"). A backslash at the end of a
-    // line continues it.
+    // The next word of the line; empty at the end of the line and at a comment ("#"). A backslash
+    // at the end of a line continues it.
     std::string_view word_in_line();
 
-    // Past the end of the line; false at the end of the text.
+    // Moves to the next line; returns false at the end of the text.
     bool next_line();
 
-    // Next word of the text, whatever its line; empty at the end of the text.
+    // The next word of the text on any line; empty at the end of the text.
     std::string_view word();
 
-    // The rest of the line is passed over, its words unread.
+    // Skips the rest of the line.
     void skip_line();
 
-    // Throws InputError "name:line:column: what", the place being the word's.
+    // Throws InputError "name:line:column: what" with the position of the word.
     [[noreturn]] void refuse(std::string_view word, std::string_view what) const;
 
-    // A coordinate in m; throws as refuse does if the word is no number, not finite or beyond
-    // largest_mesh_coordinate_m.
+    // Returns a coordinate in m; throws as refuse() does if the word is not a number, not finite or
+    // beyond largest_mesh_coordinate_m.
     double coordinate(std::string_view word) const;
 
  private:
@@ -42,7 +42,7 @@ class MeshText {
     std::size_t position_;
 };
 
-// The word as it may stand in a message: printable, and cut if long.
+// The word as a message may show it: printable, and truncated if long.
 std::string quoted(std::string_view word);
 
 }  // namespace poinsot

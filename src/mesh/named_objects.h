@@ -1,4 +1,4 @@
-// The bodies of the lecture as closed parts with their measurements and masses.
+// The bodies of the lecture as closed parts, with their measurements and masses.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace poinsot {
 
-// One closed surface of uniform density and colour. Its axes are the body's.
+// One closed surface of uniform density and colour, in the body's axes.
 struct ObjectPart {
     std::string_view name;
     TriangleMesh mesh;             // m
@@ -19,22 +19,23 @@ struct ObjectPart {
     double density_kg_m3 = 1.0;
 };
 
-// A row of the table of objects. Where a body has a symmetry its principal axes lie along x, y, z:
+// A row of the table of objects. The principal axes of a body with any symmetry lie along x, y, z:
 // the axis of symmetry along z; without one, the largest moment of inertia about x, the middle one
 // about y and the smallest about z. The centre of mass is at the origin.
 struct NamedObject {
     std::string_view name;
     std::string_view summary;
-    std::string_view source;  // of its measurements
+    std::string_view source;  // of the measurements
     std::vector<ObjectPart> (*make)();
 };
 
 std::span<const NamedObject> named_objects();
 
-// Throws InputError for an unknown name, with the nearest.
+// Returns the object of this name. Throws InputError for an unknown name and suggests the nearest
+// one.
 const NamedObject& object_named(std::string_view name);
 
-// Mass, centre of mass and inertia of the parts together, in kg, m and kg m².
+// Mass, centre of mass and inertia of all parts together, in kg, m and kg m².
 BodyProperties properties_of(std::span<const ObjectPart> parts);
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// Wavefront OBJ.
+// Reader of Wavefront OBJ.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,8 @@ class ObjReader {
                 read_face(keyword);
             }
         } while (text_.next_line());
-        // A face may name a vertex that stands further down; only now is their number known.
+        // A face may refer to a vertex further down, so this check needs the final number of
+        // vertices.
         if (largest_index_ > mesh_.vertices.size()) {
             text_.refuse(largest_word_,
                          fmt::format("there is no vertex {}: the file has {}; export it again",
@@ -79,7 +80,7 @@ class ObjReader {
         mesh_.triangles.push_back(triangle);
     }
 
-    // The vertex, counted from 0, that a corner "v", "v/vt", "v//vn" or "v/vt/vn" names.
+    // The vertex, counted from 0, of a corner "v", "v/vt", "v//vn" or "v/vt/vn".
     std::uint32_t vertex_of(std::string_view word) {
         long long index = 0;
         const char* const end = word.data() + word.size();
@@ -115,7 +116,7 @@ class ObjReader {
     MeshText text_;
     std::string_view name_;
     TriangleMesh mesh_;
-    std::size_t largest_index_ = 0;  // of the positive ones, counted from 1
+    std::size_t largest_index_ = 0;  // of the positive indices, counted from 1
     std::string_view largest_word_;
 };
 

@@ -1,4 +1,4 @@
-// One function for each built-in object. Inside of src/mesh only.
+// One function for each built-in object. Included only inside src/mesh.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace poinsot::object_makers {
 
-// Things at hand (everyday_objects.cpp).
+// Everyday objects (everyday_objects.cpp).
 std::vector<ObjectPart> t_handle();
 std::vector<ObjectPart> racket();
 std::vector<ObjectPart> book();
@@ -16,7 +16,7 @@ std::vector<ObjectPart> plate();
 std::vector<ObjectPart> disc();
 std::vector<ObjectPart> coin();
 
-// The solids by an example of each (plain_objects.cpp).
+// The elementary solids, each as a real object (plain_objects.cpp).
 std::vector<ObjectPart> box();
 std::vector<ObjectPart> cylinder();
 std::vector<ObjectPart> cone();
@@ -28,10 +28,10 @@ std::vector<ObjectPart> torus();
 std::vector<ObjectPart> earth();
 std::vector<ObjectPart> toutatis();
 
-// The parts with the one density that gives them this mass together.
+// Sets one common density of the parts so that their total mass is mass_kg.
 std::vector<ObjectPart> of_mass(std::vector<ObjectPart> parts, double mass_kg);
 
-// The parts moved so that their common centre of mass is the origin.
+// Moves the parts so that their common centre of mass is the origin.
 std::vector<ObjectPart> centred(std::vector<ObjectPart> parts);
 
 }  // namespace poinsot::object_makers

@@ -13,7 +13,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-// One sector, from facet first to facet last: the revolved profile and its two walls.
+// One sector, from facet first to facet last: the revolved profile and its two side walls.
 TriangleMesh one_sector(std::span<const ProfilePoint> profile, int first, int last, int facets) {
     const double factor = equal_area_factor(facets);
     const auto n = static_cast<Index>(profile.size());
@@ -33,7 +33,8 @@ TriangleMesh one_sector(std::span<const ProfilePoint> profile, int first, int la
             mesh.triangles.push_back({a, b + n, b});
         }
     }
-    // Fans from a point off the axis: the walls then share no edge but those on the axis itself.
+    // The walls are fans from a point off the axis: they then share only the edges on the axis
+    // itself.
     const auto apex = static_cast<Index>(
         std::ranges::find_if(profile, [](const ProfilePoint& p) { return p.radius_m > 0.0; }) -
         profile.begin());
@@ -44,11 +45,11 @@ TriangleMesh one_sector(std::span<const ProfilePoint> profile, int first, int la
         mesh.triangles.push_back({apex, b, c});
         mesh.triangles.push_back({end + apex, end + c, end + b});
     }
-    // Points on the axis are the same in all positions.
+    // Points on the axis coincide in all facets: merge them.
     return welded(mesh);
 }
 
-// The rim of an open surface, as edges in the direction of their triangles.
+// The boundary of an open surface, as edges in the direction of their triangles.
 std::vector<std::array<Index, 2>> rim_of(const TriangleMesh& mesh) {
     std::vector<std::array<Index, 2>> edges;
     for (const auto& t : mesh.triangles) {
@@ -62,7 +63,7 @@ std::vector<std::array<Index, 2>> rim_of(const TriangleMesh& mesh) {
     return edges;
 }
 
-// The triangles whose corners all have these coordinates ≥ 0.
+// The triangles of which all corners have these coordinates ≥ 0.
 TriangleMesh positive_part(TriangleMesh mesh, std::span<const Eigen::Index> coordinates) {
     std::erase_if(mesh.triangles, [&](const auto& t) {
         return std::ranges::any_of(t, [&](Index v) {
@@ -150,7 +151,7 @@ TriangleMesh straight_bar(const Eigen::Vector3d& from_m, const Eigen::Vector3d& 
 }
 
 TriangleMesh rod_on_bar(double bar_radius_m, double rod_radius_m, double rod_length_m) {
-    // The end that meets the bar is a disc of rings, which is then bent onto the bar's surface.
+    // The end that meets the bar is a disc of rings, which is bent onto the bar's surface below.
     constexpr int n_rings = 12;
     std::vector<ProfilePoint> profile;
     for (int i = 0; i <= n_rings; ++i) profile.push_back({rod_radius_m * i / n_rings, 0.0});
@@ -160,7 +161,7 @@ TriangleMesh rod_on_bar(double bar_radius_m, double rod_radius_m, double rod_len
     for (Eigen::Vector3d& v : rod.vertices) {
         if (v.z() == 0.0) v.z() = std::sqrt(bar_radius_m * bar_radius_m - v.x() * v.x());
     }
-    // One quarter mirrored into the others, so that the facets are as symmetric as the rod.
+    // Mirrors one quarter into the others, so that the facets are as symmetric as the rod.
     const TriangleMesh quarter = positive_part(std::move(rod), std::array<Eigen::Index, 2>{0, 1});
     std::vector<TriangleMesh> quarters;
     for (const double x : {1.0, -1.0}) {
@@ -168,7 +169,7 @@ TriangleMesh rod_on_bar(double bar_radius_m, double rod_radius_m, double rod_len
             quarters.push_back(placed(quarter, Eigen::Affine3d(Eigen::Scaling(x, y, 1.0))));
         }
     }
-    // Its z becomes −y, its y becomes z.
+    // Turns z into −y and y into z.
     Eigen::Affine3d placement = Eigen::Affine3d::Identity();
     placement.linear() << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
     return placed(welded(joined(quarters)), placement);
@@ -194,7 +195,7 @@ TriangleMesh cut_ellipsoid(const Eigen::Vector3d& half_axes_m, double cut_z_m, b
         return placed(cut_ellipsoid(half_axes_m, -cut_z_m, true),
                       Eigen::Affine3d(Eigen::Scaling(1.0, 1.0, -1.0)));
     }
-    // The unit sphere's profile from its lower pole to the plane, in equal steps of angle.
+    // The unit sphere's profile from its lower pole to the plane, in equal angular steps.
     constexpr int n_steps = 40;
     const double cut_angle = std::acos(-cut_z_m / half_axes_m.z());
     std::vector<ProfilePoint> profile{{0.0, -1.0}};

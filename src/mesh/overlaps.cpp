@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 using Box = Eigen::AlignedBox3d;
 
-// Some seconds of a slow machine.
+// A few seconds on a slow machine.
 constexpr std::int64_t most_tests = 100'000'000;
 
 Box box_of(const TriangleMesh& mesh, std::size_t t) {
@@ -24,8 +24,9 @@ Box box_of(const TriangleMesh& mesh, std::size_t t) {
     return box;
 }
 
-// Where a segment passes through a triangle; ending on it is no crossing, nor is lying in its
-// plane. Source: Moeller & Trumbore, Fast, minimum storage ray-triangle intersection (1997).
+// The point where a segment passes through a triangle. A segment that ends on the triangle or lies
+// in its plane does not cross it. Source: Moeller & Trumbore, Fast, minimum storage ray-triangle
+// intersection (1997).
 std::optional<Vector3d> crossing(const Vector3d& from, const Vector3d& to, const Vector3d& a,
                                  const Vector3d& b, const Vector3d& c) {
     constexpr double inside = 1e-9;
@@ -43,9 +44,9 @@ std::optional<Vector3d> crossing(const Vector3d& from, const Vector3d& to, const
     return from + t * along;
 }
 
-// Where an edge of either passes through the other, or a line from a corner to the middle: where
-// all edges of one happen to meet edges of the other, as the diagonals of a cube's faces, those do
-// not.
+// The point where an edge of either triangle, or a line from a corner to its middle, passes through
+// the other triangle. The lines to the middle find crossings where all edges of one triangle meet
+// edges of the other, as with the diagonals of a cube's faces.
 std::optional<Vector3d> crossing_of(const TriangleMesh& mesh, std::size_t s, std::size_t t) {
     for (const auto& [lines_of, through] : {std::pair{s, t}, {t, s}}) {
         const auto corner = [&mesh](std::size_t triangle, std::size_t i) -> const Vector3d& {
@@ -68,7 +69,7 @@ bool share_a_vertex(const std::array<std::uint32_t, 3>& a, const std::array<std:
     });
 }
 
-// Sweeps along x over the triangles' boxes.
+// Sweep along x over the bounding boxes of the triangles.
 void find_crossing(const TriangleMesh& mesh, std::int64_t& n_tests, Overlaps& found) {
     std::vector<Box> boxes;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) boxes.push_back(box_of(mesh, t));
@@ -94,7 +95,7 @@ void find_crossing(const TriangleMesh& mesh, std::int64_t& n_tests, Overlaps& fo
     }
 }
 
-// How often a piece goes round a point, by the crossings of a ray that is parallel to nothing.
+// Winding number of a piece around a point, by the crossings of a ray in general direction.
 int winding_of(const TriangleMesh& mesh, std::span<const std::size_t> triangles,
                const Vector3d& point, double reach_m) {
     const Vector3d end = point + 2.0 * reach_m * Vector3d(0.8191, 0.4736, 0.3237);
@@ -140,7 +141,7 @@ void count_nested(const TriangleMesh& mesh, std::span<const std::uint32_t> piece
             found.all_looked_at = false;
             return;
         }
-        // Matter begins in the empty, and a cavity in matter.
+        // A solid piece must begin in empty space, and a cavity inside a solid.
         found.n_nested += depth != (volumes[inner] < 0.0 ? 1 : 0);
     }
 }

@@ -1,4 +1,5 @@
-// Where a closed surface covers space twice: triangles that cross, and pieces within one another.
+// Finds where a closed surface covers space twice: crossing triangles, and pieces inside one
+// another.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +11,15 @@
 
 namespace poinsot {
 
-// What is found of a mesh, looked for within a bound of work.
+// The overlaps found in a mesh; the search is limited in work.
 struct Overlaps {
     std::optional<Eigen::Vector3d> first_crossing_m;  // where an edge passes through a triangle
-    std::size_t n_nested = 0;  // pieces whose matter lies in that of another, or cavities outside
+    std::size_t n_nested = 0;  // solid pieces inside another solid, or cavities outside of one
     bool all_looked_at = true;
 };
 
-// Precondition: the mesh is closed and welded; piece_of_triangle numbers its connected pieces, the
-// outer ones turned outwards and cavities inwards.
+// Searches for overlaps. Precondition: the mesh is closed and welded; piece_of_triangle numbers its
+// connected pieces; outer pieces face outwards and cavities inwards.
 Overlaps overlaps_of(const TriangleMesh& mesh, std::span<const std::uint32_t> piece_of_triangle,
                      std::size_t n_pieces);
 

@@ -1,5 +1,5 @@
-// The solids of the lecture, each by a real example in colours that show its turning. The sources
-// of their numbers stand in the table of named_objects.cpp.
+// The elementary solids, each as a real object in colours that make its rotation visible. The
+// sources of their numbers are in the table in named_objects.cpp.
 #include "mesh/circle.h"
 #include "mesh/object_makers.h"
 #include "mesh/object_shapes.h"

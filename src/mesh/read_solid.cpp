@@ -1,4 +1,4 @@
-// From a file's name to a checked solid.
+// Reads a mesh file and returns a checked solid.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -16,7 +16,7 @@ struct Corner {
 };
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    // The tangent form keeps its digits for small and for straight angles.
+    // The form with atan2 is accurate for small angles and for angles near π.
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
@@ -26,7 +26,7 @@ std::vector<Eigen::Vector3d> normals_of_triangles(const TriangleMesh& mesh) {
     for (const auto& t : mesh.triangles) {
         const Eigen::Vector3d& a = mesh.vertices[t[0]];
         const Eigen::Vector3d n = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
-        // A sliver without area has no normal of its own; any unit vector does for no pixels.
+        // A degenerate triangle has no normal; any unit vector will do, since it covers no pixel.
         normals.emplace_back(n.norm() > 0.0 ? n.stableNormalized() : Eigen::Vector3d::UnitZ());
     }
     return normals;
@@ -66,7 +66,7 @@ Fans fans_of(const std::vector<Corner>& corners, std::size_t n_vertices) {
     return fans;
 }
 
-// Sets of corners of one vertex that are joined by smooth edges.
+// Sets of corners of one vertex that are connected by smooth edges.
 class SmoothSets {
  public:
     explicit SmoothSets(std::size_t n) : parent_(n) {
@@ -95,7 +95,7 @@ class Shading {
         }
     }
 
-    // The normal of every corner.
+    // The normals of all corners.
     std::vector<Eigen::Vector3d> corner_normals() {
         std::vector<Eigen::Vector3d> sums(corners_.size(), Eigen::Vector3d::Zero());
         for (std::uint32_t c = 0; c < corners_.size(); ++c) {
@@ -112,8 +112,8 @@ class Shading {
     }
 
  private:
-    // Joins the corners of one vertex across its smooth edges: the edge that leaves the vertex in
-    // one triangle returns to it in the other.
+    // Connects the corners of one vertex across its smooth edges: an edge that leaves the vertex in
+    // one triangle returns to it in the neighbouring one.
     void join_fan(std::vector<std::uint32_t> fan) {
         std::vector<std::uint32_t> returning = fan;
         std::ranges::sort(fan, {}, [this](std::uint32_t c) { return corners_[c].next; });

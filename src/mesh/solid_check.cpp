@@ -21,8 +21,9 @@ namespace {
 
 using Index = std::uint32_t;
 
-// A triangle's edge as one number that sorts the two directions of an edge next to each other: the
-// lower vertex, the higher one, the direction. Vertices are fewer than 2^31 by the readers' limits.
+// A triangle's edge as one sortable number: lower vertex, higher vertex, direction. The two
+// directions of an edge are thus neighbours after sorting. The readers' limits keep vertex numbers
+// below 2^31.
 using DirectedEdge = std::uint64_t;
 
 DirectedEdge directed_edge(Index from, Index to) {
@@ -75,7 +76,7 @@ std::string plural(std::size_t n, std::string_view one, std::string_view more) {
                                                   : "make its normals consistent")));
 }
 
-// The connected pieces of a surface: for each triangle the number of its piece.
+// The connected pieces of a surface, as the piece number of each triangle.
 class Pieces {
  public:
     explicit Pieces(const TriangleMesh& mesh) : parent_(mesh.vertices.size()) {
@@ -108,7 +109,7 @@ class Pieces {
 
 struct Piece {
     Eigen::AlignedBox3d box;
-    double volume_m3 = 0.0;  // negative: inside out
+    double volume_m3 = 0.0;  // negative for an inside-out piece
     bool turned = false;
 };
 
@@ -130,9 +131,9 @@ std::vector<Piece> measured(const TriangleMesh& mesh, const Pieces& pieces) {
     return result;
 }
 
-// Marks the pieces to be turned round: every one whose volume is negative, unless it lies within a
-// larger one that is the right way out (then it is the wall of a cavity). The largest few are
-// enough to compare with, and keep a mesh of a million pieces quick.
+// Marks the pieces to flip: every piece with negative volume, except one inside a larger, correctly
+// oriented piece (then it is the wall of a cavity). Comparing with the few largest pieces is
+// enough, and keeps a mesh of a million pieces fast.
 void mark_inside_out(std::vector<Piece>& pieces) {
     constexpr std::size_t n_compared = 64;
     std::vector<const Piece*> outer;
@@ -144,7 +145,7 @@ void mark_inside_out(std::vector<Piece>& pieces) {
     const std::size_t n = std::min(n_compared, outer.size());
     std::ranges::partial_sort(outer, outer.begin() + static_cast<std::ptrdiff_t>(n), larger);
     outer.resize(n);
-    // A mesh whose pieces are all inside out has its cavities the wrong way round too.
+    // In a mesh whose outer pieces are inside out, the cavities are reversed, too.
     const bool reversed = outer.front()->volume_m3 < 0.0;
     for (Piece& piece : pieces) {
         const bool negative = (piece.volume_m3 < 0.0) != reversed;
@@ -164,7 +165,7 @@ void turn_round(TriangleMesh& mesh, const Pieces& pieces, const std::vector<Piec
     }
 }
 
-// Rounding alone gives an empty surface a volume of a few epsilon of the box around it.
+// Rounding alone gives an empty surface a volume of a few epsilon of its bounding box.
 bool encloses_volume(const TriangleMesh& mesh) {
     Eigen::AlignedBox3d box;
     double moved_m3 = 0.0;
@@ -182,7 +183,8 @@ bool encloses_volume(const TriangleMesh& mesh) {
            properties.inertia_unit_density.diagonal().minCoeff() > 0.0;
 }
 
-// Space that the surface covers twice has its mass counted twice; the user may have meant it.
+// Where the surface covers space twice, mass counts twice. This may be intended, so it is a note,
+// not an error.
 void note_overlaps(SolidMesh& solid, const Pieces& pieces, std::string_view name) {
     const Overlaps overlaps = overlaps_of(solid.mesh, pieces.of_triangles(), pieces.count());
     if (overlaps.first_crossing_m) {

@@ -1,4 +1,5 @@
-// Whether a mesh is the surface of a solid: closed, consistently oriented, enclosing a volume.
+// Checks whether a mesh is the surface of a solid: closed, consistently oriented, enclosing a
+// volume.
 #pragma once
 
 #include <array>
@@ -12,31 +13,31 @@
 
 namespace poinsot {
 
-// Edges that keep a surface from being closed: in a solid's every edge belongs to exactly two
-// triangles, which run along it in opposite directions.
+// Edges that violate closedness: in a solid, every edge belongs to exactly two triangles, which run
+// along it in opposite directions.
 struct EdgeFaults {
-    std::size_t n_open = 0;      // in one triangle: the rim of a hole
-    std::size_t n_crowded = 0;   // in more than two
-    std::size_t n_reversed = 0;  // in two that run the same way: one of them is turned over
-    // The ends of the first faulty edge, open ones first, in m.
+    std::size_t n_open = 0;      // in one triangle: the edge of a hole
+    std::size_t n_crowded = 0;   // in more than two triangles
+    std::size_t n_reversed = 0;  // in two triangles with the same direction: one of them is flipped
+    // The ends of the first faulty edge in m; open edges come first.
     std::optional<std::array<Eigen::Vector3d, 2>> first_m;
 
     bool none() const { return n_open + n_crowded + n_reversed == 0; }
 };
 
-// Counts the faults of a mesh whose equal positions are one vertex (see welded).
+// Counts the edge faults of a mesh. Precondition: equal positions are one vertex (see welded).
 EdgeFaults edge_faults(const TriangleMesh& mesh);
 
-// A mesh fit for mass properties, and what was changed on the way, in sentences.
+// A mesh ready for mass properties, and the repairs that were made, as sentences.
 struct SolidMesh {
     TriangleMesh mesh;
     std::vector<std::string> notes;
 };
 
-// Welds the mesh, drops triangles that have lost an edge, requires a closed surface, and turns
-// round the pieces that are inside out (those within another piece are cavities and stay).
-// name is the file's, for the messages. Throws InputError, naming how many edges are at fault and
-// where, if the surface is not closed, and if it encloses no volume.
+// Welds the mesh, removes triangles that have lost an edge, requires a closed surface, and flips
+// the pieces that are inside out (pieces inside another one are cavities and stay). `name` is the
+// file name for messages. Throws InputError if the surface is not closed, with the number and place
+// of the faulty edges, and if it encloses no volume.
 SolidMesh checked_solid(const TriangleMesh& mesh, std::string_view name);
 
 }  // namespace poinsot

@@ -20,7 +20,7 @@ namespace {
 using std::numbers::pi;
 using Index = std::uint32_t;
 
-// The circles of a profile's points, one after the other, and the quadrilaterals between them.
+// Collects the circles of the profile's points in order, and the quadrilaterals between them.
 class Revolution {
  public:
     explicit Revolution(int facets) : facets_(facets), factor_(equal_area_factor(facets)) {}
@@ -45,7 +45,7 @@ class Revolution {
             mesh.triangles.push_back({low + a, high + b, high + a});
         }
     }
-    // The fan between a pole and a circle that lies above it, or below it.
+    // A fan of triangles between a pole and a circle above or below it.
     void fan(Index pole, Index circle, bool circle_above) {
         for (int i = 0; i < facets_; ++i) {
             const Index a = circle + static_cast<Index>(i);
@@ -65,14 +65,15 @@ class Revolution {
     double factor_;
 };
 
-// One eighth of the unit sphere, from +x over +y to +z: point (i, j) with i + j ≤ n. Equal steps of
-// angle along its three edges; the same under every exchange of axes.
+// A point of one eighth of the unit sphere, from +x over +y to +z: point (i, j) with i + j ≤ n. The
+// steps of angle along its three edges are equal, and every permutation of the axes maps the points
+// onto each other.
 Eigen::Vector3d on_octant(int i, int j, int n) {
     const auto component = [n](int k) { return on_unit_circle(k, 4 * n).y(); };
     return Eigen::Vector3d(component(i), component(j), component(n - i - j)).normalized();
 }
 
-// The unit sphere as eight octants, each mirrored from the first; welding joins their edges.
+// The unit sphere as eight octants, each mirrored from the first; welding merges their edges.
 TriangleMesh unit_octasphere(int n) {
     TriangleMesh octant;
     const auto index = [n](int i, int j) {

@@ -1,4 +1,4 @@
-// STL, binary and ASCII.
+// Reader of STL, binary and ASCII.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ bool same_word(std::string_view word, std::string_view lower_case) {
     });
 }
 
-// A mesh of separate corners, three new vertices a facet.
+// Adds three new vertices and one triangle: corners are not shared.
 void add_facet(TriangleMesh& mesh) {
     const auto n = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.triangles.push_back({n - 3, n - 2, n - 1});
@@ -58,7 +58,7 @@ TriangleMesh read_binary(std::string_view bytes, std::string_view name) {
     mesh.vertices.reserve(3 * n_facets);
     mesh.triangles.reserve(n_facets);
     for (std::size_t facet = 0; facet < n_facets; ++facet) {
-        // A facet is its normal, three corners, and two bytes of attributes.
+        // A facet is a normal, three corners and two bytes of attributes.
         const std::size_t corners = first_facet + facet_bytes * facet + 12;
         for (std::size_t corner = 0; corner < 3; ++corner) {
             Eigen::Vector3d at;
@@ -119,7 +119,8 @@ class AsciiReader {
     void read_facet() {
         expect("normal");
         for (int i = 0; i < 3; ++i) {
-            // Unused, and often not even a number; but it must not be the next keyword.
+            // Normals are ignored, and files often contain invalid ones; but the word must not be
+            // the next keyword.
             if (const auto word = text_.word(); word.empty() || same_word(word, "outer")) {
                 text_.refuse(word, "a facet's normal has three components; export the file again");
             }

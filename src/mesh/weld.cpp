@@ -12,8 +12,8 @@ bool before(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
 
-// For each vertex the first one that has its position. Sorting, unlike hashing, cannot be made slow
-// by chosen coordinates.
+// For each vertex, the first vertex with the same position. Uses sorting, since chosen coordinates
+// could make hashing slow.
 std::vector<std::uint32_t> first_with_position(const std::vector<Eigen::Vector3d>& vertices) {
     std::vector<std::uint32_t> order(vertices.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -42,7 +42,7 @@ TriangleMesh welded(const TriangleMesh& mesh) {
         result.triangles.push_back(kept);
     }
 
-    // Number the vertices that are left in their old order.
+    // Renumber the remaining vertices in their old order.
     std::vector<std::uint32_t> number(mesh.vertices.size(), unused);
     for (const auto& t : result.triangles) {
         for (const std::uint32_t v : t) number[v] = 0;
