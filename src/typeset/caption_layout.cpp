@@ -9,7 +9,7 @@
 namespace poinsot {
 namespace {
 
-// Digits such as ₁ in running text are set like the scripts of a formula.
+// Digits such as ₁ in running text are set like scripts of a formula.
 TypeBox set_script(const CaptionPiece& piece, double size_px, FontSet& fonts) {
     FontFile& math = fonts.math();
     const double px = size_px / math.units_per_em();
@@ -24,7 +24,7 @@ TypeBox set_script(const CaptionPiece& piece, double size_px, FontSet& fonts) {
     return box;
 }
 
-// A formula in parts between which a line may end; text is one part.
+// Typesets a piece as parts between which a line may break; text is one part.
 std::vector<FormulaPart> set_piece(const CaptionPiece& piece, double size_px, FontSet& fonts) {
     if (piece.kind == CaptionPiece::Kind::formula) {
         return set_formula_parts(piece.formula, {MathStyle::Level::text, false}, size_px, fonts);
@@ -60,7 +60,7 @@ class LineBreaker {
             }
         }
         end_word();
-        // A line feed at the very end opens no further line.
+        // A line feed at the very end does not start a new line.
         if (has_line_) end_line();
         return std::move(lines_);
     }
@@ -80,7 +80,7 @@ class LineBreaker {
         }
     }
 
-    // A word moves to the next line as a whole; only one that no line could hold is cut between its
+    // A word moves to the next line as a whole; a word wider than a line is broken between its
     // parts.
     void end_word() {
         if (word_.empty()) return;
@@ -133,7 +133,7 @@ SetCaption set_caption(const Caption& caption, const TypeStyle& style, FontSet& 
     const double part = style.alignment == TypeAlignment::left     ? 0.0
                         : style.alignment == TypeAlignment::centre ? 0.5
                                                                    : 1.0;
-    // Lines that would come nearer than a tenth of an em are moved apart.
+    // Lines closer than a tenth of an em are moved apart.
     const double apart = 0.1 * style.size_px;
     double y = 0.0;
     for (std::size_t i = 0; i < lines.size(); ++i) {

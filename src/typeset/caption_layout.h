@@ -1,4 +1,4 @@
-// Breaks captions into lines and sets them.
+// Breaks captions into lines and typesets them.
 #pragma once
 
 #include "typeset/font_set.h"
@@ -9,13 +9,12 @@
 namespace poinsot {
 
 struct SetCaption {
-    TypeBox box;  // the first baseline at y = 0; the pen starts at x = 0 on the widest line
+    TypeBox box;  // the first baseline is at y = 0; the pen starts at x = 0 on the widest line
     int n_lines = 0;
 };
 
-// Lines hold as many words as fit into style.max_width_px, and at least one. Baselines lie on whole
-// pixels.
-// throws: LabelError for a character that the fonts lack.
+// Each line holds as many words as fit into style.max_width_px, and at least one. Baselines are at
+// whole pixels. throws: LabelError for a character that the fonts lack.
 SetCaption set_caption(const Caption& caption, const TypeStyle& style, FontSet& fonts);
 
 }  // namespace poinsot

@@ -46,7 +46,8 @@ int line_to(const FT_Vector* to, void* steps) {
     static_cast<Steps*>(steps)->push_back({OutlineStep::Kind::line, {}, {}, point(to)});
     return 0;
 }
-// A parabola is the cubic whose control points lie two thirds of the way to its own.
+// A quadratic curve equals the cubic whose control points are two thirds of the way to the
+// quadratic control point.
 int conic_to(const FT_Vector* control, const FT_Vector* to, void* steps) {
     auto& list = *static_cast<Steps*>(steps);
     const OutlinePoint from = list.back().to;
@@ -88,7 +89,7 @@ FontFile::FontFile(const std::filesystem::path& file)
     hb_font_set_scale(handles_->font.get(), static_cast<int>(units), static_cast<int>(units));
     units_per_em_ = units;
 
-    // FreeType reads the same bytes; the blob outlives its face.
+    // FreeType reads the same bytes: the blob must outlive the FreeType face.
     FT_Library library = nullptr;
     if (FT_Init_FreeType(&library) != 0) throw EnvironmentError("FreeType does not start");
     handles_->library.reset(library);
@@ -210,8 +211,8 @@ TallGlyph FontFile::tall_glyph(GlyphId glyph, double min_extent) {
     return built.extent > tallest.extent ? built : tallest;
 }
 
-// Repeats the extenders as often as needed, every joint overlapping by the least that the font
-// allows or more, so that the whole is exactly min_extent where it can be.
+// Repeats the extender pieces as often as needed. Joints overlap by the font's minimum or more, so
+// that the extent is exactly min_extent if possible.
 TallGlyph FontFile::assembled(GlyphId glyph, double min_extent) {
     hb_font_t* font = handles_->font.get();
     std::array<hb_ot_math_glyph_part_t, 16> parts{};

@@ -1,5 +1,5 @@
-// One OpenType font: its glyphs' metrics and outlines, its kerning, and its mathematical constants,
-// all in font units, so that nothing here depends on a size.
+// One OpenType font: metrics and outlines of its glyphs, kerning and mathematical constants. All
+// values are in font units, so that they do not depend on a size.
 #pragma once
 
 #include <hb-ot.h>
@@ -18,14 +18,14 @@ namespace poinsot {
 
 using GlyphId = std::uint32_t;
 
-// Font units, y up, from the glyph's origin.
+// In font units, y up, relative to the glyph's origin.
 struct GlyphMetrics {
     double advance = 0.0;
-    double height = 0.0;             // of the ink's top above the baseline
-    double depth = 0.0;              // of the ink's bottom below the baseline
-    double left = 0.0, right = 0.0;  // of the ink
+    double height = 0.0;             // top of the ink above the baseline
+    double depth = 0.0;              // bottom of the ink below the baseline
+    double left = 0.0, right = 0.0;  // extent of the ink
     double italic_correction = 0.0;
-    double accent_attachment = 0.0;  // x of the middle of what stands above it
+    double accent_attachment = 0.0;  // x of the middle of an accent above it
 };
 
 struct ShapedGlyph {
@@ -38,17 +38,17 @@ struct ShapedRun {
     double advance = 0.0;
 };
 
-// A taller form of a glyph, whole or built from pieces one above the other (bottom first). The ink
-// reaches from y = 0 up to `extent`.
+// A taller form of a glyph, either one glyph or assembled from pieces (bottom first). The ink
+// extends from y = 0 to `extent`.
 struct TallGlyph {
     std::vector<ShapedGlyph> pieces;
     double extent = 0.0;
 };
 
-// Metrics, shapes and outlines are kept once asked for. Not safe for use by two threads at once.
+// Caches metrics, shapes and outlines. Not safe for use by two threads at once.
 class FontFile {
  public:
-    // throws: EnvironmentError where the file cannot be read as a font.
+    // throws: EnvironmentError if the file cannot be read as a font.
     explicit FontFile(const std::filesystem::path& file);
     ~FontFile();
     FontFile(FontFile&&) noexcept;
@@ -57,20 +57,21 @@ class FontFile {
     const std::filesystem::path& file() const { return file_; }
     double units_per_em() const { return units_per_em_; }
     bool has_math() const;
-    // The glyph of a character, if the font has one.
+    // The glyph of a character; empty if the font has none.
     std::optional<GlyphId> glyph(char32_t character);
-    // The form of a character for scripts: level 1 or 2, by the font's ssty feature (OpenType
-    // specification, "Registered features"); level 0 is the plain glyph.
+    // The variant of a character for sub- and superscripts: level 1 or 2, by the font's ssty
+    // feature (OpenType specification, "Registered features"); level 0 is the normal glyph.
     std::optional<GlyphId> script_glyph(char32_t character, int level);
     const GlyphMetrics& metrics(GlyphId glyph);
     const GlyphOutline& outline(GlyphId glyph);
-    // Kerned and ligatured, left to right; every character must have a glyph.
+    // Shapes characters with kerning and ligatures, left to right. Precondition: every character
+    // has a glyph.
     ShapedRun shape(std::span<const char32_t> characters);
 
-    // A value of the font's MATH table (OpenType specification, "MathConstants").
+    // A constant of the font's MATH table (OpenType specification, "MathConstants").
     double constant(hb_ot_math_constant_t which) const;
-    // The smallest vertical variant of at least min_extent, or one assembled from parts, or the
-    // tallest there is ("MathVariants").
+    // The smallest vertical variant of at least min_extent, else a glyph assembled from parts, else
+    // the tallest variant ("MathVariants").
     TallGlyph tall_glyph(GlyphId glyph, double min_extent);
 
  private:

@@ -13,7 +13,7 @@
 namespace poinsot {
 
 std::vector<std::filesystem::path> default_font_folders() {
-    return {own_share() / "fonts",  // a bundle's
+    return {own_share() / "fonts",  // fonts in a bundle
             "/usr/share/texmf/fonts/opentype/public/lm-math",
             "/usr/share/texmf/fonts/opentype/public/lm",
             "/usr/share/texlive/texmf-dist/fonts/opentype/public/lm-math",
@@ -30,7 +30,7 @@ std::vector<std::filesystem::path> system_font_folders() {
 
 std::vector<std::filesystem::path> fonts_below(const std::vector<std::filesystem::path>& folders) {
     namespace fs = std::filesystem;
-    // Of slanted, bold, condensed and typewriter faces the plain one is the fallback.
+    // Prefer plain faces to slanted, bold, condensed and typewriter faces as the fallback.
     const auto rank = [](const fs::path& file) {
         const std::string name = file.filename().string();
         const auto has = [&name](std::string_view part) {

@@ -1,4 +1,4 @@
-// Where the fonts of labels and captions are looked for.
+// Finds the fonts of labels and captions.
 #pragma once
 
 #include <array>
@@ -8,29 +8,29 @@
 
 namespace poinsot {
 
-// The folder of fonts that came with the program, then those in which Debian's fonts-lmodern and
-// TeX Live put Latin Modern, first choice first.
+// The folder of fonts installed with the program, then the folders of Latin Modern in Debian's
+// fonts-lmodern and in TeX Live, in order of preference.
 std::vector<std::filesystem::path> default_font_folders();
 
-// The folders in which systems keep all their fonts.
+// The folders in which operating systems keep their fonts.
 std::vector<std::filesystem::path> system_font_folders();
 
 struct FontSearch {
     std::vector<std::filesystem::path> folders = default_font_folders();
-    // Where a font is looked for that has a character which those above lack.
+    // searched for a fallback font, for characters that the fonts above lack.
     std::vector<std::filesystem::path> fallback_folders = system_font_folders();
 };
 
-// The font files in and below some folders, those of plain sans-serif faces first, then by path:
-// the same order on every machine that has the same fonts.
+// The font files in and below these folders: plain sans-serif faces first, then by path. The order
+// is the same on every machine with the same fonts.
 std::vector<std::filesystem::path> fonts_below(const std::vector<std::filesystem::path>& folders);
 
-// File names of the fonts used: mathematics; the regular, bold and italic faces of captions; the
-// same of text within formulas.
+// File names of the fonts: mathematics; regular, bold and italic face of captions; the same three
+// faces for text inside formulas.
 const std::array<std::string_view, 7>& font_names();
 
-// The font's path in the first folder that holds it.
-// throws: EnvironmentError naming the package to install where none does.
+// Returns the font's path in the first folder that has it. throws: EnvironmentError that names the
+// package to install if no folder has it.
 std::filesystem::path find_font(std::string_view name, const FontSearch& search = {});
 
 }  // namespace poinsot

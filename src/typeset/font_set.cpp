@@ -31,13 +31,13 @@ FontFile* FontSet::fallback(char32_t character) {
             auto& font = fallbacks_[i];
             if (!font) font = std::make_unique<FontFile>(file);
             const std::optional<GlyphId> glyph = font->glyph(character);
-            // Fonts of pictures have glyphs without outlines.
+            // Bitmap and colour fonts have glyphs without outlines.
             if (!glyph || font->outline(*glyph).steps.empty()) continue;
             if (std::ranges::find(fallbacks_used_, file) == fallbacks_used_.end())
                 fallbacks_used_.push_back(file);
             return fallback_of_[character] = font.get();
         } catch (const EnvironmentError&) {
-            continue;  // not a font that can be read
+            continue;  // not a readable font
         }
     }
     missing_.push_back(character);
@@ -46,7 +46,7 @@ FontFile* FontSet::fallback(char32_t character) {
 
 namespace {
 
-// The sign for a character that no font has: an upright box, as wide as a letter.
+// Draws the box for a character that no font has, as wide as a letter.
 void add_missing_box(TypeBox& box, double size_px) {
     const double width = 0.5 * size_px, height = 0.7 * size_px, line = 0.06 * size_px;
     const double left = box.width + 0.05 * size_px;
@@ -80,7 +80,7 @@ TypeBox FontSet::set_text(const TextRun& run, TextFamily family, double size_px)
     };
     FontFile& face = text(family, run.face);
     for (const LabelCharacter& character : run.characters) {
-        // A space that no line breaks at is as wide as one where it may.
+        // A no-break space is as wide as a normal space.
         const char32_t code = character.code == U'\u00A0' ? U' ' : character.code;
         FontFile* font = face.glyph(code) ? &face : &math();
         if (font != &face && !font->glyph(code)) font = fallback(code);

@@ -1,4 +1,4 @@
-// A glyph's shape: closed contours of straight and cubic steps, in any unit, y up.
+// The outline of a glyph: closed contours of lines and cubic curves, in any unit, y up.
 #pragma once
 
 #include <vector>
@@ -12,18 +12,18 @@ struct OutlinePoint {
 struct OutlineStep {
     enum class Kind { move, line, cubic };
     Kind kind = Kind::move;
-    OutlinePoint control_1, control_2;  // of a cubic
+    OutlinePoint control_1, control_2;  // of a cubic curve
     OutlinePoint to;
 };
 
-// Contours begin with a move and close by themselves.
+// Each contour begins with a move and is closed implicitly.
 struct GlyphOutline {
     std::vector<OutlineStep> steps;
-    // Box of the points and control points, which holds the shape.
+    // Bounding box of the points and control points; it contains the shape.
     double min_x = 0.0, min_y = 0.0, max_x = 0.0, max_y = 0.0;
 };
 
-// The outline with its box, from its steps.
+// Makes an outline from its steps and computes the bounding box.
 GlyphOutline make_outline(std::vector<OutlineStep> steps);
 
 }  // namespace poinsot

@@ -14,7 +14,7 @@ bool is_command_letter(char32_t c) { return (c >= U'a' && c <= U'z') || (c >= U'
 std::string describe(char32_t character) {
     if (character > 0x20 && character < 0x7F) return {static_cast<char>(character)};
     std::string shown;
-    // What nobody sees is named alone; so are spaces.
+    // Hidden characters and spaces are shown only by code point.
     if (!is_hidden(character) && character != 0x20 && character != 0xa0)
         shown = utf8_of(character) + ' ';
     return shown + fmt::format("(U+{:04X})", static_cast<unsigned>(character));

@@ -1,4 +1,4 @@
-// The one error that a label or caption can raise by what it says.
+// The error for an invalid label or caption.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace poinsot {
 
-// A label that does not parse, asks for a character that no font here has, or is larger than a
-// label may be. what() reads "label column 8: expected } …".
+// A label that cannot be parsed, needs a character that no font has, or is too long. what() reads
+// "label column 8: expected } …".
 class LabelError : public InputError {
  public:
-    // column: in characters from 1, where the label stops making sense.
+    // column: the position of the mistake, in characters counted from 1.
     LabelError(int column, const std::string& reason)
         : InputError("label column " + std::to_string(column) + ": " + reason),
           column_(column),

@@ -28,7 +28,7 @@ class CaptionParser {
     }
 
  private:
-    // Everything up to the brace that closes the one at opened_at, or to the end where that is 0.
+    // Reads up to the brace that closes the one at opened_at, or to the end if opened_at is 0.
     void pieces(int opened_at) {
         const LabelCursor::Nesting nesting(cursor_);
         while (!cursor_.at_end()) {
@@ -84,7 +84,7 @@ class CaptionParser {
         if (name == " ") {
             append({U'\u00A0', column});
         } else if (known && known->kind == CommandKind::space) {
-            // A space of its own width is mathematics even between words.
+            // A command for a space is mathematics, even between words.
             CaptionPiece& piece = add(CaptionPiece::Kind::formula);
             MathAtom& space = piece.formula.emplace_back();
             space.kind = MathAtom::Kind::space;
@@ -139,8 +139,8 @@ class CaptionParser {
         }
     }
 
-    // -- and --- are dashes; a hyphen that begins a number is a minus sign, so that live numbers
-    // read as they should.
+    // -- and --- are dashes; a hyphen at the beginning of a number is a minus sign, for numbers
+    // inserted into captions.
     char32_t dash(char32_t before) {
         if (doubled(U'-')) return doubled(U'-') ? U'—' : U'–';
         const bool begins = before == 0 || before == U' ' || before == U'\n' || before == U'\t' ||
@@ -156,8 +156,7 @@ class CaptionParser {
         return true;
     }
 
-    // A relation keeps to both its sides: t = 1.25 is not broken over two lines. Called with the
-    // space just read.
+    // Whether the space just read is next to a relation: t = 1.25 is not broken over two lines.
     bool beside_relation() const {
         const bool after_word =
             !caption_.empty() && (caption_.back().kind == CaptionPiece::Kind::text ||

@@ -1,5 +1,5 @@
-// What a label says, before it has any size: a tree of mathematical atoms (Knuth, The TeXbook,
-// chapter 17) and, for captions, the pieces of running text between them.
+// The syntax tree of a label, independent of size: mathematical atoms (Knuth, The TeXbook, chapter
+// 17) and, for captions, the pieces of running text between formulas.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace poinsot {
 
-// A character and where it stood in the label (columns count characters from 1).
+// A character and its column in the label (in characters, counted from 1).
 struct LabelCharacter {
     char32_t code = 0;
     int column = 1;
@@ -21,7 +21,7 @@ struct TextRun {
     std::vector<LabelCharacter> characters;
 };
 
-// The classes that decide the space between two atoms (The TeXbook, p. 158).
+// The classes that determine the space between two atoms (The TeXbook, p. 158).
 enum class AtomClass { ord, op, bin, rel, open, close, punct, inner };
 
 struct MathAtom;
@@ -29,19 +29,19 @@ using MathList = std::vector<MathAtom>;
 
 struct MathAtom {
     enum class Kind {
-        symbol,    // `symbol`, a Unicode character in its final alphabet
+        symbol,    // `symbol`, a Unicode character, already in its mathematical alphabet
         group,     // `body`
-        text,      // `text`, upright running text within mathematics
-        big,       // `symbol`, larger in display style, its scripts above and below
-        integral,  // `symbol`, larger in display style, its scripts beside it
-        radical,   // root of `body`, of degree `second` if that is not empty
+        text,      // `text`, upright running text inside mathematics
+        big,       // `symbol`, larger in display style, with scripts above and below
+        integral,  // `symbol`, larger in display style, with scripts to the right
+        radical,   // root of `body`, with degree `second` unless that is empty
         fraction,  // `body` over `second`
         accent,    // combining character `symbol` over `body`
         overline,  // a rule over `body`
-        fence,     // `body` between delimiters `open` and `close` of its height (0: none)
+        fence,     // `body` between delimiters `open` and `close` of its height (0: no delimiter)
         space      // `space_mu`
     };
-    // The size at which a fraction is set.
+    // The style in which a fraction is set.
     enum class FractionStyle { automatic, display, text };
 
     Kind kind = Kind::group;
@@ -49,7 +49,7 @@ struct MathAtom {
     int column = 1;
     char32_t symbol = 0;
     char32_t open = 0, close = 0;
-    double space_mu = 0.0;  // eighteenths of the quad
+    double space_mu = 0.0;  // in 1/18 em
     FractionStyle fraction_style = FractionStyle::automatic;
     TextRun text;
     MathList body, second;
@@ -57,10 +57,10 @@ struct MathAtom {
     MathList subscript, superscript;
 };
 
-// A caption: words and formulas stand together until a space or the end of a line.
+// A piece of a caption. Words and formulas without a space between them form one word.
 struct CaptionPiece {
     enum class Kind { text, formula, space, line_break };
-    // Digits written as ₁ or ² are set as scripts of the text.
+    // Digits written as ₁ or ² become sub- or superscripts of the text.
     enum class Script { none, sub, super };
 
     Kind kind = Kind::text;

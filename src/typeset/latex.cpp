@@ -16,7 +16,8 @@ namespace poinsot {
 
 namespace {
 
-// A character of an alphabet's own, by the plain one and the command that chooses the alphabet.
+// The plain character, and the command that selects the alphabet, of a character in a mathematical
+// alphabet.
 struct PlainSymbol {
     char32_t plain = 0;
     std::string_view alphabet;
@@ -42,7 +43,7 @@ const std::map<char32_t, PlainSymbol>& symbols_of_alphabets() {
         for (const auto& [alphabet, command] : alphabets)
             for (const char32_t c : plain)
                 if (const char32_t drawn = in_alphabet(c, alphabet); drawn != c)
-                    // LaTeX's \mathbf has no small Greek.
+                    // LaTeX's \mathbf has no small Greek letters.
                     symbols.emplace(drawn,
                                     PlainSymbol{c, command == "mathbf" && is_greek(c) && c >= U'α'
                                                        ? "boldsymbol"
@@ -52,7 +53,7 @@ const std::map<char32_t, PlainSymbol>& symbols_of_alphabets() {
     return known;
 }
 
-// The name of a command that stands for a character; empty if there is none.
+// The name of the command for a character; empty if there is none.
 std::string_view command_for(char32_t c, CommandKind kind) {
     for (const LabelCommand& command : label_commands())
         if (command.kind == kind && command.symbol == c) return command.name;

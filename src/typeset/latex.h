@@ -1,4 +1,4 @@
-// Labels and captions as LaTeX sets them: for figures whose type is the author's own.
+// Labels and captions as LaTeX source, for figures that use the fonts of the author's document.
 #pragma once
 
 #include <string>

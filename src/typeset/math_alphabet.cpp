@@ -6,7 +6,7 @@
 namespace poinsot {
 namespace {
 
-// Letters whose place in an alphabet was taken in older blocks (Unicode Standard §22.2).
+// Letters of the alphabets that older Unicode blocks already contain (Unicode Standard §22.2).
 char32_t fill_hole(char32_t code) {
     switch (code) {
         case 0x1D455:
@@ -52,8 +52,8 @@ char32_t fill_hole(char32_t code) {
     }
 }
 
-// First letters of an alphabet: Latin capital, Latin small, Greek capital, Greek small, digit 0.
-// 0: the alphabet has none.
+// First letters of an alphabet: Latin capital, Latin small, Greek capital, Greek small, digit 0. 0:
+// not in this alphabet.
 struct AlphabetOrigin {
     char32_t capital = 0, small = 0, greek_capital = 0, greek_small = 0, digit = 0;
 };
@@ -78,7 +78,7 @@ AlphabetOrigin origin_of(MathAlphabet alphabet) {
     return {};
 }
 
-// The variant letters that follow ω in each Greek alphabet, in their order there.
+// The variant letters after ω in each Greek alphabet, in Unicode order.
 constexpr std::array<char32_t, 7> after_omega{U'∂', U'ϵ', U'ϑ', U'ϰ', U'ϕ', U'ϱ', U'ϖ'};
 
 }  // namespace

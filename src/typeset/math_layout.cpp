@@ -10,12 +10,12 @@ namespace {
 
 using Level = MathStyle::Level;
 
-// An atom without its scripts, and what its scripts and accents must know.
+// An atom without its scripts, and the data needed to place scripts and accents.
 struct Nucleus {
     TypeBox box;
-    double italic = 0.0;        // its slant leans this far beyond the width
-    bool is_character = false;  // scripts then stand at the font's shifts, whatever its height
-    double attachment = 0.0;    // x of the middle of what stands above it
+    double italic = 0.0;        // italic correction: overhang of a slanted glyph beyond the width
+    bool is_character = false;  // scripts use the font's shifts, independent of the height
+    double attachment = 0.0;    // x of the middle of an accent above it
 };
 
 class FormulaSetter {
@@ -27,7 +27,7 @@ class FormulaSetter {
         return std::move(parts(atoms, style, false).front().box);
     }
 
-    // The list in one part, or cut after each of its relations.
+    // Typesets the list in one part, or cut after each of its relations.
     std::vector<FormulaPart> parts(const MathList& atoms, MathStyle style, bool cut) {
         std::vector<FormulaPart> made(1);
         const std::vector<AtomClass> classes = spacing_classes(atoms);
@@ -99,14 +99,14 @@ class FormulaSetter {
         return made;
     }
 
-    // A character that the math font lacks, upright, as the text of a formula would have it: from a
-    // font that has it, or as a box.
+    // A character that the math font lacks, upright like the text of a formula: from a fallback
+    // font, or as a box.
     Nucleus lent(const MathAtom& atom, MathStyle style) {
         const TextRun run{TextFace::regular, {{atom.symbol, atom.column}}};
         return boxed(fonts_.set_text(run, TextFamily::formula, size(style)));
     }
 
-    // Places a glyph of at least min_height px in the middle of the axis.
+    // Centres a glyph of at least min_height px on the math axis.
     TypeBox tall(char32_t code, int column, double min_height, MathStyle style) {
         const double px = scale(style);
         const TallGlyph tall = font_.tall_glyph(glyph(code, column, style), min_height / px);
@@ -159,7 +159,7 @@ class FormulaSetter {
         return made;
     }
 
-    // A body of one bare character keeps what a character has.
+    // A body of one character without scripts keeps the properties of the character.
     Nucleus body(const MathList& atoms, MathStyle style) {
         if (atoms.size() == 1 && !atoms[0].has_subscript && !atoms[0].has_superscript) {
             return nucleus(atoms[0], style);
@@ -173,7 +173,7 @@ class FormulaSetter {
                                  : 0.0;
         Nucleus made = boxed(tall(atom.symbol, atom.column, least, style));
         made.italic = font_.metrics(made.box.glyphs.front().glyph).italic_correction * scale(style);
-        // Subscripts of an integral tuck in below its slant.
+        // Subscripts of an integral are moved left, below its slant.
         if (atom.kind == MathAtom::Kind::integral) made.box.width -= made.italic;
         return made;
     }
@@ -188,7 +188,7 @@ class FormulaSetter {
         const double px = scale(style);
         const double needed = inside.height + inside.depth + gap + rule;
         const TallGlyph sign = font_.tall_glyph(glyph(U'√', atom.column, style), needed / px);
-        // What the sign is taller than needed is shared between above and below.
+        // The excess height of the sign is distributed equally above and below.
         const double excess = std::max(0.0, sign.extent * px - needed);
         gap += 0.5 * excess;
         const double top = inside.height + gap + rule;
@@ -212,7 +212,7 @@ class FormulaSetter {
         return box;
     }
 
-    // Sets a root's degree into the box and returns how far it pushes the sign to the right.
+    // Places a root's degree into the box and returns how far it moves the sign to the right.
     double degree_width(const MathAtom& atom, MathStyle style, double sign_extent, double top,
                         TypeBox& box) {
         if (atom.second.empty()) return 0.0;
@@ -250,11 +250,11 @@ class FormulaSetter {
             constant(display ? HB_OT_MATH_CONSTANT_FRACTION_DENOM_DISPLAY_STYLE_GAP_MIN
                              : HB_OT_MATH_CONSTANT_FRACTION_DENOMINATOR_GAP_MIN,
                      style);
-        // Both parts keep clear of the rule (appendix G, rule 15d).
+        // Minimum clearance of both parts from the rule (appendix G, rule 15d).
         up = std::max(up, axis + 0.5 * rule + gap_above + above.depth);
         down = std::max(down, below.height + gap_below + 0.5 * rule - axis);
 
-        // TeX's \nulldelimiterspace keeps fractions apart from their neighbours.
+        // TeX's \nulldelimiterspace separates fractions from their neighbours.
         const double side = 0.12 * size(style);
         const double width = std::max(above.width, below.width);
         TypeBox box;
@@ -275,7 +275,7 @@ class FormulaSetter {
             0.0, base.box.height - constant(HB_OT_MATH_CONSTANT_ACCENT_BASE_HEIGHT, style));
         const double x = base.attachment - metrics.accent_attachment * px;
         base.box.glyphs.push_back({&font_, mark, x, raise, px});
-        // Accents do not push scripts up; only the box grows.
+        // Accents do not raise scripts; only the box grows.
         base.box.height = std::max(base.box.height, raise + metrics.height * px);
         return base;
     }
@@ -289,8 +289,8 @@ class FormulaSetter {
         return box;
     }
 
-    // Delimiters cover nine tenths of what they enclose, or all but half an em of it (The TeXbook,
-    // p. 152: \delimiterfactor and \delimitershortfall).
+    // Delimiters cover nine tenths of their content, or all but half an em of it (The TeXbook, p.
+    // 152: \delimiterfactor and \delimitershortfall).
     TypeBox fence(const MathAtom& atom, MathStyle style) {
         const TypeBox inside = list(atom.body, style);
         const double axis = constant(HB_OT_MATH_CONSTANT_AXIS_HEIGHT, style);
@@ -315,7 +315,8 @@ class FormulaSetter {
     TypeBox with_scripts(const MathAtom& atom, MathStyle style) {
         Nucleus base = nucleus(atom, style);
         if (!atom.has_subscript && !atom.has_superscript) {
-            // The slant of a letter keeps clear of what follows (appendix G, rule 17).
+            // Adds the italic correction, so that a slanted letter does not touch its neighbour
+            // (appendix G, rule 17).
             base.box.width += base.italic;
             return std::move(base.box);
         }
@@ -367,7 +368,7 @@ class FormulaSetter {
         return down;
     }
 
-    // Keeps a superscript and a subscript apart (appendix G, rule 18e).
+    // Ensures a gap between superscript and subscript (appendix G, rule 18e).
     void part_scripts(double& up, double& down, const TypeBox& above, const TypeBox& below,
                       MathStyle style) const {
         const double least = constant(HB_OT_MATH_CONSTANT_SUB_SUPERSCRIPT_GAP_MIN, style);
@@ -383,7 +384,7 @@ class FormulaSetter {
         }
     }
 
-    // Scripts above and below a large operator (appendix G, rule 13a).
+    // Places the scripts above and below a large operator (appendix G, rule 13a).
     TypeBox limits(const MathAtom& atom, const Nucleus& base, MathStyle style) {
         const TypeBox above = list(atom.superscript, superscript_style(style));
         const TypeBox below = list(atom.subscript, subscript_style(style));

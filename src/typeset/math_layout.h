@@ -1,4 +1,4 @@
-// Sets formulas: from the tree of atoms to placed glyphs.
+// Typesets formulas: from the tree of atoms to placed glyphs.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,15 @@
 
 namespace poinsot {
 
-// Sets a list of atoms at size_px (px per em in text style), the baseline of the whole at y = 0.
-// Follows appendix G of The TeXbook with the parameters of the font's own OpenType MATH table
-// (OpenType specification 1.9, "MATH"; constants are named there and beside their use here).
-// throws: LabelError for a character that the fonts lack.
+// Typesets a list of atoms at size_px (px per em in text style), with the baseline at y = 0.
+// Follows appendix G of The TeXbook with the parameters of the font's OpenType MATH table (OpenType
+// specification 1.9, "MATH"). throws: LabelError for a character that the fonts lack.
 TypeBox set_formula(const MathList& atoms, MathStyle style, double size_px, FontSet& fonts);
 
-// A formula cut after its relations, where a line of text may end.
+// A part of a formula cut after a relation, where a line of text may break.
 struct FormulaPart {
     TypeBox box;
-    double space_after = 0.0;  // px, if the next part stands on the same line
+    double space_after = 0.0;  // px, if the next part is on the same line
 };
 std::vector<FormulaPart> set_formula_parts(const MathList& atoms, MathStyle style, double size_px,
                                            FontSet& fonts);

@@ -19,8 +19,8 @@ MathAtom make_atom(MathAtom::Kind kind, AtomClass atom_class, int column) {
     return atom;
 }
 
-// {x} around one bare symbol is that symbol as an ordinary atom, so that scripts and accents treat
-// it as the character it is (The TeXbook, p. 291).
+// Braces around one symbol without scripts give that symbol as an ordinary atom, so that scripts
+// and accents treat it as a character (The TeXbook, p. 291).
 MathAtom group(MathList body, int column) {
     if (body.size() == 1 && body[0].kind == MathAtom::Kind::symbol && !body[0].has_subscript &&
         !body[0].has_superscript) {
@@ -46,11 +46,11 @@ std::string unknown_command(const std::string& name) {
     constexpr std::size_t most_shown = 24;
     if (name.size() > most_shown)
         return fmt::format("unknown command \\{}…", name.substr(0, most_shown));
-    // One character that is no letter may be anything; it is described, not echoed.
+    // A single character that is not a letter could be anything, so the message does not repeat it.
     if (name.size() == 1 || static_cast<unsigned char>(name[0]) >= 0x80) {
         return "unknown command after the backslash; write \\backslash for a backslash";
     }
-    // A name of two letters has half the table for neighbours.
+    // A name of one or two letters is similar to half of the table: no suggestion.
     if (name.size() < 3) return fmt::format("unknown command \\{}", name);
     return fmt::format("unknown command \\{}", name) +
            did_you_mean(name, names_of(label_commands()));
@@ -140,7 +140,7 @@ MathAtom MathParser::nucleus() {
         case U'_':
         case U'^':
         case U'\'':
-            // Scripts before any symbol stand on an empty one.
+            // Scripts before any symbol belong to an empty atom.
             return make_atom(MathAtom::Kind::group, AtomClass::ord, column);
         default:
             break;
@@ -218,7 +218,7 @@ MathAtom MathParser::run_command(const LabelCommand& command, int column) {
     return atom;
 }
 
-// The name of a function is a word of upright text.
+// The name of a function is upright text.
 MathAtom MathParser::function_name(const LabelCommand& command, int column) {
     MathAtom atom = make_atom(MathAtom::Kind::text, AtomClass::op, column);
     for (const char letter : command.name) {
@@ -227,7 +227,7 @@ MathAtom MathParser::function_name(const LabelCommand& command, int column) {
     return atom;
 }
 
-// \text{…} takes its characters as they are; a backslash before a special one stands for that.
+// \text{…} takes its characters literally; a backslash before a special character makes it literal.
 MathAtom MathParser::text(const LabelCommand& command, int column) {
     if (cursor_.peek() != U'{') cursor_.fail_expected(fmt::format("{{ after \\{}", command.name));
     const int opened_at = cursor_.take().column;
@@ -305,7 +305,7 @@ MathList MathParser::braced() {
     return body;
 }
 
-// A group, or the one symbol or command that comes next.
+// An argument: a group, or the next symbol or command.
 MathList MathParser::argument(const std::string& what) {
     cursor_.skip_spaces();
     const char32_t next = cursor_.peek();
@@ -320,7 +320,7 @@ MathList MathParser::argument(const std::string& what) {
     return one;
 }
 
-// Raw combining marks, as in a pasted ω̇, are accents over what they follow.
+// Unicode combining marks, as in a pasted ω̇, are accents of the preceding symbol.
 void MathParser::combining_marks(MathAtom& atom) {
     for (int n_marks = 0; is_accent_mark(cursor_.peek()); ++n_marks) {
         if (n_marks == label_nesting_limit) {
@@ -379,7 +379,7 @@ void MathParser::primes(MathAtom& atom) {
     atom.has_superscript = true;
 }
 
-// Raw ₁₂ and ² as people paste them.
+// Unicode script digits such as ₁₂ and ², often pasted.
 void MathParser::script_digits(MathAtom& atom) {
     const bool below = subscript_digit(cursor_.peek()) != 0;
     if (below ? atom.has_subscript : atom.has_superscript) {

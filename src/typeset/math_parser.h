@@ -1,4 +1,4 @@
-// The grammar of formulas, for labels and for the formulas within captions.
+// Parser of formulas, for labels and for the formulas inside captions.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@ namespace poinsot {
 
 class MathParser {
  public:
-    // What ends the list being read; it stays unread.
+    // The delimiter at which a list ends; it is not consumed.
     enum class End { label, brace, bracket, dollar, right };
 
     explicit MathParser(LabelCursor& cursor) : cursor_(cursor) {}
 
-    // opened_at: the column of what must be closed, named in the error where it is not.
+    // opened_at: the column of the opening delimiter, for the error if the closing one is missing.
     // throws: LabelError.
     MathList list(End end, int opened_at);
 
@@ -43,10 +43,10 @@ class MathParser {
     MathAlphabet alphabet_ = MathAlphabet::normal;
 };
 
-// The message for a backslash and a name that nothing here knows.
+// The error message for an unknown command.
 std::string unknown_command(const std::string& name);
 
-// The digit of a raw script character such as ₁ or ², or 0.
+// The digit of a script character such as ₁ or ²; 0 if it is not one.
 char32_t subscript_digit(char32_t character);
 char32_t superscript_digit(char32_t character);
 

@@ -8,8 +8,8 @@ namespace {
 
 using Level = MathStyle::Level;
 
-// Space between two atoms in eighteenths of a quad; negative where scripts have none (The TeXbook,
-// p. 170: thin 3, medium 4, thick 5). Rows: left atom; columns: right atom, both in the order of
+// Space between two atoms in 1/18 em; negative values apply only outside scripts (The TeXbook, p.
+// 170: thin 3, medium 4, thick 5). Rows: left atom; columns: right atom; both in the order of
 // AtomClass.
 constexpr std::array<std::array<int, 8>, 8> spacing_table_mu{{
     // ord op bin rel open close punct inner

@@ -7,11 +7,11 @@
 
 namespace poinsot {
 
-// The style of a formula: how large it is and how much room it may take (The TeXbook, p. 140).
+// The style of a formula, which determines size and spacing (The TeXbook, p. 140).
 struct MathStyle {
     enum class Level { display, text, script, script_script };
     Level level = Level::text;
-    bool cramped = false;  // superscripts stay low
+    bool cramped = false;  // superscripts are raised less
 };
 
 bool is_script(MathStyle style);
@@ -23,12 +23,11 @@ MathStyle subscript_style(MathStyle style);
 MathStyle numerator_style(MathStyle style);
 MathStyle denominator_style(MathStyle style);
 
-// Space between two neighbours, in eighteenths of a quad.
+// Space between two neighbouring atoms, in 1/18 em.
 int spacing_mu(AtomClass left, AtomClass right, MathStyle style);
 
-// The classes of the atoms of a list as spacing sees them, one each: a binary operation needs
-// something on both sides, otherwise it is a sign, an ordinary atom (The TeXbook, appendix G, rules
-// 5 and 6).
+// The class of each atom of a list for spacing: a binary operator without an operand on both sides
+// is a sign, an ordinary atom (The TeXbook, appendix G, rules 5 and 6).
 std::vector<AtomClass> spacing_classes(const MathList& atoms);
 
 }  // namespace poinsot

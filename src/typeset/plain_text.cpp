@@ -13,8 +13,8 @@ namespace {
 
 std::string plain(const MathList& list);
 
-// Mathematical alphanumeric symbols (U+1D400 …) go back to the letters that they show: fifty-two
-// Latin letters a style, then fifty-eight Greek ones, then digits.
+// Converts mathematical alphanumeric symbols (U+1D400 …) to plain letters: 52 Latin letters per
+// style, then 58 Greek ones per style, then digits.
 char32_t plain_letter(char32_t code) {
     if (code >= 0x1D400 && code < 0x1D6A4) {
         const char32_t letter = (code - 0x1D400) % 52;
@@ -41,7 +41,7 @@ std::string plain(const TextRun& run) {
     return text;
 }
 
-// A script of characters that Unicode has as scripts, or behind its mark.
+// Writes a script with Unicode's script characters if all exist, else after _ or ^.
 std::string script(std::string text, bool above) {
     std::erase(text, ' ');
     constexpr std::array<std::pair<char, std::pair<char32_t, char32_t>>, 12> known{{
@@ -73,7 +73,7 @@ std::string script(std::string text, bool above) {
     return scripts;
 }
 
-// What stands over or under a line, in brackets where it is more than one thing.
+// An operand of a fraction or root, in brackets if it consists of several parts.
 std::string operand(const MathList& list) {
     const std::string text = plain(list);
     return list.size() > 1 ? "(" + text + ")" : text;
@@ -112,7 +112,7 @@ std::string plain(const MathAtom& atom) {
             text = plain(atom.body);
             break;
     }
-    // Relations stand apart, and so does what adds.
+    // Relations and binary operators get spaces.
     const bool apart = atom.atom_class == AtomClass::rel || atom.atom_class == AtomClass::bin;
     if (apart && atom.kind == Kind::symbol) text = " " + text + " ";
     if (atom.has_subscript) text += script(plain(atom.subscript), false);

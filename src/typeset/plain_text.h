@@ -1,4 +1,4 @@
-// A caption as text without layout, for subtitles and whoever reads aloud.
+// Captions as plain text, for subtitles and screen readers.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace poinsot {
 
-// "I = ½ m r²" of "$I = \frac12 m r^2$": scripts as Unicode has them where it does, else behind _
-// or ^; a fraction as a/b, a root behind √; letters of mathematical alphabets as plain ones. Throws
-// LabelError as parse_caption.
+// Returns "I = ½ m r²" for "$I = \frac12 m r^2$": scripts as Unicode characters if they exist, else
+// after _ or ^; a fraction as a/b, a root after √; letters of mathematical alphabets as plain
+// letters. Throws LabelError as parse_caption does.
 std::string plain_text(std::string_view caption);
 
 }  // namespace poinsot

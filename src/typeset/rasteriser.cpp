@@ -7,8 +7,8 @@
 namespace poinsot {
 namespace {
 
-// A chord may leave its cubic by this much. The area lost along an edge is two thirds of it, a
-// third of the 1/255 that a mask can show.
+// Largest distance of a chord from its cubic. The lost area along an edge is two thirds of it, a
+// third of the 1/255 that a mask can represent.
 constexpr double flatness_px = 0.002;
 constexpr int max_chords = 4096;
 
@@ -48,7 +48,7 @@ void Rasteriser::add(const GlyphOutline& outline, double x_px, double y_px, doub
     const auto place = [=](OutlinePoint p) {
         return OutlinePoint{x_px + p.x * px_per_unit, y_px - p.y * px_per_unit};
     };
-    // A band of rows takes only the outlines that reach it.
+    // Skip outlines that do not reach this band of rows.
     if (y_px - outline.min_y * px_per_unit < first_row_ ||
         y_px - outline.max_y * px_per_unit > first_row_ + n_rows_) {
         return;
@@ -78,8 +78,8 @@ void Rasteriser::add_rectangle(double left, double top, double right, double bot
     line({right, bottom}, {right, top});
 }
 
-// As many chords of equal parameter as Wang's bound asks for: the distance from a chord of n is at
-// most 6·max|second difference| / (8 n²) (G. Wang, 1984).
+// Divides the cubic into n chords of equal parameter length. By Wang's bound, the distance from a
+// chord is at most 6·max|second difference| / (8 n²) (G. Wang, 1984).
 void Rasteriser::cubic(OutlinePoint p0, OutlinePoint p1, OutlinePoint p2, OutlinePoint p3) {
     const double bend =
         std::max(square(second_difference(p0, p1, p2)), square(second_difference(p1, p2, p3)));
@@ -99,10 +99,10 @@ void Rasteriser::cubic(OutlinePoint p0, OutlinePoint p1, OutlinePoint p2, Outlin
     }
 }
 
-// Cuts an edge at the rows it crosses.
+// Cuts an edge at the rows that it crosses.
 void Rasteriser::line(OutlinePoint from, OutlinePoint to) {
     if (from.y == to.y) return;
-    // Running down counts positive.
+    // Downward edges count as positive.
     const double direction = from.y < to.y ? 1.0 : -1.0;
     if (direction < 0.0) std::swap(from, to);
     const double top = std::max(from.y, static_cast<double>(first_row_));
@@ -137,8 +137,8 @@ void Rasteriser::line(OutlinePoint from, OutlinePoint to) {
     }
 }
 
-// Cuts an edge within one row at the columns it crosses. A part of height h whose middle lies m
-// into its column covers h·(1 − m) of that column and h of every later one.
+// Cuts an edge within one row at the columns that it crosses. A part of height h whose middle is at
+// a fraction m of its column covers h·(1 − m) of that column and h of every later one.
 void Rasteriser::row_part(double* row, double x0, double x1, double height) {
     if (x0 > x1) std::swap(x0, x1);
     const int first = std::min(static_cast<int>(x0), width_);
@@ -181,7 +181,7 @@ std::vector<double> Rasteriser::coverage() const {
 }
 
 void Rasteriser::write(std::uint8_t* rows) const {
-    // Coverage is never negative, so that adding a half and cutting rounds to nearest.
+    // Coverage is never negative, so adding a half and truncating rounds to nearest.
     constexpr double a_half = 0.5;
     sum_rows([&rows](double part) { *rows++ = static_cast<std::uint8_t>(255.0 * part + a_half); });
 }

@@ -1,4 +1,4 @@
-// From outlines to coverage: the exact area of a shape within each pixel.
+// Computes the exact area coverage of outlines in each pixel.
 #pragma once
 
 #include <cstdint>
@@ -8,27 +8,28 @@
 
 namespace poinsot {
 
-// Collects the signed area to the right of every edge, pixel by pixel, and sums it along each row:
-// the running sum is the winding number averaged over the pixel, so no sampling is involved. (The
-// idea of exact-area coverage with a difference buffer is known from FreeType's smooth renderer and
-// from R. Levien's font-rs.) Overlapping contours of the same direction count as one, the absolute
-// sum being cut at 1. Uses only correctly rounded operations: the same numbers on every machine.
+// Accumulates the signed area to the right of every edge per pixel, and sums it along each row. The
+// running sum is the winding number averaged over the pixel, so that nothing is sampled. (Exact
+// area coverage with a difference buffer is known from FreeType's smooth renderer and from R.
+// Levien's font-rs.) Overlapping contours of the same direction count once, since the absolute sum
+// is clamped to 1. Uses only correctly rounded operations, so that the results are the same on
+// every machine.
 //
-// Axes: pixels, x right, y down; the buffer holds columns 0…width and rows first_row…+n_rows.
-// Everything must lie within the columns; what lies outside the rows is passed over.
+// Axes: pixels, x right, y down; the buffer holds columns 0…width and n_rows rows from first_row
+// on. Precondition: all input lies within the columns; parts outside the rows are ignored.
 class Rasteriser {
  public:
     Rasteriser(int width, int first_row, int n_rows);
 
-    // Adds an outline placed at (x_px, y_px), scaled by px_per_unit, its y axis turned down.
+    // Adds an outline at (x_px, y_px), scaled by px_per_unit, with its y axis pointing down.
     void add(const GlyphOutline& outline, double x_px, double y_px, double px_per_unit);
-    // Adds an axis-parallel rectangle, turned like an outer contour of an outline (anticlockwise in
-    // y-up axes is `outer_is_anticlockwise`).
+    // Adds an axis-parallel rectangle with the orientation of an outer contour
+    // (`outer_is_anticlockwise` refers to y-up axes).
     void add_rectangle(double left, double top, double right, double bottom);
 
     // Coverage 0…1 of each pixel, row by row.
     std::vector<double> coverage() const;
-    // The same in 255ths, rounded to nearest, written to n_rows rows of `width` bytes.
+    // Coverage in 1/255, rounded to nearest, written to n_rows rows of `width` bytes.
     void write(std::uint8_t* rows) const;
 
  private:

@@ -119,7 +119,7 @@ std::vector<LabelCommand> make_commands() {
         bin("otimes", U'⊗'),
         bin("oplus", U'⊕'),
         bin("wedge", U'∧'),
-        // Others.
+        // Other symbols.
         symbol("infty", U'∞'),
         symbol("partial", U'∂'),
         symbol("nabla", U'∇'),
@@ -210,7 +210,7 @@ std::vector<LabelCommand> make_commands() {
         fraction("tfrac", MathAtom::FractionStyle::text),
         {.name = "left", .kind = Kind::left, .atom_class = AtomClass::inner},
         {.name = "right", .kind = Kind::right},
-        // Spaces, in eighteenths of a quad (The TeXbook, p. 167); \  is an interword space.
+        // Spaces in 1/18 em (The TeXbook, p. 167); "\ " is an interword space.
         space(",", 3),
         space(":", 4),
         space(">", 4),

@@ -1,4 +1,4 @@
-// The names that labels may use: a table from command to Unicode.
+// The commands of labels: a table from command name to Unicode.
 #pragma once
 
 #include <string_view>
@@ -9,19 +9,19 @@
 
 namespace poinsot {
 
-// What follows a command's name.
+// The kind of a command, with its arguments in comments.
 enum class CommandKind {
-    symbol,         // nothing: one character
-    big,            // nothing: a large operator with limits
-    integral,       // nothing: a large operator with scripts beside it
-    function_name,  // nothing: upright letters, such as sin
-    alphabet,       // an argument, in another alphabet
-    text,           // an argument of running text
-    accent,         // an argument
-    overline,       // an argument
-    radical,        // an argument, after an optional degree in brackets
+    symbol,         // no argument: one character
+    big,            // no argument: a large operator with limits
+    integral,       // no argument: a large operator with scripts to the right
+    function_name,  // no argument: upright letters, such as sin
+    alphabet,       // one argument, set in another alphabet
+    text,           // one argument of running text
+    accent,         // one argument
+    overline,       // one argument
+    radical,        // one argument, after an optional degree in brackets
     fraction,       // two arguments
-    space,          // nothing
+    space,          // no argument
     left,           // a delimiter, a formula, \right and another delimiter
     right
 };
@@ -37,14 +37,14 @@ struct LabelCommand {
     MathAtom::FractionStyle fraction_style = MathAtom::FractionStyle::automatic;
 };
 
-// All commands of mathematics, by name.
+// All commands for mathematics, sorted by name.
 const std::vector<LabelCommand>& label_commands();
 
-// The command of that name, or null.
+// The command of this name, or null.
 const LabelCommand* find_label_command(std::string_view name);
 
-// The class of a character that stands for itself in a formula, and the character that is drawn for
-// it (- is drawn as a minus sign).
+// Returns the character that is drawn for an input character of a formula (- is drawn as a minus
+// sign); symbol_class returns the class of a drawn character.
 LabelCharacter drawn_symbol(LabelCharacter character);
 AtomClass symbol_class(char32_t drawn);
 

@@ -1,4 +1,4 @@
-// What has been set: glyphs and rules at their places, and the box that they stand in.
+// The output of typesetting: placed glyphs and rules, and their box.
 #pragma once
 
 #include <cstddef>
@@ -15,22 +15,22 @@ struct PlacedGlyph {
     double px_per_unit = 0.0;
 };
 
-// A filled rectangle. The glyphs from first_glyph up to last_glyph join it (a root's sign and its
-// bar) and move with it when it is moved to whole pixels.
+// A filled rectangle. The glyphs from first_glyph up to last_glyph are attached to it (a root's
+// sign to its bar) and move with it when it is aligned to whole pixels.
 struct PlacedRule {
     double x = 0.0, y = 0.0;  // px, lower left corner, y up
     double width = 0.0, thickness = 0.0;
     std::size_t first_glyph = 0, last_glyph = 0;
 };
 
-// px; height and depth are above and below the baseline.
+// In px; height and depth are above and below the baseline.
 struct TypeBox {
     double width = 0.0, height = 0.0, depth = 0.0;
     std::vector<PlacedGlyph> glyphs;
     std::vector<PlacedRule> rules;
 
-    // Takes over what another box holds, its origin at (x, y), and grows to hold it in height and
-    // depth; the width stays.
+    // Adds the contents of another box with its origin at (x, y), and enlarges height and depth to
+    // contain them; the width does not change.
     void place(const TypeBox& other, double x, double y);
 };
 

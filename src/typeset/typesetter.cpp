@@ -15,7 +15,7 @@ namespace poinsot {
 namespace {
 
 constexpr double size_limit_px = 4096.0;
-// A band of rows of a large mask is summed at a time, so that the buffer stays within the cache.
+// A large mask is computed in bands of rows, so that the buffer fits into the CPU cache.
 constexpr std::size_t band_pixels = 1u << 18;
 
 void check_style(const TypeStyle& style) {
@@ -48,8 +48,8 @@ SetType set_type(std::string_view text, const TypeStyle& style, FontSet& fonts) 
     return {std::move(caption.box), caption.n_lines};
 }
 
-// Moves the upper edge of every rule to a whole pixel, and what joins the rule with it: a bar is
-// one crisp edge instead of two grey ones.
+// Aligns the upper edge of every rule, and the glyphs attached to it, to whole pixels: a bar has a
+// sharp edge instead of two grey rows.
 void align_rules(TypeBox& box) {
     for (PlacedRule& rule : box.rules) {
         const double top = rule.y + rule.thickness;
@@ -59,7 +59,7 @@ void align_rules(TypeBox& box) {
     }
 }
 
-// The smallest box of whole pixels around the ink; y turned down.
+// The smallest box of whole pixels around the ink; y down.
 struct InkBox {
     double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
     bool empty = true;

@@ -1,4 +1,4 @@
-// Sets labels and captions: from a TeX-like string to a coverage mask, ready to be coloured.
+// Typesets labels and captions: from a TeX-like string to a coverage mask that can be coloured.
 #pragma once
 
 #include <cstdint>
@@ -24,27 +24,28 @@ enum class TypeAlignment { left, centre, right };
 struct TypeStyle {
     double size_px = 24.0;  // px per em, 1…4096
     TypeMode mode = TypeMode::math;
-    double max_width_px = 0.0;  // captions are wrapped at spaces to this width; 0: not wrapped
+    double max_width_px = 0.0;  // captions are wrapped at spaces to this width; 0: no wrapping
     TypeAlignment alignment = TypeAlignment::left;
-    double line_spacing = 1.3;  // from baseline to baseline, in ems; lines that need more get more
+    double line_spacing = 1.3;  // distance of baselines, in ems; increased for tall lines
     bool operator==(const TypeStyle&) const = default;
 };
 
-// Where the ink lies. The pen starts in the pixel column and on the row boundary given: place a
-// mask's upper left corner at (pen_x + left_px, baseline_y − baseline_px), both whole, and it is as
-// crisp as it can be and does not move when its text changes.
+// The bounding box of the ink. For sharp glyphs that do not move when the text changes, place the
+// mask's upper left corner at (pen_x + left_px, baseline_y − baseline_px), both whole numbers.
 struct TypeExtent {
     int width = 0,
-        height = 0;   // px, of the smallest whole-pixel box around the ink; 0 if there is none
+        height = 0;   // px, of the smallest whole-pixel box around the ink; 0 if there is no ink
     int left_px = 0;  // from the pen's start to the left side of the box, x right
-    double baseline_px = 0.0;  // from the upper side of the box down to the first baseline; whole
+    double baseline_px = 0.0;  // from the upper side of the box down to the first baseline; a whole
+                               // number
     double advance_px = 0.0;   // from the pen's start to its end on the widest line
     int n_lines = 0;
 };
 
-// A glyph of a mask by its number in its font; pixels from the mask's upper left corner, y down.
+// A glyph of a mask, by its number in its font; positions in px from the mask's upper left corner,
+// y down.
 struct SetGlyph {
-    const std::filesystem::path* font_file = nullptr;  // lives as long as the typesetter
+    const std::filesystem::path* font_file = nullptr;  // valid as long as the typesetter
     std::uint32_t glyph = 0;
     double x_px = 0.0, baseline_px = 0.0;
     double em_px = 0.0;
@@ -55,32 +56,32 @@ struct SetRule {
 };
 
 struct TypesetMask : TypeExtent {
-    std::vector<std::uint8_t> coverage;  // width × height, row 0 on top, 255: inside
-    std::vector<SetGlyph> glyphs;        // what the coverage shows, in reading order
+    std::vector<std::uint8_t> coverage;  // width × height, row 0 is the top, 255: inside
+    std::vector<SetGlyph> glyphs;        // the glyphs of the mask, in reading order
     std::vector<SetRule> rules;
 };
 
-// Holds the fonts, and the outlines of the glyphs used so far, so that a caption whose numbers
-// change with every video frame costs only its own pixels. One thread at a time may use it.
+// Holds the fonts and caches outlines, so that a caption with changing numbers in each video frame
+// costs only its own pixels. Only one thread at a time may use it.
 class Typesetter {
  public:
-    // Opens no font before one is needed.
+    // Opens fonts only when they are needed.
     explicit Typesetter(FontSearch search = {});
     ~Typesetter();
     Typesetter(Typesetter&&) noexcept;
     Typesetter& operator=(Typesetter&&) noexcept;
 
-    // The mask of a label or caption (grammar: label_parser.h). The same string, style and fonts
-    // give the same bytes on every machine.
-    // What a run of text has and the fonts lack comes from another font of the system, or is a box.
-    // throws: LabelError for what the string says, InputError for a style out of its domain or a
-    // mask larger than mask_side_limit_px, EnvironmentError for a missing font.
+    // Returns the mask of a label or caption (grammar: label_parser.h). The same string, style and
+    // fonts give byte-identical masks on every machine. Characters that the fonts lack come from a
+    // system font, or are drawn as boxes. throws: LabelError for an invalid string, InputError for
+    // an invalid style or a mask larger than mask_side_limit_px, EnvironmentError for a missing
+    // font.
     TypesetMask set(std::string_view text, const TypeStyle& style = {}) const;
 
-    // The mask's extent without its pixels. throws: as set.
+    // Returns the mask's extent without drawing it. throws: as set.
     TypeExtent measure(std::string_view text, const TypeStyle& style = {}) const;
 
-    // The fonts of the system that stood in so far, and the characters that became boxes.
+    // The fallback fonts used so far, and the characters that were drawn as boxes.
     const std::vector<std::filesystem::path>& fallbacks_used() const;
     const std::vector<char32_t>& missing() const;
 
