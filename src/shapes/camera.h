@@ -1,4 +1,4 @@
-// Where a view is seen from, its light and what lies behind it.
+// Camera, light and background of a view.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,7 @@
 
 namespace poinsot {
 
-// Where a view is seen from. Orthographic views use height_units instead of the angle.
+// A camera. Orthographic views use height_units instead of the angle.
 struct Camera {
     Eigen::Vector3d eye{3.0, -4.0, 2.0};
     Eigen::Vector3d target = Eigen::Vector3d::Zero();
@@ -18,7 +18,7 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-// One light from a direction, plus an even sky light.
+// One directional light, plus uniform sky light.
 struct Light {
     Eigen::Vector3d towards{0.3, -0.6,
                             0.8};  // unit; from the scene towards the light, picture axes

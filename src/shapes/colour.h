@@ -1,4 +1,4 @@
-// A colour as pictures hold it.
+// A colour as stored in pictures.
 #pragma once
 
 namespace poinsot {

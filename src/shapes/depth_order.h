@@ -1,4 +1,4 @@
-// Which arrows and dots of a view lie on top of which.
+// The order in which arrows and dots of a view cover each other.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,20 +8,20 @@
 
 namespace poinsot {
 
-// A point as a picture has it, in whatever unit the picture counts.
+// A projected point, in the picture's unit.
 struct SeenPoint {
     Eigen::Vector2d at;
     double depth = 0.0;  // view units along the camera's axis
 };
 
-// The axis of an arrow.
+// The projected axis of an arrow.
 struct SeenAxis {
     SeenPoint tail, tip;
 };
 
-// Numbers of arrows, then of dots, from the back to the front: each is put before the first that it
-// is not in front of. Of two at one depth, as arrows on one line are, the later lies on top,
-// whatever the last bits of their depths say.
+// Returns numbers of arrows, then of dots, from back to front. Each one is inserted before the
+// first that it is not in front of. Of two at equal depth, such as arrows on one line, the later
+// one is in front, independent of rounding in their depths.
 std::vector<std::size_t> back_to_front(std::span<const SeenAxis> arrows,
                                        std::span<const SeenPoint> dots, bool perspective);
 

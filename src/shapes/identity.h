@@ -1,12 +1,12 @@
-// Numbers that name geometry and masks, so that a renderer may keep what it has uploaded.
+// Unique ids of geometry and masks, with which a renderer caches its uploads.
 #pragma once
 
 #include <cstdint>
 
 namespace poinsot {
 
-// A number that no other geometry or mask of this process has. Which one it is never reaches a
-// pixel.
+// Returns an id that no other geometry or mask of this process has. Its value does not influence
+// any pixel.
 std::uint64_t next_identity();
 
 }  // namespace poinsot

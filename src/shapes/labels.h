@@ -1,4 +1,4 @@
-// Type as coverage, placed in the picture.
+// Typeset text as coverage masks, placed in the picture.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,61 +11,62 @@
 
 namespace poinsot {
 
-// A glyph of set type, for renderers that draw outlines or write text. Pixels of the mask from its
-// upper left corner, y down.
+// A glyph of typeset text, for renderers that draw outlines or write text. Positions are in pixels
+// of the mask from its upper left corner, y down.
 struct MaskLetter {
-    const std::filesystem::path* font_file = nullptr;  // outlives the drawings that show it
-    std::uint32_t glyph = 0;                           // by its number in the font
+    const std::filesystem::path* font_file = nullptr;  // outlives the drawings that use it
+    std::uint32_t glyph = 0;                           // glyph number in the font
     double x_px = 0.0, baseline_px = 0.0;
     double em_px = 0.0;
 };
 
-// A filled rectangle of set type: the bar of a fraction.
+// A filled rectangle of typeset text, such as the bar of a fraction.
 struct MaskRule {
     double left_px = 0.0, top_px = 0.0, width_px = 0.0, height_px = 0.0;
 };
 
-// What was set, for renderers that leave setting to another: the string as typeset/ takes it.
+// The text of a mask, for programs that typeset it themselves: the string in the grammar of
+// typeset/.
 struct SetText {
     std::string text;
-    bool is_formula = true;     // else running text with formulas
-    double em_px = 0.0;         // of the mask's pixels, as are these
-    double baseline_px = 0.0;   // the first line's, from the mask's upper side
-    double max_width_px = 0.0;  // of its lines; 0: it has one
+    bool is_formula = true;     // false: running text with formulas
+    double em_px = 0.0;         // in pixels of the mask, as the following members
+    double baseline_px = 0.0;   // of the first line, from the mask's upper side
+    double max_width_px = 0.0;  // of its lines; 0: one line
 };
 
-// A shape already flattened to the picture that is looked at: glyph outlines and rules as one
-// coverage mask. In a picture drawn with several samples a pixel each of the mask's pixels is
-// `samples` of the picture's a side, and all samples of a pixel show the same ink: their mean is
-// the type that one sample a pixel shows.
+// Typeset text as one coverage mask of glyph outlines and rules. If a picture is drawn with several
+// samples per pixel, each pixel of the mask is a square of `samples` × `samples` picture pixels,
+// and all samples of a pixel have the same ink, so that their mean equals the text drawn with one
+// sample per pixel.
 struct GlyphMask {
-    std::uint64_t id = 0;  // unique for its pixels
+    std::uint64_t id = 0;  // unique for these pixels
     int width = 0, height = 0;
     int samples = 1;
-    std::vector<std::uint8_t> coverage;  // row 0 on top
-    std::vector<MaskLetter> letters;     // what the coverage shows
+    std::vector<std::uint8_t> coverage;  // row 0 is the top
+    std::vector<MaskLetter> letters;     // the glyphs in the mask
     std::vector<MaskRule> rules;
     SetText source;
 
-    // In pixels of the picture that is drawn.
+    // In pixels of the picture being drawn.
     int width_px() const { return samples * width; }
     int height_px() const { return samples * height; }
 };
 
-// Type set beforehand (typeset/), placed in pixels of the whole picture, drawn over everything of
-// its view.
+// Typeset text placed in pixels of the whole picture, drawn over everything else in its view.
 struct Label {
     const GlyphMask* mask = nullptr;
     Eigen::Vector2d top_left_px =
-        Eigen::Vector2d::Zero();  // picture pixels, y down; whole pixels keep it crisp
+        Eigen::Vector2d::Zero();  // picture pixels, y down; whole pixels keep the text sharp
     Colour colour;
     Colour halo_colour{1.0, 1.0, 1.0};
     double halo_px = 0.0;
     double opacity = 1.0;
-    // From the left, the share of its width that stays in place where another sets its text and
-    // makes it wider or narrower.
+    // The share of its width, from the left, that stays in place if another program typesets the
+    // text wider or narrower.
     double held_at = 0.5;
-    int rank = 0;  // where there is no room for all on paper, what has a higher one is left out
+    int rank = 0;  // if there is not enough room on paper, labels with the highest rank are omitted
+                   // first
 };
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// What is drawn with a width in pixels: curves, arrows and dots.
+// Objects drawn with a width in pixels: curves, arrows and dots.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,49 +11,50 @@
 
 namespace poinsot {
 
-// Points of a curve, made once and shared by all video frames; owned by the stage, which outlives
-// its drawings. `id` is unique in the process, so that a renderer may keep the uploaded geometry.
+// The points of a curve, made once and shared by all video frames. Owned by the stage, which
+// outlives its drawings. `id` is unique in the process, so that a renderer can cache the uploaded
+// geometry.
 struct CurveGeometry {
     std::uint64_t id = 0;
     std::vector<Eigen::Vector3d> points;
-    bool closed = false;  // the last point joins the first (not repeated)
-    // Asked by renderers that draw curves rather than points; none where the points are all that
-    // there is.
+    bool closed = false;  // the last point is joined to the first, which is not repeated
+    // Makes the smooth form, for renderers that draw curves instead of points; empty if only the
+    // points exist.
     SmoothMaker smooth{};
 };
 
 enum class Occlusion {
-    none,      // always drawn in full: it lies on top of everything
+    none,      // always drawn in full, on top of everything
     by_solids  // parts behind or inside an ellipsoid, mesh or plane are drawn in the hidden style
 };
 
 enum class HiddenStyle { dimmed, dashed, absent };
 
-// A line of constant width in pixels along part of a geometry, with round joins and caps.
+// A line of constant width in pixels along a part of a geometry, with round joins and caps.
 struct Curve {
     const CurveGeometry* geometry = nullptr;
     Eigen::Affine3d placement = Eigen::Affine3d::Identity();  // view axes from the geometry's axes
     double first =
-        0.0;  // range shown, in points (fractions cut a segment); first > last shows nothing
+        0.0;  // the range drawn, in points (fractions cut a segment); first > last draws nothing
     double last = 1e300;  // clamped to the number of points
     double width_px = 3.0;
     Colour colour;
     double opacity = 1.0;
     double hidden_opacity = 0.3;
     HiddenStyle hidden = HiddenStyle::dimmed;
-    double dash_px = 0.0;  // length of a dash; 0: solid
-    double gap_px = 0.0;   // between dashes; 0: as long as they
-    double fade_points =
-        0.0;  // opacity falls linearly to 0 over this many points behind `last`; 0: full history
+    double dash_px = 0.0;      // length of a dash; 0: solid
+    double gap_px = 0.0;       // between dashes; 0: equal to dash_px
+    double fade_points = 0.0;  // opacity falls linearly to 0 over this many points before `last`;
+                               // 0: constant opacity
     Occlusion occlusion = Occlusion::by_solids;
-    int on_surface = -1;   // index of the ellipsoid of this view that it lies on: visible where the
-                           // surface faces us
-    int on_plane = -1;     // index of the plane it lies on
-    bool lasting = false;  // whether nothing of it but `last` changes from picture to picture
+    int on_surface = -1;   // index of the ellipsoid of this view on which the curve lies; it is
+                           // visible where the surface faces the eye
+    int on_plane = -1;     // index of the plane on which the curve lies
+    bool lasting = false;  // whether only `last` changes from picture to picture
 };
 
-// A straight arrow with a shaded round shaft and a conical head; proportions are kept at any length
-// by the drawing layer.
+// A straight arrow with a shaded round shaft and a conical head. The drawing layer adapts the
+// sizes, so that short arrows keep their proportions.
 struct Arrow {
     Eigen::Vector3d tail = Eigen::Vector3d::Zero();
     Eigen::Vector3d tip = Eigen::Vector3d::UnitZ();
@@ -61,10 +62,10 @@ struct Arrow {
     double shaft_px = 4.0;  // full width
     double head_px = 14.0;  // full width of the head's base
     double head_length_px = 22.0;
-    double dash_px = 0.0;  // length of a dash of the shaft; 0: whole. Renderers get such an arrow
-                           // as its dashes, each an arrow of its own
+    double dash_px = 0.0;  // length of a dash of the shaft; 0: solid. Renderers receive a dashed
+                           // arrow as one arrow per dash
     double opacity = 1.0;
-    double hidden_opacity = 0.45;  // below 0: left out where hidden
+    double hidden_opacity = 0.45;  // below 0: omitted where hidden
     Occlusion occlusion = Occlusion::by_solids;
 };
 
@@ -76,11 +77,11 @@ struct Dot {
     Colour rim_colour{1.0, 1.0, 1.0};
     double rim_px = 1.5;
     double opacity = 1.0;
-    double hidden_opacity = 0.4;  // below 0: left out where hidden
+    double hidden_opacity = 0.4;  // below 0: omitted where hidden
     Occlusion occlusion = Occlusion::by_solids;
 };
 
-// Those of a view, as SolidLists.
+// The curves, arrows and dots of a view; used like SolidLists.
 struct LineLists {
     std::vector<Curve> curves;
     std::vector<Arrow> arrows;

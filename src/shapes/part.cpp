@@ -9,10 +9,10 @@ namespace poinsot {
 
 namespace {
 
-// A mask below this side is kept whole: it is then uploaded once for all parts.
+// A mask smaller than this is kept whole: then one upload serves all parts.
 constexpr int largest_whole_mask_px = 1024;
 
-// The pixels of a mask from (x, y) on.
+// Crops a mask to a rectangle whose corner is (x, y).
 GlyphMask cut(const GlyphMask& mask, int x, int y, int width, int height) {
     GlyphMask part;
     part.id = next_identity();
@@ -27,13 +27,13 @@ GlyphMask cut(const GlyphMask& mask, int x, int y, int width, int height) {
     return part;
 }
 
-// The label of a part, in its pixels already; adds it to the view unless it lies outside.
+// Adds the label of a part, already in the part's pixels, unless it lies outside.
 void add_label(Label label, const PixelArea& area, View& view) {
     if (label.mask == nullptr) return;
     const GlyphMask& mask = *label.mask;
     const int n = mask.samples;
     const double reach = std::ceil(std::max(label.halo_px / n, 0.0)) + 2.0;
-    // Columns and rows of the mask whose ink or halo reaches into the part.
+    // The columns or rows of the mask whose ink or halo extends into the part.
     const auto range = [n, reach](double corner_px, int size, int room_px) {
         const double corner = corner_px / n, room = 1.0 * room_px / n;
         const double first = std::clamp(std::floor(-corner - reach), 0.0, 1.0 * size);
@@ -61,7 +61,7 @@ Drawing part_of(const Drawing& whole, const PixelArea& area) {
     part.background_top_px = whole.background_top_px - area.y_px;
     part.background_rows_px =
         whole.background_rows_px > 0 ? whole.background_rows_px : whole.height_px;
-    // Labels refer to masks of their own view, which a list that grows would copy.
+    // Labels refer to masks of their own view, so reallocation must not copy the views.
     part.views.reserve(whole.views.size());
     for (const View& view : whole.views) {
         View& shifted = part.views.emplace_back(view);
@@ -69,7 +69,7 @@ Drawing part_of(const Drawing& whole, const PixelArea& area) {
         shifted.y_px -= area.y_px;
         shifted.labels.clear();
         shifted.live_masks.clear();
-        shifted.live_curves.clear();  // the whole keeps those that its curves refer to
+        shifted.live_curves.clear();  // the whole drawing owns those to which the curves refer
         for (Label label : view.labels) {
             label.top_left_px -= Eigen::Vector2d(area.x_px, area.y_px);
             add_label(label, area, shifted);

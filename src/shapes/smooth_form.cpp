@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_pieces = std::size_t{1} << 20U;
 
-// Hermite's cubic by its Bézier points.
+// The Hermite cubic by its Bézier points.
 CubicPiece hermite(double from, const CurveFlow& begin, double to, const CurveFlow& end) {
     const double third = (to - from) / 3.0;
     return {from,
@@ -20,7 +20,7 @@ CubicPiece hermite(double from, const CurveFlow& begin, double to, const CurveFl
              end.position - third * end.velocity, end.position}};
 }
 
-// Appends the cubics of a curve from the end of one to the next, and notes how far off they are.
+// Appends the cubics of a curve one after the other, and records their largest deviation.
 class CubicFitter {
  public:
     CubicFitter(const std::function<CurveFlow(double)>& curve, double tolerance)
@@ -85,7 +85,7 @@ double SmoothForm::parameter_at(double point) const {
 
 SmoothMaker placed(SmoothMaker maker, const Eigen::Affine3d& map) {
     return [maker = std::move(maker), map](double tolerance) {
-        // The largest factor by which the map stretches anything.
+        // The largest stretch of the map.
         const double stretch = map.linear().jacobiSvd().singularValues()[0];
         SmoothForm smooth = maker(tolerance / stretch);
         smooth.off *= stretch;

@@ -6,7 +6,7 @@
 namespace poinsot {
 namespace {
 
-// Taken from everywhere, so that the shadow's rim is not seen: 0.4 levels of white.
+// Subtracted everywhere, so that the shadow's rim is invisible: 0.4 levels of white.
 constexpr double unseen = 1.0 / 256.0;
 
 }  // namespace
@@ -36,14 +36,15 @@ SoftShadow::SoftShadow(const Plane& on, const UnitSphere& caster, double presenc
         return (x - plane_->normal.dot(x - plane_->centre) * plane_->normal).eval();
     };
     hub_ = foot(lowest);
-    // The lamp stands higher than the key light: a shadow near the touch is calmer than a long one.
+    // The lamp is higher than the key light: a shadow near the point of contact looks calmer than a
+    // long one.
     constexpr double raised = 0.8;
     const Eigen::Vector3d towards_key = light.towards.normalized();
     const Eigen::Vector3d towards =
         (towards_key + (raised + std::max(0.0, -towards_key.dot(up))) * up).normalized();
     const Eigen::Vector3d lee =
         foot(centre_ - towards * (std::abs(height) / std::max(towards.dot(up), 0.3)));
-    // Beyond two of its radii a sphere on the plane takes no more than two levels.
+    // Beyond two radii, a sphere on the plane blocks at most two levels.
     middle_ = 0.5 * (foot(centre_) + lee);
     radius_ =
         std::max(2.0 * caster.axes.colwise().norm().maxCoeff(), 1.2 * (middle_ - hub_).norm());
@@ -52,16 +53,17 @@ SoftShadow::SoftShadow(const Plane& on, const UnitSphere& caster, double presenc
 }
 
 double SoftShadow::darkness(const Eigen::Vector3d& point) const {
-    constexpr double lamp = 0.33;  // sine of half the angle that the key light fills
+    constexpr double lamp = 0.33;  // sine of half the angle of the lamp that represents the key
+                                   // light
     constexpr double far_sky = 0.07;
     const Eigen::Vector3d u = to_u_ * (point - centre_);
     const double nearness = std::min(1.0 / u.norm(), 1.0);
     const Eigen::Vector3d towards = -nearness * u;
-    // Cosine-weighted share of the sky behind a sphere, brought to zero a few radii away.
+    // Cosine-weighted share of the sky that a sphere blocks, reduced to zero at a few radii.
     const double hidden = std::max(normal_u_.dot(towards), 0.0) * nearness * nearness;
     const double sky_taken = std::max(hidden - far_sky, 0.0) / (1.0 - far_sky);
-    // Overlap of the lamp's disc with the sphere's: by the sine of the sphere's angular radius less
-    // the angle to the lamp, continued past a right angle.
+    // Overlap of the discs of lamp and sphere, by the sine of the sphere's angular radius minus the
+    // angle to the lamp, continued beyond a right angle.
     const double towards_lamp = lamp_u_.dot(towards);
     double beside_lamp = std::sqrt(std::max(1.0 - towards_lamp * towards_lamp, 0.0));
     if (towards_lamp < 0.0) beside_lamp = 2.0 - beside_lamp;
