@@ -13,9 +13,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "pixels are taken apart as words");
 
-constexpr int side = 8;  // of the dither's matrix
+constexpr int side = 8;  // of the dither matrix
 
-// Bayer's matrix of thresholds, in 256ths of a level: 128 ± 0.42 levels.
+// Bayer's threshold matrix, in 1/256 of a level: 128 ± 0.42 levels.
 constexpr std::array<std::array<std::uint16_t, side>, side> make_thresholds() {
     std::array<std::array<std::uint16_t, side>, side> thresholds{};
     for (int y = 0; y < side; ++y) {
@@ -46,8 +46,7 @@ void Encoder::encode_opaque(const std::uint16_t* linear, int x, int y, int n,
                             std::uint8_t* out) const {
     const std::uint16_t* levels = levels_.data();
     const auto& row = thresholds[static_cast<std::size_t>(y % side)];
-    // A pixel is loaded and stored as one word: three times the loads would cost half as much
-    // again.
+    // Loads and stores each pixel as one word: three loads would take half as much time again.
     for (int k = 0; k < n; ++k, linear += 4, out += 4) {
         const std::uint32_t threshold = row[static_cast<std::size_t>(x + k) % side];
         std::uint64_t pixel = 0;

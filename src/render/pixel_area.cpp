@@ -42,8 +42,8 @@ PixelBox ball_box(const Projection& projection, const Eigen::Vector3d& centre, d
     const double nearest = projection.depth(centre) - radius;
     if (projection.perspective && nearest <= projection.near_depth) return box_of(projection);
     PixelBox ball;
-    // A ball's picture reaches at most this far from its middle's: its radius at its nearest
-    // depth, and the slant of the line of sight over its depth.
+    // A bound of the distance of a sphere's image from the image of its centre: the radius at its
+    // nearest depth, and the slant of the line of sight relative to its depth.
     const Eigen::Vector2d middle = projection.place(centre);
     const double slant =
         projection.perspective ? (middle - projection.centre).norm() / projection.focal : 0.0;
@@ -73,7 +73,8 @@ PlaneMap map_of(const Projection& projection, const Eigen::Vector3d& centre,
     PlaneMap map;
     map.anchor_px = projection.centre;
     const Eigen::Vector3d normal = along.cross(across);
-    // Directions of the line of sight as columns: its change with x and y, and at the anchor.
+    // Directions of the line of sight as columns: derivatives in x and y, and the direction at the
+    // anchor.
     Eigen::Matrix3d rays;
     rays << projection.right / projection.focal, projection.down / projection.focal,
         projection.forward;
@@ -91,7 +92,7 @@ PlaneMap map_of(const Projection& projection, const Eigen::Vector3d& centre,
         const double descent = normal.dot(projection.forward);
         map.edge_on = std::abs(descent) < 1e-6;
         if (map.edge_on) return map;
-        // Origins are affine in the pixel, the direction is always the same.
+        // Origins are affine in the pixel; the direction is constant.
         Eigen::Matrix3d origins = rays;
         origins.col(2) = from_centre;
         const Eigen::RowVector3d reach = -normal.transpose() * origins / descent;

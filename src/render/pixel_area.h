@@ -1,5 +1,4 @@
-// Which pixels of the whole picture a shape may cover: x right, y down, pixel centres at half
-// integers.
+// The pixels that a shape may cover: x right, y down, pixel centres at half-integers.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +8,7 @@
 
 namespace poinsot {
 
-// A rectangle of pixels, not necessarily whole ones.
+// A rectangle of pixels; its sides may be fractional.
 struct PixelBox {
     double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300;
     bool operator==(const PixelBox&) const = default;
@@ -18,10 +17,10 @@ struct PixelBox {
     PixelBox within(const PixelBox& other) const;
 };
 
-// The view of a projection.
+// The rectangle of a projection's view.
 PixelBox box_of(const Projection& projection);
 
-// A convex polygon in pixels, to be drawn as a fan.
+// A convex polygon in pixels, drawn as a triangle fan.
 struct PixelPolygon {
     static constexpr int most_corners = 16;
     std::array<Eigen::Vector2f, most_corners> corners;
@@ -32,18 +31,19 @@ struct PixelPolygon {
 
 PixelPolygon polygon_of(const PixelBox& box);
 
-// Box of a ball's picture; the whole view where it reaches behind the eye.
+// The bounding box of a sphere in the picture; the whole view if the sphere extends behind the eye.
 PixelBox ball_box(const Projection& projection, const Eigen::Vector3d& centre, double radius);
 
 // Coordinates on a plane as a homogeneous linear map of (x, y, 1), (x, y) = pixel - anchor_px:
-// along and across over the third, which is positive where the plane is before the eye.
+// along and across, divided by the third component, which is positive where the plane is in front
+// of the eye.
 struct PlaneMap {
     Eigen::Vector2d anchor_px;
     Eigen::Matrix3d plane_from_pixel;
     bool edge_on = false;  // the plane is seen as a line: nothing to draw
 };
 
-// A polygon about the picture of a disc; the whole view where the disc reaches behind the eye.
+// A polygon around a disc in the picture; the whole view if the disc extends behind the eye.
 PixelPolygon disc_polygon(const Projection& projection, const Eigen::Vector3d& centre,
                           const Eigen::Vector3d& along, const Eigen::Vector3d& across,
                           double radius);

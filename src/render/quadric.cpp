@@ -85,8 +85,9 @@ Quadric::Quadric(const Ellipsoid& ellipsoid, const Projection& projection)
     constexpr double margin_px = 1.5;
     outline = polygon_in(anchor_px + middle, about * (half_px[0] + margin_px) * narrow,
                          about * (half_px[1] + margin_px) * wide);
-    // Axes shorter by this bring the edge nearer by at least 2 inset √(ab)/(a + b), here 0.9 px. It
-    // is three widths of a line, whose distance the core tells by the change of u with the pixel.
+    // Axes shorter by this amount move the edge inwards by at least 2 inset √(ab)/(a + b), here 0.9
+    // px. The inset is three line widths, since the core computes a line's distance from the
+    // derivatives of u.
     constexpr double least_inset_px = 3.0, narrowest_px = 24.0, longest = 40.0;
     const double inset_px =
         std::min(std::max(least_inset_px, 3.0 * ellipsoid.section_px), 0.5 * half_px[0]);
@@ -97,7 +98,7 @@ Quadric::Quadric(const Ellipsoid& ellipsoid, const Projection& projection)
 }
 
 double Quadric::limb_cosine() const {
-    // It grows as the square root of the distance from the limb.
+    // The cosine grows as the square root of the distance from the limb.
     return std::clamp(std::sqrt(0.2 / std::max(narrow_px, 1e-6)), 1e-3, 0.5);
 }
 

@@ -1,4 +1,4 @@
-// Draws what stands still, kept from picture to picture, then what moves over it, view by view.
+// Draws the static content, which is cached, then the moving content over it, view by view.
 #include "render/renderer.h"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@
 namespace poinsot {
 namespace {
 
-// What the still layer shows; as long as it stays equal, the layer is kept.
+// The content of the static layer; the layer is reused as long as this stays equal.
 struct StillView {
     PixelBox box;
     Camera camera;
@@ -75,16 +75,16 @@ struct Renderer::Impl {
     ConePass cone_;
     LabelPass label_;
     MeshPass mesh_;
-    GlVertexArray empty_;  // for shapes whose corners come from uniforms
+    GlVertexArray empty_;  // for shapes whose corners are uniforms
 
     std::vector<ViewScene> scenes_;
-    std::vector<bool> overlaps_;  // whether what stands still in a view covers an earlier one
-    TileMask moving_, marks_;     // where something moves; what is drawn anew
-    std::vector<std::uint64_t> stamps_;  // as Canvas keeps them
+    std::vector<bool> overlaps_;         // whether static content of a view covers an earlier view
+    TileMask moving_, marks_;            // where something moves; what is redrawn
+    std::vector<std::uint64_t> stamps_;  // as Canvas stores them
     Background still_background_;
     int still_background_top_px_ = 0;
     std::vector<StillView> still_views_;
-    // Labels of the picture under way, and those that what stands still already shows.
+    // Labels of the current picture, and labels that are already part of the static content.
     std::vector<PlacedLabel> labels_, still_labels_;
     bool still_is_kept_ = false;
 };
@@ -103,7 +103,7 @@ void Renderer::Impl::prepare(const Drawing& drawing) {
     overlaps_.assign(n, false);
     for (std::size_t k = 0; k < n; ++k) {
         scenes_[k].prepare(drawing, drawing.views[k]);
-        // A view of labels alone leaves what lies under it as it is.
+        // A view with only labels does not cover anything.
         if (drawing.views[k].background.alpha <= 0.0 && drawing.views[k].planes.empty()) continue;
         for (std::size_t j = 0; j < k; ++j)
             if (!box_of(scenes_[k].projection).within(box_of(scenes_[j].projection)).empty())
@@ -111,7 +111,7 @@ void Renderer::Impl::prepare(const Drawing& drawing) {
     }
 }
 
-// Restricts drawing to whole pixels of the picture.
+// Restricts drawing to a rectangle of pixels.
 void Renderer::Impl::limit_to(const PixelBox& box) const {
     glEnable(GL_SCISSOR_TEST);
     glScissor(static_cast<GLint>(box.left), static_cast<GLint>(box.top),
@@ -186,7 +186,7 @@ void Renderer::Impl::mark_moving(const ViewScene& scene) {
     mesh_.mark(scene, moving_);
 }
 
-// Those that do not stand as they stood when what stands still was kept.
+// Marks the labels that differ from those in the cached static content.
 void Renderer::Impl::mark_labels() {
     const auto mark_missing = [this](const auto& labels, const auto& others) {
         for (const PlacedLabel& label : labels)
@@ -197,8 +197,8 @@ void Renderer::Impl::mark_labels() {
     mark_missing(still_labels_, labels_);
 }
 
-// What must be drawn anew: where something moves, and where what lasts looks otherwise than when it
-// was kept.
+// Marks everything to redraw: where something moves, and where lasting curves look different from
+// the cached picture.
 void Renderer::Impl::mark_all() {
     moving_.clear();
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
@@ -261,7 +261,7 @@ PictureCounts Renderer::Impl::counts() const {
     return {curves_.n_points_uploaded(), lasting_.n_segments_drawn(), n_tiles};
 }
 
-// Whether what stands still is what stood still in the picture before.
+// Whether the static content is the same as in the previous picture.
 bool Renderer::Impl::begin(const Drawing& drawing) {
     check_size(drawing);
     bool known = true;
@@ -305,7 +305,8 @@ void Renderer::Impl::render(const Drawing& drawing, Image& image) {
     const std::vector<PlacedLabel> labels_before =
         std::exchange(labels_, LabelPass::placed(drawing));
 
-    // What stood still in the picture before will likely stand still in the next, and is kept.
+    // Static content that was the same in the previous picture will probably stay the same: cache
+    // it.
     if (!known) {
         still_is_kept_ = false;
         marks_.fill();

@@ -1,4 +1,5 @@
-// Drawing → Image on an off-screen OpenGL context. The only folder that knows OpenGL and GLM.
+// Draws a Drawing to an Image with an off-screen OpenGL context. render/ is the only folder that
+// uses OpenGL and GLM.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +12,14 @@
 
 namespace poinsot {
 
-// What the last picture took, for tests and benchmarks.
+// The work done for the last picture, for tests and benchmarks.
 struct PictureCounts {
     std::int64_t n_points_uploaded = 0;   // of curves
-    std::int64_t n_lasting_segments = 0;  // drawn of curves that last, but for their last ones
-    std::int64_t n_tiles = 0;             // squares of the picture drawn anew
+    std::int64_t n_lasting_segments = 0;  // drawn for lasting curves, without their last segments
+    std::int64_t n_tiles = 0;             // tiles of the picture that were redrawn
 };
 
-// Draws drawings on the current context; keeps shaders, uploaded geometry and what stands still
+// Draws drawings on the current context; caches shaders, uploaded geometry and static content
 // between calls. Move-only.
 class Renderer {
  public:
@@ -30,7 +31,7 @@ class Renderer {
     // Throws InputError if the picture is larger than the context can draw.
     Image render(const Drawing& drawing);
     void render_into(const Drawing& drawing, Image& image);  // reuses the image's memory
-    // In 16 bits a component.
+    // Draws with 16 bits per component.
     void render_into(const Drawing& drawing, DeepImage& image);
 
     PictureCounts counts() const;

@@ -13,11 +13,11 @@ namespace {
 constexpr int n_rings = ShadowWeb::n_rings;
 constexpr int n_spokes = ShadowWeb::n_spokes;
 
-// How far along a direction in the plane, from the hub, the darkness can be seen.
+// The distance from the hub, along a direction in the plane, up to which the shadow is visible.
 double reach_of(const SoftShadow& shadow, const Eigen::Vector3d& direction) {
     double light = shadow.limit(direction);
     if (light <= 0.0) return 0.0;
-    // Steps inwards to the first place that is dark, then halves the last step.
+    // Steps inwards to the first dark point, then bisects the last step.
     constexpr int n_steps = 16, n_halvings = 5;
     const double step = light / n_steps;
     while (light > 0.0 && shadow.darkness(shadow.hub() + (light - step) * direction) <= 0.0)
@@ -58,7 +58,7 @@ ShadowWeb shadow_web(const Plane& plane, const Quadric& caster, const Light& lig
                 projection.centre.x() * depth + projection.focal * projection.right.dot(from_eye);
             const double y =
                 projection.centre.y() * depth + projection.focal * projection.down.dot(from_eye);
-            // It ends at nothing, whatever the search for its rim has left.
+            // The rim has darkness zero, whatever accuracy the search for it had.
             const double darkness = ring == n_rings ? 0.0 : shade.darkness(point);
             web.corners.push_back(Eigen::Vector4d(x, y, depth, darkness).cast<float>());
         }

@@ -1,6 +1,6 @@
-// What an ellipsoid takes from the light of a plane, as a web of triangles with a darkness at each
-// corner. Sky: most where they touch; key light: softly, as from a wide lamp. Both are smooth but
-// at the touch, so a web of rings about it, interpolated, serves.
+// The soft shadow of an ellipsoid on a plane, as triangles with a darkness at each corner. The sky
+// light is darkest where they touch, and the key light is that of a wide lamp. Both are smooth
+// except at the point of contact, so interpolation between rings around that point is accurate.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,19 +15,20 @@
 namespace poinsot {
 
 struct ShadowWeb {
-    static constexpr int n_rings = 12;  // about the hub, each of n_spokes corners; the first is it
+    static constexpr int n_rings = 12;  // around the hub, each with n_spokes corners; the first
+                                        // ring is the hub
     static constexpr int n_spokes = 48;
 
     std::size_t plane = 0;  // of the view
     // Pixel x and y times the depth (orthographic: times 1), the depth, and the darkness: the
-    // share of the plane's light that is taken, its opacity considered. Ring by ring.
+    // blocked share of the plane's light, including the plane's opacity. Ring by ring.
     std::vector<Eigen::Vector4f> corners;
 
     // Marks the tiles that the web may touch.
     void mark(const Projection& projection, TileMask& marks) const;
 };
 
-// The web reaches as far as the darkness can be seen; it is empty where there is none.
+// The web covers the visible part of the shadow; it is empty if there is none.
 ShadowWeb shadow_web(const Plane& plane, const Quadric& caster, const Light& light,
                      const Projection& projection);
 

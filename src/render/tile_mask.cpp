@@ -51,7 +51,7 @@ void TileMask::mark(const PixelPolygon& polygon, const PixelBox& limits) {
     if (box.empty()) return;
     const int first = static_cast<int>(std::floor(std::max(box.top, 0.0) / side_px_));
     for (int row = first; row * side_px_ < std::min<double>(box.bottom, height_px_); ++row) {
-        // Where the row's upper and lower edges, and the corners between them, lie.
+        // The extent of the row's upper and lower edges, and of the corners between them.
         const double top = row * side_px_, bottom = top + side_px_;
         PixelBox part;
         for (int k = 0; k < polygon.n_corners; ++k) {
@@ -85,7 +85,8 @@ void TileMask::add_rects(const TileMask* within, std::vector<PixelRect>& rects) 
         return mask.marks_.data() +
                static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.n_columns_);
     };
-    std::vector<std::size_t> above, here;  // rectangles that end with the row before, and with this
+    std::vector<std::size_t> above, here;  // rectangles that end in the previous row, and in this
+                                           // row
     for (int row = 0; row < n_rows_; ++row) {
         const std::uint8_t* marks = row_of(*this, row);
         const std::uint8_t* coarse = within == nullptr ? nullptr : row_of(*within, row / ratio);

@@ -1,4 +1,4 @@
-// The squares of the picture that something may be drawn on.
+// A mask of the tiles of the picture on which something may be drawn.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace poinsot {
 
-// Whole pixels, end exclusive.
+// Whole pixels; right and bottom are exclusive.
 struct PixelRect {
     int left = 0, top = 0, right = 0, bottom = 0;
     int width() const { return right - left; }
@@ -18,7 +18,7 @@ struct PixelRect {
 
 class TileMask {
  public:
-    // Squares of this side; a mask within another one has a divisor of its side.
+    // side_px: the side of a tile; the side of a finer mask must divide that of the coarser one.
     explicit TileMask(int side_px = 16) : side_px_(side_px) {}
     int side_px() const { return side_px_; }
 
@@ -26,7 +26,7 @@ class TileMask {
     void clear();
     void fill();
     void mark(const PixelBox& box);
-    // Only what lies within `limits` as well.
+    // Marks only tiles that are also inside `limits`.
     void mark(const PixelPolygon& polygon, const PixelBox& limits);
 
     // Tiles one by one, row by row.
@@ -35,15 +35,15 @@ class TileMask {
     void mark(std::size_t tile) { marks_[tile] = 1; }
     PixelRect rect(std::size_t tile) const;
 
-    // Whether any tile that the box lies on is marked.
+    // Whether the box overlaps any marked tile.
     bool touches(const PixelBox& box) const;
 
-    // Adds the marked tiles as rectangles, neighbours joined; only those that lie on marked tiles
-    // of a coarser mask of the same picture, if one is given.
+    // Adds the marked tiles as rectangles, merging neighbours; with `within`, only those on marked
+    // tiles of this coarser mask of the same picture.
     void add_rects(const TileMask* within, std::vector<PixelRect>& rects) const;
 
  private:
-    // First and last column and row of the tiles that a box lies on; empty if it lies on none.
+    // First and last column and row of the tiles that a box overlaps; empty if there are none.
     struct Tiles {
         int left = 0, top = 0, right = -1, bottom = -1;
     };

@@ -36,7 +36,7 @@ void ViewScene::prepare(const Drawing& whole, const View& shown) {
     before_solids.clear();
     for (const Plane& plane : shown.planes) {
         maps.push_back(map_of(projection, plane.centre, plane.along, across_of(plane)));
-        // A plane is drawn over the ellipsoids if most of them lie on its far side.
+        // A plane is drawn over the ellipsoids if most of them are on its far side.
         const double eye_side = projection.perspective
                                     ? plane.normal.dot(projection.eye - plane.centre)
                                     : -plane.normal.dot(projection.forward);
@@ -68,7 +68,7 @@ void ViewScene::add_light(Constants& constants) const {
 
 void ViewScene::add_quadric(Constants& constants, std::size_t ellipsoid) const {
     const Quadric& q = quadrics[ellipsoid];
-    // An outline this narrow is covered by both its edges at once.
+    // Both edges of such a narrow outline may lie in the same pixel.
     constexpr double narrow_below_px = 1.5;
     const bool narrow = q.narrow_px < narrow_below_px;
     constants.add(q.d0, q.anchor_px.x());

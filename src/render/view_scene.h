@@ -1,4 +1,5 @@
-// One view made ready for drawing: its projection, and its solids as lines of sight meet them.
+// One view prepared for drawing: its projection, and its solids for intersections with lines of
+// sight.
 #pragma once
 
 #include <string>
@@ -12,11 +13,12 @@
 
 namespace poinsot {
 
-// Most solids of a view that hide other things; more are drawn, but hide nothing.
+// The largest numbers of solids that hide other objects; further solids are drawn, but hide
+// nothing.
 constexpr int max_quadrics = 8;
 constexpr int max_flats = 4;
 
-// The numbers of solids that a program's loops run over.
+// The numbers of solids over which a program's loops run.
 struct Solids {
     int n_quadrics = 0, n_flats = 0, n_meshes = 0;
     bool operator==(const Solids&) const = default;
@@ -24,8 +26,8 @@ struct Solids {
     std::vector<std::string> defines() const;
 };
 
-// Where the meshes of the view were drawn beforehand, and what their depth buffer holds: offset +
-// slope/depth (orthographic: offset + slope·depth). Empty if there are none.
+// The position of the layer of meshes, and the content of its depth buffer: offset + slope/depth
+// (orthographic: offset + slope·depth). Empty if there are no meshes.
 struct MeshLayer {
     int left = 0, top = 0, width = 0, height = 0;
     double depth_offset = 0.0, depth_slope = 0.0;
@@ -36,24 +38,24 @@ struct ViewScene {
     const Drawing* drawing = nullptr;
     const View* view = nullptr;
     Projection projection;
-    std::vector<Quadric> quadrics;    // one for each ellipsoid of the view
-    std::vector<PlaneMap> maps;       // one for each plane
+    std::vector<Quadric> quadrics;    // one per ellipsoid of the view
+    std::vector<PlaneMap> maps;       // one per plane
     std::vector<bool> before_solids;  // whether the plane lies between the eye and the ellipsoids
-    std::vector<Quadric> casters;     // what casts shadows on the planes
+    std::vector<Quadric> casters;     // objects that cast shadows on the planes
     std::vector<ShadowWeb> shadows;   // the shadows
     MeshLayer mesh_layer;
 
     void prepare(const Drawing& whole, const View& shown);
-    // Of the solids that hide others.
+    // The numbers of solids that hide others.
     Solids solids() const;
     int n_quadrics() const;
-    // Towards the middle of the sky: above the plane that the body stands on, or at the top of the
-    // picture. Unit.
+    // The unit vector to the middle of the sky: above the plane on which the body stands, or
+    // towards the top of the picture.
     Eigen::Vector3d up() const;
 
-    // Constants as shaders/view.glsl (5), quadric.glsl (7) and occlusion.glsl count them, and two
-    // for the light: towards it, and its strength, first the key light, then the sky. corner_px: of
-    // what is drawn into, in the picture.
+    // Adds constants as numbered in shaders/view.glsl (5), quadric.glsl (7) and occlusion.glsl, and
+    // two for the light: the direction and strength of the key light, then of the sky. corner_px:
+    // the corner of the target in the picture.
     void add_view(Constants& constants,
                   const Eigen::Vector2d& corner_px = Eigen::Vector2d::Zero()) const;
     void add_light(Constants& constants) const;

@@ -1,4 +1,4 @@
-// EGL without a surface: the way where Mesa no longer has OSMesa (from 25.1 on).
+// EGL without a surface, needed where Mesa has no OSMesa (from 25.1 on).
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -27,7 +27,7 @@ constexpr unsigned egl_platform_device = 0x313F;
 constexpr EglInt egl_extensions = 0x3055;
 constexpr EglInt egl_drm_device_file = 0x3233;
 
-// Whether a list of extensions, parted by spaces, has this one.
+// Whether a space-separated list of extensions contains this one.
 bool has_extension(const char* list, std::string_view name) {
     std::string_view rest = list == nullptr ? "" : list;
     while (!rest.empty()) {
@@ -38,13 +38,13 @@ bool has_extension(const char* list, std::string_view name) {
     return false;
 }
 
-// A device that EGL draws on, and how people know it.
+// A device on which EGL draws, and its name for users.
 struct FoundDevice {
     EglDisplay display = nullptr;
     std::string name;
 };
 
-// The devices of EGL_EXT_device_enumeration.
+// The devices listed by EGL_EXT_device_enumeration.
 class Devices {
  public:
     explicit Devices(const SharedLibrary& library) {
@@ -59,7 +59,7 @@ class Devices {
 
     bool known() const { return n_devices_ > 0; }
 
-    // The first of this kind; without a display where there is none.
+    // The first device of this kind; without a display if there is none.
     FoundDevice first(EglDevice kind) const {
         for (EglInt i = 0; i < n_devices_; ++i) {
             void* device = devices_.at(static_cast<std::size_t>(i));
@@ -77,7 +77,7 @@ class Devices {
         return {};
     }
 
-    // Mesa's platform without devices, which is told by the environment to draw by software.
+    // Mesa's platform without devices; an environment variable selects software rendering.
     FoundDevice surfaceless() const {
         setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
         if (get_display_ == nullptr) return {};
@@ -145,8 +145,8 @@ class EglContext final : public NativeContext {
     std::string device() const override { return device_; }
 
  private:
-    // The display stays for the life of the process, as its library does: to end it would unload
-    // the driver under what Mesa still keeps of it. Opened again, it is the same one.
+    // The display stays open for the life of the process, like its library: terminating it would
+    // unload the driver while Mesa still refers to it. Opening it again returns the same display.
     void close() {
         make_current_(display_, nullptr, nullptr, nullptr);
         if (context_ != nullptr) destroy_(display_, context_);

@@ -1,5 +1,5 @@
-// Move-only owners of OpenGL objects: each frees its object in its destructor, while the context
-// that made it is current.
+// Move-only owners of OpenGL objects: the destructor deletes the object, which needs the context
+// that created it.
 #pragma once
 
 #include <glad/gl.h>
@@ -8,7 +8,7 @@
 
 namespace poinsot {
 
-// One OpenGL object name; Traits says how it is made and freed.
+// One OpenGL object name; Traits creates and deletes it.
 template <class Traits>
 class GlHandle {
  public:
@@ -94,7 +94,7 @@ using GlFramebuffer = GlHandle<GlFramebufferTraits>;
 using GlVertexArray = GlHandle<GlVertexArrayTraits>;
 using GlProgram = GlHandle<GlProgramTraits>;
 
-// A shader of a kind known only when it is made.
+// A shader whose type is a run-time argument.
 class GlShader {
  public:
     explicit GlShader(GLenum kind) : id_(glCreateShader(kind)) {}

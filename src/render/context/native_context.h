@@ -1,4 +1,4 @@
-// The two ways to a context without a display, behind one type.
+// A common interface for the two ways to create a context without a display.
 #pragma once
 
 #include <glad/gl.h>
@@ -8,7 +8,7 @@
 
 namespace poinsot {
 
-// An OpenGL 3.3 core context of one backend, current on this thread from its making to its end.
+// An OpenGL 3.3 core context of one backend, current on this thread during its lifetime.
 class NativeContext {
  public:
     NativeContext() = default;
@@ -16,14 +16,14 @@ class NativeContext {
     NativeContext& operator=(const NativeContext&) = delete;
     virtual ~NativeContext() = default;
     virtual GLADloadfunc loader() const = 0;
-    virtual std::string device() const = 0;  // what draws, for people
+    virtual std::string device() const = 0;  // the device, for display to users
 };
 
-// Mesa's software renderer draws on any machine; a GPU only where it is asked for.
+// Mesa's software renderer works on any machine; a GPU is used only on request.
 enum class EglDevice { software, gpu };
 
-// Each throws EnvironmentError saying what was missing. Libraries are opened at run time, never
-// linked: a program linked to two GL libraries calls the wrong one without a word.
+// Each throws EnvironmentError that says what is missing. Libraries are opened at run time, never
+// linked: a program linked to two GL libraries would silently call the wrong one.
 std::unique_ptr<NativeContext> open_osmesa_context();
 std::unique_ptr<NativeContext> open_egl_context(EglDevice device);
 

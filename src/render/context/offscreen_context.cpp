@@ -1,4 +1,4 @@
-// Chooses a backend, loads the OpenGL functions and refuses a context that does nothing.
+// Selects a backend, loads the OpenGL functions and rejects a context that does not work.
 #include "render/context/offscreen_context.h"
 
 #include <glad/gl.h>
@@ -29,13 +29,13 @@ constexpr std::array backends{
     BackendRow{Backend::egl, "EGL", [] { return open_egl_context(EglDevice::software); }},
     BackendRow{Backend::gpu, "GPU", [] { return open_egl_context(EglDevice::gpu); }}};
 
-// Mesa reads the processor's capabilities once, at the first context of the process.
+// Mesa reads the processor's features once, at the first context of the process.
 std::atomic<bool>& processor_was_read() {
     static std::atomic<bool> read{false};
     return read;
 }
 
-// Without fused multiply-add and wide vectors llvmpipe gives the same bytes on every x86-64.
+// Without fused multiply-add and wide vectors, llvmpipe gives the same bytes on every x86-64.
 void ask_for_portable_bytes() {
     if (!has_sse41())
         throw EnvironmentError(
@@ -60,7 +60,7 @@ struct OffscreenContext::Impl {
     std::unique_ptr<NativeContext> native;
     ContextInfo info;
 
-    // Opens one backend, or throws saying why it cannot be used.
+    // Opens one backend, or throws with the reason why it cannot be used.
     explicit Impl(const BackendRow& row) : native(row.open()) {
         if (gladLoadGL(native->loader()) == 0 || glGetString == nullptr ||
             glGetString(GL_VERSION) == nullptr)
@@ -86,7 +86,8 @@ OffscreenContext::OffscreenContext(Backend backend, Portability portability,
                                    ShaderCompilation compilation) {
     if (backend != Backend::gpu) prepare_driver_environment();
     if (portability == Portability::portable) ask_for_portable_bytes();
-    // llvmpipe's word for leaving LLVM's optimisations out, read once; a user's own stands.
+    // llvmpipe's setting to skip LLVM's optimisations; llvmpipe reads it once. A value set by the
+    // user has precedence.
     if (compilation == ShaderCompilation::quick && !processor_was_read())
         setenv("GALLIVM_PERF", "nopt", 0);
     processor_was_read() = true;

@@ -6,33 +6,34 @@
 
 namespace poinsot {
 
-// Whether the bytes must be the same on every processor (slower), or may use all that this one has.
+// Whether the bytes must be the same on every processor (slower), or the driver may use all
+// features of this processor.
 enum class Portability { native, portable };
 
-// How well the driver compiles shaders: quickly means in three fifths of the time, and drawing then
-// takes an eighth longer. The bytes are the same.
+// The optimisation level of the driver's shader compiler: `quick` compiles in 60 % of the time, and
+// drawing then takes an eighth longer. The bytes are the same.
 enum class ShaderCompilation { thorough, quick };
 
-// `egl` is Mesa's software renderer by EGL; `gpu` a graphics card by EGL, which `automatic` never
-// is.
+// `egl` is Mesa's software renderer with EGL; `gpu` is a graphics card with EGL, which `automatic`
+// never selects.
 enum class Backend { automatic, osmesa, egl, gpu };
 
-// What the context says of itself.
+// Properties of the context.
 struct ContextInfo {
     std::string backend;     // "OSMesa" or "EGL"
     std::string renderer;    // GL_RENDERER
     std::string version;     // GL_VERSION
-    int largest_picture_px;  // largest framebuffer side
+    int largest_picture_px;  // largest side of a framebuffer
     std::string device;      // "software", or a graphics card's device file
 };
 
-// Owns an off-screen OpenGL 3.3 core context, current on this thread while it lives. Move-only.
+// Owns an off-screen OpenGL 3.3 core context, current on this thread during its lifetime.
+// Move-only.
 class OffscreenContext {
  public:
-    // Throws EnvironmentError saying what was tried and which Debian package is missing.
-    // A portable context is llvmpipe's, or it is refused.
-    // Portability::portable must be asked for by the first context of the process; that context
-    // says for all how shaders are compiled.
+    // Throws EnvironmentError that says what was tried and which Debian package is missing. A
+    // portable context requires llvmpipe. If any context of the process is portable, the first one
+    // must be; the first context also determines how shaders are compiled in all later ones.
     explicit OffscreenContext(Backend backend = Backend::automatic,
                               Portability portability = Portability::native,
                               ShaderCompilation compilation = ShaderCompilation::thorough);

@@ -8,7 +8,7 @@
 namespace poinsot {
 namespace {
 
-// From GL/osmesa.h, which is not needed to build since the library is opened by name.
+// From GL/osmesa.h, which the build does not need, since the library is opened by name.
 constexpr int osmesa_format = 0x22;
 constexpr int osmesa_rgba = 0x1908;
 constexpr int osmesa_depth_bits = 0x30;
@@ -60,7 +60,7 @@ class OSMesaContext final : public NativeContext {
     std::string device() const override { return "software"; }
 
  private:
-    // The default framebuffer is never drawn to, but OSMesa wants one.
+    // Nothing is drawn to the default framebuffer, but OSMesa requires one.
     static constexpr int side_px = 16;
     std::array<std::uint8_t, 4 * side_px * side_px> buffer_{};
     SharedLibrary library_;

@@ -9,7 +9,7 @@
 namespace poinsot {
 namespace {
 
-// Rows read back at a time: few enough for the processor's cache.
+// Rows read back at a time: they fit into the CPU cache.
 constexpr int band_px = 32;
 
 }  // namespace
@@ -131,7 +131,7 @@ void Canvas::read_whole(DeepImage& image, bool transparent) {
 void Canvas::read_over_still(const TileMask& marks, Image& image, bool transparent) {
     if (image.width() != width_px_ || image.height() != height_px_)
         image = Image(width_px_, height_px_);
-    // What stands still is copied to where the image shows something else, or is not known.
+    // Copies the static content to the tiles where the image differs or is unknown.
     const auto before = std::find_if(written_.begin(), written_.end(), [&](const Written& w) {
         return w.content != 0 && w.content == image.content();
     });

@@ -1,4 +1,4 @@
-// The picture under way: what stands still, kept from one picture to the next, and what moves.
+// The picture being drawn: a cache of its static content, and the moving content over it.
 #pragma once
 
 #include <array>
@@ -13,47 +13,47 @@
 
 namespace poinsot {
 
-// Layers hold linear light, premultiplied, 16 bits a component. While nothing that stands still
-// changes, only the marked tiles are restored, read back and encoded.
+// Layers contain premultiplied linear light of 16 bits per component. As long as the static content
+// does not change, only the marked tiles are restored, read back and encoded.
 class Canvas {
  public:
-    // Makes the layers as large as the picture; true if they are new.
+    // Resizes the layers to the picture; returns true if they are new.
     bool resize(int width_px, int height_px);
 
-    // What follows is drawn on an empty picture.
+    // Begins drawing on an empty picture.
     void begin_whole();
-    // Draws on the picture again after another framebuffer was bound.
+    // Continues drawing on the picture after another framebuffer was bound.
     void resume() const;
-    // What follows is kept as what stands still, under all that moves; then, up to keep_still, what
-    // stands still on top of it. The latter is not restored where something moves.
+    // Begins drawing the static content below everything that moves; then, until keep_still, the
+    // static content on top. The latter is not restored where something moves.
     void begin_still();
     void begin_still_on_top();
     void keep_still(bool transparent, std::size_t n_tiles);
-    // What follows is drawn over what stands still, on the marked tiles only.
+    // Begins drawing over the static content, on the marked tiles only.
     void begin_over_still(const TileMask& marks);
 
-    // The still picture also keeps tiles that show what lasts, and nothing that moves. Each tile
-    // has the stamp it was kept with; 0: what stands still alone.
+    // The cached picture also keeps tiles of lasting curves on which nothing moves. Each tile has
+    // the stamp of its content; 0: only static content.
     std::uint64_t kept_stamp(std::size_t tile) const { return kept_stamps_[tile]; }
     void keep_tile(const TileMask& marks, std::size_t tile, std::uint64_t stamp,
                    const Image& image);
 
-    // The picture: all of it, or the marked tiles over what stands still.
+    // Reads the picture: all of it, or the marked tiles over the static content.
     void read_whole(Image& image, bool transparent);
     void read_whole(DeepImage& image, bool transparent);
-    // Of an image that still is as it was after one of the last calls only what differs is written.
+    // If the image is unchanged since one of the last calls, writes only the differences.
     void read_over_still(const TileMask& marks, Image& image, bool transparent);
 
  private:
     struct Layer {
         GlTexture texture;
-        // Of the picture only: it keeps curves from mixing with themselves. CurvePass empties it.
+        // Of picture_ only: prevents curves from blending with themselves. CurvePass clears it.
         GlRenderbuffer depth;
         GlFramebuffer framebuffer;
     };
     Layer make_layer(bool with_depth) const;
     void begin(const Layer& layer) const;
-    // Puts what stands still into these parts of the picture, and binds it.
+    // Copies the static content to these parts of the picture, and binds the picture.
     void restore(const std::vector<PixelRect>& rects) const;
     void read(const PixelRect& rect, Image& image, bool transparent);
     void copy(const PixelRect& rect, const Image& from, Image& to) const;
@@ -62,10 +62,11 @@ class Canvas {
     Encoder encoder_;
     Layer still_, picture_;
     Image still_image_;
-    // Of each tile of the still picture: its stamp, and the number of the picture it came with.
+    // For each tile of the cached picture: its stamp, and the number of the picture in which it was
+    // stored.
     std::vector<std::uint64_t> kept_stamps_, kept_at_;
-    // What images were given: the number that knows them, where they differ from the still picture,
-    // and the number of their picture. The oldest is replaced.
+    // The last images written: the identifier of their content, the tiles where they differ from
+    // the cached picture, and their picture number. The oldest entry is replaced.
     struct Written {
         std::uint64_t content = 0, picture = 0;
         TileMask marks;

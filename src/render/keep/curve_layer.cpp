@@ -84,7 +84,7 @@ void CurveLayer::restart(const TraceKey& key, const PixelBox& box, int first_seg
     cells_.resize(key.width_px, key.height_px);
     grown_.resize(key.width_px, key.height_px);
     changed_.assign(grown_.n_tiles(), 0);
-    // Whole tiles, and no more than the picture.
+    // Whole tiles, limited to the picture.
     const int side = grown_.side_px();
     const auto tile = [side](double px, int size_px) {
         return std::clamp(static_cast<int>(std::floor(px / side)), 0, size_px / side);
@@ -115,7 +115,7 @@ void CurveLayer::begin_growth(const ViewScene& scene, const Curve& curve, int en
     for (std::size_t k = 0; k < changed_.size(); ++k)
         if (grown_.is_marked(k)) changed_[k] = picture;
     end_segment_ = end_segment;
-    // Its pixels lie where they lie in the picture, so that they come out the same in any layer.
+    // Pixels have the same positions as in the picture, so that they are the same in any layer.
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glViewport(-rect_.left, -rect_.top, key_.width_px, key_.height_px);
     glDisable(GL_SCISSOR_TEST);

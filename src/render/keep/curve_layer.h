@@ -1,4 +1,4 @@
-// What has been drawn of a curve that lasts, kept from picture to picture.
+// The cached pixels of a lasting curve.
 #pragma once
 
 #include <cstdint>
@@ -9,25 +9,26 @@
 
 namespace poinsot {
 
-// All that the kept pixels of a curve depend on.
+// Everything on which the cached pixels of a curve depend.
 struct TraceKey {
     std::uint64_t geometry = 0;
     Camera camera;
     PixelBox view;
     int width_px = 0, height_px = 0;  // of the picture
     Eigen::Matrix4d placement = Eigen::Matrix4d::Zero();
-    Eigen::Matrix3d surface = Eigen::Matrix3d::Zero();  // half axes of the ellipsoid it lies on
+    Eigen::Matrix3d surface = Eigen::Matrix3d::Zero();  // half-axes of the ellipsoid on which the
+                                                        // curve lies
     Eigen::Vector3d surface_centre = Eigen::Vector3d::Zero();
     double stroke_px = 0.0;
     DashPattern dashes;
-    double first = 0.0;  // point shown
+    double first = 0.0;  // first point drawn
 
     TraceKey() = default;
     TraceKey(const ViewScene& scene, const Curve& curve, const DashPattern& shown_dashes);
     bool operator==(const TraceKey& other) const;
 };
 
-// What shaders/trace.frag writes and curve.frag reads.
+// Textures that shaders/trace.frag writes and curve.frag reads.
 struct KeptTextures {
     GlTexture points, coverage;
     KeptTextures() = default;
@@ -37,33 +38,33 @@ struct KeptTextures {
     void bind() const;
 };
 
-// Coverage and depth of the whole segments of a curve, from its first on, in a layer that lies
-// over the part of the picture that the curve can reach. It grows with the curve.
+// Coverage and depth of the complete segments of a curve, from the first one on, in a layer over
+// the part of the picture that the curve can reach. The layer grows with the curve.
 class CurveLayer {
  public:
     static constexpr int cell_px = 8;
 
     bool holds(const TraceKey& key) const { return serial_ != 0 && key_ == key; }
     std::uint64_t geometry() const { return key_.geometry; }
-    // Empties the layer for another curve, from this segment on. box: of what it may reach;
-    // serial: a number that no other beginning has.
+    // Clears the layer for another curve, beginning with this segment. box: pixels that the curve
+    // may reach; serial: a number unique to this call.
     void restart(const TraceKey& key, const PixelBox& box, int first_segment, std::uint64_t serial);
-    // Binds the layer for drawing the segments from end_segment() to this one, and notes where
-    // they lie.
+    // Binds the layer for drawing the segments from end_segment() to this one, and records their
+    // tiles.
     void begin_growth(const ViewScene& scene, const Curve& curve, int end_segment,
                       std::uint64_t picture);
-    // One past the last segment held.
+    // One past the last cached segment.
     int end_segment() const { return end_segment_; }
 
-    // As told at the last restart.
+    // The serial of the last restart.
     std::uint64_t serial() const { return serial_; }
-    // Where it lies in the picture: a corner at a tile's corner, and as much as was needed.
+    // The position of the layer in the picture; its corner is the corner of a tile.
     const PixelRect& rect() const { return rect_; }
     const KeptTextures& textures() const { return textures_; }
-    // The small squares of the picture that something is kept on.
+    // The small squares of the picture in which something is cached.
     const TileMask& cells() const { return cells_; }
-    // For each tile of the picture the number of the picture in which it last changed; 0 where
-    // nothing is kept.
+    // For each tile, the number of the picture in which it last changed; 0 if nothing is cached
+    // there.
     const std::vector<std::uint64_t>& changed() const { return changed_; }
 
     std::uint64_t last_picture = 0;
@@ -83,7 +84,7 @@ class CurveLayer {
     std::vector<std::uint64_t> changed_;
 };
 
-// A segment of an open curve as a picture shows it, clipped to what lies before the eye.
+// A segment of an open curve in the picture, clipped to the part in front of the eye.
 struct SeenSegment {
     bool seen = false;
     double from = 0.0, to = 1.0;  // shares of the segment

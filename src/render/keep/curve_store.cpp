@@ -5,11 +5,11 @@
 namespace poinsot {
 namespace {
 
-// Pictures after which a geometry that is no longer drawn is forgotten.
+// Geometry that was not drawn for this many pictures is removed.
 constexpr std::uint64_t kept_pictures = 120;
 
 void upload(const CurveGeometry& geometry, StoredCurve& stored) {
-    // Points with the length of the curve up to each.
+    // The points, with the length of the curve up to each.
     const std::vector<Eigen::Vector3d>& points = geometry.points;
     stored.n_points = static_cast<int>(points.size());
     std::vector<Eigen::Vector4f> texels;
@@ -34,7 +34,7 @@ void upload(const CurveGeometry& geometry, StoredCurve& stored) {
     glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, stored.buffer.id());
 }
 
-// Balls about stretches of it say which part of a picture it may touch.
+// Bounding spheres of stretches, to find the part of a picture that the curve may touch.
 std::vector<CurveStretch> stretches_of(const CurveGeometry& geometry) {
     constexpr int stretch_points = 16;
     const auto n_points = static_cast<int>(geometry.points.size());

@@ -1,4 +1,4 @@
-// Points of curves, uploaded once and kept while they are drawn.
+// A cache of uploaded curve points.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace poinsot {
 
-// A stretch of a curve and a ball that holds it, in the geometry's axes.
+// A stretch of a curve and its bounding sphere, in the geometry's axes.
 struct CurveStretch {
     int first = 0, last = 0;
     Eigen::Vector3d centre;
@@ -20,10 +20,10 @@ struct CurveStretch {
 
 struct StoredCurve {
     GlBuffer buffer;
-    GlTexture texture;  // xyz: point; w: length of the curve up to it
+    GlTexture texture;  // xyz: point; w: length of the curve up to this point
     int n_points = 0;
     std::vector<float> lengths;  // of the curve up to each point
-    double length = 0.0;         // of all of it
+    double length = 0.0;         // of the whole curve
     std::vector<CurveStretch> stretches;
     std::uint64_t last_picture = 0;
 };
@@ -32,17 +32,17 @@ class CurveStore {
  public:
     CurveStore();
 
-    // Forgets what was not drawn for many pictures.
+    // Removes geometry that was not drawn for many pictures.
     void begin_picture();
-    // The geometry's points, uploaded if they were not seen before.
+    // Returns the geometry's points, uploading them if necessary.
     const StoredCurve& of(const CurveGeometry& geometry);
-    // Binds elements for this many rectangles in a row, four corners each.
+    // Binds an index buffer for this many consecutive rectangles of four corners.
     void bind_elements(int n_rectangles);
 
-    // Binds these rectangles where the programs of curves look for points, and elements for them.
+    // Binds these rectangles in place of the curve's points, and an index buffer for them.
     void bind_rectangles(const std::vector<PixelRect>& rects);
 
-    // Points uploaded for the picture under way.
+    // Points uploaded for the current picture.
     std::int64_t n_points_uploaded() const { return n_points_uploaded_; }
 
  private:

@@ -4,7 +4,7 @@
 namespace poinsot {
 namespace {
 
-// What the curve may reach in the picture.
+// The pixels that the curve may reach.
 PixelBox box_of(const ViewScene& scene, const Curve& curve, const StoredCurve& stored) {
     const double scale = curve.placement.linear().colwise().norm().maxCoeff();
     const double margin = 0.5 * curve.width_px + 2.0;
@@ -20,7 +20,7 @@ PixelBox box_of(const ViewScene& scene, const Curve& curve, const StoredCurve& s
 }
 
 // Cosine of the angle between the ellipsoid's normal at a point and the line of sight, in the axes
-// in which it is a sphere; as shaders/curve.vert has it.
+// in which it is a sphere; as in shaders/curve.vert.
 double facing_of(const Quadric* surface, const Eigen::Vector3d& point, bool perspective) {
     if (surface == nullptr) return 1.0;
     const Eigen::Vector3d u = (surface->to_u * (point - surface->centre)).normalized();
@@ -28,7 +28,7 @@ double facing_of(const Quadric* surface, const Eigen::Vector3d& point, bool pers
     return (u.dot(surface->eye_u) - w) / std::max((surface->eye_u - w * u).norm(), 1e-20);
 }
 
-// lengths: of the curve up to the first and the second point of the segment.
+// lengths: of the curve up to the first and second point of the segment.
 StrokeEnds ends_of(const ViewScene& scene, const Curve& curve, const SeenSegment& segment,
                    const float* lengths) {
     constexpr double far_px = -1e5;
@@ -56,7 +56,7 @@ bool LastingCurvePass::keeps(const Curve& curve) {
 }
 
 void LastingCurvePass::begin_picture() {
-    // What the picture before did not show is dropped: a layer is large.
+    // Layers that the previous picture did not use are released: a layer is large.
     std::erase_if(layers_, [this](const auto& layer) { return layer->last_picture < picture_; });
     ++picture_;
     shown_.clear();
@@ -70,7 +70,7 @@ CurveLayer& LastingCurvePass::layer_of(const TraceKey& key) {
         return nullptr;
     };
     CurveLayer* layer = find([&](const CurveLayer& l) { return l.holds(key); });
-    // One that held it seen from elsewhere is large enough, or nearly.
+    // A layer of the same curve from another camera is large enough, or nearly.
     if (layer == nullptr)
         layer = find([&](const CurveLayer& l) { return l.geometry() == key.geometry; });
     if (layer == nullptr) layer = layers_.emplace_back(std::make_unique<CurveLayer>()).get();
@@ -85,7 +85,8 @@ void LastingCurvePass::prepare(const ViewScene& scene, CurveStore& store) {
         const StoredCurve& stored = store.of(*curve.geometry);
         Shown shown{&scene, &curve, nullptr, {}, {}, dashes_of(scene, curve, stored.length)};
 
-        // The last segment, which may be cut, is drawn for each picture; those before it are kept.
+        // The last segment may be partial and is drawn for each picture; the segments before it are
+        // cached.
         const int last = range.end_segment - 1;
         shown.last = seen_segment(scene.projection, curve, last, std::max(range.first - last, 0.0),
                                   range.last - last);
@@ -103,7 +104,8 @@ void LastingCurvePass::prepare(const ViewScene& scene, CurveStore& store) {
 }
 
 void LastingCurvePass::grow(const Shown& shown, int end_segment, CurveStore& store) {
-    // Pixels beside the stroke keep a depth, too: its change is asked for at the stroke's edge.
+    // Pixels beside the stroke need a depth, too: the shader takes its derivatives at the stroke's
+    // edge.
     constexpr double beside_px = 1.0;
     const Curve& curve = *shown.curve;
     CurveLayer& layer = *shown.layer;

@@ -1,5 +1,5 @@
-// Curves that last: what has been drawn of them is kept, so that a video frame costs the same
-// however long they are.
+// Draws lasting curves: their pixels are cached, so that the cost of a video frame does not depend
+// on their length.
 #pragma once
 
 #include <cstdint>
@@ -15,31 +15,32 @@ namespace poinsot {
 
 class LastingCurvePass {
  public:
-    // Whether the curve is kept: it says that it lasts, and nothing of it changes but its end.
+    // Whether the curve can be cached: `lasting` is set, and only its end changes.
     static bool keeps(const Curve& curve);
 
-    // Before each picture, and then for each of its views: brings the layers of its curves up to
-    // date. Binds framebuffers of its own.
+    // Before each picture, and then for each of its views: updates the layers of the curves. Binds
+    // its own framebuffers.
     void begin_picture();
     void prepare(const ViewScene& scene, CurveStore& store);
-    // After the last view.
+    // Called after the last view.
     void end_preparation();
 
-    // Precondition: the curve was prepared for this picture. within: where the picture is drawn;
-    // null: everywhere.
+    // Draws a curve. Precondition: the curve was prepared for this picture. within: the tiles being
+    // drawn; null: all.
     void draw(const ViewScene& scene, const Curve& curve, const TileMask* within, CurvePass& pass,
               CurveStore& store);
-    // Marks the tiles of the last segments, which are not kept.
+    // Marks the tiles of the last segments, which are not cached.
     void mark(const ViewScene& scene, TileMask& marks) const;
-    // For each tile of the picture a number that changes when what is kept there looks otherwise,
-    // but for what moves over it or hides it; 0 where nothing is kept. Precondition: one 0 a tile.
+    // Adds for each tile a number that changes when the cached curves there look different, apart
+    // from objects that move over or hide them; 0 if nothing is cached. Precondition: `stamps` has
+    // one 0 per tile.
     void add_stamps(std::vector<std::uint64_t>& stamps) const;
 
-    // Segments drawn into the layers for the picture under way.
+    // Segments drawn into the layers for the current picture.
     std::int64_t n_segments_drawn() const { return n_segments_drawn_; }
 
  private:
-    // How a kept curve looks in a picture.
+    // The appearance of a cached curve in a picture.
     struct Look {
         std::uint64_t serial;
         Colour colour;
@@ -53,14 +54,14 @@ class LastingCurvePass {
         const ViewScene* scene;
         const Curve* curve;
         CurveLayer* layer;
-        SeenSegment last;  // the segment that is not kept
-        StrokeEnds ends;   // the same for the shader
+        SeenSegment last;  // the segment that is not cached
+        StrokeEnds ends;   // the same segment for the shader
         DashPattern dashes;
     };
     CurveLayer& layer_of(const TraceKey& key);
     void grow(const Shown& shown, int end_segment, CurveStore& store);
 
-    std::optional<StrokeProgram> trace_;  // made when a curve is first kept
+    std::optional<StrokeProgram> trace_;  // made when the first curve is cached
     std::vector<std::unique_ptr<CurveLayer>> layers_;
     std::vector<Shown> shown_;
     std::vector<Look> looks_;

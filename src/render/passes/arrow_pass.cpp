@@ -10,14 +10,15 @@
 namespace poinsot {
 namespace {
 
-// An arrow as it is drawn: sizes in units of the view, places in the picture.
+// The shape of an arrow: sizes in view units, positions in the picture.
 struct ArrowShape {
     bool seen = false;
     Eigen::Vector3d axis, tail, neck, tip;
     double shaft_radius = 0.0, head_radius = 0.0, head_length = 0.0, length = 0.0;
     Eigen::Vector2d tail_px, neck_px, tip_px;
-    double tail_scale = 1.0, neck_scale = 1.0, tip_scale = 1.0;  // pixels a unit
-    double open = 0.0;  // how open the circles about the axis are seen
+    double tail_scale = 1.0, neck_scale = 1.0, tip_scale = 1.0;  // pixels per unit
+    double open = 0.0;  // minor over major axis of the ellipses as which circles about the axis
+                        // appear
     PixelBox box;
 };
 
@@ -27,7 +28,7 @@ ArrowShape shape_of(const Projection& p, const Camera& camera, const Arrow& arro
     shape.length = run.norm();
     if (!(shape.length > 0.0) || arrow.opacity <= 0.0) return shape;
     shape.axis = run / shape.length;
-    // Sizes hold where the camera looks.
+    // Sizes apply at the depth of the camera's target.
     const double unit_px = p.scale(std::max(p.depth(camera.target), 1e-9));
     shape.shaft_radius = 0.5 * arrow.shaft_px / unit_px;
     shape.head_radius = 0.5 * arrow.head_px / unit_px;
@@ -44,7 +45,8 @@ ArrowShape shape_of(const Projection& p, const Camera& camera, const Arrow& arro
     shape.tail_scale = p.scale(p.depth(shape.tail));
     shape.neck_scale = p.scale(p.depth(shape.neck));
     shape.tip_scale = p.scale(p.depth(shape.tip));
-    // Where the line of sight to the head is along the axis, circles are seen open.
+    // Circles about the axis appear open where the line of sight to the head is parallel to the
+    // axis.
     const Eigen::Vector3d sight = p.perspective ? (shape.neck - p.eye).normalized() : p.forward;
     shape.open = std::max(std::abs(sight.dot(shape.axis)), 0.03);
     shape.box.add(shape.tail_px, reach * shape.tail_scale + 2.0);
@@ -54,8 +56,8 @@ ArrowShape shape_of(const Projection& p, const Camera& camera, const Arrow& arro
     return shape;
 }
 
-// Rectangles along the arrow's axis, in pixels from the tail; the shaft's ends where the head's
-// begins, so that no pixel lies in both.
+// Rectangles along the arrow's axis, in pixels from the tail. The shaft's rectangle ends where the
+// head's begins, so that no pixel is in both.
 struct ArrowFrame {
     Eigen::Vector2d origin, along, across;
     double start, head_start, end;
@@ -146,7 +148,7 @@ void ArrowPass::draw_arrow(const ViewScene& scene, const Arrow& arrow, Layer lay
     const ArrowProgram& made =
         occluded ? arrow_programs_.of(scene.solids()) : arrow_programs_.of(Solids{});
     const double shaft_length = std::max(shape.length - shape.head_length, 1e-9);
-    // Lines of sight are followed from beside the arrow's middle, where few digits are lost.
+    // Lines of sight start beside the arrow's middle, for numerical accuracy.
     const Eigen::Vector3d middle = 0.5 * (shape.tail + shape.tip);
     const Eigen::Vector2d anchor = p.place(middle);
     Constants constants;

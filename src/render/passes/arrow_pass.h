@@ -1,4 +1,4 @@
-// Arrows and dots, farthest first.
+// Draws arrows and dots, farthest first.
 #pragma once
 
 #include <vector>
@@ -11,9 +11,9 @@ namespace poinsot {
 
 class ArrowPass {
  public:
-    // What is hidden is drawn before the curves, what is visible after them.
+    // Hidden parts are drawn before the curves, visible parts after them.
     enum class Layer { hidden, visible };
-    // Orders the view's arrows and dots; to be called before `draw`.
+    // Sorts the view's arrows and dots; must be called before `draw`.
     void order(const ViewScene& scene);
     void draw(const ViewScene& scene, Layer layer);
     void mark(const ViewScene& scene, TileMask& marks) const;

@@ -12,7 +12,7 @@ Eigen::Vector3f linear_from_srgb(const Colour& colour);
 // The same with a fourth component.
 Eigen::Vector4f linear_from_srgb(const Colour& colour, double fourth);
 
-// Mix of two encoded colours as the eye spaces them: done on the encoded values.
+// Blends the encoded values of two colours, which is perceptually more even than linear light.
 Colour mixed(const Colour& a, const Colour& b, double part_of_b);
 
 }  // namespace poinsot

@@ -14,7 +14,7 @@ bool shows(const Cone& cone) {
     return cone.opacity > 0.0 && cone.presence > 0.0 && cone.length > 0.0;
 }
 
-// Unit vectors across the axis, the first as near to the reference as can be.
+// Unit vectors perpendicular to the axis; the first is as near to the reference as possible.
 struct ConeAxes {
     Eigen::Vector3d first, second, axis;
     double tangent;
@@ -58,8 +58,8 @@ void add_cone(Constants& constants, const Projection& p, const Cone& cone) {
     const double depth = p.depth(cone.apex);
     const bool before_eye = !p.perspective || depth > p.near_depth;
     const Eigen::Vector2d anchor = before_eye ? p.place(cone.apex) : p.centre;
-    // Points of the lines of sight at the apex's depth, and their directions, change with the
-    // pixel.
+    // Derivatives, with respect to the pixel, of the lines' points at the apex's depth, and of
+    // their directions.
     const double unit = 1.0 / p.focal;
     const double spread = p.perspective ? depth * unit : unit;
     const Eigen::Vector3d ray = p.ray(anchor);

@@ -1,4 +1,5 @@
-// Translucent cones; all of a view are drawn together, ordered at each pixel.
+// Draws translucent cones; all cones of a view are drawn together, with their surfaces sorted in
+// each pixel.
 #pragma once
 
 #include <memory>

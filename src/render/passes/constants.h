@@ -1,4 +1,4 @@
-// Values that are the same over a whole draw, in the order in which its shaders count them.
+// The constants of one draw call, in the order in which the shaders number them.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@ namespace poinsot {
 
 class Constants {
  public:
-    // The most that any program may have: 17 of its own and those of eight ellipsoids and four
+    // The largest number in any program: 17 of its own, and those of eight ellipsoids and four
     // planes.
     static constexpr int capacity = 96;
 

@@ -17,7 +17,7 @@ CurvePass::Stroke::Stroke(const Solids& solids)
                     with(solids.defines(), "FADE " + std::to_string(8 + solids.n_constants()))) {}
 
 const CurvePass::Stroke& CurvePass::program_for(const ViewScene& scene, const Curve& curve) {
-    // A curve drawn in full needs no solids.
+    // A curve that is always drawn in full needs no solids.
     return strokes_.of(curve.occlusion == Occlusion::by_solids ? scene.solids() : Solids{});
 }
 
@@ -32,12 +32,12 @@ Constants CurvePass::constants_of(const ViewScene& scene, const Curve& curve,
     constants.add(dashes.period, dashes.share, surface == nullptr ? 0.0 : surface->limb_cosine(),
                   surface == nullptr ? 0.0 : surface->hiding);
     if (curve.occlusion == Occlusion::by_solids) scene.add_solids(constants);
-    // Each curve lies a step before all that were drawn earlier, so that the depth buffer need not
-    // be emptied for every picture. Steps are powers of two and depths lie between 1/2 and 1: what
-    // is compared is rounded alike in whatever step it is drawn.
+    // The depth of each curve is one step nearer than all curves drawn before, so that the depth
+    // buffer need not be cleared for every picture. Steps are powers of two and depths are between
+    // 1/2 and 1, so that rounding is the same in every step.
     constexpr double depth_step = 1.0 / 1024.0;
     if (++n_drawn_ >= 512) {
-        glDisable(GL_SCISSOR_TEST);  // of all views
+        glDisable(GL_SCISSOR_TEST);  // the scissor boxes of views must not limit the clear
         glClear(GL_DEPTH_BUFFER_BIT);
         glEnable(GL_SCISSOR_TEST);
         n_drawn_ = 1;

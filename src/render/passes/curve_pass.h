@@ -1,4 +1,4 @@
-// Curves as strokes of constant width in pixels.
+// Draws curves as strokes of constant width in pixels.
 #pragma once
 
 #include "render/keep/curve_layer.h"
@@ -11,7 +11,7 @@ namespace poinsot {
 class CurvePass {
  public:
     void draw(const ViewScene& scene, const Curve& curve, CurveStore& store);
-    // Draws the end of a curve, and what is kept of the rest in a layer, on these rectangles.
+    // Draws the end of a curve, and its cached part from a layer, on these rectangles.
     void draw_kept(const ViewScene& scene, const Curve& curve, const DashPattern& dashes,
                    const StrokeEnds& ends, const CurveLayer& layer,
                    const std::vector<PixelRect>& rects, CurveStore& store);
@@ -24,15 +24,15 @@ class CurvePass {
         explicit Stroke(const Solids& solids);
     };
     const Stroke& program_for(const ViewScene& scene, const Curve& curve);
-    // layer: of what is kept of the curve, if anything is.
+    // layer: the cached part of the curve, or null.
     Constants constants_of(const ViewScene& scene, const Curve& curve, const DashPattern& dashes,
                            const CurveLayer* layer);
 
     BySolids<Stroke> strokes_;
-    // Bound where nothing is kept: the same kinds of textures let the driver use one compiled
+    // Bound if nothing is cached: with the same types of textures, the driver can use one compiled
     // shader.
     KeptTextures none_{3, 3, false};
-    int n_drawn_ = 0;  // since the depth buffer was emptied
+    int n_drawn_ = 0;  // since the depth buffer was cleared
 };
 
 }  // namespace poinsot

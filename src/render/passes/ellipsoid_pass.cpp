@@ -15,7 +15,7 @@ EllipsoidPass::Variant::Variant(int n_members, bool rim)
 
 void EllipsoidPass::Variant::use(const Projection& p) const {
     program.Program::use();
-    // Lines of sight at pixel 0, and their change with x and y.
+    // The line of sight at pixel 0, and its derivatives in x and y.
     const Eigen::Vector3d sight = p.ray(Eigen::Vector2d::Zero());
     Eigen::Matrix3f rows;
     rows << sight.cast<float>(), (p.ray(Eigen::Vector2d::UnitX()) - sight).cast<float>(),
@@ -30,7 +30,7 @@ const EllipsoidPass::Variant& EllipsoidPass::variant_of(int n_members) {
 }
 
 void EllipsoidPass::draw(const ViewScene& scene) {
-    // Farthest first; each group takes in all that its outline touches.
+    // Farthest first; each group includes all ellipsoids whose outlines overlap.
     order_.clear();
     for (int k = 0; k < scene.n_quadrics(); ++k) {
         const auto i = static_cast<std::size_t>(k);
@@ -73,7 +73,7 @@ void EllipsoidPass::draw_group(const ViewScene& scene, const int* members, int n
         scene.add_quadric(constants, i);
         constants.add(q.gx, shape.ruling_px);
         constants.add(q.gy, shape.ruling_px > 0.0 ? shape.ruling_opacity : 0.0);
-        // The normal is u over the half axes; what it is multiplied with takes the scale of d.
+        // The normal is u divided by the half-axes; its factors get the scale of d.
         const double scale = 1.0 / (q.to_u * p.ray(q.anchor_px)).norm();
         constants.add(scale * (q.to_u * scene.view->light.towards.normalized()), shape.n_meridians);
         constants.add(scale * (q.to_u * scene.up()), shape.n_parallels);

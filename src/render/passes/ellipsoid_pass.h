@@ -1,4 +1,5 @@
-// Translucent ellipsoids; those whose pictures overlap are drawn together, ordered at each pixel.
+// Draws translucent ellipsoids. Those that overlap in the picture are drawn together, with their
+// surfaces sorted in each pixel.
 #pragma once
 
 #include <array>
@@ -26,9 +27,9 @@ class EllipsoidPass {
     const Variant& variant_of(int n_members);
     void draw_group(const ViewScene& scene, const int* members, int n_members);
 
-    // One program for each number of ellipsoids drawn together, made when first needed.
+    // One program per number of ellipsoids drawn together, made on first use.
     std::array<std::optional<Variant>, most_members> variants_;
-    std::optional<Variant> core_;  // well within the outline of a single one
+    std::optional<Variant> core_;  // for pixels well inside the outline of a single ellipsoid
     std::vector<int> order_;
 };
 

@@ -13,13 +13,13 @@ namespace {
 
 constexpr int first_width_px = 1024, first_height_px = 256;
 
-// The reach of the halo, in pixels of the mask.
+// The width of the halo, in pixels of the mask.
 double halo_reach(const Label& label) { return std::max(label.halo_px, 0.0) / label.mask->samples; }
 
-// About the mask, empty but for the halo, in its pixels.
+// The margin around the mask for its halo, in pixels of the mask.
 int margin_of(const Label& label) { return static_cast<int>(std::ceil(halo_reach(label))) + 1; }
 
-// All samples of each pixel whose middle lies on the mask or its margin.
+// All samples of each pixel whose centre is on the mask or its margin.
 PixelBox box_of(const Label& label) {
     const int n = label.mask->samples;
     const double margin_px = n * margin_of(label) + 0.5 * (n - 1);
@@ -62,7 +62,7 @@ std::vector<std::uint8_t> with_halo(const GlyphMask& mask, double reach_px, int 
     const int width = mask.width + 2 * margin, height = mask.height + 2 * margin;
     std::vector<std::uint8_t> texels(2 * static_cast<std::size_t>(width) *
                                      static_cast<std::size_t>(height));
-    // The halo is full to half its reach, then falls smoothly to nothing.
+    // The halo has full strength up to half its width, then falls smoothly to zero.
     struct Brush {
         int x, y;
         double weight;
@@ -88,7 +88,7 @@ std::vector<std::uint8_t> with_halo(const GlyphMask& mask, double reach_px, int 
             texels[2 * middle] = covered;
             if (brush.empty()) continue;
             halo[middle] = std::max(halo[middle], 1.0 * covered);
-            // A pixel among full ones is farther from any other than one of its neighbours is.
+            // A pixel surrounded by full pixels is never the nearest one to a pixel outside.
             if (is_inner(mask, x, y)) continue;
             for (const Brush& b : brush) {
                 double& there = halo[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(middle) +
@@ -125,9 +125,9 @@ void LabelPass::empty_texture(int width_px, int height_px) {
 
 LabelPass::Slot LabelPass::slot_of(const Label& label) {
     Slot slot;
-    // Empty frames more than are drawn: the middle of a pixel may lie a texel beyond what is drawn
-    // of it, filtering reaches half a texel beyond that, and what lies there may be left from masks
-    // of earlier pictures.
+    // The empty margin is wider than the drawn part: the centre of a pixel may lie one texel
+    // outside the drawn part, filtering reaches another half texel, and texels further out may
+    // contain masks of earlier pictures.
     slot.margin = margin_of(label) + 2;
     slot.width = label.mask->width + 2 * slot.margin;
     slot.height = label.mask->height + 2 * slot.margin;
@@ -138,7 +138,7 @@ bool LabelPass::place(const Label& label) {
     const Key key = key_of(label);
     if (slots_.contains(key)) return true;
     Slot slot = slot_of(label);
-    // Shelves from the top, filled from the left.
+    // Shelf packing: from the top, filled from the left.
     if (shelf_x_ + slot.width > width_px_) {
         shelf_x_ = 0;
         shelf_y_ += shelf_height_;
@@ -172,13 +172,13 @@ void LabelPass::begin_picture(const Drawing& drawing) {
     if (widest_px == 0) return;
     GLint largest_side_px = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_side_px);
-    // As wide as the widest label asks for: a caption's picture is wide, and not high.
+    // At least as wide as the widest label: a caption is wide and low.
     int width_px = std::max(width_px_, first_width_px);
     while (width_px < widest_px && width_px < largest_side_px) width_px *= 2;
     const int least_height_px = std::max(height_px_, first_height_px);
     if (width_px != width_px_) empty_texture(width_px, least_height_px);
     if (place_all()) return;
-    // Full: forget the masks of earlier pictures, then grow.
+    // If the texture is full, removes the masks of earlier pictures, then grows.
     for (int height_px = least_height_px; height_px <= largest_side_px; height_px *= 2) {
         empty_texture(width_px, height_px);
         if (place_all()) return;
@@ -194,7 +194,8 @@ void LabelPass::draw(const ViewScene& scene,
     for (const Label& label : scene.view->labels) {
         if (!shows(label) || !wanted(PlacedLabel(label))) continue;
         const Slot& slot = slots_.at(key_of(label));
-        // In 256ths of a pixel of the mask, exact in the shader wherever in the texture it lies.
+        // In 1/256 of a pixel of the mask, which the shader represents exactly anywhere in the
+        // texture.
         const int n = label.mask->samples;
         const Eigen::Vector2d corner = (256.0 / n * label.top_left_px).array().round() / 256.0;
         const Eigen::Vector2d to_texel =

@@ -1,4 +1,4 @@
-// Set type, from a texture that keeps the masks drawn lately.
+// Draws typeset text from a texture atlas that caches recently used masks.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@
 
 namespace poinsot {
 
-// Coverage of a halo about a mask, reach_px wide, on a mask larger by `margin` on each side:
-// row by row, coverage and halo in turn.
+// Coverage of a mask and of its halo, reach_px wide, on a mask larger by `margin` on each side: row
+// by row, coverage and halo alternating.
 std::vector<std::uint8_t> with_halo(const GlyphMask& mask, double reach_px, int margin);
 
-// A label as it lies in the picture.
+// The position of a label in the picture.
 struct PlacedLabel {
     explicit PlacedLabel(const Label& label);
     bool operator==(const PlacedLabel& other) const;
@@ -31,16 +31,16 @@ struct PlacedLabel {
 class LabelPass {
  public:
     LabelPass();
-    // Puts what the picture needs into the texture.
+    // Uploads the masks that the picture needs.
     void begin_picture(const Drawing& drawing);
-    // Those for which `wanted` is true, in their order.
-    // Precondition: a vertex array without attributes is bound.
+    // Draws the labels for which `wanted` returns true, in order. Precondition: a vertex array
+    // without attributes is bound.
     void draw(const ViewScene& scene, const std::function<bool(const PlacedLabel&)>& wanted) const;
-    // The labels that the picture shows, of all its views.
+    // The labels of all views of the picture.
     static std::vector<PlacedLabel> placed(const Drawing& drawing);
 
  private:
-    // A mask with its halo, somewhere in the texture.
+    // The place of a mask with its halo in the texture.
     struct Slot {
         int x = 0, y = 0, width = 0, height = 0;
         int margin = 0;
@@ -57,7 +57,7 @@ class LabelPass {
         }
     };
     static Key key_of(const Label& label);
-    // Its size, not its place.
+    // The size of a slot, without its position.
     static Slot slot_of(const Label& label);
     bool place(const Label& label);
     void empty_texture(int width_px, int height_px);

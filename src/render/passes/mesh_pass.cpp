@@ -19,7 +19,7 @@ bool has_picture(const MeshGeometry& geometry) {
     return !geometry.picture.rgb.empty() && geometry.places.size() == geometry.positions.size();
 }
 
-// A picture as a texture in linear light, with its means for faces seen small.
+// A picture as a texture in linear light, with mipmaps.
 GlTexture texture_of(const SurfacePicture& picture) {
     std::array<std::uint16_t, 256> light{};
     for (std::size_t level = 0; level < light.size(); ++level)
@@ -53,7 +53,7 @@ Eigen::AlignedBox3d box_of(const MeshGeometry& geometry) {
     return box;
 }
 
-// A ball about the placed mesh.
+// A bounding sphere of the placed mesh.
 struct Ball {
     Eigen::Vector3d centre;
     double radius;
@@ -64,7 +64,7 @@ Ball ball_of(const Mesh& mesh, const Eigen::AlignedBox3d& box) {
     return {mesh.placement * box.center().eval(), scale * 0.5 * box.diagonal().norm()};
 }
 
-// An ellipsoid that shades a plane much as the placed mesh does.
+// An ellipsoid with nearly the same shadow as the placed mesh.
 Ellipsoid ellipsoid_of(const Mesh& mesh, const Eigen::AlignedBox3d& box) {
     Ellipsoid ellipsoid;
     ellipsoid.centre = mesh.placement * box.center().eval();
@@ -72,7 +72,7 @@ Ellipsoid ellipsoid_of(const Mesh& mesh, const Eigen::AlignedBox3d& box) {
     return ellipsoid;
 }
 
-// Pixels the placed mesh's box may touch; the whole view where it reaches behind the eye.
+// The pixels that the placed mesh's box may touch; the whole view if it extends behind the eye.
 PixelBox pixels_of(const Projection& p, const Mesh& mesh, const Eigen::AlignedBox3d& box) {
     PixelBox pixels;
     for (int k = 0; k < 8; ++k) {
@@ -128,7 +128,7 @@ MeshPass::Uploaded& MeshPass::uploaded(const MeshGeometry& geometry) {
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
     glEnableVertexAttribArray(1);
-    // GL takes an offset into the buffer as a pointer.
+    // OpenGL takes an offset into the buffer as a pointer.
     const void* after_position = reinterpret_cast<const void*>(
         sizeof(Eigen::Vector3f));  // NOLINT(performance-no-int-to-ptr)
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, after_position);
@@ -146,7 +146,7 @@ MeshPass::Uploaded& MeshPass::uploaded(const MeshGeometry& geometry) {
 
 void MeshPass::resize(int width_px, int height_px) {
     if (width_px <= width_px_ && height_px <= height_px_) return;
-    // Rounded up, so that a turning body does not ask for a little more every time.
+    // Rounded up, so that a rotating body does not need a slightly larger layer each time.
     const auto rounded = [](int px) { return (px + 127) / 128 * 128; };
     width_px_ = std::max(width_px_, rounded(width_px));
     height_px_ = std::max(height_px_, rounded(height_px));
@@ -203,7 +203,7 @@ void MeshPass::prepare(ViewScene& scene) {
     layer.height = static_cast<int>(std::ceil(box.bottom)) - layer.top;
     layer.opacity = 1.0 - transmitted;
 
-    // Clip depth runs from -1 to 1, buffer depth from 0 to 1, over the meshes' own depths.
+    // Clip depth from -1 to 1, and buffer depth from 0 to 1, cover the meshes' range of depths.
     if (p.perspective) nearest = std::max(nearest, p.near_depth);
     const double margin = 1e-3 * (farthest - nearest) + 1e-9;
     nearest -= margin;

@@ -1,5 +1,5 @@
-// Opaque triangles with hidden surfaces removed, drawn with four samples a pixel into a layer of
-// their own; its depth tells the curves and arrows what they are behind.
+// Draws opaque triangles with hidden-surface removal, with four samples per pixel, into a separate
+// layer. Curves and arrows use the layer's depth for occlusion.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,17 @@ class MeshPass {
  public:
     MeshPass();
     void begin_picture();
-    // Says where the view's layer will lie, and adds the shadows that its meshes cast.
+    // Determines the layer's position in the view, and adds the shadows of the meshes.
     void prepare(ViewScene& scene);
-    // Draws the meshes into the layer, which it binds.
+    // Binds the layer and draws the meshes into it.
     void draw_layer(const ViewScene& scene);
-    // Puts the layer over the picture, and binds its depth for the passes that follow.
-    // Precondition: a vertex array without attributes is bound.
+    // Draws the layer over the picture, and binds its depth for the following passes. Precondition:
+    // a vertex array without attributes is bound.
     void draw(const ViewScene& scene) const;
     void mark(const ViewScene& scene, TileMask& marks) const;
 
  private:
-    // What draws triangles: in a colour, or with a picture.
+    // A program that draws triangles: in one colour, or with a picture.
     struct Drawer {
         explicit Drawer(const std::vector<std::string>& defines);
         Program program;
@@ -49,7 +49,7 @@ class MeshPass {
     void draw_mesh(const Drawer& drawer, const ViewScene& scene, const Mesh& mesh);
 
     Drawer plain_;
-    std::optional<Drawer> pictured_;  // once there is a picture
+    std::optional<Drawer> pictured_;  // made for the first picture
     PolygonProgram over_;
     GlTexture samples_, depth_, resolved_;
     GlFramebuffer sampled_, single_;

@@ -35,7 +35,7 @@ void BackgroundPass::draw(const Drawing& drawing, const Background& background,
     glUniform4fv(bands_, n_bands + 1, bands[0].data());
     glUniform4f(box_, static_cast<float>(box.left), static_cast<float>(box.top),
                 static_cast<float>(box.right), static_cast<float>(box.bottom));
-    // What covers in full need not be mixed.
+    // An opaque background needs no blending.
     if (background.alpha >= 1.0) glDisable(GL_BLEND);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (n_bands + 1));
     glEnable(GL_BLEND);
@@ -79,7 +79,7 @@ ShadowPass::ShadowPass()
             const auto at = [](int i, int j) {
                 return static_cast<std::uint16_t>(i * n_spokes + j);
             };
-            // The innermost ring is a point.
+            // The innermost ring is a single point.
             if (ring > 0)
                 indices.insert(indices.end(),
                                {at(ring, spoke), at(ring, next), at(ring + 1, next)});
@@ -116,7 +116,7 @@ void ShadowPass::draw(const ViewScene& scene, std::size_t plane) const {
         if (web.plane != plane) continue;
         program_.use();
         set_picture(picture_, *scene.drawing);
-        // A deep shade of the plane's own colour is calmer than black.
+        // A dark shade of the plane's own colour looks calmer than black.
         const Eigen::Vector4f tint = linear_from_srgb(scene.view->planes[plane].grid_colour, 1.0);
         glUniform4f(tint_, 0.06f * tint[0], 0.06f * tint[1], 0.06f * tint[2], 1.0f);
         glBindVertexArray(vertex_array_.id());

@@ -1,4 +1,4 @@
-// Backgrounds, planes with their grids, and the shadows that ellipsoids cast on them.
+// Draws backgrounds, planes with their grids, and the shadows of ellipsoids on them.
 #pragma once
 
 #include "render/passes/program.h"
@@ -29,7 +29,7 @@ class PlanePass {
 class ShadowPass {
  public:
     ShadowPass();
-    // Makes the webs of all that casts shadows in the view.
+    // Makes the shadow webs of everything in the view that casts shadows.
     static void prepare(ViewScene& scene);
     void draw(const ViewScene& scene, std::size_t plane) const;
     void mark(const ViewScene& scene, TileMask& marks) const;
@@ -42,7 +42,7 @@ class ShadowPass {
     GLsizei n_indices_ = 0;
 };
 
-// Where a plane's disc is seen.
+// The outline of a plane's disc in the picture.
 PixelPolygon disc_polygon(const ViewScene& scene, std::size_t plane);
 
 }  // namespace poinsot

@@ -16,7 +16,7 @@ std::string_view embedded(std::string_view name) {
     throw Error("there is no shader named " + std::string(name));
 }
 
-// Appends a file line by line, following its includes.
+// Appends a file line by line, with its includes.
 void append(std::string& out, std::string_view name) {
     std::string_view rest = embedded(name);
     while (!rest.empty()) {
@@ -86,14 +86,14 @@ Program::Program(std::string_view vertex, std::string_view fragment,
 
 namespace {
 
-// llvmpipe and OpenGL 3.3 hand 32 vectors to a fragment, one of them its position.
+// llvmpipe and OpenGL 3.3 pass 32 vectors to a fragment, including its position.
 constexpr int most_varyings = 31;
 
 int n_flat(int n_constants, int n_varyings) {
     return std::min(n_constants, most_varyings - n_varyings);
 }
 
-// The defines of shaders/constants.glsl before those of the program.
+// The defines of shaders/constants.glsl, followed by those of the program.
 std::vector<std::string> with_counts(int n_constants, int n_varyings,
                                      const std::vector<std::string>& defines) {
     std::vector<std::string> all{"N_CONSTANTS " + std::to_string(n_constants),

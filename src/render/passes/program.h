@@ -17,11 +17,11 @@
 
 namespace poinsot {
 
-// The full text of a shader: `#include "file"` lines replaced by that embedded file, `#define`s
-// put after the version line. Throws Error if there is no such file.
+// The full text of a shader: replaces `#include "file"` lines by that embedded file and inserts the
+// `#define`s after the version line. Throws Error if there is no such file.
 std::string shader_text(std::string_view name, const std::vector<std::string>& defines);
 
-// A linked program with its texture unit already set.
+// A linked program with its texture units already set.
 class Program {
  public:
     // Throws Error with the driver's message if a shader does not compile.
@@ -29,7 +29,7 @@ class Program {
             const std::vector<std::string>& defines = {});
 
     void use() const { glUseProgram(program_.id()); }
-    // Location of a uniform; -1, which OpenGL ignores, if the shader makes no use of it.
+    // The location of a uniform; -1, which OpenGL ignores, if the shader does not use it.
     GLint at(const char* name) const { return glGetUniformLocation(program_.id(), name); }
 
  private:
@@ -39,14 +39,14 @@ class Program {
 // Sets the uniform `picture` of shaders/clip.glsl.
 void set_picture(GLint location, const Drawing& drawing);
 
-// A program whose constants reach its fragments as shaders/constants.glsl says.
+// A program whose constants are passed to its fragments as in shaders/constants.glsl.
 class ConstantProgram : public Program {
  public:
-    // n_varyings: how many other vectors its vertex shader hands on.
+    // n_varyings: the number of other vectors that its vertex shader outputs.
     ConstantProgram(std::string_view vertex, std::string_view fragment, int n_constants,
                     int n_varyings, const std::vector<std::string>& defines = {});
 
-    // Makes it current with these constants, for a picture of this size.
+    // Makes the program current with these constants, for a picture of this size.
     void use(const Constants& constants, const Drawing& drawing) const;
 
  private:
@@ -54,7 +54,7 @@ class ConstantProgram : public Program {
     GLint constants_, more_, picture_;
 };
 
-// One that fills convex polygons given in pixels.
+// A program that fills convex polygons given in pixels.
 class PolygonProgram : public ConstantProgram {
  public:
     PolygonProgram(std::string_view fragment, int n_constants,
@@ -63,8 +63,8 @@ class PolygonProgram : public ConstantProgram {
     // Precondition: a vertex array without attributes is bound.
     void draw(const PixelPolygon& polygon, const Constants& constants,
               const Drawing& drawing) const;
-    // Only what lies outside `inner`, which lies within it and has as many corners; the vertex
-    // shader must hold twice as many and two.
+    // Draws only the region between `inner` and `outer`. Precondition: `inner` lies inside `outer`
+    // and has the same number of corners n; the vertex shader has room for 2n + 2 corners.
     void draw_ring(const PixelPolygon& outer, const PixelPolygon& inner, const Constants& constants,
                    const Drawing& drawing) const;
 
@@ -72,8 +72,8 @@ class PolygonProgram : public ConstantProgram {
     GLint corners_;
 };
 
-// Programs that differ by the numbers of solids in the view, made when first needed: their loops
-// have constant lengths, and what they read is found when they are compiled.
+// Program variants by the numbers of solids in the view, made on first use: loop lengths and the
+// positions of constants are known at compile time.
 template <class Made>
 class BySolids {
  public:

@@ -6,7 +6,7 @@
 namespace poinsot {
 namespace {
 
-// Uniform part of a placement's scale.
+// The uniform part of a placement's scale.
 double scale_of(const Eigen::Affine3d& placement) {
     return std::cbrt(std::abs(placement.linear().determinant()));
 }
@@ -31,7 +31,8 @@ bool shows(const Curve& curve) {
 }
 
 DashPattern dashes_of(const ViewScene& scene, const Curve& curve, double length) {
-    // As long as asked for where the camera looks; a closed curve has whole ones.
+    // Lengths apply at the depth of the camera's target; a closed curve has a whole number of
+    // dashes.
     const Projection& p = scene.projection;
     const double unit_px = p.scale(std::max(p.depth(scene.view->camera.target), p.near_depth)) *
                            scale_of(curve.placement);

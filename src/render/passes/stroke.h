@@ -1,5 +1,5 @@
-// What all passes over curves share: the part that is shown, its dashes, and the program that puts
-// a rectangle about every segment.
+// Functions shared by all passes over curves: the drawn range, its dashes, and the program that
+// draws a rectangle around every segment.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace poinsot {
 
-// The part of a curve that is shown: points from first to last, and the whole segments about it.
+// The drawn range of a curve: points from first to last, and the segments that contain them.
 struct ShownRange {
     double first = 0.0, last = 0.0;
     int first_segment = 0, end_segment = 0;
@@ -19,11 +19,11 @@ struct ShownRange {
 };
 ShownRange range_of(const Curve& curve);
 
-// Whether there is anything of the curve to be drawn.
+// Whether any part of the curve is drawn.
 bool shows(const Curve& curve);
 
-// As shaders/stroke.glsl has them: lengths of the curve to a dash and its gap (0: solid; below 0:
-// dashed only where hidden), and the share that is drawn.
+// Dashes as in shaders/stroke.glsl: period in lengths of the curve (0: solid; below 0: dashed only
+// where hidden), and the drawn share of the period.
 struct DashPattern {
     double period = 0.0, share = 1.0;
     bool operator==(const DashPattern&) const = default;
@@ -31,10 +31,10 @@ struct DashPattern {
 // length: of the whole curve.
 DashPattern dashes_of(const ViewScene& scene, const Curve& curve, double length);
 
-// The ellipsoid that the curve lies on, if it hides things; null if none.
+// The ellipsoid on which the curve lies, if it hides other objects; else null.
 const Quadric* surface_of(const ViewScene& scene, const Curve& curve);
 
-// A segment as it is handed to the shader.
+// A segment as input of the shader.
 struct StrokeEnds {
     Eigen::Vector2d from_px, to_px;
     double depth_from = 1.0, depth_to = 1.0;
@@ -42,7 +42,7 @@ struct StrokeEnds {
     double length_from = 0.0, length_to = 0.0;
 };
 
-// One that draws segments through shaders/curve.vert.
+// A program that draws segments with shaders/curve.vert.
 class StrokeProgram : public ConstantProgram {
  public:
     StrokeProgram(std::string_view fragment, int n_constants,
@@ -51,7 +51,7 @@ class StrokeProgram : public ConstantProgram {
     // Draws the segments of a range, in rectangles for a stroke of this width.
     void draw(const ViewScene& scene, const Curve& curve, const ShownRange& range, double width_px,
               const Constants& constants, CurveStore& store) const;
-    // Draws rectangles for this segment and what is kept of the others.
+    // Draws rectangles for this segment and the cached part of the others.
     void draw(const ViewScene& scene, const StrokeEnds& ends, const std::vector<PixelRect>& rects,
               const Constants& constants, CurveStore& store) const;
 
