@@ -1,4 +1,4 @@
-// Arrows and dots, from the back to the front.
+// Draws arrows and dots, from back to front.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,21 +16,23 @@ namespace {
 
 using std::numbers::pi;
 
-// An arrow as it is drawn: sizes in units of the view, places on paper.
+// The shape of an arrow: sizes in units of the view, positions on paper.
 struct ArrowShape {
     bool seen = false;
     Eigen::Vector3d axis, tail, neck, tip;
     double shaft_radius = 0.0, head_radius = 0.0;
     Eigen::Vector2d tail_pt, neck_pt, tip_pt;
-    double tail_scale = 1.0, neck_scale = 1.0;  // points a unit
-    double open = 0.0;                          // how open the circles about the axis are seen
-    Eigen::Vector2d along, across;              // on paper, unit
-    // From the axis to the line of the shaft's surface that is nearest to the eye, and how far
-    // along the axis it runs beside it: there what hides the arrow is asked for.
+    double tail_scale = 1.0, neck_scale = 1.0;  // points per unit
+    double open = 0.0;                          // minor over major axis of the ellipses as which
+                                                // circles about the axis appear
+    Eigen::Vector2d along, across;              // on paper, unit vectors
+    // The vector from the axis to the line of the shaft's surface nearest to the eye, and the share
+    // of the axis up to which it runs parallel to the axis. The visibility of the arrow is computed
+    // on this line.
     Eigen::Vector3d to_front = Eigen::Vector3d::Zero();
     double neck_at = 1.0;  // share of the axis
 
-    // At a share s of the axis; towards the tip it runs into it.
+    // The point of this line at a share s of the axis; in the head it approaches the axis.
     Eigen::Vector3d front(double s) const {
         const double rest = s <= neck_at ? 1.0 : (1.0 - s) / (1.0 - neck_at);
         return tail + s * (tip - tail) + rest * to_front;
@@ -44,7 +46,7 @@ ArrowShape shape_of(const Canvas& canvas, const Arrow& arrow) {
     const double length = run.norm();
     if (!(length > 0.0) || arrow.opacity <= 0.0) return shape;
     shape.axis = run / length;
-    // Sizes hold where the camera looks.
+    // Sizes apply at the depth of the camera's target.
     const double unit_px =
         projection.scale(std::max(projection.depth(canvas.view.camera.target), 1e-9)) /
         projection.units_per_px;
@@ -73,7 +75,7 @@ ArrowShape shape_of(const Canvas& canvas, const Arrow& arrow) {
     const Eigen::Vector3d to_eye =
         projection.towards_eye(0.5 * (shape.tail + shape.tip)).normalized();
     const Eigen::Vector3d front = to_eye - to_eye.dot(shape.axis) * shape.axis;
-    // Seen along its axis it has none.
+    // Seen along its axis, the arrow has no such line.
     if (front.norm() > 1e-3) shape.to_front = shape.shaft_radius * front.normalized();
     shape.neck_at = 1.0 - head_length / length;
     shape.seen = true;
@@ -85,7 +87,7 @@ PaperEllipse ring_of(const ArrowShape& shape, const Eigen::Vector2d& middle, dou
     return {middle, radius_pt * shape.along * shape.open, radius_pt * shape.across};
 }
 
-// A part of a ring from one angle to another, 0 being ahead, as Béziers.
+// A part of a ring between two angles as Béziers; angle 0 is ahead.
 std::vector<Bezier> arc(const PaperEllipse& ring, double from, double to) {
     const int n = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / (0.5 * pi))));
     const double handle = 4.0 / 3.0 * std::tan(0.25 * (to - from) / n);
@@ -101,7 +103,7 @@ std::vector<Bezier> arc(const PaperEllipse& ring, double from, double to) {
     return beziers;
 }
 
-// The hull of two rings of one shape, the second ahead of the first.
+// The convex hull of two rings of one shape, the second ahead of the first.
 Path hull(const ArrowShape& shape, const Eigen::Vector2d& a, double radius_a,
           const Eigen::Vector2d& b, double radius_b) {
     const PaperEllipse first = ring_of(shape, a, radius_a), second = ring_of(shape, b, radius_b);
@@ -112,7 +114,7 @@ Path hull(const ArrowShape& shape, const Eigen::Vector2d& a, double radius_a,
         path.close();
         return path;
     }
-    // Tangents touch both circles at one angle, once the picture is stretched along the axis.
+    // After stretching along the axis, common tangents touch both circles at the same angle.
     const double touch = std::acos((radius_a - radius_b) / run);
     path.add(arc(first, touch, 2.0 * pi - touch));
     if (radius_b > 1e-9) {
@@ -125,7 +127,7 @@ Path hull(const ArrowShape& shape, const Eigen::Vector2d& a, double radius_a,
     return path;
 }
 
-// Light across a round part of it, from side to side.
+// The shading across a round part, from side to side.
 LinearFade lit_across(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape,
                       const Eigen::Vector2d& middle, double radius_pt, double cone_slope,
                       double opacity, const Colour& behind) {
@@ -133,7 +135,7 @@ LinearFade lit_across(const Canvas& canvas, const Arrow& arrow, const ArrowShape
         canvas.projection.towards_eye(0.5 * (shape.tail + shape.tip)).normalized();
     const Eigen::Vector3d side = shape.axis.cross(to_eye).normalized();
     const Eigen::Vector3d front = side.cross(shape.axis);
-    // On which side of the arrow that is on paper.
+    // The direction of that side on paper.
     const Eigen::Vector2d side_pt =
         Eigen::Vector2d(canvas.projection.right.dot(side), canvas.projection.down.dot(side));
     const Eigen::Vector2d to_side = side_pt.dot(shape.across) < 0.0 ? -shape.across : shape.across;
@@ -153,15 +155,15 @@ LinearFade lit_across(const Canvas& canvas, const Arrow& arrow, const ArrowShape
     return fade;
 }
 
-// What is pale shows no light worth a gradient.
+// Arrows of lower opacity are drawn without a gradient.
 constexpr double pale = 0.9;
 
-// Of its shaft and its head, which are drawn.
+// Which parts of the arrow are drawn.
 struct ArrowParts {
     bool shaft = true, head = true;
 };
 
-// With light on it; `ink` where it is pale.
+// Fills the arrow with shading; with `ink` if it is pale.
 void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape, double opacity,
                 const Ink& ink, const ArrowParts& parts) {
     const double shaft_tail = shape.shaft_radius * shape.tail_scale;
@@ -172,7 +174,7 @@ void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shap
     const auto paint = [&](const Eigen::Vector2d& middle, double radius, double slope) -> Paint {
         if (canvas.shading == Shading::none) return Ink{arrow.colour, opacity};
         if (opacity < pale) return ink;
-        // Nor does what is no wider than a line.
+        // A part as narrow as a line has no gradient, either.
         constexpr double narrow_pt = 0.8;
         if (radius < narrow_pt) {
             const LinearFade fade =
@@ -188,7 +190,7 @@ void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shap
     Fill point;
     point.path = hull(shape, shape.neck_pt, head, shape.tip_pt, 0.0);
     point.paint = paint(shape.neck_pt, head, shape.head_radius / std::max(head_length, 1e-9));
-    // The nearer part lies on top: the shaft when the arrow points away.
+    // The nearer part is drawn last: the shaft if the arrow points away from the eye.
     const bool away = shape.axis.dot(-canvas.projection.towards_eye(shape.neck)) > 0.0;
     bool shows_first = parts.shaft, shows_second = parts.head;
     if (away) {
@@ -199,7 +201,7 @@ void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shap
     if (shows_second) canvas.add(std::move(point));
 }
 
-// All of the arrow beside a part of its axis: a strip across it.
+// A strip across the arrow that contains everything beside a part of its axis.
 Path strip(const Canvas& canvas, const ArrowShape& shape, double from, double to) {
     const double reach = 2.0 * std::max(shape.head_radius * shape.neck_scale,
                                         shape.shaft_radius * shape.tail_scale) +
@@ -216,26 +218,26 @@ Path strip(const Canvas& canvas, const ArrowShape& shape, double from, double to
     return path;
 }
 
-// What of it shows beside a part of its axis.
+// The parts of the arrow that are visible beside a part of its axis.
 ArrowParts parts_beside(const Canvas& canvas, const ArrowShape& shape, double from, double to) {
     const auto along = [&](double s) {
         return shape.along.dot(canvas.projection.place(shape.front(s)) - shape.neck_pt);
     };
-    // The neck's rings reach as far to both sides of it.
+    // The neck's rings extend equally to both sides of the neck.
     const double ring = shape.open * shape.neck_scale;
     return {from <= 0.0 || along(from) <= ring * shape.shaft_radius,
             to >= 1.0 || along(to) >= -ring * shape.head_radius};
 }
 
-// The opacity of a layer: both, the visible one over the hidden one, make up the whole.
+// The opacity of a layer: the visible layer over the hidden one gives the full opacity.
 double weight_of(const Cover& cover, double hidden_opacity, ArrowLayer layer) {
     if (layer == ArrowLayer::visible) return cover.clear;
-    if (hidden_opacity < 0.0 || cover.clear >= 1.0) return 0.0;  // left out
+    if (hidden_opacity < 0.0 || cover.clear >= 1.0) return 0.0;  // hidden parts are omitted
     return std::max(hidden_opacity, cover.transmitted);
 }
 
-// The outline of the ellipsoid behind whose limb the axis goes at s; none where it pierces a
-// surface, where another solid begins, and at its ends.
+// The outline of the ellipsoid behind whose limb the axis passes at s; nothing where the axis
+// pierces a surface, where another solid begins, and at the ends of the axis.
 std::optional<PaperEllipse> outline_at(const Canvas& canvas, const ArrowShape& shape, double s) {
     if (s <= 0.0 || s >= 1.0) return std::nullopt;
     const Eigen::Vector3d point = shape.front(s);
@@ -249,8 +251,8 @@ std::optional<PaperEllipse> outline_at(const Canvas& canvas, const ArrowShape& s
     return std::nullopt;
 }
 
-// How far before and after s, as parts of the axis, an outline that crosses it there cuts what
-// lies beside it; three widths at most.
+// Half the length, as a share of the axis, over which an outline that crosses the axis at s cuts
+// the arrow's width; limited to three widths.
 double slant(const Canvas& canvas, const ArrowShape& shape, const PaperEllipse& outline, double s) {
     const Eigen::Vector3d run = shape.tip - shape.tail;
     const Eigen::Vector3d point = shape.front(s);
@@ -272,7 +274,7 @@ double slant(const Canvas& canvas, const ArrowShape& shape, const PaperEllipse& 
     return reach_pt / std::max(pt_per_s, 1e-9);
 }
 
-// A span of its axis with what lies beside it, to where outlines cut that.
+// A span of the axis with the part of the arrow beside it, clipped by outlines.
 struct BesideSpan {
     Span span;
     std::vector<ClipBegin> clips;
@@ -295,7 +297,8 @@ BesideSpan beside(const Canvas& canvas, const ArrowShape& shape, const Span& spa
     return part;
 }
 
-// The part of it beside a part of its axis, of one opacity, over a layer of it that has another.
+// Draws the part of the arrow beside a span of its axis with one opacity, over a layer with another
+// opacity.
 void draw_part(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape,
                const Track& track, const Span& span, double opacity, double lower_opacity) {
     const Eigen::Vector3d to_eye = canvas.projection.towards_eye(0.5 * (shape.tail + shape.tip));
@@ -376,7 +379,8 @@ void fill_dot(const Canvas& canvas, const Dot& dot, double opacity) {
     canvas.add(std::move(fill));
 }
 
-// The outline of an ellipsoid that hides the dot but not all of it, or the other way round.
+// The ellipsoid whose outline crosses the dot, so that it hides only a part of the dot; null if
+// there is none.
 const SphereSight* cut_by(const Canvas& canvas, const Dot& dot) {
     const Eigen::Vector2d middle = canvas.projection.place(dot.at);
     const double radius = canvas.pt(dot.radius_px);
@@ -410,7 +414,7 @@ void draw_dot(const Canvas& canvas, const Dot& dot, ArrowLayer layer) {
         if (opacity > 1e-3) fill_dot(canvas, dot, opacity);
         return;
     }
-    // All of it pale, and then what stands out beyond the outline.
+    // The whole dot is drawn pale, then the visible layer draws the part outside the outline.
     if (layer == ArrowLayer::hidden) {
         if (dot.hidden_opacity < 0.0) return;
         fill_dot(canvas, dot, dot.opacity * std::max(dot.hidden_opacity, 1.0 - sphere->hiding));
@@ -421,7 +425,7 @@ void draw_dot(const Canvas& canvas, const Dot& dot, ArrowLayer layer) {
     canvas.add(ClipEnd{});
 }
 
-// Numbers of arrows, then of dots, from the back to the front.
+// Numbers of arrows, then of dots, from back to front.
 std::vector<std::size_t> order_of(const Canvas& canvas) {
     const Projection& projection = canvas.projection;
     const auto seen = [&projection](const Eigen::Vector3d& point) {

@@ -1,4 +1,4 @@
-// Bodies of triangles, and cones.
+// Draws bodies made of triangles, and cones.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,28 +22,29 @@ namespace {
 
 using std::numbers::pi;
 
-// A hair of the same ink about each closes the seams that readers leave between neighbours.
+// A thin stroke of the same ink around each fill closes the seams that PDF and SVG viewers show.
 constexpr double most_seam_pt = 0.2;
-// Tones of a component: neighbours within a step of them are filled as one.
+// Tones per component: neighbouring triangles of the same rounded tone are filled together.
 constexpr double n_tones = 48.0;
 constexpr int n_places = 7;
 
 using Bodies = std::span<const MeshSight>;
 
-// Whether what lies behind a body and belongs to another, or to itself, is hidden by it.
+// Whether a body hides what lies behind it: another body, or another part of itself.
 bool covers(const MeshSight& body, const MeshSight& other) {
     return &body == &other || body.mesh().opacity >= 1.0;
 }
 
-// A triangle as it is filled.
+// A triangle and its data for filling.
 struct Facet {
     const MeshSight::Triangle* triangle = nullptr;
     Colour colour;
     bool faces = false;
-    double depth = 0.0;                // of its middle
-    int n_hidden = 0;                  // of its places
-    std::vector<std::size_t> hides{};  // numbers of those that it hides at a place
-    int rank = 0;                      // above those of all that are seen and hide it
+    double depth = 0.0;                // of its centre
+    int n_hidden = 0;                  // number of its hidden sample points
+    std::vector<std::size_t> hides{};  // numbers of the triangles that it hides at a sample point
+    int rank = 0;                      // greater than the rank of each visible triangle that hides
+                                       // it
 
     bool is_seen() const { return faces && n_hidden < n_places; }
 };
@@ -66,7 +67,7 @@ Facet facet_of(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle
     return facet;
 }
 
-// Places of a triangle: its middle, and those near corners and sides.
+// Sample points of a triangle: its centre, and points near its corners and sides.
 std::array<Eigen::Vector3d, n_places> places_of(const MeshSight::Triangle& triangle) {
     constexpr double inset = 0.03;
     const auto& c = triangle.corners;
@@ -85,7 +86,7 @@ std::array<int, 3> rounded(const Colour& colour) {
     return {level(colour.r), level(colour.g), level(colour.b)};
 }
 
-// It must not make what is thin, as a string, much wider.
+// The seam must not make thin parts, such as a string, much wider.
 double seam_of(const std::vector<const MeshSight::Triangle*>& triangles) {
     double area = 0.0, longest = 0.0;
     for (const MeshSight::Triangle* triangle : triangles) {
@@ -93,15 +94,15 @@ double seam_of(const std::vector<const MeshSight::Triangle*>& triangles) {
         area += std::abs(cross(p[1] - p[0], p[2] - p[0]));
         longest += std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
     }
-    // Two fifths of their height, in few steps, which take less of a file.
+    // Two fifths of the height, in few steps to keep the file small.
     const double most = 0.4 * area / std::max(longest, 1e-9);
     double seam_pt = most_seam_pt;
     for (int step = 0; step < 4 && seam_pt > most; ++step) seam_pt *= 0.5;
     return seam_pt;
 }
 
-// All of several triangles that lie beside each other on paper, within their common outline: sides
-// that two share run both ways and fall away.
+// The common outline of triangles that are neighbours on paper: sides that two of them share run in
+// both directions and cancel.
 Path common_outline(const std::vector<const MeshSight::Triangle*>& triangles) {
     using Place = std::pair<double, double>;
     std::map<Place, std::vector<Place>> sides;
@@ -139,8 +140,7 @@ Path common_outline(const std::vector<const MeshSight::Triangle*>& triangles) {
     return path;
 }
 
-// Edges that an engraver would draw: where the surface turns away from the eye, where it ends, and
-// where it bends sharply.
+// Edges for a line drawing: where the surface turns away from the eye, boundaries, and sharp edges.
 std::vector<std::array<Eigen::Vector3d, 2>> drawn_edges(const Projection& projection,
                                                         const MeshSight& mesh) {
     constexpr double sharp_cosine = 0.8;
@@ -196,7 +196,8 @@ void draw_edges(const Canvas& canvas, const MeshSight& body) {
     if (!stroke.path.steps.empty()) canvas.add(std::move(stroke));
 }
 
-// All triangles, those of the first body first, with what hides what at their places.
+// All triangles of all bodies in order, with the triangles that each one hides at its sample
+// points.
 std::vector<Facet> facets_of(const Canvas& canvas, Bodies bodies) {
     std::vector<Facet> facets;
     std::vector<std::size_t> first;  // of each body
@@ -219,7 +220,7 @@ std::vector<Facet> facets_of(const Canvas& canvas, Bodies bodies) {
                     bodies[other].crossings(canvas.projection.place(place), crossings);
                     for (const MeshSight::Crossing& there : crossings) {
                         const std::size_t number = first[other] + there.number;
-                        // Of a closed surface the far side is hidden by the near one.
+                        // On a closed surface, the near side hides the far side.
                         if (!facets[number].faces) continue;
                         if (there.depth < depth - touching && covers(bodies[other], bodies[b])) {
                             hidden = true;
@@ -236,10 +237,11 @@ std::vector<Facet> facets_of(const Canvas& canvas, Bodies bodies) {
     return facets;
 }
 
-// Each facet's rank, once those of all that hide it are known. Where some hide each other in a
-// circle, the nearest goes first.
+// Assigns the ranks after those of all triangles that hide a triangle. In a cycle of mutual hiding,
+// the nearest triangle comes first.
 void rank(std::vector<Facet>& facets) {
-    std::vector<std::size_t> waits(facets.size(), 0);  // for so many
+    std::vector<std::size_t> waits(facets.size(), 0);  // number of unranked triangles that hide
+                                                       // each one
     for (const Facet& facet : facets)
         for (const std::size_t farther : facet.hides) ++waits[farther];
     std::vector<std::size_t> by_depth(facets.size());
@@ -269,7 +271,7 @@ void rank(std::vector<Facet>& facets) {
 void fill_bodies(const Canvas& canvas, Bodies bodies) {
     std::vector<Facet> facets = facets_of(canvas, bodies);
     rank(facets);
-    // Those that hide nothing of each other go together by colour, the highest rank first.
+    // Triangles that do not hide each other are filled together by colour, the highest rank first.
     std::map<std::pair<int, std::array<int, 3>>, std::vector<const MeshSight::Triangle*>> filled;
     for (const Facet& facet : facets)
         if (facet.is_seen()) filled[{-facet.rank, rounded(facet.colour)}].push_back(facet.triangle);
@@ -292,7 +294,7 @@ struct ConeAxes {
     double radius = 0.0;  // of the rim
 };
 
-// What a place on paper shows of a cone, over what lies behind it.
+// The colour of a cone at a point of the page, with the colour behind it.
 struct ConeSeen {
     int n_sheets = 0;
     ColourOver look;
@@ -300,8 +302,8 @@ struct ConeSeen {
 
 ConeSeen seen_at(const Canvas& canvas, const Cone& cone, const ConeAxes& axes,
                  const Eigen::Vector2d& at) {
-    // Where the line of sight o + t d meets it: across² = (slope along)², with along up to the
-    // rim's.
+    // Intersects the line of sight o + t d with the cone: across² = (slope along)², with `along` up
+    // to that of the rim.
     const double slope = axes.radius / cone.length;
     const Eigen::Vector3d o = canvas.projection.ray_origin(at) - cone.apex;
     const Eigen::Vector3d d = canvas.projection.ray(at);
@@ -335,16 +337,16 @@ ConeSeen seen_at(const Canvas& canvas, const Cone& cone, const ConeAxes& axes,
     return seen;
 }
 
-// The outline of the view's one ellipsoid, on whose other side a cone looks otherwise; none if
-// there are others.
+// The outline of the view's only ellipsoid, across which the look of a cone changes; nothing if
+// there are several.
 std::optional<PaperEllipse> only_outline(const Canvas& canvas) {
     if (canvas.view.ellipsoids.size() != 1) return std::nullopt;
     const auto limb = limb_of(canvas.occluders.spheres()[0]);
     return limb ? picture_of(*limb, canvas.projection) : std::nullopt;
 }
 
-// Where a line of sight meets one sheet, within the rim, and where it meets both, between the rim
-// and the apex: an ink each, that makes on the whole what is seen there.
+// Fills the region inside the rim, where a line of sight meets one sheet, and the region between
+// rim and apex, where it meets both; each with one ink that is right on average.
 void fill_sheets(const Canvas& canvas, const Cone& cone, const ConeAxes& axes,
                  const PaperEllipse& rim, Path hull) {
     constexpr int n = 32;
@@ -353,7 +355,7 @@ void fill_sheets(const Canvas& canvas, const Cone& cone, const ConeAxes& axes,
     const Eigen::Vector2d reach = (rim.a.cwiseAbs2() + rim.b.cwiseAbs2()).cwiseSqrt();
     const Eigen::Vector2d low = apex.cwiseMin(rim.centre - reach);
     const Eigen::Vector2d step = (apex.cwiseMax(rim.centre + reach) - low) / n;
-    std::array<std::array<std::vector<ColourOver>, 2>, 2> looks;  // by outline and sheets
+    std::array<std::array<std::vector<ColourOver>, 2>, 2> looks;  // by outline and number of sheets
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
             const Eigen::Vector2d at = low + step.cwiseProduct(Eigen::Vector2d(i + 0.5, j + 0.5));
@@ -447,7 +449,7 @@ void draw_cone(const Canvas& canvas, const Cone& cone) {
     const Eigen::Vector2d apex = projection.place(cone.apex);
 
     if (canvas.has_fills()) {
-        // The rim and the apex, and what lies between.
+        // Rim and apex, and the region between them.
         const Eigen::Vector2d from_rim = ellipse->page_from_circle().inverse() * apex;
         const double apart = from_rim.norm();
         Path hull;
@@ -482,7 +484,8 @@ void draw_cone(const Canvas& canvas, const Cone& cone) {
         const double angle = cone.phase_rad + 2.0 * pi * k / cone.n_rulings;
         const Eigen::Vector3d end = rim.at(angle);
         const Eigen::Vector3d run = end - cone.apex;
-        // Towards the apex they crowd and fade, as on the screen: they end where half is left.
+        // Towards the apex the lines become dense and fade, as on the screen: they end where half
+        // the opacity is left.
         constexpr double half_left_px = 9.0;
         const Eigen::Vector3d along_rim =
             std::cos(angle) * rim.sine_axis - std::sin(angle) * rim.cosine_axis;

@@ -15,7 +15,7 @@ Colour mixed(const Colour& a, const Colour& b, double part_of_b) {
             keep * a.b + part_of_b * b.b};
 }
 
-// A gradient's colour at a place between its upper and its lower end.
+// The colour of a vertical gradient at a height.
 Colour at_height(const Background& background, double y_pt, double top_pt, double height_pt) {
     return mixed(background.top, background.bottom,
                  std::clamp((y_pt - top_pt) / std::max(height_pt, 1e-9), 0.0, 1.0));
@@ -33,7 +33,7 @@ Canvas::Canvas(const Drawing& whole, const View& shown, double pt_per_px, Shadin
       page(onto) {}
 
 Colour Canvas::ground(const Eigen::Vector2d& at) const {
-    // Paper is white where nothing is drawn on it.
+    // Paper is white where nothing is drawn.
     const Colour white{1.0, 1.0, 1.0};
     Colour colour = mixed(white, at_height(drawing.background, at.y(), 0.0, page.height_pt),
                           drawing.background.alpha);
@@ -114,7 +114,7 @@ void draw_background(const Background& background, const Eigen::Vector2d& corner
 
 namespace {
 
-// Lines alone stand on an even ground.
+// Without shading, the background has a uniform colour.
 Background ground_of(Background background, Shading shading) {
     if (shading == Shading::none) background.top = background.bottom;
     return background;
@@ -146,7 +146,7 @@ void draw_view(const Drawing& drawing, const View& view, const PageChoices& choi
             for (std::size_t k = 0; k < view.ellipsoids.size(); ++k) draw_shadow(canvas, plane, k);
         }
     canvas.n_planes = view.planes.size();
-    // From the back to the front.
+    // Order from back to front.
     std::vector<std::size_t> order;
     order.reserve(view.ellipsoids.size());
     for (std::size_t k = 0; k < view.ellipsoids.size(); ++k) order.push_back(k);

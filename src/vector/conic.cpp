@@ -31,7 +31,8 @@ double PaperEllipse::radius_of(const Eigen::Vector2d& point) const {
 }
 
 std::optional<PaperEllipse> picture_of(const Conic& conic, const Projection& projection) {
-    // Homogeneous coordinates on paper, from the view's axis, are linear in (cos s, sin s, 1).
+    // Homogeneous coordinates on paper, relative to the view's axis, are linear in (cos s, sin s,
+    // 1).
     const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector2d {
         return projection.focal * Eigen::Vector2d(projection.right.dot(v), projection.down.dot(v));
     };
@@ -44,8 +45,9 @@ std::optional<PaperEllipse> picture_of(const Conic& conic, const Projection& pro
     const double swing = std::hypot(cosine_depth, sine_depth);
     if (projection.perspective && depth - swing <= projection.near_depth) return std::nullopt;
 
-    // Turned so that the depth is depth + swing·cos s: tangents at s = 0 and π are then parallel
-    // on paper, so those are the ends of a diameter, and the sine's axis is conjugate to it.
+    // Shift the angle so that the depth is depth + swing·cos s. Tangents at s = 0 and π are then
+    // parallel on paper, so these points are the ends of a diameter, and the sine's axis is
+    // conjugate to it.
     const double c = swing > 0.0 ? cosine_depth / swing : 1.0;
     const double s = swing > 0.0 ? sine_depth / swing : 0.0;
     const Eigen::Vector2d middle = across(from_eye);
@@ -76,7 +78,7 @@ std::optional<Conic> limb_of(const SphereSight& sphere) {
 std::vector<Bezier> beziers_of(const PaperEllipse& ellipse, double tolerance_pt, double& off_pt) {
     Eigen::Matrix2d axes;
     axes << ellipse.a, ellipse.b;
-    // Frobenius' norm bounds the longest half axis.
+    // The Frobenius norm bounds the longest half-axis.
     const double longest = axes.norm();
     const auto error = [longest](int n_arcs) {
         const double quarter = 0.25 * (2.0 * pi / n_arcs);

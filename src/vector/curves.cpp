@@ -1,4 +1,4 @@
-// Curves: seen parts as they are, hidden ones paler, dashed or not at all.
+// Draws curves: visible parts, and hidden parts paler, dashed or omitted.
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -27,14 +27,14 @@ std::function<CurveFlow(double)> flow_of(const std::vector<CubicPiece>& pieces) 
     };
 }
 
-// Points as a curve: cubics through them whose tangents are those of the parabolas through three
-// neighbours, but for corners, where straight pieces meet.
+// Cubic curves through points. The tangents are those of the parabolas through three neighbouring
+// points, except at corners, where straight pieces meet.
 std::vector<CubicPiece> through_points(const CurveGeometry& geometry) {
     const auto& points = geometry.points;
     const std::size_t n = points.size();
     const std::size_t n_segments = geometry.closed ? n : n - 1;
     const auto point = [&](std::size_t k) -> const Eigen::Vector3d& { return points[k % n]; };
-    // Of the directions of two segments that follow each other; zero at a corner.
+    // The tangent between two consecutive segments; zero at a corner.
     const auto tangent = [&](const Eigen::Vector3d& before, const Eigen::Vector3d& after) {
         constexpr double least_cosine = 0.97;
         const double a = before.norm(), b = after.norm();
@@ -60,7 +60,7 @@ std::vector<CubicPiece> through_points(const CurveGeometry& geometry) {
     return pieces;
 }
 
-// The track of a form, placed in the view.
+// The track of a smooth form, placed in the view.
 Track placed_track(const SmoothForm& smooth, const Eigen::Affine3d& placement, double first,
                    double last) {
     Track track;
@@ -82,14 +82,14 @@ Track placed_track(const SmoothForm& smooth, const Eigen::Affine3d& placement, d
     return track;
 }
 
-// The form of a curve within a fraction of a micrometre on paper.
+// The smooth form of a curve, accurate to a fraction of a micrometre on paper.
 SmoothForm form_of(const Canvas& canvas, const Curve& curve) {
     const CurveGeometry& geometry = *curve.geometry;
     if (geometry.smooth) {
         const double stretch = curve.placement.linear().jacobiSvd().singularValues()[0] *
                                canvas.projection.scale(std::max(
                                    canvas.projection.depth(canvas.view.camera.target), 1e-9));
-        // What lies in front of where the camera looks is seen larger, by less than this.
+        // Parts nearer than the camera's target appear larger, by less than this factor.
         constexpr double nearer = 2.0;
         if (stretch > 0.0) return geometry.smooth(form_tolerance_pt / (nearer * stretch));
     }
@@ -100,7 +100,7 @@ SmoothForm form_of(const Canvas& canvas, const Curve& curve) {
     return smooth;
 }
 
-// Where its opacity changes with the point, in steps: a trail fades behind its head.
+// Parameters at which the opacity changes by a step: a trail fades behind its head.
 std::vector<double> fading_steps(const Curve& curve, double last_point, const SmoothForm& smooth) {
     std::vector<double> steps;
     constexpr int n_steps = 16;
@@ -110,7 +110,8 @@ std::vector<double> fading_steps(const Curve& curve, double last_point, const Sm
     return steps;
 }
 
-// Dashes as long as asked for where the camera looks; a closed curve has whole ones.
+// Dash lengths, which apply at the depth of the camera's target; a closed curve has a whole number
+// of dashes.
 std::vector<double> dashes_of(const Canvas& canvas, const Curve& curve, bool hidden) {
     if (curve.dash_px > 0.0)
         return {canvas.pt(curve.dash_px),
@@ -120,7 +121,7 @@ std::vector<double> dashes_of(const Canvas& canvas, const Curve& curve, bool hid
     return {};
 }
 
-// The length of a part on paper, near enough for dashes.
+// The approximate length of a part on paper, for dashes.
 double length_pt(const Projection& projection, const Track& track, double from, double to) {
     constexpr int n = 400;
     double length = 0.0;
@@ -199,7 +200,7 @@ void draw_curve(const Canvas& canvas, const Curve& curve) {
                 stroke.ink = part.ink;
                 stroke.width_pt = canvas.line_pt(curve.width_px);
                 stroke.dashes_pt = dashes_of(canvas, curve, span.cover.clear < 0.5);
-                // Dashes go on where a part ends; the curve begins in the middle of a gap.
+                // The dash pattern continues across parts; the curve begins in the middle of a gap.
                 if (stroke.dashes_pt.size() == 2)
                     stroke.dash_offset_pt = stroke.dashes_pt[0] + 0.5 * stroke.dashes_pt[1] +
                                             length_pt(canvas.projection, track, first, part.from);

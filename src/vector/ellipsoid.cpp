@@ -1,4 +1,4 @@
-// An ellipsoid: its exact outline, the light on it, its principal sections and rulings.
+// Draws an ellipsoid: its exact outline, its shading, its principal sections and rulings.
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,8 @@ bool is_present(const Ellipsoid& ellipsoid) {
     return ellipsoid.opacity > 0.0 && ellipsoid.presence > 0.0;
 }
 
-// What a line of sight meets: both surfaces, the outer normals turned towards the eye.
+// The intersections of a line of sight with both surfaces; the outer normals are turned towards the
+// eye.
 struct Meeting {
     bool any = false;
     SurfacePoint front, back;
@@ -52,12 +53,12 @@ Meeting meeting_of(const Projection& projection, const SphereSight& sphere,
     return meeting;
 }
 
-// What is seen of a layer over something else.
+// The light of a layer blended over light from below.
 Eigen::Vector3d laid(const Layer& layer, const Eigen::Vector3d& under) {
     return layer.alpha * layer.light + (1.0 - layer.alpha) * under;
 }
 
-// How opaque both surfaces are together.
+// The combined opacity of both surfaces.
 double opacity_of(const Ellipsoid& ellipsoid, const Lights& lights, const Meeting& meeting) {
     const double front = outer_surface(ellipsoid, lights, meeting.front, 0.0).alpha;
     const double back = inner_surface(ellipsoid, lights, meeting.back, 0.0).alpha;
@@ -67,7 +68,7 @@ double opacity_of(const Ellipsoid& ellipsoid, const Lights& lights, const Meetin
 ShadedDisc lit_disc(const Canvas& canvas, std::size_t number, const PaperEllipse& outline) {
     const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
     const SphereSight& sphere = canvas.occluders.spheres()[number];
-    // Where one shines through another, light changes within less.
+    // Where ellipsoids show through each other, light changes faster and needs more samples.
     const bool one = canvas.view.ellipsoids.size() == 1;
     const int n_rings = one ? 5 : 7, n_spokes = one ? 9 : 11;
     ShadedDisc disc;
@@ -75,7 +76,7 @@ ShadedDisc lit_disc(const Canvas& canvas, std::size_t number, const PaperEllipse
     disc.n_rings = n_rings;
     disc.n_spokes = n_spokes;
     std::vector<Colour> wanted, behind;
-    // All that are here once it is.
+    // All ellipsoids drawn so far, and this one.
     std::vector<std::size_t> all = canvas.ellipsoids;
     all.push_back(number);
     const double size_pt = std::sqrt(std::abs(disc.page_from_disc.linear().determinant()));
@@ -83,7 +84,7 @@ ShadedDisc lit_disc(const Canvas& canvas, std::size_t number, const PaperEllipse
     double alpha = 0.0;
     for (int ring = 0; ring <= n_rings; ++ring) {
         for (int spoke = 0; spoke < n_spokes; ++spoke) {
-            // The limb is bright for less than its half point, whose middle stands for it.
+            // The bright limb is narrower than half a point: its middle represents it.
             const double r = std::min(disc.radius(ring), limb_radius);
             const Eigen::Vector2d place =
                 outline.centre + r * (outline.at(2.0 * pi * spoke / n_spokes) - outline.centre);
@@ -94,19 +95,19 @@ ShadedDisc lit_disc(const Canvas& canvas, std::size_t number, const PaperEllipse
                 opacity_of(ellipsoid, canvas.lights, meeting_of(canvas.projection, sphere, place));
         }
     }
-    // One opacity for all of it, so that it can be a single sheet; colours make up for it.
+    // One mean opacity, so that the disc is a single sheet; the colours compensate for it.
     disc.alpha = alpha / static_cast<double>(wanted.size());
     for (std::size_t k = 0; k < wanted.size(); ++k)
         disc.colours.push_back(colour_making(wanted[k], disc.alpha, behind[k]));
     return disc;
 }
 
-// What a line of it looks like at a place on paper, over the tone that is there.
+// The look of a line of the ellipsoid at a point of the page, over the shading there.
 Canvas::LineLook line_on(const Canvas& canvas, std::size_t number, const Eigen::Vector2d& at,
                          bool front, double opacity) {
     const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
     const Colour behind = canvas.behind(at);
-    // Lines alone: what lies behind is paler, over nothing.
+    // Without shading, lines on the far side are paler, over nothing.
     if (canvas.shading == Shading::none)
         return {ellipsoid.line_colour, opacity * ellipsoid.presence * (front ? 1.0 : 0.35), behind};
     const Meeting meeting = meeting_of(canvas.projection, canvas.occluders.spheres()[number], at);
@@ -123,7 +124,7 @@ Canvas::LineLook line_on(const Canvas& canvas, std::size_t number, const Eigen::
     return {encoded(inked), opacity, encoded(tone)};
 }
 
-// Whether a part of a line stays so far within the outline.
+// Whether a span of a line stays inside the outline by this margin.
 bool is_within(const Canvas& canvas, const PaperEllipse& outline, const Track& track,
                const Canvas::EvenPart& part, double margin_pt) {
     constexpr int n = 8;
@@ -136,12 +137,12 @@ bool is_within(const Canvas& canvas, const PaperEllipse& outline, const Track& t
     return true;
 }
 
-// A conic on the surface, in its parts on this side and on the other.
+// Strokes a conic on the surface: its part on the near side and its part on the far side.
 void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& outline,
                   const Conic& conic, double first, double last, double width_pt,
                   const std::function<double(double)>& opacity_at, bool also_behind) {
     const SphereSight& sphere = canvas.occluders.spheres()[number];
-    // On this side where α + β cos s + γ sin s > 0: at one interval about the greatest value.
+    // On the near side α + β cos s + γ sin s > 0, which is one interval about the maximum.
     const auto facing = [&](const Eigen::Vector3d& v) {
         return (sphere.to_u * v).dot(sphere.eye_u);
     };
@@ -175,7 +176,7 @@ void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& 
             while (part.from < part.to && opacity_at(part.to) < unseen) part.to -= step;
             if (!(part.from < part.to)) continue;
             if (part.ink.alpha < faintest) continue;
-            // Lines lie on the surface: where it ends they do, with all of their width.
+            // Lines lie on the surface: clip their width where the surface ends.
             const bool clips = canvas.shading != Shading::none && part.ink.alpha > faint &&
                                !is_within(canvas, outline, track, part, 0.5 * width_pt);
             if (clips) canvas.add(canvas.clip_to(outline, true));
@@ -190,8 +191,8 @@ void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& 
     }
 }
 
-// Meridians and parallels about the third axis. Where they crowd they fade, as on the screen
-// (ruled_apart in lines.glsl).
+// Strokes meridians and parallels about the third axis. Where they are dense they fade, as on the
+// screen (ruled_apart in lines.glsl).
 void stroke_rulings(const Canvas& canvas, std::size_t number, const PaperEllipse& outline) {
     const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
     const SphereSight& sphere = canvas.occluders.spheres()[number];
@@ -291,7 +292,8 @@ Colour under_sheets(const Canvas& canvas, const Eigen::Vector3d& point, const Co
     for (auto sheet = canvas.sheets.rbegin(); sheet != canvas.sheets.rend(); ++sheet) {
         const Eigen::Vector2d in_disc = sheet->disc.page_from_disc.inverse() * at;
         if (in_disc.norm() >= 1.0 || sheet->disc.alpha >= 1.0) continue;
-        // What is seen is the sheet over what it needs: that is the needed ink's `colour`.
+        // The drawn colour under the sheet gives the needed colour over it: that is the needed
+        // ink's `colour`.
         needed = colour_making(needed, 1.0 - sheet->disc.alpha, sheet->disc.at(in_disc));
     }
     return needed;
@@ -307,7 +309,7 @@ void draw_ellipsoid(const Canvas& canvas, const LitSheet& sheet) {
         fill.paint = sheet.disc;
         canvas.add(std::move(fill));
     } else if (canvas.shading == Shading::none) {
-        // What lies behind is paler, as through the surface.
+        // Lines on the far side are paler, as seen through the surface.
         Fill veil;
         veil.path = canvas.path_of(*outline);
         veil.paint = Ink{canvas.behind(outline->centre), ellipsoid.opacity * ellipsoid.presence};
@@ -319,7 +321,7 @@ void draw_ellipsoid(const Canvas& canvas, const LitSheet& sheet) {
         Stroke stroke;
         stroke.path = canvas.path_of(*outline);
         stroke.ink = {ellipsoid.line_colour, ellipsoid.presence};
-        // Its sections may be curves of their own.
+        // Sections may be drawn as separate curves.
         const double px = ellipsoid.section_px > 0.0 ? ellipsoid.section_px : ellipsoid.ruling_px;
         stroke.width_pt = canvas.line_pt(1.5 * px);
         canvas.add(std::move(stroke));

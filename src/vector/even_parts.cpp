@@ -1,4 +1,4 @@
-// Lines over what is lit unevenly: in parts, each of one ink.
+// Divides lines over unevenly lit surfaces into spans of one ink each.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,14 +12,14 @@ namespace {
 constexpr int n_steps = 48;
 constexpr double most_off = 6.0 / 255.0;
 
-// How far what an ink makes is from what another is to make there.
+// The largest difference of two inks' colours over the same background.
 double off_at(const Ink& ink, const Ink& wanted, const Colour& behind) {
     const Colour is = over(ink, behind), should = over(wanted, behind);
     return std::max(
         {std::abs(is.r - should.r), std::abs(is.g - should.g), std::abs(is.b - should.b)});
 }
 
-// How far parts reach under the next, as a parameter: a third of a point.
+// The overlap of neighbouring spans, a third of a point, as a parameter.
 double overlap(const Canvas& canvas, const Track& track, double at) {
     constexpr double overlap_pt = 0.33;
     const double speed = on_paper(canvas.projection, track.flow(at)).velocity.norm();
@@ -28,8 +28,8 @@ double overlap(const Canvas& canvas, const Track& track, double at) {
 
 using MakeInk = Ink (*)(const Colour& colour, double opacity, const Colour& behind);
 
-// Runs of looks that one ink serves, as far as it does: numbers of the first look and the one
-// after the last, in place of parameters.
+// Groups consecutive looks that one ink can represent. In the result, from and to are the index of
+// the first look and one past the last.
 std::vector<Canvas::EvenPart> runs_of(const std::vector<Canvas::LineLook>& looks, MakeInk make) {
     std::vector<Ink> inks;
     inks.reserve(looks.size());
@@ -58,7 +58,7 @@ std::vector<Canvas::EvenPart> Canvas::even_parts(
     const Track& track, double from, double to,
     const std::function<LineLook(double)>& look_at) const {
     const double step = (to - from) / n_steps;
-    // In the middles of the steps.
+    // Sampled at the middles of the steps.
     std::vector<LineLook> looks;
     looks.reserve(n_steps);
     for (int k = 0; k < n_steps; ++k) looks.push_back(look_at(from + (k + 0.5) * step));
@@ -71,7 +71,7 @@ std::vector<Canvas::EvenPart> Canvas::even_parts(
     }
 
     for (EvenPart& part : parts) {
-        // Few different ones take less of a file.
+        // Few distinct values keep the file small.
         part.ink.alpha = std::round(100.0 * part.ink.alpha) / 100.0;
         const bool is_last = part.to == n_steps;
         part.from = from + part.from * step;

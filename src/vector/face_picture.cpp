@@ -1,5 +1,4 @@
-// Pictures on faces: what a lit face with a picture looks like in perspective, in pixels of 300 to
-// an inch.
+// Draws pictures on faces: the lit face with its picture in perspective, in pixels of 300 per inch.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -12,10 +11,10 @@ namespace poinsot::vector {
 namespace {
 
 constexpr double px_per_pt = 300.0 / 72.0;
-// Places of a pixel at which it is looked, a side.
+// Samples per side of a pixel.
 constexpr int fewest_looks = 2, most_looks = 8;
 
-// A triangle that faces the eye, with its places in the picture.
+// A triangle that faces the eye, with its texture coordinates.
 struct SeenTriangle {
     const MeshSight::Triangle* triangle = nullptr;
     Eigen::Vector2d places[3];
@@ -26,7 +25,7 @@ struct SeenTriangle {
                      c = cross(p[0] - p[2], at - p[2]);
         return (a >= 0.0 && b >= 0.0 && c >= 0.0) || (a <= 0.0 && b <= 0.0 && c <= 0.0);
     }
-    // The place of the picture at a point of the triangle's plane.
+    // The texture coordinates of a point of the triangle's plane.
     Eigen::Vector2d place(const Eigen::Vector3d& point) const {
         const auto& c = triangle->corners;
         const Eigen::Vector3d& n = triangle->normal;
@@ -65,7 +64,7 @@ std::uint8_t byte_of(double part) {
     return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(part, 0.0, 1.0)));
 }
 
-// The light of a face where it is seen, and in which part of a pixel it is.
+// The light of a visible sample of a face, and its position in the pixel.
 struct Look {
     Eigen::Vector3d light = Eigen::Vector3d::Zero();
     int n_seen = 0;
@@ -102,7 +101,7 @@ void draw_face_picture(const Canvas& canvas, const MeshSight& body, const IsHidd
             low = low.cwiseMin(corner);
             high = high.cwiseMax(corner);
         }
-    // What lies beyond the view is not drawn.
+    // Parts outside the view are not drawn.
     low = low.cwiseMax(canvas.projection.corner);
     high = high.cwiseMin(canvas.projection.corner + canvas.projection.size);
     if (!(low.x() < high.x() && low.y() < high.y())) return;

@@ -17,7 +17,8 @@ Eigen::Vector2d slope(const Bezier& b, double t) {
     return 3.0 * (u * u * (b[1] - b[0]) + 2.0 * u * t * (b[2] - b[1]) + t * t * (b[3] - b[2]));
 }
 
-// The place of the Bézier beside a point, from a first guess: where the difference is across it.
+// The parameter of the nearest point of the Bézier, from a first guess: there the difference is
+// perpendicular to the tangent.
 double beside(const Bezier& bezier, const Eigen::Vector2d& point, double t) {
     for (int k = 0; k < 4; ++k) {
         const Eigen::Vector2d along = slope(bezier, t);
@@ -66,7 +67,7 @@ class Fitter {
         }
         const double third = (to - from) / 3.0;
         const Eigen::Vector2d leaving = third * begin.velocity, arriving = third * end.velocity;
-        // Both handles by their length in units of Hermite's.
+        // The lengths of both handles, in units of the Hermite handles.
         Eigen::Vector2d lengths(1.0, 1.0);
         const auto bezier_of = [&](const Eigen::Vector2d& l) {
             return Bezier{begin.position, begin.position + l.x() * leaving,
@@ -86,11 +87,11 @@ class Fitter {
                 squares += change * change.transpose();
                 sums += change * across.dot(points[k] - at(bezier, t));
             }
-            // A straight piece leaves the lengths open: they stay.
+            // For a straight piece the lengths are undetermined: keep them.
             const double trace = squares.trace();
             if (!(trace > 0.0) || squares.determinant() < 1e-12 * trace * trace) break;
             const Eigen::Vector2d better = lengths + squares.inverse() * sums;
-            // Handles that run backwards, or far past the piece, would make loops.
+            // Handles that point backwards or are too long would make loops.
             if (!(better.minCoeff() > 0.1 && better.maxCoeff() < 5.0)) break;
             lengths = better;
             bezier = bezier_of(lengths);
@@ -108,7 +109,7 @@ class Fitter {
     Fit fit_;
 };
 
-// Whether two tangents are one.
+// Whether two tangents have the same direction.
 bool is_smooth(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     const double cross = a.x() * b.y() - a.y() * b.x();
     return a.dot(b) > 0.0 && std::abs(cross) < 1e-5 * a.norm() * b.norm();
@@ -125,7 +126,7 @@ Fit fitted(const std::function<PaperFlow(double)>& curve, std::span<const double
            double tolerance_pt) {
     Fitter fitter(curve, tolerance_pt);
     if (knots.size() < 2) return {};
-    // A corner is where the tangents on both sides differ, a step of the last place away.
+    // At a corner, the tangents a tiny step before and after the knot differ.
     const auto beside_knot = [&](double knot, double other) {
         return curve(knot + 1e-9 * (other - knot));
     };

@@ -43,7 +43,8 @@ int cubic_to(const FT_Vector* a, const FT_Vector* b, const FT_Vector* to, void* 
     writer.path.cubic(writer.point(a), writer.point(b), writer.point(to));
     return 0;
 }
-// A parabola is the cubic whose control points lie two thirds of the way to its own.
+// A quadratic curve equals the cubic whose control points are two thirds of the way to the
+// quadratic control point.
 int conic_to(const FT_Vector* control, const FT_Vector* to, void* self) {
     OutlineWriter& writer = OutlineWriter::of(self);
     const Eigen::Vector2d from = writer.path.steps.back().to, end = writer.point(to);
@@ -91,7 +92,7 @@ char32_t FontFace::character(std::uint32_t glyph) const {
 std::u32string FontFace::meaning(std::uint32_t glyph) const {
     char32_t c = character(glyph);
     if (c == 0) {
-        // "radical.v2" is a form of "radical".
+        // "radical.v2" is a variant of "radical".
         std::array<char, 64> name{};
         FT_Get_Glyph_Name(handle(), glyph, name.data(), static_cast<FT_UInt>(name.size()));
         std::string base(name.data());
@@ -148,7 +149,7 @@ std::string FontFace::subset(const std::set<char32_t>& characters) const {
     if (!input) return {};
     for (const char32_t c : characters)
         hb_set_add(hb_subset_input_unicode_set(input.get()), static_cast<hb_codepoint_t>(c));
-    // Letters stand at places of their own: nothing is to move or replace them.
+    // Each letter has its own position, so tables that move or replace letters are dropped.
     hb_set_t* dropped = hb_subset_input_set(input.get(), HB_SUBSET_SETS_DROP_TABLE_TAG);
     for (const hb_tag_t table :
          {HB_TAG('G', 'S', 'U', 'B'), HB_TAG('G', 'P', 'O', 'S'), HB_TAG('M', 'A', 'T', 'H'),
@@ -165,8 +166,8 @@ std::string FontFace::subset(const std::set<char32_t>& characters) const {
 }
 
 char32_t plain_letter(char32_t c) {
-    // Unicode Standard §22.2: alphabets of 52 Latin letters, of 58 Greek ones and signs, of 10
-    // digits, one after the other.
+    // Unicode Standard §22.2: consecutive alphabets of 52 Latin letters, of 58 Greek letters and
+    // signs, and of 10 digits.
     if (c >= 0x1D400 && c < 0x1D6A4) {
         const char32_t k = (c - 0x1D400) % 52;
         return k < 26 ? U'A' + k : U'a' + (k - 26);

@@ -1,4 +1,4 @@
-// A font as writers need it: what its glyphs mean, their outlines, its file.
+// A font for the writers: the meaning of its glyphs, their outlines, and subsets of its file.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 #include "vector/page.h"
 
-// FreeType's, forward declared as its headers do.
+// Forward declarations of FreeType's types, as in its headers.
 struct FT_FaceRec_;
 struct FT_LibraryRec_;
 
@@ -18,23 +18,24 @@ namespace poinsot::vector {
 
 class FontFace {
  public:
-    // Throws EnvironmentError where the file cannot be read as a font.
+    // Throws EnvironmentError if the file cannot be read as a font.
     explicit FontFace(const std::filesystem::path& file);
     ~FontFace();
     FontFace(FontFace&&) noexcept;
     FontFace& operator=(FontFace&&) = delete;
 
-    // The character that the font draws with a glyph; 0: none, as of a tall form of a bracket.
+    // The character of a glyph; 0 if it has none, such as a tall form of a bracket.
     char32_t character(std::uint32_t glyph) const;
-    // What a glyph says, for searching and copying: mathematical letters as plain ones, ligatures
-    // as their letters, tall forms as what they are forms of. May be empty.
+    // The text of a glyph, for searching and copying: mathematical letters as plain letters,
+    // ligatures as their letters, tall forms as their base characters. May be empty.
     std::u32string meaning(std::uint32_t glyph) const;
-    // Its outline with the em as unit, y down.
+    // The outline, in units of the em, y down.
     Path outline(std::uint32_t glyph) const;
-    // How far the pen goes with a glyph, the em as unit.
+    // The advance width, in units of the em.
     double advance(std::uint32_t glyph) const;
     std::string family() const;
-    // The font with these characters alone, as an OpenType file; empty if it cannot be cut.
+    // The font reduced to these characters, as an OpenType file; empty if the font cannot be
+    // reduced.
     std::string subset(const std::set<char32_t>& characters) const;
 
     FT_FaceRec_* handle() const;
@@ -45,10 +46,10 @@ class FontFace {
     std::map<std::uint32_t, char32_t> characters_;
 };
 
-// A letter of mathematics (bold, italic, script …) as the plain letter that one would search for.
+// The plain letter for a mathematical letter (bold, italic, script …), as used in searches.
 char32_t plain_letter(char32_t character);
 
-// The faces of a page's type, opened once each.
+// Caches the fonts of a page's type.
 class FontFaces {
  public:
     FontFace& of(const std::filesystem::path& file);

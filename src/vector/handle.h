@@ -1,4 +1,4 @@
-// What a C library made, and the call that takes it back.
+// Owns an object of a C library and calls its release function.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The type of a page by other means than fonts: as paths, or left to another program.
+// Alternatives to fonts for the type of a page: outlines, or text for another program.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,12 @@
 
 namespace poinsot::vector {
 
-// The same page with every letter as its outline, its halo as strokes below it.
-// Throws EnvironmentError where a font cannot be read.
+// Replaces every letter by its outline, with its halo as strokes below. Throws EnvironmentError if
+// a font cannot be read.
 Page with_outlined_type(Page page);
 
-// The page's type, taken off it, from the back to the front; what has rules alone stays.
+// Removes the type from the page and returns it, in order from back to front. Type that consists
+// only of rules stays.
 std::vector<Type> take_type(Page& page);
 
 }  // namespace poinsot::vector

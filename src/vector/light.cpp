@@ -28,7 +28,7 @@ Colour encoded(const Eigen::Vector3d& l) {
 
 namespace {
 
-// The least opacity from `alpha` on with which some ink makes `wanted` over `behind`.
+// The least opacity, at least `alpha`, of an ink that gives `wanted` over `behind`.
 double least_opacity(double alpha, const Colour& wanted, const Colour& behind) {
     const auto raise = [&alpha](double is, double was) {
         if (is > was && was < 1.0) alpha = std::max(alpha, (is - was) / (1.0 - was));
@@ -83,14 +83,14 @@ Ink ink_for(std::span<const ColourOver> places) {
     }
     wanted /= static_cast<double>(places.size());
     behind /= static_cast<double>(places.size());
-    // What lies behind is kept by the slope of what is wanted over it.
+    // The slope of `wanted` over `behind` is the share of the background that stays visible.
     double both = 0.0, square = 0.0;
     for (const ColourOver& place : places) {
         const Eigen::Vector3d apart = of(place.behind) - behind;
         both += apart.dot(of(place.wanted) - wanted);
         square += apart.squaredNorm();
     }
-    constexpr double least_square = 1e-4;  // less than this says nothing of the slope
+    constexpr double least_square = 1e-4;  // below this, the slope is undetermined
     const double keep = square > least_square ? std::clamp(both / square, 0.0, 1.0) : 0.5;
     const Colour mean{wanted.x(), wanted.y(), wanted.z()};
     const Colour under{behind.x(), behind.y(), behind.z()};

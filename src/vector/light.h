@@ -1,4 +1,5 @@
-// How surfaces are lit, by the formulas of shaders/light.glsl: paper and screen show one tone.
+// Lighting of surfaces by the formulas of shaders/light.glsl, so that paper and screen show the
+// same tones.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,42 +14,41 @@ namespace poinsot::vector {
 Eigen::Vector3d linear(const Colour& colour);
 Colour encoded(const Eigen::Vector3d& linear_light);
 
-// Paper mixes encoded colours, the screen light: the ink that looks over `behind` as `colour` with
-// this opacity does in light. Its opacity is the one asked for, unless no colour would do.
+// Paper blends encoded colours, the screen blends light. Returns the ink that gives over `behind`
+// the colour that `colour` with this opacity gives in light. It has this opacity, unless no colour
+// would give the result.
 Ink as_in_light(const Colour& colour, double opacity, const Colour& behind);
 
-// The most transparent ink that does so: it darkens what else lies there in the same ratio, as a
-// shadow does.
+// The most transparent such ink: it darkens other colours in the same ratio, as a shadow does.
 Ink as_shade(const Colour& colour, double opacity, const Colour& behind);
 
-// The colour of an ink of this opacity that makes `wanted` over `behind`, as nearly as there is
-// one.
+// The colour of an ink of this opacity that gives `wanted` over `behind`, or the nearest possible.
 Colour colour_making(const Colour& wanted, double alpha, const Colour& behind);
 
-// The colour that as_in_light's ink makes over another.
+// The colour that an ink gives over another colour.
 Colour over(const Ink& ink, const Colour& behind);
 
-// What a place is to look like, and what lies behind it.
+// The wanted colour at a place, and the colour behind it.
 struct ColourOver {
     Colour wanted, behind;
 };
-// The one ink that makes all of them as nearly as one can (least squares over all components).
-// Precondition: at least one.
+// The single ink that gives all wanted colours as nearly as possible (least squares over all
+// components). Precondition: at least one place.
 Ink ink_for(std::span<const ColourOver> places);
 
 // The lights of a view.
 struct Lights {
     explicit Lights(const View& view);
 
-    Eigen::Vector3d towards, up;  // unit: to the key light, to the middle of the sky
+    Eigen::Vector3d towards, up;  // unit vectors to the key light and to the middle of the sky
     double key = 0.0, sky = 0.0;
 };
 
-// Light that leaves a point, linear. normal, to_eye: unit; the normal on the eye's side.
+// A surface point for lighting. normal, to_eye: unit vectors; the normal points to the eye's side.
 struct SurfacePoint {
     Eigen::Vector3d normal, to_eye;
 };
-// Of an ellipsoid's outer surface and its inner one, mixed: `lines` 1 is the colour of its lines.
+// Light and opacity of a surface layer.
 struct Layer {
     Eigen::Vector3d light;
     double alpha = 1.0;
@@ -57,7 +57,7 @@ Layer outer_surface(const Ellipsoid& ellipsoid, const Lights& lights, const Surf
                     double lines);
 Layer inner_surface(const Ellipsoid& ellipsoid, const Lights& lights, const SurfacePoint& point,
                     double lines);
-// The lines of a cone: their tone beside its colour in linear light, and their opacities.
+// The lines of a cone: their tone relative to its colour in linear light, and their opacities.
 struct ConeLines {
     double tone, rim_opacity, generator_opacity;
 };

@@ -50,7 +50,7 @@ MeshSight::MeshSight(const Mesh& mesh, const Projection& projection)
         triangles_.push_back(triangle);
     }
     if (triangles_.empty()) return;
-    // About one triangle a cell.
+    // About one triangle per cell.
     constexpr double most_cells = 4e6;
     const double n_cells = std::clamp(static_cast<double>(triangles_.size()), 16.0, most_cells);
     const Eigen::Vector2d size = (high - low).cwiseMax(1e-9);
@@ -92,7 +92,7 @@ double MeshSight::depth_at(const Triangle& t, const Eigen::Vector2d& paper) cons
     const double descent = t.normal.dot(ray);
     if (descent == 0.0) return nowhere;
     const double there = t.normal.dot(t.corners[0] - origin) / descent;
-    // Along the ray as along the axis: its component there is 1.
+    // The component of the ray along the view's axis is 1, so its parameter is the depth.
     return projection_.perspective ? there : projection_.depth(origin + there * ray);
 }
 

@@ -1,4 +1,4 @@
-// A mesh as lines of sight meet it.
+// Intersections of lines of sight with a mesh.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace poinsot::vector {
 
-// The triangles of a mesh on paper, in cells, so that those at a place are found at once.
+// The triangles of a mesh on paper, in a grid of cells for fast search by place.
 class MeshSight {
  public:
     MeshSight(const Mesh& mesh, const Projection& projection);
@@ -18,18 +18,18 @@ class MeshSight {
     struct Triangle {
         Eigen::Vector3d corners[3];  // view axes
         Eigen::Vector2d paper[3];
-        Eigen::Vector3d normal;  // outward, of the plane; not of unit length
-        // Of the surface that it stands for: the mean of its corners'; likewise.
+        Eigen::Vector3d normal;  // outward normal of the plane; not of unit length
+        // The normal of the smooth surface: the mean of the corners' normals; not of unit length.
         Eigen::Vector3d shading_normal;
-        bool before_eye = true;  // else none of its places on paper is known
+        bool before_eye = true;  // if false, its places on paper are unknown
         std::size_t first = 0;   // of its corners, in the mesh's lists
     };
 
-    // Whether a triangle lies between the point and the eye. One that the point lies on does not:
-    // what is nearer to it than a millionth of its depth counts as that.
+    // Whether a triangle lies between the point and the eye. Triangles within a millionth of the
+    // point's depth count as containing the point and do not hide it.
     bool hides(const Eigen::Vector3d& point) const;
 
-    // Numbers of all its triangles at a place of the paper, with their depths there.
+    // The numbers of all triangles at a point of the page, with their depths there.
     struct Crossing {
         std::uint32_t number = 0;
         double depth = 0.0;
@@ -41,8 +41,8 @@ class MeshSight {
 
  private:
     const std::vector<std::uint32_t>* cell_at(const Eigen::Vector2d& paper) const;
-    // The depth at which the line of sight of a place of the paper crosses a triangle's plane;
-    // infinite if it lies beside the triangle or along it.
+    // The depth at which the line of sight through a point of the page crosses the triangle's
+    // plane; infinite if the line misses the triangle or is parallel to it.
     double depth_at(const Triangle& triangle, const Eigen::Vector2d& paper) const;
 
     const Mesh& mesh_;

@@ -11,10 +11,10 @@ namespace poinsot::vector {
 
 namespace {
 
-// Opacities of a fading plane are drawn in steps of this.
+// A fading plane is drawn in this number of opacity levels.
 constexpr int n_plane_levels = 8;
 
-// Where the line of sight of a point crosses a plane, as distance from its centre.
+// The distance from the plane's centre at which the line of sight of a point crosses the plane.
 double crossing_distance(const Projection& projection, const Plane& plane,
                          const Eigen::Vector3d& point) {
     const Eigen::Vector3d towards = projection.towards_eye(point);
@@ -24,7 +24,7 @@ double crossing_distance(const Projection& projection, const Plane& plane,
     return (point - (height / rise) * towards - plane.centre).norm();
 }
 
-// How far in front of a plane a point is, towards the eye.
+// The distance of a point in front of a plane, towards the eye.
 double before_plane(const Projection& projection, const Plane& plane,
                     const Eigen::Vector3d& point) {
     const double eye_side = projection.perspective ? plane.normal.dot(projection.eye - plane.centre)
@@ -35,13 +35,13 @@ double before_plane(const Projection& projection, const Plane& plane,
 
 double level(double opacity) { return std::round(opacity * n_plane_levels) / n_plane_levels; }
 
-// The roots of a function in an interval that it changes its sign in, or touches zero in.
+// Finds the roots of a function in an interval, including places where it touches zero.
 class RootFinder {
  public:
     RootFinder(const std::function<double(double)>& function, std::vector<double>& roots)
         : function_(function), roots_(roots) {}
 
-    // Between places (ascending) that are near enough to each other to tell its changes.
+    // Searches between ascending parameters that are dense enough to resolve sign changes.
     void search(std::span<const double> at) {
         std::vector<double> value;
         for (const double s : at) value.push_back(function_(s));
@@ -51,7 +51,7 @@ class RootFinder {
             else if (k + 1 < at.size() && nears_zero(value[k - 1], value[k], value[k + 1]))
                 search_pair(at[k - 1], at[k + 1], value[k] < 0.0);
         }
-        // A pair of roots may hide beside either end.
+        // Two roots may lie close to either end.
         if (at.size() < 2) return;
         const std::size_t last = at.size() - 1;
         if (is_same_side(value[0], value[1]) && std::abs(value[0]) < std::abs(value[1]))
@@ -70,8 +70,8 @@ class RootFinder {
     }
     void root(double low, double high) { roots_.push_back(bracketed_root(function_, low, high)); }
 
-    // Golden sections down to where the function comes nearest to zero, and the roots on both sides
-    // if it crosses there.
+    // Golden section search for the point nearest to zero, and the roots on both sides if the
+    // function crosses zero there.
     void search_pair(double low, double high, bool below) {
         const double sign = below ? -1.0 : 1.0;
         double a = low, b = high;
@@ -112,7 +112,7 @@ SphereSight::SphereSight(const Ellipsoid& ellipsoid, const Projection& projectio
 }
 
 double SphereSight::within_outline(const Eigen::Vector3d& u) const {
-    // |d|² − |m|² of the line of sight by its direction and moment, for a direction of unit length.
+    // |d|² − |m|² of the line of sight with moment m and direction d, for a unit direction.
     if (!perspective) return 1.0 - u.cross(eye_u).squaredNorm();
     const Eigen::Vector3d d = u - eye_u;
     return 1.0 - u.cross(eye_u).squaredNorm() / std::max(d.squaredNorm(), 1e-300);
@@ -123,7 +123,7 @@ double SphereSight::before_limb(const Eigen::Vector3d& u) const {
 }
 
 bool SphereSight::hides(const Eigen::Vector3d& u) const {
-    // What touches the surface from outside is a rounding away from it.
+    // A point that touches the surface from outside is within rounding of it.
     constexpr double rounding = 1e-9;
     if (surrounds_eye) return false;
     if (outside(u) < -rounding) return true;
@@ -147,7 +147,7 @@ Cover Occluders::at(const Eigen::Vector3d& point, const Membership& of) const {
         const bool hidden =
             own ? !sphere.surrounds_eye && sphere.before_limb(u) < 0.0 : sphere.hides(u);
         if (!hidden) continue;
-        // One that fades away lets go of what it hides.
+        // A fading ellipsoid hides less of what lies behind it.
         cover.clear *= 1.0 - std::clamp(4.0 * sphere.hiding, 0.0, 1.0);
         cover.transmitted *= 1.0 - sphere.hiding;
     }
@@ -191,7 +191,7 @@ std::vector<Occluders::Condition> Occluders::conditions(const Membership& of) co
         all.emplace_back([this, &plane](const Eigen::Vector3d& x) {
             return before_plane(projection_, plane, x);
         });
-        // Where the opacity goes from one step to the next.
+        // Distances at which the opacity changes by one level.
         for (int step = 0; step < n_plane_levels; ++step) {
             const double there = (step + 0.5) / n_plane_levels;
             if (there >= plane.opacity) break;
@@ -212,7 +212,7 @@ std::vector<Occluders::Condition> Occluders::conditions(const Membership& of) co
 
 std::vector<double> Occluders::closer(const Track& track, std::span<const double> places) const {
     constexpr double apart_pt = 0.25;
-    constexpr double most = 4096.0;  // between two: a curve may run far off the page
+    constexpr double most = 4096.0;  // samples between two places: a curve may run far off the page
     const auto lies_before = [this](const Eigen::Vector3d& x) {
         return !projection_.perspective || projection_.depth(x) > projection_.near_depth;
     };
@@ -234,7 +234,7 @@ std::vector<double> Occluders::closer(const Track& track, std::span<const double
 }
 
 std::vector<bool> Occluders::lies_on(const Track& track, std::span<const double> places) const {
-    constexpr double most_off = 2e-5;  // of the radius: some micrometres on paper
+    constexpr double most_off = 2e-5;  // of the radius: a few micrometres on paper
     std::vector<bool> all;
     for (const SphereSight& sphere : spheres_)
         all.push_back(std::all_of(places.begin(), places.end(), [&](double s) {
@@ -247,8 +247,8 @@ std::vector<Span> Occluders::spans(const Track& track, const Membership& part_of
     std::vector<double> breaks;
     if (track.knots.size() < 2) return {};
     const double first = track.knots.front(), last = track.knots.back();
-    // Samples enough that no two roots of a condition lie between two of them unseen, but for pairs
-    // about a touch, which are looked for.
+    // Enough samples that no two roots of a condition lie between two of them undetected, except
+    // for pairs near a touching point, which are searched.
     const int n = std::clamp(static_cast<int>(128 / track.knots.size()), 2, 64);
     std::vector<double> places{first};
     for (std::size_t k = 1; k < track.knots.size(); ++k)
@@ -256,7 +256,8 @@ std::vector<Span> Occluders::spans(const Track& track, const Membership& part_of
             places.push_back(i == n ? track.knots[k]
                                     : track.knots[k - 1] +
                                           (track.knots[k] - track.knots[k - 1]) * i / n);
-    // A curve in which two surfaces meet lies on both: roundings do not put it behind either.
+    // A curve of intersection of two ellipsoids lies on both: rounding errors must not put it
+    // behind either.
     Membership of = part_of;
     of.lies_on = lies_on(track, places);
     for (const Condition& condition : conditions(of)) {
@@ -277,7 +278,7 @@ std::vector<Span> Occluders::spans(const Track& track, const Membership& part_of
     breaks.push_back(first);
     breaks.push_back(last);
     std::sort(breaks.begin(), breaks.end());
-    // Two ways to the same break may differ in the last places.
+    // Two computations of the same break may differ in the last digits.
     const double same = 1e-13 * std::max(std::abs(first), std::abs(last));
     breaks.erase(std::unique(breaks.begin(), breaks.end(),
                              [same](double a, double b) { return b - a <= same; }),

@@ -1,4 +1,4 @@
-// What the solids of a view hide, and where along a curve that changes.
+// What the solids of a view hide: visibility along curves, and where it changes.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,44 +13,46 @@
 
 namespace poinsot::vector {
 
-// Nothing between a point and the eye leaves it clear; each thing takes its share, as in
+// The visibility of a point: each object between the point and the eye reduces it, as in
 // shaders/occlusion.glsl.
 struct Cover {
-    double clear = 1.0;        // share in which it is seen
-    double transmitted = 1.0;  // share of light that what hides it lets through
+    double clear = 1.0;        // visible share
+    double transmitted = 1.0;  // share of light that the hiding objects transmit
     bool operator==(const Cover&) const = default;
 };
 
-// An ellipsoid as lines of sight meet it.
+// An ellipsoid for intersections with lines of sight.
 struct SphereSight : UnitSphere {
     SphereSight(const Ellipsoid& ellipsoid, const Projection& projection);
 
     Eigen::Vector3d u(const Eigen::Vector3d& point) const { return to_u * (point - centre); }
-    // Above 0 outside the surface.
+    // Positive outside the surface.
     double outside(const Eigen::Vector3d& u) const { return u.squaredNorm() - 1.0; }
-    // Above 0 where the line of sight meets the surface.
+    // Positive where the line of sight meets the surface.
     double within_outline(const Eigen::Vector3d& u) const;
-    // Above 0 on the eye's side of the plane through the outline's circle of touch (the pole of
-    // which is the eye).
+    // Positive on the eye's side of the plane through the circle of tangency (the polar plane of
+    // the eye).
     double before_limb(const Eigen::Vector3d& u) const;
     bool hides(const Eigen::Vector3d& u) const;
 
     Eigen::Vector3d eye_u;    // the eye, or the unit direction towards it
-    bool perspective = true;  // whether it is the eye
+    bool perspective = true;  // whether eye_u is the eye
     bool surrounds_eye = false;
-    double hiding = 1.0;  // how opaque it is to what it hides
+    double hiding = 1.0;  // the opacity for objects behind it
 };
 
-// A curve to be seen: its place by a parameter, and knots (ascending) between which it is smooth.
+// A curve whose visibility is computed: position by parameter, and knots (ascending) between which
+// it is smooth.
 struct Track {
     std::function<CurveFlow(double)> flow;
     std::vector<double> knots;
 };
 
-// Of which solids of the view something is a part, by number; −1: none.
+// The solids of the view that an object is part of, by number; −1: none.
 struct Membership {
     int ellipsoid = -1, plane = -1;
-    std::vector<bool> lies_on{};  // by ellipsoid: what lies on others, too, where they meet
+    std::vector<bool> lies_on{};  // by ellipsoid: other ellipsoids on which the object lies, where
+                                  // two meet
 
     bool is_on(std::size_t sphere) const {
         return ellipsoid == static_cast<int>(sphere) ||
@@ -58,7 +60,7 @@ struct Membership {
     }
 };
 
-// A part of a track that is covered evenly: [from, to].
+// A part [from, to] of a track with constant cover.
 struct Span {
     double from = 0.0, to = 0.0;
     Cover cover;
@@ -69,8 +71,8 @@ class Occluders {
     Occluders(const View& view, const Projection& projection);
 
     Cover at(const Eigen::Vector3d& point, const Membership& of) const;
-    // The whole track in spans before the eye, each as long as its cover stays. Where it changes is
-    // solved for: roots of the conditions above, and of those of planes and meshes.
+    // Divides the track in front of the eye into spans of constant cover. The ends of the spans are
+    // computed as roots of the conditions above, and of those for planes and meshes.
     std::vector<Span> spans(const Track& track, const Membership& of) const;
 
     std::span<const SphereSight> spheres() const { return spheres_; }
@@ -79,11 +81,10 @@ class Occluders {
  private:
     using Condition = std::function<double(const Eigen::Vector3d&)>;
     std::vector<Condition> conditions(const Membership& of) const;
-    // Places of a track with others between, so that neighbours are a quarter of a point apart on
-    // paper, half the width of the thinnest line: what hides by its triangles may do so however
-    // often.
+    // Adds parameters so that neighbours are at most a quarter of a point apart on paper, half the
+    // width of the thinnest line: meshes may change the visibility at any place.
     std::vector<double> closer(const Track& track, std::span<const double> places) const;
-    // On which ellipsoids all places of a track lie, within what its form is off.
+    // The ellipsoids on which all sampled points of a track lie, within the deviation of its form.
     std::vector<bool> lies_on(const Track& track, std::span<const double> places) const;
 
     const View& view_;

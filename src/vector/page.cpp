@@ -8,7 +8,7 @@ namespace poinsot::vector {
 
 namespace {
 
-// Whether a Bézier is its chord, within a nanometre of it.
+// Whether a Bézier equals its chord within a nanometre.
 bool is_straight(const Bezier& b) {
     constexpr double least_pt = 3e-6;
     const Eigen::Vector2d chord = b[3] - b[0];
@@ -20,7 +20,7 @@ bool is_straight(const Bezier& b) {
     return off(b[1] - b[0]) < least_pt && off(b[2] - b[0]) < least_pt;
 }
 
-// The beginning of the clip whose end comes last.
+// The beginning of the clip that ended last.
 const ClipBegin& last_ended(const std::vector<Item>& items) {
     int open = 0;
     for (std::size_t k = items.size();; --k) {

@@ -1,5 +1,5 @@
-// What stands on a page, ready to be written: paths, fills and type in points (1/72 inch), x right,
-// y down from the upper left corner. The only thing that the writers of PDF and SVG see.
+// The contents of a page: paths, fills and type, in points (1/72 inch), x right, y down from the
+// upper left corner. The only input of the PDF and SVG writers.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -31,7 +31,7 @@ struct Path {
     void cubic(const Eigen::Vector2d& control_1, const Eigen::Vector2d& control_2,
                const Eigen::Vector2d& to);
     void close();
-    // Béziers that follow each other; a straight one becomes a line.
+    // Adds consecutive Béziers; a straight one becomes a line.
     void add(const std::vector<Bezier>& beziers, bool begins = true);
     void add_rectangle(const Eigen::Vector2d& corner, const Eigen::Vector2d& size);
     void add(const Path& other);
@@ -48,23 +48,24 @@ struct Stop {
     Ink ink;
 };
 
-// Colours that follow a line.
+// A linear gradient.
 struct LinearFade {
     Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::UnitX();
     std::vector<Stop> stops;
 };
 
-// Colours that run from a focus out to a circle, drawn through an affine map: in its axes the
-// circle is that of radius 1 about the origin.
+// A radial gradient from a focus to a circle, under an affine map: in its own axes the circle has
+// radius 1 about the origin.
 struct RadialFade {
     Eigen::Affine2d page_from_circle = Eigen::Affine2d::Identity();
-    Eigen::Vector2d focus = Eigen::Vector2d::Zero();  // within the circle
+    Eigen::Vector2d focus = Eigen::Vector2d::Zero();  // inside the circle
     std::vector<Stop> stops;
 };
 
 // A lit surface: colours over a disc, given at rings and spokes. Ring k of n_rings + 1 has the
-// radius sin(½π k/n_rings), so that they crowd at the limb; the last, in the limb's colours, lies a
-// little beyond the disc, for the limb is bright for less than the way from ring to ring.
+// radius sin(½π k/n_rings), so that rings are dense at the limb. The last ring, in the limb's
+// colours, lies slightly outside the disc, because the bright limb is narrower than the distance of
+// two rings.
 struct ShadedDisc {
     Eigen::Affine2d page_from_disc = Eigen::Affine2d::Identity();
     double alpha = 1.0;
@@ -73,7 +74,7 @@ struct ShadedDisc {
 
     double radius(int ring) const;
     const Colour& at(int ring, int spoke) const;
-    // Between them, linearly; beyond the last ring as on it.
+    // Linear interpolation; outside the last ring, the colour on it.
     Colour at(const Eigen::Vector2d& in_disc) const;
 };
 
@@ -83,19 +84,20 @@ struct Fill {
     Path path;
     Paint paint;
     bool even_odd = false;
-    double seam_pt = 0.0;  // it is as much larger all round by half of this, where its ink is plain
+    double seam_pt = 0.0;  // the width of a stroke of the same plain ink around the fill; closes
+                           // seams
 };
 
 struct Stroke {
     Path path;
     Ink ink;
     double width_pt = 1.0;
-    std::vector<double> dashes_pt;  // drawn, left out, …; empty: solid
+    std::vector<double> dashes_pt;  // dash, gap, …; empty: solid
     double dash_offset_pt = 0.0;
-    bool round = true;  // caps; joins always are
+    bool round = true;  // round caps; joins are always round
 };
 
-// A glyph on its baseline.
+// A glyph and its position on a baseline.
 struct PlacedLetter {
     const std::filesystem::path* font_file = nullptr;
     std::uint32_t glyph = 0;
@@ -103,15 +105,15 @@ struct PlacedLetter {
     double em_pt = 10.0;
 };
 
-// What the letters say, and where they stand: for who sets them anew.
+// The text of the letters and their position, for programs that typeset them again.
 struct Wording {
-    std::string text;        // as typeset/ takes it
-    bool is_formula = true;  // else running text with formulas
+    std::string text;        // in the grammar of typeset/
+    bool is_formula = true;  // false: running text with formulas
     double em_pt = 10.0;
     Eigen::Vector2d corner_pt = Eigen::Vector2d::Zero(), size_pt = Eigen::Vector2d::Zero();
-    double baseline_pt = 0.0;   // the first line's, from the corner
+    double baseline_pt = 0.0;   // of the first line, from the corner
     double held_at = 0.5;       // share of the width that stays in place
-    double max_width_pt = 0.0;  // of its lines; 0: it has one
+    double max_width_pt = 0.0;  // of its lines; 0: one line
 };
 
 struct Type {
@@ -119,11 +121,11 @@ struct Type {
     std::vector<PlacedLetter> letters;
     Path rules;  // filled with the same ink
     Ink ink;
-    Ink halo;  // alpha 0: none
+    Ink halo;  // alpha 0: no halo
     double halo_pt = 0.0;
 };
 
-// Pixels: rows of sRGB-encoded R, G, B and alpha, not premultiplied, the upper first.
+// Pixels: rows of sRGB-encoded R, G, B and non-premultiplied alpha, top row first.
 struct Raster {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
@@ -134,7 +136,7 @@ struct Picture {
     Eigen::Vector2d corner_pt = Eigen::Vector2d::Zero(), size_pt = Eigen::Vector2d::UnitX();
 };
 
-// From here to its end, only what lies inside is drawn.
+// Everything from here to the matching ClipEnd is drawn only inside the path.
 struct ClipBegin {
     Path path;
     bool even_odd = false;
@@ -147,9 +149,9 @@ using Item = std::variant<Fill, Stroke, Type, Picture, ClipBegin, ClipEnd>;
 struct Page {
     double width_pt = 0.0, height_pt = 0.0;
     std::vector<Item> items;
-    // A clip that is the one just ended goes on.
+    // Adds an item. If a clip begins that equals the clip just ended, that one is continued.
     void add(Item&& item);
-    double off_pt = 0.0;  // no path is further than this from what it draws, before rounding
+    double off_pt = 0.0;  // largest deviation of any path from the exact curve, before rounding
 };
 
 }  // namespace poinsot::vector

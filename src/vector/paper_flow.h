@@ -1,4 +1,5 @@
-// How curves of a view run on paper: points (1/72 inch), x right, y down from the page's corner.
+// Positions and velocities of curves on paper: points (1/72 inch), x right, y down from the page's
+// corner.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +9,7 @@
 
 namespace poinsot::vector {
 
-// A point of a curve on paper and how fast it runs there, per unit of the curve's parameter.
+// A point of a curve on paper and its velocity, per unit of the curve's parameter.
 struct PaperFlow {
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
@@ -22,8 +23,8 @@ inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 // Precondition: the point is in front of a perspective camera.
 PaperFlow on_paper(const Projection& projection, const CurveFlow& flow);
 
-// Pixels of the drawing from a line to the next on a surface, where it runs `along` and the next
-// lies `beside`. Precondition: as on_paper().
+// The distance in pixels of the drawing between neighbouring lines on a surface: a line has the
+// direction `along`, and the next line is displaced by `beside`. Precondition: as on_paper().
 double spacing_px(const Projection& projection, const Eigen::Vector3d& at,
                   const Eigen::Vector3d& along, const Eigen::Vector3d& beside);
 

@@ -196,8 +196,8 @@ class PdfWriter {
         return {std::cos(angle), std::sin(angle)};
     }
 
-    // Readers cut patches off at whole pixels. So sectors in the colours of the limb make the edge,
-    // under patches that end just within it; both as one sheet.
+    // PDF viewers cut patches off at whole pixels. So sectors in the limb's colours draw the edge,
+    // below patches that end just inside it; both form one sheet.
     void shade(const Path& path, const ShadedDisc& disc) {
         const auto clip_to = [this](const Path& outline) {
             cairo_save(cairo_);
@@ -208,10 +208,10 @@ class PdfWriter {
         cairo_push_group(cairo_);
         clip_to(path);
         for (int spoke = 0; spoke < disc.n_spokes; ++spoke) {
-            // Each reaches under the next, the last under the first.
+            // Each sector extends under the next one, and the last under the first.
             const double reach = spoke + 1 < disc.n_spokes ? 1.5 : 0.5;
             Path sector;
-            // So far out that its far side is outside the disc.
+            // The far side of the sector is outside the disc.
             const double out = 1.1 / std::cos(std::numbers::pi * (0.5 + reach) / disc.n_spokes);
             sector.move(disc.page_from_disc * Eigen::Vector2d::Zero());
             sector.line(disc.page_from_disc * (out * on_rim(disc, spoke - 0.5)));
@@ -240,7 +240,7 @@ class PdfWriter {
         cairo_paint_with_alpha(cairo_, disc.alpha);
     }
 
-    // Patches between rings and spokes. The disc's path clips the outermost.
+    // Patches between rings and spokes; the disc's path clips the outermost.
     static Pattern mesh_of(const ShadedDisc& disc) {
         Pattern mesh(cairo_pattern_create_mesh());
         const auto place = [&](int ring, int spoke, double ahead = 0.0) {
@@ -248,7 +248,7 @@ class PdfWriter {
             const Eigen::Vector2d at = rim + ahead * Eigen::Vector2d(-rim.y(), rim.x());
             return (disc.page_from_disc * (disc.radius(ring) * at)).eval();
         };
-        // Along a ring to the next spoke or the one before.
+        // An arc along a ring to the next or previous spoke.
         const double handle = 4.0 / 3.0 * std::tan(0.5 * std::numbers::pi / disc.n_spokes);
         const auto arc_to = [&](int ring, int spoke, int step) {
             const Eigen::Vector2d a = place(ring, spoke, step * handle);
@@ -294,7 +294,7 @@ class PdfWriter {
         cairo_set_font_options(cairo_, options.get());
     }
 
-    // Cairo keeps fonts as long as it likes: this one goes with the last that it has of it.
+    // Cairo keeps references to fonts: the font is released with Cairo's last reference.
     static Face cairo_face(const std::filesystem::path& file) {
         static const cairo_user_data_key_t key{};
         auto own = std::make_unique<FontFace>(file);
@@ -368,7 +368,7 @@ class PdfWriter {
     std::map<std::filesystem::path, Face> faces_;
 };
 
-// A text string of PDF in UTF-8 (ISO 32000-2, 7.9.2.2), between parentheses.
+// A PDF text string in UTF-8 (ISO 32000-2, 7.9.2.2), in parentheses.
 std::string pdf_string(std::string_view text) {
     std::string out = "(\xEF\xBB\xBF";
     for (const char c : text) {
@@ -381,7 +381,8 @@ std::string pdf_string(std::string_view text) {
     return out + ")";
 }
 
-// A text string of PDF 1.4 (ISO 32000-1, 7.9.2.2) for what other programs show: UTF-16, in digits.
+// A PDF 1.4 text string (ISO 32000-1, 7.9.2.2) in UTF-16, as hexadecimal digits; more programs can
+// show it.
 std::string pdf_title(std::string_view text) {
     std::string out = "<FEFF";
     while (!text.empty()) {
@@ -398,7 +399,7 @@ std::string pdf_title(std::string_view text) {
     return out + ">";
 }
 
-// The number after the last of these words.
+// The number after the last occurrence of this word.
 std::string_view last_after(std::string_view pdf, std::string_view word) {
     const std::size_t at = pdf.rfind(word);
     if (at == std::string_view::npos) return {};
@@ -421,7 +422,7 @@ std::string pdf_of(const Page& page) {
         cairo_pdf_surface_create_for_stream(append, &bytes, page.width_pt, page.height_pt));
     check(cairo_surface_status(surface.get()));
     cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
-    // The same scene gives the same bytes at any time.
+    // A fixed date, so that the same scene always gives the same bytes.
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
                                    "2000-01-01T00:00:00Z");
     {

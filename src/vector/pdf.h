@@ -1,5 +1,5 @@
-// A page as PDF, by Cairo: paths, gradients and embedded fonts; nothing of it is a picture. The
-// same page gives the same bytes. Coordinates are rounded to 1/256 pt (1.4 µm).
+// Writes a page as PDF with Cairo: paths, gradients and embedded fonts, without rasterising. The
+// same page gives byte-identical files. Coordinates are rounded to 1/256 pt (1.4 µm).
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace poinsot::vector {
 
-// The bytes of the file. Throws EnvironmentError where a font cannot be read or Cairo fails.
+// Returns the bytes of the file. Throws EnvironmentError if a font cannot be read or Cairo fails.
 std::string pdf_of(const Page& page);
 
-// Pixels as a PNG.
+// Encodes pixels as PNG.
 std::string png_of(const Raster& raster);
 
-// The same file with a title and a text of its own in the document's information, this under a
-// name, as an update appended to it (ISO 32000-1, 7.5.6).
+// Adds a title, and a text under a name, to the document's information dictionary by an incremental
+// update (ISO 32000-1, 7.5.6).
 std::string with_pdf_text(std::string pdf, std::string_view title, std::string_view name,
                           std::string_view text);
 
-// That text, and the file before it was added; both empty if there is none.
+// The added text, and the file before the update; both empty if there is none.
 struct PdfText {
     std::string text;
     std::string_view before;

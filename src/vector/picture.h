@@ -1,5 +1,4 @@
-// Shapes → a page of vectors: what render/ is for pixels. It sees shapes/ and nothing of what drew
-// them.
+// Draws shapes as a page of vectors, as render/ draws them as pixels. Depends on shapes/ only.
 #pragma once
 
 #include "shapes/views.h"
@@ -9,12 +8,12 @@
 namespace poinsot::vector {
 
 struct PageChoices {
-    double pt_per_px = 0.24;  // points on paper for a pixel of the drawing
+    double pt_per_px = 0.24;  // points on paper per pixel of the drawing
     Shading shading = Shading::tone;
-    DrawPixels draw_pixels{};  // asked by Shading::picture alone
+    DrawPixels draw_pixels{};  // used only by Shading::picture
 };
 
-// All that a drawing shows. The page refers to the drawing's fonts, which must outlive it.
+// Returns the page of a drawing. It refers to the drawing's fonts, which must outlive it.
 Page page_of(const Drawing& drawing, const PageChoices& choices);
 
 }  // namespace poinsot::vector

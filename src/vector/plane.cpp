@@ -1,4 +1,4 @@
-// A plane's disc, fading to its rim, and its grid.
+// Draws a plane's disc, which fades towards its rim, and its grid.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,12 +13,12 @@ namespace {
 
 constexpr int n_levels = 8;
 
-// A disc of the plane about its centre.
+// A circle of the plane about its centre.
 Conic circle_of(const Plane& plane, double radius) {
     return {plane.centre, radius * plane.along, radius * plane.normal.cross(plane.along)};
 }
 
-// The largest disc of it that is all before the eye, as a share of its radius.
+// The largest disc that is entirely in front of the eye, as a share of the plane's radius.
 double share_before_eye(const Canvas& canvas, const Plane& plane) {
     if (!canvas.projection.perspective) return 1.0;
     const Eigen::Vector3d across = plane.normal.cross(plane.along);
@@ -35,7 +35,7 @@ void fill_disc(const Canvas& canvas, const Plane& plane, double share) {
     if (!rim || !inner) return;
     RadialFade fade;
     fade.page_from_circle = rim->page_from_circle();
-    // Pictures of the discs between shrink about a point, nearly.
+    // The projections of the discs in between shrink approximately about one point.
     const Eigen::Affine2d to_circle = fade.page_from_circle.inverse();
     const Eigen::Vector2d inner_centre = to_circle * inner->centre;
     const Eigen::Matrix2d shrunk = to_circle.linear() * inner->page_from_circle().linear();
@@ -60,7 +60,7 @@ void fill_disc(const Canvas& canvas, const Plane& plane, double share) {
     canvas.add(std::move(fill));
 }
 
-// Both ends of a segment moved to where it is before the eye; false if none of it is.
+// Clips a segment to the part in front of the eye; returns false if there is none.
 bool cut_before_eye(const Projection& projection, Eigen::Vector3d& a, Eigen::Vector3d& b) {
     if (!projection.perspective) return true;
     const double least = 2.0 * projection.near_depth;
@@ -72,12 +72,12 @@ bool cut_before_eye(const Projection& projection, Eigen::Vector3d& a, Eigen::Vec
     return true;
 }
 
-// Lines of the grid in pieces of even opacity.
+// The lines of the grid in pieces of uniform opacity.
 class Grid {
  public:
     Grid(const Canvas& canvas, const Plane& plane) : canvas_(canvas), plane_(plane) {
         across_ = plane.normal.cross(plane.along);
-        // Distances at which the opacity goes from one level to the next.
+        // Distances at which the opacity changes by one level.
         for (int k = 0; k <= n_levels; ++k) {
             const double part = static_cast<double>(k) / n_levels;
             radii_.push_back(plane.radius * (plane.fade_from + (1.0 - plane.fade_from) * part));
@@ -124,7 +124,7 @@ class Grid {
         Eigen::Vector3d a = foot + from * direction, b = foot + to * direction;
         if (!cut_before_eye(canvas_.projection, a, b)) return;
         const Eigen::Vector3d middle = 0.5 * (a + b);
-        // Lines closer than a few pixels would merge into a tone.
+        // Lines closer than a few pixels would merge into a uniform tone.
         const Eigen::Vector2d here = canvas_.projection.place(middle);
         const Eigen::Vector2d next = canvas_.projection.place(middle + plane_.grid_spacing * side);
         const Eigen::Vector2d along =
@@ -167,7 +167,7 @@ void draw_plane(const Canvas& canvas, const Plane& plane) {
     if (plane.opacity <= 0.0 || plane.radius <= 0.0) return;
     const double share = share_before_eye(canvas, plane);
     if (share > 0.0 && canvas.has_fills()) fill_disc(canvas, plane, share);
-    // Before bodies the grid is pixels as they are.
+    // With bodies in `picture` shading, the grid is part of the pixels.
     if (canvas.shading == Shading::picture && !canvas.view.meshes.empty()) return;
     if (plane.grid_px > 0.0 && plane.grid_spacing > 0.0) Grid(canvas, plane).draw();
 }

@@ -1,5 +1,5 @@
 // The soft shadow of an ellipsoid on a plane: the same light as in render/shadow_web.h, drawn as
-// outlines of equal darkness, one within the other.
+// nested outlines of equal darkness.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -15,7 +15,8 @@ namespace {
 
 constexpr int most_levels = 22, n_spokes = 8;
 
-// How far along a direction from the hub it is darker: found from outside inwards.
+// The distance along a direction from the hub up to which the shadow is darker than this level;
+// searched from outside inwards.
 double extent(const SoftShadow& shadow, const Eigen::Vector3d& direction, double level) {
     constexpr int n_steps = 48;
     const double limit = shadow.limit(direction);
@@ -39,12 +40,12 @@ double extent(const SoftShadow& shadow, const Eigen::Vector3d& direction, double
     return dark;
 }
 
-// A smooth closed path through places on paper.
+// A smooth closed path through points on paper.
 Path smooth_through(const std::array<Eigen::Vector2d, n_spokes>& places) {
     const auto at = [&](int k) -> const Eigen::Vector2d& {
         return places[static_cast<std::size_t>((k + n_spokes) % n_spokes)];
     };
-    // Handles as long as those of a circle through as many.
+    // Handles as long as those of a circle through the same number of points.
     constexpr double angle = 2.0 * std::numbers::pi / n_spokes;
     const double handle = 2.0 / 3.0 * std::tan(0.25 * angle) / std::sin(angle);
     Path path;
@@ -84,10 +85,10 @@ void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
     const double deepest = shade.darkness(shade.hub());
     if (deepest <= 0.0) return;
     const Eigen::Vector3d across = plane.normal.cross(plane.along);
-    // A deep shade of the plane's own colour is calmer than black.
+    // A dark shade of the plane's own colour looks calmer than black.
     const Colour tint = encoded(0.06 * linear(plane.grid_colour));
-    // Some readers round what each outline leaves to whole levels of 255: where the plane itself is
-    // dark, fewer of them.
+    // Some viewers round the result of each outline to whole levels of 255, so a dark plane gets
+    // fewer outlines.
     const Colour darkest = over(as_shade(tint, deepest, plane.colour), plane.colour);
     const double change = 255.0 * std::max({plane.colour.r - darkest.r, plane.colour.g - darkest.g,
                                             plane.colour.b - darkest.b});
@@ -107,9 +108,9 @@ void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
                 return;
             places[k] = canvas.projection.place(point);
         }
-        // All outlines about a place together are as dark as it is.
+        // All outlines around a point together give its darkness.
         const Ink wanted = as_shade(tint, deepest * (level + 0.5) / n_levels, plane.colour);
-        // Few different opacities take less of a file; the next makes up for what is rounded here.
+        // Few distinct opacities keep the file small; the next level compensates for the rounding.
         const double missing = 1.0 - (1.0 - wanted.alpha) / (1.0 - covered);
         const double alpha = std::round(250.0 * missing) / 250.0;
         covered = 1.0 - (1.0 - covered) * (1.0 - alpha);

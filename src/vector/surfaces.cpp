@@ -1,4 +1,4 @@
-// Surfaces as pixels that another draws, between lines that are vectors.
+// Surfaces as pixels of an external renderer, between vector lines.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,13 +13,13 @@ namespace {
 constexpr double least_dots_per_inch = 600.0;
 constexpr double pt_per_inch = 72.0;
 
-// Pixels of the picture to a pixel of the drawing.
+// Pixels of the picture per pixel of the drawing.
 int fineness(const Canvas& canvas) {
     const double dots_per_inch = pt_per_inch / canvas.projection.units_per_px;
     return std::max(1, static_cast<int>(std::ceil(least_dots_per_inch / dots_per_inch - 1e-9)));
 }
 
-// How many times as large an ellipsoid is whose outline lies so many pixels further out.
+// The factor on an ellipsoid's size that moves its outline this number of pixels outwards.
 double grown(const Canvas& canvas, std::size_t number, double out_px, int fine) {
     const auto limb = limb_of(canvas.occluders.spheres()[number]);
     const auto outline = limb ? picture_of(*limb, canvas.projection) : std::nullopt;
@@ -29,7 +29,7 @@ double grown(const Canvas& canvas, std::size_t number, double out_px, int fine) 
     return std::max(1.0 + out_px / std::max(shorter_px, 1.0), 0.5);
 }
 
-// The view's surfaces alone, its corner the picture's.
+// A drawing of only the view's surfaces, with the view's corner as its corner.
 Drawing surfaces_of(const Canvas& canvas, double out_px, bool has_grid) {
     const int fine = fineness(canvas);
     Drawing drawing;
@@ -69,7 +69,7 @@ void draw_pixels(const Canvas& canvas, const DrawPixels& draw, double out_px, bo
     canvas.add(std::move(picture));
 }
 
-// Beyond what smoothing of an edge reaches.
+// More than the reach of an edge's anti-aliasing.
 constexpr double edge_px = 1.5;
 
 }  // namespace

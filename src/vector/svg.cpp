@@ -21,13 +21,13 @@ namespace {
 constexpr std::string_view metadata_opening = "<metadata id=\"poinsot\">";
 constexpr std::string_view metadata_end = "</metadata>";
 
-// The file's unit is 1/256 pt (1.4 µm), as Cairo's in PDF: whole numbers, short to write.
+// The unit is 1/256 pt (1.4 µm), as in Cairo's PDF: coordinates are short integers.
 constexpr double units_per_pt = 256.0;
 
 std::int64_t rounded(double pt) { return std::llround(units_per_pt * pt); }
 std::string number(double pt) { return std::to_string(rounded(pt)); }
 
-// A share, 0…1.
+// Formats a share, 0…1.
 std::string share(double value) {
     std::string text = fmt::format("{:.3g}", value);
     if (text.starts_with("0.")) text.erase(0, 1);
@@ -41,7 +41,7 @@ std::string hex(const Colour& colour) {
     return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.r), byte(colour.g), byte(colour.b));
 }
 
-// Of what is given in axes of its own, in points of the page.
+// The transform from own axes to the page, in points.
 std::string matrix(const Eigen::Affine2d& map) {
     const Eigen::Matrix3d m =
         Eigen::Vector3d(units_per_pt, units_per_pt, 1.0).asDiagonal() * map.matrix();
@@ -108,7 +108,8 @@ std::string base64(std::string_view bytes) {
     return out;
 }
 
-// Path data, each step from the rounded end of the one before, so that roundings do not add up.
+// Path data. Each step is relative to the rounded end of the previous one, so that rounding errors
+// do not accumulate.
 class PathData {
  public:
     void add(const Path& path, const Eigen::Affine2d& map = Eigen::Affine2d::Identity()) {
@@ -134,7 +135,7 @@ class PathData {
     std::string take() { return std::move(text_); }
 
  private:
-    // Along an axis where it runs so.
+    // Uses the horizontal or vertical command where possible.
     void line(const Eigen::Vector2d& to) {
         const std::int64_t x = rounded(to.x()), y = rounded(to.y());
         if ((x == x_) == (y == y_)) {
@@ -153,7 +154,8 @@ class PathData {
     }
 
     void begin(char command, std::initializer_list<Eigen::Vector2d> points) {
-        // The first move is from the origin, and lines may follow a move unnamed.
+        // The first move is relative to the origin, and lines may follow a move without a command
+        // letter.
         bool separate = false;
         if (command != last_ || command == 'm') {
             text_ += command;
@@ -198,7 +200,7 @@ class SvgWriter {
         const std::string rule = fill.even_odd ? " fill-rule=\"evenodd\"" : "";
         const Ink* ink = std::get_if<Ink>(&fill.paint);
         if (ink != nullptr && fill.seam_pt > 0.0) {
-            // Many of them, with a line about each in its own colour.
+            // Many fills, each with a stroke in its own colour.
             std::string& here =
                 body(fmt::format("<g class=\"s\" stroke-width=\"{}\">\n", number(fill.seam_pt)));
             here +=
@@ -247,7 +249,7 @@ class SvgWriter {
             const PlacedLetter& letter = type.letters[from];
             FontFace& font = fonts_.of(*letter.font_file);
             if (font.character(letter.glyph) == 0) {
-                // A form that no character stands for is drawn.
+                // A glyph without a character is drawn as a path.
                 any_shape = true;
                 Eigen::Affine2d map = Eigen::Affine2d::Identity();
                 map.translation() = Eigen::Vector2d(letter.x_pt, letter.y_pt);
@@ -279,7 +281,7 @@ class SvgWriter {
     std::string take_body() { return std::move(body()); }
     std::string defs() { return std::move(defs_); }
 
-    // The fonts of the text, each with the characters that are used.
+    // The fonts of the text, each reduced to the characters used.
     std::string style() {
         std::string style = fmt::format(
             ".l{{fill:none;stroke-linejoin:round;stroke-width:{}}}\n"
@@ -303,7 +305,7 @@ class SvgWriter {
         std::string name;
         std::set<char32_t> characters;
     };
-    // By the fonts' names, wherever they lie: the same bytes on machines that keep them elsewhere.
+    // Ordered by the fonts' file names, so that the bytes do not depend on their folders.
     struct ByName {
         bool operator()(const std::filesystem::path& a, const std::filesystem::path& b) const {
             const auto order = a.filename().compare(b.filename());
@@ -311,7 +313,7 @@ class SvgWriter {
         }
     };
 
-    // Of a clip; one that is there already serves again.
+    // The id of a clip; equal clips share one id.
     const std::string& clip_id(const Path& path, bool even_odd) {
         const std::string shape = fmt::format("<path d=\"{}\"{}/>", data_of(path),
                                               even_odd ? " clip-rule=\"evenodd\"" : "");
@@ -323,7 +325,8 @@ class SvgWriter {
         return id;
     }
 
-    // What is written next: in a group of its kind, which stays open as long as that goes on.
+    // The output buffer, inside a group of this kind; the group stays open as long as the kind does
+    // not change.
     std::string& body(const std::string& group = "") {
         if (group != group_) {
             if (!group_.empty()) body_ += group_end;
@@ -347,7 +350,8 @@ class SvgWriter {
         return text;
     }
 
-    // Those without which colours between would be over one and a half levels off.
+    // The stops without which the interpolated colours would be off by more than one and a half
+    // levels.
     static std::vector<Stop> needed(const std::vector<Stop>& stops) {
         constexpr double most_off = 1.5 / 255.0;
         std::vector<Stop> kept{stops.front()};
@@ -397,8 +401,8 @@ class SvgWriter {
         return fmt::format(" fill=\"url(#{})\"", id);
     }
 
-    // SVG has no patches: bands across the disc, each from where it begins down to the disc's end,
-    // so that the next covers it and no seam is left.
+    // SVG has no mesh gradients: draws bands across the disc. Each band extends from its top to the
+    // disc's end; the next band covers it, so that no seam is visible.
     void shade(const Path& path, const ShadedDisc& disc) {
         constexpr int most_bands = 32, least_bands = 12, n_stops = 10;
         constexpr double band_pt = 4.5, reach = 1.1;
@@ -419,7 +423,8 @@ class SvgWriter {
                     {0.5 + 0.5 * x / reach, {disc.at(Eigen::Vector2d(x, middle)), 1.0}});
             }
             const std::string id = next_id();
-            // Of a box that is turned some readers take too large a one: places, not shares of it.
+            // Some viewers enlarge the bounding box of a rotated shape, so this uses coordinates
+            // instead of shares of the box.
             defs_ += fmt::format(
                 "<linearGradient id=\"{0}\" gradientUnits=\"userSpaceOnUse\" x1=\"-{1}\" "
                 "x2=\"{1}\">{2}</linearGradient>\n",
@@ -432,15 +437,16 @@ class SvgWriter {
         body() += "</g></g>\n";
     }
 
-    // Letters of one font, size and baseline, each at its place; returns where they end. A letter
-    // beyond the first 65,536 characters stands alone: readers count its places differently.
+    // Adds letters of one font, size and baseline, each with its position; returns the index after
+    // the last. A letter beyond the first 65,536 characters gets its own element, since viewers
+    // count positions differently there.
     std::size_t add_run(const Type& type, std::size_t from, FontFace& font) {
         const PlacedLetter& first = type.letters[from];
         UsedFont& used = used_[*first.font_file];
         if (used.name.empty()) used.name = fmt::format("f{}", used_.size());
         std::string places, letters;
         std::size_t to = from;
-        double pen_pt = 0.0;  // where the letter before ends
+        double pen_pt = 0.0;  // where the previous letter ends
         for (; to < type.letters.size(); ++to) {
             const PlacedLetter& letter = type.letters[to];
             if (*letter.font_file != *first.font_file || letter.em_pt != first.em_pt ||
@@ -448,10 +454,10 @@ class SvgWriter {
                 break;
             const char32_t c = font.character(letter.glyph);
             if (c == 0 || (c > 0xffff && to > from)) break;
-            // Readers drop the spaces that a text begins with, and some then put what follows
-            // there.
+            // Viewers drop spaces at the beginning of a text, and some then use their positions for
+            // the following letters.
             if (c == U' ' && letters.empty()) continue;
-            // A gap between words is a space, so that they are found as words.
+            // A gap between words becomes a space, so that words can be searched.
             constexpr double word_gap = 0.15;  // ems
             if (!letters.empty() && letter.x_pt - pen_pt > word_gap * letter.em_pt) {
                 used.characters.insert(U' ');
@@ -475,7 +481,7 @@ class SvgWriter {
     }
 
     std::string defs_, body_;
-    std::string group_;  // how the open one begins
+    std::string group_;  // opening tag of the open group
     int n_ids_ = 0;
     std::map<std::string, std::string> clips_;  // ids by shape
     FontFaces fonts_;

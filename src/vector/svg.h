@@ -1,5 +1,5 @@
-// A page as SVG: paths, gradients and text in embedded subsets of its fonts. The same page gives
-// the same bytes. Its unit is 1/256 pt (1.4 µm), and coordinates are whole.
+// Writes a page as SVG: paths, gradients, and text in embedded subsets of its fonts. The same page
+// gives byte-identical files. The unit is 1/256 pt (1.4 µm), and coordinates are integers.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace poinsot::vector {
 
-// The text of the file. title: of the document, text: carried as metadata; both may be empty.
-// Throws EnvironmentError where a font cannot be read.
+// Returns the text of the file. `title` is the document's title, `text` is stored as metadata; both
+// may be empty. Throws EnvironmentError if a font cannot be read.
 std::string svg_of(const Page& page, std::string_view title, std::string_view text);
 
-// The metadata that svg_of has put in; empty if there is none.
+// The metadata text stored by svg_of; empty if there is none.
 std::string svg_text(std::string_view svg);
 
 }  // namespace poinsot::vector

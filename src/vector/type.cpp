@@ -1,4 +1,4 @@
-// Labels as letters on their baselines.
+// Draws labels as letters on their baselines.
 #include <cstddef>
 #include <utility>
 
@@ -8,7 +8,7 @@ namespace poinsot::vector {
 
 namespace {
 
-// A band that type is read on: in each row as dense as its mask.
+// A band behind type for legibility: each row is as dense as the mask's row.
 void draw_band(const Canvas& canvas, const Label& label) {
     const GlyphMask& mask = *label.mask;
     const double pt = canvas.pt(mask.samples);
@@ -58,7 +58,7 @@ void draw_label(const Canvas& canvas, const Label& label) {
         type.rules.add_rectangle(corner + pt * Eigen::Vector2d(rule.left_px, rule.top_px),
                                  pt * Eigen::Vector2d(rule.width_px, rule.height_px));
     type.ink = {label.colour, label.opacity};
-    // Type that stands over lines has a halo; over an even ground none would be seen.
+    // Type over lines has a halo; over a uniform background a halo would be invisible.
     const View& view = canvas.view;
     const bool may_cover = !(view.curves.empty() && view.arrows.empty() && view.planes.empty() &&
                              view.ellipsoids.empty() && view.meshes.empty());
