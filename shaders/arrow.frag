@@ -1,5 +1,5 @@
-// A straight arrow: a round shaft and a conical head, ray-cast for light and depth, its edges from
-// the outline in the picture (the hull of two ellipses).
+// A straight arrow with a round shaft and a conical head. Light and depth are ray-cast; the edges
+// come from the outline in the picture (the hull of two ellipses).
 #include "constants.glsl"
 #include "coverage.glsl"
 #include "view.glsl"
@@ -7,22 +7,22 @@
 #define SOLIDS 17
 #include "occlusion.glsl"
 #include "light.glsl"
-//   0…4: the view   5: towards the key light; its strength   6: the sky likewise
+//   0…4: the view   5: towards the key light; its strength   6: towards the middle of the sky; its strength
 //   7, 8: shaft and head in the picture: px of both ends
-//   9, 10: their radii px at both ends; how open the ends' ellipses are
+//   9, 10: their radii px at both ends; minor over major axis of the ends' ellipses
 //   11: axis, unit; hidden opacity
 //   12, 13: shaft and head along the axis: where they begin, length, both radii (units)
 //   14: the point of the anchor's line of sight at the depth w, from the tail
 //   15: anchor px; layer drawn (0 hidden, 1 visible)   16: colour, linear; opacity
 out vec4 fragment;
 
-// Coverage by the hull of two similar ellipses with middles a and b.
+// Coverage of the hull of two similar ellipses with centres a and b.
 float hull_coverage(vec2 p, vec4 ends, vec3 size) {
     vec2 run = ends.zw - ends.xy;
     float run_px = max(length(run), 1e-4);
     vec2 e = run_px > 1e-3 ? run / run_px : vec2(1.0, 0.0);
     vec2 from_a = p - ends.xy;
-    // Stretched along the axis the ellipses are circles.
+    // After stretching along the axis the ellipses are circles.
     float open = size.z;
     float side = dot(from_a, vec2(-e.y, e.x));
     vec2 q = vec2(abs(side), dot(from_a, e) / open);
@@ -30,7 +30,7 @@ float hull_coverage(vec2 p, vec4 ends, vec3 size) {
     float r1 = size.x;
     float r2 = size.y;
     float inside;
-    float beside = 1.0;  // what the width of an end leaves
+    float beside = 1.0;  // coverage limited by the width of an end
     vec2 gradient;
     if (abs(r1 - r2) >= h) {
         vec2 middle = r1 > r2 ? q : q - vec2(0.0, h);
@@ -46,7 +46,7 @@ float hull_coverage(vec2 p, vec4 ends, vec3 size) {
             float far = max(length(middle), 1e-6);
             inside = (k < 0.0 ? r1 : r2) - far;
             gradient = middle / far;
-            // A flat ellipse's edge is no straight line beside its ends.
+            // The edge of a flat ellipse is not a straight line near its ends.
             beside = clamp((k < 0.0 ? r1 : r2) + 0.5 - q.x, 0.0, 1.0);
         } else {
             inside = r1 - dot(q, vec2(a, b));
@@ -59,7 +59,7 @@ float hull_coverage(vec2 p, vec4 ends, vec3 size) {
     return min(edge_coverage(clamp(inside / steepness, -2.0, 2.0), n), beside);
 }
 
-// Outer surface of a frustum where the line o + t d meets it first; xyz: normal, w: t.
+// First intersection of the line o + t d with the outer surface of a frustum; xyz: normal, w: t.
 vec4 frustum(vec3 o, vec3 d, vec3 axis, vec4 part) {
     float slope = (part.w - part.z) / part.y;
     float along_o = dot(o, axis) - part.x;
@@ -77,7 +77,7 @@ vec4 frustum(vec3 o, vec3 d, vec3 axis, vec4 part) {
         vec3 n = across_o + t * across_d - (r_o + t * r_d) * slope * axis;
         return vec4(normalize(n), t);
     }
-    // Past an end: the flat base, or for the head seen along its axis the cone all round.
+    // Beyond an end: the flat base, or the cone itself if the head is seen along its axis.
     float end = along_d > 0.0 ? 0.0 : part.y;
     float t_end = (end - along_o) / (abs(along_d) < 1e-6 ? 1e-6 : along_d);
     if (abs(along_d) > 0.02 && (along_d > 0.0 || part.w > 0.0))
@@ -109,7 +109,7 @@ void main() {
     vec3 axis = constant(11).xyz;
     vec4 shaft = frustum(o, d, axis, constant(12));
     vec4 head = frustum(o, d, axis, constant(13));
-    // The nearer part lies on top: the shaft when the arrow points away.
+    // The nearer part is on top: the shaft if the arrow points away from the eye.
     bool away = dot(axis, d) > 0.0;
     float on_top = away ? in_shaft : in_head;
     vec4 top = away ? shaft : head;

@@ -1,4 +1,4 @@
-// Bands of a vertical gradient; colours are exact at the edges of the bands.
+// Bands of a vertical gradient; the colours are exact at the edges of the bands.
 #include "clip.glsl"
 uniform vec4 box;  // left, top, right, bottom, px
 uniform vec4 bands[33];

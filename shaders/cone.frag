@@ -1,5 +1,5 @@
-// Translucent open cones, ray-cast, with their rims and generators. MEMBERS of them may cross each
-// other; ellipsoids and planes dim what lies behind them.
+// Translucent open cones, ray-cast, with their rims and generators. MEMBERS cones may intersect;
+// ellipsoids and planes dim the parts behind them.
 #include "constants.glsl"
 #include "coverage.glsl"
 #include "view.glsl"
@@ -9,7 +9,7 @@
 #define SOLIDS (7 + MEMBERS * member_size)
 const int member_size = 10;
 #include "occlusion.glsl"
-//   0…4: the view   5: towards the key light; its strength   6: the sky likewise
+//   0…4: the view   5: towards the key light; its strength   6: towards the middle of the sky; its strength
 // then for each member, in axes from the apex where the cone is x² + y² = z²:
 //   0, 1, 2: point of the line of sight at the apex's depth, at the anchor, and its change with the
 //            pixel x, y; w: anchor x, anchor y, depth of the apex
@@ -27,7 +27,7 @@ struct Layer {
     vec2 depth_change;
 };
 
-// Opacity of a layer dimmed by what lies before it.
+// Opacity of a layer, dimmed by the objects in front of it.
 float shown(vec4 v[5], vec2 pixel, float depth, float alpha) {
     vec2 seen = vec2(1.0, 0.0);
 #if N_QUADRICS + N_FLATS + N_MESHES > 0
@@ -39,7 +39,7 @@ float shown(vec4 v[5], vec2 pixel, float depth, float alpha) {
 // rim_px, apex_px: distances in the picture.
 Layer sheet(vec4 v[5], vec2 pixel, int at, vec3 o, vec3 d, float t, float rim_px, float apex_px) {
     vec3 x = o + t * d;
-    // How the point slides over the cone as the pixel changes.
+    // Derivatives of the point on the cone with respect to the pixel.
     vec3 gx = constant(at + 1).xyz + t * constant(at + 4).xyz;
     vec3 gy = constant(at + 2).xyz + t * constant(at + 5).xyz;
     vec3 up_slope = vec3(x.xy, -x.z);
@@ -53,7 +53,8 @@ Layer sheet(vec4 v[5], vec2 pixel, int at, vec3 o, vec3 d, float t, float rim_px
     layer.depth = constant(at + 2).w + t;
     layer.depth_change = dt;
 
-    // It ends at the rim and at the apex, a pixel softly; the other nappe is no part of it.
+    // The sheet ends at the rim and at the apex, with edges one pixel soft; the other nappe is not
+    // part of the cone.
     float inside = clamp(0.5 + (x.z < constant(at + 3).w ? rim_px : -rim_px), 0.0, 1.0);
     inside *= clamp(0.5 + (x.z > 0.0 ? apex_px : -apex_px), 0.0, 1.0);
 
@@ -96,7 +97,7 @@ void main() {
         vec2 p = pixel - vec2(constant(at).w, constant(at + 1).w);
         vec3 o = constant(at).xyz + p.x * constant(at + 1).xyz + p.y * constant(at + 2).xyz;
         vec3 d = constant(at + 3).xyz + p.x * constant(at + 4).xyz + p.y * constant(at + 5).xyz;
-        // The line meets the cone where its moment m is more across the axis than along it.
+        // The line meets the cone where its moment m is larger across the axis than along it.
         vec3 m = cross(o, d);
         vec3 mx = cross(constant(at + 1).xyz, d) + cross(o, constant(at + 4).xyz);
         vec3 my = cross(constant(at + 2).xyz, d) + cross(o, constant(at + 5).xyz);
@@ -114,7 +115,7 @@ void main() {
         float t1 = abs(a) < 1e-12 ? 1e12 : q / a;
         float t2 = abs(q) < 1e-20 ? t1 : c / q;
 
-        // The rim is a circle in the plane that ends the cone.
+        // The rim is a circle in the plane at the end of the cone.
         float descent = abs(d.z) < 1e-9 ? 1e-9 : d.z;
         float t_rim = (constant(at + 3).w - o.z) / descent;
         vec3 x = o + t_rim * d;
@@ -127,7 +128,7 @@ void main() {
 
         layers[3 * k] = sheet(view, pixel, at, o, d, min(t1, t2), rim_px, length(p));
         layers[3 * k + 1] = sheet(view, pixel, at, o, d, max(t1, t2), rim_px, length(p));
-        // A pixel that the cone covers in part shows both sheets in that part.
+        // A pixel partly covered by the cone shows both sheets in the same part.
         float behind = outline * layers[3 * k + 1].alpha * (1.0 - layers[3 * k].alpha);
         layers[3 * k].alpha *= outline;
         layers[3 * k + 1].alpha = behind / max(1.0 - layers[3 * k].alpha, 1e-6);

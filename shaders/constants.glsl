@@ -1,6 +1,6 @@
-// Values that are the same over a whole draw. llvmpipe reads a uniform lane by lane, some thirty
-// instructions a component, but a flat varying in one; so the first N_FLAT values reach the
-// fragment shader as flat varyings, and only what finds no room there as uniforms.
+// Constants of one draw call. llvmpipe reads a uniform lane by lane, with about thirty instructions
+// per component, but a flat varying with one. So the first N_FLAT values are passed to the fragment
+// shader as flat varyings, and only the remaining ones as uniforms.
 flat in vec4 flat_constants[N_FLAT];
 #if N_CONSTANTS > N_FLAT
 uniform vec4 more_constants[N_CONSTANTS - N_FLAT];

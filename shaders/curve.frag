@@ -1,5 +1,5 @@
 // A stroke of constant width with round joins. Where neighbouring segments overlap, the pixel
-// belongs to the nearest, so that a translucent curve has even opacity.
+// belongs to the nearest one, so that a translucent curve has uniform opacity.
 #include "constants.glsl"
 #include "coverage.glsl"
 #include "stroke.glsl"
@@ -15,20 +15,20 @@
 //      the opacity
 //   then the solids, and after them
 //   FADE: where it fades: transparent and opaque point; the depth that marks this curve
-//   FADE + 1: corner of the layer of what is kept of the curve px; 1 if there is one
+//   FADE + 1: corner of the layer with the cached part of the curve px; 1 if there is one
 flat in vec4 ends;
 flat in vec4 neighbours;
 flat in vec4 along;
 flat in vec4 depths;
-uniform sampler2D texture_2;  // of that layer, as trace.frag has it: (1 - coverage)/2
-uniform sampler2D texture_3;  // depth of the point, share in which it faces the eye
+uniform sampler2D texture_2;  // of that layer, written by trace.frag: (1 - coverage)/2
+uniform sampler2D texture_3;  // depth of the point, share to which it faces the eye
 out vec4 fragment;
 
 void main() {
     vec2 pixel = gl_FragCoord.xy;
     vec2 own = from_segment(pixel, ends.xy, ends.zw);
     float reach = 0.5 * constant(6).x;
-    // What is none of this segment's fails the depth test, which is cheaper here than to discard it.
+    // Pixels of other segments fail the depth test, which is cheaper here than discarding them.
     bool none = own.x > reach + 0.75 ||
                 (from_segment(pixel, neighbours.xy, ends.xy).x <= own.x && neighbours.xy != ends.xy) ||
                 (from_segment(pixel, ends.zw, neighbours.zw).x < own.x && neighbours.zw != ends.zw);
@@ -46,7 +46,7 @@ void main() {
         drawn = dashed(mix(along.z, along.w, t), abs(period), constant(7).y, per_px);
     }
 
-    // What trace.frag has kept of the segments before, where it covers more.
+    // Uses the cached pixels of the previous segments where their coverage is larger.
     if (constant(FADE + 1).z > 0.5) {
         ivec2 texel = ivec2(pixel - constant(FADE + 1).xy);
         float stored = texelFetch(texture_2, texel, 0).x;
@@ -76,7 +76,7 @@ void main() {
     vec2 fade = constant(FADE).xy;
     if (fade.y > fade.x) alpha *= clamp((mix(along.x, along.y, t) - fade.x) / (fade.y - fade.x), 0.0, 1.0);
     fragment = vec4(constant(5).rgb, 1.0) * alpha;
-    // Where the curve meets itself only the fuller coverage counts: depth orders the fragments of
-    // one curve by it, and any curve before those drawn earlier.
+    // Where the curve meets itself only the larger coverage counts: the fragments of one curve are
+    // ordered by coverage, and every curve is nearer than those drawn before.
     gl_FragDepth = none ? 1.0 : constant(FADE).z + constant(FADE).w * (1.0 - covered);
 }

@@ -1,6 +1,6 @@
-// One segment of a curve as a rectangle about it, four corners a segment. The points lie in a
-// buffer texture that is filled once; only the range shown changes. Or rectangles given by their
-// corners, for what is kept of a curve and one segment more.
+// One segment of a curve as a rectangle around it, with four corners per segment. The points are in
+// a buffer texture that is filled once; only the drawn range changes. For cached curves: rectangles
+// given by their corners, for the cached part and one more segment.
 #include "clip.glsl"
 #include "view.glsl"
 uniform samplerBuffer texture_0;  // xyz: point; w: length of the curve up to it
@@ -9,15 +9,15 @@ uniform bool closed;
 uniform vec4 stroke[8];
 //   0: first and last point shown, width px, length of the whole curve
 //   1, 2, 3: rows of the map from the geometry's axes to the view's
-//   4, 5, 6: rows of the map to the sphere of the ellipsoid the curve lies on
+//   4, 5, 6: rows of the map to the sphere of the ellipsoid on which the curve lies
 //   7: eye, or direction towards it, in the sphere's axes; 1 if perspective
 uniform bool on_ellipsoid;
 uniform bool in_rectangles;
-//   then the buffer holds the rectangles, and 0: the segment px; 1: depths at both ends, how they face the eye; 2: lengths up to them
+//   then the buffer contains the rectangles, and 0: the segment px; 1: depths at both ends, cosine by which they face the eye; 2: lengths up to them
 uniform vec4 constants[N_FLAT];
 flat out vec4 flat_constants[N_FLAT];
 flat out vec4 ends;        // this segment, px: from, to
-flat out vec4 neighbours;  // where the segments before and after it begin and end, px
+flat out vec4 neighbours;  // beginning of the previous and end of the next segment, px
 flat out vec4 along;       // point number and length at both ends
 flat out vec4 depths;      // at both ends; then the cosine by which the surface faces the eye
 
@@ -37,7 +37,7 @@ float facing_of(vec3 point) {
     return (dot(u, e.xyz) - e.w) / max(length(e.xyz - e.w * u), 1e-20);
 }
 
-// Moves `point` towards `other` until it lies before the eye.
+// Moves `point` towards `other` until it is in front of the eye.
 vec4 before_eye(vec4 point, vec4 other, float depth, float other_depth) {
     if (depth >= constants[1].w || constants[0].w < 0.5) return point;
     return mix(point, other, clamp((constants[1].w - depth) / (other_depth - depth), 0.0, 1.0));
@@ -45,7 +45,7 @@ vec4 before_eye(vec4 point, vec4 other, float depth, float other_depth) {
 
 float depth_of_point(vec4 point) { return dot(point.xyz - constants[1].xyz, constants[4].xyz); }
 
-// Unit vector from a to b, or `otherwise` if they are one point.
+// Unit vector from a to b, or `otherwise` if they are equal.
 vec2 direction_of(vec2 a, vec2 b, vec2 otherwise) {
     vec2 run = b - a;
     float square = dot(run, run);
@@ -69,14 +69,14 @@ void main() {
     vec4 p[4];
     for (int k = 0; k < 4; ++k) p[k] = point_number(segment + k - 1);
 
-    // The range may begin or end within this segment.
+    // The range may begin or end inside this segment.
     float from = clamp(stroke[0].x - float(segment), 0.0, 1.0);
     float to = clamp(stroke[0].y - float(segment), 0.0, 1.0);
     vec4 a = mix(p[1], p[2], from);
     vec4 b = mix(p[1], p[2], to);
     bool begins = stroke[0].x >= float(segment) || (!closed && segment == 0);
     bool ends_here = stroke[0].y <= float(segment + 1) || (!closed && segment == n_points - 2);
-    // A closed curve shown whole has neither beginning nor end.
+    // A closed curve that is drawn completely has no ends.
     if (closed && stroke[0].y - stroke[0].x >= float(n_points)) begins = ends_here = false;
     vec4 previous = begins ? a : p[0];
     vec4 next = ends_here ? b : p[3];
@@ -96,8 +96,8 @@ void main() {
     along = vec4(float(segment) + from, float(segment) + to, clipped_a.w, clipped_b.w);
     depths = vec4(at_a.z, at_b.z, facing_of(clipped_a.xyz), facing_of(clipped_b.xyz));
 
-    // A rectangle that holds the segment and its share of the joins: beyond an end it reaches as far
-    // as the turn there opens a gap, which at a true end is a full round cap.
+    // A rectangle that contains the segment and its share of the joins: beyond an end it extends as
+    // far as the turn opens a gap there; at a real end, by a full round cap.
     vec2 direction = direction_of(at_a.xy, at_b.xy, vec2(1.0, 0.0));
     float reach = 0.5 * stroke[0].z + 0.75;
     bool at_end = (gl_VertexID & 2) != 0;

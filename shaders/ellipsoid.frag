@@ -1,7 +1,7 @@
-// Translucent ellipsoids, ray-cast. MEMBERS of them may cross each other: every surface met by the
-// line of sight is weighted by what lies before it. RIM is 0 for the part of a single one that lies
-// well within its outline: there coverage is full. llvmpipe divides and takes roots exactly, which
-// costs as much as ten products, so they are few.
+// Translucent ellipsoids, ray-cast. MEMBERS ellipsoids may intersect: every surface on the line of
+// sight is weighted by the surfaces in front of it. RIM is 0 for the part of a single ellipsoid
+// well inside its outline, where coverage is full. llvmpipe computes divisions and roots exactly,
+// at the cost of ten products each, so there are few of them.
 #include "constants.glsl"
 #include "coverage.glsl"
 #include "quadric.glsl"
@@ -10,7 +10,7 @@
 //   0: towards the key light; its strength   1: w: the sky's strength
 //   2: least depth that is drawn, 1 if perspective, 1/focal length in px
 // then for each member, after the seven of quadric.glsl:
-//   7, 8: change of u with the pixel x, y at unit depth (orthographic: as is); w: ruling width px,
+//   7, 8: derivatives of u with respect to the pixel x, y at unit depth (orthographic: at any depth); w: ruling width px,
 //         opacity of the rulings
 //   9, 10: towards the key light and the sky, mapped into the sphere's axes; w: meridians, parallels
 //   11: 1/squares of the half axes; presence. These three in the scale of d.
@@ -26,15 +26,15 @@ out vec4 fragment;
 
 const float pi = 3.14159265358979;
 
-// One surface met by the line of sight.
+// One surface on the line of sight.
 struct Layer {
     vec3 colour;
     float alpha;
     float depth;
-    vec2 depth_change;  // with the pixel
+    vec2 depth_change;  // derivatives with respect to the pixel
 };
 
-// After Abramowitz & Stegun 4.4.45, within 1e-4 rad: a fiftieth of a pixel.
+// Abramowitz & Stegun 4.4.45, accurate to 1e-4 rad: a fiftieth of a pixel.
 float arcsine(float x) {
     float y = abs(x);
     float p = ((-0.0187293 * y + 0.0742610) * y - 0.2121144) * y + 1.5707288;
@@ -43,11 +43,12 @@ float arcsine(float x) {
 }
 
 #if RIM
-// How far the pixel lies from the three principal sections, px: from their outer halves (x) and inner ones (y).
-// Seen, the section by u_k = 0 is the conic |m|² - m_k² - d_k² = 0, which is smooth at the limb, where u
-// changes without bound from pixel to pixel. Along its gradient it is a parabola, whose two roots are the
-// distances: exact for straight lines, however close both halves lie, and to the second order for curves.
-// At a root the line of sight enters the ellipsoid where (d × m)_k and d_k agree in sign, else it leaves it.
+// Distances of the pixel from the three principal sections, px: from their outer halves (x) and
+// inner halves (y). In the picture, the section u_k = 0 is the conic |m|² - m_k² - d_k² = 0. It is
+// smooth at the limb, where the derivatives of u diverge. Along its gradient it is a parabola,
+// whose two roots are the distances: exact for straight lines, however close both halves are, and
+// of second order for curves. At a root, the line of sight enters the ellipsoid if (d × m)_k and
+// d_k have the same sign; otherwise it leaves the ellipsoid.
 vec2 to_sections(int at, Sight s) {
     vec3 dx = constant(at + 1).xyz, dy = constant(at + 2).xyz, mx = constant(at + 4).xyz, my = constant(at + 5).xyz;
     vec3 conic = dot(s.m, s.m) - s.m * s.m - s.d * s.d;
@@ -66,7 +67,7 @@ vec2 to_sections(int at, Sight s) {
     vec3 change = nx * (cross(dx, s.m) + cross(s.d, mx)) + ny * (cross(dy, s.m) + cross(s.d, my));
     vec3 near_half = (across - near * change) * sign(s.d - near * d_change);
     vec3 far_half = (across - far * change) * sign(s.d - far * d_change);
-    vec3 none = vec3(1e9), both = vec3(2e-6 * s.square);  // above what rounding leaves
+    vec3 none = vec3(1e9), both = vec3(2e-6 * s.square);  // above the rounding error
     near = abs(near);
     far = abs(far);
     vec3 outer = min(mix(near, none, lessThan(near_half, -both)), mix(far, none, lessThan(far_half, -both)));
@@ -74,10 +75,10 @@ vec2 to_sections(int at, Sight s) {
     return vec2(min(min(outer.x, outer.y), outer.z), min(min(inner.x, inner.y), inner.z));
 }
 #else
-// How far the pixel lies from the three principal sections, px, well within the limb: by the point u, which
-// changes with the pixel by the roots of `square` times that of stretch_square.
+// Distance of the pixel from the three principal sections, px, well inside the limb: from the point
+// u, whose derivatives are the roots of `square` times that of stretch_square.
 float to_sections(vec3 u_square, vec3 square, float stretch_square) {
-    // The nearest: the least u²/square, found by products.
+    // The nearest section: the smallest u²/square, compared by products.
     vec3 d = max(square, 1e-12);
     vec2 least = u_square.x * d.y < u_square.y * d.x ? vec2(u_square.x, d.x) : vec2(u_square.y, d.y);
     least = u_square.z * least.y < least.x * d.z ? vec2(u_square.z, d.z) : least;
@@ -85,8 +86,8 @@ float to_sections(vec3 u_square, vec3 square, float stretch_square) {
 }
 #endif
 
-// Meridians and parallels about the third axis; longitudes from the first. ux, uy: change of u with
-// the pixel, over the root of stretch_square.
+// Meridians and parallels about the third axis; longitudes are counted from the first. ux, uy:
+// derivatives of u with respect to the pixel, divided by the root of stretch_square.
 float rulings(vec3 u, vec3 u_square, vec3 ux, vec3 uy, float stretch_square, float width_px, float n_meridians,
               float n_parallels) {
     float rim_square = max(u_square.x + u_square.y, 1e-9);
@@ -102,7 +103,7 @@ float rulings(vec3 u, vec3 u_square, vec3 ux, vec3 uy, float stretch_square, flo
     return max(n_meridians > 0.5 ? meridians : 0.0, n_parallels > 0.5 ? parallels : 0.0);
 }
 
-// What all surfaces met by one line of sight share.
+// Values shared by all surfaces on one line of sight.
 struct Gaze {
     float per_length;   // 1/length of the line's direction in view axes
     float per_halfway;  // 1/square of the vector halfway between eye and key light
@@ -115,9 +116,10 @@ Gaze gaze_of() {
     return g;
 }
 
-// Entry (side -1: the outer surface) or exit (side +1: the inner one) of the line of sight. slide:
-// d/root. The normal enters in products with directions alone; those are products of u with the
-// same directions mapped into the sphere's axes, and with the line of sight it is the root.
+// The surface where the line of sight enters (side -1: the outer surface) or leaves (side +1: the
+// inner one) the ellipsoid. slide: d/root. The normal is needed only in products with directions;
+// they equal the products of u with the directions mapped to the sphere's axes, and the product
+// with the line of sight is the root.
 #if RIM
 Layer surface(int at, Sight s, vec3 slide, float side, Gaze gaze, float section_distance) {
     vec3 u = sphere_point(s, side);
@@ -129,7 +131,8 @@ Layer surface(int at, Sight s, vec3 slide, float side, Gaze gaze) {
     Layer layer;
     layer.depth = depth_of(at, u);
 
-    // How the point slides over the sphere as the pixel changes, at unit depth; u·d is the root.
+    // Derivatives of the point on the sphere with respect to the pixel, at unit depth; u·d is the
+    // root.
     vec3 gx = constant(at + 7).xyz;
     vec3 gy = constant(at + 8).xyz;
     vec3 ux = gx - slide * (side * dot(u, gx));
@@ -181,14 +184,14 @@ Layer surface(int at, Sight s, vec3 slide, float side, Gaze gaze) {
     return layer;
 }
 
-// A pixel that the ellipsoid covers in part shows both its surfaces in that part, not each by itself.
+// A pixel partly covered by the ellipsoid shows both its surfaces in the same part.
 void cover(inout Layer front, inout Layer back, float covered) {
     float behind = covered * back.alpha * (1.0 - front.alpha);
     front.alpha *= covered;
     back.alpha = behind / max(1.0 - front.alpha, 1e-6);
 }
 
-// 1 if a lies before b, a pixel-wide step where they cross.
+// 1 if a is in front of b, with a step one pixel wide where they intersect.
 float before(Layer a, Layer b) {
     float change = length(a.depth_change - b.depth_change);
     float pixel = constant(2).z * (constant(2).y > 0.5 ? a.depth : 1.0);

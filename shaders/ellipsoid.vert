@@ -1,12 +1,13 @@
-// As polygon.vert, or a ring between two polygons, with the direction of the line of sight, of unit component along the view axis.
+// Like polygon.vert, or a ring between two polygons; also outputs the direction of the line of
+// sight, with unit component along the view axis.
 #include "clip.glsl"
 uniform vec2 corners[34];
 uniform vec4 constants[N_FLAT];
-uniform vec3 sights[3];  // at pixel 0, and its change with x and y
+uniform vec3 sights[3];  // at pixel 0, and the derivatives in x and y
 flat out vec4 flat_constants[N_FLAT];
 noperspective out vec3 sight;
 #if !RIM
-noperspective out vec3 direction;  // of the line of sight, and its moment, as quadric.glsl has them
+noperspective out vec3 direction;  // direction and moment of the line of sight, as in quadric.glsl
 noperspective out vec3 moment;
 #endif
 

@@ -1,4 +1,4 @@
-// A layer drawn beforehand, put over the picture.
+// Draws a previously rendered layer over the picture.
 #include "constants.glsl"
 //   0: corner of the layer in the picture px; opacity
 uniform sampler2D texture_0;

@@ -1,5 +1,6 @@
-// How each surface is lit: the one place for these formulas and their constants. Written in what GLSL and C++ share, with `real` for the
-// type of numbers: the shaders include this file, and so does src/vector/light.cpp.
+// Lighting of all surfaces: the only place of these formulas and their constants. Written in the
+// common subset of GLSL and C++, with `real` as the type of numbers: the shaders include this file,
+// and so does src/vector/light.cpp.
 //   key_strength, sky_strength: of the two lights
 //   to_key: cosine between the normal and the direction to the key light
 //   up: 0.5 + 0.5 · cosine between the normal and the direction to the middle of the sky
@@ -7,23 +8,26 @@
 
 real light_wrapped(real key) { return key > 0.0 ? key : 0.0; }
 
-// Ellipsoids. The key light reaches a little round the edge; weak light comes from the ground.
+// Ellipsoids. The key light extends a little beyond the terminator; weak light comes from the
+// ground.
 real ellipsoid_lit(real key_strength, real sky_strength, real to_key, real up) {
     real key = light_wrapped(0.8 * to_key + 0.2);
     return key_strength * key * key * (1.5 - 0.5 * key) + sky_strength * (0.42 + 0.58 * up * up) + 0.06;
 }
-// glint: square of the cosine between the normal and the direction halfway between eye and key light
+// glint: square of the cosine between the normal and the direction halfway between eye and key
+// light
 real ellipsoid_gloss(real glint) {
     real g4 = glint * glint, g8 = g4 * g4, g16 = g8 * g8, g32 = g16 * g16;
     return 0.05 * g16 + 0.16 * g32 * g32;
 }
-// White light that the outer surface adds; lines: 1 on its lines, which have no gloss.
+// White light added by the outer surface; lines: 1 on its lines, which have no gloss.
 real ellipsoid_white(real key_strength, real sky_strength, real gloss, real lines, real limb, real up) {
     return key_strength * gloss * (1.0 - lines) + sky_strength * 0.30 * limb * up;
 }
 real ellipsoid_outer_opacity(real opacity, real limb) { return opacity + (1.0 - opacity) * 0.8 * limb; }
 real ellipsoid_inner_opacity(real opacity, real limb) { return opacity * (0.55 + 0.3 * limb); }
-// The least opacity of lines on the outer and the inner surface, and how much darker the inner one is.
+// The minimum opacity of lines on the outer and on the inner surface, and the darkening of the
+// inner one.
 real ellipsoid_outer_lines() { return 0.92; }
 real ellipsoid_inner_lines() { return 0.85; }
 real ellipsoid_inner_lit(real lit) { return 0.62 * lit; }
@@ -33,7 +37,8 @@ real cone_lit(real key_strength, real sky_strength, real to_key, real up) {
     return key_strength * light_wrapped(0.7 * to_key + 0.3) + sky_strength * (0.5 + 0.5 * up) + 0.10;
 }
 real cone_opacity(real opacity, real limb) { return opacity + (1.0 - opacity) * 0.5 * limb; }
-// Generators and rim: their tone beside the cone's colour, their opacity; how much of the generators' ink is used.
+// Generators and rim: their tone relative to the cone's colour, their opacity, and the share of the
+// generators' ink that is used.
 real cone_line_tone() { return 0.35; }
 real cone_generator_ink() { return 0.55; }
 real cone_generator_opacity() { return 0.85; }

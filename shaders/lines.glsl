@@ -1,17 +1,17 @@
-// Families of lines ruled on a surface. Needs coverage.glsl.
+// Families of lines on a surface. Needs coverage.glsl.
 
-// Coverage by lines where s is an integer, so many pixels apart. Crowded lines fade.
+// Coverage by the lines of integer s with this spacing in pixels. Dense lines fade.
 float ruled_apart(float s, float spacing_px, float width_px) {
     float distance_px = abs(s - floor(s + 0.5)) * spacing_px;
     return line_coverage(distance_px, width_px) * clamp(0.1 * spacing_px - 0.4, 0.0, 1.0);
 }
 
-// The same by the square of the change of s over a pixel.
+// The same, given the square of the change of s per pixel.
 float ruled(float s, float square, float width_px) {
     return ruled_apart(s, inversesqrt(max(square, 1e-12)), width_px);
 }
 
-// Angle of a vector, after Abramowitz & Stegun 4.4.47, within 1e-4 rad: a fiftieth of a pixel.
+// Angle of a vector; Abramowitz & Stegun 4.4.47, accurate to 1e-4 rad: a fiftieth of a pixel.
 float angle_of(vec2 v) {
     vec2 a = abs(v);
     float t = min(a.x, a.y) / max(max(a.x, a.y), 1e-20);

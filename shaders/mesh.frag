@@ -1,5 +1,5 @@
-// Opaque, softly lit. Normals look outward; a face seen from within is lit as its other side. A
-// surface with a picture has that in place of its colour.
+// Opaque surfaces with soft lighting. Normals point outwards; a face seen from inside is lit as its
+// other side. A surface with a picture uses the picture in place of its colour.
 #include "light.glsl"
 uniform vec4 look[4];  // eye, or direction towards it; 1 if perspective | key light | sky | colour, linear
 in vec3 normal_out;
@@ -13,8 +13,8 @@ out vec4 fragment;
 void main() {
     vec3 n = normal_out * inversesqrt(max(dot(normal_out, normal_out), 1e-20));
     vec3 to_eye = normalize(look[0].xyz - look[0].w * point);
-    // Smooth normals may turn away from the eye where the face itself, seen at a glance, does not. Rows
-    // run downwards: what OpenGL takes for the front is the inner side.
+    // Smooth normals may point away from the eye where the face itself, seen at a grazing angle,
+    // does not. Rows run downwards, so OpenGL's front side is the inner side.
     float facing = dot(n, to_eye);
     if (facing < 0.0 && gl_FrontFacing) {
         n = -n;

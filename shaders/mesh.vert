@@ -3,7 +3,7 @@
 #include "view.glsl"
 uniform vec4 constants[5];  // the view
 uniform vec4 placement[3];  // rows of the map from the mesh's axes to the view's
-uniform vec4 normal_map[3];  // likewise for normals
+uniform vec4 normal_map[3];  // the same for normals
 uniform vec2 depth_map;     // depth in the buffer is x + y/depth (orthographic: x + y·depth)
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;

@@ -1,27 +1,28 @@
-// What the solids of the view hide. Needs view.glsl and quadric.glsl; the solids' constants begin
-// at SOLIDS: those of N_QUADRICS ellipsoids, then of N_FLATS planes, three each, then two of the
-// layer of meshes if there is one (N_MESHES is 1). Planes:
+// Visibility behind the solids of the view. Needs view.glsl and quadric.glsl. The solids' constants
+// begin at SOLIDS: those of N_QUADRICS ellipsoids, then of N_FLATS planes (three each), then two of
+// the layer of meshes if there is one (N_MESHES is 1). Planes:
 //   0: normal; offset, so that the signed height of X is xyz·X + w
 //   1: centre; radius   2: opacity, where fading begins (share of the radius), side of the eye (±1)
 // Meshes:
 //   0: corner of the layer px; its size px   1: the depth buffer holds x + y/depth (orthographic:
 //      x + y·depth); opacity
 #if N_MESHES > 0
-uniform sampler2DMS texture_1;  // their depth, four samples a pixel
+uniform sampler2DMS texture_1;  // depth of the meshes, four samples per pixel
 #endif
 
-// A step from 1 (in front) to 0 (behind) as wide as a pixel. ahead: how far in front, in depth.
+// A step from 1 (in front) to 0 (behind), one pixel wide. ahead: depth difference, positive in
+// front.
 float in_front(float ahead, float pixel) {
     float slope = length(vec2(dFdx(ahead), dFdy(ahead)));
     return clamp(0.5 + ahead / clamp(slope, 0.25 * pixel, 8.0 * pixel), 0.0, 1.0);
 }
 
-// How far an ellipsoid of this opacity puts what it hides behind what lies on it: one that fades
-// away lets go of it, so that at last all stands as if it were not there.
+// The strength of hiding by an ellipsoid of this opacity: as the ellipsoid fades out, it gradually
+// stops hiding, so that finally the picture is as if it were absent.
 float hold(float opacity) { return clamp(4.0 * opacity, 0.0, 1.0); }
 
-// x: share of the point that nothing hides; y: opacity of what hides the rest. Solids that the
-// point belongs to (by number; -1: none) are left out.
+// x: visible share of the point; y: opacity of the objects that hide the rest. Ignores solids to
+// which the point belongs (by number; -1: none).
 vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own_flat) {
     float clear = 1.0;
     float transmitted = 1.0;
@@ -30,7 +31,7 @@ vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own
         int at = SOLIDS + i * quadric_size;
         Sight s = sight_of(at, pixel);
         float front = depth_of(at, sphere_point(s, -1.0));
-        // Things that lie on the front surface itself are not hidden by it.
+        // Objects on the front surface itself are not hidden by it.
         float hidden = outline_coverage(at, s) * (1.0 - in_front(front - depth + 0.75 * unit, unit));
         if (own_quadric == float(i)) hidden = 0.0;
         clear *= 1.0 - hidden * hold(constant(at + 2).w);
@@ -40,7 +41,7 @@ vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own
         int at = SOLIDS + N_QUADRICS * quadric_size + 3 * i;
         vec3 point = point_at(v, pixel, depth);
         float height = dot(constant(at).xyz, point) + constant(at).w;
-        // Where the line of sight crosses the plane.
+        // The intersection of the line of sight with the plane.
         vec3 towards = ray_direction(v, pixel);
         float descent = dot(constant(at).xyz, towards);
         vec3 crossing = point - (height / (abs(descent) < 1e-6 ? 1e-6 : descent)) * towards;
@@ -61,7 +62,7 @@ vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own
         float stored = texelFetch(texture_1, within ? texel : ivec2(0), k).r;
         float offset = stored - scale.x;
         float front = v[0].w > 0.5 ? scale.y / (abs(offset) < 1e-12 ? 1e-12 : offset) : offset / scale.y;
-        // The buffer is cleared to 1: nothing there.
+        // The buffer is cleared to 1: no mesh at this pixel.
         float ahead = clamp(0.5 + (front - depth + 0.75 * unit) / unit, 0.0, 1.0);
         covered += stored < 1.0 ? 0.25 * (1.0 - ahead) : 0.0;
     }
@@ -72,10 +73,10 @@ vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own
     return vec2(clear, 1.0 - transmitted);
 }
 
-// Weight of a point in a layer of things (0: hidden, 1: visible), given how much of it is seen and
-// the share of the pixel that it covers: both layers, one over the other, make up the whole.
+// Weight of a point in a layer (0: hidden, 1: visible), given its visible share and the covered
+// share of the pixel: the two layers, one over the other, give the full coverage.
 float layer_weight(float layer, vec2 seen, float hidden_opacity, float covered) {
     if (layer > 0.5) return seen.x;
-    if (hidden_opacity < 0.0) return 0.0;  // left out
+    if (hidden_opacity < 0.0) return 0.0;  // omitted
     return (1.0 - seen.x) * max(hidden_opacity, 1.0 - seen.y) / max(1.0 - covered * seen.x, 1e-3);
 }

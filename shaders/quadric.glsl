@@ -1,9 +1,9 @@
 // Lines of sight and ellipsoids. Needs constants.glsl and coverage.glsl.
 //
 // An ellipsoid has seven constants, in axes where it is the unit sphere about the origin. For the
-// pixel p the line of sight has direction d and moment m (Plücker coordinates), both affine in p:
-// d = d0 + x dx + y dy with (x, y) = p - anchor; they are scaled alike.
-//   0: d0, anchor x   1: dx, anchor y   2: dy, how opaque it is to what it hides
+// pixel p the line of sight has direction d and moment m (Plücker coordinates), both affine in p: d
+// = d0 + x dx + y dy with (x, y) = p - anchor; d and m have the same scale.
+//   0: d0, anchor x   1: dx, anchor y   2: dy, opacity for objects behind it
 //   3: m0, and x of the direction in which the outline is narrowest   4: mx, and its y
 //   5: my, and the curvature of |d|² - |m|² along it (0 if the outline is wider than 3 px)
 //   6: depth along the view axis is w + xyz·u for the point u of the sphere
@@ -42,7 +42,7 @@ Sight sight_of(int at, vec2 pixel) {
 float outline_coverage(int at, Sight s) {
     float bend = constant(at + 5).w;
     if (bend < 0.0) {
-        // Both edges may lie within one pixel: the discriminant is a parabola across the outline.
+        // Both edges may be inside one pixel: the discriminant is a parabola across the outline.
         vec2 gradient = 2.0 * vec2(dot(s.d, constant(at + 1).xyz) - dot(s.m, constant(at + 4).xyz),
                                    dot(s.d, constant(at + 2).xyz) - dot(s.m, constant(at + 5).xyz));
         vec2 across = vec2(constant(at + 3).w, constant(at + 4).w);
@@ -56,7 +56,7 @@ float outline_coverage(int at, Sight s) {
         float end = clamp(0.5 + ridge / max(abs(along), 1e-30), 0.0, 1.0);
         return inside > 0.0 ? max(covered, 0.0) * end : 0.0;
     }
-    // |d| - |m| is nearly linear across the outline, and quite so for a sphere.
+    // |d| - |m| is nearly linear across the outline, and exactly so for a sphere.
     float per_d = inversesqrt(s.square);
     float m_square = max(dot(s.m, s.m), 1e-30);
     float per_m = inversesqrt(m_square);
@@ -69,7 +69,7 @@ float outline_coverage(int at, Sight s) {
     return edge_coverage(clamp(inside * steepness, -2.0, 2.0), gradient * steepness);
 }
 
-// Where the line enters (side -1) or leaves (side +1) the unit sphere.
+// The point where the line enters (side -1) or leaves (side +1) the unit sphere.
 vec3 sphere_point(Sight s, float side) {
     vec3 u = s.nearest + (side * s.root * s.per_square) * s.d;
     return u * inversesqrt(max(dot(u, u), 1e-30));

@@ -1,4 +1,4 @@
-// A web of shadow (render/shadow_web.h), made beforehand.
+// A shadow web, computed in render/shadow_web.h.
 #include "clip.glsl"
 uniform vec4 deepest;  // linear colour of the deepest shadow
 layout(location = 0) in vec4 corner;  // pixel x and y times the depth, the depth, the darkness

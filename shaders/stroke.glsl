@@ -1,6 +1,6 @@
 // Distances and dashes of strokes. Needs coverage.glsl.
 
-// x: distance from a segment; y: how far along it the nearest point lies, 0…1.
+// x: distance from a segment; y: position of the nearest point along it, 0…1.
 vec2 from_segment(vec2 p, vec2 a, vec2 b) {
     vec2 run = b - a;
     float square = dot(run, run);
@@ -10,8 +10,8 @@ vec2 from_segment(vec2 p, vec2 a, vec2 b) {
     return vec2(abs(run.x * (p.y - a.y) - run.y * (p.x - a.x)) * inversesqrt(square), t / square);
 }
 
-// Share of a pixel that a stroke covers. ends: of the segment; own: what from_segment says. Both
-// edges count, so that a line thinner than a pixel is pale, not broken.
+// Share of a pixel covered by a stroke. ends: of the segment; own: the result of from_segment. Both
+// edges count, so that a line thinner than a pixel is pale but continuous.
 float stroke_coverage(vec2 pixel, vec4 ends, vec2 own, float width_px) {
     float reach = 0.5 * width_px;
     vec2 nearest = mix(ends.xy, ends.zw, own.y);
@@ -19,12 +19,12 @@ float stroke_coverage(vec2 pixel, vec4 ends, vec2 own, float width_px) {
     return edge_coverage(reach - own.x, away) + edge_coverage(reach + own.x, away) - 1.0;
 }
 
-// The share t of a segment's picture as a share of the segment. depths: at both ends.
+// Converts the share t of a projected segment to a share of the segment. depths: at both ends.
 float along_segment(float t, vec2 depths, bool perspective) {
     return perspective ? t * depths.x / max(mix(depths.y, depths.x, t), 1e-12) : t;
 }
 
-// Dashes that fill a share of their period, their ends a pixel soft.
+// Coverage of dashes that fill a share of their period, with ends one pixel soft.
 float dashed(float length_along, float period, float share, float per_px) {
     float phase = abs(fract(length_along / period) - 0.5);
     float edge_px = (0.5 * share - phase) * period / max(per_px, 1e-12);

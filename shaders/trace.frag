@@ -1,12 +1,12 @@
-// Segments of a curve that lasts, as they are kept from picture to picture: the depth of the point
-// and, on an ellipsoid, the share in which it faces the eye. Where segments meet, the fuller coverage
-// counts, which the depth buffer keeps as (1 - coverage)/2; the first drawn of equal ones.
+// Writes the cached segments of a lasting curve: the depth of the point and, on an ellipsoid, the
+// share to which it faces the eye. Where segments meet, the larger coverage counts, which the depth
+// buffer stores as (1 - coverage)/2; of equal ones, the first.
 #include "constants.glsl"
 #include "coverage.glsl"
 #include "stroke.glsl"
 //   0…4: the view   5: corner of the layer px; width of the stroke px; least step of facing
-//   6: period of the dashes in lengths of the curve (0: solid), share of it that is drawn; how far
-//      from a segment something is kept px
+//   6: period of the dashes in lengths of the curve (0: solid), share of it that is drawn; distance
+//      from a segment up to which pixels are cached, px
 flat in vec4 ends;
 flat in vec4 neighbours;
 flat in vec4 along;
@@ -20,8 +20,8 @@ void main() {
     float t = along_segment(own.y, depths.xy, constant(0).w > 0.5);
     float run_px = max(length(ends.zw - ends.xy), 1e-3);
     if (constant(6).x > 0.0) {
-        // Beyond its end a segment goes on as the next one does, so that where both are drawn the
-        // fuller of them is either: how far each reaches there is a matter of rounding.
+        // Beyond its end, a segment has the same coverage as the next one, so that either may be
+        // used where both are drawn: their exact extent there depends on rounding.
         float beyond = dot(pixel - ends.xy, ends.zw - ends.xy) / (run_px * run_px);
         float reach = 2.0 / run_px;
         float t_dash = along_segment(clamp(beyond, -reach, 1.0 + reach), depths.xy, constant(0).w > 0.5);

@@ -1,6 +1,6 @@
 // The projection of a view, from its five constants v[0…4]. Pixels are those of the whole picture,
-// x right, y down, centres at half integers.
-//   0: pixel of the view axis; 1/focal length in px (orthographic: 1/px a unit); 1 if perspective
+// x right, y down, centres at half-integers.
+//   0: pixel of the view axis; 1/focal length in px (orthographic: view units per px); 1 if perspective
 //   1: eye; least depth that is drawn
 //   2, 3, 4: unit vectors right, down and forward
 
@@ -10,10 +10,10 @@ vec3 ray_direction(vec4 v[5], vec2 pixel) {
     return v[4].xyz + slope.x * v[2].xyz + slope.y * v[3].xyz;
 }
 
-// Length of a pixel's side at a depth.
+// Side of a pixel at a depth, in view units.
 float pixel_length(vec4 v[5], float depth) { return v[0].z * (v[0].w > 0.5 ? depth : 1.0); }
 
-// The point seen at a pixel at a depth.
+// The point at this depth on the line of sight of a pixel.
 vec3 point_at(vec4 v[5], vec2 pixel, float depth) {
     vec2 across = (pixel - v[0].xy) * pixel_length(v, depth);
     return v[1].xyz + depth * v[4].xyz + across.x * v[2].xyz + across.y * v[3].xyz;
