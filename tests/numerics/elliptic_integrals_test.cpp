@@ -1,4 +1,5 @@
-// Double-double and wide arithmetic, expansions, and the elliptic integrals that rest on them.
+// Tests of double-double and wide double-double arithmetic, expansions, and the elliptic integrals
+// computed with them.
 #include "numerics/elliptic_integrals.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ DoubleDouble random_pair(std::mt19937_64& random) {
     return fast_two_sum(significand(random), std::ldexp(significand(random), -54));
 }
 
-TEST(DoubleDouble, OperationsAreGoodTo104Bits) {
+TEST(DoubleDouble, OperationsAreAccurateTo103Bits) {
     std::mt19937_64 random(1);
     double worst = 0.0;
     for (int n = 0; n < 20000; ++n) {
@@ -39,7 +40,7 @@ TEST(DoubleDouble, OperationsAreGoodTo104Bits) {
                           relative_error(exact(a / b), exact(a) / exact(b)),
                           relative_error(exact(a + b), exact(a) + exact(b)),
                           relative_error(exact(sqrt(a)), sqrt(exact(a)))});
-        // Under cancellation too.
+        // The same under cancellation.
         const DoubleDouble near = a + DoubleDouble(std::ldexp(1.0, -60));
         worst = std::max(worst, relative_error(exact(near - a), exact(near) - exact(a)));
     }
@@ -71,8 +72,8 @@ TEST(WideDouble, NeitherOverflowsNorLosesDigits) {
     EXPECT_LT(WideDouble(-1.0), tiny);
 }
 
-TEST(Expansion, FindsTheSignOfADifferenceThatDoublesCannotSee) {
-    // (1 + ε)² − (1 + 2ε) = ε², lost 52 bits below.
+TEST(Expansion, GivesTheSignOfACancellingDifference) {
+    // (1 + ε)² − (1 + 2ε) = ε², which is 52 bits below the last bit of a double.
     const double epsilon = 0x1p-52;
     const Expansion square = Expansion(1.0 + epsilon).times(1.0 + epsilon);
     EXPECT_EQ(square.plus(-1.0 - 2.0 * epsilon).value().hi, epsilon * epsilon);
@@ -87,7 +88,7 @@ TEST(Expansion, FindsTheSignOfADifferenceThatDoublesCannotSee) {
         const Expansion product = Expansion(a).times(b).times(c).times(d);
         const Real expected = Real(a) * b * c * exact(d);
         EXPECT_LE(relative_error(exact(product.value()), expected), 1e-31);
-        // Taking off its own leading double leaves the rest, still to full precision.
+        // After subtracting its leading double, the rest still has full precision.
         const double leading = product.value().hi;
         EXPECT_LE(relative_error(exact(product.plus(-leading).value()), expected - leading), 1e-31);
     }
@@ -107,13 +108,13 @@ TEST(EllipticIntegrals, ObeyLegendresRelation) {
     }
 }
 
-TEST(EllipticIntegrals, AgreeAmongThemselves) {
+TEST(EllipticIntegrals, SatisfyIdentitiesAndKnownValues) {
     for (const double k_complement : {1.0, 0.9, 0.3, 1e-2, 1e-8, 1e-100, 1e-300}) {
         const WideDouble kc = k_complement;
         const Real K = exact(complete_first_kind(kc));
         EXPECT_LE(relative_error(exact(carlson_rf(0.0, kc * kc, 1.0)), K), 1e-29);
         EXPECT_LE(relative_error(exact(bulirsch_cel(kc, 1.0, 1.0, 1.0)), K), 1e-29);
-        // cel is linear in a and b, and for p = 1 and p = k′² known apart.
+        // cel is linear in a and b, and has closed forms for p = 1 and p = k′².
         const WideDouble parts = bulirsch_cel(kc, 2.0, 1.0, 0.0) + bulirsch_cel(kc, 2.0, 0.0, 2.0);
         EXPECT_LE(relative_error(exact(parts), K), 1e-29);
     }
@@ -135,7 +136,7 @@ TEST(EllipticIntegrals, ElementaryFunctionsAgreeWithMpfr) {
     std::uniform_real_distribution<double> angle(-3.14, 3.14);
     for (int n = 0; n < 2000; ++n) {
         const DoubleDouble x = wide(random);
-        // Beyond 1e-290 the low word would be subnormal.
+        // Below x = −600 the low word of the result is subnormal.
         if (x.hi > -600.0) {
             EXPECT_LE(relative_error(exact(exp(x)), exp(exact(x))), 1e-28);
         }

@@ -1,4 +1,4 @@
-// The elementary functions of an evaluation against double-double ones of other series.
+// The elementary functions of phases, against double-double functions that use other series.
 #include "numerics/turn_functions.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double unit = 0x1p-53;
 
-// How far sin and cos of a phase are off, in units of 2^−53; relative to them where they are less
-// than a size.
+// Error of sin and cos of a phase, in units of 2^−53: absolute, or relative where |sin| or |cos| is
+// below `small`.
 double error_in_units(Pair sin_cos_value, const QuarterTurns& phase, double small = 0.0) {
     SinCosDD truth = sin_cos(phase.rest * pi_dd * 0.5);
     for (unsigned quarter = 0; quarter < phase.whole; ++quarter) truth = {truth.cos, -truth.sin};
@@ -33,7 +33,7 @@ double worst_of_random_phases() {
     for (int i = 0; i < 200'000; ++i) {
         const QuarterTurns phase{static_cast<unsigned>(i) % 4U, rest(random)};
         worst = std::max(worst, error_in_units(sin_cos(phase), phase));
-        // The same phase as one of two.
+        // The same phase as the first of a pair.
         const QuarterTurnPair pair{{phase.whole, 1}, Pair{phase.rest.hi, 0.25}, Pair{0.0, 0.0}};
         const SinCosPair two = sin_cos(fine(pair));
         worst = std::max(worst, error_in_units(firsts(two.sin, two.cos), phase));
@@ -41,11 +41,9 @@ double worst_of_random_phases() {
     return worst;
 }
 
-TEST(TurnFunctions, SineAndCosineAreGoodToHalfAUnitAndALittle) {
-    EXPECT_LE(worst_of_random_phases(), 0.60);
-}
+TEST(TurnFunctions, SineAndCosineAreAccurateTo0p6Ulp) { EXPECT_LE(worst_of_random_phases(), 0.60); }
 
-TEST(TurnFunctions, SineAndCosineKeepTheirRelativeAccuracyAtTheirZeros) {
+TEST(TurnFunctions, SineAndCosineKeepRelativeAccuracyAtZeros) {
     for (const double h : {1e-3, 1e-5, 1e-9, 1e-100, 1e-300, -1e-4, -1e-200}) {
         for (unsigned whole = 0; whole < 4; ++whole) {
             const QuarterTurns phase{whole, h};
@@ -57,7 +55,7 @@ TEST(TurnFunctions, SineAndCosineKeepTheirRelativeAccuracyAtTheirZeros) {
     EXPECT_EQ(at_zero[1], 1.0);
 }
 
-TEST(TurnFunctions, PowersOfAHalfAndOneLessThemKeepTheirRelativeAccuracy) {
+TEST(TurnFunctions, PowersAndComplementsKeepRelativeAccuracy) {
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> exponent(-30.0, std::log2(128'000.0));
     double worst = 0.0;
@@ -78,8 +76,9 @@ TEST(TurnFunctions, PowersOfAHalfAndOneLessThemKeepTheirRelativeAccuracy) {
     EXPECT_LE(worst_up, 4.0);
 }
 
-// Phases grow exactly: against the product in double-double, whole quarter turns taken off.
-TEST(TurnFunctions, PhasesKeepTheirDigits) {
+// Phases grow without rounding error: compared with the product in double-double, whole quarter
+// turns removed.
+TEST(TurnFunctions, PhasesLoseNoDigitsAtLongTimes) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> digits(-15.0, 18.0);
     std::uniform_real_distribution<double> number(-1.0, 1.0);
@@ -96,7 +95,7 @@ TEST(TurnFunctions, PhasesKeepTheirDigits) {
         const double time = number(random) * std::pow(10.0, digits(random));
         const DoubleDouble truth = rate * time + start;
         const auto off = [&](unsigned whole, DoubleDouble rest) {
-            // Modulo four quarter turns, of the second word, too.
+            // The difference modulo four quarter turns, in both words.
             DoubleDouble difference = truth - rest - DoubleDouble(whole);
             for (int word = 0; word < 2; ++word) {
                 difference = difference - 4.0 * std::nearbyint(difference.hi / 4.0);
@@ -104,7 +103,7 @@ TEST(TurnFunctions, PhasesKeepTheirDigits) {
             return std::abs(difference.rounded());
         };
         const QuarterTurns exact = phases.at(time)[0];
-        // Of the rest's own rounding nothing is lost; of 106 bits of the phase, 2^−100.
+        // The rounding of the rest is exact; of the 106 bits of the phase, 2^−100 remain accurate.
         EXPECT_LE(off(exact.whole, exact.rest), 0x1p-100 * (1.0 + std::abs(truth.hi)));
     }
 }

@@ -1,4 +1,4 @@
-// Elementary functions of wide double-double numbers against MPFR.
+// Elementary functions of wide double-double numbers, compared with MPFR.
 #include "numerics/wide_functions.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ double relative_error(const WideDouble& got, const Real& expected) {
     return static_cast<double>(abs(exact(got) - expected) / abs(expected));
 }
 
-// Of either sign, digits in both words, |x| from 2^low to 2^high.
+// A random number of either sign with digits in both words, |x| from 2^low to 2^high.
 WideDouble random_wide(std::mt19937_64& random, int low, int high) {
     std::uniform_real_distribution<double> significand(0.5, 1.0);
     std::uniform_int_distribution<int> exponent(low, high);
@@ -30,11 +30,12 @@ WideDouble random_wide(std::mt19937_64& random, int low, int high) {
     return WideDouble(fast_two_sum(hi, std::ldexp(significand(random), -54)), exponent(random));
 }
 
-TEST(WideFunctions, ExponentialAndHyperbolicOnesAgreeWithMpfr) {
+TEST(WideFunctions, ExponentialAndHyperbolicFunctionsAgreeWithMpfr) {
     std::mt19937_64 random(1);
     double worst = 0.0;
     for (int n = 0; n < 4000; ++n) {
-        // What e^x grows to, 2^±23,000, is far beyond a double; its error grows with |x|.
+        // e^x reaches 2^±23,000, far beyond the range of a double; its relative error grows with
+        // |x|.
         const WideDouble x = random_wide(random, n % 2 == 0 ? -1100 : -8, 14);
         const WideSinCos h = sinh_cosh(x);
         const double size = std::max(1.0, std::abs(x.rounded()));
@@ -53,14 +54,14 @@ TEST(WideFunctions, SineAndCosineAgreeWithMpfr) {
     for (int n = 0; n < 4000; ++n) {
         const WideDouble x = random_wide(random, n % 2 == 0 ? -1100 : -8, 10);
         const WideSinCos turn = sin_cos(x);
-        // Of the angle itself, so many turns have lost their share of its digits.
+        // The error is relative to the angle: reducing many turns costs as many digits.
         const double size = std::max(1.0, std::abs(x.rounded()));
         worst = std::max({worst, static_cast<double>(abs(exact(turn.sin) - sin(exact(x)))) / size,
                           static_cast<double>(abs(exact(turn.cos) - cos(exact(x)))) / size});
         if (abs(x) < WideDouble(1.0))
             worst_small = std::max(worst_small, relative_error(turn.sin, sin(exact(x))));
     }
-    // The double next to a quarter turn, whose cosine is 6e-17.
+    // The double nearest to a quarter turn; its cosine is 6e-17.
     const WideDouble quarter(std::acos(0.0));
     EXPECT_LE(relative_error(sin_cos(quarter).cos, cos(exact(quarter))), 1e-29);
     EXPECT_LE(relative_error(sin_cos(quarter * 3.0).cos, cos(exact(quarter * 3.0))), 1e-29);
@@ -68,7 +69,7 @@ TEST(WideFunctions, SineAndCosineAgreeWithMpfr) {
     EXPECT_LE(worst_small, 1e-29);
 }
 
-TEST(WideFunctions, AnglesOfPointsAgreeWithMpfr) {
+TEST(WideFunctions, ArctangentsAgreeWithMpfr) {
     std::mt19937_64 random(3);
     double worst = 0.0;
     for (int n = 0; n < 4000; ++n) {
@@ -86,7 +87,7 @@ TEST(WideFunctions, AnglesOfPointsAgreeWithMpfr) {
     EXPECT_EQ(atan2(0.0, 0.0).rounded(), 0.0);
 }
 
-TEST(WideFunctions, PowersAreProducts) {
+TEST(WideFunctions, PowersEqualRepeatedProducts) {
     const WideDouble x(1.0 / 3.0);
     WideDouble product = 1.0;
     for (int n = 0; n <= 90; ++n, product = product * x)
