@@ -1,5 +1,5 @@
-// sin, exp and their kin: accurate, exact where they can be, the same bits everywhere, and the ones
-// that every loaded library calls.
+// The elementary functions are accurate, exact where the result is a double, bit-identical on every
+// processor, and override glibc's in every loaded library.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <mpfr.h>
@@ -45,7 +45,7 @@ const std::vector<Row>& rows() {
 }
 
 std::vector<double> arguments(const Row& row, int n) {
-    // mt19937_64 is specified to the bit; the distributions of the library are not.
+    // mt19937_64 is specified bit by bit; the distributions of the standard library are not.
     std::mt19937_64 random(20261121);
     std::vector<double> values;
     for (int i = 0; i < n; ++i) {
@@ -55,7 +55,7 @@ std::vector<double> arguments(const Row& row, int n) {
     return values;
 }
 
-// In units in the last place of the correctly rounded result.
+// Error in units in the last place of the correctly rounded result.
 double error_ulp(const Row& row, double x) {
     mpfr_t argument, result;
     mpfr_init2(argument, 53);
@@ -72,16 +72,16 @@ double error_ulp(const Row& row, double x) {
     return error;
 }
 
-TEST(ElementaryFunctions, AreWithinOneUlpOfTheTruth) {
+TEST(ElementaryFunctions, AreWithinOneUlp) {
     for (const Row& row : rows()) {
         double worst = 0.0;
         for (const double x : arguments(row, 3000)) worst = std::max(worst, error_ulp(row, x));
         RecordProperty(row.name, std::to_string(worst));
-        EXPECT_LE(worst, 1.0) << row.name;  // SLEEF's promise
+        EXPECT_LE(worst, 1.0) << row.name;  // SLEEF's stated bound
     }
 }
 
-// Ticks of charts and powers of lengths count on it.
+// Chart ticks and powers of lengths rely on this.
 TEST(ElementaryFunctions, AreExactWhereTheResultIsADouble) {
     double ten = 1.0;
     for (int n = 0; n <= 22; ++n, ten *= 10.0) EXPECT_EQ(::pow(10.0, n), ten) << n;
@@ -99,7 +99,7 @@ TEST(ElementaryFunctions, AreExactWhereTheResultIsADouble) {
     EXPECT_EQ(::log(1.0), 0.0);
 }
 
-TEST(ElementaryFunctions, FollowTheStandardAtTheEnds) {
+TEST(ElementaryFunctions, FollowTheStandardAtSpecialValues) {
     constexpr double infinity = INFINITY;
     EXPECT_TRUE(std::isnan(::sin(infinity)));
     EXPECT_EQ(::exp(-infinity), 0.0);
@@ -115,7 +115,8 @@ TEST(ElementaryFunctions, FollowTheStandardAtTheEnds) {
     EXPECT_TRUE(std::signbit(::sin(-0.0)));
 }
 
-// FNV-1a over the bits of every result. The processor sweep runs this test on five processors.
+// FNV-1a over the bits of every result. The processor sweep runs this test on five emulated
+// processors.
 TEST(ElementaryFunctions, HaveTheSameBitsOnEveryProcessor) {
     std::uint64_t hash = 0xcbf29ce484222325U;
     const auto add = [&hash](double value) {
@@ -134,9 +135,9 @@ TEST(ElementaryFunctions, HaveTheSameBitsOnEveryProcessor) {
     EXPECT_EQ(hash, 8350898747473725707U);
 }
 
-// Whether two calls become one is the compiler's choice; not here, where it does not see which they
-// are.
-TEST(ElementaryFunctions, TogetherAreWhatTheyAreAlone) {
+// The compiler may merge sin and cos into sincos. Here it cannot: the volatile pointers hide the
+// callee.
+TEST(ElementaryFunctions, SincosEqualsSinAndCos) {
     double (*volatile sin_alone)(double) = ::sin;
     double (*volatile cos_alone)(double) = ::cos;
     float (*volatile sinf_alone)(float) = ::sinf;
@@ -154,7 +155,7 @@ TEST(ElementaryFunctions, TogetherAreWhatTheyAreAlone) {
     }
 }
 
-TEST(ElementaryFunctions, AreThoseThatEveryLoadedLibraryFinds) {
+TEST(ElementaryFunctions, OverrideGlibcInEveryLoadedLibrary) {
     Dl_info here{};
     ASSERT_NE(dladdr(reinterpret_cast<void*>(&rows), &here), 0);
     std::ifstream list(source_folder() / "src/libm/exported.txt");
