@@ -1,4 +1,4 @@
-// JSON as it is printed; what reads it back are the commands' own tests, by Python's reader.
+// JSON output. The tests of the commands parse their output with Python.
 #include "text/json_text.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace poinsot {
 namespace {
 
-TEST(Json, MembersStandInTheirOrderOnALineOrALineEach) {
+TEST(Json, ObjectsKeepOrderOnOneOrSeveralLines) {
     JsonObject object;
     object.add("name", "a\"b").add("n", std::int64_t{3}).add("is", true).add("x", 0.1);
     object.json("size", json_numbers(1920, 1080.5));
@@ -20,7 +20,7 @@ TEST(Json, MembersStandInTheirOrderOnALineOrALineEach) {
     EXPECT_EQ(JsonObject().line(), "{}");
 }
 
-TEST(Json, ListsHaveALineForEachValue) {
+TEST(Json, ListsHaveOneValuePerLine) {
     const std::vector<std::string> values{"1", "{}"};
     EXPECT_EQ(json_list(values), "[1, {}]");
     EXPECT_EQ(json_lines(values), "[\n  1,\n  {}\n]");
@@ -28,7 +28,7 @@ TEST(Json, ListsHaveALineForEachValue) {
     EXPECT_EQ(json_lines({}), "[]");
 }
 
-TEST(Json, NumbersThatAreNoneAreNull) {
+TEST(Json, NonFiniteNumbersAreNull) {
     EXPECT_EQ(json_number(0.1), "0.1");
     EXPECT_EQ(json_number(std::numeric_limits<double>::infinity()), "null");
     EXPECT_EQ(json_number(std::numeric_limits<double>::quiet_NaN()), "null");

@@ -1,4 +1,4 @@
-// A file's name as a caption says what the name says.
+// File names as captions.
 #include "text/label_text.h"
 
 #include <gtest/gtest.h>
@@ -6,12 +6,12 @@
 namespace poinsot {
 namespace {
 
-TEST(AsCaption, LeavesPlainNames) {
+TEST(AsCaption, KeepsPlainNames) {
     for (const char* name : {"", "generic", "tennis-racket 2", "Foucault's", "Волчок", "陀螺", "ω"})
         EXPECT_EQ(as_caption(name), name);
 }
 
-TEST(AsCaption, TakesMarkupForWhatItIs) {
+TEST(AsCaption, EscapesMarkup) {
     EXPECT_EQ(as_caption("a$b"), "a\\$b");
     EXPECT_EQ(as_caption("{x"), "\\{x");
     EXPECT_EQ(as_caption("a_b&c%#}"), "a\\_b\\&c\\%\\#\\}");

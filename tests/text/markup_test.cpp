@@ -1,4 +1,4 @@
-// Text from anywhere stays text: in markup, in scripts, whatever its bytes.
+// Escaped text stays text in markup and scripts, whatever its bytes.
 #include "text/markup.h"
 
 #include <gtest/gtest.h>
@@ -9,21 +9,21 @@
 namespace poinsot {
 namespace {
 
-TEST(EscapedMarkup, LeavesNoCharacterThatMarkupIsMadeOf) {
+TEST(EscapedMarkup, EscapesMarkupCharacters) {
     EXPECT_EQ(escaped_markup("<b a=\"1\" c='2'>&amp;"),
               "&lt;b a=&quot;1&quot; c=&#39;2&#39;&gt;&amp;amp;");
     EXPECT_EQ(escaped_markup("ω₁ → 𝛀"), "ω₁ → 𝛀");
 }
 
-// XML 1.0 §2.2 names the characters that a document may hold.
-TEST(EscapedMarkup, HoldsOnlyWhatXmlMayHold) {
+// XML 1.0 §2.2 lists the characters that a document may contain.
+TEST(EscapedMarkup, ContainsOnlyCharactersThatXmlAllows) {
     EXPECT_EQ(escaped_markup(std::string_view("a\0b\x1b[31m\x7f", 9)), "a\ufffdb\ufffd[31m\ufffd");
     EXPECT_EQ(escaped_markup("a\tb\nc"), "a\tb\nc");
     EXPECT_EQ(escaped_markup("\xef\xbf\xbe\xef\xbf\xbf"), "\ufffd\ufffd");
 }
 
-// RFC 3629 §4: what is no UTF-8, byte by byte.
-TEST(EscapedMarkup, ReplacesWhatIsNoUtf8) {
+// RFC 3629 §4: invalid UTF-8, byte by byte.
+TEST(EscapedMarkup, ReplacesInvalidUtf8) {
     for (const std::string bad :
          {"\x80", "\xff", "\xc3", "\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80",
           "\xf0\x80\x80\x80", "\xe2\x82"}) {
@@ -35,13 +35,13 @@ TEST(EscapedMarkup, ReplacesWhatIsNoUtf8) {
     EXPECT_EQ(escaped_markup("\xf4\x8f\xbf\xbd\xed\x9f\xbf"), "\xf4\x8f\xbf\xbd\xed\x9f\xbf");
 }
 
-TEST(ScriptString, CannotEndItsScript) {
+TEST(ScriptString, CannotCloseTheScriptElement) {
     EXPECT_EQ(script_string("</script><!--"), R"("\u003c/script\u003e\u003c!--")");
     EXPECT_EQ(script_string("\"\\\n"), R"("\"\\\u000a")");
 }
 
-// Any bytes: nothing in the result that could end a string, an attribute or an element.
-TEST(Escaping, HoldsForAnyBytes) {
+// For any bytes, the result contains nothing that ends a string, an attribute or an element.
+TEST(Escaping, IsSafeForAnyBytes) {
     std::mt19937 random(5);
     std::uniform_int_distribution<int> byte(0, 255), length(0, 30);
     for (int i = 0; i < 20000; ++i) {
@@ -51,7 +51,7 @@ TEST(Escaping, HoldsForAnyBytes) {
         const std::string script = script_string(text);
         ASSERT_GE(script.size(), 2u);
         EXPECT_EQ(script.find_first_of("<>&\n\r"), std::string::npos);
-        // Every quote within is escaped: an odd number of backslashes stands before it.
+        // Every quote inside is escaped: an odd number of backslashes precedes it.
         for (std::size_t at = 1; at + 1 < script.size(); ++at) {
             if (script[at] != '"') continue;
             const std::size_t other = script.find_last_not_of('\\', at - 1);
@@ -61,7 +61,7 @@ TEST(Escaping, HoldsForAnyBytes) {
 }
 
 // RFC 4648 §10.
-TEST(Base64, IsThatOfTheStandard) {
+TEST(Base64, AgreesWithTheStandardsExamples) {
     const std::vector<std::pair<std::string, std::string>> vectors = {{"", ""},
                                                                       {"f", "Zg=="},
                                                                       {"fo", "Zm8="},

@@ -1,4 +1,4 @@
-// Numbers that are all of a text, and nothing else.
+// Numbers that fill a whole text.
 #include "text/numbers.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace poinsot {
 namespace {
 
-TEST(Numbers, AreAllOfTheText) {
+TEST(Numbers, AreAcceptedOnlyAsTheWholeText) {
     EXPECT_EQ(number_of<double>("-1.5e3"), -1500.0);
     EXPECT_EQ(number_of<int>("12"), 12);
     for (const char* text : {"", " 1", "1 ", "1x", "+1", "0x10", "1,5", "one", "--1"}) {
@@ -25,10 +25,11 @@ TEST(Numbers, AreWithinTheirRange) {
 TEST(Numbers, MayHaveOneSign) {
     EXPECT_EQ(without_plus("+3"), "3");
     EXPECT_EQ(without_plus("-3"), "-3");
-    EXPECT_EQ(without_plus("+-3"), "+-3");  // which is no number then
+    EXPECT_EQ(without_plus("+-3"), "+-3");  // "-3" after the plus sign would be a number; "+-3" is
+                                            // not
 }
 
-TEST(Numbers, AreCutOffTheFront) {
+TEST(Numbers, AreRemovedFromTheFront) {
     std::string_view text = "12 0\nrest";
     std::int64_t number = 0;
     EXPECT_TRUE(take_count(text, number, ' '));

@@ -1,4 +1,4 @@
-// Units as people write them, and the words of pictures in every language.
+// Units as users write them, and the words of pictures in every language.
 #include "text/units.h"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ double in(std::string_view text, std::string_view unit) {
     return measured_in(text, *unit_named(unit)).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-TEST(Units, GiveTheDoubleNearestToWhatIsWritten) {
-    // To the last bit what the SI number itself would be.
+TEST(Units, ConvertToTheNearestDouble) {
+    // Bit-identical to the SI number.
     EXPECT_EQ(in("24 cm", "m"), 0.24);
     EXPECT_EQ(in("800 g", "kg"), 0.8);
     EXPECT_EQ(in("0.1 mm", "m"), 0.0001);
@@ -39,27 +39,27 @@ TEST(Units, GiveTheDoubleNearestToWhatIsWritten) {
     EXPECT_EQ(in("4800g", "kg"), 4.8);
 }
 
-TEST(Units, KnowFractions) {
+TEST(Units, AcceptFractions) {
     EXPECT_DOUBLE_EQ(in("33 1/3 rpm", "rad/s"), 100.0 / 3.0 * 2.0 * pi / 60.0);
     EXPECT_EQ(in("1/3 m", "m"), 1.0 / 3.0);
     EXPECT_EQ(in("-2 1/2 cm", "m"), -0.025);
     EXPECT_EQ(in("1/2 kg m²", "kg m²"), 0.5);
 }
 
-TEST(Units, RefuseWhatIsNoneOrMeasuresSomethingElse) {
+TEST(Units, RejectInvalidUnitsAndOtherDimensions) {
     for (const char* text :
          {"", "cm", "24", "24 parsec", "24 cmm", "24 m 3", "m 24", "1/0 m", "24 m^0", "24 /m",
           "24 m//s", "0x10 m", "nan m", "inf m", "24 (m", "--3 m"})
         EXPECT_FALSE(measured(text)) << text;
     EXPECT_FALSE(measured_in("24 kg", *unit_named("m")));
-    // A turn is no number: a rate of turning is not any rate.
+    // Angle is a dimension: an angular rate differs from other rates.
     EXPECT_FALSE(measured_in("3 1/s", *unit_named("rad/s")));
     EXPECT_FALSE(unit_named("largest half-axes"));
     EXPECT_FALSE(unit_named("pixels"));
     EXPECT_FALSE(unit_named(""));
 }
 
-TEST(Units, AreShownAsWantedForWhatTheyMeasure) {
+TEST(Units, AreShownInTheWantedUnitOfTheSameDimension) {
     const std::vector<std::string> wanted{"rpm", "deg", "g cm²/s"};
     EXPECT_EQ(unit_shown(wanted, "rad/s").name, "rpm");
     EXPECT_DOUBLE_EQ(2.0 * pi * unit_shown(wanted, "rad/s").per_SI, 60.0);
@@ -69,13 +69,13 @@ TEST(Units, AreShownAsWantedForWhatTheyMeasure) {
     EXPECT_EQ(unit_shown(wanted, "J").per_SI, 1.0);
 }
 
-TEST(Languages, GiveWordsTheirOwn) {
+TEST(Languages, SelectTheWord) {
     EXPECT_EQ(languages().size(), 6u);
     constexpr Phrase top{"top", "Kreisel", "toupie", "peonza", "trottola", "こま"};
     EXPECT_EQ(phrase_in("en", top), "top");
     EXPECT_EQ(phrase_in("de", top), "Kreisel");
     EXPECT_EQ(phrase_in("ja", top), "こま");
-    // A formula is the same in all of them.
+    // A formula is the same in all languages.
     EXPECT_EQ(phrase_in("de", formula("E")), "E");
 }
 
