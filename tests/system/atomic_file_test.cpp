@@ -1,4 +1,4 @@
-// Files made aside: whole under their name, or absent.
+// Files are written atomically: complete under their name, or absent.
 #include "system/atomic_file.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ std::string message_of(const std::function<void()>& action) {
     return "";
 }
 
-TEST(AtomicFile, AppearsUnderItsNameOnlyWhenCommitted) {
+TEST(AtomicFile, AppearsOnlyWhenCommitted) {
     const TemporaryFolder folder;
     AtomicFile file(folder / "a.png");
     file.write(bytes_of("half"));
@@ -41,7 +41,7 @@ TEST(AtomicFile, AppearsUnderItsNameOnlyWhenCommitted) {
     EXPECT_EQ(folder.contents(), std::vector<std::string>{"a.png"});
 }
 
-TEST(AtomicFile, UncommittedLeavesTheOldFileAndNothingElse) {
+TEST(AtomicFile, UncommittedKeepsOnlyTheOldFile) {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.png") << "old";
     {
@@ -52,7 +52,7 @@ TEST(AtomicFile, UncommittedLeavesTheOldFileAndNothingElse) {
     EXPECT_EQ(folder.contents(), std::vector<std::string>{"a.png"});
 }
 
-TEST(AtomicFile, SecondRunOnTheSameOutputIsRefused) {
+TEST(AtomicFile, RejectsASecondRunOnTheSameOutput) {
     const TemporaryFolder folder;
     AtomicFile first(folder / "a.png");
     EXPECT_NE(message_of([&] { AtomicFile second(folder / "a.png"); }).find("another run"),
@@ -63,7 +63,7 @@ TEST(AtomicFile, SecondRunOnTheSameOutputIsRefused) {
     EXPECT_EQ(text_of(folder / "a.png"), "");
 }
 
-TEST(AtomicFile, TakesOverWhatAKilledRunLeft) {
+TEST(AtomicFile, TakesOverTheTemporaryFileOfAKilledRun) {
     const TemporaryFolder folder;
     std::ofstream(folder / ".a.png.part") << "remains of another run";
     AtomicFile file(folder / "a.png");
@@ -73,7 +73,7 @@ TEST(AtomicFile, TakesOverWhatAKilledRunLeft) {
     EXPECT_EQ(folder.contents(), std::vector<std::string>{"a.png"});
 }
 
-TEST(AtomicFile, ReleasedContentsAreThereForTheNextRun) {
+TEST(AtomicFile, ReleasedContentsAreKeptForTheNextRun) {
     const TemporaryFolder folder;
     {
         AtomicFile file(folder / "a.mp4", folder / ".a.part");
@@ -85,7 +85,7 @@ TEST(AtomicFile, ReleasedContentsAreThereForTheNextRun) {
         AtomicFile file(folder / "a.mp4", folder / ".a.part", true);
         EXPECT_EQ(text_of(folder / ".a.part"), "kept");
     }
-    // Kept again unless discarded, so that an error while going on loses nothing.
+    // Kept again unless discarded, so that an error while continuing loses nothing.
     {
         AtomicFile file(folder / "a.mp4", folder / ".a.part", true);
         EXPECT_EQ(text_of(folder / ".a.part"), "kept");
@@ -115,7 +115,7 @@ TEST(AtomicFile, MissingFolderIsNamed) {
                            path.parent_path().string() + " does not exist; make it first");
 }
 
-TEST(AtomicFile, FolderIsNoFile) {
+TEST(AtomicFile, RejectsAFolder) {
     const TemporaryFolder folder;
     EXPECT_NE(message_of([&] { AtomicFile file(folder.path()); }).find("it is a folder"),
               std::string::npos);

@@ -1,4 +1,4 @@
-// What a container or a cluster grants is what is counted on.
+// Limits of containers and clusters are respected.
 #include "system/control_group.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ class ControlGroup : public testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(ControlGroup, GrantsTheLeastOfThoseAbove) {
+TEST_F(ControlGroup, UsesTheSmallestLimitOfAllAncestors) {
     write("slurm/cpu.max", "150000 100000");
     write("slurm/memory.max", "8589934592");
     write("slurm/job_7/cpu.max", "max 100000");
@@ -38,8 +38,8 @@ TEST_F(ControlGroup, GrantsTheLeastOfThoseAbove) {
     EXPECT_EQ(grant.memory_bytes, 2147483648);
 }
 
-// A container's group is the root that it sees.
-TEST_F(ControlGroup, GrantsWhatTheRootOfAContainerSays) {
+// A container sees its own group as the root.
+TEST_F(ControlGroup, UsesTheRootGroupInsideAContainer) {
     write("cpu.max", "50000 100000");
     write("memory.max", "536870912");
     const Grant grant = grant_of(root(), "0::/\n");
@@ -47,7 +47,7 @@ TEST_F(ControlGroup, GrantsWhatTheRootOfAContainerSays) {
     EXPECT_EQ(grant.memory_bytes, 536870912);
 }
 
-TEST_F(ControlGroup, IsNoBoundWhereNothingIsBounded) {
+TEST_F(ControlGroup, HasNoLimitIfNoneIsSet) {
     write("slurm/cpu.max", "max 100000");
     write("slurm/memory.max", "max");
     for (const char* own : {"0::/slurm\n", "0::/gone/away\n", "1:cpu:/\n", "", "0::/"}) {
@@ -58,7 +58,7 @@ TEST_F(ControlGroup, IsNoBoundWhereNothingIsBounded) {
     EXPECT_FALSE(grant_of(root() / "nothing", "0::/slurm\n").memory_bytes);
 }
 
-TEST(Processor, CountsAtLeastOneAndSomeMemory) {
+TEST(Processor, ReportsAtLeastOneProcessorAndSomeMemory) {
     EXPECT_GE(n_processors(), 1);
     EXPECT_GT(memory_MiB(), 0);
 }

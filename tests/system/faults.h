@@ -1,4 +1,4 @@
-// Faults of the machine, made on purpose: a child process in which something is limited.
+// Fault injection: a child process with limited resources.
 #pragma once
 
 #include <fcntl.h>
@@ -25,7 +25,7 @@
 
 namespace poinsot {
 
-// A fresh folder, removed with all that is in it.
+// A new folder, removed with its contents at the end.
 class TemporaryFolder {
  public:
     TemporaryFolder() {
@@ -44,7 +44,7 @@ class TemporaryFolder {
     std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
     const std::filesystem::path& path() const { return path_; }
 
-    // Names of everything in it, hidden files too, sorted.
+    // Sorted names of all entries, including hidden files.
     std::vector<std::string> contents() const { return contents_of(path_); }
     static std::vector<std::string> contents_of(const std::filesystem::path& folder) {
         std::vector<std::string> names;
@@ -58,8 +58,8 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
-// What a child process says in the end: "" if the action came through, the message of the
-// EnvironmentError it threw, or "other: …" for anything else that happened.
+// Runs the action in a child process. Returns "" if it succeeded, the message of the
+// EnvironmentError that it threw, or "other: …" for any other outcome.
 inline std::string outcome_in_child(const std::function<void()>& action) {
     std::array<int, 2> pipe_ends{};
     if (pipe(pipe_ends.data()) != 0) return "other: no pipe";
@@ -89,14 +89,14 @@ inline std::string outcome_in_child(const std::function<void()>& action) {
     return outcome;
 }
 
-// In a child only: files may grow to this size, as with `ulimit -f`.
+// Only in a child: limits the size of files, as `ulimit -f` does.
 inline void limit_file_size(rlim_t n_bytes) {
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{n_bytes, n_bytes};
     setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-// In a child only: gives up root's right to write everywhere.
+// Only in a child: drops root's permission to write everywhere.
 inline void drop_privileges() {
     constexpr uid_t nobody = 65534;
     if (geteuid() != 0) return;
@@ -104,8 +104,8 @@ inline void drop_privileges() {
         throw std::runtime_error("privileges could not be dropped");
 }
 
-// In a child only: the folder becomes a file system of its own with this room. False if this
-// machine does not let us.
+// Only in a child: mounts a file system of this size on the folder. Returns false if this machine
+// does not permit that.
 inline bool mount_small(const std::filesystem::path& folder, const std::string& size) {
     if (unshare(CLONE_NEWNS) != 0) return false;
     mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr);

@@ -1,4 +1,4 @@
-// Whole files, and what is said where they cannot be read.
+// Reading whole files, and the errors of unreadable ones.
 #include "system/file_contents.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@
 namespace poinsot {
 namespace {
 
-// Sizes about those of a page, at which room is made.
-TEST(FileContents, AreRead) {
+// Sizes near a page, at which the buffer grows.
+TEST(FileContents, AreReadCompletely) {
     const TemporaryFolder folder;
     for (const std::size_t size : {0, 1, 4095, 4096, 4097, 100'000}) {
         std::string text(size, 'x');
@@ -29,8 +29,8 @@ TEST(FileContents, AreRead) {
     }
 }
 
-// Such a file says that its size is 0.
-TEST(FileContents, AreReadOfAFileWithoutASize) {
+// Such a file reports size 0.
+TEST(FileContents, AreReadFromAFileThatReportsNoSize) {
     EXPECT_NE(read_text("/proc/self/status").find("Pid:"), std::string::npos);
 }
 

@@ -1,4 +1,4 @@
-// What a name on the disk means.
+// Kinds of files.
 #include "system/file_kind.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(FileKind, TellsFilesFromAllElse) {
+TEST(FileKind, DistinguishesRegularFiles) {
     std::string name = (fs::temp_directory_path() / "poinsot-test-XXXXXX").string();
     const fs::path folder = mkdtemp(name.data());
     std::ofstream(folder / "file") << "x";

@@ -1,4 +1,4 @@
-// Ctrl-C stops cleanly what asks, and ends what does not.
+// Ctrl-C stops work that checks for it cleanly, and ends other work at once.
 #include "system/interrupt.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace poinsot {
 namespace {
 
-// In a process of its own each: a signal that came is not forgotten.
+// Each case runs in a separate process, since a recorded signal stays recorded.
 int stops_cleanly(int signal_number) {
     watch_for_interrupts();
     stop_if_interrupted();
@@ -25,12 +25,12 @@ int stops_cleanly(int signal_number) {
     return 0;
 }
 
-TEST(Interrupt, IsAskedFor) {
+TEST(Interrupt, StopsWorkThatChecks) {
     for (const int signal_number : {SIGINT, SIGTERM})
         EXPECT_EXIT(std::_Exit(stops_cleanly(signal_number)), testing::ExitedWithCode(7), "");
 }
 
-TEST(Interrupt, EndsTheProcessTheSecondTime) {
+TEST(Interrupt, EndsTheProcessAtTheSecondSignal) {
     EXPECT_EXIT(
         {
             stops_cleanly(SIGINT);
@@ -39,9 +39,9 @@ TEST(Interrupt, EndsTheProcessTheSecondTime) {
         testing::KilledBySignal(SIGINT), "");
 }
 
-// Two at a time, as where one picture is read while another is drawn: the first that goes leaves
-// the other's.
-TEST(Interrupt, EndsWhatDoesNotAsk) {
+// Two objects at a time, as when one picture is read while another is drawn: destroying the first
+// leaves the second in effect.
+TEST(Interrupt, EndsWorkThatDoesNotCheck) {
     EXPECT_EXIT(
         {
             std::optional<EndsAtOnce> reading{std::in_place};

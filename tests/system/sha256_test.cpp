@@ -1,4 +1,4 @@
-// SHA-256 against the standard's own examples and the known answers of NIST's validation programme.
+// SHA-256 against the standard's examples and the known answers of NIST's validation programme.
 #include "system/sha256.h"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ TEST(Sha256, AgreesWithTheStandardsExamples) {
               "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-// Lengths about the block's 64 bytes and the 56 after which padding needs a second block.
-TEST(Sha256, PartsGiveTheHashOfTheWhole) {
+// Lengths near the block size of 64 bytes, and near 56, from which padding needs a second block.
+TEST(Sha256, PartsHashLikeTheWhole) {
     for (std::size_t length = 0; length <= 130; ++length) {
         const std::string text(length, 'x');
         const std::string whole = sha256_of(text);
