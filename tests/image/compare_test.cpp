@@ -18,7 +18,7 @@ Image filled(int width, int height, Rgba8 colour) {
     return image;
 }
 
-// The first n pixels changed by some levels of one channel.
+// The picture with the first n pixels changed by some levels in one channel.
 Image changed(Image image, int n, int levels) {
     for (int i = 0; i < n; ++i) {
         const int x = i % image.width(), y = i / image.width();
@@ -39,7 +39,7 @@ TEST(Compare, EqualPicturesAreTheSame) {
     EXPECT_EQ(result.flip, 0);
 }
 
-TEST(Compare, CountsWhatWasChanged) {
+TEST(Compare, CountsChangedPixels) {
     const Image before = filled(100, 100, {10, 20, 30, 255});
     const Comparison result = compare(before, changed(changed(before, 7, 1), 3, 8));
     EXPECT_EQ(result.n_pixels, 10000);
@@ -49,8 +49,8 @@ TEST(Compare, CountsWhatWasChanged) {
     EXPECT_DOUBLE_EQ(result.mean_difference, (3 * 9 + 4 * 1) / 40000.0);
 }
 
-// 1,000,000 pixels: 0.1 % of them are 1,000, 2e-6 are 2.
-TEST(Compare, JudgesByTheTwoCaps) {
+// Of 1,000,000 pixels, 0.1 % are 1,000 and 2e-6 are 2.
+TEST(Compare, AppliesBothLimits) {
     const Image before = filled(1000, 1000, {10, 20, 30, 255});
     const auto verdict = [&before](int n_pixels, int levels, CompareLimits limits = {}) {
         limits.measures_likeness = false;
@@ -63,13 +63,13 @@ TEST(Compare, JudgesByTheTwoCaps) {
     EXPECT_EQ(verdict(1, 1, CompareLimits::exact()), Verdict::pixels_differ);
 }
 
-TEST(Compare, AlphaCountsAsAnyChannel) {
+TEST(Compare, AlphaCountsLikeAnyChannel) {
     const Comparison result = compare(filled(4, 4, {1, 2, 3, 255}), filled(4, 4, {1, 2, 3, 250}));
     EXPECT_EQ(result.n_differing, 16);
     EXPECT_EQ(result.largest_difference, 5);
 }
 
-TEST(Compare, SizesAreAReasonOfTheirOwn) {
+TEST(Compare, DifferentSizesAreReported) {
     const Comparison result = compare(filled(4, 3, {}), filled(3, 4, {}));
     EXPECT_EQ(result.verdict, Verdict::size_differs);
     EXPECT_EQ(result.reason, "4×3 pixels were expected, there are 3×4");
@@ -85,8 +85,9 @@ StoredPicture deep_picture(std::uint16_t level) {
     return picture;
 }
 
-// 257 levels of 16 bits are one of 8: what both round to the same still differs.
-TEST(Compare, SeesEveryBitThatIsStored) {
+// 257 levels of 16 bits are one level of 8 bits: pictures that round to the same 8 bits still
+// differ.
+TEST(Compare, DetectsDifferencesInEveryStoredBit) {
     const StoredPicture before = deep_picture(128 * 257);
     EXPECT_EQ(compare(before, before, CompareLimits::exact()).verdict, Verdict::same);
     StoredPicture after = before;
@@ -96,14 +97,14 @@ TEST(Compare, SeesEveryBitThatIsStored) {
     EXPECT_EQ(result.n_differing, 10000);
     EXPECT_DOUBLE_EQ(result.largest_difference, 1 / 257.0);
     EXPECT_DOUBLE_EQ(result.mean_difference, 1 / 257.0);
-    // Levels of limits are those of 8 bits.
+    // The level limit is in 8-bit levels.
     after = before;
     after.deep.samples()[0] += 2 * 257;
     after.deep.samples()[4] += 2 * 257 + 1;
     EXPECT_EQ(compare(before, after).n_over_level, 1);
 }
 
-TEST(Compare, DepthsAndColoursAreReasonsOfTheirOwn) {
+TEST(Compare, DifferentDepthsAndColourSpacesAreReported) {
     const StoredPicture deep = deep_picture(128 * 257);
     StoredPicture shallow = deep;
     shallow.deep = {};
@@ -122,18 +123,18 @@ TEST(Compare, DepthsAndColoursAreReasonsOfTheirOwn) {
 }
 
 // Flat pictures have no variance: SSIM is (2ab + C1)/(a² + b² + C1).
-TEST(Ssim, OfFlatGreysIsTheClosedForm) {
+TEST(Ssim, OfFlatGreysAgreesWithTheClosedForm) {
     constexpr double c1 = 6.5025;
     for (const auto& [a, b] : {std::pair{0, 255}, {100, 110}, {128, 128}, {7, 8}}) {
         const auto level_a = static_cast<std::uint8_t>(a), level_b = static_cast<std::uint8_t>(b);
         const double expected = (2.0 * a * b + c1) / (1.0 * a * a + 1.0 * b * b + c1);
         EXPECT_NEAR(structural_similarity(filled(20, 15, {level_a, level_a, level_a, 255}),
                                           filled(20, 15, {level_b, level_b, level_b, 255})),
-                    expected, 3e-6);  // measured 1.04e-6, of variances in single precision
+                    expected, 3e-6);  // measured 1.04e-6, from variances in single precision
     }
 }
 
-// The sums of Wang 2004, eqs. 13–16, written out at every pixel in double precision.
+// Direct evaluation of Wang 2004, eqs. 13–16, at every pixel in double precision.
 double direct_ssim(const Image& a, const Image& b) {
     const auto luma = [](const Image& image, int x, int y) {
         const Rgba8 c =
@@ -163,7 +164,7 @@ double direct_ssim(const Image& a, const Image& b) {
     return total / (a.width() * a.height());
 }
 
-TEST(Ssim, AgreesWithTheSumsWrittenOut) {
+TEST(Ssim, AgreesWithDirectEvaluation) {
     const Image a = synthetic_frame(64, 48, 0), b = synthetic_frame(64, 48, 12);
     const double expected = direct_ssim(a, b);
     EXPECT_LT(expected, 0.95);
@@ -175,7 +176,7 @@ TEST(Flip, IsZeroForEqualPictures) {
     EXPECT_EQ(flip_error(image, image), 0);
 }
 
-// The scale's end is defined by the two colours that lie farthest apart: green and blue.
+// FLIP is 1 for the two colours with the largest distance: green and blue.
 TEST(Flip, IsOneBetweenGreenAndBlue) {
     EXPECT_NEAR(flip_error(filled(8, 8, {0, 255, 0, 255}), filled(8, 8, {0, 0, 255, 255})), 1,
                 1e-5);  // measured 2e-7
@@ -183,7 +184,7 @@ TEST(Flip, IsOneBetweenGreenAndBlue) {
 
 // Flat greys have no features and no chroma; with L* = 116 cbrt(Y) − 16 the distance is |ΔL*|, and
 // FLIP its 0.7th power, scaled so that 0.4 of the largest power is 0.95.
-TEST(Flip, OfFlatGreysIsTheClosedForm) {
+TEST(Flip, OfFlatGreysAgreesWithTheClosedForm) {
     const auto lightness = [](int level) {
         const double v = level / 255.0;
         return 116 * std::cbrt(std::pow((v + 0.055) / 1.055, 2.4)) - 16;
@@ -202,7 +203,7 @@ TEST(Flip, OfFlatGreysIsTheClosedForm) {
     }
 }
 
-TEST(Flip, IsSymmetricAndGrowsWithAVanishedLine) {
+TEST(Flip, IsSymmetricAndGrowsWithTheContrastOfALine) {
     const auto with_line = [](std::uint8_t level) {
         Image image = filled(41, 41, {128, 128, 128, 255});
         for (int y = 0; y < 41; ++y) image.set(20, y, {level, level, level, 255});
@@ -219,7 +220,7 @@ TEST(Flip, IsSymmetricAndGrowsWithAVanishedLine) {
 }
 
 // At 67 pixels a degree the eye does not resolve blue and yellow squares of one pixel.
-TEST(Flip, DoesNotSeeWhatTheEyeCannotResolve) {
+TEST(Flip, IgnoresDetailThatTheEyeCannotResolve) {
     Image squares(40, 40);
     for (int y = 0; y < 40; ++y)
         for (int x = 0; x < 40; ++x)
@@ -240,7 +241,7 @@ TEST(DifferencePicture, ShowsExpectedDifferenceActual) {
     EXPECT_EQ(sheet.at(5, 0), actual.at(1, 0));
 }
 
-TEST(DifferencePicture, ShowsTheLeastOfSixteenBits) {
+TEST(DifferencePicture, ShowsASingleLevelOfSixteenBits) {
     const StoredPicture before = deep_picture(128 * 257);
     StoredPicture after = before;
     after.deep.samples()[1] += 1;
@@ -249,7 +250,7 @@ TEST(DifferencePicture, ShowsTheLeastOfSixteenBits) {
     EXPECT_EQ(difference_picture(before, after).at(101, 0), (Rgba8{0, 0, 0, 255}));
 }
 
-TEST(DifferencePicture, MarksWhereOnlyOneReaches) {
+TEST(DifferencePicture, IsWhiteWhereOnlyOnePictureHasPixels) {
     const Image sheet =
         difference_picture(filled(1, 2, {9, 9, 9, 255}), filled(2, 1, {9, 9, 9, 255}));
     ASSERT_EQ(sheet.width(), 6);

@@ -1,4 +1,4 @@
-// The quick hash: what its specification says, and the same however a file holds the pixels.
+// The fast hash agrees with published values and does not depend on how a file stores the pixels.
 #include "image/pixel_check.h"
 
 #include <gtest/gtest.h>
@@ -18,15 +18,15 @@ std::uint64_t hash_of(std::string_view text) {
     return hash.value();
 }
 
-// Values that the reference implementation's users publish.
-TEST(Xxh64, IsThatOfItsSpecification) {
+// Values published by users of the reference implementation.
+TEST(Xxh64, AgreesWithPublishedValues) {
     EXPECT_EQ(hash_of(""), 0xef46db3751d8e999u);
     EXPECT_EQ(hash_of("a"), 0xd24ec4f1a98c6e5bu);
     EXPECT_EQ(hash_of("abc"), 0x44bc2cf5ad770999u);
     EXPECT_EQ(hash_of("Nobody inspects the spammish repetition"), 0xfbcea83c8a378bf1u);
 }
 
-TEST(PixelCheck, IsThatOfThePixelsInAFile) {
+TEST(PixelCheck, OfAnImageEqualsThatOfItsFile) {
     const TemporaryFolder folder;
     Image image = synthetic_frame(70, 50, 4);
     for (const std::uint8_t alpha : {255, 100}) {
@@ -37,12 +37,12 @@ TEST(PixelCheck, IsThatOfThePixelsInAFile) {
     const std::string before = pixel_check(image);
     image.set(69, 49, {1, 2, 4, 255});
     EXPECT_NE(pixel_check(image), before);
-    // As many pixels with the same bytes are another picture.
+    // The same number of equal bytes in a different shape is a different picture.
     EXPECT_NE(pixel_check(Image(20, 10)), pixel_check(Image(10, 20)));
 }
 
-// A picture that is written without alpha has none, whatever its bands had.
-TEST(PixelCheck, OfBandsIsThatOfTheFile) {
+// In a picture written without alpha, the alpha of its bands is ignored.
+TEST(PixelCheck, OfBandsEqualsThatOfTheFile) {
     const TemporaryFolder folder;
     std::mt19937 random(9);
     for (const bool opaque : {true, false}) {
@@ -62,7 +62,7 @@ TEST(PixelCheck, OfBandsIsThatOfTheFile) {
         EXPECT_EQ(pixel_check_of(folder / "8.png"), of_shallow);
         EXPECT_EQ(pixel_check_of(folder / "16.png"), of_deep);
         EXPECT_EQ(pixel_check(read_stored_png(folder / "16.png")), of_deep);
-        // What follows the pixels is read without them.
+        // The texts after the pixels are read without decoding the pixels.
         EXPECT_EQ(read_png_info(folder / "8.png").texts["Note"], of_shallow);
         EXPECT_EQ(read_png_info(folder / "8.png").height_px, 20);
     }

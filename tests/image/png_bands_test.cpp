@@ -1,4 +1,4 @@
-// Pictures written band by band are those written whole.
+// Pictures written band by band equal those written whole.
 #include "image/png_bands.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ Image rows_of(const Image& image, int y, int n_rows) {
     return band;
 }
 
-TEST(PngBands, GiveTheWholePictureBack) {
+TEST(PngBands, DecodeToTheWholePicture) {
     const TemporaryFolder folder;
     Image image = synthetic_frame(320, 180, 5);
     for (const bool opaque : {true, false}) {
@@ -41,7 +41,7 @@ TEST(PngBands, GiveTheWholePictureBack) {
     }
 }
 
-TEST(PngBands, OfAnotherSizeAreRefused) {
+TEST(PngBands, OfWrongSizeAreRejected) {
     const TemporaryFolder folder;
     {
         PngBandWriter writer(folder / "a.png", 32, 18, true);

@@ -1,4 +1,4 @@
-// PNG files: what is written is what libpng reads, and what is broken is refused.
+// PNG files: libpng reads the pixels that were written, and damaged files are rejected.
 #include "image/png.h"
 
 #include <gtest/gtest.h>
@@ -44,16 +44,16 @@ Image random_image(bool opaque) {
     return image;
 }
 
-RC_GTEST_PROP(Png, GivesEveryPixelBack, ()) {
+RC_GTEST_PROP(Png, RoundTripPreservesEveryPixel, ()) {
     const Image image = random_image(*rc::gen::arbitrary<bool>());
     PngOptions options;
     options.deflate_level = *rc::gen::inRange(1, 13);
     RC_ASSERT(decode_png(encode_png(image, options), "x") == image);
 }
 
-// A ramp compresses to almost nothing as differences, and hardly at all as samples: the size tells
-// that the filter was chosen, the pixels that it was undone.
-TEST(Png, SmoothPicturesAreFilteredAndComeBack) {
+// A ramp compresses to almost nothing as differences and hardly at all as samples: the size shows
+// that the filter was used, the pixels that it was reversed.
+TEST(Png, SmoothPicturesAreFilteredAndRoundTrip) {
     for (const std::uint8_t alpha : {255, 254}) {
         Image ramp(300, 200);
         for (int y = 0; y < 200; ++y)
@@ -67,7 +67,7 @@ TEST(Png, SmoothPicturesAreFilteredAndComeBack) {
     }
 }
 
-RC_GTEST_PROP(Png, AnEncoderUsedAgainWritesTheSameBytes, ()) {
+RC_GTEST_PROP(Png, AReusedEncoderWritesTheSameBytes, ()) {
     const Image first = random_image(false), second = random_image(true);
     PngEncoder encoder;
     encoder.encode(first);
@@ -75,7 +75,7 @@ RC_GTEST_PROP(Png, AnEncoderUsedAgainWritesTheSameBytes, ()) {
     RC_ASSERT(Bytes(again.begin(), again.end()) == encode_png(second));
 }
 
-RC_GTEST_PROP(Png, GivesTextsAndDensityBack, (const std::string& raw)) {
+RC_GTEST_PROP(Png, RoundTripPreservesTextsAndDensity, (const std::string& raw)) {
     std::string text;
     for (const char c : raw)
         if (c != '\0') text += c;
@@ -97,7 +97,7 @@ TEST(Png, OpaquePicturesHaveNoAlphaChannel) {
     EXPECT_EQ(encode_png(image)[25], PNG_COLOR_TYPE_RGBA);
 }
 
-// libpng's own reader of whole pictures is the second opinion.
+// Compared with libpng's own reader of whole pictures.
 TEST(Png, LibpngReadsTheSamePixels) {
     const Image image = synthetic_frame(160, 90, 7);
     const Bytes file = encode_png(image);
@@ -137,7 +137,7 @@ TEST(PngReading, GreyAndPaletteBecomeRgba) {
     EXPECT_EQ(palette.at(1, 0), (Rgba8{250, 251, 252, 255}));
 }
 
-// Chunks put in after the header.
+// Inserts a chunk after the header.
 Bytes with_chunk(const Bytes& file, const std::string& type, const Bytes& contents) {
     constexpr std::size_t header_end = 33;
     Bytes chunk = {0, 0, 0, static_cast<std::uint8_t>(contents.size())};
@@ -151,7 +151,7 @@ Bytes with_chunk(const Bytes& file, const std::string& type, const Bytes& conten
     return result;
 }
 
-// Every 16-bit value there is, in R, its complement in A.
+// Every 16-bit value in R, and its complement in A.
 DeepImage all_levels() {
     DeepImage deep(256, 256);
     for (std::size_t i = 0; i < 65536; ++i) {
@@ -161,7 +161,7 @@ DeepImage all_levels() {
     return deep;
 }
 
-TEST(PngReading, GivesEveryStoredBitBack) {
+TEST(PngReading, PreservesEveryStoredBit) {
     const TemporaryFolder folder;
     const DeepImage deep = all_levels();
     PngBandWriter writer(folder / "a.png", 256, 256, false, {}, 16);
@@ -179,8 +179,9 @@ TEST(PngReading, GivesEveryStoredBitBack) {
     EXPECT_TRUE(shallow.image == image);
 }
 
-// Hashes of 16 bits differ where one sample differs by one, and from that of the rounded picture.
-TEST(PngReading, HashesWhatIsStored) {
+// Hashes of 16-bit pictures differ if one sample differs by one, and from the hash of the rounded
+// picture.
+TEST(PngReading, HashesTheStoredBits) {
     StoredPicture stored;
     stored.deep = all_levels();
     const std::string before = pixel_hash(stored);
@@ -193,8 +194,8 @@ TEST(PngReading, HashesWhatIsStored) {
     EXPECT_EQ(pixel_hash(one), "a04404e21e7de086dd862999db66a1cebff01559d912dc2b247d57ac70842715");
 }
 
-TEST(PngReading, SaysByWhatSamplesBecomeColours) {
-    // Without its sRGB chunk, of one byte, after the header.
+TEST(PngReading, NamesTheColourSpace) {
+    // Removes the sRGB chunk of one byte after the header.
     Bytes plain = encode_png(Image(2, 2));
     plain.erase(plain.begin() + 33, plain.begin() + 33 + 13);
     const auto colours = [&](const std::string& type, const Bytes& contents) {
@@ -207,14 +208,14 @@ TEST(PngReading, SaysByWhatSamplesBecomeColours) {
     EXPECT_EQ(colours("cICP", {9, 16, 0, 1}), "code points 09100001");
 }
 
-TEST(PngReading, RefusesAnimations) {
+TEST(PngReading, RejectsAnimations) {
     const Bytes file =
         with_chunk(encode_png(synthetic_frame(8, 8, 0)), "acTL", {0, 0, 0, 2, 0, 0, 0, 0});
     EXPECT_NE(refusal([&] { decode_png(file, "x"); }).find("x is an animation"), std::string::npos);
     EXPECT_NE(refusal([&] { decode_stored_png(file, "x"); }), "");
 }
 
-// A written grey+alpha row of 16-bit samples: 257·v is exactly v in 8 bits.
+// A row of 16-bit grey and alpha samples: 257·v is exactly v in 8 bits.
 TEST(PngReading, SixteenBitsAreRoundedToEight) {
     Bytes file;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
@@ -256,13 +257,13 @@ TEST(PngReading, SixteenBitsAreRoundedToEight) {
     EXPECT_EQ(read.texts["Long"], deflated);
 }
 
-TEST(PngReading, EveryTruncationIsRefused) {
+TEST(PngReading, RejectsEveryTruncation) {
     const Bytes file = encode_png(synthetic_frame(16, 9, 0));
     for (std::size_t size = 0; size < file.size(); ++size)
         EXPECT_THROW(decode_png(std::span(file).first(size), "x"), InputError) << size;
 }
 
-TEST(PngReading, EveryFlippedBitIsNoticed) {
+TEST(PngReading, DetectsEveryFlippedBit) {
     PngOptions options;
     options.texts["poinsot"] = "text";
     const Bytes file = encode_png(synthetic_frame(8, 4, 0), options);
@@ -273,20 +274,20 @@ TEST(PngReading, EveryFlippedBitIsNoticed) {
     }
 }
 
-RC_GTEST_PROP(PngReading, NeverDoesMoreThanThrowOnGarbage, (const Bytes& tail)) {
+RC_GTEST_PROP(PngReading, ThrowsOnRandomBytes, (const Bytes& tail)) {
     Bytes file = encode_png(Image(2, 2));
     file.resize(*rc::gen::inRange<std::size_t>(8, file.size()));
     file.insert(file.end(), tail.begin(), tail.end());
     RC_ASSERT_THROWS_AS(decode_png(file, "x"), InputError);
 }
 
-TEST(PngReading, HugeSizesAreRefusedBeforeMemoryIsTaken) {
+TEST(PngReading, RejectsHugeSizesBeforeAllocating) {
     Bytes file = encode_png(Image(2, 2));
     const auto with_size = [&](std::uint8_t high, std::uint8_t low) {
         Bytes changed = file;
         changed[18] = changed[22] = high;
         changed[19] = changed[23] = low;
-        // The checksum of IHDR, so that the size alone is wrong.
+        // Corrects the checksum of IHDR, so that only the size is wrong.
         const std::uint32_t sum = libdeflate_crc32(0, changed.data() + 12, 17);
         for (int i = 0; i < 4; ++i)
             changed[29 + static_cast<std::size_t>(i)] =
@@ -298,7 +299,7 @@ TEST(PngReading, HugeSizesAreRefusedBeforeMemoryIsTaken) {
     EXPECT_EQ(refusal([&] { decode_png(with_size(0x40, 0), "a.png"); }), "a.png is cut short");
 }
 
-TEST(PngReading, LongPicturesAreReadAndLargeOnesSayWhatTheyAre) {
+TEST(PngReading, ReadsLongPicturesAndMetadataOfLargeOnes) {
     const TemporaryFolder folder;
     const auto path = folder / "long.png";
     Image image(20'000, 2);
@@ -311,8 +312,8 @@ TEST(PngReading, LongPicturesAreReadAndLargeOnesSayWhatTheyAre) {
     EXPECT_EQ(read_png_info(path).texts.at("made"), "so");
 }
 
-// libpng would take the memory that a chunk claims before it reads it.
-TEST(PngReading, TakesNoMemoryOnAChunksWordAlone) {
+// libpng would allocate the memory that a chunk claims before reading the chunk.
+TEST(PngReading, RejectsFalseChunkLengthsBeforeAllocating) {
     const Bytes file = encode_png(Image(2, 2));
     Bytes claims(file.begin(), file.end() - 12);  // without IEND
     // A length of 0x5c0f0010, the type and the first byte of a text.
@@ -331,7 +332,7 @@ TEST(PngReading, TakesNoMemoryOnAChunksWordAlone) {
               "4194304 are read");
 }
 
-TEST(PngReading, SaysWhatIsWrongWithAFile) {
+TEST(PngReading, ErrorsNameTheFault) {
     const TemporaryFolder folder;
     const fs::path path = folder / "a.png";
     EXPECT_EQ(refusal([&] { read_png(path); }), path.string() + " does not exist");
@@ -341,7 +342,7 @@ TEST(PngReading, SaysWhatIsWrongWithAFile) {
     EXPECT_EQ(refusal([&] { read_png(path); }), path.string() + " is not a PNG picture");
 }
 
-TEST(PngWriting, RefusesWhatAPngCannotHold) {
+TEST(PngWriting, RejectsValuesThatPngCannotHold) {
     PngOptions options;
     EXPECT_THROW(encode_png(Image(), options), InputError);
     EXPECT_THROW(encode_png(Image(largest_png_side_px + 1, 1), options), InputError);
@@ -358,7 +359,7 @@ TEST(PngWriting, RefusesWhatAPngCannotHold) {
     EXPECT_THROW(encode_png(Image(1, 1), options), InputError);
 }
 
-TEST(PngWriting, WritesAFileAndReadsItBack) {
+TEST(PngWriting, FileRoundTrip) {
     const TemporaryFolder folder;
     const Image image = synthetic_frame(64, 48, 3);
     write_png(folder / "a.png", image);
@@ -366,7 +367,7 @@ TEST(PngWriting, WritesAFileAndReadsItBack) {
     EXPECT_EQ(folder.contents(), std::vector<std::string>{"a.png"});
 }
 
-// A small picture reaches a full device only when it is flushed; the error must not be lost.
+// A small picture reaches a full device only when it is flushed; the error must be reported.
 TEST(PngWriting, FullDeviceIsReported) {
     try {
         write_png("/dev/full", Image(2, 2));

@@ -1,5 +1,5 @@
-// A picture of the kind poinsot draws, made by plain loops: a flat ground, a grid, a shaded body
-// that turns with the frame number, thin smooth curves. Input for encoders and comparisons.
+// A picture similar to poinsot's, made by simple loops: flat background, grid, shaded body that
+// turns with the frame number, thin smooth curves. Input for encoders and comparisons.
 #pragma once
 
 #include <algorithm>
