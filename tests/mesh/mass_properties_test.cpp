@@ -1,4 +1,4 @@
-// Mass properties of polyhedra against closed forms.
+// Mass properties of polyhedra, against closed forms.
 #include "mesh/mass_properties.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ Eigen::Affine3d moved_by(const Eigen::Vector3d& by) {
     return Eigen::Affine3d(Eigen::Translation3d(by));
 }
 
-TEST(MassProperties, OfABoxAreExactToRounding) {
+TEST(MassProperties, AreExactForABox) {
     const Eigen::Vector3d edges(0.3, 2.0, 7.0);
     const MassProperties box = mass_properties(box_mesh(edges));
     EXPECT_NEAR(box.volume_m3, edges.prod(), 1e-15 * edges.prod());            // measured 0
@@ -39,10 +39,10 @@ TEST(MassProperties, OfABoxAreExactToRounding) {
     EXPECT_LT(relative(box.inertia_unit_density, box_inertia(edges)), 1e-15);  // measured 2e-16
 }
 
-// A tetrahedron with a corner at the origin and unit legs: ∫x² = 1/60, ∫xy = 1/120, V = 1/6,
-// centre 1/4 (Dirichlet's integral), so about its centre the moments are 1/30 − 2/6/16 = 1/80 and
+// A tetrahedron with a corner at the origin and unit legs: ∫x² = 1/60, ∫xy = 1/120, V = 1/6, centre
+// 1/4 (Dirichlet's integral). About its centre the moments are therefore 1/30 − 2/6/16 = 1/80 and
 // the products −(1/120 − 1/96) = 1/480.
-TEST(MassProperties, OfARightTetrahedronHaveItsProductsOfInertia) {
+TEST(MassProperties, MatchClosedFormOfARightTetrahedron) {
     TriangleMesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
@@ -54,9 +54,9 @@ TEST(MassProperties, OfARightTetrahedronHaveItsProductsOfInertia) {
     EXPECT_LT(relative(p.inertia_unit_density, expected), 1e-15);  // measured 0
 }
 
-// Corners at dyadic numbers stay exact when moved, so nothing but the integration can lose digits:
-// about the origin the parallel-axis terms would be 1e12 times the moments.
-TEST(MassProperties, KeepTheirDigitsAMillionSizesFromTheOrigin) {
+// Dyadic coordinates stay exact when moved, so that only the integration can lose digits: about the
+// origin, the parallel-axis terms would be 1e12 times the moments.
+TEST(MassProperties, LoseNoDigitsFarFromTheOrigin) {
     const Eigen::Vector3d edges(0.25, 2.0, 1.5);
     const Eigen::Vector3d far(1e6, -3e6, 2e6);
     const MassProperties box = mass_properties(placed(box_mesh(edges), moved_by(far)));
@@ -65,8 +65,8 @@ TEST(MassProperties, KeepTheirDigitsAMillionSizesFromTheOrigin) {
     EXPECT_LT(relative(box.inertia_unit_density, box_inertia(edges)), 1e-15);  // measured 0
 }
 
-// Here the corners themselves round, to half an ulp of 1e6: 6e-11.
-TEST(MassProperties, OfAMovedTorusLoseOnlyWhatItsVerticesLose) {
+// Here moving rounds the corners themselves, by half an ulp of 1e6: 6e-11.
+TEST(MassProperties, OfAMovedTorusHaveOnlyVertexRoundingErrors) {
     const TriangleMesh torus = torus_mesh(1.0, 0.3);
     const MassProperties near = mass_properties(torus);
     const MassProperties far =
@@ -75,7 +75,7 @@ TEST(MassProperties, OfAMovedTorusLoseOnlyWhatItsVerticesLose) {
     EXPECT_LT(relative(far.inertia_unit_density, near.inertia_unit_density), 1e-10);
 }
 
-TEST(MassProperties, TurnWithTheBody) {
+TEST(MassProperties, RotateWithTheBody) {
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal;
     const TriangleMesh cone = cone_mesh(0.4, 1.3);
@@ -96,7 +96,7 @@ TEST(MassProperties, TurnWithTheBody) {
     }
 }
 
-TEST(MassProperties, DoNotDependOnTheUnit) {
+TEST(MassProperties, ScaleWithTheUnitOfLength) {
     const TriangleMesh torus = torus_mesh(1.0, 0.3, 16, 8);
     const MassProperties p = mass_properties(torus);
     for (const int exponent : {-200, -60, 60, 200}) {
@@ -114,8 +114,8 @@ TEST(MassProperties, OfAnInsideOutMeshAreNegative) {
     EXPECT_EQ(p.volume_m3, -mass_properties(box).volume_m3);
 }
 
-// Vertices on the sphere: the polyhedron lies inside, and volume and moment grow to the sphere's
-// with the square of the facets' size.
+// The vertices lie on the sphere and the polyhedron inside: volume and moment converge to the
+// sphere's with the square of the facets' size.
 TEST(MassProperties, OfInscribedSpheresConvergeWithOrderTwo) {
     double volume_error = 0.0;
     double moment_error = 0.0;
@@ -135,8 +135,8 @@ TEST(MassProperties, OfInscribedSpheresConvergeWithOrderTwo) {
     EXPECT_LT(moment_error, 7e-4);  // measured 5.9e-4
 }
 
-// Two cubes of unit mass, two apart: by parallel axes 2·(1/6) along the line and 2·(1/6 + 1)
-// across it.
+// Two cubes of unit mass at a distance of 2: by the parallel-axis theorem, 2·(1/6) about the line
+// between them and 2·(1/6 + 1) perpendicular to it.
 TEST(BodyOfParts, AppliesParallelAxes) {
     const MassProperties left = mass_properties(placed(box_mesh({1, 1, 1}), moved_by({-1, 5, 0})));
     const MassProperties right = mass_properties(placed(box_mesh({1, 1, 1}), moved_by({1, 5, 0})));
@@ -149,7 +149,7 @@ TEST(BodyOfParts, AppliesParallelAxes) {
     EXPECT_EQ(body.inertia_kg_m2(1, 1), body.inertia_kg_m2(2, 2));
 }
 
-// A cube with a denser cube in a cavity of its own, both ways of counting.
+// A cube with a cavity that holds a denser cube, computed in two ways.
 TEST(BodyOfParts, CountsACavityAsMissing) {
     const TriangleMesh hollow =
         joined(std::vector<TriangleMesh>{box_mesh({2, 2, 2}), inside_out(box_mesh({1, 1, 1}))});

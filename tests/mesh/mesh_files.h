@@ -1,4 +1,4 @@
-// Writers of mesh files, so that the readers can be tried on any mesh.
+// Writers of mesh files, to test the readers with any mesh.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// OBJ and STL: what is written comes back, and bad files are refused in one line that says where.
+// OBJ and STL round trips, and one-line errors with line or byte for bad files.
 #include "mesh/mesh_reader.h"
 
 #include <gtest/gtest.h>
@@ -22,14 +22,15 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::string_literals;
 
-// Coordinates that a float holds, so that every format can keep them: whole multiples of 2^-20 m.
-// (A cast to float and back is no way: g++ 12.2 leaves it out at -O2 where it vectorises.)
+// Rounds coordinates to multiples of 2^-20 m, which a float holds, so that every format keeps them
+// exactly. (A cast to float and back does not work: g++ 12.2 removes it at -O2 where it
+// vectorises.)
 TriangleMesh rounded_to_floats(TriangleMesh mesh) {
     for (Eigen::Vector3d& v : mesh.vertices) v = (v * 1048576.0).array().round() / 1048576.0;
     return mesh;
 }
 
-// The mesh's triangles as positions, which do not depend on the order of vertices.
+// The mesh's triangles as positions, independent of the order of vertices.
 std::vector<Eigen::Vector3d> corners(const TriangleMesh& mesh) {
     std::vector<Eigen::Vector3d> all;
     for (const auto& t : mesh.triangles) {
@@ -56,7 +57,7 @@ std::string stl_message(const std::string& bytes) {
     return message_of([&] { read_stl(bytes, "a.stl"); });
 }
 
-// A file in the test's own folder, gone when it ends.
+// A file in the test's folder, removed at the end of the test.
 class TemporaryFile {
  public:
     TemporaryFile(const std::string& name, const std::string& bytes)
@@ -72,7 +73,7 @@ class TemporaryFile {
     fs::path path_;
 };
 
-TEST(MeshReaders, GiveBackWhatWasWritten) {
+TEST(MeshReaders, RoundTripPreservesTheMesh) {
     for (const TriangleMesh& made : {torus_mesh(0.5, 0.2, 20, 12), cone_mesh(0.3, 1.0, 12),
                                      ellipsoid_mesh({1.0, 2.0, 3.0}, 4)}) {
         const TriangleMesh mesh = rounded_to_floats(made);
@@ -88,7 +89,7 @@ TEST(MeshReaders, GiveBackWhatWasWritten) {
     }
 }
 
-TEST(ObjReader, TakesEveryWayToNameACorner) {
+TEST(ObjReader, AcceptsEveryCornerSyntax) {
     const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
     const TriangleMesh expected = read_obj(head + "f 1 2 3\n", "a.obj");
     EXPECT_EQ(expected.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}));
@@ -97,7 +98,7 @@ TEST(ObjReader, TakesEveryWayToNameACorner) {
           "f -3//-1 -2//-1 -1//-1", "  f\t1 2 \\\n 3", "f 1 2 3 # comment"}) {
         EXPECT_EQ(read_obj(head + face, "a.obj").triangles, expected.triangles) << face;
     }
-    // The face may stand before its vertices, and lines may end as on other systems.
+    // A face may come before its vertices, and CRLF line ends are allowed.
     EXPECT_EQ(read_obj("f 1 2 3\r\n" + head, "a.obj").triangles, expected.triangles);
     EXPECT_EQ(read_obj("\xef\xbb\xbf" + head + "f 1 2 3", "a.obj").triangles, expected.triangles);
 }
@@ -109,7 +110,7 @@ TEST(ObjReader, CutsPolygonsIntoFans) {
               (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
 }
 
-TEST(ObjReader, PassesOverWhatItDoesNotNeed) {
+TEST(ObjReader, IgnoresOtherLines) {
     const TriangleMesh mesh = read_obj(
         "mtllib a.mtl\ng x\nusemtl y\nv 0 0 0 1 0.5 0.5 0.5\nv +1.0 0 0\nv 0 1e-999 0\nl 1 2\n"
         "# v 9 9 9 \\\ns 1\ncurv 0 1 \\\n v 7 7 7\nf 1 2 3\n",
@@ -118,7 +119,7 @@ TEST(ObjReader, PassesOverWhatItDoesNotNeed) {
     EXPECT_EQ(mesh.vertices[2], Eigen::Vector3d::Zero());
 }
 
-TEST(ObjReader, SaysWhereAFileIsWrong) {
+TEST(ObjReader, ErrorsNameLineAndColumn) {
     const struct {
         const char* text;
         const char* message;
@@ -153,9 +154,9 @@ TEST(ObjReader, SaysWhereAFileIsWrong) {
     }
 }
 
-TEST(StlReader, TellsAsciiFromBinaryByItsSize) {
+TEST(StlReader, DistinguishesAsciiFromBinaryBySize) {
     const TriangleMesh box = box_mesh({1.0, 2.0, 3.0});
-    // A binary file whose header begins as an ASCII one does.
+    // A binary file whose header begins like an ASCII file.
     std::string bytes = mesh_files::binary_stl(box);
     bytes.replace(0, 5, "solid");
     EXPECT_EQ(corners(read_stl(bytes, "a.stl")), corners(box));
@@ -166,7 +167,7 @@ TEST(StlReader, TellsAsciiFromBinaryByItsSize) {
     EXPECT_EQ(corners(read_stl(text, "a.stl")), corners(box));
 }
 
-TEST(StlReader, SaysWhereAFileIsWrong) {
+TEST(StlReader, ErrorsNameLineOrByte) {
     const std::string binary = mesh_files::binary_stl(box_mesh({1.0, 1.0, 1.0}));
     std::string not_finite = binary;
     // The second coordinate of the third facet's first corner.
@@ -215,11 +216,11 @@ TEST(MeshFiles, BecomeSolids) {
     EXPECT_DOUBLE_EQ(mass_properties(read_solid(stl.path()).mesh).volume_m3, 6.0);
 }
 
-TEST(MeshFiles, AreRefusedInOneLine) {
+TEST(MeshFiles, ErrorsAreOneLine) {
     const TemporaryFile empty("e.obj", "");
     const TemporaryFile text("e.txt", "v 0 0 0\n");
     const TemporaryFile large("l.stl", "");
-    fs::resize_file(large.path(), largest_mesh_bytes + 1);  // sparse: it takes no room
+    fs::resize_file(large.path(), largest_mesh_bytes + 1);  // sparse: uses no disk space
     const struct {
         fs::path file;
         const char* message;
@@ -240,7 +241,7 @@ TEST(MeshFiles, AreRefusedInOneLine) {
     fs::remove(folder);
 }
 
-// Whatever the bytes, a reader gives a mesh with valid indices and finite vertices, or an
+// For any bytes, a reader returns a mesh with valid indices and finite vertices, or throws
 // InputError.
 void expect_mesh_or_error(const std::string& bytes) {
     for (const auto read : {read_obj, read_stl}) {
@@ -266,7 +267,7 @@ TEST(MeshReaders, SurviveRandomBytes) {
     }));
 }
 
-// Words of the formats in any order reach further into the readers than bytes do.
+// Words of the formats in random order reach more of the readers' code than random bytes do.
 TEST(MeshReaders, SurviveRandomWords) {
     EXPECT_TRUE(rc::check([] {
         const auto words = *rc::gen::container<std::vector<std::string>>(rc::gen::element(
@@ -280,7 +281,7 @@ TEST(MeshReaders, SurviveRandomWords) {
     }));
 }
 
-// One byte of a good file changed.
+// A good file with one byte changed.
 TEST(MeshReaders, SurviveDamagedFiles) {
     const TriangleMesh mesh = rounded_to_floats(cone_mesh(0.5, 1.0, 4));
     for (const std::string& good :

@@ -1,5 +1,5 @@
-// The built-in bodies: closed parts, principal axes where they should be, and moments against
-// closed forms and against what is known of the real ones.
+// The built-in bodies have closed parts, principal axes as documented, and moments that agree with
+// closed forms and with published values of the real objects.
 #include "mesh/named_objects.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ Eigen::Vector3d moments_of(std::string_view name) {
 
 class NamedObjects : public testing::TestWithParam<NamedObject> {};
 
-TEST_P(NamedObjects, AreMadeOfClosedParts) {
+TEST_P(NamedObjects, HaveClosedParts) {
     std::size_t n_triangles = 0;
     std::set<std::string_view> names;
     for (const ObjectPart& part : GetParam().make()) {
@@ -45,7 +45,7 @@ TEST_P(NamedObjects, AreMadeOfClosedParts) {
     EXPECT_LE(n_triangles, 20000u);
 }
 
-TEST_P(NamedObjects, HaveTheirPrincipalAxesAlongTheirOwn) {
+TEST_P(NamedObjects, HavePrincipalAxesAlongXYZ) {
     const auto parts = GetParam().make();
     const BodyProperties body = properties_of(parts);
     double size = 0.0;
@@ -92,8 +92,8 @@ TEST(NamedObjectMoments, OfSymmetricBodiesAreEqualInPairs) {
     EXPECT_EQ(sphere.y(), sphere.z());
 }
 
-// Closed forms; the facets' share is below 2e-6.
-TEST(NamedObjectMoments, OfThePlainSolidsAreThoseOfTheTextbook) {
+// Closed forms; the error of the facets is below 2e-6.
+TEST(NamedObjectMoments, OfPlainSolidsAgreeWithTheTextbook) {
     const auto expect = [](std::string_view name, double mass, const Eigen::Vector3d& per_mass) {
         const BodyProperties body = properties_of_object(name);
         EXPECT_NEAR(body.mass_kg, mass, 1e-13 * mass) << name;
@@ -123,8 +123,8 @@ TEST(NamedObjectMoments, OfThePlainSolidsAreThoseOfTheTextbook) {
     expect("coin", 0.0085, about_z((3.0 * c2 + 0.0022 * 0.0022) / 12.0, c2 / 2.0));
 }
 
-// Boxes by parallel axes, from the measurements alone.
-TEST(NamedObjectMoments, OfTheBookAreThoseOfItsBoards) {
+// Boxes with the parallel-axis theorem, computed from the measurements alone.
+TEST(NamedObjectMoments, OfTheBookAgreeWithSumOfBoxes) {
     const auto parts = object_named("book").make();
     const Eigen::Vector3d pages(0.022, 0.156, 0.234);
     const Eigen::Vector3d cover(0.0025, 0.159, 0.240);
@@ -133,7 +133,7 @@ TEST(NamedObjectMoments, OfTheBookAreThoseOfItsBoards) {
     const double y[] = {0.078, 0.0795, -0.00125};
     const double mass = m[0] + 2.0 * m[1] + m[2];
     const double centre = (m[0] * y[0] + 2.0 * m[1] * y[1] + m[2] * y[2]) / mass;
-    // About z: (x² + y²)/12 and the distances in x and y.
+    // About z: (x² + y²)/12 plus the squared distances in x and y.
     const auto about_z = [&](const Eigen::Vector3d& edges, double mass_kg, double x, double at_y) {
         return mass_kg * ((edges.x() * edges.x() + edges.y() * edges.y()) / 12.0 + x * x +
                           (at_y - centre) * (at_y - centre));
@@ -146,9 +146,9 @@ TEST(NamedObjectMoments, OfTheBookAreThoseOfItsBoards) {
     EXPECT_NEAR(body.inertia_kg_m2(2, 2), expected, 1e-14 * expected);  // measured 7e-16
 }
 
-// Bar and stem as cylinders; the stem's end is hollowed by the bar, which takes
-// π r² (R − mean of √(R² − x²)) off a stem that began at the bar's crest.
-TEST(NamedObjectMoments, OfTheTHandleMakeItsStemTheMiddleAxis) {
+// Bar and stem as cylinders. The bar hollows the end of the stem, which removes π r² (R − mean of
+// √(R² − x²)) from a stem that begins at the bar's crest.
+TEST(NamedObjectMoments, OfTheTHandleAreMiddleAboutTheStem) {
     const BodyProperties body = properties_of_object("t-handle");
     const double R = 0.008;
     const double r = 0.006;
@@ -170,7 +170,7 @@ TEST(NamedObjectMoments, OfTheTHandleMakeItsStemTheMiddleAxis) {
 
 // Brody, Phys. Teach. 23 (1985) 213 and later measurements: 0.30–0.36 kg, balance 0.31–0.34 m from
 // the butt, 0.030–0.035 kg m² about an axis 0.1 m from the butt, 0.0012–0.0017 about the long axis.
-TEST(NamedObjectMoments, OfTheRacketAreThoseOfRealOnes) {
+TEST(NamedObjectMoments, OfTheRacketAreInTheRangeOfRealRackets) {
     const auto parts = object_named("racket").make();
     const BodyProperties body = properties_of(parts);
     EXPECT_NEAR(body.mass_kg, 0.340, 1e-12);
@@ -187,18 +187,18 @@ TEST(NamedObjectMoments, OfTheRacketAreThoseOfRealOnes) {
     const double swing = body.inertia_kg_m2(1, 1) + 0.340 * std::pow(-butt - 0.1, 2);
     EXPECT_NEAR(swing, 0.0331, 0.0002);
     EXPECT_NEAR(body.inertia_kg_m2(2, 2), 0.0016, 0.0001);
-    // A nearly plane body: the largest moment is almost the sum of the others.
+    // For a nearly plane body the largest moment is almost the sum of the others.
     EXPECT_NEAR(body.inertia_kg_m2(0, 0), body.inertia_kg_m2(1, 1) + body.inertia_kg_m2(2, 2),
                 1e-4);
 }
 
-TEST(NamedObjectMoments, OfThePlateMakeItWobbleAlmostTwiceAsFastAsItSpins) {
+TEST(NamedObjectMoments, OfThePlateGiveAWobbleRateNearTwiceTheSpin) {
     const Eigen::Vector3d I = moments_of("plate");
     EXPECT_NEAR(I.z() / I.x(), 1.979, 0.002);
 }
 
 // The rule's circumference along the seam: 28 to 28 1/2 inches.
-TEST(NamedObjectMoments, OfTheFootballBelongToABallOfTheRules) {
+TEST(NamedObjectMoments, OfTheFootballMatchARegulationBall) {
     const auto parts = object_named("football").make();
     const TriangleMesh& panels = parts.front().mesh;
     std::vector<Eigen::Vector2d> meridian;
@@ -209,7 +209,8 @@ TEST(NamedObjectMoments, OfTheFootballBelongToABallOfTheRules) {
         radius = std::max(radius, v.head<2>().norm());
     }
     for (const Eigen::Vector3d& v : panels.vertices) {
-        // The outer seam in the half-plane y = 0, x ≥ 0, by its height; the inner one lies 4 mm in.
+        // The outer seam in the half-plane y = 0, x ≥ 0, as radius by height; the inner seam lies 4
+        // mm deeper.
         if (v.y() != 0.0 || v.x() < 0.0) continue;
         const double s = std::sqrt(std::max(0.0, 1.0 - std::pow(2.0 * v.z() / length, 2)));
         if (v.x() > radius * (0.77 * s + 0.23 * s * s) - 1e-4) meridian.emplace_back(v.x(), v.z());
@@ -235,7 +236,7 @@ TEST(NamedObjectMoments, OfTheEarthGiveTheEulerPeriod) {
 }
 
 // The radar model's ratios are 3.22 and 3.09 (Hudson & Ostro 1995).
-TEST(NamedObjectMoments, OfToutatisStandAsTheRadarModels) {
+TEST(NamedObjectMoments, OfToutatisMatchTheRadarModel) {
     const Eigen::Vector3d I = moments_of("toutatis");
     EXPECT_NEAR(I.x() / I.z(), 3.22, 0.03);
     EXPECT_NEAR(I.y() / I.z(), 3.09, 0.03);

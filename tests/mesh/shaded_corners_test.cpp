@@ -1,4 +1,4 @@
-// Normals for the renderer: smooth over small dihedral angles, sharp at edges.
+// Normals for the renderer are smooth over small dihedral angles and sharp at edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,8 +36,8 @@ TEST(ShadedCorners, OfASphereAreRadial) {
     }
 }
 
-// The side is smooth, the rim sharp, the caps flat; at the apex of a cone, where the average points
-// along the axis, the side keeps its own normals.
+// The side is smooth, the rim sharp, the caps flat. At the apex of a cone, where the average would
+// point along the axis, each side facet keeps its own normal.
 TEST(ShadedCorners, KeepTheEdgesOfACylinderAndTheApexOfACone) {
     const ShadedCorners cylinder = shaded_corners(cylinder_mesh(1.0, 1.0, 64));
     for (std::size_t i = 0; i < cylinder.normals.size(); ++i) {
@@ -58,8 +58,9 @@ TEST(ShadedCorners, KeepTheEdgesOfACylinderAndTheApexOfACone) {
     }
 }
 
-// Sides of an octagonal prism meet at 45°. Below that crease angle a corner has its side's normal,
-// 22.5° from the corner's direction; above it the mean of two sides, weighted by their angles.
+// Sides of an octagonal prism meet at 45°. With a smaller crease angle, a corner has its side's
+// normal, 22.5° from the corner's direction; with a larger one, the average of two sides, weighted
+// by their angles.
 TEST(ShadedCorners, FollowTheCreaseAngle) {
     const auto lean_deg = [](double crease_angle_rad) {
         const ShadedCorners corners = shaded_corners(cylinder_mesh(1.0, 1.0, 8), crease_angle_rad);
@@ -78,7 +79,7 @@ TEST(ShadedCorners, FollowTheCreaseAngle) {
     EXPECT_LT(lean_deg(0.79).second, 1e-1f);
 }
 
-TEST(ShadedCorners, OfSliversAreUnitVectors) {
+TEST(ShadedCorners, OfDegenerateTrianglesAreUnitVectors) {
     TriangleMesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}};
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};

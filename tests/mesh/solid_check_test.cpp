@@ -1,4 +1,4 @@
-// What makes a mesh the surface of a solid, and what is put right.
+// Which meshes are accepted as solids, and which faults are repaired.
 #include "mesh/solid_check.h"
 
 #include <gtest/gtest.h>
@@ -37,8 +37,8 @@ TEST(ClosedSurfaces, PassUnchanged) {
     EXPECT_TRUE(solid.notes.empty());
 }
 
-// A missing triangle leaves its three edges open; the message says how many and where.
-TEST(OpenSurfaces, AreRefusedWithTheirEdges) {
+// A missing triangle leaves its three edges open; the message gives their number and place.
+TEST(OpenSurfaces, AreRejectedWithEdgeCountAndPlace) {
     TriangleMesh open = cube;
     open.triangles.pop_back();
     EXPECT_EQ(edge_faults(open).n_open, 3u);
@@ -54,7 +54,7 @@ TEST(OpenSurfaces, AreRefusedWithTheirEdges) {
         << message;
 }
 
-TEST(CrowdedEdges, AreRefused) {
+TEST(CrowdedEdges, AreRejected) {
     // Two cubes that share one vertical edge.
     const std::string message =
         refusal(joined(std::vector<TriangleMesh>{cube, moved(cube, {2.0, 2.0, 0.0})}));
@@ -64,7 +64,7 @@ TEST(CrowdedEdges, AreRefused) {
     EXPECT_NE(message.find("separate the parts"), std::string::npos) << message;
 }
 
-TEST(TurnedTriangles, AreRefused) {
+TEST(TurnedTriangles, AreRejected) {
     TriangleMesh turned = cube;
     std::swap(turned.triangles[0][1], turned.triangles[0][2]);
     EXPECT_EQ(edge_faults(turned).n_reversed, 3u);
@@ -79,7 +79,7 @@ std::string notes_of(const std::vector<TriangleMesh>& parts) {
     return notes;
 }
 
-// Their mass counts twice where they overlap: taken, but not without a word.
+// Where surfaces overlap, mass counts twice: the mesh is accepted with a note.
 TEST(CrossingSurfaces, AreNoted) {
     for (const Eigen::Vector3d& by :
          {Eigen::Vector3d(1.0, 1.0, 1.0), Eigen::Vector3d(0.3, 0.5, 0.7),
@@ -88,10 +88,10 @@ TEST(CrossingSurfaces, AreNoted) {
         EXPECT_NE(notes.find("m.obj: the surface crosses itself, first near ("), std::string::npos)
             << by.transpose() << ": " << notes;
     }
-    // A bar through a cube, no vertex of either within the other.
+    // A bar through a cube: no vertex of either is inside the other.
     EXPECT_NE(notes_of({cube, box_mesh({0.5, 0.5, 9.0})}).find("crosses itself"),
               std::string::npos);
-    // Side by side, touching, or apart there is nothing to say.
+    // Solids side by side, touching or apart give no note.
     EXPECT_EQ(notes_of({cube, moved(cube, {3.0, 0.0, 0.0})}), "");
     EXPECT_EQ(notes_of({cube, moved(cube, {2.0, 0.5, 0.25})}), "");
 }
@@ -103,9 +103,9 @@ TEST(NestedSurfaces, AreNotedUnlessTheyAreCavities) {
     TriangleMesh cavity = small;
     for (auto& t : cavity.triangles) std::swap(t[1], t[2]);
     EXPECT_EQ(notes_of({cube, cavity}), "");
-    // A solid within a cavity is a solid of its own.
+    // A solid inside a cavity is a separate solid.
     EXPECT_EQ(notes_of({cube, cavity, least}), "");
-    // Its box lies within the other's, it does not.
+    // Its bounding box lies inside the other's, but the solid does not.
     std::vector<TriangleMesh> cross{box_mesh({9.0, 1.0, 1.0}), moved(least, {0.0, 0.0, 0.0})};
     EXPECT_NE(notes_of(cross).find("within another"), std::string::npos);
 }
@@ -123,7 +123,7 @@ TEST(SplitVertices, AreWelded) {
     EXPECT_DOUBLE_EQ(volume(solid), 8.0);
 }
 
-TEST(DegenerateTriangles, AreDroppedWithANote) {
+TEST(DegenerateTriangles, AreRemovedWithANote) {
     TriangleMesh mesh = cube;
     mesh.triangles.push_back({0, 0, 1});
     mesh.vertices.push_back(mesh.vertices[3]);
@@ -134,14 +134,14 @@ TEST(DegenerateTriangles, AreDroppedWithANote) {
     EXPECT_EQ(solid.notes[0], "m.obj: 2 triangles without area dropped");
 }
 
-TEST(InsideOutSurfaces, AreTurnedRoundWithANote) {
+TEST(InsideOutSurfaces, AreFlippedWithANote) {
     const SolidMesh solid = checked_solid(inside_out(cube), "m.obj");
     EXPECT_DOUBLE_EQ(volume(solid), 8.0);
     ASSERT_EQ(solid.notes.size(), 1u);
     EXPECT_EQ(solid.notes[0], "m.obj: inside out, turned round");
 }
 
-TEST(InsideOutPieces, AreTurnedRoundUnlessTheyAreCavities) {
+TEST(InsideOutPieces, AreFlippedUnlessTheyAreCavities) {
     const TriangleMesh small = box_mesh({1.0, 1.0, 1.0});
     const TriangleMesh beside = moved(small, {5.0, 0.0, 0.0});
     const auto solid_of = [](std::vector<TriangleMesh> pieces) {
@@ -150,27 +150,27 @@ TEST(InsideOutPieces, AreTurnedRoundUnlessTheyAreCavities) {
     EXPECT_DOUBLE_EQ(volume(solid_of({cube, inside_out(beside)})), 9.0);
     EXPECT_DOUBLE_EQ(volume(solid_of({inside_out(cube), beside})), 9.0);
     EXPECT_DOUBLE_EQ(volume(solid_of({cube, inside_out(small)})), 7.0);
-    // All the wrong way round: cavity and wall.
+    // All pieces inside out, both cavity and wall.
     EXPECT_DOUBLE_EQ(volume(solid_of({inside_out(cube), small})), 7.0);
     const SolidMesh noted = solid_of({cube, inside_out(beside)});
     ASSERT_EQ(noted.notes.size(), 1u);
     EXPECT_EQ(noted.notes[0], "m.obj: 1 of 2 separate pieces inside out, turned round");
 }
 
-TEST(EmptySurfaces, AreRefused) {
-    // A sheet with two sides.
+TEST(EmptySurfaces, AreRejected) {
+    // A sheet with two sides encloses nothing.
     TriangleMesh sheet;
     sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {0.3, 0.7, 0.1}};
     sheet.triangles = {{0, 1, 2}, {0, 2, 1}};
     EXPECT_NE(refusal(sheet).find("encloses no volume"), std::string::npos);
-    // The same, folded from four triangles off any plane through the origin.
+    // A cube flattened into a plane that does not pass through the origin.
     TriangleMesh flat = placed(cube, Eigen::Affine3d(Eigen::Scaling(0.1, 0.7, 0.0)));
     for (Eigen::Vector3d& v : flat.vertices) v.z() = 0.3 * v.x() + 0.1;
     EXPECT_NE(refusal(flat), "accepted");
     EXPECT_NE(refusal({}).find("no triangle has an area"), std::string::npos);
 }
 
-// A body may be thin; a thousandth of a thousandth of its width is still a body.
+// A thin body is accepted: a millionth of its width is still a thickness.
 TEST(ThinSolids, AreAccepted) {
     const SolidMesh solid = checked_solid(box_mesh({1.0, 1.0, 1e-6}), "m.obj");
     EXPECT_NEAR(volume(solid), 1e-6, 1e-21);

@@ -1,4 +1,4 @@
-// The parametric meshes: closed, the right way out, and with the moments of the solids they show.
+// The parametric meshes are closed, correctly oriented, and have the moments of their solids.
 #include "mesh/solid_meshes.h"
 
 #include <gtest/gtest.h>
@@ -17,13 +17,13 @@ namespace {
 
 using std::numbers::pi;
 
-// Sizes for any row of the solids' table.
+// Sizes that suit any row of the table of solids.
 std::vector<double> sizes_for(const Solid& solid) {
     constexpr std::array<double, 3> sizes{0.5, 0.8, 1.1};
     return {sizes.begin(), sizes.begin() + solid.n_sizes};
 }
 
-// Moments over mass of the mesh, relative to those of the solid.
+// Relative error of the mesh's moments per mass, compared with the solid's.
 double moment_error(const TriangleMesh& mesh, std::string_view name, std::span<const double> size) {
     const Eigen::Vector3d expected = inertia_of_solid(name, size, 1.0).moments_kg_m2();
     const MassProperties p = mass_properties(mesh);
@@ -31,7 +31,7 @@ double moment_error(const TriangleMesh& mesh, std::string_view name, std::span<c
     return (moments - expected).cwiseAbs().maxCoeff() / expected.maxCoeff();
 }
 
-TEST(SolidMeshes, EverySolidOfASceneHasOne) {
+TEST(SolidMeshes, ExistForEverySolidOfAScene) {
     for (const Solid& solid : solids()) {
         const TriangleMesh mesh = solid_mesh(solid.name, sizes_for(solid));
         EXPECT_TRUE(edge_faults(mesh).none()) << solid.name;
@@ -42,8 +42,8 @@ TEST(SolidMeshes, EverySolidOfASceneHasOne) {
     }
 }
 
-TEST(SolidMeshes, HaveTheMomentsOfTheirSolids) {
-    // Thick solids; a shell's mesh is its outside only.
+TEST(SolidMeshes, AgreeWithMomentsOfTheirSolids) {
+    // Thick solids; without the shell, whose mesh is only its outer surface.
     for (const char* name :
          {"box", "ellipsoid", "cylinder", "cone", "sphere", "torus", "rod", "tube"}) {
         for (const Solid& solid : solids()) {
@@ -54,7 +54,7 @@ TEST(SolidMeshes, HaveTheMomentsOfTheirSolids) {
                 << name;
         }
     }
-    // Thin ones, drawn with a thickness of 1/100: its square is what they differ by.
+    // Thin solids, drawn with a thickness of 1/100: the error is the square of the thickness.
     for (const char* name : {"disc", "plate", "ring"}) {
         for (const Solid& solid : solids()) {
             if (solid.name != name) continue;
@@ -69,7 +69,7 @@ TEST(SolidMeshes, EncloseTheExactVolume) {
     const auto error = [](const TriangleMesh& mesh, double volume) {
         return std::abs(mass_properties(mesh).volume_m3 / volume - 1.0);
     };
-    // Eight facets are as exact as a hundred; measured 7e-16 at most
+    // Eight facets are as exact as a hundred; measured 7e-16 at most.
     for (const int facets : {8, 100}) {
         EXPECT_LT(error(cylinder_mesh(0.3, 2.0, facets), pi * 0.09 * 2.0), 4e-15);
         EXPECT_LT(error(cone_mesh(0.3, 2.0, facets), pi * 0.09 * 2.0 / 3.0), 4e-15);
@@ -94,8 +94,8 @@ TEST(SolidMeshes, MomentsConvergeWithOrderFour) {
     EXPECT_NEAR(order([&](int n) { return sphere_mesh(0.5, n / 2); }, "sphere", sphere), 4.0, 0.1);
 }
 
-// The symmetry of an octahedron: the mesh's error is a common factor, so ratios are exact.
-TEST(SolidMeshes, EllipsoidsKeepTheRatiosOfTheirMoments) {
+// The mesh has the symmetry of an octahedron: its error is a common factor, so ratios are exact.
+TEST(SolidMeshes, EllipsoidsHaveExactMomentRatios) {
     const Eigen::Vector3d half_axes(1.0, 1.0, 1.0 - 1.0 / 298.257);
     const MassProperties p = mass_properties(ellipsoid_mesh(half_axes, 10));
     const Eigen::Vector3d I = p.inertia_unit_density.diagonal();
@@ -103,8 +103,8 @@ TEST(SolidMeshes, EllipsoidsKeepTheRatiosOfTheirMoments) {
     EXPECT_NEAR((I.z() - I.x()) / I.z(), (1.0 - c2) / 2.0, 1e-15);  // measured 3e-17
 }
 
-TEST(SolidMeshes, AreDrawnCloseToTheirSurface) {
-    // At 500 pixels a radius the outline is off by less than 0.2 pixels either way.
+TEST(SolidMeshes, DeviateLittleFromTheTrueSurface) {
+    // At a radius of 500 pixels the outline is off by less than 0.2 pixels in either direction.
     double farthest = 0.0;
     for (const TriangleMesh& mesh : {sphere_mesh(1.0), cylinder_mesh(1.0, 0.001)}) {
         const bool round = mesh.vertices.size() > 1000;
@@ -124,7 +124,7 @@ TEST(SolidMeshes, AreDrawnCloseToTheirSurface) {
     EXPECT_LT(farthest * 500.0, 0.2);  // measured 0.15
 }
 
-TEST(SolidMeshes, NameTheNearestShape) {
+TEST(SolidMeshes, UnknownNameSuggestsTheNearestShape) {
     const std::array<double, 1> size{1.0};
     try {
         solid_mesh("spere", size);
