@@ -1,4 +1,4 @@
-// What labels and captions mean, and where and how their mistakes are named.
+// The meaning of labels and captions, and error messages with their columns.
 #include "typeset/label_parser.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using Kind = MathAtom::Kind;
 struct Mistake {
     std::string label;
     int column;
-    std::string says;  // a part of the message
+    std::string says;  // expected part of the message
 };
 
 void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.label; }
@@ -124,7 +124,7 @@ TEST(MathLabels, LettersAreItalicDigitsAndCapitalGreekUpright) {
     const MathList atoms = parse_math("Lh2\\omega\\Omega\\phi\\varphi\\partial");
     ASSERT_EQ(atoms.size(), 8u);
     EXPECT_EQ(atoms[0].symbol, 0x1D43Fu);  // mathematical italic capital L
-    EXPECT_EQ(atoms[1].symbol, 0x210Eu);   // the hole of the italic alphabet
+    EXPECT_EQ(atoms[1].symbol, 0x210Eu);   // this italic letter is in an older Unicode block
     EXPECT_EQ(atoms[2].symbol, U'2');
     EXPECT_EQ(atoms[3].symbol, 0x1D714u);  // mathematical italic small omega
     EXPECT_EQ(atoms[4].symbol, 0x3A9u);
@@ -151,11 +151,11 @@ TEST(MathLabels, AlphabetsChangeLettersWithinTheirArgumentOnly) {
     EXPECT_EQ(parse_math("\\mathbf{a}b").at(1).symbol, 0x1D44Fu);
 }
 
-TEST(MathLabels, RawUnicodeMeansWhatItsCommandMeans) {
+TEST(MathLabels, UnicodeAndCommandsAreEquivalent) {
     EXPECT_EQ(parse_math("ω").at(0).symbol, parse_math("\\omega").at(0).symbol);
     EXPECT_EQ(parse_math("≤").at(0).atom_class, AtomClass::rel);
     EXPECT_EQ(parse_math("-").at(0).symbol, 0x2212u);
-    // A bare bar may open or close; only \lvert and \rvert say which.
+    // A bare bar may open or close; \lvert and \rvert distinguish the two.
     EXPECT_EQ(parse_math("|").at(0).atom_class, AtomClass::ord);
     EXPECT_EQ(parse_math("\\lvert").at(0).atom_class, AtomClass::open);
 
@@ -170,7 +170,7 @@ TEST(MathLabels, RawUnicodeMeansWhatItsCommandMeans) {
     EXPECT_EQ(dotted[0].body.at(0).symbol, 0x1D714u);
 }
 
-TEST(MathLabels, ScriptsBelongToWhatStandsBeforeThem) {
+TEST(MathLabels, ScriptsBelongToThePrecedingAtom) {
     const MathList atoms = parse_math("I_1 \\omega^{2}_{ij} L'' f'^2");
     ASSERT_EQ(atoms.size(), 4u);
     EXPECT_EQ(atoms[0].subscript.size(), 1u);
@@ -179,13 +179,13 @@ TEST(MathLabels, ScriptsBelongToWhatStandsBeforeThem) {
     EXPECT_EQ(atoms[1].superscript.size(), 1u);
     EXPECT_EQ(atoms[2].superscript.size(), 2u);
     EXPECT_EQ(atoms[3].superscript.size(), 2u);
-    // \dot\omega_1: the script is that of the accented letter.
+    // \dot\omega_1: the script belongs to the accented letter.
     const MathList dotted = parse_math("\\dot\\omega_1");
     ASSERT_EQ(dotted.size(), 1u);
     EXPECT_TRUE(dotted[0].has_subscript);
 }
 
-TEST(Captions, WordsFormulasAndSpacesAreTold) {
+TEST(Captions, AreSplitIntoWordsFormulasAndSpaces) {
     const Caption caption = parse_caption("  a  $x$b \n\\textbf{c d}~e");
     ASSERT_EQ(caption.size(), 9u);
     using Piece = CaptionPiece::Kind;
@@ -208,7 +208,7 @@ std::u32string caption_text(const char* text) {
     return joined;
 }
 
-TEST(Captions, HyphensBecomeMinusSignsAndDashesWhereTheyAre) {
+TEST(Captions, HyphensBecomeMinusSignsOrDashes) {
     EXPECT_EQ(caption_text("from -1.25 s"), U"from \u22121.25 s");
     EXPECT_EQ(caption_text("t = -1.25"), U"t\u00A0=\u00A0\u22121.25");
     EXPECT_EQ(caption_text("(-.5)"), U"(\u2212.5)");
@@ -219,7 +219,7 @@ TEST(Captions, HyphensBecomeMinusSignsAndDashesWhereTheyAre) {
     EXPECT_EQ(caption_text("50% a_b ^"), U"50% a_b ^");
 }
 
-TEST(Captions, RelationsStayWithBothTheirSides) {
+TEST(Captions, AreNotBrokenAtRelations) {
     EXPECT_EQ(caption_text("at t = 1.25 s"), U"at t\u00A0=\u00A01.25 s");
     EXPECT_EQ(caption_text("I > J"), U"I\u00A0>\u00A0J");
     EXPECT_EQ(caption_text("$x$ = 3"), U"\u00A0=\u00A03");
@@ -238,7 +238,7 @@ TEST(Commands, AreSortedUniqueAndFound) {
     EXPECT_EQ(find_label_command("omeg"), nullptr);
 }
 
-TEST(Messages, NeverEchoWhatMovesATerminal) {
+TEST(Messages, ContainNoTerminalControls) {
     EXPECT_EQ(describe(0x1B), "(U+001B)");
     EXPECT_EQ(describe(0x202E), "(U+202E)");
     EXPECT_EQ(describe(0x9B), "(U+009B)");

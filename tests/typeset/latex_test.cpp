@@ -1,4 +1,4 @@
-// Labels and captions as LaTeX reads them.
+// Labels and captions as LaTeX source.
 #include "typeset/latex.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ std::string caption(std::string_view text) {
     return latex_of(text, TypeMode::text, gaps);
 }
 
-TEST(Latex, SaysALabelInItsOwnCommands) {
+TEST(Latex, ConvertsLabelsToLatexCommands) {
     EXPECT_EQ(label("L"), "$\\displaystyle L$");
     EXPECT_EQ(label("\\mathbf{L}"), "$\\displaystyle \\mathbf{L}$");
     EXPECT_EQ(label("\\omega_1"), "$\\displaystyle \\omega _{1}$");
@@ -34,14 +34,14 @@ TEST(Latex, SaysALabelInItsOwnCommands) {
     EXPECT_EQ(label("\\left(x\\right)"), "$\\displaystyle \\left( x\\right) $");
 }
 
-TEST(Latex, UnicodeAndCommandsAreOne) {
+TEST(Latex, UnicodeAndCommandsAreEquivalent) {
     EXPECT_EQ(label("ω₁"), label("\\omega_1"));
     EXPECT_EQ(label("a·b"), label("a\\cdot b"));
     EXPECT_EQ(label("-1"), "$\\displaystyle -1$");
     EXPECT_EQ(label("\\mathrm{kg}"), "$\\displaystyle {\\mathrm{k}\\mathrm{g}}$");
 }
 
-TEST(Latex, RunningTextKeepsItsWordsAndHidesWhatLatexReads) {
+TEST(Latex, EscapesSpecialCharactersInRunningText) {
     EXPECT_EQ(caption("Two words"), "Two words");
     EXPECT_EQ(caption("100\\% of \\$5 \\& more \\#1 a\\_b"), "100\\% of \\$5 \\& more \\#1 a\\_b");
     EXPECT_EQ(caption("at $t = 1$ s"), "at $t=1$ s");

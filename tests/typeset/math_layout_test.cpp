@@ -1,4 +1,4 @@
-// Where glyphs stand, against the font's own tables as HarfBuzz reads them.
+// Positions of glyphs, compared with the font's tables as read by HarfBuzz.
 #include "typeset/math_layout.h"
 
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@
 namespace poinsot {
 namespace {
 
-constexpr double em_px = 1000.0;  // px per em: one px is one font unit
+constexpr double em_px = 1000.0;  // px per em: 1 px is one font unit
 
-// The math font, read by HarfBuzz alone.
+// Reads the math font with HarfBuzz alone.
 class MathTable : public testing::Test {
  protected:
     MathTable() : fonts_(FontSearch{}) {
@@ -60,7 +60,7 @@ class MathTable : public testing::Test {
 
 constexpr char32_t italic_omega = 0x1D714, italic_x = 0x1D465, italic_l = 0x1D43F;
 
-TEST_F(MathTable, SubscriptStandsAtTheFontsShift) {
+TEST_F(MathTable, SubscriptUsesTheFontsShift) {
     const TypeBox box = set("\\omega_1");
     ASSERT_EQ(box.glyphs.size(), 2u);
     EXPECT_EQ(box.glyphs[0].y, 0.0);
@@ -70,12 +70,12 @@ TEST_F(MathTable, SubscriptStandsAtTheFontsShift) {
                      constant(HB_OT_MATH_CONSTANT_SCRIPT_PERCENT_SCALE_DOWN) / 100.0);
 }
 
-TEST_F(MathTable, SuperscriptStandsAtTheFontsShiftPastTheSlant) {
+TEST_F(MathTable, SuperscriptUsesTheFontsShiftAndItalicCorrection) {
     const TypeBox box = set("\\omega^2");
     ASSERT_EQ(box.glyphs.size(), 2u);
     EXPECT_DOUBLE_EQ(box.glyphs[1].y, constant(HB_OT_MATH_CONSTANT_SUPERSCRIPT_SHIFT_UP));
     EXPECT_DOUBLE_EQ(box.glyphs[1].x, advance(italic_omega) + italic(italic_omega));
-    // Under a root the style is cramped.
+    // Inside a root the style is cramped.
     const TypeBox under = set("\\sqrt{\\omega^2}");
     double top = 0.0;
     for (const PlacedGlyph& each : under.glyphs) {
@@ -92,8 +92,9 @@ TEST_F(MathTable, AccentDoesNotMoveScripts) {
     EXPECT_DOUBLE_EQ(plain.glyphs[2].y, dotted.glyphs[3].y);
 }
 
-TEST_F(MathTable, BothScriptsKeepTheFontsGap) {
-    // Deep superscript over tall subscript: their ink may not come nearer than the font says.
+TEST_F(MathTable, ScriptsKeepTheFontsMinimumGap) {
+    // A deep superscript over a tall subscript: the gap between their inks is at least the font's
+    // minimum.
     const TypeBox box = set("x_l^y");
     ASSERT_EQ(box.glyphs.size(), 3u);
     const PlacedGlyph &above = box.glyphs[1], &below = box.glyphs[2];
@@ -103,7 +104,7 @@ TEST_F(MathTable, BothScriptsKeepTheFontsGap) {
     EXPECT_GE(bottom - top, constant(HB_OT_MATH_CONSTANT_SUB_SUPERSCRIPT_GAP_MIN) - 1e-9);
 }
 
-TEST_F(MathTable, WidthsAddUpFromAdvancesAndSpaces) {
+TEST_F(MathTable, WidthIsTheSumOfAdvancesAndSpaces) {
     const double thick = 5.0 / 18.0 * em_px, medium = 4.0 / 18.0 * em_px, thin = em_px / 6.0;
     const double x = advance(italic_x) + italic(italic_x);
     EXPECT_DOUBLE_EQ(set("xx").width, 2.0 * x);
@@ -114,11 +115,11 @@ TEST_F(MathTable, WidthsAddUpFromAdvancesAndSpaces) {
     EXPECT_DOUBLE_EQ(set("(x,x)").width,
                      2.0 * x + advance(U'(') + advance(U')') + advance(U',') + thin);
     EXPECT_DOUBLE_EQ(set("x\\,x\\;x\\quad x").width, 4.0 * x + thin + thick + em_px);
-    // A function's name is a word, followed by a thin space.
+    // A function's name is a word followed by a thin space.
     EXPECT_DOUBLE_EQ(set("\\sin x").width, set("\\text{sin}x").width + thin);
     EXPECT_DOUBLE_EQ(set("\\sin(x)").width, set("\\text{sin}(x)").width);
     EXPECT_DOUBLE_EQ(set("2.5").width, 2.0 * advance(U'2') + advance(U'.'));
-    // Scripts have no space around relations: i=1 is three glyphs side by side.
+    // Scripts have no space around relations: i=1 is three adjacent glyphs.
     const TypeBox script = set("x_{2=2}");
     ASSERT_EQ(script.glyphs.size(), 4u);
     const double small = script.glyphs[1].px_per_unit;
@@ -179,10 +180,10 @@ TEST_F(MathTable, RootCoversItsBodyAndJoinsItsBar) {
         const PlacedGlyph sign = box.glyphs.front();
         const hb_glyph_extents_t extents = ink(sign.glyph);
         EXPECT_DOUBLE_EQ(bar.thickness, constant(HB_OT_MATH_CONSTANT_RADICAL_RULE_THICKNESS));
-        // The sign's top is the bar's top, and its ink reaches the bar.
+        // The sign's top is at the bar's top, and its ink reaches the bar.
         EXPECT_NEAR(sign.y + extents.y_bearing, bar.y + bar.thickness, 1e-9) << label;
         EXPECT_GE(sign.x + extents.x_bearing + extents.width, bar.x) << label;
-        // The body lies below the bar by the gap, and above the sign's foot.
+        // The body is below the bar by the gap, and above the bottom of the sign.
         const double gap = constant(HB_OT_MATH_CONSTANT_RADICAL_DISPLAY_STYLE_VERTICAL_GAP);
         for (std::size_t i = 1; i < box.glyphs.size(); ++i) {
             const PlacedGlyph& each = box.glyphs[i];
@@ -214,7 +215,7 @@ TEST_F(MathTable, RootTallerThanAnyVariantIsAssembledWithoutGaps) {
     EXPECT_NEAR(box.glyphs[pieces - 1].y + top.y_bearing, bar.y + bar.thickness, 1.0);
 }
 
-TEST_F(MathTable, AccentStandsOverItsLettersAttachment) {
+TEST_F(MathTable, AccentIsAtTheLettersAttachmentPoint) {
     for (const char32_t letter : {italic_omega, italic_l}) {
         const TypeBox box = set(letter == italic_l ? "\\dot L" : "\\dot\\omega");
         ASSERT_EQ(box.glyphs.size(), 2u);
@@ -229,8 +230,9 @@ TEST_F(MathTable, AccentStandsOverItsLettersAttachment) {
     }
 }
 
-TEST_F(MathTable, PrimeEndsLevelWithTheFontsOwn) {
-    // U+2032 is drawn raised already; the script form, raised as a superscript, must agree with it.
+TEST_F(MathTable, PrimeIsAsHighAsTheFontsPrime) {
+    // The glyph of U+2032 is already raised; its script form, raised as a superscript, must agree
+    // with it.
     const TypeBox box = set("L'");
     ASSERT_EQ(box.glyphs.size(), 2u);
     const hb_glyph_extents_t script = ink(box.glyphs[1].glyph), plain = ink(glyph(U'′'));

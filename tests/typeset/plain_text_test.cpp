@@ -1,4 +1,4 @@
-// Captions as text for subtitles.
+// Captions as plain text for subtitles.
 #include "typeset/plain_text.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace poinsot {
 namespace {
 
-TEST(PlainText, SaysWhatACaptionShows) {
+TEST(PlainText, ConvertsCaptionsToReadableText) {
     EXPECT_EQ(plain_text("L stays; ω does not."), "L stays; ω does not.");
     EXPECT_EQ(plain_text("$\\mathbf{L}$ and $\\boldsymbol{\\omega}$"), "L and ω");
     EXPECT_EQ(plain_text("$I_1 = 3$~kg~m²"), "I₁ = 3 kg m²");

@@ -1,4 +1,4 @@
-// Coverage is area: the rasteriser against closed forms.
+// The rasteriser's coverage equals the area, compared with closed forms.
 #include "typeset/rasteriser.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ GlyphOutline polygon(const std::vector<OutlinePoint>& corners) {
     return make_outline(std::move(steps));
 }
 
-// Four cubics about the unit circle, anticlockwise, the usual constant.
+// Four cubics around a circle, anticlockwise, with the usual constant.
 GlyphOutline round(double radius) {
     const double k = 4.0 / 3.0 * (std::numbers::sqrt2 - 1.0) * radius;
     const double r = radius;
@@ -34,7 +34,7 @@ GlyphOutline round(double radius) {
                          {Kind::cubic, {k, -r}, {r, -k}, {r, 0}}});
 }
 
-// ∮ x dy of a cubic segment, exact: products of Bernstein polynomials integrate to rationals.
+// ∮ x dy of a cubic segment, exact: products of Bernstein polynomials have rational integrals.
 double cubic_area(OutlinePoint a, OutlinePoint b, OutlinePoint c, OutlinePoint d) {
     const double x[] = {a.x, b.x, c.x, d.x};
     const double dy[] = {3 * (b.y - a.y), 3 * (c.y - b.y), 3 * (d.y - c.y)};
@@ -91,8 +91,8 @@ TEST(Rasteriser, RectangleCoversExactlyItsArea) {
     }
 }
 
-TEST(Rasteriser, TriangleCoversEachPixelAsCutByHand) {
-    // Below the diagonal of a 2×2 square: half of the diagonal pixels, all of one.
+TEST(Rasteriser, TriangleCoverageAgreesWithHandCalculation) {
+    // Below the diagonal of a 2×2 square: half of each diagonal pixel, all of one pixel.
     const auto coverage = covered(polygon({{0, 0}, {2, 0}, {0, 2}}), 0, 2, 1, 2, 2);
     EXPECT_DOUBLE_EQ(coverage[0], 0.5);
     EXPECT_DOUBLE_EQ(coverage[1], 0.0);
@@ -103,19 +103,19 @@ TEST(Rasteriser, TriangleCoversEachPixelAsCutByHand) {
     for (std::size_t x = 0; x < 4; ++x) EXPECT_DOUBLE_EQ(shallow[x], (2.0 * double(x) + 1.0) / 8.0);
 }
 
-TEST(Rasteriser, RandomTrianglesKeepTheirArea) {
+TEST(Rasteriser, RandomTrianglesHaveExactArea) {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> at(0.0, 64.0);
     for (int i = 0; i < 1000; ++i) {
         const auto shape =
             polygon({{at(random), at(random)}, {at(random), at(random)}, {at(random), at(random)}});
-        // Rounding only; measured 1.4e-12 of at most 2048.
+        // Only rounding errors; measured 1.4e-12 of at most 2048.
         EXPECT_NEAR(total(covered(shape, 0, 64, 1, 64, 64)), std::abs(area(shape)), 5e-12);
     }
 }
 
 TEST(Rasteriser, CircleAreaIsPiRSquared) {
-    // A polygon of 4096 corners loses 2π³r²/(3·4096²) = 1.2e-6 of r²; radius 30.
+    // A polygon of 4096 corners loses 2π³r²/(3·4096²) = 1.2e-6 r²; the radius is 30.
     std::vector<OutlinePoint> corners;
     constexpr int n = 4096;
     for (int i = 0; i < n; ++i) {
@@ -128,9 +128,9 @@ TEST(Rasteriser, CircleAreaIsPiRSquared) {
     EXPECT_NEAR(expected, std::numbers::pi * 900.0, 2e-6 * 900.0);
 }
 
-TEST(Rasteriser, CurvedShapesKeepTheirAreaAtEverySize) {
-    // Chords stay within 0.002 px, so that an edge of length 2πr loses at most two thirds of that
-    // along it; whole areas agree to 1e-4 where the circle is not tiny.
+TEST(Rasteriser, CurvedShapesHaveTheirAreaAtEverySize) {
+    // Chords deviate by at most 0.002 px, so that a circle loses at most two thirds of that along
+    // its circumference 2πr; total areas agree to 1e-4 unless the circle is tiny.
     for (const double radius : {0.4, 1.0, 5.0, 30.0, 200.0}) {
         const GlyphOutline shape = round(radius);
         const int side = static_cast<int>(2.0 * radius) + 3;
@@ -184,7 +184,7 @@ TEST(Rasteriser, OverlapsCountOnceAndHolesStayOpen) {
     twice.add_rectangle(3, 3, 9, 9);
     EXPECT_DOUBLE_EQ(total(twice.coverage()), 36.0 + 36.0 - 16.0);
 
-    // The inner square runs the other way round.
+    // The inner square has the opposite direction.
     const GlyphOutline ring = make_outline({{Kind::move, {}, {}, {0, 0}},
                                             {Kind::line, {}, {}, {6, 0}},
                                             {Kind::line, {}, {}, {6, 6}},
@@ -196,7 +196,7 @@ TEST(Rasteriser, OverlapsCountOnceAndHolesStayOpen) {
     EXPECT_DOUBLE_EQ(total(covered(ring, 1, 7, 1, 8, 8)), 32.0);
 }
 
-TEST(Rasteriser, BandsOfRowsAreTheRowsOfTheWhole) {
+TEST(Rasteriser, BandsOfRowsEqualTheWhole) {
     const GlyphOutline shape = round(20.0);
     std::vector<std::uint8_t> whole(50 * 50), banded(50 * 50);
     Rasteriser all(50, 0, 50);

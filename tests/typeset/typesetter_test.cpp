@@ -1,4 +1,4 @@
-// Masks: what a label or caption gives to the drawing layer.
+// Masks of labels and captions.
 #include "typeset/typesetter.h"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ TypeStyle label(double size_px) {
     return style;
 }
 
-// The first and last row and column of the mask hold ink: the box is the smallest.
+// The first and last row and column of the mask contain ink: the box is the smallest.
 void expect_tight(const TypesetMask& mask) {
     ASSERT_EQ(mask.coverage.size(),
               static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
@@ -52,7 +52,7 @@ TEST_P(FieldSymbols, HaveInkAtEverySize) {
     for (const double size : {8.0, 12.0, 24.0, 48.0, 200.0}) {
         const TypesetMask mask = typesetter.set(GetParam(), label(size));
         expect_tight(mask);
-        // Thin strokes: a letter's ink is a twentieth of an em squared at the least.
+        // Thin strokes: a letter's ink is at least a twentieth of an em squared.
         EXPECT_GT(ink(mask), 0.05 * size * size) << GetParam();
         EXPECT_LT(ink(mask), mask.width * mask.height);
     }
@@ -96,7 +96,7 @@ TEST(Labels, EveryCommandOfTheTableIsInTheFonts) {
     }
 }
 
-TEST(Labels, EveryAlphabetHasEveryLetterThatItNames) {
+TEST(Labels, EveryAlphabetHasAllItsLettersInTheFonts) {
     const Typesetter typesetter;
     for (const char* alphabet : {"mathbf", "boldsymbol", "mathrm", "mathit", "mathcal", "mathbb"}) {
         for (char letter = 'A'; letter <= 'Z'; ++letter) {
@@ -116,14 +116,14 @@ TEST(Labels, SameStringGivesTheSameBytes) {
     const Typesetter one, other;
     const char* text = "\\sqrt{2T}/L = \\dot\\omega_1^2";
     const TypesetMask a = one.set(text), b = one.set(text);
-    other.set("\\frac{a}{b}");  // a used typesetter and a fresh one agree
+    other.set("\\frac{a}{b}");  // used and new typesetters agree
     const TypesetMask c = other.set(text);
     EXPECT_EQ(a.coverage, b.coverage);
     EXPECT_EQ(a.coverage, c.coverage);
     EXPECT_EQ(a.left_px, c.left_px);
 }
 
-TEST(Labels, MeasureIsTheMasksExtent) {
+TEST(Labels, MeasureEqualsTheMasksExtent) {
     const Typesetter typesetter;
     for (const char* text : {"\\omega_1", "\\frac{a}{b}", "", "\\quad"}) {
         const TypesetMask mask = typesetter.set(text, label(30.0));
@@ -136,7 +136,7 @@ TEST(Labels, MeasureIsTheMasksExtent) {
     }
 }
 
-TEST(Labels, EmptyOnesGiveAnEmptyMask) {
+TEST(Labels, EmptyLabelsGiveAnEmptyMask) {
     const Typesetter typesetter;
     for (const TypeStyle& style : {label(20.0), caption(20.0)}) {
         const TypesetMask mask = typesetter.set("", style);
@@ -147,13 +147,13 @@ TEST(Labels, EmptyOnesGiveAnEmptyMask) {
     }
 }
 
-TEST(Labels, BarsAreCrispAtTheirUpperEdge) {
-    // The rows at and above a fraction's bar: the bar's first row is full where its thickness is at
-    // least a pixel, and the row above it is empty.
+TEST(Labels, BarsHaveASharpUpperEdge) {
+    // The rows at and above a fraction's bar: the bar's first row is full if it is at least a pixel
+    // thick, and the row above it is empty.
     const Typesetter typesetter;
     for (const double size : {30.0, 41.7, 64.3}) {
         const TypesetMask mask = typesetter.set("\\frac{\\quad\\quad x}{x}", label(size));
-        // A column left of the numerator's only letter crosses nothing but the bar.
+        // A column to the left of the numerator's only letter crosses only the bar.
         const int column = mask.width / 8;
         int first = 0;
         while (mask.coverage[static_cast<std::size_t>(first * mask.width + column)] == 0) ++first;
@@ -162,7 +162,7 @@ TEST(Labels, BarsAreCrispAtTheirUpperEdge) {
     }
 }
 
-TEST(Captions, WidthIsHarfBuzzsAdvance) {
+TEST(Captions, WidthEqualsHarfBuzzsAdvance) {
     const std::string file = find_font("lmsans10-regular.otf").string();
     hb_blob_t* blob = hb_blob_create_from_file(file.c_str());
     hb_face_t* face = hb_face_create(blob, 0);
@@ -204,14 +204,14 @@ TEST(Captions, WrapToTheirWidth) {
     }
 }
 
-TEST(Captions, WordWiderThanTheLineStandsAlone) {
+TEST(Captions, WordWiderThanTheLineHasItsOwnLine) {
     const Typesetter typesetter;
     const TypeExtent extent = typesetter.measure("a Herpolhodenkegel b", caption(24.0, 50.0));
     EXPECT_EQ(extent.n_lines, 3);
     EXPECT_GT(extent.advance_px, 50.0);
 }
 
-TEST(Captions, FormulaThatNoLineHoldsBreaksAfterARelation) {
+TEST(Captions, TooWideFormulaBreaksAfterARelation) {
     const Typesetter typesetter;
     const char* text = "$I_1 = I_2 = I_3 = I_4 = I_5$";
     const double whole = typesetter.measure(text, caption(24.0)).advance_px;
@@ -219,7 +219,7 @@ TEST(Captions, FormulaThatNoLineHoldsBreaksAfterARelation) {
     EXPECT_EQ(typesetter.measure(text, caption(24.0, 0.7 * whole)).n_lines, 2);
 }
 
-TEST(Captions, LinesAreSpacedAndBrokenAsAsked) {
+TEST(Captions, LineSpacingAndBreaksFollowTheStyle) {
     const Typesetter typesetter;
     TypeStyle style = caption(20.0);
     const TypeExtent one = typesetter.measure("x", style);
@@ -229,11 +229,11 @@ TEST(Captions, LinesAreSpacedAndBrokenAsAsked) {
         EXPECT_EQ(three.n_lines, 3);
         EXPECT_EQ(three.height - one.height, 2 * std::round(spacing * 20.0));
     }
-    // Tall formulas push lines apart.
+    // Tall formulas increase the line distance.
     style.line_spacing = 1.0;
     const TypeExtent tall = typesetter.measure("$\\dfrac{a}{b}$\n$\\dfrac{a}{b}$", style);
     EXPECT_GT(tall.height, 2 * typesetter.measure("$\\dfrac{a}{b}$", style).height);
-    // A final line feed opens no line.
+    // A line feed at the end does not start a new line.
     EXPECT_EQ(typesetter.measure("x\n", style).n_lines, 1);
 }
 
@@ -245,7 +245,7 @@ TEST(Captions, AlignmentMovesTheShortLine) {
          {TypeAlignment::left, TypeAlignment::centre, TypeAlignment::right}) {
         style.alignment = alignment;
         const TypesetMask mask = typesetter.set("mmmmmmmm\nm", style);
-        // First column of the last row that has ink: the short line's left foot.
+        // The first column of the last row with ink: the left foot of the short line.
         const std::size_t row =
             static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height - 2);
         int column = 0;
@@ -261,7 +261,7 @@ TEST(Captions, AlignmentMovesTheShortLine) {
     }
 }
 
-TEST(Captions, LiveNumbersDoNotMoveTheirNeighbours) {
+TEST(Captions, ChangingNumbersDoNotMoveTheirNeighbours) {
     const Typesetter typesetter;
     const TypeExtent first = typesetter.measure("t = 0.00 s", caption(24.0));
     for (int i = 1; i < 100; ++i) {
@@ -272,8 +272,8 @@ TEST(Captions, LiveNumbersDoNotMoveTheirNeighbours) {
     }
 }
 
-// In running text it is a box with a hole, and is remembered once.
-TEST(MissingCharacters, AreBoxesWhereNoFontHasThem) {
+// In running text it is drawn as a box and recorded once.
+TEST(MissingCharacters, AreBoxesIfNoFontHasThem) {
     FontSearch search;
     search.fallback_folders.clear();
     const Typesetter typesetter(search);
@@ -282,7 +282,7 @@ TEST(MissingCharacters, AreBoxesWhereNoFontHasThem) {
     EXPECT_TRUE(typesetter.fallbacks_used().empty());
     const TypesetMask without = typesetter.set("ab", caption(40.0));
     EXPECT_NEAR(with.advance_px - without.advance_px, 2.0 * 0.6 * 40.0, 1e-9);
-    // Its left side is inked from top to bottom, its middle is not.
+    // Its left side is filled from top to bottom, its middle is empty.
     const auto ink = [&with](double x_px, double y_px) {
         const int column = static_cast<int>(x_px) - with.left_px;
         const int row = static_cast<int>(with.baseline_px - y_px);
@@ -294,8 +294,8 @@ TEST(MissingCharacters, AreBoxesWhereNoFontHasThem) {
     EXPECT_GT(ink(left + 10.0, 1.0), 100);
 }
 
-// A formula sets what its font lacks as its text: a title may be a file's name in any script.
-TEST(MissingCharacters, AreBoxesInFormulasToo) {
+// In formulas, missing characters are set like text: a title may be a file's name in any script.
+TEST(MissingCharacters, AreBoxesInFormulas) {
     FontSearch search;
     search.fallback_folders.clear();
     const Typesetter typesetter(search);
@@ -303,7 +303,7 @@ TEST(MissingCharacters, AreBoxesInFormulasToo) {
     const TypesetMask with = typesetter.set("ab字", label(40.0));
     EXPECT_EQ(typesetter.missing(), std::vector<char32_t>{U'字'});
     EXPECT_NEAR(with.advance_px - typesetter.set("ab", label(40.0)).advance_px, box, 1e-9);
-    // It carries scripts, stands in fractions and under accents, and is smaller in a script.
+    // The box carries scripts, works in fractions and under accents, and is smaller in a script.
     const double script = typesetter.set("x_字", label(40.0)).advance_px -
                           typesetter.set("x_{}", label(40.0)).advance_px;
     EXPECT_GT(script, 0.5 * box);
@@ -313,7 +313,7 @@ TEST(MissingCharacters, AreBoxesInFormulasToo) {
     EXPECT_GT(typesetter.set("a caption of $字_1$", caption(40.0)).width, 0);
 }
 
-TEST(MissingCharacters, OfFormulasComeFromAFontOfTheSystem) {
+TEST(MissingCharacters, InFormulasComeFromASystemFont) {
     const std::string file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "no fonts-dejavu here";
     const Typesetter typesetter;
@@ -323,7 +323,7 @@ TEST(MissingCharacters, OfFormulasComeFromAFontOfTheSystem) {
     EXPECT_EQ(typesetter.fallbacks_used()[0].string(), file);
 }
 
-TEST(MissingCharacters, ComeFromAFontOfTheSystemThatHasThem) {
+TEST(MissingCharacters, ComeFromASystemFont) {
     const std::string file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "no fonts-dejavu here";
     const Typesetter typesetter;
@@ -332,12 +332,12 @@ TEST(MissingCharacters, ComeFromAFontOfTheSystemThatHasThem) {
     ASSERT_EQ(typesetter.fallbacks_used().size(), 1u);
     EXPECT_EQ(typesetter.fallbacks_used()[0].string(), file);
     EXPECT_GT(mask.width, 100);
-    // The other letters of the caption stay as they are.
+    // The other letters of the caption do not change.
     EXPECT_EQ(typesetter.set("ab", caption(40.0)).coverage,
               Typesetter().set("ab", caption(40.0)).coverage);
 }
 
-TEST(MissingCharacters, AreLookedForInOneOrder) {
+TEST(MissingCharacters, AreSearchedInAFixedOrder) {
     const auto files = fonts_below(system_font_folders());
     EXPECT_EQ(files, fonts_below(system_font_folders()));
     EXPECT_TRUE(fonts_below({"/nonexistent"}).empty());
@@ -355,7 +355,7 @@ TEST(Mistakes, MissingFontNamesItsPackage) {
     EXPECT_THROW(find_font("latinmodern-math.otf", FontSearch{{}}), EnvironmentError);
 }
 
-TEST(Mistakes, StylesOutOfTheirDomainAreRefused) {
+TEST(Mistakes, InvalidStylesAreRejected) {
     const Typesetter typesetter;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double size : {0.0, -1.0, 0.5, 5000.0, nan}) {
@@ -369,20 +369,20 @@ TEST(Mistakes, StylesOutOfTheirDomainAreRefused) {
     EXPECT_THROW(typesetter.set("x", style), InputError);
 }
 
-TEST(Mistakes, MasksBeyondTheLimitAreRefused) {
+TEST(Mistakes, TooLargeMasksAreRejected) {
     const Typesetter typesetter;
     EXPECT_THROW(typesetter.set(std::string(1000, 'x'), label(80.0)), InputError);
     EXPECT_THROW(typesetter.set("x\\quad\\quad\\quad\\quad x", caption(4096.0)), Error);
-    // Space without ink is not a mask.
+    // Space without ink needs no mask.
     EXPECT_NO_THROW(typesetter.set("\\quad\\quad\\quad", label(4096.0)));
     const TypesetMask large = typesetter.set("\\omega", label(4096.0));
     EXPECT_GT(large.width, 2000);
 }
 
-// rapidcheck reads its seed from the environment, once.
+// RapidCheck reads its seed from the environment once.
 const bool is_seeded = ::setenv("RC_PARAMS", "seed=4179 max_success=3000 max_size=60", 1) == 0;
 
-// Pieces of labels in any order: mostly mistakes, sometimes deep or strange formulas.
+// Pieces of labels in random order: mostly mistakes, sometimes deep or strange formulas.
 rc::Gen<std::string> random_label() {
     return rc::gen::map(
         rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(std::vector<std::string>{
@@ -400,7 +400,7 @@ rc::Gen<std::string> random_label() {
         });
 }
 
-TEST(RandomLabels, AreSetOrRefusedButNeverBreakAnything) {
+TEST(RandomLabels, AreSetOrRejected) {
     ASSERT_TRUE(is_seeded);
     const Typesetter typesetter;
     int n_set = 0, n_refused = 0;
@@ -424,7 +424,7 @@ TEST(RandomLabels, AreSetOrRefusedButNeverBreakAnything) {
     EXPECT_GT(n_refused, 100);
 }
 
-TEST(RandomLabels, BytesAreSetOrRefused) {
+TEST(RandomLabels, BytesAreSetOrRejected) {
     const Typesetter typesetter;
     EXPECT_TRUE(rc::check("any bytes", [&](const std::string& bytes) {
         for (const TypeStyle& style : {label(12.0), caption(12.0, 80.0)}) {
