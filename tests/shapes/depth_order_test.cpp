@@ -5,18 +5,18 @@
 namespace poinsot {
 namespace {
 
-// Two axes that cross at the origin of the picture, `first` at depth 3 there, `second` at 2.
+// Two axes that cross at the origin of the picture: there `first` has depth 3, `second` depth 2.
 const SeenAxis first{{{-1.0, 0.0}, 3.0}, {{1.0, 0.0}, 3.0}};
 const SeenAxis second{{{0.0, -1.0}, 1.0}, {{0.0, 1.0}, 3.0}};
 
-TEST(DepthOrder, TheNearerAtTheCrossingComesLast) {
+TEST(DepthOrder, NearerAtTheCrossingIsLast) {
     const SeenAxis ahead[] = {first, second}, behind[] = {second, first};
     EXPECT_EQ(back_to_front(ahead, {}, false), (std::vector<std::size_t>{0, 1}));
     EXPECT_EQ(back_to_front(behind, {}, false), (std::vector<std::size_t>{1, 0}));
 }
 
-// Half way along in the picture, an axis from depth 1 to 3 seen in perspective is at depth 1.5
-// (1/depth is linear there), not at 2.
+// Halfway in the picture, an axis from depth 1 to 3 in perspective has depth 1.5 (1/depth is linear
+// there), not 2.
 TEST(DepthOrder, PerspectiveIsLinearInTheInverseDepth) {
     const SeenAxis between{{{-1.0, 0.0}, 1.75}, {{1.0, 0.0}, 1.75}};
     const SeenAxis axes[] = {between, second};
@@ -24,7 +24,7 @@ TEST(DepthOrder, PerspectiveIsLinearInTheInverseDepth) {
     EXPECT_EQ(back_to_front(axes, {}, false), (std::vector<std::size_t>{1, 0}));
 }
 
-TEST(DepthOrder, ADotOnAnArrowLiesOnTopOfIt) {
+TEST(DepthOrder, DotOnAnArrowIsInFrontOfIt) {
     const SeenAxis axes[] = {first};
     const SeenPoint dots[] = {{{0.5, 0.0}, 3.0}, {{0.5, 0.0}, 3.5}};
     EXPECT_EQ(back_to_front(axes, dots, false), (std::vector<std::size_t>{2, 0, 1}));

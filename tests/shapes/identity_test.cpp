@@ -1,4 +1,4 @@
-// Numbers of geometry and masks: none comes twice in a process, whoever asks for it.
+// Ids of geometry and masks are unique in a process.
 #include "shapes/identity.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace poinsot {
 namespace {
 
-TEST(Identity, NoNumberComesTwiceFromAnyThread) {
+TEST(Identity, IsUniqueAcrossThreads) {
     constexpr std::size_t each = 20'000;
     std::array<std::vector<std::uint64_t>, 4> taken;
     {

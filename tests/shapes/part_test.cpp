@@ -1,4 +1,4 @@
-// Parts of a drawing, each drawn by itself.
+// Parts of a drawing that are drawn separately.
 #include "shapes/part.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 namespace poinsot {
 namespace {
 
-// Of labels larger than are kept whole, each view of a part holds its own pieces.
-TEST(Part, LabelsReferToMasksThatTheirOwnViewHolds) {
+// Cropped pieces of large labels belong to the view of the part that uses them.
+TEST(Part, LabelsReferToMasksOfTheirOwnView) {
     constexpr int n_views = 5;
     Drawing whole;
     whole.width_px = whole.height_px = 4000;

@@ -34,11 +34,11 @@ TEST(Projection, FieldOfViewReachesTheUpperEdge) {
     const View view = view_of(camera);
     const Projected top = project(view, {0.0, 0.0, 5.0 * std::tan(0.25)});
     EXPECT_NEAR(top.px.y(), 50.0, 1e-10);
-    // To the right of the camera is +x, and up is −y of the picture.
+    // +x is to the right of the camera, and up is −y of the picture.
     EXPECT_GT(project(view, {1.0, 0.0, 0.0}).px.x(), 500.0);
 }
 
-TEST(Projection, OrthographicScaleIsTheHeight) {
+TEST(Projection, OrthographicScaleFollowsTheHeight) {
     Camera camera;
     camera.eye = {0.0, -5.0, 0.0};
     camera.orthographic = true;

@@ -1,4 +1,4 @@
-// Smooth forms are as near to their curves as they say.
+// Smooth forms are within their stated deviation of the curve.
 #include "shapes/smooth_form.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace poinsot {
 namespace {
 
-// A helix on a cone: no conic, and with derivatives of every order.
+// A helix on a cone: not a conic, and with derivatives of every order.
 CurveFlow spiral(double s) {
     return {{s * std::cos(3.0 * s), s * std::sin(3.0 * s), std::exp(-s)},
             {std::cos(3.0 * s) - 3.0 * s * std::sin(3.0 * s),
@@ -26,7 +26,7 @@ double worst_distance(const SmoothForm& smooth, double first, double last,
     return worst;
 }
 
-TEST(SmoothForm, IsWithinItsBoundAndItsBoundWithinTheTolerance) {
+TEST(SmoothForm, ErrorIsWithinBoundAndTolerance) {
     const std::vector<double> knots{0.0, 0.7, 2.0};
     for (const double tolerance : {1e-2, 1e-4, 1e-8, 1e-11}) {
         SmoothForm smooth;
@@ -36,8 +36,9 @@ TEST(SmoothForm, IsWithinItsBoundAndItsBoundWithinTheTolerance) {
     }
 }
 
-// The error falls as the fourth power of a piece's length, so its number as the fourth root.
-TEST(SmoothForm, TakesAsManyPiecesAsTheFourthRootOfTheTolerance) {
+// The error is of fourth order in a piece's length, so the number of pieces grows with the fourth
+// root.
+TEST(SmoothForm, NumberOfPiecesFollowsTheFourthRootOfTheTolerance) {
     const std::vector<double> knots{0.0, 2.0};
     double off = 0.0;
     const std::size_t coarse = cubics_through(spiral, knots, 1e-4, off).size();
@@ -45,7 +46,7 @@ TEST(SmoothForm, TakesAsManyPiecesAsTheFourthRootOfTheTolerance) {
     EXPECT_NEAR(static_cast<double>(fine) / static_cast<double>(coarse), 10.0, 3.0);
 }
 
-TEST(SmoothForm, PiecesJoinWithOneTangent) {
+TEST(SmoothForm, PiecesJoinSmoothly) {
     const std::vector<double> knots{0.0, 0.7, 2.0};
     double off = 0.0;
     const auto pieces = cubics_through(spiral, knots, 1e-5, off);
@@ -60,7 +61,7 @@ TEST(SmoothForm, PiecesJoinWithOneTangent) {
     }
 }
 
-TEST(SmoothForm, CountsPointsInFractionsAsCurvesDo) {
+TEST(SmoothForm, AcceptsFractionalPoints) {
     SmoothForm smooth;
     smooth.parameters = {0.0, 1.0, 4.0};
     EXPECT_EQ(smooth.parameter_at(-1.0), 0.0);

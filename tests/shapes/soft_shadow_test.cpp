@@ -8,7 +8,7 @@
 namespace poinsot {
 namespace {
 
-// A sphere above the plane z = 0, which fades far away only.
+// A sphere above the plane z = 0, which fades only far away.
 struct Setting {
     Plane plane;
     Ellipsoid sphere;
@@ -23,9 +23,9 @@ struct Setting {
     SoftShadow shadow() const { return {plane, UnitSphere(sphere), 1.0, light}; }
 };
 
-// A sphere hides h r²/d³ of a plane's cosine-weighted sky (h its height, d its distance; Lambert),
-// of which 0.07 is let off, and 1/256 of what is left.
-TEST(SoftShadow, TakesAsMuchOfTheSkyAsASphereHides) {
+// A sphere blocks h r²/d³ of a plane's cosine-weighted sky (h its height, d its distance; Lambert);
+// from this, 0.07 and then 1/256 of the rest are subtracted.
+TEST(SoftShadow, SkyShareAgreesWithTheFormulaForASphere) {
     Setting setting(0.5, 0.8);
     setting.light.key = 0.0;
     const SoftShadow shadow = setting.shadow();
@@ -37,8 +37,8 @@ TEST(SoftShadow, TakesAsMuchOfTheSkyAsASphereHides) {
     }
 }
 
-// Where sphere and plane touch: no more than two levels of white, without the plane's own fading.
-TEST(SoftShadow, IsHardlySeenBeyondItsLimit) {
+// Sphere and plane touch: at most two levels of white, without the plane's own fading.
+TEST(SoftShadow, IsBarelyVisibleBeyondItsLimit) {
     const Setting setting(0.5, 0.5);
     const SoftShadow shadow = setting.shadow();
     for (int k = 0; k < 16; ++k) {
@@ -50,9 +50,9 @@ TEST(SoftShadow, IsHardlySeenBeyondItsLimit) {
     }
 }
 
-// Scaled along the plane's normal, everything is seen by the same numbers: the shadow of a disc
-// that touches is that of the sphere.
-TEST(SoftShadow, OfAnEllipsoidIsThatOfItsSphere) {
+// Scaling along the plane's normal does not change the shadow: the shadow of a touching disc equals
+// that of the sphere.
+TEST(SoftShadow, OfAnEllipsoidEqualsThatOfTheScaledSphere) {
     Setting flat(0.5, 0.1);
     flat.sphere.half_axes.col(2) *= 0.2;
     flat.light.key = 0.0;
@@ -63,7 +63,7 @@ TEST(SoftShadow, OfAnEllipsoidIsThatOfItsSphere) {
                     round.shadow().darkness({aside, 0.0, 0.0}), 1e-12);
 }
 
-TEST(OpacityAt, FadesFromItsShareOfTheRadiusToTheRim) {
+TEST(OpacityAt, FadesFromTheGivenFractionToTheRim) {
     Plane plane;
     plane.radius = 2.0;
     plane.fade_from = 0.5;
