@@ -1,4 +1,4 @@
-// Strokes: their width, evenness, range and what hides them.
+// Strokes: width, uniformity, range and occlusion.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,21 +22,21 @@ Image picture_of(const Curve& curve, int side_px = 100) {
     return renderer().render(drawing);
 }
 
-TEST(CurvePicture, CoversItsLengthTimesItsWidthAndTwoHalfDiscs) {
+TEST(CurvePicture, AreaIsLengthTimesWidthPlusCaps) {
     const CurveGeometry line = curve_of(9101, 7, false, [](double t) {
         return Eigen::Vector3d(-30.0 + 60.0 * t, -11.0 + 20.0 * t, 0.0);
     });
     const double length = std::hypot(60.0, 20.0);
     for (const double width : {0.4, 1.0, 3.0, 9.5}) {
         const double expected = length * width + std::numbers::pi * width * width / 4.0;
-        // A hair line's profile is a ramp of one pixel: measured 2.1 % at 1 px, 0.6 % from 3 px on.
+        // A hairline's profile is a ramp of one pixel: measured 2.1 % at 1 px, 0.6 % from 3 px on.
         EXPECT_NEAR(covered_px(picture_of(stroke(line, width))), expected,
                     (width < 3.0 ? 0.03 : 0.01) * expected)
             << width;
     }
 }
 
-TEST(CurvePicture, HasEvenOpacityOverJoins) {
+TEST(CurvePicture, HasUniformOpacityAtJoins) {
     // Gentle and sharp turns, a hairpin and a crossing.
     const CurveGeometry zigzag = curve_of(9102, 6, false, [](double t) {
         const int k = static_cast<int>(std::lround(5.0 * t));
@@ -73,7 +73,7 @@ TEST(CurvePicture, ShowsAFractionalRange) {
     EXPECT_EQ(covered_px(picture_of(curve)), 0.0);
 }
 
-TEST(CurvePicture, FadesTowardsItsPast) {
+TEST(CurvePicture, FadesTowardsItsBeginning) {
     const CurveGeometry line = curve_of(
         9105, 81, false, [](double t) { return Eigen::Vector3d(-40.0 + 80.0 * t, 0.5, 0.0); });
     Curve curve = stroke(line, 6.0);
@@ -92,7 +92,7 @@ TEST(CurvePicture, DashesFillHalfOfAClosedCurve) {
 }
 
 TEST(CurvePicture, IsHiddenExactlyBehindTheLimb) {
-    // A great circle on a sphere, turned about x by 60°: its front half lies below (towards +z).
+    // A great circle on a sphere, turned about x by 60°: its front half is below (towards +z).
     const double tilt = std::numbers::pi / 3.0;
     const CurveGeometry ring = curve_of(9107, 400, true, [=](double t) {
         const double angle = 2.0 * std::numbers::pi * t;
@@ -111,8 +111,8 @@ TEST(CurvePicture, IsHiddenExactlyBehindTheLimb) {
     const Image with = renderer().render(drawing);
     view.curves.clear();
     const Image without = renderer().render(drawing);
-    // Where the curve was drawn at all, its depth is above that of the limb but for the pixel or
-    // two in which it crosses.
+    // Wherever the curve was drawn, its depth is above that of the limb, except in one or two
+    // pixels where it crosses.
     double darkest_behind = 0.0, lightest_before = 1.0;
     for (int k = 0; k < 400; ++k) {
         const Eigen::Vector3d& p = ring.points[static_cast<std::size_t>(k)];
@@ -145,7 +145,7 @@ TEST(CurvePicture, IsDimmedInsideAndBehindAnEllipsoidAndAPlane) {
         const Image image = renderer().render(drawing);
         const int y = geometry == &inside ? 50 : 40;
         const auto dark = [&](int x) {
-            // In linear light, of which encoded values have roughly the power 2.2.
+            // In linear light: encoded values have approximately the power 1/2.2.
             return 1.0 - std::pow(static_cast<double>(image.at(x, y).g) / bare.at(x, y).g, 2.2);
         };
         EXPECT_NEAR(dark(10), 1.0, 0.02);
@@ -153,8 +153,8 @@ TEST(CurvePicture, IsDimmedInsideAndBehindAnEllipsoidAndAPlane) {
     }
 }
 
-TEST(CurvePicture, CostsNoUploadWhenOnlyItsRangeChanges) {
-    // The same id with other points is taken for the same geometry: proof that it was kept.
+TEST(CurvePicture, NeedsNoUploadIfOnlyItsRangeChanges) {
+    // Different points with the same id count as the same geometry, which shows that it was cached.
     CurveGeometry line = curve_of(
         9110, 2, false, [](double t) { return Eigen::Vector3d(-40.0 + 80.0 * t, 0.0, 0.0); });
     const Image first = picture_of(stroke(line, 3.0));
@@ -172,7 +172,7 @@ TEST(CurvePicture, SurvivesPointsBehindTheEye) {
     const Image image = renderer().render(drawing);
     drawing.views[0].curves.erase(drawing.views[0].curves.begin());
     const Image without = renderer().render(drawing);
-    // The line is seen, and only as a line: it covers a small part of the picture.
+    // The line is visible, and only as a line: it covers a small part of the picture.
     const std::size_t n = n_different(image, without);
     EXPECT_GT(n, 20u);
     EXPECT_LT(n, 2000u);

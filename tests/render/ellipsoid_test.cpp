@@ -1,4 +1,4 @@
-// What is drawn of an ellipsoid against its projection computed point by point.
+// Pictures of ellipsoids, against their projection computed point by point.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -18,12 +18,12 @@ Eigen::Matrix3d turned(double angle_rad, const Eigen::Vector3d& axis) {
     return Eigen::AngleAxisd(angle_rad, axis.normalized()).toRotationMatrix();
 }
 
-// Whether the line of sight at this place of the picture meets the ellipsoid.
+// Whether the line of sight at this position of the picture meets the ellipsoid.
 bool meets(const View& view, double x_px, double y_px) {
     return Pinhole(view).meets(view.ellipsoids.front(), {x_px, y_px});
 }
 
-// Share of the pixel's 8×8 sample points that meet it.
+// Share of the pixel's 8×8 sample points whose lines of sight meet the ellipsoid.
 double sampled_coverage(const View& view, int x, int y) {
     constexpr int n = 8;
     int hits = 0;
@@ -41,14 +41,14 @@ TEST(EllipsoidPicture, SphereCoversTheAreaOfItsDisc) {
         drawing.views[0].ellipsoids.push_back(sphere);
         const double area = covered_px(renderer().render(drawing));
         const double disc = std::numbers::pi * radius_px * radius_px;
-        // An edge taken as straight within its pixel: measured 9e-3 at 3 px.
+        // The edge is taken as straight inside a pixel: measured 9e-3 at 3 px.
         EXPECT_NEAR(area / disc, 1.0, radius_px < 5.0 ? 2e-2 : 1e-3) << radius_px;
     }
 }
 
-TEST(EllipsoidPicture, GoesWithItsPresence) {
-    // With its lines, its shadow, and what it hides, arrows and dots within it too: at 0 the
-    // picture is the one without it.
+TEST(EllipsoidPicture, FadesWithItsPresence) {
+    // Includes its lines, its shadow, its occlusion, and arrows and dots inside it: with presence 0
+    // the picture equals the one without the ellipsoid.
     CurveGeometry circle, on_plane;
     circle.id = 9'000'001, on_plane.id = 9'000'002;
     for (int k = 0; k < 64; ++k) {
@@ -72,7 +72,7 @@ TEST(EllipsoidPicture, GoesWithItsPresence) {
             n_others += std::abs(gone.at(x, y).g - without.at(x, y).g) > 2 ? 1 : 0;
     EXPECT_LE(n_others, 20);
 
-    // And it goes evenly: no step of a fiftieth changes a pixel by more than a tenth of the range.
+    // The fading is even: no step of a fiftieth changes a pixel by more than a tenth of the range.
     Image before = picture(0.0);
     for (int k = 1; k <= 50; ++k) {
         const Image now = picture(k / 50.0);
@@ -107,8 +107,8 @@ TEST(EllipsoidPicture, OutlineAgreesWithSixtyFourSamplesAPixel) {
             }
         }
         ASSERT_GT(n_edge, 200);
-        // Over the pixels of the edge alone. 64 samples are themselves off by 0.01 to 0.02 there;
-        // 4 samples a pixel, as in multisampling, give 21 dB.
+        // Over the pixels of the edge alone. 64 samples are themselves off by 0.01 to 0.02 there; 4
+        // samples per pixel, as in multisampling, give 21 dB.
         const double psnr = -10.0 * std::log10(squares / n_edge);
         RecordProperty("psnr_db_edge", std::to_string(psnr));
         EXPECT_GT(psnr, 34.0) << orthographic;
@@ -116,8 +116,8 @@ TEST(EllipsoidPicture, OutlineAgreesWithSixtyFourSamplesAPixel) {
     }
 }
 
-TEST(EllipsoidPicture, KeepsTheAreaOfNeedlesAndLeaves) {
-    // The projection of an ellipsoid along z has the area π·√det of its upper left 2×2 block of
+TEST(EllipsoidPicture, HasTheRightAreaForNeedlesAndDiscs) {
+    // The projection of an ellipsoid along z has the area π·√det of the upper left 2×2 block of
     // A·Aᵀ.
     const std::array<Eigen::Vector3d, 5> shapes{
         Eigen::Vector3d(60.0, 60.0, 0.06), Eigen::Vector3d(60.0, 0.6, 0.6),
@@ -132,15 +132,17 @@ TEST(EllipsoidPicture, KeepsTheAreaOfNeedlesAndLeaves) {
             const Eigen::Matrix2d block = (axes * axes.transpose()).topLeftCorner<2, 2>();
             const double expected =
                 std::numbers::pi * std::sqrt(std::max(0.0, block.determinant()));
-            // A line narrower than a pixel rounds to whole 255ths along its length of 120 pixels.
+            // A line narrower than a pixel is rounded to whole 255ths along its length of 120
+            // pixels.
             EXPECT_NEAR(area, expected, 0.02 * expected + 0.6)
                 << half_axes.transpose() << " " << angle;
         }
     }
 }
 
-TEST(EllipsoidPicture, HasNoPixelThatIsNotANumber) {
-    // Degenerate, huge, behind and around the eye: colours stay between those of the picture.
+TEST(EllipsoidPicture, HasNoNanPixels) {
+    // Degenerate, huge, behind and around the eye: colours stay in the range of the picture's
+    // colours.
     const std::array<Eigen::Matrix3d, 6> shapes{
         Eigen::Vector3d(1.0, 1.0, 0.0).asDiagonal(),    Eigen::Vector3d(1.0, 0.0, 0.0).asDiagonal(),
         Eigen::Vector3d(1e-9, 1e-9, 1e-9).asDiagonal(), Eigen::Vector3d(1e6, 1e6, 1e6).asDiagonal(),
@@ -156,7 +158,7 @@ TEST(EllipsoidPicture, HasNoPixelThatIsNotANumber) {
             drawing.views[0].ellipsoids[0].centre = centre;
             const Image image = renderer().render(drawing);
             int n_black = 0;
-            // A value that is not a number comes out of OpenGL as black.
+            // OpenGL writes NaN as black.
             for (int y = 0; y < image.height(); ++y)
                 for (int x = 0; x < image.width(); ++x)
                     n_black += image.at(x, y) == Rgba8{0, 0, 0, 255};
@@ -165,7 +167,7 @@ TEST(EllipsoidPicture, HasNoPixelThatIsNotANumber) {
     }
 }
 
-TEST(EllipsoidPicture, PrincipalSectionsLieWhereCurvesAlongThemAreDrawn) {
+TEST(EllipsoidPicture, PrincipalSectionsAgreeWithCurvesAlongThem) {
     // The section z = 0 as the surface's own line and as a curve on it: the middles of both
     // strokes, measured across them, agree to a tenth of a pixel.
     const Eigen::Vector3d half_axes(1.0, 0.7, 0.8);
@@ -194,13 +196,13 @@ TEST(EllipsoidPicture, PrincipalSectionsLieWhereCurvesAlongThemAreDrawn) {
         return renderer().render(drawing);
     };
     const Image lines = picture(false), curve = picture(true);
-    // Columns where the section's front half runs level enough to be measured downwards, away from
-    // the other sections.
+    // Columns where the section's front half is level enough to measure downwards, away from the
+    // other sections.
     int n_measured = 0;
     double worst = 0.0;
     for (int x = 860; x < 1160; ++x) {
         const auto middle = [&](const Image& image) {
-            // The lowest dark stretch of the column is the front half of z = 0.
+            // The lowest dark part of the column is the front half of z = 0.
             double sum = 0.0, weight = 0.0;
             for (int y = 560; y < 760; ++y) {
                 const double dark = std::max(0.0, 0.35 - image.at(x, y).g / 255.0);
@@ -211,7 +213,7 @@ TEST(EllipsoidPicture, PrincipalSectionsLieWhereCurvesAlongThemAreDrawn) {
         };
         const double a = middle(lines), b = middle(curve);
         if (a < 0.0 || b < 0.0) continue;
-        // Columns where another section crosses the window are left out.
+        // Skips columns where another section crosses the window.
         const auto dark_from_to = [&](const Image& image) {
             int first = 760, last = 0;
             for (int y = 560; y < 760; ++y) {
@@ -230,14 +232,13 @@ TEST(EllipsoidPicture, PrincipalSectionsLieWhereCurvesAlongThemAreDrawn) {
     EXPECT_LT(worst, 0.1);
 }
 
-// The halves of the three principal sections that face the eye, as they are seen: many places of
-// the picture, and where a half ends at the limb.
-// Points of a picture, found by where they lie.
+// The visible halves of the three principal sections: many points of the picture, and the ends of
+// each half at the limb. Points are found by position.
 class Places {
  public:
     void add(const Eigen::Vector2d& place) { cells_[cell_of(place)].push_back(place); }
 
-    // Of the nearest within 8 px; more than that where there is none.
+    // Distance to the nearest point, if within 8 px; a larger value if there is none.
     double least_distance(const Eigen::Vector2d& from) const {
         double least = 1e9;
         const auto [x, y] = cell_of(from);
@@ -286,11 +287,11 @@ SeenSections sections_of(const View& view) {
 }
 
 TEST(EllipsoidPicture, PrincipalSectionsKeepTheirWidthAtTheLimb) {
-    // Black lines of 4 px on a surface lit evenly: how much of each pixel within 8 px of the limb
-    // is dark, against how many of its 4×4 sample points lie within 2 px of a section's outer half.
-    // Seen obliquely, from the plane of two axes (one section edge on), and nearly from there. With
-    // a second ellipsoid behind it, since those are drawn as a group. Where two lines cross, a
-    // pixel has the darker of both.
+    // Black lines of 4 px on an evenly lit surface: the darkness of each pixel within 8 px of the
+    // limb, against the share of its 4×4 sample points within 2 px of a section's outer half. Seen
+    // obliquely, from the plane of two axes (one section edge on), and nearly from there. A second
+    // ellipsoid behind it makes the renderer draw both as a group. Where two lines cross, the pixel
+    // has the darker of both.
     constexpr double width_px = 4.0;
     double worst_of_all = 0.0;
     for (const Eigen::Vector3d& eye :
@@ -360,8 +361,8 @@ TEST(EllipsoidPicture, PrincipalSectionsKeepTheirWidthAtTheLimb) {
 }
 
 TEST(EllipsoidPicture, CrossingSpheresMeetInThePlaneBetweenThem) {
-    // Opaque spheres of equal radius beside each other, seen from above: the nearer surface changes
-    // exactly half-way.
+    // Opaque spheres of equal radius side by side, seen from above: the nearer surface changes
+    // exactly halfway.
     Drawing drawing = flat_drawing(200, 100, 100.0);
     for (const double side : {-1.0, 1.0}) {
         Ellipsoid sphere = plain_ellipsoid(40.0 * Eigen::Matrix3d::Identity());

@@ -1,4 +1,4 @@
-// Pictures on faces, at places that a pinhole projects.
+// Pictures on faces, at points projected by a pinhole camera.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -13,12 +13,12 @@
 namespace poinsot::testing {
 namespace {
 
-// A picture's quarters are seen where the face's quarters are, each lit as a face of its colour.
-TEST(FacePicture, IsSeenWhereItsFaceIsLitAsItsColours) {
+// A picture's quarters appear at the face's quarters, each lit like a face of its colour.
+TEST(FacePicture, HasPositionAndShadingOfItsFace) {
     Eigen::Affine3d turned = Eigen::Affine3d::Identity();
     turned.rotate(Eigen::AngleAxisd(0.4, Eigen::Vector3d(0.2, 1.0, 0.3).normalized()));
     turned.translate(Eigen::Vector3d(0.1, -0.1, 0.2));
-    // Larger than it is seen, and smaller: means on one side, magnified on the other.
+    // Larger and smaller than the pixels on screen: averaged, and magnified.
     std::uint64_t id = 9700;
     for (const int side_px : {8, 64, 2048}) {
         MeshGeometry face = page(++id);
@@ -46,8 +46,8 @@ TEST(FacePicture, IsSeenWhereItsFaceIsLitAsItsColours) {
     }
 }
 
-// What stands before a face covers its picture, whichever is drawn first.
-TEST(FacePicture, IsHiddenByWhatStandsBeforeIt) {
+// An object in front of a face covers its picture, in either order of drawing.
+TEST(FacePicture, IsHiddenByObjectsInFrontOfIt) {
     MeshGeometry face = page(9790), before = page(9791);
     face.picture = of_quarters(64);
     before.places.clear();
@@ -56,7 +56,7 @@ TEST(FacePicture, IsHiddenByWhatStandsBeforeIt) {
     const Image alone = renderer().render(drawing);
     Mesh behind = drawing.views[0].meshes[0];
     behind.geometry = &face;
-    // Where the front one covers it wholly.
+    // The front face covers the picture entirely.
     behind.placement = Eigen::Affine3d(Eigen::Translation3d(0, 0, 0.3) * Eigen::Scaling(0.4));
     drawing.views[0].meshes.push_back(behind);
     EXPECT_EQ(n_different(renderer().render(drawing), alone), 0u);

@@ -1,4 +1,4 @@
-// Curves that last: the bytes of a film's frames, and what they cost however long the curve is.
+// Lasting curves: the bytes of film frames, and a cost independent of the curve's length.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace poinsot::testing {
 namespace {
 
-// Loops on the plane of lecture_drawing, 40 points a turn, that go on and never close.
+// Open loops on the plane of lecture_drawing, 40 points per turn.
 const CurveGeometry& history() {
     static const CurveGeometry curve = curve_of(9301, 100'001, false, [](double t) {
         const double angle = 2.0 * std::numbers::pi * 2500.0 * t;
@@ -43,7 +43,7 @@ Drawing frame_of(double last, bool dashed = false) {
     return ::testing::AssertionFailure() << n << " pixels differ";
 }
 
-// In levels, of any component.
+// The largest difference of any component, in levels.
 int largest_difference(const Image& a, const Image& b) {
     int largest = 0;
     for (std::size_t k = 0; k < a.bytes().size(); ++k)
@@ -51,21 +51,22 @@ int largest_difference(const Image& a, const Image& b) {
     return largest;
 }
 
-TEST(LastingCurve, HasTheBytesOfAPictureDrawnAlone) {
+TEST(LastingCurve, EqualsASeparatelyDrawnPicture) {
     for (const bool dashed : {false, true}) {
         Renderer film(context());
-        // Forwards within a segment and over many, at a whole point, back to before it was kept.
+        // Forwards inside a segment and over many, at a whole point, and back to before it was
+        // cached.
         for (const double last :
              {0.0, 0.4, 3.0, 3.5, 40.25, 40.5, 300.0, 300.75, 120.5, 121.0, 0.2})
             EXPECT_TRUE(is_drawn_as_alone(film, frame_of(last, dashed))) << last << " " << dashed;
     }
 }
 
-TEST(LastingCurve, FollowsEveryChangeOfWhatItDependsOn) {
+TEST(LastingCurve, IsUpdatedAtEveryChangeOfItsInputs) {
     Renderer film(context());
     Drawing drawing = frame_of(200.5);
     const auto again = [&](const char* what) {
-        // The second picture may keep what the third shows.
+        // The second picture may cache content that the third uses.
         for (int k = 0; k < 3; ++k) {
             drawing.views[0].curves[1].last += 0.3;
             EXPECT_TRUE(is_drawn_as_alone(film, drawing)) << what << " " << k;
@@ -93,8 +94,8 @@ TEST(LastingCurve, FollowsEveryChangeOfWhatItDependsOn) {
     again("gone");
 }
 
-TEST(LastingCurve, StaysBetweenThingsThatMove) {
-    // Two dots that move, and all widths of the gap between them, through which the curve runs.
+TEST(LastingCurve, IsKeptBetweenMovingObjects) {
+    // Two moving dots with the curve between them, for all widths of the gap.
     const CurveGeometry line = curve_of(
         9304, 40, false, [](double t) { return Eigen::Vector3d(-60.0 + 120.0 * t, 0.3, 0.0); });
     for (int gap_px = 20; gap_px <= 110; gap_px += 15) {
@@ -115,8 +116,8 @@ TEST(LastingCurve, StaysBetweenThingsThatMove) {
     }
 }
 
-TEST(LastingCurve, LooksAsOneThatIsDrawnAnew) {
-    // Where it meets itself it is the fuller coverage; drawn anew, both mix there.
+TEST(LastingCurve, LooksLikeARedrawnCurve) {
+    // Where the curve meets itself, the cached curve has the larger coverage; redrawn, both blend.
     Drawing drawing = frame_of(38.5);
     const Image kept = renderer().render(drawing);
     drawing.views[0].curves[1].lasting = false;
@@ -125,7 +126,7 @@ TEST(LastingCurve, LooksAsOneThatIsDrawnAnew) {
     EXPECT_LE(n_different(drawn_anew, kept), 12u);
 }
 
-TEST(LastingCurve, CostsTheSameHoweverLongItIs) {
+TEST(LastingCurve, CostDoesNotDependOnItsLength) {
     Renderer film(context());
     std::vector<PictureCounts> counts;
     for (const double last : {400.0, 100'000.0 - 20.0}) {
@@ -136,11 +137,11 @@ TEST(LastingCurve, CostsTheSameHoweverLongItIs) {
         EXPECT_EQ(count.n_lasting_segments, 2);
         EXPECT_EQ(count.n_points_uploaded, 0);
     }
-    // No more tiles are drawn anew than those of the ellipsoid, arrows and the curve's end.
+    // Only the tiles of the ellipsoid, the arrows and the curve's end are redrawn.
     EXPECT_LE(counts[1].n_tiles, counts[0].n_tiles + 1);
 }
 
-TEST(LastingCurve, IsKeptOnAnEllipsoidAndInFlatViews) {
+TEST(LastingCurve, IsCachedOnEllipsoidsAndInFlatViews) {
     const CurveGeometry rising = curve_of(9303, 500, false, [](double t) {
         const double angle = 2.0 * std::numbers::pi * 2.0 * t, z = 0.3 + 0.4 * t;
         const double r = std::sqrt(1.0 - z * z);
@@ -167,7 +168,7 @@ TEST(LastingCurve, IsKeptOnAnEllipsoidAndInFlatViews) {
         const Image kept = film.render(drawing);
         Drawing anew = drawing;
         anew.views[0].curves[0].lasting = false;
-        // Measured: 10 levels and 20 pixels, 3 and 18.
+        // Measured: 10 levels and 20 pixels, and 3 levels and 18 pixels.
         const Image drawn_anew = renderer().render(anew);
         EXPECT_LE(largest_difference(drawn_anew, kept), 12);
         EXPECT_LE(n_different(drawn_anew, kept), 30u);

@@ -9,7 +9,7 @@
 namespace poinsot::testing {
 namespace {
 
-TEST(ArrowPicture, CoversAShaftAndAHeadAcrossTheView) {
+TEST(ArrowPicture, HasTheAreaOfShaftAndHead) {
     Drawing drawing = flat_drawing(200, 100, 100.0);
     Arrow arrow;
     arrow.tail = {-80.0, -10.0, 0.0};
@@ -35,9 +35,9 @@ TEST(ArrowPicture, IsADiscWhenItPointsAtTheEye) {
     }
 }
 
-// As ω and ρ do: the longer one below, the shorter one drawn after it on top, whatever the last
-// bits of either say.
-TEST(ArrowPicture, OnOneLineTheLaterIsOnTop) {
+// As for ω and ρ: the longer arrow is below, and the shorter one, which is drawn later, on top,
+// whatever the rounding of either.
+TEST(ArrowPicture, LaterOfTwoOnOneLineIsOnTop) {
     const CurveGeometry none = circle(9302, 0.1, -0.8);
     Drawing drawing = lecture_drawing(320, 180, none, none);
     View& view = drawing.views[0];
@@ -66,7 +66,7 @@ TEST(ArrowPicture, OnOneLineTheLaterIsOnTop) {
     }
 }
 
-TEST(ArrowPicture, ComesOutOfAnEllipsoidSolid) {
+TEST(ArrowPicture, IsSolidOutsideTheEllipsoid) {
     Drawing drawing = flat_drawing(200, 100, 100.0);
     View& view = drawing.views[0];
     view.background.alpha = drawing.background.alpha = 1.0;
@@ -89,7 +89,7 @@ TEST(ArrowPicture, ComesOutOfAnEllipsoidSolid) {
     EXPECT_LT(kept(150), 0.2);
 }
 
-TEST(DotPicture, IsWhereItsPointIsAndAsLargeAsAsked) {
+TEST(DotPicture, HasTheRequestedPositionAndSize) {
     const CurveGeometry none = circle(9301, 0.1, -0.8);
     Drawing drawing = lecture_drawing(1920, 1080, none, none);
     View& view = drawing.views[0];
@@ -98,7 +98,7 @@ TEST(DotPicture, IsWhereItsPointIsAndAsLargeAsAsked) {
     view.curves.clear();
     view.arrows.clear();
     view.background.alpha = drawing.background.alpha = 0.0;
-    // The point of contact with the plane z = -0.8, projected as the camera is defined.
+    // The point of contact with the plane z = -0.8, projected by the definition of the camera.
     view.dots[0].at = {0.21, -0.13, -0.8};
     view.dots[0].radius_px = 6.0;
     const Camera& camera = view.camera;
@@ -115,7 +115,7 @@ TEST(DotPicture, IsWhereItsPointIsAndAsLargeAsAsked) {
 }
 
 TEST(ConePicture, CoversItsProjection) {
-    // Seen along its axis a cone is a disc; seen across, a triangle with half an ellipse.
+    // Seen along its axis a cone is a disc; seen from the side, a triangle with half an ellipse.
     Drawing drawing = flat_drawing(120, 120, 120.0);
     Cone cone;
     cone.apex = {0.2, 0.1, 40.0};
@@ -146,7 +146,7 @@ MeshGeometry square(std::uint64_t id, double half_side, double z) {
     return mesh;
 }
 
-TEST(MeshPicture, HidesItsFarPartsAndWhatIsBehindIt) {
+TEST(MeshPicture, HidesItsFarPartsAndObjectsBehindIt) {
     Drawing drawing = flat_drawing(100, 100, 100.0);
     View& view = drawing.views[0];
     const MeshGeometry near_square = square(9401, 20.0, 5.0), far_square = square(9402, 30.0, -5.0);
@@ -168,17 +168,17 @@ TEST(MeshPicture, HidesItsFarPartsAndWhatIsBehindIt) {
     const Image image = renderer().render(drawing);
     EXPECT_GT(image.at(50, 40).r, 2 * image.at(50, 40).b);
     EXPECT_GT(image.at(75, 40).b, 2 * image.at(75, 40).r);
-    // The line lies behind the near square and before the far one.
+    // The line is behind the near square and in front of the far one.
     EXPECT_GT(image.at(50, 50).r, 2 * image.at(50, 50).g);
     EXPECT_GT(image.at(75, 50).g, 2 * image.at(75, 50).b);
     EXPECT_EQ(image.at(50, 15).a, 0);
     EXPECT_EQ(image.at(50, 25).a, 255);
 }
 
-TEST(MeshPicture, IsLitOnTheSideThatIsSeen) {
-    // A square in the plane z = 0, lit from above and seen at 4 degrees, its smooth normals turned
-    // by 10 degrees away from the eye: all the same it is its upper side that is seen. From below
-    // it is the other side, as if its normals looked down.
+TEST(MeshPicture, IsLitOnTheVisibleSide) {
+    // A square in the plane z = 0, lit from above and seen at 4 degrees, with its smooth normals
+    // turned by 10 degrees away from the eye: the visible side is still the upper side. From below,
+    // the visible side is the lower one, lit as if its normals pointed down.
     const auto picture = [](double eye_z, double tilt_rad, float side) {
         MeshGeometry geometry = square(9410, 30.0, 0.0);
         for (Eigen::Vector3f& normal : geometry.normals)
@@ -209,7 +209,7 @@ TEST(MeshPicture, HasSmoothEdges) {
     mesh.geometry = &geometry;
     mesh.placement.rotate(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
     drawing.views[0].meshes = {mesh};
-    // Four samples a pixel place the area of an edge to an eighth of a pixel at worst.
+    // Four samples per pixel give the position of an edge to an eighth of a pixel at worst.
     EXPECT_NEAR(covered_px(renderer().render(drawing)), 3600.0, 0.125 * 240.0 / 4.0);
 }
 
@@ -222,7 +222,7 @@ GlyphMask block(std::uint64_t id, int width, int height) {
     return mask;
 }
 
-TEST(LabelPicture, DrawsItsMaskPixelByPixelWithInkForLinearLight) {
+TEST(LabelPicture, DrawsItsMaskWithInkCorrectedForLinearLight) {
     GlyphMask mask = block(9501, 9, 5);
     for (std::size_t k = 0; k < mask.coverage.size(); ++k)
         mask.coverage[k] = static_cast<std::uint8_t>(k * 5);
@@ -242,7 +242,7 @@ TEST(LabelPicture, DrawsItsMaskPixelByPixelWithInkForLinearLight) {
     }
 }
 
-TEST(LabelPicture, HasAHaloThatFallsWithTheDistance) {
+TEST(LabelPicture, HasAHaloThatFadesWithDistance) {
     const GlyphMask mask = block(9502, 1, 1);
     const std::vector<std::uint8_t> texels = with_halo(mask, 4.0, 5);
     const auto halo = [&](int x, int y) {
@@ -256,7 +256,7 @@ TEST(LabelPicture, HasAHaloThatFallsWithTheDistance) {
 }
 
 TEST(LabelPicture, DrawsMoreMasksThanTheTextureHolds) {
-    // 300 masks of 100×100 px fill three textures of 1024² px; each is still drawn in full.
+    // 300 masks of 100×100 px fill three textures of 1024² px; each mask is still drawn completely.
     std::vector<GlyphMask> masks;
     for (std::uint64_t k = 0; k < 300; ++k) masks.push_back(block(9600 + k, 100, 100));
     Drawing drawing = flat_drawing(128, 128, 128.0);
@@ -277,8 +277,8 @@ TEST(LabelPicture, DrawsMoreMasksThanTheTextureHolds) {
     EXPECT_NEAR(covered_px(renderer().render(drawing)), 10000.0, 1.0);
 }
 
-TEST(LabelPicture, HasTheBytesOfAPictureDrawnAlone) {
-    // Labels of full masks have been where these come to lie in the texture, at all their edges.
+TEST(LabelPicture, EqualsASeparatelyDrawnPicture) {
+    // The texture previously held full masks at the positions of these labels and all around them.
     std::vector<GlyphMask> masks, letters;
     for (std::uint64_t k = 0; k < 61; ++k) masks.push_back(block(10'000 + k, 200, 60));
     for (std::uint64_t k = 0; k < 60; ++k)
@@ -302,7 +302,7 @@ TEST(LabelPicture, HasTheBytesOfAPictureDrawnAlone) {
     }
 }
 
-TEST(LabelPicture, ShowsTheEndOfACaptionOf12000Pixels) {
+TEST(LabelPicture, DrawsACaptionOf12000PixelsToItsEnd) {
     // A caption of a poster; its last seven columns are ink.
     constexpr int width = 12000;
     GlyphMask mask = block(9950, width, 3);

@@ -1,4 +1,4 @@
-// Small drawings and measures that the tests of render/ share.
+// Small drawings and measurements shared by the tests of render/.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace poinsot::testing {
 
-// One context and renderer for a whole test program: making them anew for each test costs more than
+// One context and renderer for the whole test program: making them for each test costs more than
 // the tests.
 struct Studio {
     OffscreenContext context;
@@ -42,7 +42,7 @@ inline Drawing flat_drawing(int width_px, int height_px, double units_high) {
     return drawing;
 }
 
-// The ellipsoid on its plane with curves, arrows and a dot, as a lecture shows them.
+// The ellipsoid on its plane with curves, arrows and a dot, as in the lecture.
 inline Drawing lecture_drawing(int width_px, int height_px, const CurveGeometry& on_surface,
                                const CurveGeometry& on_plane) {
     Drawing drawing;
@@ -83,7 +83,7 @@ inline Drawing lecture_drawing(int width_px, int height_px, const CurveGeometry&
     return drawing;
 }
 
-// A curve of equal steps of its parameter, 0 to 1; closed ones leave out the last.
+// A curve with equal steps of its parameter, 0 to 1; closed curves omit the last point.
 inline CurveGeometry curve_of(std::uint64_t id, int n_points, bool closed,
                               const std::function<Eigen::Vector3d(double)>& point) {
     CurveGeometry geometry;
@@ -112,7 +112,7 @@ inline double covered_px(const Image& image) {
     return sum;
 }
 
-// Middle of the coverage, in pixels.
+// Centroid of the coverage, in pixels.
 inline Eigen::Vector2d middle_of(const Image& image) {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     double weight = 0.0;
@@ -125,7 +125,7 @@ inline Eigen::Vector2d middle_of(const Image& image) {
     return sum / weight;
 }
 
-// An ellipsoid that hides everything and has no lines.
+// An opaque ellipsoid without lines.
 inline Ellipsoid plain_ellipsoid(const Eigen::Matrix3d& half_axes) {
     Ellipsoid ellipsoid;
     ellipsoid.half_axes = half_axes;

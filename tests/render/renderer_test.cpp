@@ -1,4 +1,4 @@
-// Whole pictures: the same bytes, sizes, alpha, views, and what is kept between them.
+// Whole pictures: reproducibility, sizes, alpha, views, and caching between pictures.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ const CurveGeometry& plane_curve() {
     return curve;
 }
 
-// One that goes on, for it does not close.
+// An open curve, which continues.
 const CurveGeometry& plane_path() {
     static const CurveGeometry curve = curve_of(9203, 200, false, [](double t) {
         const double angle = 8.0 * std::numbers::pi * t;
@@ -47,14 +47,14 @@ Drawing lecture(int width_px = 320, int height_px = 180) {
     return lecture_drawing(width_px, height_px, surface_curve(), plane_curve());
 }
 
-TEST(Renderer, DrawsTheSameBytesAgain) {
+TEST(Renderer, IsReproducible) {
     const Image first = renderer().render(lecture());
-    // The second picture keeps what stands still, the third uses it.
+    // The second picture caches the static content, the third uses the cache.
     EXPECT_EQ(renderer().render(lecture()), first);
     EXPECT_EQ(renderer().render(lecture()), first);
 }
 
-TEST(Renderer, DrawsAFrameOfAFilmAsItDrawsItAlone) {
+TEST(Renderer, FilmFramesEqualSeparatePictures) {
     const auto frame = [](int k) {
         Drawing drawing = lecture();
         drawing.views[0].ellipsoids[0].centre.x() = 0.02 * k;
@@ -70,7 +70,7 @@ TEST(Renderer, DrawsAFrameOfAFilmAsItDrawsItAlone) {
     }
 }
 
-TEST(Renderer, WritesAFrameIntoAnyImageAsItDrawsItAlone) {
+TEST(Renderer, FramesWrittenIntoAnyImageEqualSeparatePictures) {
     const auto frame = [](int k) {
         Drawing drawing = lecture();
         drawing.views[0].ellipsoids[0].centre.x() = 0.1 * (k % 5);
@@ -79,8 +79,8 @@ TEST(Renderer, WritesAFrameIntoAnyImageAsItDrawsItAlone) {
         drawing.views[0].curves[1].lasting = true;
         return drawing;
     };
-    // Two in turn, as a film has them, one with spots of another's making, a copy, one of another
-    // size.
+    // Two images in turn, as for a film; one with pixels changed by other code, a copy, and one of
+    // another size.
     Renderer film(context());
     Image first, second, third;
     for (int k = 0; k < 24; ++k) {
@@ -96,7 +96,7 @@ TEST(Renderer, WritesAFrameIntoAnyImageAsItDrawsItAlone) {
     }
 }
 
-TEST(Renderer, FollowsEveryChangeOfWhatStandsStill) {
+TEST(Renderer, RedrawsStaticContentAtEveryChange) {
     Drawing drawing = lecture();
     const Image first = renderer().render(drawing);
     renderer().render(drawing);
@@ -108,7 +108,7 @@ TEST(Renderer, FollowsEveryChangeOfWhatStandsStill) {
     EXPECT_GT(n_different(renderer().render(drawing), first), 500u);
 }
 
-// Run by the next test in a process of its own; writes the picture's bytes to a file.
+// Run by the next test in a separate process; writes the picture's bytes to a file.
 TEST(Renderer, DISABLED_WritesItsBytes) {
     const char* file = std::getenv("POINSOT_TEST_BYTES");
     ASSERT_NE(file, nullptr);
@@ -147,7 +147,7 @@ std::string bytes_drawn_with(const char* backend, const char* n_threads) {
     return bytes;
 }
 
-// OSMesa, which Mesa has no more from 25.1 on, or what stands in for it.
+// OSMesa, or its replacement where Mesa no longer has it (from 25.1 on).
 const char* first_backend() {
     void* const osmesa = dlopen("libOSMesa.so.8", RTLD_LAZY);
     if (osmesa == nullptr) return "egl";
@@ -155,7 +155,7 @@ const char* first_backend() {
     return "osmesa";
 }
 
-TEST(Renderer, DrawsTheSameBytesWithAnyBackendAndThreads) {
+TEST(Renderer, BytesAreIndependentOfBackendAndThreads) {
     const std::string reference = bytes_drawn_with(first_backend(), "0");
     ASSERT_EQ(reference.size(), 320u * 180u * 4u);
     EXPECT_EQ(bytes_drawn_with(first_backend(), "1"), reference);
@@ -163,7 +163,7 @@ TEST(Renderer, DrawsTheSameBytesWithAnyBackendAndThreads) {
     EXPECT_EQ(bytes_drawn_with("egl", "2"), reference);
 }
 
-TEST(Renderer, DrawsTheSameBytesHoweverItsShadersAreCompiled) {
+TEST(Renderer, BytesAreIndependentOfShaderCompilation) {
     const std::string reference = bytes_drawn_with(first_backend(), "2");
     ASSERT_EQ(reference.size(), 320u * 180u * 4u);
     ASSERT_EQ(setenv("GALLIVM_PERF", "nopt", 1), 0);
@@ -171,7 +171,7 @@ TEST(Renderer, DrawsTheSameBytesHoweverItsShadersAreCompiled) {
     unsetenv("GALLIVM_PERF");
 }
 
-TEST(Renderer, RefusesPicturesItCannotDraw) {
+TEST(Renderer, RejectsPicturesItCannotDraw) {
     const auto message = [](int width_px, int height_px) -> std::string {
         try {
             renderer().render(lecture(width_px, height_px));
@@ -186,10 +186,10 @@ TEST(Renderer, RefusesPicturesItCannotDraw) {
     EXPECT_EQ(renderer().render(lecture(33, 17)).width(), 33);
 }
 
-TEST(Renderer, LeavesWhatIsNotDrawnTransparent) {
+TEST(Renderer, LeavesUndrawnPixelsTransparent) {
     Drawing drawing = flat_drawing(64, 64, 64.0);
     EXPECT_EQ(covered_px(renderer().render(drawing)), 0.0);
-    // A half covered pixel has half the alpha, and the colour in full.
+    // A half-covered pixel has half the alpha and the full colour.
     Ellipsoid sphere = plain_ellipsoid(20.0 * Eigen::Matrix3d::Identity());
     sphere.opacity = 0.5;
     drawing.views[0].ellipsoids.push_back(sphere);
@@ -209,7 +209,7 @@ TEST(Renderer, LeavesWhatIsNotDrawnTransparent) {
     EXPECT_NEAR(there.b, 255, 1);
 }
 
-TEST(Renderer, KeepsColoursThatAreExactLevelsFlat) {
+TEST(Renderer, DoesNotDitherExactLevels) {
     for (int level = 0; level < 256; ++level) {
         Drawing drawing;
         drawing.width_px = drawing.height_px = 16;
@@ -230,7 +230,7 @@ TEST(Renderer, DithersGradientsInsteadOfBanding) {
     drawing.background.top = {0.50, 0.50, 0.50};
     drawing.background.bottom = {0.54, 0.54, 0.54};
     const Image image = renderer().render(drawing);
-    // The mean of 8 rows climbs evenly by 10 levels over 512 rows: never off by half a level.
+    // The mean of 8 rows rises evenly by 10 levels over 512 rows: never off by half a level.
     for (int top = 0; top + 8 <= 512; top += 8) {
         double sum = 0.0;
         for (int y = top; y < top + 8; ++y)
@@ -240,7 +240,7 @@ TEST(Renderer, DithersGradientsInsteadOfBanding) {
     }
 }
 
-TEST(Renderer, KeepsViewsToTheirPlaces) {
+TEST(Renderer, ClipsViewsToTheirRectangles) {
     Drawing drawing = lecture(300, 200);
     View inset = flat_drawing(80, 60, 60.0).views[0];
     inset.x_px = 200;
@@ -253,7 +253,7 @@ TEST(Renderer, KeepsViewsToTheirPlaces) {
     const Image bare = renderer().render(drawing);
     for (int y = 20; y < 80; ++y)
         for (int x = 200; x < 280; ++x) ASSERT_EQ(bare.at(x, y), (Rgba8{0, 255, 0, 255}));
-    // A body larger than its view does not leave it.
+    // A body larger than its view is clipped to it.
     drawing.views[1].ellipsoids.push_back(sphere);
     const Image filled = renderer().render(drawing);
     for (int y = 0; y < 200; ++y)
@@ -263,7 +263,7 @@ TEST(Renderer, KeepsViewsToTheirPlaces) {
             }
 }
 
-TEST(Renderer, DrawsAPartOfALargerPictureAsThatPart) {
+TEST(Renderer, PartsEqualTheWholePicture) {
     // Tiles of a poster: the same views moved by whole dither cells.
     const Image whole = renderer().render(lecture(320, 192));
     Drawing part = lecture(320, 192);
@@ -279,7 +279,7 @@ TEST(Renderer, DrawsAPartOfALargerPictureAsThatPart) {
     EXPECT_EQ(n_far, 0);
 }
 
-TEST(Renderer, MovesAndIsMovedFrom) {
+TEST(Renderer, IsMovable) {
     OffscreenContext context;
     const std::string backend = context.info().backend;
     Renderer first(context);
@@ -294,7 +294,7 @@ TEST(Renderer, MovesAndIsMovedFrom) {
     EXPECT_FALSE(backend.empty());
 }
 
-TEST(OffscreenContext, SaysWhatItIs) {
+TEST(OffscreenContext, ReportsItsProperties) {
     const OffscreenContext context(Backend::egl);
     EXPECT_EQ(context.info().backend, "EGL");
     EXPECT_FALSE(context.info().renderer.empty());

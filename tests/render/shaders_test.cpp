@@ -1,4 +1,4 @@
-// Every shader compiles in every variant that a drawing can ask for.
+// Every shader compiles in every variant that a drawing may need.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -13,8 +13,8 @@
 namespace poinsot::testing {
 namespace {
 
-TEST(Shaders, AllOfThemAreProgramsOrIncluded) {
-    // A file that nothing names is dead.
+TEST(Shaders, AreAllUsed) {
+    // A file that no program names is dead.
     std::set<std::string> named{
         "background.vert", "background.frag", "plane.frag",     "polygon.vert", "shadow.vert",
         "shadow.frag",     "ellipsoid.vert",  "ellipsoid.frag", "cone.frag",    "curve.vert",
@@ -50,10 +50,10 @@ TEST(Shaders, CompileForAnyNumberOfSolids) {
     }
 }
 
-TEST(Shaders, SayWhatIsMissing) {
+TEST(Shaders, ErrorsNameTheFile) {
     renderer();
     EXPECT_THROW(Program("no_such.vert", "background.frag"), Error);
-    // plane.frag without its constants does not compile; the message names it.
+    // plane.frag without its constants does not compile; the message names the file.
     try {
         const Program program("background.vert", "plane.frag");
         FAIL();
