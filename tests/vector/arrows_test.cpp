@@ -1,4 +1,4 @@
-// Arrows that go behind an ellipsoid: what of them is seen, point by point of the paper.
+// Visible parts of arrows behind an ellipsoid, point by point of the page.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -36,12 +36,12 @@ View behind_a_sphere() {
     return view;
 }
 
-// Whether the line of sight at a place of the paper meets the ellipsoid.
+// Whether the line of sight through a point of the page meets the ellipsoid.
 bool meets(const View& view, const Eigen::Vector2d& at_pt) {
     return testing::Pinhole(view).meets(view.ellipsoids.front(), at_pt / pt_per_px);
 }
 
-// How often a path winds about a point.
+// Winding number of a path around a point.
 int turns_about(const Path& path, const Eigen::Vector2d& point) {
     double angle = 0.0;
     Eigen::Vector2d start = Eigen::Vector2d::Zero(), last = start;
@@ -82,7 +82,7 @@ bool holds(const Path& path, bool even_odd, const Eigen::Vector2d& point) {
     return even_odd ? turns % 2 != 0 : turns != 0;
 }
 
-// Opacities of all fills of the colour that cover a point.
+// The opacities of all fills of this colour that cover a point.
 std::vector<double> opacities_at(const Page& page, const Colour& colour,
                                  const Eigen::Vector2d& point) {
     std::vector<double> found;
@@ -101,9 +101,9 @@ std::vector<double> opacities_at(const Page& page, const Colour& colour,
     return found;
 }
 
-TEST(Arrows, GoBehindAnOutlineAlongIt) {
-    // With lines alone, arrows are of one ink. The axis crosses the outline at all angles, the tail
-    // behind the ellipsoid; the head is beyond, or cut by the outline itself.
+TEST(Arrows, AreCutAlongTheOutline) {
+    // Without shading, an arrow has one ink. The axis crosses the outline at all angles, with the
+    // tail behind the ellipsoid; the head is outside, or cut by the outline itself.
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> part(0.0, 1.0);
     int n_hidden = 0, n_seen = 0;
@@ -125,7 +125,7 @@ TEST(Arrows, GoBehindAnOutlineAlongIt) {
         for (int n = 0; n < 1000; ++n) {
             const Eigen::Vector2d at(view.width_px * pt_per_px * part(random),
                                      view.height_px * pt_per_px * part(random));
-            // Shaft and head may both lie there.
+            // Shaft and head may overlap there.
             if (opacities_at(alone, arrow.colour, at).empty()) continue;
             bool near_outline = false;
             for (const Eigen::Vector2d& off :

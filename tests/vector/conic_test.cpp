@@ -1,4 +1,4 @@
-// Outlines and circles on paper, against points and lines of sight one by one.
+// Outlines and circles on paper, against single points and lines of sight.
 #include "vector/conic.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
-// How far a point on paper is from a conic of the view: Newton's method on the distance from the
-// conic's picture, point by point.
+// Distance of a point on paper from a conic of the view: Newton's method on the distance from the
+// projected conic.
 double distance_um(const Conic& conic, const Projection& projection, const Eigen::Vector2d& at) {
     const auto place = [&](double s) { return projection.place(conic.at(s)); };
     double best = 0.0, least = 1e300;
@@ -32,7 +32,7 @@ double distance_um(const Conic& conic, const Projection& projection, const Eigen
     return um((place(0.5 * (low + high)) - at).norm());
 }
 
-TEST(Conic, ItsPictureIsAnEllipseThroughItsPoints) {
+TEST(Conic, ProjectsToAnEllipseThroughItsPoints) {
     RandomViews random(1);
     int n_seen = 0;
     for (int k = 0; k < 100; ++k) {
@@ -67,7 +67,7 @@ TEST(Conic, BeziersStayWithinAMicrometre) {
         double worst_here_um = 0.0;
         for (std::size_t i = 0; i < beziers.size(); ++i) {
             EXPECT_LT((beziers[i][3] - beziers[(i + 1) % beziers.size()][0]).norm(), 1e-9);
-            // Where the radial error of an arc is greatest, and beside it.
+            // At and near the parameters of an arc's largest radial error.
             for (const double t : {0.1, 0.2, 0.211, 0.3, 0.5, 0.789, 0.9})
                 worst_here_um =
                     std::max(worst_here_um, distance_um(*limb, projection, at(beziers[i], t)));
@@ -75,13 +75,13 @@ TEST(Conic, BeziersStayWithinAMicrometre) {
         EXPECT_LE(worst_here_um, um(bound_pt) + 1e-3) << "view " << k;
         worst_um = std::max(worst_um, worst_here_um);
     }
-    EXPECT_GT(worst_um, 0.01);  // no more arcs than it takes
+    EXPECT_GT(worst_um, 0.01);  // not more arcs than necessary
     EXPECT_LE(worst_um, 1.0);
     EXPECT_LE(n_most, 24u);
 }
 
-// Along the limb lines of sight touch the ellipsoid: they are at right angles to its normal.
-TEST(Conic, TheLimbIsWhereLinesOfSightTouch) {
+// Along the limb, lines of sight are tangent to the ellipsoid: perpendicular to its normal.
+TEST(Conic, LimbHasTangentLinesOfSight) {
     RandomViews random(3);
     for (int k = 0; k < 60; ++k) {
         const View view = random.view(k);
@@ -100,7 +100,7 @@ TEST(Conic, TheLimbIsWhereLinesOfSightTouch) {
     }
 }
 
-TEST(Conic, AnEyeInsideSeesNoOutline) {
+TEST(Conic, HasNoOutlineFromInside) {
     View view = RandomViews(4).view(1);
     view.ellipsoids[0].centre = view.camera.eye;
     EXPECT_FALSE(limb_of(SphereSight(view.ellipsoids[0], Projection(view, print_pt_per_px))));

@@ -1,4 +1,4 @@
-// Polhodes, herpolhodes and bodies of triangles: what hides them, against casting rays.
+// Visibility of polhodes, herpolhodes and bodies of triangles, against ray casting.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
-// The polhode of semi-axes a < b < c through a sphere of momentum: on the ellipsoid
-// Σ x²/a² = 1 and Σ x²/a⁴ = h with 1/b² < h, which goes round the axis of a.
+// The polhode of semi-axes a < b < c through a sphere of momentum: on the ellipsoid Σ x²/a² = 1 and
+// Σ x²/a⁴ = h with 1/b² < h; it encircles the axis of a.
 Track polhode(const Eigen::Matrix3d& axes, double share) {
     const Eigen::Vector3d square = axes.colwise().squaredNorm();
     Eigen::Index small = 0, large = 0;
@@ -57,8 +57,8 @@ Track herpolhode(const Plane& plane, double radius, double swing, double waves) 
     return track;
 }
 
-// How far inside the ellipsoid the line of sight of a point passes before it comes to it: above 0
-// if it is hidden.
+// How deep inside the ellipsoid the line of sight passes in front of a point: positive if the point
+// is hidden.
 bool behind_ellipsoid(const Ellipsoid& ellipsoid, const Camera& camera,
                       const Eigen::Vector3d& point, bool on_it) {
     const Eigen::Matrix3d to_u = ellipsoid.half_axes.inverse();
@@ -66,7 +66,7 @@ bool behind_ellipsoid(const Ellipsoid& ellipsoid, const Camera& camera,
     const Eigen::Vector3d from =
         camera.orthographic ? Eigen::Vector3d(point - 50.0 * away) : camera.eye;
     const Eigen::Vector3d u = to_u * (from - ellipsoid.centre), d = to_u * (point - from);
-    // On the surface: hidden where the outer normal turns away.
+    // On the surface: hidden where the outer normal points away from the eye.
     if (on_it) return (u + d).dot(d) > 0.0;
     const double nearest = std::clamp(-u.dot(d) / d.squaredNorm(), 0.0, 1.0);
     return nearest < 1.0 ? u.cross(d).squaredNorm() < d.squaredNorm() : (u + d).squaredNorm() < 1.0;
@@ -79,7 +79,7 @@ bool behind_plane(const Plane& plane, const Camera& camera, const Eigen::Vector3
     return here * plane.normal.dot(camera.eye - plane.centre) < 0.0;
 }
 
-// Möller and Trumbore (1997), over all triangles.
+// Möller and Trumbore (1997), for all triangles.
 bool behind_mesh(const Mesh& mesh, const Camera& camera, const Eigen::Vector3d& point) {
     const Eigen::Vector3d away = (camera.target - camera.eye).normalized();
     const Eigen::Vector3d from =
@@ -105,7 +105,7 @@ struct Held {
     double worst_um = 0.0;
 };
 
-// Random points of a track: how far from a break those are where spans and rays disagree.
+// At random points of a track: the distance to a break if spans and rays disagree.
 template <typename Hidden>
 void hold(const View& view, const Track& track, const Membership& of, Hidden hidden, int n,
           RandomViews& random, Held& held) {
@@ -134,14 +134,14 @@ void hold(const View& view, const Track& track, const Membership& of, Hidden hid
     }
 }
 
-TEST(CurvesOnSurfaces, PolhodesAreHiddenWhereRaysSaySo) {
+TEST(CurvesOnSurfaces, PolhodeVisibilityAgreesWithRayCasting) {
     RandomViews random(17);
     Held held;
     for (int k = 0; k < 200; ++k) {
         View view = random.view(k);
         view.ellipsoids[0].opacity = 1.0;
         view.planes[0].opacity = 1.0;
-        // Wide and narrow ones; near the separatrix, too.
+        // Wide and narrow polhodes, some near the separatrix.
         const Track track = [&] {
             Track made = polhode(view.ellipsoids[0].half_axes,
                                  k % 10 == 0 ? 1e-4 : random.between(0.01, 0.99));
@@ -153,7 +153,7 @@ TEST(CurvesOnSurfaces, PolhodesAreHiddenWhereRaysSaySo) {
             };
             return made;
         }();
-        // The eye within the plane of every ninth.
+        // In every ninth view the eye lies in the plane.
         if (k % 9 == 0 && !view.camera.orthographic)
             view.planes[0].centre = view.camera.eye + 0.3 * view.planes[0].along;
         const auto hidden = [&](const Eigen::Vector3d& point) {
@@ -168,7 +168,7 @@ TEST(CurvesOnSurfaces, PolhodesAreHiddenWhereRaysSaySo) {
     RecordProperty("worst_um", std::to_string(held.worst_um));
 }
 
-TEST(CurvesOnSurfaces, HerpolhodesAreHiddenWhereRaysSaySo) {
+TEST(CurvesOnSurfaces, HerpolhodeVisibilityAgreesWithRayCasting) {
     RandomViews random(18);
     Held held;
     for (int k = 0; k < 200; ++k) {
@@ -176,7 +176,7 @@ TEST(CurvesOnSurfaces, HerpolhodesAreHiddenWhereRaysSaySo) {
         view.ellipsoids[0].opacity = 1.0;
         view.planes[0].opacity = 1.0;
         const Plane on = view.planes[0];
-        // Of every fifth the waves end in cusps, nearly.
+        // In every fifth view the waves nearly end in cusps.
         const double waves = 5.0, radius = random.between(0.2, 1.2);
         const double swing =
             k % 5 == 0 ? radius / (1.0 + waves) : random.between(0.0, 0.4) * radius;
@@ -192,7 +192,7 @@ TEST(CurvesOnSurfaces, HerpolhodesAreHiddenWhereRaysSaySo) {
     RecordProperty("worst_um", std::to_string(held.worst_um));
 }
 
-// A lumpy closed body.
+// An irregular closed body.
 MeshGeometry lump(RandomViews& random) {
     constexpr int n_rings = 8, n_spokes = 12;
     std::vector<std::vector<Eigen::Vector3f>> rings;
@@ -221,7 +221,7 @@ MeshGeometry lump(RandomViews& random) {
     return mesh;
 }
 
-TEST(CurvesOnSurfaces, BodiesOfTrianglesHideWhatRaysSay) {
+TEST(CurvesOnSurfaces, MeshVisibilityAgreesWithRayCasting) {
     RandomViews random(19);
     Held held;
     for (int k = 0; k < 400; ++k) {

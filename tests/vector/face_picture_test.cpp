@@ -1,4 +1,4 @@
-// Pictures on faces in vectors, at places that a pinhole projects.
+// Pictures on faces in vector output, at points projected by a pinhole camera.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::vector<Kind> all_of(const Page& page) {
     return found;
 }
 
-// R, G, B and alpha at a place of the page; nothing where the picture does not reach.
+// R, G, B and alpha at a point of the page; transparent outside the picture.
 std::array<int, 4> pixel_at(const Picture& picture, const Eigen::Vector2d& at_pt) {
     const Eigen::Array2d part = (at_pt - picture.corner_pt).array() / picture.size_pt.array();
     if ((part < 0.0).any() || (part >= 1.0).any()) return {};
@@ -37,9 +37,9 @@ std::array<int, 4> pixel_at(const Picture& picture, const Eigen::Vector2d& at_pt
     return pixel;
 }
 
-// A picture's quarters lie where the face's quarters are seen, each as the one ink of a face of its
-// colour; beyond the face there is nothing.
-TEST(FacePicture, LiesWhereItsFaceIsLitAsItsColours) {
+// A picture's quarters appear at the face's quarters, each with the colour of a plain face of its
+// colour; outside the face the picture is empty.
+TEST(FacePicture, HasPositionAndShadingOfItsFace) {
     Eigen::Affine3d turned = Eigen::Affine3d::Identity();
     turned.rotate(Eigen::AngleAxisd(0.4, Eigen::Vector3d(0.2, 1.0, 0.3).normalized()));
     turned.translate(Eigen::Vector3d(0.1, -0.1, 0.2));
@@ -81,8 +81,8 @@ TEST(FacePicture, LiesWhereItsFaceIsLitAsItsColours) {
     }
 }
 
-// What stands before a face covers its picture, whichever is named first.
-TEST(FacePicture, IsHiddenByWhatStandsBeforeIt) {
+// An object in front of a face covers its picture, in either order.
+TEST(FacePicture, IsHiddenByObjectsInFrontOfIt) {
     MeshGeometry face = testing::page(9890), before = testing::page(9891);
     face.picture = testing::of_quarters(64);
     before.places.clear();
@@ -90,7 +90,7 @@ TEST(FacePicture, IsHiddenByWhatStandsBeforeIt) {
         testing::drawing_of(before, Eigen::Affine3d(Eigen::Translation3d(0, 0, 0.5)), {9, 9, 9});
     Mesh behind = drawing.views[0].meshes[0];
     behind.geometry = &face;
-    // Where the front one covers it wholly; then a part of it stands out to the right.
+    // First the front face covers the picture entirely; then a part extends beyond it to the right.
     for (const double right : {0.0, 1.1}) {
         behind.placement =
             Eigen::Affine3d(Eigen::Translation3d(right, 0, 0.3) * Eigen::Scaling(0.4));

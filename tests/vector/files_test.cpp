@@ -1,4 +1,4 @@
-// Pages as files: the same bytes each time, sound to other programs, and what was put in comes out.
+// Vector files are reproducible, accepted by other programs, and return their metadata.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace poinsot::vector {
 namespace {
 
-// A view with one of everything.
+// A view with one object of every kind.
 struct Everything {
     Everything() {
         drawing.width_px = 1000;
@@ -90,12 +90,12 @@ class Files : public ::testing::Test {
     std::filesystem::path folder_;
 };
 
-TEST_F(Files, AreTheSameBytesEachTime) {
+TEST_F(Files, AreReproducible) {
     EXPECT_EQ(pdf_of(page_of_everything()), pdf_of(page_of_everything()));
     EXPECT_EQ(svg_of(page_of_everything(), "a", "b"), svg_of(page_of_everything(), "a", "b"));
 }
 
-TEST_F(Files, APdfIsSoundAndHasNoPicture) {
+TEST_F(Files, PdfIsValidAndHasNoRaster) {
     for (const Shading shading : {Shading::tone, Shading::none}) {
         const std::string text = "a (text) with \\ and ω\r\nin it";
         const std::string pdf =
@@ -112,7 +112,7 @@ TEST_F(Files, APdfIsSoundAndHasNoPicture) {
     }
 }
 
-TEST_F(Files, AnSvgIsWellFormedAndHasNoPicture) {
+TEST_F(Files, SvgIsWellFormedAndHasNoRaster) {
     for (const Shading shading : {Shading::tone, Shading::none}) {
         const std::string text = "<&> and ω\r\nin it";
         const std::string svg = svg_of(page_of_everything(shading), "t & t", text);
@@ -123,13 +123,13 @@ TEST_F(Files, AnSvgIsWellFormedAndHasNoPicture) {
     }
 }
 
-TEST_F(Files, WithoutShadingThereAreNoGradients) {
+TEST_F(Files, HaveNoGradientsWithoutShading) {
     const std::string svg = svg_of(page_of_everything(Shading::none), "", "");
     EXPECT_EQ(svg.find("Gradient"), std::string::npos);
     EXPECT_NE(svg_of(page_of_everything(), "", "").find("Gradient"), std::string::npos);
 }
 
-TEST(PlainLetter, IsWhatOneWouldSearchFor) {
+TEST(PlainLetter, ConvertsMathematicalLetters) {
     EXPECT_EQ(plain_letter(U'\U0001D6DA'), U'ω');  // bold small omega
     EXPECT_EQ(plain_letter(U'\U0001D74E'), U'ω');  // bold italic
     EXPECT_EQ(plain_letter(U'\U0001D43F'), U'L');

@@ -1,4 +1,4 @@
-// Curves on paper and the Béziers that stand for them.
+// Béziers fitted to curves on paper.
 #include "vector/fit.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace poinsot::vector {
 namespace {
 
-// The distance of the Béziers from the curve, found by walking along both finely.
+// The largest distance of the Béziers from the curve, sampled densely on both.
 double worst_distance(const std::function<PaperFlow(double)>& curve, double from, double to,
                       const std::vector<Bezier>& beziers) {
     std::vector<Eigen::Vector2d> line;
@@ -26,7 +26,7 @@ double worst_distance(const std::function<PaperFlow(double)>& curve, double from
             while (near + 1 < line.size() &&
                    (line[near + 1] - p).squaredNorm() <= (line[near] - p).squaredNorm())
                 ++near;
-            // From the nearest point along the tangent: what is left is the distance.
+            // The component perpendicular to the tangent at the nearest sample is the distance.
             const std::size_t other = near + 1 < line.size() ? near + 1 : near - 1;
             const Eigen::Vector2d run = (line[other] - line[near]).normalized();
             const Eigen::Vector2d off = p - line[near];
@@ -42,7 +42,7 @@ PaperFlow spiral(double s) {
             {6.0 * std::cos(s) - r * std::sin(s), 6.0 * std::sin(s) + r * std::cos(s)}};
 }
 
-// A herpolhode as it is seen: loops whose curvature swings.
+// A projected herpolhode: loops with varying curvature.
 PaperFlow rosette(double s) {
     const double r = 60.0 + 15.0 * std::cos(3.7 * s), dr = -55.5 * std::sin(3.7 * s);
     return {{r * std::cos(s), 0.4 * r * std::sin(s)},
@@ -63,8 +63,9 @@ TEST(Fit, StaysWithinItsToleranceAndItsBound) {
 }
 
 // The error of the best handles falls with the sixth power of the length (de Boor, Höllig & Sabin
-// 1987), so the number of Béziers rises with the sixth root; halving makes steps of it.
-TEST(Fit, TakesFewBeziers) {
+// 1987), so the number of Béziers grows with the sixth root of the accuracy, in steps due to
+// halving.
+TEST(Fit, NeedsFewBeziers) {
     const std::vector<double> knots{0.0, 9.0};
     const std::size_t coarse = fitted(rosette, knots, 64.0 / um(1.0)).beziers.size();
     const std::size_t fine = fitted(rosette, knots, 1.0 / um(1.0)).beziers.size();
@@ -72,7 +73,7 @@ TEST(Fit, TakesFewBeziers) {
     EXPECT_LE(fine, 64u);
 }
 
-TEST(Fit, JoinsWithOneTangentAndKeepsCorners) {
+TEST(Fit, JoinsSmoothlyAndKeepsCorners) {
     const auto corner = [](double s) {
         return s < 1.0 ? PaperFlow{{10.0 * s, 0.0}, {10.0, 0.0}}
                        : PaperFlow{{10.0, 10.0 * (s - 1.0)}, {0.0, 10.0}};

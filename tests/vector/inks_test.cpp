@@ -1,4 +1,4 @@
-// Inks of lines: what they make on paper, where encoded colours mix, is what light makes.
+// Inks of lines: on paper, where encoded colours blend, they give the colours of blended light.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@ double light_of(double encoded) {
 }
 Colour grey(double c) { return {c, c, c}; }
 
-// A share of 0.06 of the light is left of what is in full shade.
-TEST(Inks, AShadeDarkensWhatElseLiesThereAsLightWould) {
+// In full shade a share of 0.06 of the light is left.
+TEST(Inks, ShadesDarkenOtherColoursAsInLight) {
     for (const double opacity : {0.1, 0.4, 0.8}) {
         const Ink ink = as_shade(grey(0.02), opacity, grey(0.9));
         for (const double other : {0.45, 0.6, 0.75, 0.9}) {
@@ -46,10 +46,10 @@ struct Line {
     Track track;
 };
 
-// From white into the dark, as from a lit plane into a shadow.
+// From white to dark, as from a lit plane into a shadow.
 double ground(double s) { return 1.0 - 0.8 * s; }
 
-TEST(Inks, APaleLineIsEverywhereWhatLightMakesIt) {
+TEST(Inks, TranslucentLinesHaveTheColourOfBlendedLight) {
     Line line;
     const Canvas canvas(line.drawing, line.view, 0.24, Shading::tone, line.page);
     for (const double opacity : {0.25, 0.6, 0.95}) {
@@ -65,7 +65,8 @@ TEST(Inks, APaleLineIsEverywhereWhatLightMakesIt) {
                 EXPECT_LE(part->from, s);
                 const double light =
                     opacity * light_of(own) + (1.0 - opacity) * light_of(ground(s));
-                // Six levels, and the ground changes by four from sample to sample.
+                // Six levels, plus half the change of the background between samples, which is four
+                // levels.
                 EXPECT_NEAR(255.0 * over(part->ink, grey(ground(s))).g, level_of(light), 7.5)
                     << opacity << ' ' << own << " at " << s;
             }
@@ -73,7 +74,7 @@ TEST(Inks, APaleLineIsEverywhereWhatLightMakesIt) {
     }
 }
 
-TEST(Inks, ALineOverAnEvenGroundIsOnePart) {
+TEST(Inks, LineOverAUniformBackgroundIsOneSpan) {
     Line line;
     const Canvas canvas(line.drawing, line.view, 0.24, Shading::tone, line.page);
     const auto parts = canvas.even_parts(line.track, 0.0, 1.0, [&](double) {
@@ -84,7 +85,7 @@ TEST(Inks, ALineOverAnEvenGroundIsOnePart) {
     EXPECT_EQ(parts[0].to, 1.0);
 }
 
-TEST(Inks, OneInkMakesWhatItMadeOverOtherGrounds) {
+TEST(Inks, FittedInkIsExactIfOneExists) {
     const Ink ink{{0.7, 0.3, 0.5}, 0.4};
     std::vector<ColourOver> places;
     for (const double g : {0.2, 0.5, 0.6, 0.95}) places.push_back({over(ink, grey(g)), grey(g)});
@@ -95,7 +96,7 @@ TEST(Inks, OneInkMakesWhatItMadeOverOtherGrounds) {
     EXPECT_NEAR(found.colour.b, ink.colour.b, 1e-12);
 }
 
-TEST(Inks, OverOneGroundTheInkMakesTheMean) {
+TEST(Inks, FittedInkOverOneBackgroundGivesTheMean) {
     const std::vector<ColourOver> places{{{0.1, 0.9, 0.4}, grey(0.8)},
                                          {{0.3, 0.7, 0.6}, grey(0.8)}};
     const Colour made = over(ink_for(places), grey(0.8));
@@ -104,8 +105,8 @@ TEST(Inks, OverOneGroundTheInkMakesTheMean) {
     EXPECT_NEAR(made.b, 0.5, 1e-12);
 }
 
-// A sphere of glass, and a point of a body behind it, in it and before it.
-TEST(Inks, UnderTheSheetsABodyIsSeenAsThroughTheSurfacesBeforeIt) {
+// A glass sphere, and a point of a body behind it, inside it and in front of it.
+TEST(Inks, BodyUnderSheetsLooksAsSeenThroughTheSurfaces) {
     Line glass;
     Ellipsoid sphere;
     sphere.half_axes = Eigen::Matrix3d::Identity();
@@ -123,8 +124,8 @@ TEST(Inks, UnderTheSheetsABodyIsSeenAsThroughTheSurfacesBeforeIt) {
         return over(Ink{disc.at(in_disc), disc.alpha}, under_sheets(canvas, point, body));
     };
     EXPECT_NEAR(seen(-2.0).g, body.g, 1e-9);
-    // Of a normal towards the eye the surface is as opaque as it says; in it one lies before, and
-    // behind it both.
+    // With the normal towards the eye, the surface has its nominal opacity. A point inside has one
+    // surface in front of it, a point behind has both.
     const Layer front = outer_surface(sphere, canvas.lights,
                                       {-Eigen::Vector3d::UnitY(), -Eigen::Vector3d::UnitY()}, 0.0);
     const double in_light = front.alpha * front.light.y() + (1.0 - front.alpha) * light_of(body.g);
@@ -132,9 +133,9 @@ TEST(Inks, UnderTheSheetsABodyIsSeenAsThroughTheSurfacesBeforeIt) {
     EXPECT_GT(std::abs(seen(2.0).g - seen(0.0).g), 0.01);
 }
 
-// From the third axis's equator, along the line of sight: meridians stand as far apart as the step
-// of their longitudes, times the cosine of that from the middle.
-TEST(Projection, RulingsStandAsFarApartAsTheyAreSeen) {
+// Seen from the equator of the third axis: meridians are apart by the step of their longitudes,
+// times the cosine of the longitude from the middle.
+TEST(Projection, RulingSpacingIsTheProjectedOne) {
     View view;
     view.width_px = view.height_px = 1000;
     view.camera.eye = {0.0, -5.0, 0.0};

@@ -1,4 +1,4 @@
-// What hides what, against casting rays: lines of sight followed by themselves.
+// Visibility against ray casting.
 #include "vector/occluders.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
-// Whether the line of sight from the eye down to the point passes through the ellipsoid before it:
-// the least value of a quadratic over a segment, nothing of poles or outlines.
+// Whether the line of sight to the point passes through the ellipsoid in front of it: the minimum
+// of a quadratic over a segment, independent of poles and outlines.
 bool ray_meets(const Ellipsoid& ellipsoid, const Camera& camera, const Eigen::Vector3d& point) {
     const Eigen::Matrix3d to_u = ellipsoid.half_axes.inverse();
     const Eigen::Vector3d away = (camera.target - camera.eye).normalized();
@@ -24,7 +24,7 @@ bool ray_meets(const Ellipsoid& ellipsoid, const Camera& camera, const Eigen::Ve
         camera.orthographic ? Eigen::Vector3d(point - 50.0 * away) : camera.eye;
     const Eigen::Vector3d u = to_u * (from - ellipsoid.centre), d = to_u * (point - from);
     const double nearest = std::clamp(-u.dot(d) / d.squaredNorm(), 0.0, 1.0);
-    // The square at the nearest place, with few digits lost: |u × d|²/|d|² for the whole line.
+    // The square at the nearest point, accurate to rounding: |u × d|²/|d|² for the whole line.
     return nearest < 1.0 ? u.cross(d).squaredNorm() < d.squaredNorm() : (u + d).squaredNorm() < 1.0;
 }
 
@@ -35,7 +35,7 @@ bool ray_crosses(const Plane& plane, const Camera& camera, const Eigen::Vector3d
     return here * plane.normal.dot(camera.eye - plane.centre) < 0.0;
 }
 
-// Two bits: behind or within the ellipsoid, behind the plane.
+// Two bits: behind or inside the ellipsoid, behind the plane.
 int hidden_by_rays(const View& view, const Eigen::Vector3d& point) {
     return (ray_meets(view.ellipsoids[0], view.camera, point) ? 1 : 0) +
            (ray_crosses(view.planes[0], view.camera, point) ? 2 : 0);
@@ -52,14 +52,14 @@ int hidden(const View& view, const Cover& cover) {
     return -1;
 }
 
-// Two hundred views, each with a conic in it.
+// Two hundred views, each with a conic.
 template <typename Check>
 void in_random_views(Check check) {
     RandomViews random(20261122);
     for (int k = 0; k < 200; ++k) {
         View view = random.view(k);
         Conic conic = random.conic();
-        // Every sixth conic touches the ellipsoid's outline from within a hair.
+        // Every sixth conic nearly touches the ellipsoid's outline from inside.
         const Projection projection(view, print_pt_per_px);
         if (k % 6 == 0) {
             const SphereSight sphere(view.ellipsoids[0], projection);
@@ -105,19 +105,19 @@ TEST(Occluders, AgreeWithRaysAtTenThousandRandomPoints) {
     EXPECT_LT(n_beside_breaks, 5);
 }
 
-TEST(Occluders, BreakWhereBisectionPutsIt) {
+TEST(Occluders, BreaksAgreeWithBisection) {
     int n_breaks = 0;
     double worst_um = 0.0;
     in_random_views([&](int n, const View& view, const Projection& projection, const Track& track,
                         RandomViews&) {
         const std::vector<Span> spans = Occluders(view, projection).spans(track, {});
         for (std::size_t k = 1; k < spans.size(); ++k) {
-            if (spans[k].from != spans[k - 1].to) continue;  // behind the eye between them
+            if (spans[k].from != spans[k - 1].to) continue;  // a gap behind the eye
             const double at = spans[k].from;
             double low = 0.5 * (spans[k - 1].from + at), high = 0.5 * (at + spans[k].to);
             const int before = hidden_by_rays(view, track.flow(low).position);
             if (before == hidden_by_rays(view, track.flow(high).position)) {
-                // A graze that rays and roots tell apart by rounding alone.
+                // A grazing contact that rays and roots separate only by rounding.
                 const auto length_um = [&](const Span& span) {
                     return um((projection.place(track.flow(span.to).position) -
                                projection.place(track.flow(span.from).position))
@@ -143,7 +143,7 @@ TEST(Occluders, BreakWhereBisectionPutsIt) {
     RecordProperty("worst_um", std::to_string(worst_um));
 }
 
-TEST(Occluders, ACurveOnTheSurfaceIsHiddenWhereTheSurfaceTurnsAway) {
+TEST(Occluders, CurveOnTheSurfaceIsHiddenOnTheFarSide) {
     RandomViews random(7);
     for (int k = 0; k < 50; ++k) {
         const View view = random.view(k);
@@ -163,7 +163,7 @@ TEST(Occluders, ACurveOnTheSurfaceIsHiddenWhereTheSurfaceTurnsAway) {
     }
 }
 
-TEST(Occluders, WhatFadesLetsGo) {
+TEST(Occluders, FadingSolidsHideLess) {
     RandomViews random(3);
     View view = random.view(1);
     view.planes.clear();
@@ -178,9 +178,10 @@ TEST(Occluders, WhatFadesLetsGo) {
     }
 }
 
-// A sphere and a spheroid about one axis meet in circles of latitude. Such a one, a ten-millionth
-// of its radius off to and fro, as fitted curves are, is seen in one piece: it lies on both.
-TEST(Occluders, ACurveInWhichTwoSurfacesMeetIsHiddenByNeitherWhereBothFaceTheEye) {
+// A sphere and a spheroid about a common axis meet in circles of latitude. Such a circle with an
+// oscillating error of 1e-7 of its radius, as fitted curves have, lies on both surfaces and is
+// visible in one piece.
+TEST(Occluders, IntersectionCurveIsHiddenByNeitherSurface) {
     View view;
     view.width_px = 1000;
     view.height_px = 750;
@@ -201,11 +202,12 @@ TEST(Occluders, ACurveInWhichTwoSurfacesMeetIsHiddenByNeitherWhereBothFaceTheEye
                          {-r * std::sin(s), r * std::cos(s), 0.0}};
     };
     const std::vector<Span> spans = occluders.spans(track, {0, -1});
-    EXPECT_LE(spans.size(), 5u);  // behind each limb once, and where it begins
+    EXPECT_LE(spans.size(), 5u);  // hidden behind each limb once, and where the curve begins
     double seen = 0.0;
     for (const Span& span : spans)
         if (span.cover.clear > 0.5) seen += span.to - span.from;
-    // Above both, the eye sees the circle where neither turns away: by the limbs' planes.
+    // The eye is above both: the circle is visible where neither surface turns away, by the limbs'
+    // planes.
     double expected = 0.0;
     constexpr int n = 100'000;
     for (int k = 0; k < n; ++k) {

@@ -1,4 +1,4 @@
-// Views of random ellipsoids and planes, near and far, plump and flat.
+// Views of random ellipsoids and planes, near and far, round and flat.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -27,7 +27,7 @@ class RandomViews {
             .toRotationMatrix();
     }
 
-    // A view of 160 × 120 mm. Every third camera is near, every fifth orthographic; every fourth
+    // A view of 160 × 120 mm. Every third camera is near and every fifth orthographic; every fourth
     // ellipsoid is nearly a disc, every seventh nearly a needle.
     View view(int k) {
         View view;
