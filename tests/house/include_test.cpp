@@ -1,4 +1,4 @@
-// Who may include whom: the layers of src/, their rooms, and the folders that alone may know a
+// Checks the allowed includes: the layers of src/, their subfolders, and the folders that may use a
 // library.
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"drawing",
      {"error", "colour", "text", "numerics", "mesh", "mechanics", "scene", "construction",
       "typeset", "shapes"}},
-    // Whoever makes pictures of shapes knows nothing of what drew them.
+    // Renderers of shapes do not depend on the code that makes shapes.
     {"render", {"error", "colour", "text", "system", "image", "shapes"}},
     {"vector", {"error", "colour", "text", "numerics", "shapes"}},
     {"output", {"error", "text", "system", "image"}},
@@ -50,8 +50,8 @@ const std::map<std::string, std::set<std::string>> allowed{
       "drawing", "render", "image", "output", "report", "production", "lab"}},
 };
 
-// Room → the other rooms of its folder that it may see. What lies beside the rooms is open to all
-// of them and sees them all.
+// Subfolder → the other subfolders of its folder that it may include. Files directly in the folder
+// may be included by all subfolders and may include all of them.
 const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"mechanics/free", {}},
     {"mechanics/top", {}},
@@ -69,10 +69,10 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"render/keep", {"render/context", "render/passes"}},
 };
 
-// A list that can still be read as one.
+// A list of this length is still readable.
 constexpr int most_headers = 20;
 
-// Beginning of a library's header → the folders that may know it.
+// Beginning of a library's header → the folders that may include it.
 const std::map<std::string, std::set<std::string>> library_owners{
     {"glad/", {"render"}},         {"glm/", {"render"}},
     {"GL/", {"render"}},           {"EGL/", {"render"}},
@@ -139,13 +139,13 @@ TEST(House, EveryIncludeFollowsTheLayers) {
     }
 }
 
-// "drawing/panels" of "drawing/panels/panel.h"; empty for what lies beside the rooms.
+// "drawing/panels" for "drawing/panels/panel.h"; empty for files outside of subfolders.
 std::string room_of(const std::string& file) {
     const auto last = file.rfind('/');
     return file.find('/') == last ? "" : file.substr(0, last);
 }
 
-TEST(House, RoomsSeeTheRoomsBelowThem) {
+TEST(House, SubfoldersIncludeOnlyAllowedSubfolders) {
     for (const Include& include : includes_of_sources()) {
         const std::string from = room_of(include.from_file);
         if (from.empty()) continue;
@@ -157,7 +157,7 @@ TEST(House, RoomsSeeTheRoomsBelowThem) {
     }
 }
 
-TEST(House, AFolderCanBeReadAsOneList) {
+TEST(House, FoldersHaveFewHeaders) {
     std::map<std::string, int> n_headers;
     for (const auto& entry : fs::recursive_directory_iterator(poinsot::source_folder() / "src"))
         if (entry.path().extension() == ".h") ++n_headers[entry.path().parent_path().string()];
@@ -166,7 +166,7 @@ TEST(House, AFolderCanBeReadAsOneList) {
         EXPECT_LE(n, most_headers) << folder << ": give it rooms";
 }
 
-TEST(House, LibrariesStayInTheirFolder) {
+TEST(House, LibrariesAreUsedOnlyInTheirFolders) {
     for (const Include& include : includes_of_sources()) {
         for (const auto& [beginning, owners] : library_owners) {
             if (include.header.rfind(beginning, 0) != 0 || include.quoted) continue;
@@ -204,7 +204,7 @@ TEST(House, WhoJoinsIncludesRanges) {
             bool joins = false;
             bool includes_ranges = false;
             for (std::string line; std::getline(file, line);) {
-                // In two, so that this file does not join.
+                // Split, so that this file does not contain the searched string.
                 joins = joins || line.find(std::string("fmt:") + ":join(") != std::string::npos;
                 includes_ranges = includes_ranges || included_header(line) == "<fmt/ranges.h";
             }
@@ -218,7 +218,7 @@ TEST(House, WhoJoinsIncludesRanges) {
     EXPECT_GT(n_joining, 10);
 }
 
-TEST(House, MainSeesOnlyTheCommandLine) {
+TEST(House, MainIncludesOnlyTheCommandLine) {
     std::ifstream file(poinsot::source_folder() / "src" / "main.cpp");
     ASSERT_TRUE(file);
     for (std::string line; std::getline(file, line);) {
@@ -229,8 +229,8 @@ TEST(House, MainSeesOnlyTheCommandLine) {
     }
 }
 
-// Commands are tried by running the program; whoever needs a picture asks production/ for it.
-TEST(House, NoTestOfAnotherLayerKnowsTheCommandLine) {
+// Tests run commands as programs; a test that needs a picture uses production/.
+TEST(House, TestsOfOtherLayersDoNotUseTheCommandLine) {
     const fs::path tests = poinsot::source_folder() / "tests";
     int n_files = 0;
     for (const auto& entry : fs::recursive_directory_iterator(tests)) {
@@ -251,7 +251,7 @@ TEST(House, NoTestOfAnotherLayerKnowsTheCommandLine) {
     EXPECT_GT(n_files, 100);
 }
 
-TEST(House, EveryFolderHasItsTestsAndTarget) {
+TEST(House, EveryFolderHasTestsAndATarget) {
     for (const auto& [folder, others] : allowed) {
         if (folder == "error") continue;
         EXPECT_TRUE(fs::exists(poinsot::source_folder() / "src" / folder / "CMakeLists.txt"));
