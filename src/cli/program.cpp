@@ -163,6 +163,18 @@ void refuse_unknown_option(std::span<const char* const> arguments, const Command
     }
 }
 
+// Too few or too many arguments of a command, in its own words. CLI11 begins with its name for them.
+void refuse_argument_count(const Command& command, const CLI::App& app, std::string_view error) {
+    const std::string name = argument_name(command.arguments);
+    if (command.needs.empty() || !error.starts_with(name)) return;
+    const std::size_t n_given = app.get_option(name)->count();
+    refuse(fmt::format("needs {}; {} given", command.needs,
+                       n_given == 0   ? "none is"
+                       : n_given == 1 ? "one is"
+                                      : fmt::format("{} are", n_given)),
+           command.name);
+}
+
 // Data that could not be printed must not look like success.
 void flush_stdout() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
@@ -224,6 +236,10 @@ CommandToRun read_command_line(int argc, const char* const* argv) {
         app.exit(success);
         chosen.run = [] { return 0; };
     } catch (const CLI::ParseError& error) {
+        const auto command = std::find_if(commands().begin(), commands().end(),
+                                          [named](const Command& c) { return c.name == named; });
+        if (command != commands().end())
+            refuse_argument_count(*command, *app.get_subcommand(std::string(named)), error.what());
         refuse(error.what(), named);
     }
     return chosen;
