@@ -98,7 +98,9 @@ Locus locus_of(Panel& panel) {
     Locus locus;
     locus.path = sample_path(axis_at, stage.options.first_time_s, stage.options.last_time_s,
                              rate > 0.0 ? pi / rate : 1.0, panel.curve_units());
-    locus.curve = curve_of(panel, panel.stage->keep({.points = std::move(locus.path.points)}),
+    locus.curve = curve_of(panel,
+                           panel.keep({.points = std::move(locus.path.points)}, locus.path.off,
+                                      "the path of the top's axis"),
                            stage.theme->axes[2], 4.0);
     locus.curve.on_surface = the_sphere;
     locus.curve.hidden_opacity = 0.4;
