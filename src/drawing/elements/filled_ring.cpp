@@ -26,7 +26,8 @@ double advance_turns(const StageData& stage) {
 
 Polhode::Annulus annulus_of(const StageData& stage) { return stage.rolling->polhode.annulus(); }
 
-// An instant at which the curve touches a circle of the ring, searched through one period.
+// An instant at which the curve touches a circle of the ring, searched through half a period, in
+// which it touches each once.
 double touching_s(const PathPoint& point, double period_s, bool outer) {
     constexpr int n = 4096;
     int best = 0;
@@ -93,7 +94,10 @@ std::optional<FilledRing> filled_ring(const StageData& stage, const PathPoint& p
     const FreeRotationConstants constants = stage.motion.motion().free_constants();
     const Polhode::Annulus annulus = annulus_of(stage);
     if (!constants.polhode_period_s || stage.turns() || !(width > 0.0)) return std::nullopt;
-    const double period_s = *constants.polhode_period_s;
+    // After half a polhode's period ω is back with two components reversed, and the curve goes on as
+    // it was, turned about L by half the period's advance.
+    const double period_s = 0.5 * *constants.polhode_period_s;
+    const double turned = 0.5 * advance_turns(stage);
 
     // Turns lie closer than half a line's width, and touch the circles so closely one beside the
     // other that the notches between them are not seen.
@@ -107,7 +111,7 @@ std::optional<FilledRing> filled_ring(const StageData& stage, const PathPoint& p
     while (!(deepest_notch() <= tolerance) && n_halvings < most_halvings)
         gap_rad *= 0.5, ++n_halvings;
     if (n_halvings == most_halvings) return std::nullopt;
-    const auto n_periods = marks_until_gap(advance_turns(stage), gap_rad / (2.0 * pi));
+    const auto n_periods = marks_until_gap(turned, gap_rad / (2.0 * pi));
     if (!n_periods) return std::nullopt;
 
     FilledRing ring;

@@ -24,8 +24,9 @@ double feature_s(const StageData& stage) {
     return fastest > 0.0 ? std::numbers::pi / fastest : 1.0;
 }
 
-// Of a path, and of a ring.
+// Of a path; and of a herpolhode that has not yet filled its ring.
 constexpr std::size_t most_points = 200'000;
+constexpr std::size_t most_ring_points = 1'000'000;
 
 }  // namespace
 
@@ -69,8 +70,9 @@ namespace {
 
 // Samples a path over a stretch of time, and counts what that took.
 TimedPath sampled(const StageData& stage, const PathPoint& point, double from_s, double to_s,
-                  const Quantities& wanted, double tolerance) {
-    TimedPath path = sample_path(point, from_s, to_s, feature_s(stage), tolerance, most_points);
+                  const Quantities& wanted, double tolerance,
+                  std::size_t most = most_points) {
+    TimedPath path = sample_path(point, from_s, to_s, feature_s(stage), tolerance, most);
     stage.motion.count(wanted, path.n_evaluations);
     return path;
 }
@@ -200,8 +202,8 @@ TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double wid
     if (period_s || path.off <= tolerance || !is_exact) return as_curve(std::move(path), period_s);
 
     // Too many turns. What is shown may be a short stretch of them,
-    const auto kept = [&](double from_s, double to_s) {
-        path = sampled(stage, point, from_s, to_s, wanted, tolerance);
+    const auto kept = [&](double from_s, double to_s, std::size_t most = most_points) {
+        path = sampled(stage, point, from_s, to_s, wanted, tolerance, most);
         return path.off <= tolerance;
     };
     const double first_shown_s = options.first_shown_s.value_or(options.first_time_s);
@@ -230,14 +232,16 @@ TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double wid
     const auto ring = kind == "fading"
                           ? std::nullopt
                           : filled_ring(stage, point, tolerance, width, most_points);
-    path.off = endless;
-    if (!ring || !(span_s >= ring->filled_after_s)) return as_curve(std::move(path), {});
+    if (!ring || !(span_s >= ring->filled_after_s)) {
+        kept(options.first_time_s, options.last_time_s, most_ring_points);
+        return as_curve(std::move(path), {});
+    }
     const bool always = kind == "whole";
     const double filled_s = options.first_time_s + ring->filled_after_s;
     // A curve of one point, where no instant shows it.
-    const double to_s =
-        always || first_shown_s >= filled_s ? options.first_time_s : filled_s;
-    if (!kept(options.first_time_s, to_s)) return as_curve(std::move(path), {});
+    const bool is_shown = !always && first_shown_s < filled_s;
+    if (!kept(options.first_time_s, is_shown ? filled_s : options.first_time_s, most_ring_points))
+        return as_curve(std::move(path), {});
     TimedCurve timed = as_curve(std::move(path), {});
     timed.ring = RingFromThen{always ? -endless : filled_s, ring->points};
     return timed;

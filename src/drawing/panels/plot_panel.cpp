@@ -71,7 +71,6 @@ void cut_beginning(std::vector<CurveSample>& samples, const ChartArea& area) {
     const double edge = before->point.y() < area.bottom ? area.bottom : area.top;
     const double share = (edge - before->point.y()) / (inside.y() - before->point.y());
     before->point += share * (inside - before->point);
-    before->off = 0.0;  // what led to it is cut off
     samples.erase(samples.begin(), before);
 }
 
@@ -242,9 +241,9 @@ class PlotMaker {
     const CurveGeometry* keep(const std::vector<CurveSample>& samples) {
         CurveGeometry geometry;
         double off_px = 0.0;
-        for (const CurveSample& sample : samples) {
-            geometry.points.push_back(sample.point);
-            off_px = std::max(off_px, sample.off);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            geometry.points.push_back(samples[i].point);
+            if (i > 0) off_px = std::max(off_px, samples[i].off);
         }
         return panel_->stage->keep(
             std::move(geometry), off_px,
