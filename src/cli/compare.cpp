@@ -102,9 +102,9 @@ void print_lines(const std::vector<ComparedPicture>& pictures) {
         const auto& likeness = p.measured.likeness;
         fmt::print("{}: {}: {}{}\n", name_of(p.outcome), printable(p.name),
                    printable(p.reason, most_of_a_message),
-                   likeness ? fmt::format("; FLIP {:.3g}, SSIM {:.5f}", likeness->flip,
-                                          likeness->ssim)
-                            : "");
+                   likeness
+                       ? fmt::format("; FLIP {:.3g}, SSIM {:.5f}", likeness->flip, likeness->ssim)
+                       : "");
     }
     fmt::print("{} compared, {} failed, {} the same\n", pictures.size(), n_failed, n_same);
 }

@@ -163,7 +163,8 @@ void refuse_unknown_option(std::span<const char* const> arguments, const Command
     }
 }
 
-// Too few or too many arguments of a command, in its own words. CLI11 begins with its name for them.
+// Too few or too many arguments of a command, in its own words. CLI11 begins with its name for
+// them.
 void refuse_argument_count(const Command& command, const CLI::App& app, std::string_view error) {
     const std::string name = argument_name(command.arguments);
     if (command.needs.empty() || !error.starts_with(name)) return;

@@ -75,7 +75,6 @@ class Polhode {
 // The two separatrices of a body with three different moments: ellipses through the middle axis,
 // body axes. Empty for symmetric bodies.
 std::vector<std::vector<Eigen::Vector3d>> separatrices(const InertiaTensor& inertia,
-                                                       double tolerance,
-                                                       double* off = nullptr);
+                                                       double tolerance, double* off = nullptr);
 
 }  // namespace poinsot

@@ -29,8 +29,8 @@ struct StageOptions {
     double first_time_s = 0.0;  // the instants that are drawn lie between these; histories begin
     double last_time_s = 0.0;   // with the first and are made up to the last
     std::optional<double> first_shown_s{};  // no instant before it is drawn; else the first
-    double loop_s = 0.0;        // after which the picture is the same again, seconds of motion; 0:
-                                // it never is
+    double loop_s = 0.0;  // after which the picture is the same again, seconds of motion; 0:
+                          // it never is
 };
 
 // Holds the geometry that all video frames share and makes the drawing of an instant. Immutable

@@ -151,19 +151,19 @@ void StageData::widen_herpolhode() {
 
 StageData::~StageData() = default;
 
-const CurveGeometry* StageData::keep(CurveGeometry geometry, double off_px,
-                                     std::string_view what) {
+const CurveGeometry* StageData::keep(CurveGeometry geometry, double off_px, std::string_view what) {
     constexpr double rounding = 1e-6;
     if (!(off_px <= (1.0 + rounding) * curve_px)) {
         const double from_s = std::min(options.first_time_s, film_first_s);
         const double to_s = std::max(options.last_time_s, film_last_s);
         throw SceneError(
             scene.location_of("film"),
-            fmt::format("{} cannot be drawn within accuracy_px = {:g} from t = {:g} s to {:g} s: too "
-                        "many turns, or times too large to tell its points apart; set film.start_s "
-                        "nearer to the last instant shown, shorten the film or its trails, or raise "
-                        "accuracy_px",
-                        what, scene.accuracy_px, from_s, to_s));
+            fmt::format(
+                "{} cannot be drawn within accuracy_px = {:g} from t = {:g} s to {:g} s: too "
+                "many turns, or times too large to tell its points apart; set film.start_s "
+                "nearer to the last instant shown, shorten the film or its trails, or raise "
+                "accuracy_px",
+                what, scene.accuracy_px, from_s, to_s));
     }
     curve_error_px = std::max(curve_error_px, off_px);
     geometry.id = next_identity();
@@ -171,7 +171,8 @@ const CurveGeometry* StageData::keep(CurveGeometry geometry, double off_px,
 }
 
 void StageData::note(std::string text) {
-    if (std::find(notes.begin(), notes.end(), text) == notes.end()) notes.push_back(std::move(text));
+    if (std::find(notes.begin(), notes.end(), text) == notes.end())
+        notes.push_back(std::move(text));
 }
 
 const MeshGeometry* StageData::keep(MeshGeometry geometry) {

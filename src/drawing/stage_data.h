@@ -114,7 +114,7 @@ struct StageData {
     std::vector<Drawer> overlays;                 // title, caption, clock: over the whole picture
     Quantities asks = omega_alone;                // what all panels together read of an instant
     bool shows_beside = false;                    // whether one of them shows the motion beside
-    double curve_error_px = 0.0;  // the greatest of all curves kept
+    double curve_error_px = 0.0;                  // the greatest of all curves kept
     std::vector<std::string> notes;
 
     StageData(const Scene& scene, const Motion& motion, const StageOptions& options,
@@ -123,9 +123,9 @@ struct StageData {
     StageData(const StageData&) = delete;
     StageData& operator=(const StageData&) = delete;
 
-    // Keeps a curve whose polyline is so many pixels from it at most: the only way that one gets into
-    // a picture, so that the bound which records state covers it. Throws SceneError where that is
-    // more than the picture allows; `what` the curve is.
+    // Keeps a curve whose polyline is so many pixels from it at most: the only way that one gets
+    // into a picture, so that the bound which records state covers it. Throws SceneError where that
+    // is more than the picture allows; `what` the curve is.
     const CurveGeometry* keep(CurveGeometry geometry, double off_px, std::string_view what);
     const MeshGeometry* keep(MeshGeometry geometry);
 

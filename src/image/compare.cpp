@@ -67,10 +67,10 @@ void judge(const CompareLimits& limits, Comparison& result) {
         fmt::format("{} of {} pixels differ ({:.3g} %, {})", result.n_differing, result.n_pixels,
                     100 * share(result.n_differing), allowed(share_allowed));
     if (!same_count)
-        result.reason += fmt::format(", {} by more than {} {} ({:.3g} %, {})", result.n_over_level,
-                                     limits.level, limits.level == 1 ? "level" : "levels",
-                                     100 * share(result.n_over_level),
-                                     allowed(limits.over_level_share));
+        result.reason +=
+            fmt::format(", {} by more than {} {} ({:.3g} %, {})", result.n_over_level, limits.level,
+                        limits.level == 1 ? "level" : "levels", 100 * share(result.n_over_level),
+                        allowed(limits.over_level_share));
     result.reason += fmt::format("; the largest difference is {:.3g} {}", result.largest_difference,
                                  result.largest_difference == 1.0 ? "level" : "levels");
 }

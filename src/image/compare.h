@@ -56,7 +56,8 @@ struct Comparison {
 
 Comparison compare(const Image& expected, const Image& actual, const CompareLimits& limits = {});
 
-// The same with every bit that the files hold, and what makes colours of them. Of different depths or colours the 8 bits are measured, whatever the limits.
+// The same with every bit that the files hold, and what makes colours of them. Of different depths
+// or colours the 8 bits are measured, whatever the limits.
 Comparison compare(const StoredPicture& expected, const StoredPicture& actual,
                    const CompareLimits& limits = {});
 

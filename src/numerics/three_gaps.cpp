@@ -18,8 +18,8 @@ std::optional<double> marks_until_gap(double alpha, double gap) {
         const double n_shorter = right > left ? n_left : n_right;
         if (!(shorter > 0.0)) return std::nullopt;
         // Each further mark cuts the shorter gap off the longer one.
-        const double n_cuts =
-            std::max(1.0, std::min(std::floor(longer / shorter), std::ceil((longer - gap) / shorter)));
+        const double n_cuts = std::max(
+            1.0, std::min(std::floor(longer / shorter), std::ceil((longer - gap) / shorter)));
         longer = std::max(0.0, longer - n_cuts * shorter);
         n_longer += n_cuts * n_shorter;
         if (n_right + n_left > most) return std::nullopt;

@@ -81,8 +81,8 @@ void tell_stage_notes(const Stage& stage, const Telling& telling);
 
 // How far anything drawn is from the truth, in pixels of the picture that is made.
 struct PictureBound {
-    double motion_px = 0.0;  // see motion_error_px
-    double curves_px = 0.0;  // polylines for curves
+    double motion_px = 0.0;            // see motion_error_px
+    double curves_px = 0.0;            // polylines for curves
     std::vector<std::string> notes{};  // what is drawn for something else, as Stage has them
     double total_px() const { return motion_px + curves_px; }
 };

@@ -62,8 +62,8 @@ std::vector<std::string> names_wanted(const ApprovalRequest& request) {
     if (request.all) {
         if (!request.names.empty())
             throw InputError("poinsot approve: give names or --all, not both");
-        for (const ComparedPicture& picture : compare_folders(
-                 request.baselines, request.results, {.limits = CompareLimits::exact()}))
+        for (const ComparedPicture& picture : compare_folders(request.baselines, request.results,
+                                                              {.limits = CompareLimits::exact()}))
             if (!picture.actual.empty() && picture.outcome != Outcome::same)
                 names.push_back(picture.name);
         return names;

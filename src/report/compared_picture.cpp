@@ -139,8 +139,7 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
             "nothing says what this picture should look like; approve it if it is right";
         return result;
     }
-    std::optional<CompareLimits> allowed =
-        request.limits ? request.limits : CompareLimits::exact();
+    std::optional<CompareLimits> allowed = request.limits ? request.limits : CompareLimits::exact();
     if (!request.limits && is_listed) {
         const Baseline& approved = baselines->manifest().at(baseline_name);
         if (const auto now = record_of(actual))

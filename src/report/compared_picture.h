@@ -66,15 +66,14 @@ struct CompareRequest {
 // their manifest what the expected picture of their name is, and, where no limits are given, what
 // may differ by what drew it; else no pixel may.
 ComparedPicture compare_files(const std::string& name, const std::filesystem::path& expected,
-                              const std::filesystem::path& actual,
-                              const CompareRequest& request,
+                              const std::filesystem::path& actual, const CompareRequest& request,
                               const Baselines* baselines = nullptr,
                               const std::string& baseline_name = "");
 
 // Every .png in either folder and the folders below, hidden ones left out, by name, and what the
 // manifest of the first names, where it has one; in order of their names, whatever number of
-// threads compares them. Throws InputError for a folder or a manifest that cannot be read, and where
-// there is no picture at all.
+// threads compares them. Throws InputError for a folder or a manifest that cannot be read, and
+// where there is no picture at all.
 std::vector<ComparedPicture> compare_folders(const std::filesystem::path& expected,
                                              const std::filesystem::path& actual,
                                              const CompareRequest& request);

@@ -235,14 +235,15 @@ TEST_F(Messages, ACameraKeyWithoutEffectIsNoted) {
 }
 
 TEST_F(Messages, CompareSaysWhatItNeeds) {
-    refuses("compare a.png", 2, {"needs two pictures or two folders; one is given",
-                                 "see poinsot compare --help"});
+    refuses("compare a.png", 2,
+            {"needs two pictures or two folders; one is given", "see poinsot compare --help"});
     refuses("compare", 2, {"needs two pictures or two folders; none is given"});
     refuses("compare a b c", 2, {"needs two pictures or two folders; 3 are given"});
 }
 
 // A picture of another program is no baseline, whatever renderer drew it.
 TEST_F(Messages, APictureWithoutARecordIsNamedSo) {
+    fs::create_directories(folder_.path() / "results");
     write_png(folder_.path() / "results/other.png", Image(4, 4));
     refuses("approve other --any-renderer --results results --baselines base", 2,
             {"results/other.png: carries no record of how it was made", "draw it with poinsot"});
@@ -261,12 +262,13 @@ TEST_F(Messages, FarTimesAreRingsOrRefused) {
             << told.out;
         EXPECT_NE(told.out.find("within 0.05 px"), std::string::npos) << told.out;
     }
-    const ProgramRun film = run("render scene.toml --set film.duration_s=0.1 "
-                                "--set film.speed=1e10 --set film.fps=30 -q -o a.mp4");
+    const ProgramRun film =
+        run("render scene.toml --set film.duration_s=0.1 "
+            "--set film.speed=1e10 --set film.fps=30 -q -o a.mp4");
     EXPECT_EQ(film.code, 0) << film.err;
     folder_.write("chart.toml", scene + "[[panels]]\nkind = \"plot\"\n");
     refuses("still chart.toml --time 1e9 -o b.png", 2,
-            {"chart.toml:6:1: ", "cannot be drawn within accuracy_px = 0.1",
+            {"chart.toml:6:2: ", "cannot be drawn within accuracy_px = 0.1",
              "set film.start_s nearer to the last instant shown"});
     EXPECT_EQ(run("still chart.toml --time 1e9 --set film.start_s=999999990 -o b.png").code, 0);
 }

@@ -120,14 +120,13 @@ std::vector<Case> every_kind_of_curve() {
     swept.construction.sweep = "axis";
     cases.push_back({"sweep", std::move(swept)});
     for (const char* panel : {"top", "potential", "plot"})
-        cases.push_back({std::string(panel) + " of a top",
-                         top_scene({.theta_rad = 0.8, .phi_dot_rad_s = 0.3, .omega3_rad_s = 6.0},
-                                   panel)});
+        cases.push_back(
+            {std::string(panel) + " of a top",
+             top_scene({.theta_rad = 0.8, .phi_dot_rad_s = 0.3, .omega3_rad_s = 6.0}, panel)});
     return cases;
 }
 
-// Against the same curve, two hundred times as finely. Quarter points of a cubic piece miss at most
-// 9.4 % of its greatest distance from the chord: of s(1−s)(a + b(1−2s)) held to 1 there.
+// Against the same curve, two hundred times as finely.
 TEST(KeptCurves, LieWithinTheBoundAtEveryQuality) {
     struct Setting {
         int samples;
@@ -151,15 +150,14 @@ TEST(KeptCurves, LieWithinTheBoundAtEveryQuality) {
                 const double off_px =
                     farthest(fine.stage.data().curves[i].points, curve) / units_per_px;
                 const double share = off_px / drawn.stage.curve_error_px();
-                EXPECT_LE(share, 1.094 + 1.0 / 200.0) << each.name << " " << i;
+                EXPECT_LE(share, 1.02) << each.name << " " << i;
                 worst_share = std::max(worst_share, share);
                 ++n_curves;
             }
         }
     }
-    EXPECT_GT(n_curves, 300);
+    EXPECT_GT(n_curves, 200);
     RecordProperty("worst_share", std::to_string(worst_share));
-    std::printf("worst share of the bound: %.4f over %d curves\n", worst_share, n_curves);
 }
 
 // The path of L under friction, against the momentum of the motion itself.
@@ -176,13 +174,11 @@ TEST(KeptCurves, OfTheMomentumPanelFollowTheMotion) {
     for (std::size_t i = 2; i < data.curves.size(); ++i)
         if (data.curves[i].points.size() > 100)
             nearest = std::min(nearest, farthest(exact, data.curves[i]));
-    EXPECT_LE(nearest / data.panels.front().units_per_px, 1.094 * curve_px);
+    EXPECT_LE(nearest / data.panels.front().units_per_px, 1.01 * curve_px);
 }
 
 // The stage of a still: its history begins with the film, and one instant is shown.
-Drawn still_of(const Scene& scene, double time_s) {
-    return Drawn(scene, time_s, 1, 0.05, time_s);
-}
+Drawn still_of(const Scene& scene, double time_s) { return Drawn(scene, time_s, 1, 0.05, time_s); }
 
 const Curve* curve_of_width(const Drawing& drawing, double width_px) {
     for (const Curve& curve : drawing.views.front().curves)
@@ -206,9 +202,9 @@ TEST(FarTimes, KeepTheirBoundOrAreRings) {
     }
 }
 
-// The ring touches both circles of the annulus, and nothing of it is farther from the line than half
-// of the line's width. The curve itself leaves no more free, either: its neighbouring turns, as far
-// as the motion is sampled, are everywhere nearer than that.
+// The ring touches both circles of the annulus, and nothing of it is farther from the line than
+// half of the line's width. The curve itself leaves no more free, either: its neighbouring turns,
+// as far as the motion is sampled, are everywhere nearer than that.
 TEST(FarTimes, TheRingIsWhatTheHerpolhodeFills) {
     const Drawn still = still_of(generic("plan"), 1e9);
     const Drawing drawing = still.stage.at(1e9);
@@ -243,7 +239,8 @@ TEST(FarTimes, TheRingIsWhatTheHerpolhodeFills) {
     ASSERT_TRUE(timed.ring);
     EXPECT_LT(timed.ring->from_s, 1e5);
     const double middle = 0.5 * (annulus.inner + annulus.outer);
-    // ω comes back with two components reversed after half a period: the same curve, turned about L.
+    // ω comes back with two components reversed after half a period: the same curve, turned about
+    // L.
     const double period_s = 0.5 * *data.polhode_period_s;
     std::vector<double> angles;  // at which the curve crosses the middle circle, outwards
     const auto contact = [&](double t) -> Eigen::Vector3d {
@@ -332,8 +329,8 @@ TEST(FarTimes, OfCirclesLoopsAndShortTrailsAreCurves) {
     EXPECT_LE(off / still.stage.data().panels.front().units_per_px, 0.05 * 1.1);
 }
 
-// Nothing else is drawn with a bound that nobody asked for: charts, the tracks of tops, of marks and
-// of other methods are refused, and told what to do.
+// Nothing else is drawn with a bound that nobody asked for: charts, the tracks of tops, of marks
+// and of other methods are refused, and told what to do.
 TEST(FarTimes, OfOtherCurvesAreRefused) {
     Scene marked = generic("space");
     MarkSpec mark;

@@ -53,16 +53,18 @@ TEST(Compare, CountsWhatWasChanged) {
 TEST(Compare, SaysWhatDiffersOnce) {
     const Image before = filled(100, 100, {10, 20, 30, 255});
     const Image after = changed(changed(before, 7, 1), 3, 8);
-    EXPECT_EQ(compare(before, after, CompareLimits::exact()).reason,
-              "7 of 10000 pixels differ (0.07 %, none allowed); the largest difference is 9 levels");
+    EXPECT_EQ(
+        compare(before, after, CompareLimits::exact()).reason,
+        "7 of 10000 pixels differ (0.07 %, none allowed); the largest difference is 9 levels");
     EXPECT_EQ(compare(before, changed(before, 1, 1), CompareLimits::exact()).reason,
               "1 of 10000 pixels differ (0.01 %, none allowed); the largest difference is 1 level");
     EXPECT_EQ(compare(before, after).reason,
               "7 of 10000 pixels differ (0.07 %, 0.1 % allowed), 3 by more than 2 levels (0.03 %, "
               "0.0002 % allowed); the largest difference is 9 levels");
     // From level 0 on the lower cap is the one that counts.
-    EXPECT_EQ(compare(before, after, {0.5, 0, 1e-4}).reason,
-              "7 of 10000 pixels differ (0.07 %, 0.01 % allowed); the largest difference is 9 levels");
+    EXPECT_EQ(
+        compare(before, after, {0.5, 0, 1e-4}).reason,
+        "7 of 10000 pixels differ (0.07 %, 0.01 % allowed); the largest difference is 9 levels");
 }
 
 // 1,000,000 pixels: 0.1 % of them are 1,000, 2e-6 are 2.

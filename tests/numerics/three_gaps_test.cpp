@@ -22,14 +22,15 @@ double largest_gap(double alpha, int n) {
 }
 
 TEST(ThreeGaps, FindHowManyMarksLeaveNoLargerGap) {
-    for (const double alpha :
-         {0.6180339887498949, 1.7504912, std::sqrt(2.0), 0.001237, 0.9987121, -0.3141592, 12.25031}) {
+    for (const double alpha : {0.6180339887498949, 1.7504912, std::sqrt(2.0), 0.001237, 0.9987121,
+                               -0.3141592, 12.25031}) {
         for (const double gap : {0.6, 0.3, 0.07, 0.011, 0.0023}) {
             const auto n = marks_until_gap(alpha, gap);
             ASSERT_TRUE(n) << alpha << " " << gap;
             ASSERT_LT(*n, 1e6);
             constexpr double rounding = 1e-9;
-            EXPECT_LE(largest_gap(alpha, static_cast<int>(*n)), gap + rounding) << alpha << " " << gap;
+            EXPECT_LE(largest_gap(alpha, static_cast<int>(*n)), gap + rounding)
+                << alpha << " " << gap;
             // With one mark less a gap is still too large.
             EXPECT_GT(largest_gap(alpha, static_cast<int>(*n) - 1), gap - rounding)
                 << alpha << " " << gap;
@@ -46,8 +47,8 @@ TEST(ThreeGaps, OfAFractionNeverCloseUp) {
 TEST(ThreeGaps, ReturnWithTheDenominatorsOfTheContinuedFraction) {
     std::vector<std::int64_t> tried;
     const auto none = [&](std::int64_t k, double distance) {
-        EXPECT_NEAR(distance, std::abs(std::remainder(static_cast<double>(k) * std::sqrt(2.0), 1.0)),
-                    1e-15);
+        EXPECT_NEAR(distance,
+                    std::abs(std::remainder(static_cast<double>(k) * std::sqrt(2.0), 1.0)), 1e-15);
         tried.push_back(k);
         return false;
     };

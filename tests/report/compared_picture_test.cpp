@@ -125,9 +125,8 @@ TEST_F(Folders, MeasureNoMoreThanIsAskedFor) {
             read.push_back(path.filename().string());
             return read_stored_png(path);
         };
-        const ComparedPicture picture =
-            compare_files(name, folder_ / ("ref/" + name + ".png"),
-                          folder_ / ("new/" + name + ".png"), request);
+        const ComparedPicture picture = compare_files(name, folder_ / ("ref/" + name + ".png"),
+                                                      folder_ / ("new/" + name + ".png"), request);
         EXPECT_EQ(picture.measured.likeness.has_value(), measures && name != "same");
         return read.size();
     };
@@ -202,10 +201,9 @@ TEST_F(Folders, BecomeTestResults) {
 
 TEST_F(Folders, NamesOfAnyKindStayText) {
     put("ref/" + hostile_file, 0), put("new/" + hostile_file, 3);
-    ComparedPicture picture =
-        compare_files(hostile_name, folder_ / ("ref/" + hostile_file + ".png"),
-                      folder_ / ("new/" + hostile_file + ".png"),
-                      {.limits = CompareLimits::exact()});
+    ComparedPicture picture = compare_files(
+        hostile_name, folder_ / ("ref/" + hostile_file + ".png"),
+        folder_ / ("new/" + hostile_file + ".png"), {.limits = CompareLimits::exact()});
     ASSERT_EQ(picture.outcome, Outcome::pixels);
     picture.reason += hostile_name;
     const std::string xml = junit_xml(hostile_name, {&picture, 1});

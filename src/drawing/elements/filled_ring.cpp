@@ -20,8 +20,7 @@ using std::numbers::pi;
 // How far the contact point gets about L in one polhode period, turns, in the axes shown.
 double advance_turns(const StageData& stage) {
     if (stage.turns()) return 0.0;  // those axes turn with it
-    return stage.motion.motion().free_constants().advance_per_period_rad.value_or(0.0) /
-           (2.0 * pi);
+    return stage.motion.motion().free_constants().advance_per_period_rad.value_or(0.0) / (2.0 * pi);
 }
 
 Polhode::Annulus annulus_of(const StageData& stage) { return stage.rolling->polhode.annulus(); }
@@ -79,12 +78,13 @@ std::optional<double> retracing_s(const StageData& stage, double span_s, double 
     if (!constants.polhode_period_s) return std::nullopt;
     const double period_s = *constants.polhode_period_s;
     const double most = std::min(longest_s / period_s, 1e9);
-    const auto k = returning_mark(
-        advance_turns(stage), static_cast<std::int64_t>(most),
-        [&](std::int64_t n_periods, double distance) {
-            const double n_times = std::max(1.0, span_s / (static_cast<double>(n_periods) * period_s));
-            return n_times * 2.0 * pi * distance * outer <= 0.5 * tolerance;
-        });
+    const auto k =
+        returning_mark(advance_turns(stage), static_cast<std::int64_t>(most),
+                       [&](std::int64_t n_periods, double distance) {
+                           const double n_times =
+                               std::max(1.0, span_s / (static_cast<double>(n_periods) * period_s));
+                           return n_times * 2.0 * pi * distance * outer <= 0.5 * tolerance;
+                       });
     if (!k) return std::nullopt;
     return static_cast<double>(*k) * period_s;
 }
@@ -94,8 +94,8 @@ std::optional<FilledRing> filled_ring(const StageData& stage, const PathPoint& p
     const FreeRotationConstants constants = stage.motion.motion().free_constants();
     const Polhode::Annulus annulus = annulus_of(stage);
     if (!constants.polhode_period_s || stage.turns() || !(width > 0.0)) return std::nullopt;
-    // After half a polhode's period ω is back with two components reversed, and the curve goes on as
-    // it was, turned about L by half the period's advance.
+    // After half a polhode's period ω is back with two components reversed, and the curve goes on
+    // as it was, turned about L by half the period's advance.
     const double period_s = 0.5 * *constants.polhode_period_s;
     const double turned = 0.5 * advance_turns(stage);
 
@@ -119,7 +119,8 @@ std::optional<FilledRing> filled_ring(const StageData& stage, const PathPoint& p
 
     // A spiral from one circle to the other, both run round once. The sagitta r(1 − cos(π/n)) stays
     // below the tolerance.
-    const double n_turns = std::max(1.0, std::ceil((annulus.outer - annulus.inner) / (0.5 * width)));
+    const double n_turns =
+        std::max(1.0, std::ceil((annulus.outer - annulus.inner) / (0.5 * width)));
     const double n_a_turn =
         std::max(64.0, std::ceil(pi / std::sqrt(2.0 * std::min(1.0, tolerance / annulus.outer))));
     if (!((n_turns + 2.0) * n_a_turn < static_cast<double>(most_points))) return std::nullopt;
@@ -145,7 +146,8 @@ std::optional<RingCurve> ring_of(
     ring.curve.dash_px = 0.0;
     ring.curve.lasting = true;
     panel.stage->note(
-        "the herpolhode has so many turns that its line leaves nothing of the ring free: it is drawn "
+        "the herpolhode has so many turns that its line leaves nothing of the ring free: it is "
+        "drawn "
         "as the ring that it fills");
     return ring;
 }

@@ -40,8 +40,8 @@ struct RingCurve {
     Curve curve;
 };
 
-// The ring of a trail, where it has one, drawn as the trail's `curve` is; `place` takes its points to
-// the panel. Notes that it is drawn.
+// The ring of a trail, where it has one, drawn as the trail's `curve` is; `place` takes its points
+// to the panel. Notes that it is drawn.
 std::optional<RingCurve> ring_of(
     Panel& panel, const TimedCurve& timed, const Curve& curve,
     const std::function<CurveGeometry(const std::vector<Eigen::Vector3d>& points)>& place);

@@ -60,9 +60,9 @@ GhostPath ghost_path(Panel& panel,
     cut(ghost.path);
     CurveGeometry geometry;
     geometry.points = std::move(ghost.path.points);
-    ghost.curve =
-        curve_of(panel, panel.keep(std::move(geometry), ghost.path.off, "the path of the motion beside"),
-                 panel.stage->theme->ghost, width_px);
+    ghost.curve = curve_of(
+        panel, panel.keep(std::move(geometry), ghost.path.off, "the path of the motion beside"),
+        panel.stage->theme->ghost, width_px);
     ghost.curve.hidden_opacity = 0.45;
     ghost.curve.lasting = true;
     ghost.path.points.clear();

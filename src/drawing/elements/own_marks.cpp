@@ -52,8 +52,9 @@ void add_trail(Panel& panel, const MarkPlace& place, OwnMark& mark) {
     CurveGeometry geometry;
     geometry.points = std::move(mark.path.points);
     mark.path.points.clear();
-    mark.trail = curve_of(panel, panel.keep(std::move(geometry), mark.path.off, "the trail of a mark"),
-                          mark.ink, 2.6);
+    mark.trail =
+        curve_of(panel, panel.keep(std::move(geometry), mark.path.off, "the trail of a mark"),
+                 mark.ink, 2.6);
     mark.trail->hidden_opacity = 0.35;
     mark.trail->lasting = true;
 }

@@ -102,9 +102,8 @@ Drawer make_polhode(Panel& panel) {
     for (Eigen::Vector3d& point : geometry.points) point *= per_rho;
     if (geometry.smooth)
         geometry.smooth = placed(geometry.smooth, Eigen::Affine3d(Eigen::Scaling(per_rho)));
-    Curve curve =
-        curve_of(panel, panel.keep(std::move(geometry), off * per_rho, "the polhode"),
-                 panel.stage->theme->polhode, 4.0);
+    Curve curve = curve_of(panel, panel.keep(std::move(geometry), off * per_rho, "the polhode"),
+                           panel.stage->theme->polhode, 4.0);
     curve.on_surface = the_ellipsoid;
     curve.hidden_opacity = 0.72;
     std::optional<DirectionMarks> marks;
@@ -130,9 +129,9 @@ Drawer make_herpolhode(Panel& panel) {
     const double per_rho = picture.picture_per_rho;
     const Ink& ink = panel.stage->theme->herpolhode;
     const double width_px = 4.0 * panel.stage->theme->herpolhode_weight;
-    TimedCurve timed = herpolhode_trail(
-        *panel.stage, panel.curve_units() / per_rho,
-        width_px * ink.weight * panel.px * panel.units_per_px / per_rho);
+    TimedCurve timed =
+        herpolhode_trail(*panel.stage, panel.curve_units() / per_rho,
+                         width_px * ink.weight * panel.px * panel.units_per_px / per_rho);
 
     // A plane that moves carries what was traced on it along.
     const Eigen::Vector3d foot = picture.dissipates
@@ -152,8 +151,9 @@ Drawer make_herpolhode(Panel& panel) {
             Eigen::Scaling(per_rho) * picture.picture_from_space * Eigen::Translation3d(foot);
         geometry.smooth = placed(timed.smooth, map);
     }
-    Curve curve = curve_of(
-        panel, panel.keep(std::move(geometry), timed.off * per_rho, "the herpolhode"), ink, width_px);
+    Curve curve =
+        curve_of(panel, panel.keep(std::move(geometry), timed.off * per_rho, "the herpolhode"), ink,
+                 width_px);
     curve.on_plane = the_plane;
     curve.hidden_opacity = 0.72;
     std::optional<DirectionMarks> marks;
@@ -203,11 +203,11 @@ Drawer make_annulus(Panel& panel) {
     std::vector<Curve> circles;
     for (const double radius : {annulus.inner, annulus.outer}) {
         const Ink& ink = panel.stage->theme->annulus;
-        Curve curve = curve_of(
-            panel,
-            panel.keep(circle_on_plane(panel, radius * picture_of(panel).picture_per_rho),
-                       panel.curve_units(), "a circle of the annulus"),
-            ink, 1.5);
+        Curve curve =
+            curve_of(panel,
+                     panel.keep(circle_on_plane(panel, radius * picture_of(panel).picture_per_rho),
+                                panel.curve_units(), "a circle of the annulus"),
+                     ink, 1.5);
         curve.dash_px = dash_of(panel, ink, 7.0);
         curve.on_plane = the_plane;
         circles.push_back(curve);

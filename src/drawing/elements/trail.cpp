@@ -24,6 +24,18 @@ double feature_s(const StageData& stage) {
     return fastest > 0.0 ? std::numbers::pi / fastest : 1.0;
 }
 
+// An eighth of the time that half a turn takes in the mean, on the ellipsoid or about L: of a
+// needle, whose least moment says nothing of how it moves, a million times as long as the above.
+// Zero where there is no mean.
+double mean_feature_s(const StageData& stage) {
+    if (stage.motion.motion().integrated() != nullptr || !stage.polhode_period_s) return 0.0;
+    const double rate_rad_s =
+        std::abs(stage.motion.motion().free_constants().mean_advance_rate_rad_s);
+    const double half_turn_s = std::min(0.5 * *stage.polhode_period_s,
+                                        rate_rad_s > 0.0 ? std::numbers::pi / rate_rad_s : endless);
+    return half_turn_s / 8.0;
+}
+
 // Of a path; and of a herpolhode that has not yet filled its ring.
 constexpr std::size_t most_points = 200'000;
 constexpr std::size_t most_ring_points = 1'000'000;
@@ -70,9 +82,11 @@ namespace {
 
 // Samples a path over a stretch of time, and counts what that took.
 TimedPath sampled(const StageData& stage, const PathPoint& point, double from_s, double to_s,
-                  const Quantities& wanted, double tolerance,
-                  std::size_t most = most_points) {
-    TimedPath path = sample_path(point, from_s, to_s, feature_s(stage), tolerance, most);
+                  const Quantities& wanted, double tolerance, std::size_t most = most_points) {
+    const double shortest_s = feature_s(stage);
+    TimedPath path = sample_path(point, from_s, to_s, shortest_s, tolerance, most);
+    if (std::isinf(path.off) && mean_feature_s(stage) > shortest_s)
+        path = sample_path(point, from_s, to_s, mean_feature_s(stage), tolerance, most);
     stage.motion.count(wanted, path.n_evaluations);
     return path;
 }
@@ -84,8 +98,8 @@ TimedPath sampled(const StageData& stage, const PathPoint& point, std::optional<
     const StageOptions& options = stage.options;
     if (!period_s)
         return sampled(stage, point, options.first_time_s, options.last_time_s, wanted, tolerance);
-    return sampled(stage, point, options.first_time_s - *period_s,
-                   options.first_time_s + *period_s, wanted, tolerance);
+    return sampled(stage, point, options.first_time_s - *period_s, options.first_time_s + *period_s,
+                   wanted, tolerance);
 }
 
 // How far the point of the last instants is from where the path of one period has it.
@@ -112,8 +126,7 @@ double seen_drift(const StageData& stage, const PathPoint& point, double period_
 
 // On the separatrix the contact point comes to rest. The instant from which on it stays within half
 // of the tolerance of where it ends; none where that is not soon enough for its path to be sampled.
-std::optional<double> resting_s(const StageData& stage, const PathPoint& point,
-                                double tolerance) {
+std::optional<double> resting_s(const StageData& stage, const PathPoint& point, double tolerance) {
     const StageOptions& options = stage.options;
     const Eigen::Vector3d end = point(options.last_time_s);
     for (double after_s = feature_s(stage); after_s < 0.25 * most_points * 0.25 * feature_s(stage);
@@ -229,9 +242,8 @@ TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double wid
         if (path.off <= tolerance) return as_curve(std::move(path), period_s);
     }
     // or leave nothing of their ring free.
-    const auto ring = kind == "fading"
-                          ? std::nullopt
-                          : filled_ring(stage, point, tolerance, width, most_points);
+    const auto ring =
+        kind == "fading" ? std::nullopt : filled_ring(stage, point, tolerance, width, most_points);
     if (!ring || !(span_s >= ring->filled_after_s)) {
         kept(options.first_time_s, options.last_time_s, most_ring_points);
         return as_curve(std::move(path), {});
@@ -258,8 +270,7 @@ TimedCurve polhode_trail(const StageData& stage, double tolerance, const BodyMap
     const auto period_s = is_smooth(stage) ? stage.polhode_period_s : std::nullopt;
     TimedPath path = sampled(stage, point, period_s, omega_alone, tolerance);
     // All of the curve is the same whenever it has been run along; its last stretch is not.
-    if (period_s && kind == "fading")
-        path.off += seen_drift(stage, point, *period_s, tolerance);
+    if (period_s && kind == "fading") path.off += seen_drift(stage, point, *period_s, tolerance);
     const bool may_rest = stage.rolling->polhode.kind() == Polhode::Kind::separatrix &&
                           is_smooth(stage) && !stage.rolling->dissipates;
     if (!(path.off <= tolerance) && may_rest) {

@@ -65,10 +65,10 @@ struct TimedCurve {
 };
 
 // The path of the contact point on the plane, measured from the foot of L in the ellipsoid's
-// lengths, to a tolerance in them; in the space axes that the stage's instants are given in. `width`
-// is that of the line that will be drawn, in the same lengths: a path of too many turns is a ring
-// once such a line fills it; 0: never.
-// Precondition, here and below: the stage has a construction.
+// lengths, to a tolerance in them; in the space axes that the stage's instants are given in.
+// `width` is that of the line that will be drawn, in the same lengths: a path of too many turns is
+// a ring once such a line fills it; 0: never. Precondition, here and below: the stage has a
+// construction.
 TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double width = 0.0);
 
 // Where a point of the ellipsoid, in body axes and its lengths, is drawn.

@@ -159,8 +159,7 @@ std::vector<Curve> motion_of(Panel& panel) {
 // polhode.
 Drawer make_spiral(Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
-    TimedCurve timed =
-        polhode_trail(*panel.stage, panel.curve_units() / picture.picture_per_rho);
+    TimedCurve timed = polhode_trail(*panel.stage, panel.curve_units() / picture.picture_per_rho);
     CurveGeometry geometry;
     geometry.points.reserve(timed.points.size());
     for (const Eigen::Vector3d& point : timed.points)

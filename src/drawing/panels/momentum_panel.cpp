@@ -78,9 +78,8 @@ Drawer make_momentum_beside(Panel& panel) {
 // The way of L over the sphere as friction leads it, as much of it as the trail of the polhode.
 Drawer make_momentum_spiral(Panel& panel) {
     TimedCurve timed =
-        polhode_trail(*panel.stage, panel.curve_units(), [&panel](const Eigen::Vector3d& point) {
-            return momentum_at(panel, point);
-        });
+        polhode_trail(*panel.stage, panel.curve_units(),
+                      [&panel](const Eigen::Vector3d& point) { return momentum_at(panel, point); });
     CurveGeometry geometry;
     geometry.points = std::move(timed.points);
     Curve curve = curve_of(panel, panel.keep(std::move(geometry), timed.off, "the path of L"),
@@ -162,8 +161,7 @@ void make_momentum_panel(Panel& panel) {
     std::vector<Curve> curves;
     const bool dissipates = panel.stage->rolling->dissipates;
     if (!dissipates && panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
-        Curve curve = curve_of(panel, keep_meeting_curve(panel),
-                               panel.stage->theme->polhode, 4.6);
+        Curve curve = curve_of(panel, keep_meeting_curve(panel), panel.stage->theme->polhode, 4.6);
         curve.on_surface = the_sphere;
         curve.hidden_opacity = 0.72;
         curves.push_back(curve);

@@ -245,9 +245,8 @@ class PlotMaker {
             geometry.points.push_back(samples[i].point);
             if (i > 0) off_px = std::max(off_px, samples[i].off);
         }
-        return panel_->stage->keep(
-            std::move(geometry), off_px,
-            fmt::format("the chart \"{}\"", quantity_->name));
+        return panel_->stage->keep(std::move(geometry), off_px,
+                                   fmt::format("the chart \"{}\"", quantity_->name));
     }
 
     Curve line_of(const PlotCurve& kind, double width_px) const {
