@@ -38,6 +38,7 @@ struct Command {
     // `room` keeps the command's own choices until it has run.
     CommandLine (*line)(std::any& room);
     std::array<Example, 2> examples{};  // that its help ends with
+    std::string_view needs{};           // its arguments in words, where they are more than one
 };
 
 std::span<const Command> commands();

@@ -32,7 +32,7 @@ struct CompareChoices {
     std::optional<std::string> max_over;
     std::optional<int> over_levels;
     std::string report, junit, diff;  // files to write, empty for none
-    bool json = false, quiet = false;
+    bool measures = false, json = false, quiet = false;
 };
 
 namespace fs = std::filesystem;
@@ -98,32 +98,50 @@ void print_lines(const std::vector<ComparedPicture>& pictures) {
     for (const ComparedPicture& p : pictures) {
         n_same += p.outcome == Outcome::same;
         n_failed += !p.passes();
-        if (p.outcome != Outcome::same)
-            fmt::print("{}: {}: {}\n", name_of(p.outcome), printable(p.name),
-                       printable(p.reason, most_of_a_message));
+        if (p.outcome == Outcome::same) continue;
+        const auto& likeness = p.measured.likeness;
+        fmt::print("{}: {}: {}{}\n", name_of(p.outcome), printable(p.name),
+                   printable(p.reason, most_of_a_message),
+                   likeness
+                       ? fmt::format("; FLIP {:.3g}, SSIM {:.5f}", likeness->flip, likeness->ssim)
+                       : "");
     }
     fmt::print("{} compared, {} failed, {} the same\n", pictures.size(), n_failed, n_same);
 }
 
-bool is_native(const fs::path& picture) {
+std::optional<Record> record_of(const fs::path& picture) {
     try {
-        return !read_record(picture).portable;
+        return read_record(picture);
     } catch (const InputError&) {
-        return false;  // drawn by another program
+        return std::nullopt;  // drawn by another program
     }
 }
 
-// Where pictures differ that another processor may have drawn otherwise, that may be all there is.
+// Whether another processor's rounding may be all that there is between two pictures: one scene at
+// one instant, drawn natively by one of them at least, and no more different than rounding makes
+// them.
+bool may_be_rounding(const ComparedPicture& picture) {
+    const Comparison& m = picture.measured;
+    const CompareLimits native;
+    const double most = native.differing_share * static_cast<double>(m.n_pixels);
+    if (picture.outcome != Outcome::pixels || m.largest_difference > native.level ||
+        static_cast<double>(m.n_differing) > most)
+        return false;
+    const std::optional<Record> expected = record_of(picture.expected);
+    const std::optional<Record> actual = record_of(picture.actual);
+    return expected && actual && !(expected->portable && actual->portable) &&
+           expected->scene_hash == actual->scene_hash && expected->time_s == actual->time_s &&
+           expected->frames == actual->frames;
+}
+
+// Where that may be all, nothing is wrong with the pictures.
 void note_native(const std::vector<ComparedPicture>& pictures) {
-    const auto n_native = std::count_if(pictures.begin(), pictures.end(), [](const auto& p) {
-        return p.outcome == Outcome::pixels && (is_native(p.expected) || is_native(p.actual));
-    });
+    const auto n_native = std::count_if(pictures.begin(), pictures.end(), may_be_rounding);
     if (n_native > 0)
-        say(
-            fmt::format("note: {} drawn for one processor alone; draw them with --portable, or "
-                        "compare with --profile native",
-                        n_native == 1 ? "1 pair that differs was"
-                                      : fmt::format("{} pairs that differ were", n_native)));
+        say(fmt::format(
+            "note: {} no more than processors round apart, and not drawn with --portable; draw "
+            "them so, or compare with --profile native",
+            n_native == 1 ? "1 pair differs" : fmt::format("{} pairs differ", n_native)));
 }
 
 // No output replaces a picture that is compared, or another output.
@@ -155,7 +173,8 @@ void refuse_overwriting(const CompareChoices& choices, const fs::path& expected,
 
 int run(const CompareChoices& choices) {
     const fs::path expected = choices.pictures.at(0), actual = choices.pictures.at(1);
-    const std::optional<CompareLimits> limits = limits_of(choices);
+    CompareRequest request{.limits = limits_of(choices)};
+    if (choices.measures) request.likeness = likeness_of;
     const bool folders = are_folders(expected, actual);
     if (folders && !choices.diff.empty())
         throw InputError("--diff shows one pair of pictures; for folders take --report FILE.html");
@@ -168,15 +187,15 @@ int run(const CompareChoices& choices) {
     if (is_page_name(expected) && is_page_name(actual)) {
         pages.emplace();
         const fs::path first = pages->picture_of(expected), second = pages->picture_of(actual);
-        pictures = {compare_files(actual.filename().string(), first, second, limits)};
+        pictures = {compare_files(actual.filename().string(), first, second, request)};
         if (pictures[0].outcome == Outcome::unreadable) throw InputError(pictures[0].reason);
     } else if (folders) {
-        pictures = compare_folders(expected, actual, limits);
+        pictures = compare_folders(expected, actual, request);
         sort_by_severity(pictures);
     } else {
         const Baselines baselines(expected.parent_path());
         pictures = {compare_files(actual.filename().replace_extension().string(), expected, actual,
-                                  limits, &baselines, expected.stem().string())};
+                                  request, &baselines, expected.stem().string())};
         if (pictures[0].outcome == Outcome::unreadable) throw InputError(pictures[0].reason);
     }
 
@@ -189,7 +208,7 @@ int run(const CompareChoices& choices) {
     if (!choices.report.empty()) write_whole(choices.report, html_report(title, pictures));
     if (!choices.junit.empty()) write_whole(choices.junit, junit_xml(title, pictures));
     if (choices.json) {
-        fmt::print("{}", json_report(pictures, limits));
+        fmt::print("{}", json_report(pictures, request.limits, choices.measures));
     } else {
         print_lines(pictures);
     }
@@ -210,6 +229,10 @@ CommandLine compare_line(std::any& room) {
               &c.max_over, "", "SHARE"},
              {"--over-levels", "levels of 255 that --max-over counts from; 2 if not given",
               &c.over_levels, "a level of 0 to 255"},
+             {"--measures",
+              "measure how unlike differing pictures look (SSIM, FLIP), for --json, --report and "
+              "the order; seconds a pair",
+              &c.measures},
              json_option(c.json),
              {"--report",
               "FILE.html: write a page that shows the pictures",
@@ -241,6 +264,7 @@ extern const Command compare_command{
     compare_line,
     {{{"poinsot compare expected.png new.png", "exit code 0: no pixel differs; 1: some do"},
       {"poinsot compare baselines/ results/ --report report.html",
-       "two folders, with a page that shows them"}}}};
+       "two folders, with a page that shows them"}}},
+    "two pictures or two folders"};
 
 }  // namespace poinsot

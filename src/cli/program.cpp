@@ -215,6 +215,12 @@ class LineCheck {
     void check_number(const std::vector<std::string_view>& arguments) const {
         const auto least = static_cast<std::size_t>(command_.least_arguments);
         const auto most = static_cast<std::size_t>(command_.most_arguments);
+        if (!command_.needs.empty() && (arguments.size() < least || arguments.size() > most))
+            refuse(fmt::format("needs {}; {} given", command_.needs,
+                               arguments.empty()       ? "none is"
+                               : arguments.size() == 1 ? "one is"
+                                                       : fmt::format("{} are", arguments.size())),
+                   command_.name);
         if (arguments.size() < least)
             refuse(named_arguments(command_.arguments, arguments.size()) + " missing",
                    command_.name);

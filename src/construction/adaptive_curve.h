@@ -7,9 +7,12 @@
 
 namespace poinsot {
 
+inline constexpr std::size_t most_curve_points = 1'000'000;
+
 struct CurveSample {
     double parameter = 0.0;
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    double off = 0.0;  // largest distance found between the curve and the segment that ends here
 };
 
 // Distance of a point from the segment between two others.
@@ -17,13 +20,15 @@ double distance_from_segment(const Eigen::Vector3d& point, const Eigen::Vector3d
                              const Eigen::Vector3d& to);
 
 // Samples point(parameter) over [first, last], starting from n_pieces equal pieces and halving each
-// until the curve at its quarter points is within `tolerance` of the chord. Returns ascending
+// until the curve at its quarter points, and where it might be farther off between them, is within
+// `tolerance` of the chord. Returns ascending
 // parameters, both ends included; at most max_points of them (the tolerance is then not reached
-// everywhere). `off` receives the largest
-// distance found at those quarter points between curve and polyline.
+// everywhere). Where parameters lie so close that doubles name none between them, the curve is
+// taken to be off by the segment's length. `off` receives the largest of the samples' own.
 std::vector<CurveSample> sample_adaptively(const std::function<Eigen::Vector3d(double)>& point,
                                            double first, double last, int n_pieces,
-                                           double tolerance, std::size_t max_points = 1'000'000,
+                                           double tolerance,
+                                           std::size_t max_points = most_curve_points,
                                            double* off = nullptr);
 
 }  // namespace poinsot

@@ -121,14 +121,14 @@ double Polhode::first_chi_rad() const {
 
 double Polhode::last_chi_rad() const { return kind_ == Kind::point ? 0.0 : -first_chi_rad(); }
 
-std::vector<CurveSample> Polhode::samples(double tolerance) const {
+std::vector<CurveSample> Polhode::samples(double tolerance, double* off) const {
     return sample_adaptively([this](double chi) { return at(chi); }, first_chi_rad(),
-                             last_chi_rad(), 16, tolerance);
+                             last_chi_rad(), 16, tolerance, most_curve_points, off);
 }
 
-std::vector<Eigen::Vector3d> Polhode::sampled(double tolerance) const {
+std::vector<Eigen::Vector3d> Polhode::sampled(double tolerance, double* off) const {
     std::vector<Eigen::Vector3d> points;
-    for (const CurveSample& sample : samples(tolerance)) points.push_back(sample.point);
+    for (const CurveSample& sample : samples(tolerance, off)) points.push_back(sample.point);
     if (closed()) points.pop_back();
     return points;
 }
@@ -157,7 +157,8 @@ Polhode::Annulus Polhode::annulus() const {
 }
 
 std::vector<std::vector<Eigen::Vector3d>> separatrices(const InertiaTensor& inertia,
-                                                       double tolerance) {
+                                                       double tolerance, double* off) {
+    if (off != nullptr) *off = 0.0;
     const Eigen::Vector3d& I = inertia.moments_kg_m2();
     std::array<int, 3> order{0, 1, 2};
     std::stable_sort(order.begin(), order.end(), [&I](int i, int j) { return I[i] < I[j]; });
@@ -180,9 +181,12 @@ std::vector<std::vector<Eigen::Vector3d>> separatrices(const InertiaTensor& iner
             return Eigen::Vector3d(inertia.body_from_principal() * rho);
         };
         std::vector<Eigen::Vector3d> points;
-        for (const CurveSample& s : sample_adaptively(point, -pi, pi, 16, tolerance)) {
+        double own_off = 0.0;
+        for (const CurveSample& s :
+             sample_adaptively(point, -pi, pi, 16, tolerance, most_curve_points, &own_off)) {
             points.push_back(s.point);
         }
+        if (off != nullptr) *off = std::max(*off, own_off);
         points.pop_back();
         curves.push_back(std::move(points));
     }

@@ -47,10 +47,10 @@ class Polhode {
     std::optional<Circle> circle() const;
 
     // Sampled so that the polyline is within `tolerance` (the ellipsoid's lengths) of the curve; a
-    // closed curve does not repeat its first point.
-    std::vector<Eigen::Vector3d> sampled(double tolerance) const;
+    // closed curve does not repeat its first point. `off` receives how far it was found to be.
+    std::vector<Eigen::Vector3d> sampled(double tolerance, double* off = nullptr) const;
     // The same with the χ of each point, and with the first point of a closed curve once more.
-    std::vector<CurveSample> samples(double tolerance) const;
+    std::vector<CurveSample> samples(double tolerance, double* off = nullptr) const;
 
     // Smallest and largest distance of the curve's points from the foot of the plane: the
     // herpolhode's annulus.
@@ -75,6 +75,6 @@ class Polhode {
 // The two separatrices of a body with three different moments: ellipses through the middle axis,
 // body axes. Empty for symmetric bodies.
 std::vector<std::vector<Eigen::Vector3d>> separatrices(const InertiaTensor& inertia,
-                                                       double tolerance);
+                                                       double tolerance, double* off = nullptr);
 
 }  // namespace poinsot

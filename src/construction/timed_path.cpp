@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "construction/adaptive_curve.h"
 
@@ -21,26 +22,35 @@ TimedPath sample_path(const std::function<Eigen::Vector3d(double)>& point, doubl
                       double last_time_s, double shortest_feature_s, double tolerance,
                       std::size_t max_points) {
     // Pieces of one length from the first instant on, a power of two so that their ends do not
-    // depend on how many follow; too many of them for max_points share the stretch instead.
+    // depend on how many follow.
     const double span = last_time_s - first_time_s;
     const double piece_s = std::exp2(std::floor(std::log2(0.5 * shortest_feature_s)));
-    const double wanted = std::ceil(span / piece_s);
-    const double n_pieces = std::clamp(wanted, 0.0, static_cast<double>(max_points) / 4.0);
-    const double end_s = wanted <= n_pieces ? first_time_s + piece_s * n_pieces : last_time_s;
+    const double n_pieces = std::max(0.0, std::ceil(span / piece_s));
 
     TimedPath path;
-    const auto samples = sample_adaptively(
-        [&](double t) {
-            ++path.n_evaluations;
-            return point(t);
-        },
-        first_time_s, end_s, static_cast<int>(n_pieces), tolerance, max_points, &path.off);
+    const auto counted = [&](double t) {
+        ++path.n_evaluations;
+        return point(t);
+    };
+    if (!(n_pieces <= static_cast<double>(max_points) / 4.0)) {
+        // Longer pieces might each be tested where the path happens to be alike.
+        path.times_s = {first_time_s};
+        path.points = {counted(first_time_s)};
+        path.offs = {0.0};
+        path.off = std::numeric_limits<double>::infinity();
+        return path;
+    }
+    const auto samples =
+        sample_adaptively(counted, first_time_s, first_time_s + piece_s * n_pieces,
+                          static_cast<int>(n_pieces), tolerance, max_points, &path.off);
 
     path.times_s.reserve(samples.size());
     path.points.reserve(samples.size());
+    path.offs.reserve(samples.size());
     for (const CurveSample& sample : samples) {
         path.times_s.push_back(sample.parameter);
         path.points.push_back(sample.point);
+        path.offs.push_back(sample.off);
     }
     return path;
 }

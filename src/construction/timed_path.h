@@ -12,8 +12,10 @@ namespace poinsot {
 struct TimedPath {
     std::vector<double> times_s;
     std::vector<Eigen::Vector3d> points;
+    std::vector<double> offs;        // as CurveSample has it, point by point
     std::int64_t n_evaluations = 0;  // that it took
-    double off = 0.0;                // largest distance found between path and polyline
+    double off = 0.0;  // largest distance found between path and polyline; infinite where the path
+                       // has more turns than there may be points, and was not followed
 
     // Fractional index of an instant: how many points have been passed, 0 … n−1.
     double index_at(double time_s) const;
@@ -22,7 +24,8 @@ struct TimedPath {
 // Samples [first_time_s, last_time_s] so that the polyline is within `tolerance` of the path.
 // `shortest_feature_s` is a time over which the path certainly does not turn by more than half a
 // turn. It goes on beyond the last instant to the end of a piece of at most half that time, so that
-// a shorter stretch is a part of a longer one, bit for bit.
+// a shorter stretch is a part of a longer one, bit for bit. A path of more such pieces than a
+// quarter of max_points is not followed: its first point is all that is returned.
 TimedPath sample_path(const std::function<Eigen::Vector3d(double)>& point, double first_time_s,
                       double last_time_s, double shortest_feature_s, double tolerance,
                       std::size_t max_points = 200'000);

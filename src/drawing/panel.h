@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "drawing/stage_data.h"
@@ -32,6 +33,11 @@ struct Panel {
     double units_per_px = 0.001;              // at the camera's target
     // What polylines may leave their curves by, in the panel's units.
     double curve_units() const { return stage->curve_px * units_per_px; }
+    // As StageData has it, by the polyline's distance from the curve in the panel's units.
+    const CurveGeometry* keep(CurveGeometry geometry, double off_units,
+                              std::string_view what) const {
+        return stage->keep(std::move(geometry), off_units / units_per_px, what);
+    }
     Light light;                    // the theme's, unless the panel turns it
     Quantities asks = omega_alone;  // what its drawer reads of an instant besides ω
     bool shows_beside = false;      // whether it reads Instant::beside

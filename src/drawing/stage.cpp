@@ -24,6 +24,8 @@ const EvaluationCounts& Stage::counts() const { return data_->motion.counts(); }
 
 double Stage::curve_error_px() const { return data_->curve_error_px; }
 
+std::span<const std::string> Stage::notes() const { return data_->notes; }
+
 Drawing Stage::at(double time_s) const {
     return at(moment_of_time(FilmClock(data_->scene), time_s));
 }

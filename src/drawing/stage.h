@@ -3,6 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <memory>
+#include <optional>
+#include <span>
+#include <string>
 
 #include "drawing/type/least_sizes.h"
 #include "mechanics/motion.h"
@@ -25,8 +28,9 @@ struct StageOptions {
     LeastSizes least{};       // on paper, of the picture drawn
     double first_time_s = 0.0;  // the instants that are drawn lie between these; histories begin
     double last_time_s = 0.0;   // with the first and are made up to the last
-    double loop_s = 0.0;        // after which the picture is the same again, seconds of motion; 0:
-                                // it never is
+    std::optional<double> first_shown_s{};  // no instant before it is drawn; else the first
+    double loop_s = 0.0;  // after which the picture is the same again, seconds of motion; 0:
+                          // it never is
 };
 
 // Holds the geometry that all video frames share and makes the drawing of an instant. Immutable
@@ -51,6 +55,9 @@ class Stage {
     // The greatest distance, in pixels, of a curve's polyline from the curve, where it was
     // measured.
     double curve_error_px() const;
+
+    // What is drawn otherwise than the scene says, and why: one line each.
+    std::span<const std::string> notes() const;
 
     const StageData& data() const { return *data_; }
 

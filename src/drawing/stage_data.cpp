@@ -1,5 +1,7 @@
 #include "drawing/stage_data.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,12 +21,12 @@ namespace poinsot {
 
 namespace {
 
-// Drawn with radii up to half the picture's height: the sagitta r(1 − cos(π/n)) stays below
+// Drawn with radii up to twice the picture's height: the sagitta r(1 − cos(π/n)) stays below
 // curve_px.
 CurveGeometry circle_of_radius_1(const StageOptions& options, double curve_px) {
     CurveGeometry circle;
     circle.closed = true;
-    const double least = std::numbers::pi / std::sqrt(4.0 * curve_px / options.height_px);
+    const double least = std::numbers::pi / std::sqrt(curve_px / options.height_px);
     const int n_points = static_cast<int>(std::clamp(std::ceil(least), 512.0, 65536.0));
     for (int k = 0; k < n_points; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / n_points;
@@ -93,12 +95,13 @@ StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOpti
     film_first_s = std::min(scene.film.start_s, options.first_time_s);
     film_last_s = std::max(film_end_time_s(scene), options.last_time_s);
     curve_px = options.curve_px > 0.0 ? options.curve_px : accuracy_of(scene).curve_px();
-    unit_circle = keep(circle_of_radius_1(options, curve_px));
-    unit_segment = keep({.points = {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}});
+    unit_circle = keep(circle_of_radius_1(options, curve_px), curve_px, "a circle");
+    unit_segment =
+        keep({.points = {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}}, 0.0, "a line");
     make_construction();
     timeline = Timeline(scene, rolling ? rolling->foot() : Eigen::Vector3d::Zero().eval());
-    // Curves are subdivided to this; those that could not be note it.
-    note_curve_error(curve_px);
+    // Curves are subdivided to this, those that are made for one instant as well.
+    curve_error_px = curve_px;
     make_panels();
     if (beside && !shows_beside) {
         throw SceneError(scene.location_of("beside"),
@@ -148,9 +151,28 @@ void StageData::widen_herpolhode() {
 
 StageData::~StageData() = default;
 
-const CurveGeometry* StageData::keep(CurveGeometry geometry) {
+const CurveGeometry* StageData::keep(CurveGeometry geometry, double off_px, std::string_view what) {
+    constexpr double rounding = 1e-6;
+    if (!(off_px <= (1.0 + rounding) * curve_px)) {
+        const double from_s = std::min(options.first_time_s, film_first_s);
+        const double to_s = std::max(options.last_time_s, film_last_s);
+        throw SceneError(
+            scene.location_of("film"),
+            fmt::format(
+                "{} cannot be drawn within accuracy_px = {:g} from t = {:g} s to {:g} s: too "
+                "many turns, or times too large to tell its points apart; set film.start_s "
+                "nearer to the last instant shown, shorten the film or its trails, or raise "
+                "accuracy_px",
+                what, scene.accuracy_px, from_s, to_s));
+    }
+    curve_error_px = std::max(curve_error_px, off_px);
     geometry.id = next_identity();
     return &curves.emplace_back(std::move(geometry));
+}
+
+void StageData::note(std::string text) {
+    if (std::find(notes.begin(), notes.end(), text) == notes.end())
+        notes.push_back(std::move(text));
 }
 
 const MeshGeometry* StageData::keep(MeshGeometry geometry) {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "construction/poinsot_construction.h"
@@ -113,7 +114,8 @@ struct StageData {
     std::vector<Drawer> overlays;                 // title, caption, clock: over the whole picture
     Quantities asks = omega_alone;                // what all panels together read of an instant
     bool shows_beside = false;                    // whether one of them shows the motion beside
-    double curve_error_px = 0.0;                  // see note_curve_error
+    double curve_error_px = 0.0;                  // the greatest of all curves kept
+    std::vector<std::string> notes;
 
     StageData(const Scene& scene, const Motion& motion, const StageOptions& options,
               const Motion* beside);
@@ -121,11 +123,14 @@ struct StageData {
     StageData(const StageData&) = delete;
     StageData& operator=(const StageData&) = delete;
 
-    const CurveGeometry* keep(CurveGeometry geometry);
+    // Keeps a curve whose polyline is so many pixels from it at most: the only way that one gets
+    // into a picture, so that the bound which records state covers it. Throws SceneError where that
+    // is more than the picture allows; `what` the curve is.
+    const CurveGeometry* keep(CurveGeometry geometry, double off_px, std::string_view what);
     const MeshGeometry* keep(MeshGeometry geometry);
 
-    // Notes how far a curve's polyline was measured to be from the curve, in pixels.
-    void note_curve_error(double error_px) { curve_error_px = std::max(curve_error_px, error_px); }
+    // Adds a note that is not there yet.
+    void note(std::string text);
 
     // The nearest place between pixels of the picture that is looked at: what stands there stands
     // there however many samples a pixel has.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "image/png.h"
@@ -18,9 +19,8 @@ struct CompareLimits {
     double differing_share = 0.001;  // share of all pixels that may differ at all
     int level = 2;  // levels of 0…255, in the channel with the largest difference
     double over_level_share = 2e-6;  // share of all pixels that may differ by more than level
-    bool measures_likeness = true;   // computes SSIM and FLIP, about 0.7 s at 1920×1080
 
-    static CompareLimits exact() { return {0, 0, 0, true}; }
+    static CompareLimits exact() { return {0, 0, 0}; }
 };
 
 enum class Verdict {
@@ -30,6 +30,12 @@ enum class Verdict {
     size_differs,
     depth_differs,   // 8 and 16 bits per component
     colours_differ,  // different colour spaces: equal samples would mean different colours
+};
+
+// How similar two pictures look, for ranking.
+struct Likeness {
+    double ssim = 1;  // 1: equal; see structural_similarity
+    double flip = 0;  // 0: equal; see flip_error
 };
 
 struct Comparison {
@@ -43,19 +49,21 @@ struct Comparison {
     std::int64_t n_over_level = 0;  // by more than the limits' level
     double largest_difference = 0;  // in 8-bit levels; 16-bit samples give fractions
     double mean_difference = 0;     // levels, over all channels
-    double ssim = 1;                // 1: equal; see structural_similarity
-    double flip = 0;                // 0: equal; see flip_error
+    // SSIM and FLIP, if the caller computes them: they take a hundred times as long as the counts.
+    std::optional<Likeness> likeness;
 
     bool passes() const { return verdict == Verdict::same || verdict == Verdict::within_limits; }
 };
 
 Comparison compare(const Image& expected, const Image& actual, const CompareLimits& limits = {});
 
-// Compares every stored bit and the colour space. SSIM and FLIP use 8 bits. If depths or colour
-// spaces differ, the pictures are not equal whatever the limits, and the 8-bit samples are
-// measured.
+// Compares every stored bit and the colour space. If depths or colour spaces differ, the pictures
+// are not equal whatever the limits, and the 8-bit samples are counted.
 Comparison compare(const StoredPicture& expected, const StoredPicture& actual,
                    const CompareLimits& limits = {});
+
+// SSIM and FLIP of two pictures of equal size, about 2 s of one core at 1920×1080.
+Likeness likeness_of(const Image& expected, const Image& actual);
 
 // Mean structural similarity of the luma of two pictures of equal size, drawn on white. Source:
 // Wang, Bovik, Sheikh & Simoncelli, IEEE Trans. Image Processing 13 (2004) 600: 11×11 Gaussian

@@ -228,7 +228,7 @@ void FilmJob::make(Easel& easel, const Telling& telling) const {
     }
     PictureMaker pictures(*session_, easel,
                           {.first_time_s = film_.time_of(0), .last_time_s = film_.time_of(last_)});
-    tell_type_notes(pictures.stage(), telling);
+    tell_stage_notes(pictures.stage(), telling);
     Record record = record_of(*session_, pictures, easel.is_portable());
     record.frames = {first_, last_};
     plan.metadata = to_text(record);

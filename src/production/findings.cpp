@@ -289,7 +289,7 @@ Findings examine(const Session& session, bool plan, const Telling& telling) {
     const PictureSetting setting = setting_of(session.scene);
     const Stage stage = stage_of(
         session, {.first_time_s = film.start_s, .last_time_s = film.last_time_s()}, setting);
-    tell_type_notes(stage, telling);
+    tell_stage_notes(stage, telling);
     add_accuracy(session, bound_of(session, stage, setting.samples), facts);
     add_beside(session, film, facts);
     if (can_certify(session)) {

@@ -30,6 +30,7 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     options.least = setting.least.times(setting.samples);
     options.first_time_s = span.first_time_s;
     options.last_time_s = span.last_time_s;
+    options.first_shown_s = span.first_shown_s;
     options.loop_s = session.loop ? session.loop->loop_s : 0.0;
     // In pixels of the picture drawn, which is `samples` times as large as the one made.
     options.curve_px = session.accuracy.curve_px(setting.curve_tolerance * setting.samples);
@@ -39,7 +40,8 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     });
 }
 
-void tell_type_notes(const Stage& stage, const Telling& telling) {
+void tell_stage_notes(const Stage& stage, const Telling& telling) {
+    for (const std::string& note : stage.notes()) telling.say("note: " + note);
     const std::vector<char32_t>& missing = stage.data().type_case.typesetter().missing();
     if (missing.empty()) return;
     telling.say(fmt::format(
@@ -49,14 +51,18 @@ void tell_type_notes(const Stage& stage, const Telling& telling) {
 }
 
 PictureBound bound_of(const Session& session, const Stage& stage, int samples) {
-    return {motion_error_px(session), stage.curve_error_px() / samples};
+    return {motion_error_px(session),
+            stage.curve_error_px() / samples,
+            {stage.notes().begin(), stage.notes().end()}};
 }
 
 std::string in_words(const PictureBound& bound, double accuracy_px) {
-    return fmt::format(
+    std::string words = fmt::format(
         "within {:.2g} px of the truth (motion {:.2g} px, curves {:.2g} px; {:g} px "
         "asked)",
         bound.total_px(), bound.motion_px, bound.curves_px, accuracy_px);
+    for (const std::string& note : bound.notes) words += "; " + note;
+    return words;
 }
 
 OffscreenContext make_context(const ContextChoice& choice, ShaderCompilation compilation) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "drawing/stage.h"
 #include "drawing/stage_data.h"
@@ -18,6 +19,7 @@ namespace poinsot {
 struct PictureSpan {
     double first_time_s = 0.0;
     double last_time_s = 0.0;
+    std::optional<double> first_shown_s{};  // no picture is earlier; else the first
 };
 
 // Which context pictures are drawn on.
@@ -74,13 +76,14 @@ PictureSetting setting_of(const Scene& scene, const PrintChoices& print = {});
 // The stage of pictures drawn so. The session must outlive it.
 Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting);
 
-// Which characters of a picture no font here has.
-void tell_type_notes(const Stage& stage, const Telling& telling);
+// What is drawn otherwise than asked for: as a ring, or as boxes, for want of a font.
+void tell_stage_notes(const Stage& stage, const Telling& telling);
 
 // How far anything drawn is from the truth, in pixels of the picture that is made.
 struct PictureBound {
-    double motion_px = 0.0;  // see motion_error_px
-    double curves_px = 0.0;  // polylines for curves
+    double motion_px = 0.0;            // see motion_error_px
+    double curves_px = 0.0;            // polylines for curves
+    std::vector<std::string> notes{};  // what is drawn for something else, as Stage has them
     double total_px() const { return motion_px + curves_px; }
 };
 PictureBound bound_of(const Session& session, const Stage& stage, int samples);

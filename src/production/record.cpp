@@ -250,10 +250,10 @@ Record read_record(const std::filesystem::path& file) {
         text = film_metadata(file);
     }
     if (text.empty())
-        throw InputError(
-            fmt::format("{}: carries no record of how it was made; only what poinsot "
-                        "has drawn does",
-                        printable(file.string())));
+        throw InputError(fmt::format(
+            "{}: carries no record of how it was made, so that poinsot did not draw it, "
+            "or another program removed it; draw it with poinsot",
+            printable(file.string())));
     return parse_record(text, file.string());
 }
 

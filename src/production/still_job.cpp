@@ -77,7 +77,9 @@ StillRequest accepted(StillRequest request) {
 
 // The histories shown begin with the film and end with the instant.
 PictureSpan span_of(const Session& session, double time_s) {
-    return {.first_time_s = std::min(film_plan(session).start_s, time_s), .last_time_s = time_s};
+    return {.first_time_s = std::min(film_plan(session).start_s, time_s),
+            .last_time_s = time_s,
+            .first_shown_s = time_s};
 }
 
 // What a drawing of surfaces alone looks like.
@@ -175,7 +177,7 @@ Record StillJob::draw_into(Easel& easel, Image& image) {
 void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
     const Scene& scene = session_.scene;
     tell_notes(scene, telling);
-    tell_type_notes(staging_.stage, telling);
+    tell_stage_notes(staging_.stage, telling);
     OutputPlace place(request_.output, scene, ".png");
     if (is_vector_name(request_.output)) {
         draw_vectors(std::move(place), record(), easel, telling);

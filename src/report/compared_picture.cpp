@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <mutex>
 #include <tuple>
 
 #include "error/error.h"
 #include "image/pixel_hash.h"
 #include "image/png.h"
 #include "production/record.h"
+#include "system/file_contents.h"
 #include "system/file_kind.h"
+#include "system/in_parallel.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -71,6 +74,28 @@ std::optional<Record> record_of(const fs::path& picture) {
     }
 }
 
+// Whether it has so many pixels that one pair of such pictures at a time is held in memory.
+bool is_large(const fs::path& picture) {
+    constexpr double many_pixels = 1 << 24;
+    if (kind_of_file(picture) != FileKind::regular) return false;
+    try {
+        const PngInfo info = read_png_info(picture);
+        return 1.0 * info.width_px * info.height_px > many_pixels;
+    } catch (const Error&) {
+        return false;  // told when it is compared
+    }
+}
+
+// Whether both are regular files of the same bytes; what cannot be read is for the picture's reader
+// to tell.
+bool have_same_bytes(const fs::path& a, const fs::path& b) {
+    if (kind_of_file(a) != FileKind::regular || kind_of_file(b) != FileKind::regular) return false;
+    std::error_code error;
+    if (fs::equivalent(a, b, error) && !error) return true;
+    if (fs::file_size(a, error) != fs::file_size(b, error) || error) return false;
+    return read_bytes(a) == read_bytes(b);
+}
+
 }  // namespace
 
 std::string_view name_of(Outcome outcome) {
@@ -89,7 +114,7 @@ std::optional<CompareLimits> limits_between(const Baseline& approved, std::strin
 }
 
 ComparedPicture compare_files(const std::string& name, const fs::path& expected,
-                              const fs::path& actual, const std::optional<CompareLimits>& limits,
+                              const fs::path& actual, const CompareRequest& request,
                               const Baselines* baselines, const std::string& baseline_name) {
     ComparedPicture result;
     result.name = name;
@@ -114,8 +139,8 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
             "nothing says what this picture should look like; approve it if it is right";
         return result;
     }
-    std::optional<CompareLimits> allowed = limits ? limits : CompareLimits::exact();
-    if (!limits && is_listed) {
+    std::optional<CompareLimits> allowed = request.limits ? request.limits : CompareLimits::exact();
+    if (!request.limits && is_listed) {
         const Baseline& approved = baselines->manifest().at(baseline_name);
         if (const auto now = record_of(actual))
             allowed = limits_between(approved, now->renderer, now->mesa);
@@ -129,8 +154,16 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
         }
     }
     try {
-        const StoredPicture picture = read_stored_png(expected);
-        result.measured = compare(picture, read_stored_png(actual), *allowed);
+        // Of two files of the same bytes one is read, to see that it is a whole PNG.
+        const StoredPicture picture = request.read(expected);
+        if (have_same_bytes(expected, actual)) {
+            result.measured = compare(picture, picture, *allowed);
+        } else {
+            const StoredPicture other = request.read(actual);
+            result.measured = compare(picture, other, *allowed);
+            if (request.likeness && result.measured.n_differing > 0)
+                result.measured.likeness = request.likeness(picture.image, other.image);
+        }
         result.outcome = outcome_of(result.measured.verdict);
         result.reason = result.measured.reason;
         if (baselines == nullptr || !baselines->has_manifest()) return result;
@@ -147,7 +180,7 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
 }
 
 std::vector<ComparedPicture> compare_folders(const fs::path& expected, const fs::path& actual,
-                                             const std::optional<CompareLimits>& limits) {
+                                             const CompareRequest& request) {
     const auto expected_files = pictures_in(expected);
     const auto actual_files = pictures_in(actual);
     std::map<std::string, std::pair<fs::path, fs::path>> names;
@@ -158,16 +191,24 @@ std::vector<ComparedPicture> compare_folders(const fs::path& expected, const fs:
     if (names.empty())
         throw InputError(fmt::format("{} and {}: no .png in either; nothing to compare",
                                      printable(expected.string()), printable(actual.string())));
-    std::vector<ComparedPicture> results;
-    results.reserve(names.size());
-    for (const auto& [name, paths] : names)
-        results.push_back(compare_files(name, paths.first, paths.second, limits, &baselines, name));
+    const std::vector<std::pair<std::string, std::pair<fs::path, fs::path>>> pairs(names.begin(),
+                                                                                   names.end());
+    std::vector<ComparedPicture> results(pairs.size());
+    std::mutex large_pictures;
+    in_parallel(pairs.size(), request.n_threads, [&](std::size_t i) {
+        const auto& [name, paths] = pairs[i];
+        std::unique_lock alone(large_pictures, std::defer_lock);
+        if (is_large(paths.first) || is_large(paths.second)) alone.lock();
+        results[i] = compare_files(name, paths.first, paths.second, request, &baselines, name);
+    });
     return results;
 }
 
 void sort_by_severity(std::vector<ComparedPicture>& pictures) {
     const auto rank = [](const ComparedPicture& p) {
-        return std::make_tuple(p.outcome, -p.measured.flip, std::string_view(p.name));
+        const Comparison& m = p.measured;
+        const double difference = m.likeness ? m.likeness->flip : m.mean_difference;
+        return std::make_tuple(p.outcome, -difference, std::string_view(p.name));
     };
     std::stable_sort(pictures.begin(), pictures.end(),
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });

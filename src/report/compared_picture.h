@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,7 +11,9 @@
 #include <vector>
 
 #include "image/compare.h"
+#include "image/png.h"
 #include "report/baselines.h"
+#include "system/processor.h"
 
 namespace poinsot {
 
@@ -49,23 +52,34 @@ struct ComparedPicture {
 std::optional<CompareLimits> limits_between(const Baseline& approved, std::string_view renderer,
                                             std::string_view mesa);
 
+// What is compared, and how much of it.
+struct CompareRequest {
+    // None: what drew the baseline decides, else no pixel may differ.
+    std::optional<CompareLimits> limits{};
+    // Measures pairs whose pixels differ; none: they are not measured.
+    std::function<Likeness(const Image&, const Image&)> likeness{};
+    std::function<StoredPicture(const std::filesystem::path&)> read = read_stored_png;
+    int n_threads = n_processors();  // of a folder; likeness and read are called by all of them
+};
+
 // Two files. One that does not exist is missing, or unexpected. The baselines, where given, say by
 // their manifest what the expected picture of their name is, and, where no limits are given, what
 // may differ by what drew it; else no pixel may.
 ComparedPicture compare_files(const std::string& name, const std::filesystem::path& expected,
-                              const std::filesystem::path& actual,
-                              const std::optional<CompareLimits>& limits,
+                              const std::filesystem::path& actual, const CompareRequest& request,
                               const Baselines* baselines = nullptr,
                               const std::string& baseline_name = "");
 
 // Every .png in either folder and the folders below, hidden ones left out, by name, and what the
-// manifest of the first names, where it has one. Throws InputError for a folder or a manifest that
-// cannot be read, and where there is no picture at all.
+// manifest of the first names, where it has one; in order of their names, whatever number of
+// threads compares them. Throws InputError for a folder or a manifest that cannot be read, and
+// where there is no picture at all.
 std::vector<ComparedPicture> compare_folders(const std::filesystem::path& expected,
                                              const std::filesystem::path& actual,
-                                             const std::optional<CompareLimits>& limits);
+                                             const CompareRequest& request);
 
-// Worst first: by outcome, then by perceived difference (FLIP), then by name.
+// Worst first: by outcome, then by perceived difference (FLIP) where it was measured, by the mean
+// difference where not, then by name.
 void sort_by_severity(std::vector<ComparedPicture>& pictures);
 
 bool all_pass(std::span<const ComparedPicture> pictures);

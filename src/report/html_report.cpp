@@ -10,6 +10,8 @@
 #include "image/png.h"
 #include "report/report_page.h"
 #include "system/file_contents.h"
+#include "system/in_parallel.h"
+#include "system/processor.h"
 #include "text/markup.h"
 
 namespace poinsot {
@@ -32,8 +34,11 @@ Image difference_alone(const StoredPicture& expected, const StoredPicture& actua
 std::string numbers_in_words(const ComparedPicture& picture) {
     const Comparison& m = picture.measured;
     if (m.n_pixels == 0 || picture.outcome == Outcome::same) return "";
-    return fmt::format("{} of {} pixels, at most {:.3g} levels; FLIP {:.3g}, SSIM {:.5f}",
-                       m.n_differing, m.n_pixels, m.largest_difference, m.flip, m.ssim);
+    std::string words = fmt::format("{} of {} pixels, at most {:.3g} levels", m.n_differing,
+                                    m.n_pixels, m.largest_difference);
+    if (m.likeness)
+        words += fmt::format("; FLIP {:.3g}, SSIM {:.5f}", m.likeness->flip, m.likeness->ssim);
+    return words;
 }
 
 // One picture's object in the page's data.
@@ -75,10 +80,13 @@ std::string filled(std::string_view page, std::string_view title, std::string_vi
 }  // namespace
 
 std::string html_report(const std::string& title, std::span<const ComparedPicture> pictures) {
+    std::vector<std::string> objects(pictures.size());
+    in_parallel(pictures.size(), n_processors(),
+                [&](std::size_t i) { objects[i] = object_of(pictures[i]); });
     std::string data = "[";
-    for (const ComparedPicture& picture : pictures) {
+    for (const std::string& object : objects) {
         data += data.size() == 1 ? "\n" : ",\n";
-        data += object_of(picture);
+        data += object;
     }
     data += "\n]";
     return filled(report_pages().front().text, escaped_markup(title), data);

@@ -5,7 +5,7 @@
 namespace poinsot {
 
 std::string json_report(std::span<const ComparedPicture> pictures,
-                        const std::optional<CompareLimits>& limits) {
+                        const std::optional<CompareLimits>& limits, bool measured) {
     std::vector<std::string> rows;
     for (const ComparedPicture& p : pictures) {
         const Comparison& m = p.measured;
@@ -18,9 +18,11 @@ std::string json_report(std::span<const ComparedPicture> pictures,
         row.add("n_over_level", m.n_over_level);
         row.add("largest_difference", m.largest_difference);
         row.add("mean_difference", m.mean_difference);
-        const bool measured = m.n_pixels > 0;
-        row.json("ssim", measured ? json_number(m.ssim) : "null");
-        row.json("flip", measured ? json_number(m.flip) : "null");
+        // Equal pictures need no measuring.
+        const bool equal = measured && m.n_pixels > 0 && m.n_differing == 0;
+        const std::optional<Likeness> likeness = equal ? Likeness{} : m.likeness;
+        row.json("ssim", likeness ? json_number(likeness->ssim) : "null");
+        row.json("flip", likeness ? json_number(likeness->flip) : "null");
         rows.push_back(row.line());
     }
     const std::string allowed = limits ? JsonObject()

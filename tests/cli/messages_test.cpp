@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cli/program_run.h"
+#include "image/png.h"
 
 namespace poinsot::testing::messages_tests {
 namespace {
@@ -252,8 +253,6 @@ TEST_F(Messages, ALineThatCannotBeReadSaysWhatToChange) {
     refuses("still scene.toml -o", 2, {"--output has no value; write --output FILE"});
     refuses("still scene.toml --set", 2, {"--set has no value; write --set KEY=VALUE"});
     refuses("still", 2, {"poinsot still: SCENE is missing"});
-    refuses("compare", 2, {"REF and NEW are missing"});
-    refuses("compare a", 2, {"NEW is missing"});
     refuses("check scene.toml b.toml", 2, {"\"b.toml\" is one argument too many", "SCENE alone"});
     refuses("doctor please", 2, {"\"please\" is one argument too many; doctor takes none"});
     refuses("", 2, {"no command was given; choose from: render, still, check"});
@@ -288,6 +287,45 @@ TEST_F(Messages, WhatSetSaysIsNotBlamedOnTheFile) {
     }
     folder_.write("panel.toml", scene + "[[panels]]\nkind = \"foo\"\n");
     refuses("check panel.toml", 2, {"panel.toml:10:1: unknown panel \"foo\"; choose from: "});
+}
+
+TEST_F(Messages, CompareSaysWhatItNeeds) {
+    refuses("compare a.png", 2,
+            {"needs two pictures or two folders; one is given", "see poinsot compare --help"});
+    refuses("compare", 2, {"needs two pictures or two folders; none is given"});
+    refuses("compare a b c", 2, {"needs two pictures or two folders; 3 are given"});
+}
+
+// A picture of another program is no baseline, whatever renderer drew it.
+TEST_F(Messages, APictureWithoutARecordIsNamedSo) {
+    fs::create_directories(folder_.path() / "results");
+    write_png(folder_.path() / "results/other.png", Image(4, 4));
+    refuses("approve other --any-renderer --results results --baselines base", 2,
+            {"results/other.png: carries no record of how it was made", "draw it with poinsot"});
+    refuses("explain results/other.png", 2, {"carries no record of how it was made"});
+}
+
+// A billion seconds on, the herpolhode is a ring, said so and within the bound; a chart is refused.
+TEST_F(Messages, FarTimesAreRingsOrRefused) {
+    for (const char* output : {"a.png", "a.svg", "a.pdf"}) {
+        const ProgramRun still = run(std::string("still scene.toml --time 1e9 -o ") + output);
+        EXPECT_EQ(still.code, 0) << still.err;
+        EXPECT_NE(still.err.find("note: the herpolhode has so many turns"), std::string::npos);
+        const ProgramRun told = run(std::string("explain ") + output);
+        EXPECT_NE(told.out.find("0.1 px asked); the herpolhode has so many turns"),
+                  std::string::npos)
+            << told.out;
+        EXPECT_NE(told.out.find("within 0.05 px"), std::string::npos) << told.out;
+    }
+    const ProgramRun film =
+        run("render scene.toml --set film.duration_s=0.1 "
+            "--set film.speed=1e10 --set film.fps=30 -q -o a.mp4");
+    EXPECT_EQ(film.code, 0) << film.err;
+    folder_.write("chart.toml", scene + "[[panels]]\nkind = \"plot\"\n");
+    refuses("still chart.toml --time 1e9 -o b.png", 2,
+            {"chart.toml:6:2: ", "cannot be drawn within accuracy_px = 0.1",
+             "set film.start_s nearer to the last instant shown"});
+    EXPECT_EQ(run("still chart.toml --time 1e9 --set film.start_s=999999990 -o b.png").code, 0);
 }
 
 TEST_F(Messages, HelpHasExamples) {

@@ -35,8 +35,8 @@ TEST(Compare, EqualPicturesAreTheSame) {
     EXPECT_EQ(result.verdict, Verdict::same);
     EXPECT_EQ(result.reason, "");
     EXPECT_EQ(result.n_differing, 0);
-    EXPECT_EQ(result.ssim, 1);
-    EXPECT_EQ(result.flip, 0);
+    EXPECT_EQ(result.n_pixels, 64 * 48);
+    EXPECT_FALSE(result.likeness);
 }
 
 TEST(Compare, CountsChangedPixels) {
@@ -49,11 +49,28 @@ TEST(Compare, CountsChangedPixels) {
     EXPECT_DOUBLE_EQ(result.mean_difference, (3 * 9 + 4 * 1) / 40000.0);
 }
 
+// Each number is said once, and where nothing may differ that is said in words.
+TEST(Compare, SaysWhatDiffersOnce) {
+    const Image before = filled(100, 100, {10, 20, 30, 255});
+    const Image after = changed(changed(before, 7, 1), 3, 8);
+    EXPECT_EQ(
+        compare(before, after, CompareLimits::exact()).reason,
+        "7 of 10000 pixels differ (0.07 %, none allowed); the largest difference is 9 levels");
+    EXPECT_EQ(compare(before, changed(before, 1, 1), CompareLimits::exact()).reason,
+              "1 of 10000 pixels differ (0.01 %, none allowed); the largest difference is 1 level");
+    EXPECT_EQ(compare(before, after).reason,
+              "7 of 10000 pixels differ (0.07 %, 0.1 % allowed), 3 by more than 2 levels (0.03 %, "
+              "0.0002 % allowed); the largest difference is 9 levels");
+    // From level 0 on the lower cap is the one that counts.
+    EXPECT_EQ(
+        compare(before, after, {0.5, 0, 1e-4}).reason,
+        "7 of 10000 pixels differ (0.07 %, 0.01 % allowed); the largest difference is 9 levels");
+}
+
 // Of 1,000,000 pixels, 0.1 % are 1,000 and 2e-6 are 2.
 TEST(Compare, AppliesBothLimits) {
     const Image before = filled(1000, 1000, {10, 20, 30, 255});
     const auto verdict = [&before](int n_pixels, int levels, CompareLimits limits = {}) {
-        limits.measures_likeness = false;
         return compare(before, changed(before, n_pixels, levels), limits).verdict;
     };
     EXPECT_EQ(verdict(1000, 2), Verdict::within_limits);
@@ -109,7 +126,7 @@ TEST(Compare, DifferentDepthsAndColourSpacesAreReported) {
     StoredPicture shallow = deep;
     shallow.deep = {};
     shallow.info.bit_depth = 8;
-    const CompareLimits anything{1, 255, 1, true};
+    const CompareLimits anything{1, 255, 1};
     const Comparison depth = compare(deep, shallow, anything);
     EXPECT_EQ(depth.verdict, Verdict::depth_differs);
     EXPECT_EQ(depth.reason, "16 bits a component were expected, there are 8");

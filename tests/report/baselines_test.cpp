@@ -38,13 +38,13 @@ class BaselineFolder : public ::testing::Test {
     std::map<std::string, Outcome> compared() const {
         std::map<std::string, Outcome> outcomes;
         for (const ComparedPicture& picture :
-             compare_folders(folder_ / "ref", folder_ / "new", CompareLimits::exact()))
+             compare_folders(folder_ / "ref", folder_ / "new", {.limits = CompareLimits::exact()}))
             outcomes[picture.name] = picture.outcome;
         return outcomes;
     }
     std::string reason(const std::string& name) const {
         for (const ComparedPicture& picture :
-             compare_folders(folder_ / "ref", folder_ / "new", CompareLimits::exact()))
+             compare_folders(folder_ / "ref", folder_ / "new", {.limits = CompareLimits::exact()}))
             if (picture.name == name) return picture.reason;
         return "";
     }

@@ -10,8 +10,10 @@
 #include "image/png.h"
 #include "image/synthetic.h"
 #include "report/html_report.h"
+#include "report/json_report.h"
 #include "report/junit.h"
 #include "system/faults.h"
+#include "system/in_parallel.h"
 
 namespace poinsot {
 namespace {
@@ -43,7 +45,7 @@ class Folders : public ::testing::Test {
         write_png(folder_ / (name + ".png"), synthetic_frame(64, 36, k));
     }
     std::vector<ComparedPicture> compared(CompareLimits limits = CompareLimits::exact()) const {
-        return compare_folders(folder_ / "ref", folder_ / "new", limits);
+        return compare_folders(folder_ / "ref", folder_ / "new", {.limits = limits});
     }
     static std::vector<std::string> names_of(const std::vector<ComparedPicture>& pictures) {
         std::vector<std::string> names;
@@ -100,12 +102,83 @@ TEST_F(Folders, AreSortedBySeverity) {
 }
 
 TEST_F(Folders, PassWithinLimits) {
-    const CompareLimits anything{1, 255, 1, true};
+    const CompareLimits anything{1, 255, 1};
     for (const ComparedPicture& picture : compared(anything))
         if (picture.name == "a_lot") {
             EXPECT_EQ(picture.outcome, Outcome::within_limits);
             EXPECT_TRUE(picture.passes());
         }
+}
+
+// What is decoded and measured, counted: likeness only where it is asked for, and of pictures that
+// differ; of two files of the same bytes one.
+TEST_F(Folders, MeasureNoMoreThanIsAskedFor) {
+    const auto names_read = [this](const std::string& name, bool measures, int* n_measured) {
+        std::vector<std::string> read;
+        CompareRequest request{.limits = CompareLimits::exact()};
+        if (measures)
+            request.likeness = [n_measured](const Image& a, const Image& b) {
+                ++*n_measured;
+                return likeness_of(a, b);
+            };
+        request.read = [&read](const fs::path& path) {
+            read.push_back(path.filename().string());
+            return read_stored_png(path);
+        };
+        const ComparedPicture picture = compare_files(name, folder_ / ("ref/" + name + ".png"),
+                                                      folder_ / ("new/" + name + ".png"), request);
+        EXPECT_EQ(picture.measured.likeness.has_value(), measures && name != "same");
+        return read.size();
+    };
+    int n_measured = 0;
+    EXPECT_EQ(names_read("same", true, &n_measured), 1u);
+    EXPECT_EQ(n_measured, 0);
+    EXPECT_EQ(names_read("a_lot", false, &n_measured), 2u);
+    EXPECT_EQ(n_measured, 0);
+    EXPECT_EQ(names_read("a_lot", true, &n_measured), 2u);
+    EXPECT_EQ(n_measured, 1);
+    // The same pixels in files of other bytes are decoded, and not measured either.
+    write_png(folder_ / "new/same.png", synthetic_frame(64, 36, 0), {.texts = {{"a", "b"}}});
+    EXPECT_EQ(names_read("same", true, &n_measured), 2u);
+    EXPECT_EQ(n_measured, 1);
+    const ComparedPicture broken =
+        compare_files("broken", folder_ / "new/broken.png", folder_ / "new/broken.png", {});
+    EXPECT_EQ(broken.outcome, Outcome::unreadable);
+}
+
+TEST_F(Folders, AreComparedAlikeByAnyNumberOfThreads) {
+    for (int k = 0; k < 40; ++k) {
+        const std::string name = "many" + std::to_string(k);
+        put("ref/" + name, 0), put("new/" + name, k % 3);
+    }
+    const auto json = [this](int n_threads) {
+        auto pictures = compare_folders(
+            folder_ / "ref", folder_ / "new",
+            {.limits = CompareLimits::exact(), .likeness = likeness_of, .n_threads = n_threads});
+        std::string text = json_report(pictures, CompareLimits::exact(), true);
+        sort_by_severity(pictures);
+        return text + json_report(pictures, CompareLimits::exact(), true);
+    };
+    const std::string alone = json(1);
+    EXPECT_EQ(json(2), alone);
+    EXPECT_EQ(json(7), alone);
+    EXPECT_NE(alone.find("\"flip\""), std::string::npos);
+}
+
+TEST(InParallel, ThrowsOnWhatTheFirstOfAllThrew) {
+    for (const int n_threads : {1, 2, 5}) {
+        std::vector<int> done(100, 0);
+        try {
+            in_parallel(done.size(), n_threads, [&](std::size_t i) {
+                if (i % 30 == 17) throw InputError(std::to_string(i));
+                ++done[i];
+            });
+            ADD_FAILURE();
+        } catch (const InputError& error) {
+            EXPECT_EQ(std::string(error.what()), "17");
+        }
+        for (std::size_t i = 0; i < 17; ++i) EXPECT_EQ(done[i], 1);
+    }
 }
 
 TEST_F(Folders, WithoutPicturesAreRefused) {
@@ -128,9 +201,9 @@ TEST_F(Folders, BecomeTestResults) {
 
 TEST_F(Folders, NamesOfAnyKindStayText) {
     put("ref/" + hostile_file, 0), put("new/" + hostile_file, 3);
-    ComparedPicture picture =
-        compare_files(hostile_name, folder_ / ("ref/" + hostile_file + ".png"),
-                      folder_ / ("new/" + hostile_file + ".png"), CompareLimits::exact());
+    ComparedPicture picture = compare_files(
+        hostile_name, folder_ / ("ref/" + hostile_file + ".png"),
+        folder_ / ("new/" + hostile_file + ".png"), {.limits = CompareLimits::exact()});
     ASSERT_EQ(picture.outcome, Outcome::pixels);
     picture.reason += hostile_name;
     const std::string xml = junit_xml(hostile_name, {&picture, 1});

@@ -130,12 +130,6 @@ bool print_row(const std::string& picture, const std::string& what, const Compar
     return right;
 }
 
-Comparison compared(const Image& expected, const Image& actual) {
-    CompareLimits limits;
-    limits.measures_likeness = false;
-    return compare(expected, actual, limits);
-}
-
 // Every defect of one scene at one size; returns how many rows are wrong.
 int defects_of(const std::string& name, const Size& size, Renderer& renderer) {
     const std::string picture = fmt::format("{} {}×{}", name, size.width_px, size.height_px);
@@ -146,11 +140,11 @@ int defects_of(const std::string& name, const Size& size, Renderer& renderer) {
          drawing_defects(subject.stage.at(shown_at_s).views.at(0).curves.size())) {
         Drawing drawing = subject.stage.at(shown_at_s);
         defect.make(drawing, subject.stage);
-        n_wrong += !print_row(picture, defect.name, compared(good, renderer.render(drawing)), true);
+        n_wrong += !print_row(picture, defect.name, compare(good, renderer.render(drawing)), true);
     }
     const Subject wrong(with_wrong_omega(scene_named(name)), size);
     n_wrong += !print_row(picture, "omega wrong in 4th digit",
-                          compared(good, renderer.render(wrong.stage.at(shown_at_s))), true);
+                          compare(good, renderer.render(wrong.stage.at(shown_at_s))), true);
     return n_wrong;
 }
 
@@ -215,7 +209,7 @@ int noise(Renderer& renderer) {
                 continue;
             }
             const fs::path file = file_of(folder, noise_pictures[i]);
-            n_wrong += !print_row(picture, what, compared(good[i], read_png(file)), false);
+            n_wrong += !print_row(picture, what, compare(good[i], read_png(file)), false);
             fs::remove(file);
         }
     }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -25,6 +26,10 @@ void cut(TimedPath& path) {
     const auto n_points = static_cast<std::size_t>(far - path.points.begin());
     path.points.resize(n_points);
     path.times_s.resize(n_points);
+    path.offs.resize(n_points);
+    // Of a path that was not followed nothing is known.
+    if (std::isfinite(path.off))
+        path.off = n_points > 0 ? *std::max_element(path.offs.begin(), path.offs.end()) : 0.0;
 }
 
 void require_beside(const Panel& panel, std::string_view element) {
@@ -55,8 +60,9 @@ GhostPath ghost_path(Panel& panel,
     cut(ghost.path);
     CurveGeometry geometry;
     geometry.points = std::move(ghost.path.points);
-    ghost.curve =
-        curve_of(panel, stage.keep(std::move(geometry)), panel.stage->theme->ghost, width_px);
+    ghost.curve = curve_of(
+        panel, panel.keep(std::move(geometry), ghost.path.off, "the path of the motion beside"),
+        panel.stage->theme->ghost, width_px);
     ghost.curve.hidden_opacity = 0.45;
     ghost.curve.lasting = true;
     ghost.path.points.clear();

@@ -49,11 +49,12 @@ void add_trail(Panel& panel, const MarkPlace& place, OwnMark& mark) {
         sample_path([&](double time_s) { return *place(*mark.spec, state_at(stage, time_s)); },
                     stage.options.first_time_s, stage.options.last_time_s,
                     std::numbers::pi / rate_rad_s, panel.curve_units());
-    stage.note_curve_error(mark.path.off / panel.units_per_px);
     CurveGeometry geometry;
     geometry.points = std::move(mark.path.points);
     mark.path.points.clear();
-    mark.trail = curve_of(panel, stage.keep(std::move(geometry)), mark.ink, 2.6);
+    mark.trail =
+        curve_of(panel, panel.keep(std::move(geometry), mark.path.off, "the trail of a mark"),
+                 mark.ink, 2.6);
     mark.trail->hidden_opacity = 0.35;
     mark.trail->lasting = true;
 }

@@ -9,6 +9,7 @@
 
 #include "drawing/elements/construction_lines.h"
 #include "drawing/elements/direction_marks.h"
+#include "drawing/elements/filled_ring.h"
 #include "drawing/elements/smooth_paths.h"
 #include "drawing/elements/trail.h"
 #include "drawing/marks.h"
@@ -86,22 +87,23 @@ Drawer make_polhode(Panel& panel) {
     const bool whole = panel.stage->scene.trail.polhode == "whole" && !picture_of(panel).dissipates;
     CurveGeometry geometry;
     std::optional<Trail> trail;
+    double off = 0.0;
     if (whole) {
         geometry.closed = polhode.closed();
-        geometry.points = polhode.sampled(tolerance);
+        geometry.points = polhode.sampled(tolerance, &off);
         geometry.smooth = smooth_polhode(polhode, tolerance);
     } else {
         TimedCurve timed = polhode_trail(*panel.stage, tolerance);
         geometry.points = std::move(timed.points);
         geometry.smooth = std::move(timed.smooth);
         trail = std::move(timed.trail);
-        panel.stage->note_curve_error(timed.off * per_rho / panel.units_per_px);
+        off = timed.off;
     }
     for (Eigen::Vector3d& point : geometry.points) point *= per_rho;
     if (geometry.smooth)
         geometry.smooth = placed(geometry.smooth, Eigen::Affine3d(Eigen::Scaling(per_rho)));
-    Curve curve =
-        curve_of(panel, panel.stage->keep(std::move(geometry)), panel.stage->theme->polhode, 4.0);
+    Curve curve = curve_of(panel, panel.keep(std::move(geometry), off * per_rho, "the polhode"),
+                           panel.stage->theme->polhode, 4.0);
     curve.on_surface = the_ellipsoid;
     curve.hidden_opacity = 0.72;
     std::optional<DirectionMarks> marks;
@@ -124,35 +126,43 @@ Drawer make_polhode(Panel& panel) {
 // Its path on the plane, likewise.
 Drawer make_herpolhode(Panel& panel) {
     const ConstructionPicture& picture = picture_of(panel);
-    const double tolerance = panel.curve_units();
-    TimedCurve timed = herpolhode_trail(*panel.stage, tolerance / picture.picture_per_rho);
+    const double per_rho = picture.picture_per_rho;
+    const Ink& ink = panel.stage->theme->herpolhode;
+    const double width_px = 4.0 * panel.stage->theme->herpolhode_weight;
+    TimedCurve timed =
+        herpolhode_trail(*panel.stage, panel.curve_units() / per_rho,
+                         width_px * ink.weight * panel.px * panel.units_per_px / per_rho);
 
     // A plane that moves carries what was traced on it along.
     const Eigen::Vector3d foot = picture.dissipates
                                      ? Eigen::Vector3d::Zero()
                                      : Eigen::Vector3d(picture.construction.plane_distance() *
                                                        picture.construction.normal_space());
-    CurveGeometry geometry;
-    geometry.points.reserve(timed.points.size());
-    for (const Eigen::Vector3d& point : timed.points) {
-        geometry.points.emplace_back(picture.picture_from_space * (foot + point) *
-                                     picture.picture_per_rho);
-    }
+    const auto placed_points = [&](const std::vector<Eigen::Vector3d>& points) {
+        CurveGeometry geometry;
+        geometry.points.reserve(points.size());
+        for (const Eigen::Vector3d& point : points)
+            geometry.points.emplace_back(picture.picture_from_space * (foot + point) * per_rho);
+        return geometry;
+    };
+    CurveGeometry geometry = placed_points(timed.points);
     if (timed.smooth) {
-        const Eigen::Affine3d map = Eigen::Scaling(picture.picture_per_rho) *
-                                    picture.picture_from_space * Eigen::Translation3d(foot);
+        const Eigen::Affine3d map =
+            Eigen::Scaling(per_rho) * picture.picture_from_space * Eigen::Translation3d(foot);
         geometry.smooth = placed(timed.smooth, map);
     }
-    panel.stage->note_curve_error(timed.off * picture.picture_per_rho / panel.units_per_px);
     Curve curve =
-        curve_of(panel, panel.stage->keep(std::move(geometry)), panel.stage->theme->herpolhode,
-                 4.0 * panel.stage->theme->herpolhode_weight);
+        curve_of(panel, panel.keep(std::move(geometry), timed.off * per_rho, "the herpolhode"), ink,
+                 width_px);
     curve.on_plane = the_plane;
     curve.hidden_opacity = 0.72;
     std::optional<DirectionMarks> marks;
     if (wants_marks(panel)) marks.emplace(panel, *curve.geometry, mark_spacing, false);
-    return [&picture, curve, trail = std::move(timed.trail), marks](const Instant& instant,
-                                                                    Sheet& sheet) {
+    const std::optional<RingCurve> ring =
+        ring_of(panel, timed, curve, [&](const auto& points) { return placed_points(points); });
+    return [&picture, curve, ring, trail = std::move(timed.trail), marks](const Instant& instant,
+                                                                          Sheet& sheet) {
+        if (ring && instant.time_s >= ring->from_s) return sheet.view.curves.push_back(ring->curve);
         Curve shown = curve;
         const ShownStretch stretch = trail.at(instant.time_s);
         stretch.apply_to(shown);
@@ -193,10 +203,11 @@ Drawer make_annulus(Panel& panel) {
     std::vector<Curve> circles;
     for (const double radius : {annulus.inner, annulus.outer}) {
         const Ink& ink = panel.stage->theme->annulus;
-        Curve curve = curve_of(
-            panel,
-            panel.stage->keep(circle_on_plane(panel, radius * picture_of(panel).picture_per_rho)),
-            ink, 1.5);
+        Curve curve =
+            curve_of(panel,
+                     panel.keep(circle_on_plane(panel, radius * picture_of(panel).picture_per_rho),
+                                panel.curve_units(), "a circle of the annulus"),
+                     ink, 1.5);
         curve.dash_px = dash_of(panel, ink, 7.0);
         curve.on_plane = the_plane;
         circles.push_back(curve);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "drawing/elements/filled_ring.h"
 #include "drawing/elements/smooth_paths.h"
 
 namespace poinsot {
@@ -23,12 +24,28 @@ double feature_s(const StageData& stage) {
     return fastest > 0.0 ? std::numbers::pi / fastest : 1.0;
 }
 
+// An eighth of the time that half a turn takes in the mean, on the ellipsoid or about L: of a
+// needle, whose least moment says nothing of how it moves, a million times as long as the above.
+// Zero where there is no mean.
+double mean_feature_s(const StageData& stage) {
+    if (stage.motion.motion().integrated() != nullptr || !stage.polhode_period_s) return 0.0;
+    const double rate_rad_s =
+        std::abs(stage.motion.motion().free_constants().mean_advance_rate_rad_s);
+    const double half_turn_s = std::min(0.5 * *stage.polhode_period_s,
+                                        rate_rad_s > 0.0 ? std::numbers::pi / rate_rad_s : endless);
+    return half_turn_s / 8.0;
+}
+
+// Of a path; and of a herpolhode that has not yet filled its ring.
+constexpr std::size_t most_points = 200'000;
+constexpr std::size_t most_ring_points = 1'000'000;
+
 }  // namespace
 
 Trail::Trail(const StageData& stage, const std::string& kind, const TimedPath& path,
              std::optional<double> period_s)
     : kind_(kind),
-      times_{path.times_s, {}, 0, path.off},
+      times_{path.times_s, {}, {}, 0, path.off},
       first_time_s_(stage.options.first_time_s),
       last_time_s_(stage.options.last_time_s),
       period_s_(period_s),
@@ -63,17 +80,65 @@ ShownStretch Trail::at(double time_s) const {
 
 namespace {
 
-// Samples a path over what its trail needs, and counts what that took.
-TimedPath sampled(const StageData& stage, const std::function<Eigen::Vector3d(double)>& point,
-                  std::optional<double> period_s, const Quantities& wanted, double tolerance) {
-    const StageOptions& options = stage.options;
-    TimedPath path =
-        period_s ? sample_path(point, options.first_time_s - *period_s,
-                               options.first_time_s + *period_s, feature_s(stage), tolerance)
-                 : sample_path(point, options.first_time_s, options.last_time_s, feature_s(stage),
-                               tolerance);
+// Samples a path over a stretch of time, and counts what that took.
+TimedPath sampled(const StageData& stage, const PathPoint& point, double from_s, double to_s,
+                  const Quantities& wanted, double tolerance, std::size_t most = most_points) {
+    const double shortest_s = feature_s(stage);
+    TimedPath path = sample_path(point, from_s, to_s, shortest_s, tolerance, most);
+    if (std::isinf(path.off) && mean_feature_s(stage) > shortest_s)
+        path = sample_path(point, from_s, to_s, mean_feature_s(stage), tolerance, most);
     stage.motion.count(wanted, path.n_evaluations);
     return path;
+}
+
+// The whole stretch that is drawn; of a path that runs over itself, a period before the first
+// instant and one after it.
+TimedPath sampled(const StageData& stage, const PathPoint& point, std::optional<double> period_s,
+                  const Quantities& wanted, double tolerance) {
+    const StageOptions& options = stage.options;
+    if (!period_s)
+        return sampled(stage, point, options.first_time_s, options.last_time_s, wanted, tolerance);
+    return sampled(stage, point, options.first_time_s - *period_s, options.first_time_s + *period_s,
+                   wanted, tolerance);
+}
+
+// How far the point of the last instants is from where the path of one period has it.
+double drift(const StageData& stage, const PathPoint& point, double period_s) {
+    const StageOptions& options = stage.options;
+    constexpr int n_looks = 8;
+    double farthest = 0.0;
+    for (int k = 0; k < n_looks; ++k) {
+        const double time_s = options.last_time_s - period_s * k / n_looks;
+        const double since_s = time_s - options.first_time_s;
+        if (!(since_s > period_s)) break;
+        const double again_s = options.first_time_s + std::fmod(since_s, period_s);
+        farthest = std::max(farthest, (point(time_s) - point(again_s)).norm());
+    }
+    return farthest;
+}
+
+// The same, but for the rounding that no picture shows.
+double seen_drift(const StageData& stage, const PathPoint& point, double period_s,
+                  double tolerance) {
+    const double off = drift(stage, point, period_s);
+    return off > 1e-6 * tolerance ? off : 0.0;
+}
+
+// On the separatrix the contact point comes to rest. The instant from which on it stays within half
+// of the tolerance of where it ends; none where that is not soon enough for its path to be sampled.
+std::optional<double> resting_s(const StageData& stage, const PathPoint& point, double tolerance) {
+    const StageOptions& options = stage.options;
+    const Eigen::Vector3d end = point(options.last_time_s);
+    for (double after_s = feature_s(stage); after_s < 0.25 * most_points * 0.25 * feature_s(stage);
+         after_s *= 2.0) {
+        const double time_s = options.first_time_s + after_s;
+        if (!(time_s < options.last_time_s)) break;
+        const double from_end = (point(time_s) - end).norm();
+        // Before that it may go away from the same axis.
+        const bool comes_near = from_end < (point(time_s - feature_s(stage)) - end).norm();
+        if (comes_near && from_end <= 0.5 * tolerance) return time_s;
+    }
+    return std::nullopt;
 }
 
 // Whether the motion has tangents that belong to its positions to the last digit: a stepped one has
@@ -120,10 +185,12 @@ CurveFlow polhode_flow(const StageData& stage, double time_s) {
 
 }  // namespace
 
-TimedCurve herpolhode_trail(const StageData& stage, double tolerance) {
+TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double width) {
     const PoinsotConstruction& construction = stage.rolling->construction;
+    const StageOptions& options = stage.options;
+    const std::string& kind = stage.scene.trail.herpolhode;
     constexpr Quantities wanted{.attitude = false, .herpolhode = true, .euler_angles = false};
-    const auto point = [&](double t) -> Eigen::Vector3d {
+    const PathPoint point = [&](double t) -> Eigen::Vector3d {
         const MotionSample sample = stage.motion.motion().sample(t, wanted);
         const Eigen::Vector3d& space = sample.herpolhode_space;
         if (stage.rolling->dissipates)
@@ -132,29 +199,87 @@ TimedCurve herpolhode_trail(const StageData& stage, double tolerance) {
         return construction.contact_in_plane(stage.turns() ? stage.turned_from_space(t) * space
                                                            : space);
     };
-    const auto period_s =
-        stage.options.loop_s > 0.0 ? std::optional(stage.options.loop_s) : std::nullopt;
+    const auto as_curve = [&](TimedPath path, std::optional<double> period_s) {
+        Trail trail(stage, kind, path, period_s);
+        TimedCurve timed{std::move(path.points), std::move(trail), path.off};
+        if (is_smooth(stage))
+            timed.smooth = smooth_path([&stage](double t) { return herpolhode_flow(stage, t); },
+                                       std::move(path.times_s));
+        return timed;
+    };
+
+    auto period_s = options.loop_s > 0.0 ? std::optional(options.loop_s) : std::nullopt;
     TimedPath path = sampled(stage, point, period_s, wanted, tolerance);
-    Trail trail(stage, stage.scene.trail.herpolhode, path, period_s);
-    TimedCurve timed{std::move(path.points), std::move(trail), path.off};
-    if (is_smooth(stage))
-        timed.smooth = smooth_path([&stage](double t) { return herpolhode_flow(stage, t); },
-                                   std::move(path.times_s));
+    if (period_s) path.off += seen_drift(stage, point, *period_s, tolerance);
+    const bool is_exact = is_smooth(stage) && !stage.rolling->dissipates;
+    if (period_s || path.off <= tolerance || !is_exact) return as_curve(std::move(path), period_s);
+
+    // Too many turns. What is shown may be a short stretch of them,
+    const auto kept = [&](double from_s, double to_s, std::size_t most = most_points) {
+        path = sampled(stage, point, from_s, to_s, wanted, tolerance, most);
+        return path.off <= tolerance;
+    };
+    const double first_shown_s = options.first_shown_s.value_or(options.first_time_s);
+    if (kind == "fading") {
+        const double length_s =
+            stage.scene.trail.length_s.value_or(stage.polhode_period_s.value_or(endless));
+        const double from_s = first_shown_s - length_s;
+        if (from_s > options.first_time_s && kept(from_s, options.last_time_s))
+            return as_curve(std::move(path), {});
+    }
+    // they may come to an end,
+    if (stage.rolling->polhode.kind() == Polhode::Kind::separatrix) {
+        if (const auto to_s = resting_s(stage, point, tolerance))
+            if (kept(options.first_time_s, *to_s)) return as_curve(std::move(path), {});
+    }
+    // run over each other,
+    const double span_s = options.last_time_s - options.first_time_s;
+    const double longest_s = 0.05 * most_points * feature_s(stage);
+    period_s = retracing_s(stage, span_s, longest_s, tolerance);
+    if (period_s) {
+        path = sampled(stage, point, period_s, wanted, 0.5 * tolerance);
+        path.off += seen_drift(stage, point, *period_s, tolerance);
+        if (path.off <= tolerance) return as_curve(std::move(path), period_s);
+    }
+    // or leave nothing of their ring free.
+    const auto ring =
+        kind == "fading" ? std::nullopt : filled_ring(stage, point, tolerance, width, most_points);
+    if (!ring || !(span_s >= ring->filled_after_s)) {
+        kept(options.first_time_s, options.last_time_s, most_ring_points);
+        return as_curve(std::move(path), {});
+    }
+    const bool always = kind == "whole";
+    const double filled_s = options.first_time_s + ring->filled_after_s;
+    // A curve of one point, where no instant shows it.
+    const bool is_shown = !always && first_shown_s < filled_s;
+    if (!kept(options.first_time_s, is_shown ? filled_s : options.first_time_s, most_ring_points))
+        return as_curve(std::move(path), {});
+    TimedCurve timed = as_curve(std::move(path), {});
+    timed.ring = RingFromThen{always ? -endless : filled_s, ring->points};
     return timed;
 }
 
-TimedCurve polhode_trail(const StageData& stage, double tolerance) {
-    const auto point = [&](double t) {
-        return stage.rolling->contact_body(
+TimedCurve polhode_trail(const StageData& stage, double tolerance, const BodyMap& map) {
+    const PathPoint point = [&](double t) -> Eigen::Vector3d {
+        const Eigen::Vector3d at = stage.rolling->contact_body(
             stage.motion.motion().sample(t, omega_alone).state.omega_body);
+        return map ? map(at) : at;
     };
+    const std::string& kind = stage.scene.trail.polhode;
     // What a stepped method does with ω need not come back.
-    const bool returns = stage.motion.motion().integrated() == nullptr;
-    const auto period_s = returns ? stage.polhode_period_s : std::nullopt;
+    const auto period_s = is_smooth(stage) ? stage.polhode_period_s : std::nullopt;
     TimedPath path = sampled(stage, point, period_s, omega_alone, tolerance);
-    Trail trail(stage, stage.scene.trail.polhode, path, period_s);
+    // All of the curve is the same whenever it has been run along; its last stretch is not.
+    if (period_s && kind == "fading") path.off += seen_drift(stage, point, *period_s, tolerance);
+    const bool may_rest = stage.rolling->polhode.kind() == Polhode::Kind::separatrix &&
+                          is_smooth(stage) && !stage.rolling->dissipates;
+    if (!(path.off <= tolerance) && may_rest) {
+        if (const auto to_s = resting_s(stage, point, tolerance))
+            path = sampled(stage, point, stage.options.first_time_s, *to_s, omega_alone, tolerance);
+    }
+    Trail trail(stage, kind, path, period_s);
     TimedCurve timed{std::move(path.points), std::move(trail), path.off};
-    if (is_smooth(stage))
+    if (is_smooth(stage) && !map)
         timed.smooth = smooth_path([&stage](double t) { return polhode_flow(stage, t); },
                                    std::move(path.times_s));
     return timed;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,20 +48,33 @@ class Trail {
     bool loops_;  // there was motion before the first instant, the same as in the film
 };
 
+// What is drawn instead of a curve from an instant on: the line that fills the ring, in the axes of
+// the curve's points.
+struct RingFromThen {
+    double from_s = 0.0;
+    std::vector<Eigen::Vector3d> points;
+};
+
 // A path's points with the part of them that an instant shows.
 struct TimedCurve {
     std::vector<Eigen::Vector3d> points;
     Trail trail;
-    double off = 0.0;      // as in TimedPath
+    double off = 0.0;      // as in TimedPath; more than the tolerance: it cannot be drawn
     SmoothMaker smooth{};  // of motions in closed form
+    std::optional<RingFromThen> ring{};
 };
 
 // The path of the contact point on the plane, measured from the foot of L in the ellipsoid's
 // lengths, to a tolerance in them; in the space axes that the stage's instants are given in.
-// Precondition, here and below: the stage has a construction.
-TimedCurve herpolhode_trail(const StageData& stage, double tolerance);
+// `width` is that of the line that will be drawn, in the same lengths: a path of too many turns is
+// a ring once such a line fills it; 0: never. Precondition, here and below: the stage has a
+// construction.
+TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double width = 0.0);
 
-// The same on the ellipsoid, in body axes.
-TimedCurve polhode_trail(const StageData& stage, double tolerance);
+// Where a point of the ellipsoid, in body axes and its lengths, is drawn.
+using BodyMap = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
+
+// The same on the ellipsoid, in body axes; or where `map` takes it, the tolerance being there.
+TimedCurve polhode_trail(const StageData& stage, double tolerance, const BodyMap& map = {});
 
 }  // namespace poinsot

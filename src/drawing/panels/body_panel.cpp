@@ -35,13 +35,15 @@ const CurveGeometry* keep_polhode(Panel& panel, const Polhode& polhode) {
     const double tolerance = panel.curve_units();
     CurveGeometry geometry;
     geometry.closed = polhode.closed();
-    for (const Eigen::Vector3d& point : polhode.sampled(tolerance / picture.picture_per_rho)) {
+    double off = 0.0;
+    for (const Eigen::Vector3d& point :
+         polhode.sampled(tolerance / picture.picture_per_rho, &off)) {
         geometry.points.emplace_back(principal_from_body(panel) * point * picture.picture_per_rho);
     }
     const Eigen::Affine3d map =
         Eigen::Scaling(picture.picture_per_rho) * Eigen::Affine3d(principal_from_body(panel));
     geometry.smooth = placed(smooth_polhode(polhode, tolerance / picture.picture_per_rho), map);
-    return panel.stage->keep(std::move(geometry));
+    return panel.keep(std::move(geometry), off * picture.picture_per_rho, "a polhode");
 }
 
 // Of the thin family, a polhode and its mirror image in the centre: F(ρ) = 1 holds for ρ and −ρ
@@ -119,16 +121,18 @@ std::vector<Curve> separatrices_of(Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     const double tolerance = panel.curve_units();
     std::vector<Curve> curves;
+    double off = 0.0;  // of both
     for (const auto& points :
-         separatrices(picture.construction.inertia(), tolerance / picture.picture_per_rho)) {
+         separatrices(picture.construction.inertia(), tolerance / picture.picture_per_rho, &off)) {
         CurveGeometry geometry;
         geometry.closed = true;
         for (const Eigen::Vector3d& point : points) {
             geometry.points.emplace_back(principal_from_body(panel) * point *
                                          picture.picture_per_rho);
         }
-        Curve curve = curve_of(panel, panel.stage->keep(std::move(geometry)),
-                               panel.stage->theme->separatrix, 2.6);
+        Curve curve = curve_of(
+            panel, panel.keep(std::move(geometry), off * picture.picture_per_rho, "a separatrix"),
+            panel.stage->theme->separatrix, 2.6);
         curve.dash_px = dash_of(panel, panel.stage->theme->separatrix, 9.0);
         curve.hidden_opacity = 0.25;
         curve.on_surface = the_ellipsoid;
@@ -155,15 +159,14 @@ std::vector<Curve> motion_of(Panel& panel) {
 // polhode.
 Drawer make_spiral(Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
-    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
-    TimedCurve timed = polhode_trail(*panel.stage, tolerance / picture.picture_per_rho);
+    TimedCurve timed = polhode_trail(*panel.stage, panel.curve_units() / picture.picture_per_rho);
     CurveGeometry geometry;
     geometry.points.reserve(timed.points.size());
     for (const Eigen::Vector3d& point : timed.points)
         geometry.points.emplace_back(principal_from_body(panel) * point * picture.picture_per_rho);
-    panel.stage->note_curve_error(timed.off * picture.picture_per_rho / panel.units_per_px);
-    Curve curve =
-        curve_of(panel, panel.stage->keep(std::move(geometry)), panel.stage->theme->polhode, 4.0);
+    Curve curve = curve_of(
+        panel, panel.keep(std::move(geometry), timed.off * picture.picture_per_rho, "the polhode"),
+        panel.stage->theme->polhode, 4.0);
     curve.hidden_opacity = 0.5;
     curve.on_surface = the_ellipsoid;
     return [curve, trail = std::move(timed.trail)](const Instant& instant, Sheet& sheet) {

@@ -36,17 +36,17 @@ Eigen::Vector3d momentum_at(const Panel& panel, const Eigen::Vector3d& contact_b
 
 // One of the curves in which sphere and ellipsoid meet; its mirror image in the centre is the
 // other.
-CurveGeometry meeting_curve(const Panel& panel) {
+const CurveGeometry* keep_meeting_curve(const Panel& panel) {
     const Polhode& polhode = panel.stage->rolling->polhode;
-    const double tolerance = panel.curve_units();
-    const auto samples =
-        sample_adaptively([&](double chi) { return momentum_at(panel, polhode.at(chi)); },
-                          polhode.first_chi_rad(), polhode.last_chi_rad(), 16, tolerance);
+    double off = 0.0;
+    const auto samples = sample_adaptively(
+        [&](double chi) { return momentum_at(panel, polhode.at(chi)); }, polhode.first_chi_rad(),
+        polhode.last_chi_rad(), 16, panel.curve_units(), most_curve_points, &off);
     CurveGeometry geometry;
     geometry.closed = polhode.closed();
     for (const CurveSample& sample : samples) geometry.points.push_back(sample.point);
     if (geometry.closed) geometry.points.pop_back();
-    return geometry;
+    return panel.keep(std::move(geometry), off, "the curve in which sphere and ellipsoid meet");
 }
 
 // m of the motion beside over the L of the start, principal axes: a drift of L takes it off the
@@ -77,15 +77,13 @@ Drawer make_momentum_beside(Panel& panel) {
 
 // The way of L over the sphere as friction leads it, as much of it as the trail of the polhode.
 Drawer make_momentum_spiral(Panel& panel) {
-    const double tolerance = 0.5 * panel.stage->scene.accuracy_px * panel.units_per_px;
     TimedCurve timed =
-        polhode_trail(*panel.stage, tolerance / panel.stage->rolling->picture_per_rho);
+        polhode_trail(*panel.stage, panel.curve_units(),
+                      [&panel](const Eigen::Vector3d& point) { return momentum_at(panel, point); });
     CurveGeometry geometry;
-    geometry.points.reserve(timed.points.size());
-    for (const Eigen::Vector3d& point : timed.points)
-        geometry.points.push_back(momentum_at(panel, point));
-    Curve curve =
-        curve_of(panel, panel.stage->keep(std::move(geometry)), panel.stage->theme->polhode, 4.0);
+    geometry.points = std::move(timed.points);
+    Curve curve = curve_of(panel, panel.keep(std::move(geometry), timed.off, "the path of L"),
+                           panel.stage->theme->polhode, 4.0);
     curve.on_surface = the_sphere;
     curve.hidden_opacity = 0.5;
     return [curve, trail = std::move(timed.trail)](const Instant& instant, Sheet& sheet) {
@@ -163,8 +161,7 @@ void make_momentum_panel(Panel& panel) {
     std::vector<Curve> curves;
     const bool dissipates = panel.stage->rolling->dissipates;
     if (!dissipates && panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
-        Curve curve = curve_of(panel, panel.stage->keep(meeting_curve(panel)),
-                               panel.stage->theme->polhode, 4.6);
+        Curve curve = curve_of(panel, keep_meeting_curve(panel), panel.stage->theme->polhode, 4.6);
         curve.on_surface = the_sphere;
         curve.hidden_opacity = 0.72;
         curves.push_back(curve);

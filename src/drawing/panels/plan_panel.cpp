@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "drawing/elements/direction_marks.h"
+#include "drawing/elements/filled_ring.h"
 #include "drawing/elements/trail.h"
 #include "drawing/framing.h"
 #include "drawing/marks.h"
@@ -93,34 +94,43 @@ struct HerpolhodeCurve {
     Curve curve;
     Trail trail;
     std::optional<DirectionMarks> marks;
+    std::optional<RingCurve> ring;
 };
 
 HerpolhodeCurve herpolhode_of(Panel& panel, const PlanScale& scale) {
-    const double tolerance = panel.curve_units();
-    TimedCurve timed = herpolhode_trail(*panel.stage, tolerance / scale.plan_per_rho);
-    panel.stage->note_curve_error(timed.off * scale.plan_per_rho / panel.units_per_px);
-    CurveGeometry geometry;
-    for (const Eigen::Vector3d& point : timed.points) {
-        Eigen::Vector3d at = scale.plan_from_space * point * scale.plan_per_rho;
-        at.z() = 0.0;
-        geometry.points.push_back(at);
-    }
+    const Ink& ink = panel.stage->theme->herpolhode;
+    const double width_px = 4.0 * panel.stage->theme->herpolhode_weight;
+    TimedCurve timed = herpolhode_trail(
+        *panel.stage, panel.curve_units() / scale.plan_per_rho,
+        width_px * ink.weight * panel.px * panel.units_per_px / scale.plan_per_rho);
+    const auto placed_points = [&](const std::vector<Eigen::Vector3d>& points) {
+        CurveGeometry geometry;
+        for (const Eigen::Vector3d& point : points) {
+            Eigen::Vector3d at = scale.plan_from_space * point * scale.plan_per_rho;
+            at.z() = 0.0;
+            geometry.points.push_back(at);
+        }
+        return geometry;
+    };
+    CurveGeometry geometry = placed_points(timed.points);
     if (timed.smooth) {
         const Eigen::Matrix3d flattened = Eigen::Vector3d(1.0, 1.0, 0.0).asDiagonal();
         Eigen::Affine3d map = Eigen::Affine3d::Identity();
         map.linear() = scale.plan_per_rho * flattened * scale.plan_from_space;
         geometry.smooth = placed(timed.smooth, map);
     }
-    Curve curve =
-        curve_of(panel, panel.stage->keep(std::move(geometry)), panel.stage->theme->herpolhode,
-                 4.0 * panel.stage->theme->herpolhode_weight);
+    Curve curve = curve_of(
+        panel, panel.keep(std::move(geometry), timed.off * scale.plan_per_rho, "the herpolhode"),
+        ink, width_px);
     curve.on_plane = the_plane;
     curve.occlusion = Occlusion::none;
     // Of the outer circle's radius.
     constexpr double mark_spacing = 1.1;
     std::optional<DirectionMarks> marks;
     if (wants_marks(panel)) marks.emplace(panel, *curve.geometry, mark_spacing, false);
-    return {curve, std::move(timed.trail), std::move(marks)};
+    std::optional<RingCurve> ring =
+        ring_of(panel, timed, curve, [&](const auto& points) { return placed_points(points); });
+    return {curve, std::move(timed.trail), std::move(marks), std::move(ring)};
 }
 
 Curve circle_of(const Panel& panel, double radius) {
@@ -169,7 +179,9 @@ void make_plan_panel(Panel& panel) {
             line_between(panel, Eigen::Vector3d::Zero(), contact, panel.stage->theme->omega, 1.6);
         radius.occlusion = Occlusion::none;
         sheet.view.curves.push_back(radius);
-        if (timed) {
+        if (timed && timed->ring && instant.time_s >= timed->ring->from_s) {
+            sheet.view.curves.push_back(timed->ring->curve);
+        } else if (timed) {
             Curve shown = timed->curve;
             const ShownStretch stretch = timed->trail.at(instant.time_s);
             stretch.apply_to(shown);

@@ -60,18 +60,18 @@ double dash_of(LineStyle style, const Panel& panel) {
 }
 
 // Leaves out what a curve has before it is in its chart for good; it comes in at the edge.
-void cut_beginning(std::vector<Eigen::Vector3d>& points, const ChartArea& area) {
+void cut_beginning(std::vector<CurveSample>& samples, const ChartArea& area) {
     const auto last_outside =
-        std::find_if(points.rbegin(), points.rend(), [&area](const Eigen::Vector3d& point) {
-            return !(point.y() >= area.bottom && point.y() <= area.top);
+        std::find_if(samples.rbegin(), samples.rend(), [&area](const CurveSample& sample) {
+            return !(sample.point.y() >= area.bottom && sample.point.y() <= area.top);
         });
-    if (last_outside == points.rend() || last_outside == points.rbegin()) return;
+    if (last_outside == samples.rend() || last_outside == samples.rbegin()) return;
     const auto before = last_outside.base() - 1;
-    const Eigen::Vector3d& inside = *(before + 1);
-    const double edge = before->y() < area.bottom ? area.bottom : area.top;
-    const double share = (edge - before->y()) / (inside.y() - before->y());
-    *before += share * (inside - *before);
-    points.erase(points.begin(), before);
+    const Eigen::Vector3d& inside = (before + 1)->point;
+    const double edge = before->point.y() < area.bottom ? area.bottom : area.top;
+    const double share = (edge - before->point.y()) / (inside.y() - before->point.y());
+    before->point += share * (inside - before->point);
+    samples.erase(samples.begin(), before);
 }
 
 class PlotMaker {
@@ -220,28 +220,33 @@ class PlotMaker {
     }
 
     // One curve of a record over the film, in the chart's pixels.
-    CurveGeometry sampled(const PlotFrame& chart, PlotRecord& record, std::size_t i) {
-        StageData& stage = *panel_->stage;
+    std::vector<CurveSample> sampled(const PlotFrame& chart, PlotRecord& record, std::size_t i) {
+        const StageData& stage = *panel_->stage;
         const auto point = [&](double t) { return chart.at(t, record.at(t)[i]); };
-        CurveGeometry geometry;
+        if (!quantity_->decades)
+            return sample_adaptively(point, stage.film_first_s, stage.film_last_s, n_pieces_,
+                                     stage.curve_px, 40'000);
         // Residuals are rounding, of which no sampling makes a curve: a value every few pixels.
-        if (quantity_->decades) {
-            constexpr double apart_px = 3.0;
-            const int n = static_cast<int>(std::ceil(chart.area().width() / apart_px));
-            for (int k = 0; k <= n; ++k) {
-                geometry.points.push_back(
-                    point(stage.film_first_s + (stage.film_last_s - stage.film_first_s) * k / n));
-            }
-            return geometry;
+        std::vector<CurveSample> values;
+        constexpr double apart_px = 3.0;
+        const int n = static_cast<int>(std::ceil(chart.area().width() / apart_px));
+        for (int k = 0; k <= n; ++k) {
+            const double time_s =
+                stage.film_first_s + (stage.film_last_s - stage.film_first_s) * k / n;
+            values.push_back({time_s, point(time_s), 0.0});
         }
+        return values;
+    }
+
+    const CurveGeometry* keep(const std::vector<CurveSample>& samples) {
+        CurveGeometry geometry;
         double off_px = 0.0;
-        for (const CurveSample& sample :
-             sample_adaptively(point, stage.film_first_s, stage.film_last_s, n_pieces_,
-                               stage.curve_px, 40'000, &off_px)) {
-            geometry.points.push_back(sample.point);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            geometry.points.push_back(samples[i].point);
+            if (i > 0) off_px = std::max(off_px, samples[i].off);
         }
-        stage.note_curve_error(off_px);
-        return geometry;
+        return panel_->stage->keep(std::move(geometry), off_px,
+                                   fmt::format("the chart \"{}\"", quantity_->name));
     }
 
     Curve line_of(const PlotCurve& kind, double width_px) const {
@@ -257,31 +262,31 @@ class PlotMaker {
 
     void add_curve(PlottedChart& plotted, std::size_t i) {
         const PlotFrame& chart = plotted.chart;
-        CurveGeometry geometry = sampled(chart, record_, i);
-        if (plotted.begins_outside) cut_beginning(geometry.points, chart.area());
+        std::vector<CurveSample> samples = sampled(chart, record_, i);
+        if (plotted.begins_outside) cut_beginning(samples, chart.area());
         PlottedCurve curve;
         curve.value = i;
         curve.curve = line_of(quantity_->curves[i], curve_width);
-        curve.end_y = geometry.points.back().y();
-        curve.curve.geometry = panel_->stage->keep(std::move(geometry));
+        curve.end_y = samples.back().point.y();
+        curve.curve.geometry = keep(samples);
         plotted.curves.push_back(curve);
     }
 
     // The same quantity of the motion beside, up to where it leaves the chart.
     void add_curve_beside(PlottedChart& plotted, std::size_t i) {
         const ChartArea& area = plotted.chart.area();
-        CurveGeometry geometry = sampled(plotted.chart, *beside_, i);
-        const auto inside = [&area](const Eigen::Vector3d& point) {
-            return point.y() >= area.bottom - 1.0 && point.y() <= area.top + 1.0;
+        std::vector<CurveSample> samples = sampled(plotted.chart, *beside_, i);
+        const auto inside = [&area](const CurveSample& sample) {
+            const double y = sample.point.y();
+            return y >= area.bottom - 1.0 && y <= area.top + 1.0;
         };
-        auto& points = geometry.points;
         if (plotted.begins_outside)
-            points.erase(points.begin(), std::find_if(points.begin(), points.end(), inside));
-        points.erase(std::find_if_not(points.begin(), points.end(), inside), points.end());
-        if (geometry.points.size() < 2) return;
+            samples.erase(samples.begin(), std::find_if(samples.begin(), samples.end(), inside));
+        samples.erase(std::find_if_not(samples.begin(), samples.end(), inside), samples.end());
+        if (samples.size() < 2) return;
         Curve curve = line_of(quantity_->curves[i], beside_width);
         curve.opacity = beside_opacity;
-        curve.geometry = panel_->stage->keep(std::move(geometry));
+        curve.geometry = keep(samples);
         plotted.beside.push_back(curve);
     }
 

@@ -130,13 +130,16 @@ void make_potential_panel(Panel& panel) {
     const auto point = [&](double theta) {
         return chart.at(theta, potential_below(top, theta, well.last_J));
     };
-    for (const CurveSample& sample : sample_adaptively(
-             point, reaches(top, well.theta_bottom, x.first, well.last_J),
-             reaches(top, well.theta_bottom, x.last, well.last_J), 64, panel.stage->curve_px)) {
+    double off_px = 0.0;
+    for (const CurveSample& sample :
+         sample_adaptively(point, reaches(top, well.theta_bottom, x.first, well.last_J),
+                           reaches(top, well.theta_bottom, x.last, well.last_J), 64,
+                           panel.stage->curve_px, most_curve_points, &off_px)) {
         geometry.points.push_back(sample.point);
     }
     const Eigen::Vector3d end = geometry.points.back();
-    Curve curve = curve_of(panel, panel.stage->keep(std::move(geometry)), theme.potential, 3.6);
+    Curve curve = curve_of(panel, panel.stage->keep(std::move(geometry), off_px, "the potential"),
+                           theme.potential, 3.6);
     curve.occlusion = Occlusion::none;
 
     std::vector<Curve> lines;

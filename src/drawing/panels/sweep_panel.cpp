@@ -118,9 +118,8 @@ Trace trace_of(Panel& panel, const Eigen::Vector3d& half_axes) {
         geometry.points.push_back(sample.point);
         trace.shares.push_back(sample.parameter);
     }
-    panel.stage->note_curve_error(off / panel.units_per_px);
-    trace.curve =
-        curve_of(panel, panel.stage->keep(std::move(geometry)), panel.stage->theme->polhode, 2.4);
+    trace.curve = curve_of(panel, panel.keep(std::move(geometry), off, "the trace of ρ"),
+                           panel.stage->theme->polhode, 2.4);
     trace.curve.on_surface = the_ellipsoid;
     trace.curve.hidden_opacity = 0.14;
     trace.curve.lasting = true;

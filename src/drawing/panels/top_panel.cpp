@@ -95,10 +95,13 @@ Locus locus_of(Panel& panel) {
         return Eigen::Vector3d(axes_of(sample.euler).col(2));
     };
     const double rate = stage.quickest_rate_rad_s();
+    constexpr std::size_t most_points = 800'000;  // of a fast top's many small nutations
     Locus locus;
     locus.path = sample_path(axis_at, stage.options.first_time_s, stage.options.last_time_s,
-                             rate > 0.0 ? pi / rate : 1.0, panel.curve_units());
-    locus.curve = curve_of(panel, panel.stage->keep({.points = std::move(locus.path.points)}),
+                             rate > 0.0 ? pi / rate : 1.0, panel.curve_units(), most_points);
+    locus.curve = curve_of(panel,
+                           panel.keep({.points = std::move(locus.path.points)}, locus.path.off,
+                                      "the path of the top's axis"),
                            stage.theme->axes[2], 4.0);
     locus.curve.on_surface = the_sphere;
     locus.curve.hidden_opacity = 0.4;
