@@ -89,7 +89,10 @@ double error_of(const MotionProblem& problem, const std::optional<Motion>& truth
 MethodChoice coarsest_choice(const MotionProblem& problem) {
     MethodChoice coarsest = problem.method;
     if (find_method(problem.method.name).takes_step) {
-        const double turn_s = 2.0 * std::numbers::pi / problem.start.omega_body.stableNorm();
+        const RotationDynamics dynamics(problem.inertia, problem.torque);
+        const double turn_s =
+            2.0 * std::numbers::pi /
+            (problem.start.omega_body.stableNorm() + dynamics.greatest_friction_turning_rad_s());
         coarsest.step_s = std::min(span_of(problem), turn_s / 16.0);
     } else {
         coarsest.tolerance = 1e-4;

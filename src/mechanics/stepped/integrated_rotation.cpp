@@ -24,7 +24,8 @@ double default_step_s(const RotationDynamics& dynamics, const Eigen::Vector3d& m
     const bool swings = std::holds_alternative<GravityTorque>(dynamics.torque());
     const double gained =
         swings ? 2.0 * std::sqrt(torque / least_moment) : torque * span_s / least_moment;
-    const double rate = dynamics.greatest_free_omega(momentum) + gained;
+    const double rate = dynamics.greatest_free_omega(momentum) + gained +
+                        dynamics.greatest_friction_turning_rad_s();
     const double step = 2.0 * std::numbers::pi / (steps_a_turn * rate);
     return std::isfinite(step) && step < span_s ? step : span_s;
 }
@@ -85,6 +86,16 @@ IntegratedRotation::IntegratedRotation(const MotionProblem& problem)
         throw InputError(
             fmt::format("step_s of {} s needs {:.3g} steps for {} s; give at least {} s", step_s_,
                         span_s / step_s_, span_s, span_s / max_steps));
+    }
+
+    // Friction that turns the body farther in a step is not followed by it: explicit methods are
+    // unstable then, and T between the ends of a step would not fall steadily.
+    const double friction_rad = step_s_ * start.dynamics.greatest_friction_turning_rad_s();
+    if (method_->takes_step && span_s > 0.0 && !(friction_rad <= 1.0)) {
+        throw InputError(fmt::format(
+            "friction turns the body by {:.3g} rad in a step of {} s, and by 1 rad at most it can "
+            "be stepped; give a step_s of at most {:.3g} s",
+            friction_rad, step_s_, step_s_ / friction_rad));
     }
 
     start.step_s = step_s_;
