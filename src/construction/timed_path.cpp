@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "construction/adaptive_curve.h"
+#include "mechanics/motion_problem.h"
 
 namespace poinsot {
 
@@ -23,7 +24,11 @@ TimedPath sample_path(const std::function<Eigen::Vector3d(double)>& point, doubl
     // Pieces of one length from the first instant on, a power of two so that their ends do not
     // depend on how many follow; too many of them for max_points share the stretch instead.
     const double span = last_time_s - first_time_s;
-    const double piece_s = std::exp2(std::floor(std::log2(0.5 * shortest_feature_s)));
+    // Of a motion so slow that the stretch is next to nothing of a piece, the piece is shorter: a
+    // stepped motion goes no farther beyond its end.
+    const double longest_s = span > 0.0 ? longest_piece_spans * span : HUGE_VAL;
+    const double piece_s =
+        std::exp2(std::floor(std::log2(std::min(0.5 * shortest_feature_s, longest_s))));
     const double wanted = std::ceil(span / piece_s);
     const double n_pieces = std::clamp(wanted, 0.0, static_cast<double>(max_points) / 4.0);
     const double end_s = wanted <= n_pieces ? first_time_s + piece_s * n_pieces : last_time_s;

@@ -91,9 +91,10 @@ double stepping_estimate_s(const MotionProblem& problem, double (*clock_s)()) {
     constexpr std::int64_t least_probe = 64;
     constexpr std::int64_t most_probe = 1 << 18;
     // Steps go to both sides of the start, a probe along the longer.
-    const double longer_s = std::max(problem.last_time_s - problem.start.time_s,
-                                     problem.start.time_s - problem.first_time_s);
-    const double both_sides = std::max(1.0, span_s / longer_s);
+    const double after_s = problem.last_time_s + problem.overshoot_s - problem.start.time_s;
+    const double before_s = problem.start.time_s - problem.first_time_s;
+    const double both_sides =
+        (std::max(after_s, 0.0) + std::max(before_s, 0.0)) / std::max(after_s, before_s);
     try {
         const double setup_s = probe_timed(problem, 0, clock_s, least_timed_s).timed_s;
         const double enough_s = most_setups * setup_s + least_timed_s;

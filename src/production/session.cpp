@@ -138,6 +138,7 @@ Session session_of(Scene scene, std::span<const double> times_s, const Telling& 
     // The trails of a loop come from the time before.
     if (loop)
         problem.first_time_s = std::min(problem.first_time_s, scene.film.start_s - loop->loop_s);
+    problem.overshoot_s = overshoot_s(problem);
     const Accuracy accuracy = accuracy_of(scene);
     const std::string key = key_of("motion", scene.method);
     // Before the estimate, which steps as well.

@@ -104,7 +104,8 @@ IntegratedRotation::IntegratedRotation(const MotionProblem& problem, const std::
             fmt::format("step_s of {} s needs {:.3g} steps for {} s; give at least {} s", step_s_,
                         span_s / step_s_, span_s, span_s / max_steps));
     }
-    cover(forward_, start, last_time_s_ - start_time_s_, stop);
+    // What lies beyond the end is stepped through once as well, not anew for each instant there.
+    cover(forward_, start, last_time_s_ + overshoot_s_ - start_time_s_, stop);
     start.step_s = -step_s_;
     cover(backward_, start, first_time_s_ - start_time_s_, stop);
 }
@@ -112,7 +113,7 @@ IntegratedRotation::IntegratedRotation(const MotionProblem& problem, const std::
 SteppingProbe IntegratedRotation::probe(const MotionProblem& problem, std::int64_t most_steps) {
     IntegratedRotation motion;
     MethodStart start = motion.prepare(problem);
-    const double after_s = motion.last_time_s_ - motion.start_time_s_;
+    const double after_s = motion.last_time_s_ + motion.overshoot_s_ - motion.start_time_s_;
     const double before_s = motion.start_time_s_ - motion.first_time_s_;
     const double length_s = std::max(after_s, before_s);
     if (before_s > after_s) start.step_s = -start.step_s;
@@ -131,16 +132,17 @@ SteppingProbe IntegratedRotation::probe(const MotionProblem& problem, std::int64
 
 StepNode IntegratedRotation::advanced(const Propagator& propagator, const StepNode& node) {
     StepNode next = propagator.next(node, counters_);
-    if (!next.state.momentum.allFinite()) {
-        throw InputError(fmt::format(
-            "method \"{}\" overflows at t = {} s with a step of {} s; give a shorter one",
-            method_->name, start_time_s_ + next.time_s, std::abs(node.step_s)));
-    }
     if (!(std::abs(next.time_s) > std::abs(node.time_s))) {
         throw InputError(fmt::format(
             "method \"{}\" needs steps so short that the time of {} s does not advance; "
             "give a slower motion, weaker torque or larger tolerance",
             method_->name, start_time_s_ + node.time_s));
+    }
+    if (!next.state.momentum.allFinite()) {
+        throw InputError(fmt::format(
+            "method \"{}\" overflows at t = {} s with a step of {} s; give {}", method_->name,
+            start_time_s_ + next.time_s, std::abs(node.step_s),
+            method_->takes_step ? "a shorter one" : "a slower motion or a weaker torque"));
     }
     return next;
 }
