@@ -39,9 +39,11 @@ inline constexpr double exact_residual_bound = 2e-14;
 // time.
 inline constexpr double speed_difference_bound = 1e-9;
 
-// Evaluates the motion at every instant. `bound` is what the method promises, relative:
-// exact_residual_bound, or what the scene's accuracy allows a stepped method. At the surface of a
-// needle it is multiplied by the largest half-axis over the plane's distance.
+// Evaluates the motion at every instant. `bound` is what the method promises: for a closed form
+// exact_residual_bound, relative, at the surface of a needle times the largest half-axis over the
+// plane's distance; for a stepped motion the radians that the scene's accuracy allows its attitude,
+// from which every claim's bound follows. A stepped motion is held to the closed form as well, for
+// errors of phase along the motion leave T, L and the contact as they are.
 Certificate certify(const Motion& motion, std::span<const double> times_s, double bound);
 
 }  // namespace poinsot

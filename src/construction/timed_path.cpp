@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "construction/adaptive_curve.h"
+#include "mechanics/motion_problem.h"
 
 namespace poinsot {
 
@@ -24,7 +25,11 @@ TimedPath sample_path(const std::function<Eigen::Vector3d(double)>& point, doubl
     // Pieces of one length from the first instant on, a power of two so that their ends do not
     // depend on how many follow.
     const double span = last_time_s - first_time_s;
-    const double piece_s = std::exp2(std::floor(std::log2(0.5 * shortest_feature_s)));
+    // If the motion is so slow that the span is a small part of a piece, the piece is shorter: a
+    // stepped motion is not stepped far beyond its end.
+    const double longest_s = span > 0.0 ? longest_piece_spans * span : HUGE_VAL;
+    const double piece_s =
+        std::exp2(std::floor(std::log2(std::min(0.5 * shortest_feature_s, longest_s))));
     const double n_pieces = std::max(0.0, std::ceil(span / piece_s));
 
     TimedPath path;

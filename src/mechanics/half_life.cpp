@@ -1,11 +1,15 @@
 #include "mechanics/half_life.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "error/error.h"
 #include "mechanics/torque.h"
@@ -16,26 +20,34 @@ namespace poinsot {
 namespace {
 
 // Motions that turn more often go by their mean.
-constexpr double most_stepped_turns = 1500.0;
+// Motions that turn more often, about the axis of the least moment against that of the greatest, go
+// by their mean.
+constexpr double most_stepped_turns = 1000.0;
 // Of the fastest turning, a step of the classical Runge–Kutta method: its own friction is below
 // 1e-7 of T over all those turns.
-constexpr double step_rad = 0.02;
+constexpr double step_rad = 0.01;
+// After so many radians of turning by friction alone nothing is left, wherever the spin began: a
+// tilt of 1e-12 takes 60.
+constexpr double most_friction_rad = 1000.0;
 
 // The body in units in which L = 1 and the largest moment is 1: time in I_max/L.
 struct ScaledStart {
     Eigen::Vector3d moments;
     Eigen::Vector3d momentum;
     double seconds = 1.0;  // of a unit of time
+    double range = 0.0;    // 1/I_min − 1/I_max: of 2T
 };
 
-double twice_T(const ScaledStart& body, const Eigen::Vector3d& momentum) {
-    return momentum.dot(momentum.cwiseQuotient(body.moments));
-}
-
-// 2T − L²/I_max, without cancelling: Σ Lᵢ²(1/Iᵢ − 1/I_max).
+// 2T − L²/I_max without cancelling: Σ Lᵢ²(1/Iᵢ − 1/I_max). And L²/I_min − 2T.
 double excess(const ScaledStart& body, const Eigen::Vector3d& momentum) {
     return momentum.cwiseAbs2().dot(
         (1.0 - body.moments.array()).matrix().cwiseQuotient(body.moments));
+}
+
+double deficit(const ScaledStart& body, const Eigen::Vector3d& momentum) {
+    const double least = body.moments.minCoeff();
+    return momentum.cwiseAbs2().dot(
+        (body.moments.array() - least).matrix().cwiseQuotient(least * body.moments));
 }
 
 ScaledStart scaled_start(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body) {
@@ -43,13 +55,13 @@ ScaledStart scaled_start(const InertiaTensor& inertia, const Eigen::Vector3d& om
     const double largest = omega.cwiseAbs().maxCoeff();
     int axis = 0;
     omega.cwiseAbs().maxCoeff(&axis);
-    Eigen::Vector3d aside = omega;
+    Eigen::Vector3d aside = omega / largest;
     aside[axis] = 0.0;
     // Equal moments have no axis of their own: within their plane, ω stays as well.
     const Eigen::Vector3d& I = inertia.moments_kg_m2();
     for (int i = 0; i < 3; ++i)
         if (I[i] == I[axis]) aside[i] = 0.0;
-    if (!(largest > 0.0) || !(aside.norm() > 1e-12 * largest))
+    if (!(largest > 0.0) || !(aside.norm() > 1e-12))
         throw InputError(
             "omega_rad_s: friction inside a body changes nothing of a spin exactly along a "
             "principal axis; tilt it a little, as by a hundredth in another component");
@@ -58,7 +70,10 @@ ScaledStart scaled_start(const InertiaTensor& inertia, const Eigen::Vector3d& om
     body.moments = I / I_max;
     const Eigen::Vector3d momentum = body.moments.cwiseProduct(omega / largest);
     body.momentum = momentum.normalized();
-    body.seconds = 1.0 / (largest * momentum.norm());
+    // Of the ω that was divided by its largest component, and of the moments by theirs.
+    body.seconds = 1.0 / momentum.norm() / largest;
+    const double least = body.moments.minCoeff();
+    body.range = (1.0 - least) / least;
     return body;
 }
 
@@ -71,9 +86,11 @@ Eigen::Vector3d momentum_rate(const ScaledStart& body, double friction,
 
 // The share of the excess that is left after a time, by stepping.
 double share_left(const ScaledStart& body, double friction, double time) {
-    const double fastest = (1.0 + friction) / body.moments.minCoeff();
+    if (friction * body.range * time > most_friction_rad) return 0.0;
+    // Only the differences of the 1/Iᵢ turn L in the body.
+    const double fastest = (1.0 + friction) * body.range;
     const auto n_steps =
-        static_cast<std::int64_t>(std::ceil(std::max(64.0, time * fastest / step_rad)));
+        static_cast<std::int64_t>(std::ceil(std::max(256.0, time * fastest / step_rad)));
     const double h = time / static_cast<double>(n_steps);
     Eigen::Vector3d momentum = body.momentum;
     for (std::int64_t k = 0; k < n_steps; ++k) {
@@ -87,60 +104,105 @@ double share_left(const ScaledStart& body, double friction, double time) {
     return excess(body, momentum) / excess(body, body.momentum);
 }
 
+// Mean of |L × ω|² over a polhode with L = 1, for moments in rising order, of whose energies
+// `above` and `below` are 2T − 1/I_max and 1/I_min − 2T: no small one comes from a difference.
+double burning(const Eigen::Vector3d& rising, double above, double below) {
+    const Eigen::Vector3d inverse = rising.cwiseInverse();
+    const double upper = (rising[1] - rising[0]) * inverse[0] * inverse[1];  // 1/I1 − 1/I2
+    const double lower = (rising[2] - rising[1]) * inverse[1] * inverse[2];
+    if (!(above > 0.0) || !(below > 0.0)) return 0.0;
+    // About the axis of the largest moment, or of the smallest: the same formulas with their places
+    // exchanged. The modulus is below 1 for one of them.
+    double k2 = upper * above / (lower * below);
+    double side = upper;
+    double own = above;
+    double other = below;
+    if (!(k2 <= 1.0)) {
+        k2 = lower * below / (upper * above);
+        side = lower;
+        std::swap(own, other);
+    }
+    // Means of sn² and dn²; on the separatrix the motion stays at the middle axis.
+    double sn2 = 0.5;
+    if (k2 >= 1.0) {
+        sn2 = 1.0;
+    } else if (k2 > 1e-8) {
+        const double k = std::sqrt(k2);
+        sn2 = (1.0 - boost::math::ellint_2(k) / boost::math::ellint_1(k)) / k2;
+    }
+    // ω² − (2T)² is the variance of the 1/Iᵢ over the squares of L's components.
+    return own * std::max(0.0, other - sn2 * side);
+}
+
 // The friction by the mean of each polhode: ∫ dT/⟨burning⟩ over the half that goes, over the time.
 double mean_friction(const ScaledStart& body, double time) {
-    const double least = 1.0;  // 2T about the largest moment
-    const double start = twice_T(body, body.momentum);
-    const double end = least + 0.5 * (start - least);
-    const auto inverse = [&body](double twice_energy) {
-        return 0.5 / mean_burning(body.moments, 1.0, twice_energy);
+    Eigen::Vector3d rising = body.moments;
+    std::sort(rising.data(), rising.data() + 3);
+    const double start = excess(body, body.momentum);
+    const double end = 0.5 * start;
+    if (!std::isfinite(body.range)) return std::numeric_limits<double>::quiet_NaN();
+    // By the logarithm of the excess, and from half of the range on of what is missing to the
+    // greatest energy: near both axes the integrand is the reciprocal of that.
+    const auto time_of = [](double energy, double burnt) {
+        return burnt > 0.0 ? 0.5 * energy / burnt : 0.0;  // on the pole
+    };
+    const auto low_part = [&](double log_above) {
+        const double above = std::exp(log_above);
+        return time_of(above, burning(rising, above, body.range - above));
+    };
+    const auto high_part = [&](double log_below) {
+        const double below = std::exp(log_below);
+        return time_of(below, burning(rising, body.range - below, below));
     };
     // The polhodes through the middle axis burn nothing in the mean: the integrand has a pole of a
     // logarithm there, which lies at an end of each part.
-    Eigen::Vector3d sorted = body.moments;
-    std::sort(sorted.data(), sorted.data() + 3);
-    const double separatrix = 1.0 / sorted[1];
     boost::math::quadrature::tanh_sinh<double> integrator;
-    const auto integral = [&](double low, double high) {
-        return low < high ? integrator.integrate(inverse, low, high, 1e-9) : 0.0;
+    const auto integral = [&](const auto& function, double low, double high, double pole) {
+        const auto piece = [&](double from, double to) {
+            return from < to ? integrator.integrate(function, from, to, 1e-9) : 0.0;
+        };
+        if (!(low < pole && pole < high)) return piece(low, high);
+        return piece(low, pole) + piece(pole, high);
     };
-    const bool passes = end < separatrix && separatrix < start;
-    const double all =
-        passes ? integral(end, separatrix) + integral(separatrix, start) : integral(end, start);
+    const double half = 0.5 * body.range;
+    const double separatrix = 1.0 / rising[1] - 1.0;
+    double all =
+        integral(low_part, std::log(end), std::log(std::min(start, half)), std::log(separatrix));
+    if (start > half)
+        all +=
+            integral(high_part, std::log(deficit(body, body.momentum)),
+                     std::log(body.range - std::max(end, half)), std::log(body.range - separatrix));
     return all / time;
+}
+
+// The friction that leaves half after the time, by stepping: from a guess outwards, by factors that
+// are squared, until it lies between two.
+double stepped_friction(const ScaledStart& body, double time, double guess) {
+    constexpr int most_factors = 12;  // e^(0.1 · 2^12) spans all doubles
+    const auto over_half = [&](double log_friction) {
+        return share_left(body, std::exp(log_friction), time) - 0.5;
+    };
+    double low = std::log(guess);
+    double high = low;
+    const double sign = over_half(low) < 0.0 ? -1.0 : 1.0;
+    double distance = 0.1;
+    for (int k = 0; k < most_factors; ++k, distance *= 2.0) {
+        double& far = sign < 0.0 ? low : high;
+        double& near = sign < 0.0 ? high : low;
+        near = far;
+        far += sign * distance;
+        if (sign * over_half(far) <= 0.0) return std::exp(bracketed_root(over_half, low, high));
+    }
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
 
 double mean_burning(const Eigen::Vector3d& moments_kg_m2, double momentum, double twice_T) {
-    Eigen::Vector3d I = moments_kg_m2;
-    std::sort(I.data(), I.data() + 3);
+    Eigen::Vector3d rising = moments_kg_m2;
+    std::sort(rising.data(), rising.data() + 3);
     const double L2 = momentum * momentum;
-    // About the axis of the largest moment, or of the smallest: the same formulas with their places
-    // exchanged.
-    if (L2 < twice_T * I[1]) std::swap(I[0], I[2]);
-    const double toward_0 = twice_T * I[2] - L2;
-    const double toward_2 = L2 - twice_T * I[0];
-    const double across = I[2] - I[0];
-    const double k2 = std::clamp((I[1] - I[0]) * toward_0 / ((I[2] - I[1]) * toward_2), 0.0, 1.0);
-    const double k = std::sqrt(k2);
-    // Means of sn² and dn²; on the separatrix the motion stays at the middle axis.
-    double sn2 = 0.5;
-    double dn2 = 1.0;
-    if (k2 >= 1.0) {
-        sn2 = 1.0, dn2 = 0.0;
-    } else if (k2 > 1e-8) {
-        dn2 = boost::math::ellint_2(k) / boost::math::ellint_1(k);
-        sn2 = (1.0 - dn2) / k2;
-    } else {
-        dn2 = 1.0 - 0.5 * k2;
-    }
-    // Lᵢ²; L2 of the middle axis by what is left where I1 = I2 makes its own formula 0/0.
-    const double m0 = I[0] * toward_0 / across * (1.0 - sn2);
-    const double m2 = I[2] * toward_2 / across * dn2;
-    const double m1 = L2 - m0 - m2;
-    const double omega2 = m0 / (I[0] * I[0]) + m1 / (I[1] * I[1]) + m2 / (I[2] * I[2]);
-    return omega2 - twice_T * twice_T / L2;
+    return L2 * burning(rising, twice_T / L2 - 1.0 / rising[2], 1.0 / rising[0] - twice_T / L2);
 }
 
 double dissipation_rate_of_half_life(const InertiaTensor& inertia,
@@ -152,20 +214,20 @@ double dissipation_rate_of_half_life(const InertiaTensor& inertia,
             "could burn; start about another one");
     const double time = half_life_s / body.seconds;
     double friction = mean_friction(body, time);
-    const double turns = time / body.moments.minCoeff() / (2.0 * std::numbers::pi);
-    if (turns < most_stepped_turns) {
-        const auto over_half = [&](double log_friction) {
-            return share_left(body, std::exp(log_friction), time) - 0.5;
-        };
-        double low = std::log(friction);
-        double high = low;
-        while (over_half(low) < 0.0) low -= 0.25;
-        while (over_half(high) > 0.0) high += 0.25;
-        if (low < high) friction = std::exp(bracketed_root(over_half, low, high));
+    if (time * body.range < 2.0 * std::numbers::pi * most_stepped_turns) {
+        // Of a short time the mean says little; about one radian by friction is never far.
+        const double guess =
+            std::isfinite(friction) && friction > 0.0 ? friction : 1.0 / (time * body.range);
+        friction = stepped_friction(body, time, guess);
     }
     // κ = friction · L is rate · tr(I)/3; L in units of I_max/seconds.
-    const double trace = body.moments.sum();
-    return 3.0 * friction / (trace * body.seconds);
+    const double rate_1_s = 3.0 * friction / body.moments.sum() / body.seconds;
+    if (!std::isnormal(rate_1_s))
+        throw InputError(fmt::format(
+            "torque.half_life_s: no friction that doubles can express burns half of this body's "
+            "energy in {:g} s; give a half-life nearer to the time of a turn, {:.3g} s",
+            half_life_s, 2.0 * std::numbers::pi * body.seconds));
+    return rate_1_s;
 }
 
 }  // namespace poinsot

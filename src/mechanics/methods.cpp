@@ -70,7 +70,7 @@ constexpr std::array method_rows{
     Method{.name = "euler",
            .summary = "Euler's explicit method, order 1: shows what a bad integrator does",
            .source = "Hairer, Nørsett & Wanner, Solving ODEs I, §I.7",
-           .conserves = "nothing: T and L grow",
+           .conserves = "nothing: T and L grow; with dissipation L in space, to rounding",
            .orders = order_1,
            .takes_step = true,
            .torques = any_torque,
@@ -78,7 +78,8 @@ constexpr std::array method_rows{
     Method{.name = "rk4",
            .summary = "the classical Runge–Kutta method, order 4",
            .source = "Hairer, Nørsett & Wanner, Solving ODEs I, §II.1",
-           .conserves = "nothing exactly: T and L drift steadily",
+           .conserves =
+               "nothing exactly: T and L drift steadily; with dissipation L in space, to rounding",
            .orders = order_4,
            .takes_step = true,
            .torques = any_torque,
@@ -86,7 +87,9 @@ constexpr std::array method_rows{
     Method{.name = "dopri5",
            .summary = "Dormand & Prince 5(4) with step control and dense output",
            .source = "Dormand & Prince, J. Comput. Appl. Math. 6 (1980) 19; Boost.odeint",
-           .conserves = "nothing exactly: T and L drift within the tolerance a step",
+           .conserves =
+               "nothing exactly: T and L drift within the tolerance a step; with dissipation "
+               "L in space, to rounding",
            .orders = order_5,
            .takes_tolerance = true,
            .torques = any_torque,

@@ -8,9 +8,9 @@ namespace {
 
 using Solution = std::variant<FreeRotation, HeavyTop, IntegratedRotation>;
 
-Solution solve(const MotionProblem& problem) {
+Solution solve(const MotionProblem& problem, const std::stop_token& stop) {
     const Method& method = check_method(problem.method, problem.inertia, problem.torque);
-    if (method.make != nullptr) return IntegratedRotation(problem);
+    if (method.make != nullptr) return IntegratedRotation(problem, stop);
     const auto* gravity = std::get_if<GravityTorque>(&problem.torque);
     if (gravity != nullptr && HeavyTop::accepts(problem.inertia, *gravity)) {
         return HeavyTop(problem.inertia, *gravity, problem.start, problem.top_start);
@@ -20,7 +20,8 @@ Solution solve(const MotionProblem& problem) {
 
 }  // namespace
 
-Motion::Motion(const MotionProblem& problem) : problem_(problem), solution_(solve(problem)) {}
+Motion::Motion(const MotionProblem& problem, const std::stop_token& stop)
+    : problem_(problem), solution_(solve(problem, stop)) {}
 
 RotationState Motion::at(double time_s) const {
     return std::visit([=](const auto& solution) { return solution.at(time_s); }, solution_);

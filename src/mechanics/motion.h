@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <stop_token>
 #include <variant>
 
 #include "mechanics/free/free_rotation.h"
@@ -19,8 +20,8 @@ class Motion {
  public:
     // Throws InputError for what cannot be computed: an unknown method (with the nearest), exact
     // with a torque that has no closed form (with the list of methods that can), a step that is not
-    // positive, overflow of L or ω t.
-    explicit Motion(const MotionProblem& problem);
+    // positive, overflow of L or ω t; and if a stop is requested while it steps.
+    explicit Motion(const MotionProblem& problem, const std::stop_token& stop = {});
 
     RotationState at(double time_s) const;
     MotionSample sample(double time_s, const Quantities& wanted) const;

@@ -43,6 +43,9 @@ struct TopStart {
     double theta_rad = 0.0, theta_dot_rad_s = 0.0, phi_dot_rad_s = 0.0, omega3_rad_s = 0.0;
 };
 
+// A drawn history ends with a whole piece, which is no longer than so many times the whole of it.
+inline constexpr double longest_piece_spans = 8.0;
+
 // Everything that determines a motion.
 struct MotionProblem {
     InertiaTensor inertia = InertiaTensor::from_principal_moments({1.0, 1.0, 1.0});

@@ -69,19 +69,19 @@ double n_adaptive_steps(const Motion& motion) {
 // the step or a tenth of the tolerance. Where no tolerance is finer, ten times this one is measured
 // against it: an upper bound.
 double error_of(const MotionProblem& problem, const std::optional<Motion>& truth,
-                std::span<const double> times) {
+                std::span<const double> times, const std::stop_token& stop) {
     const auto error = [&](const MotionProblem& coarse, const Motion& fine) {
-        return worst_errors(Motion(coarse), fine, times).attitude_rad;
+        return worst_errors(Motion(coarse, stop), fine, times).attitude_rad;
     };
     if (truth) return error(problem, *truth);
     MethodChoice other = problem.method;
     if (other.step_s) *other.step_s *= 0.5;
     if (other.tolerance && *other.tolerance < 10.0 * least_tolerance) {
         *other.tolerance *= 10.0;
-        return error(with(problem, other), Motion(problem));
+        return error(with(problem, other), Motion(problem, stop));
     }
     if (other.tolerance) *other.tolerance *= 0.1;
-    return error(problem, Motion(with(problem, other)));
+    return error(problem, Motion(with(problem, other), stop));
 }
 
 }  // namespace
@@ -89,7 +89,10 @@ double error_of(const MotionProblem& problem, const std::optional<Motion>& truth
 MethodChoice coarsest_choice(const MotionProblem& problem) {
     MethodChoice coarsest = problem.method;
     if (find_method(problem.method.name).takes_step) {
-        const double turn_s = 2.0 * std::numbers::pi / problem.start.omega_body.stableNorm();
+        const RotationDynamics dynamics(problem.inertia, problem.torque);
+        const double turn_s =
+            2.0 * std::numbers::pi /
+            (problem.start.omega_body.stableNorm() + dynamics.greatest_friction_turning_rad_s());
         coarsest.step_s = std::min(span_of(problem), turn_s / 16.0);
     } else {
         coarsest.tolerance = 1e-4;
@@ -98,7 +101,7 @@ MethodChoice coarsest_choice(const MotionProblem& problem) {
 }
 
 StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_rad,
-                       double most_steps) {
+                       double most_steps, const std::stop_token& stop) {
     StepChoice choice{problem.method, 0.0, true};
     const Method& method = find_method(problem.method.name);
     const bool given = problem.method.step_s || problem.method.tolerance;
@@ -112,26 +115,27 @@ StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_r
         truth.emplace(with(problem, exact_choice()));
     }
     if (given) {
-        choice.attitude_rad = error_of(problem, truth, times);
+        choice.attitude_rad = error_of(problem, truth, times, stop);
         choice.reached = choice.attitude_rad <= attitude_tolerance_rad;
         return choice;
     }
     constexpr double any_number = std::numeric_limits<double>::infinity();
     choice.method = coarsest_choice(problem);
-    Motion motion(with(problem, choice.method));
+    Motion motion(with(problem, choice.method), stop);
     while (true) {
         const std::optional<MethodChoice> finer = finer_than(choice.method, problem, most_steps);
         std::optional<Motion> next;  // stands for the truth where there is none
         if (!truth)
             next.emplace(
-                with(problem, finer ? *finer : *finer_than(choice.method, problem, any_number)));
+                with(problem, finer ? *finer : *finer_than(choice.method, problem, any_number)),
+                stop);
         choice.attitude_rad = worst_errors(motion, truth ? *truth : *next, times).attitude_rad;
         choice.reached = choice.attitude_rad <= attitude_tolerance_rad;
         const bool ends = !finer || (!truth && !finer_than(*finer, problem, most_steps)) ||
                           n_adaptive_steps(motion) > most_steps;
         if (choice.reached || ends) return choice;
         choice.method = *finer;
-        motion = next ? *std::move(next) : Motion(with(problem, *finer));
+        motion = next ? *std::move(next) : Motion(with(problem, *finer), stop);
     }
 }
 

@@ -1,6 +1,7 @@
 // Chooses the step or tolerance of a stepped method from how accurate its attitude must be.
 #pragma once
 
+#include <stop_token>
 #include <string>
 
 #include "mechanics/motion.h"
@@ -22,9 +23,9 @@ struct StepChoice {
 // step or tolerance is kept and measured in the same way; an exact method is returned as it is. If
 // no rung of at most `most_steps` steps, or of a tolerance that rounding leaves room for, reaches
 // it, the finest is returned with reached = false. Steps are counted, not timed: every machine
-// chooses alike.
+// chooses alike. Throws InputError as Motion does.
 StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_rad,
-                       double most_steps = most_chosen_steps);
+                       double most_steps = most_chosen_steps, const std::stop_token& stop = {});
 
 // The coarsest rung, for a choice that names neither step nor tolerance. Precondition: the body
 // turns, and the method steps.

@@ -52,9 +52,12 @@ Torque in_principal_axes(const Torque& torque, const InertiaTensor& inertia) {
 std::string_view name_of(const Torque& torque) { return torque_names.at(torque.index()); }
 
 RotationDynamics::RotationDynamics(const InertiaTensor& inertia, const Torque& torque)
-    : moments_(inertia.moments_kg_m2()), torque_(in_principal_axes(torque, inertia)) {
+    : moments_(inertia.moments_kg_m2()),
+      least_over_moments_((moments_ / moments_.minCoeff()).cwiseInverse()),
+      torque_(in_principal_axes(torque, inertia)) {
     if (const auto* friction = std::get_if<DissipationTorque>(&torque_)) {
-        dissipation_kg_m2_s_ = friction->rate_1_s * moments_.sum() / 3.0;
+        // By ratios of moments: their sum may overflow, their inverses too.
+        dissipation_1_s_ = friction->rate_1_s * (moments_ / moments_.minCoeff()).sum() / 3.0;
     }
 }
 
@@ -77,11 +80,10 @@ RotationRates RotationDynamics::rates(const StepState& state) const {
     const Eigen::Vector3d& L = state.momentum;
     RotationRates rates;
     rates.turning = omega(L);
-    if (dissipation_kg_m2_s_ != 0.0) {
-        const double squared = L.squaredNorm();
-        if (squared > 0.0) {
-            rates.turning += dissipation_kg_m2_s_ / squared * L.cross(rates.turning).eval();
-        }
+    if (dissipation_1_s_ != 0.0) {
+        // κ (L × ω)/L² by the direction of L, whose square may be no double.
+        const Eigen::Vector3d along = L.stableNormalized();
+        rates.turning += dissipation_1_s_ * along.cross(along.cwiseProduct(least_over_moments_));
     }
     rates.momentum_rate = L.cross(rates.turning);
     if (has_torque()) rates.momentum_rate += torque_on(state);
@@ -120,6 +122,10 @@ double RotationDynamics::greatest_free_omega(const Eigen::Vector3d& momentum) co
         least = -std::min(squares[0] / share0, squares[2] / share2);
     }
     return std::sqrt(std::max({now, now + slope * most, now + slope * least}));
+}
+
+double RotationDynamics::greatest_friction_turning_rad_s() const {
+    return 0.5 * dissipation_1_s_ * (1.0 - least_over_moments_.minCoeff());
 }
 
 double RotationDynamics::greatest_torque_N_m() const {

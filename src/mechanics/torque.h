@@ -35,7 +35,7 @@ struct RotationRates {
 // Ω = ω + κ (L × ω)/L² with ω = I⁻¹L and κ = rate · tr(I)/3, so that dL/dt = L × ω + κ L × (L ×
 // ω)/L² keeps |L| and dT/dt = −κ |L × ω|²/L²: the spin tends to the axis of the highest moment.
 // This is the double bracket of Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys. 175
-// (1996) 1.
+// (1996) 1. As L in space is known, the attitude alone is stepped (stepped/friction.h).
 class RotationDynamics {
  public:
     // Throws InputError if a number of the torque is not finite, the arm is zero, or the rate of
@@ -62,13 +62,17 @@ class RotationDynamics {
 
     // Largest |ω| of the torque-free motion from this momentum, rad/s.
     double greatest_free_omega(const Eigen::Vector3d& momentum) const;
+    // How fast friction turns the body at most, beside ω: the bound κ (1/I_min − 1/I_max)/2 of
+    // κ |L × ω|/L², in rad/s.
+    double greatest_friction_turning_rad_s() const;
     // An upper bound of |N| in N m.
     double greatest_torque_N_m() const;
 
  private:
     Eigen::Vector3d moments_;
+    Eigen::Vector3d least_over_moments_;
     Torque torque_;
-    double dissipation_kg_m2_s_ = 0.0;  // κ
+    double dissipation_1_s_ = 0.0;  // κ over the least moment
 };
 
 }  // namespace poinsot

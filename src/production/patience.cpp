@@ -15,11 +15,11 @@
 
 namespace poinsot {
 
-Patience::Patience(std::string what, double estimate_s, const Telling& telling) {
+Patience::Patience(std::string what, const Telling& telling, double limit_s) {
     stop_if_interrupted();
     try {
-        teller_ = std::thread([this, what = std::move(what), estimate_s, say = telling.say] {
-            tell(what, estimate_s, say);
+        teller_ = std::thread([this, what = std::move(what), limit_s, say = telling.say] {
+            tell(what, limit_s, say);
         });
     } catch (const std::system_error&) {
         // Where no thread can be had, the work is done without a word.
@@ -35,7 +35,7 @@ Patience::~Patience() {
     if (teller_.joinable()) teller_.join();
 }
 
-void Patience::tell(const std::string& what, double estimate_s,
+void Patience::tell(const std::string& what, double limit_s,
                     const std::function<void(const std::string&)>& say) {
     using namespace std::chrono_literals;
     const auto started = std::chrono::steady_clock::now();
@@ -43,23 +43,31 @@ void Patience::tell(const std::string& what, double estimate_s,
     for (auto wait = 1s; !ended_.wait_for(lock, wait, [this] { return done_; }); wait = 10s) {
         const double spent_s =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+        const double estimate_s = estimate_s_;
         const std::string of =
             estimate_s > 0.0 ? fmt::format(" of about {:.0f}", std::max(estimate_s, spent_s)) : "";
         say(fmt::format("{}: {:.0f}{} s", what, spent_s, of));
+        if (spent_s > limit_s) stop_.request_stop();
     }
 }
 
 namespace {
 
+struct TimedProbe {
+    double timed_s = std::numeric_limits<double>::infinity();
+    double share = 0.0;
+};
+
 // The least of three, as a virtual machine counts what its host takes away as time of the thread.
-double stepping_s(const MotionProblem& problem, double (*clock_s)(), double enough_s) {
-    double least_s = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 3 && !(least_s < enough_s); ++k) {
+TimedProbe probe_timed(const MotionProblem& problem, std::int64_t most_steps, double (*clock_s)(),
+                       double enough_s) {
+    TimedProbe least;
+    for (int k = 0; k < 3 && !(least.timed_s < enough_s); ++k) {
         const double before_s = clock_s();
-        const IntegratedRotation stepped(problem);
-        least_s = std::min(least_s, clock_s() - before_s);
+        least.share = IntegratedRotation::probe(problem, most_steps).share;
+        least.timed_s = std::min(least.timed_s, clock_s() - before_s);
     }
-    return least_s;
+    return least;
 }
 
 }  // namespace
@@ -75,30 +83,28 @@ double stepping_estimate_s(const MotionProblem& problem, double (*clock_s)()) {
     const double span_s = problem.last_time_s - problem.first_time_s;
     if (method.make == nullptr || !(span_s > 0.0)) return 0.0;
 
-    // Longer and longer parts from the start on, until one can be timed. The first is so short that
-    // it takes what setting up does; that is not multiplied, and what is must be well over it.
+    // More and more steps from the start on, until they can be timed. Setting up is not multiplied,
+    // and what is must be well over it. The most steps take seconds on any machine: whatever the
+    // clock says, it ends there.
     constexpr double least_timed_s = 3e-3;
     constexpr double most_setups = 3.0;
-    const double least_span_s =
-        std::max(std::ldexp(span_s, -40), problem.method.step_s.value_or(0.0));
-    MotionProblem part = problem;
-    part.first_time_s = 0.0;
-    part.overshoot_s = 0.0;
-    double setup_s = 0.0;
-    for (double part_s = least_span_s;; part_s *= 2.0) {
-        part.last_time_s = std::min(part_s, span_s);
-        double timed_s = 0.0;
-        try {
-            timed_s = stepping_s(part, clock_s, most_setups * setup_s + least_timed_s);
-        } catch (const InputError&) {
-            return 0.0;  // said by the one who steps over all of it
+    constexpr std::int64_t least_probe = 64;
+    constexpr std::int64_t most_probe = 1 << 18;
+    // Steps go to both sides of the start, a probe along the longer.
+    const double after_s = problem.last_time_s + problem.overshoot_s - problem.start.time_s;
+    const double before_s = problem.start.time_s - problem.first_time_s;
+    const double both_sides =
+        (std::max(after_s, 0.0) + std::max(before_s, 0.0)) / std::max(after_s, before_s);
+    try {
+        const double setup_s = probe_timed(problem, 0, clock_s, least_timed_s).timed_s;
+        const double enough_s = most_setups * setup_s + least_timed_s;
+        for (std::int64_t n = least_probe;; n *= 2) {
+            const TimedProbe probe = probe_timed(problem, n, clock_s, enough_s);
+            if (probe.share >= 1.0 || probe.timed_s >= enough_s || n >= most_probe)
+                return setup_s + std::max(0.0, probe.timed_s - setup_s) * both_sides / probe.share;
         }
-        if (part.last_time_s >= span_s) return timed_s;
-        if (part_s == least_span_s) {
-            setup_s = timed_s;
-        } else if (timed_s >= most_setups * setup_s + least_timed_s) {
-            return setup_s + (timed_s - setup_s) * (span_s / part.last_time_s);
-        }
+    } catch (const InputError&) {
+        return 0.0;  // said by the one who steps over all of it
     }
 }
 

@@ -1,9 +1,12 @@
 // Work that may take long before anything is drawn: how long it will take, and a word meanwhile.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
+#include <limits>
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -14,22 +17,29 @@
 namespace poinsot {
 
 // While it lives, what is being done is told after a second and then every ten. Ctrl-C ends the
-// process at once, as nothing is open yet that would be lost.
+// process at once, as nothing is open yet that would be lost. What looks at its token is asked to
+// stop when the limit is over.
 class Patience {
  public:
     // Throws EnvironmentError if Ctrl-C has come before.
-    Patience(std::string what, double estimate_s, const Telling& telling);
+    Patience(std::string what, const Telling& telling,
+             double limit_s = std::numeric_limits<double>::infinity());
+    // How long all of it will take, once that is known.
+    void expect(double estimate_s) { estimate_s_ = estimate_s; }
+    std::stop_token token() const { return stop_.get_token(); }
     ~Patience();
     Patience(const Patience&) = delete;
     Patience& operator=(const Patience&) = delete;
 
  private:
-    void tell(const std::string& what, double estimate_s,
+    void tell(const std::string& what, double limit_s,
               const std::function<void(const std::string&)>& say);
 
     std::mutex mutex_;
     std::condition_variable ended_;
     bool done_ = false;
+    std::atomic<double> estimate_s_ = 0.0;
+    std::stop_source stop_;
     std::thread teller_;
     EndsAtOnce ends_at_once_;
 };
@@ -41,7 +51,8 @@ inline constexpr double longest_stepping_s = 600.0;
 double own_processor_s();
 
 // The seconds that stepping over a problem's span will take here, from a few thousandths of a
-// second of it by a clock. 0 for a method that does not step, and for what the method refuses.
+// second of it by a clock, and from a counted number of steps at most. 0 for a method that does not
+// step, and for what the method refuses within those steps.
 double stepping_estimate_s(const MotionProblem& problem, double (*clock_s)() = own_processor_s);
 
 }  // namespace poinsot

@@ -70,6 +70,13 @@ void set_size_on_paper(const SceneRequest& request, Scene& scene) {
     height_px += rows_added_by_charts(scene, paper->width_px, room_px, px, paper->least);
 }
 
+bool steps(const MethodChoice& choice) {
+    const auto rows = methods();
+    return std::any_of(rows.begin(), rows.end(), [&](const Method& method) {
+        return method.name == choice.name && method.make != nullptr;
+    });
+}
+
 // What stepping over a problem's span takes, found before it is done.
 struct SteppingPlan {
     bool steps = false;
@@ -81,11 +88,12 @@ double affordable_s(const MotionProblem& problem, double n_times) {
     const double estimate_s = n_times * stepping_estimate_s(problem);
     if (estimate_s <= longest_stepping_s) return estimate_s;
     throw InputError(fmt::format(
-        "stepping by {} from {:g} s to {:g} s{} would take about {:.0f} s, and at most {:.0f} s "
+        "stepping by {} from {:g} s to {:g} s{} would take about {} s, and at most {:.0f} s "
         "are spent on it; give a larger step or tolerance, a shorter film, or method = \"exact\"",
         problem.method.name, problem.first_time_s, problem.last_time_s,
         problem.method.step_s ? fmt::format(" in steps of {:g} s", *problem.method.step_s) : "",
-        estimate_s, longest_stepping_s));
+        estimate_s < 1e9 ? fmt::format("{:.0f}", estimate_s) : fmt::format("{:.0e}", estimate_s),
+        longest_stepping_s));
 }
 
 SteppingPlan stepping_plan(const MotionProblem& problem) {
@@ -130,8 +138,15 @@ Session session_of(Scene scene, std::span<const double> times_s, const Telling& 
     // The trails of a loop come from the time before.
     if (loop)
         problem.first_time_s = std::min(problem.first_time_s, scene.film.start_s - loop->loop_s);
+    problem.overshoot_s = overshoot_s(problem);
     const Accuracy accuracy = accuracy_of(scene);
     const std::string key = key_of("motion", scene.method);
+    // Before the estimate, which steps as well.
+    std::optional<Patience> patience;
+    if (steps(scene.method) || (scene.beside && steps(*scene.beside)))
+        patience.emplace(fmt::format("{}: stepping the motion", printable(scene.name, 40)), telling,
+                         longest_stepping_s);
+    const std::stop_token stop = patience ? patience->token() : std::stop_token();
     SteppingPlan plan = at_key_of_error(scene, key, "film", [&] { return stepping_plan(problem); });
     if (scene.beside) {
         MotionProblem other = problem;
@@ -139,23 +154,21 @@ Session session_of(Scene scene, std::span<const double> times_s, const Telling& 
         plan.estimate_s += at_key_of_error(scene, key_of("beside", *scene.beside), "film",
                                            [&] { return affordable_s(other, 1.0); });
     }
-    std::optional<Patience> patience;
-    if (plan.steps)
-        patience.emplace(fmt::format("{}: stepping the motion", printable(scene.name, 40)),
-                         plan.estimate_s, telling);
-    StepChoice step = at_key_of_error(scene, key, "film",
-                                      [&] { return choose_step(problem, accuracy.motion_rad()); });
+    if (patience) patience->expect(plan.estimate_s);
+    StepChoice step = at_key_of_error(scene, key, "film", [&] {
+        return choose_step(problem, accuracy.motion_rad(), most_chosen_steps, stop);
+    });
     note_unreached(accuracy, step, scene);
     problem.method = step.method;
     // What a closed form refuses is its start.
-    Motion motion =
-        at_key_of_error(scene, plan.steps ? key : "start", "film", [&] { return Motion(problem); });
+    Motion motion = at_key_of_error(scene, plan.steps ? key : "start", "film",
+                                    [&] { return Motion(problem, stop); });
 
     std::optional<Motion> beside;
     if (scene.beside) {
         problem.method = *scene.beside;
         beside = at_key_of_error(scene, key_of("beside", *scene.beside), "film",
-                                 [&] { return Motion(problem); });
+                                 [&] { return Motion(problem, stop); });
     }
     return {std::move(scene),  accuracy,          std::move(step),
             std::move(motion), std::move(beside), std::move(loop)};
@@ -189,14 +202,13 @@ Certificate certify_film(const Session& session, const FilmPlan& film, const Tel
     if (film.n_frames >= many)
         patience.emplace(fmt::format("{}: certifying {} frames", printable(session.scene.name, 40),
                                      film.n_frames),
-                         0.0, telling);
+                         telling);
     std::vector<double> times;
     times.reserve(static_cast<std::size_t>(film.n_frames));
     for (std::int64_t frame = 0; frame < film.n_frames; ++frame) {
         times.push_back(film.time_of(frame));
     }
-    // A stepped method promises what the scene's accuracy asks of it, a closed form its rounding:
-    // errors of phase along the motion leave T, L and the contact as they are.
+    // A stepped method promises what the scene's accuracy asks of it, a closed form its rounding.
     const bool stepped = session.motion.integrated() != nullptr;
     const double bound = stepped ? session.accuracy.motion_rad() : exact_residual_bound;
     return certify(session.motion, times, bound);

@@ -4,12 +4,15 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "error/error.h"
 #include "mechanics/half_life.h"
 #include "mechanics/methods.h"
 #include "scene/draft_checks.h"
+#include "scene/scene_error.h"
 
 namespace poinsot {
 
@@ -31,10 +34,14 @@ void complete_half_life(SceneDraft& draft) {
         refuse(scene, "torque.rate_1_s",
                "torque.half_life_s and torque.rate_1_s both say how strong the friction is; leave "
                "one out");
-    draft.dissipation.rate_1_s = at_scene_key(scene, "start.omega_rad_s", [&] {
-        return dissipation_rate_of_half_life(scene.body.inertia, scene.start.omega_rad_s,
-                                             *scene.half_life_s);
-    });
+    try {
+        draft.dissipation.rate_1_s = dissipation_rate_of_half_life(
+            scene.body.inertia, scene.start.omega_rad_s, *scene.half_life_s);
+    } catch (const InputError& error) {
+        const bool of_time = std::string_view(error.what()).starts_with("torque.half_life_s");
+        throw SceneError(scene.location_of(of_time ? "torque.half_life_s" : "start.omega_rad_s"),
+                         error.what());
+    }
 }
 
 void complete_torque(SceneDraft& draft) {

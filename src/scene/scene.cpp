@@ -29,6 +29,14 @@ SourceLocation Scene::location_of(const std::string& key) const {
 
 std::string Scene::where(const std::string& key) const { return location_of(key).prefix(); }
 
+double overshoot_s(const MotionProblem& problem) {
+    // A history's last piece lasts at most a quarter of the fastest turn that ω can make about L,
+    // (π/2)·I_min/L ≤ (π/2)/|ω|.
+    const double rate = problem.start.omega_body.stableNorm();
+    const double span_s = problem.last_time_s - problem.first_time_s;
+    return rate > 0.0 ? std::min(2.0 / rate, longest_piece_spans * span_s) : 0.0;
+}
+
 MotionProblem problem_of(const Scene& scene) {
     MotionProblem problem;
     problem.inertia = scene.body.inertia;
@@ -40,10 +48,7 @@ MotionProblem problem_of(const Scene& scene) {
     const double still_s = scene.film.still_s.value_or(scene.film.start_s);
     problem.first_time_s = std::min({0.0, scene.film.start_s, still_s});
     problem.last_time_s = std::max({0.0, film_end_time_s(scene), still_s});
-    // A history's last piece lasts at most a quarter of the fastest turn that ω can make about L,
-    // (π/2)·I_min/L ≤ (π/2)/|ω|.
-    const double rate = problem.start.omega_body.stableNorm();
-    if (rate > 0.0) problem.overshoot_s = 2.0 / rate;
+    problem.overshoot_s = overshoot_s(problem);
     return problem;
 }
 

@@ -272,4 +272,7 @@ struct Scene {
 // t = 0.
 MotionProblem problem_of(const Scene& scene);
 
+// How far beyond a problem's span its curves are drawn, in s.
+double overshoot_s(const MotionProblem& problem);
+
 }  // namespace poinsot

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "error/error.h"
 #include "mechanics/motion.h"
@@ -112,6 +114,58 @@ TEST(HalfLife, MeanBurningIsThatOfTheMotion) {
         const Eigen::Vector3d L = I.cwiseProduct(omega);
         EXPECT_NEAR(mean_burning(I, L.norm(), L.dot(omega)), mean, 1e-12);
     }
+}
+
+// As near to an axis as is taken, moments that differ in their last digits, times from far below a
+// turn to far above: the half is gone at the half-life, found in a bounded number of steps. By the
+// closed form of symmetric bodies, in the tilt's tangent; one that starts near the axis of the
+// least moment goes over.
+TEST(HalfLife, HoldsNearTheAxesAndForAlmostEqualMoments) {
+    struct Case {
+        Eigen::Vector3d moments;
+        Eigen::Vector3d omega;
+        int axis;
+    };
+    const std::array cases{Case{{2.0, 2.0, 1.0}, {1e-9, 3.0, 1e-9}, 2},
+                           Case{{2.0, 2.0, 1.0}, {3e-9, 1e-10, 3.0}, 2},
+                           Case{{1.0, 1.0, 1.7}, {1.0, 1e-9, 1e-9}, 2},
+                           Case{{1.0, 1.0, 1.0 + 1e-9}, {1.0, 0.5, 0.3}, 2},
+                           Case{{1.0, 1.0, 1e-6}, {1e-3, 0.0, 1.0}, 2}};
+    for (const Case& c : cases) {
+        const Eigen::Vector3d L = c.moments.cwiseProduct(c.omega);
+        // Squares of the tangents of L's tilt from the axis, at the start and at the half-life.
+        const double across = L.head<2>().squaredNorm();
+        const double along = L[2] * L[2];
+        const bool oblate = c.moments[2] > c.moments[0];
+        const double ratio =
+            oblate ? (across + along) / along + 1.0 : (across + along) / across + 1.0;
+        for (const double half_life_s : {1e-200, 1e-3, 1.0, 1e3, 1e7, 1e200}) {
+            const double friction =
+                std::log(ratio) /
+                (2.0 * std::abs(c.moments[2] - c.moments[0]) / (c.moments[0] * c.moments[2])) /
+                half_life_s;
+            const double rate = dissipation_rate_of_half_life(
+                InertiaTensor::from_principal_moments(c.moments, Physicality::waived), c.omega,
+                half_life_s);
+            EXPECT_NEAR(rate * c.moments.sum() / 3.0 / friction, 1.0, 1e-7)
+                << c.moments.transpose() << " " << c.omega.transpose() << " " << half_life_s;
+        }
+    }
+}
+
+TEST(HalfLife, IsRefusedWhereNoDoubleIsTheFriction) {
+    const auto inertia = InertiaTensor::from_principal_moments({3.0, 2.0, 1.0});
+    for (const double half_life_s : {5e-324, 1e-309, 1.7e308})
+        for (const double spin : {1e-300, 1.0, 1e300}) {
+            try {
+                const double rate = dissipation_rate_of_half_life(
+                    inertia, spin * Eigen::Vector3d(0.4, 1.0, -0.3), half_life_s);
+                EXPECT_TRUE(std::isnormal(rate)) << half_life_s << " " << spin;
+            } catch (const InputError& error) {
+                EXPECT_NE(std::string(error.what()).find("give a half-life"), std::string::npos)
+                    << error.what();
+            }
+        }
 }
 
 TEST(HalfLife, IsRefusedOnAPrincipalAxis) {

@@ -6,6 +6,7 @@
 
 #include "error/error.h"
 #include "mechanics/methods.h"
+#include "mechanics/stepped/friction.h"
 
 namespace poinsot {
 
@@ -13,7 +14,10 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-using Numbers = std::array<double, 7>;  // L/unit, then the quaternion x, y, z, w
+// L/unit, then the quaternion x, y, z, w. With friction L follows from the attitude: then the first
+// is the decay of the energy over the step, as the turn that it stands for, by which one tolerance
+// serves it and the attitude, the second the turn of a decay of one, and the third 0.
+using Numbers = std::array<double, 7>;
 using Stepper = odeint::runge_kutta_dopri5<Numbers>;
 using Checker =
     odeint::default_error_checker<double, Stepper::algebra_type, Stepper::operations_type>;
@@ -23,7 +27,7 @@ using Controlled = odeint::controlled_runge_kutta<Stepper, Checker, Adjuster>;
 class Dopri5 {
  public:
     explicit Dopri5(const MethodStart& start)
-        : dynamics_(start.dynamics), tolerance_(start.tolerance) {
+        : dynamics_(start.dynamics), friction_(start), tolerance_(start.tolerance) {
         // Largest step: a quarter of a turn, where each first step is the 200th part of one.
         constexpr double first_steps = 50.0;
         longest_step_s_ = first_steps * start.step_s;
@@ -46,7 +50,7 @@ class Dopri5 {
         end.index = node.index + 1;
         end.time_s = time;
         end.step_s = step;
-        end.state = state_of(numbers);
+        end.state = state_of(node.state, numbers);
         ++counters.n_steps;
         return end;
     }
@@ -56,6 +60,18 @@ class Dopri5 {
         Controlled controlled = controller();
         Numbers numbers{};
         Numbers end_slope{};
+        if (friction_.acts()) {
+            // A shorter step instead of the interpolation: its sum of the decay grows with time.
+            const Numbers start = numbers_of(node.state);
+            const auto system = [&](const Numbers& n, Numbers& rate, double) {
+                derive(n, rate, counters);
+            };
+            Numbers slope{};
+            derive(start, slope, counters);
+            controlled.stepper().do_step(system, start, slope, node.time_s, numbers, end_slope,
+                                         time_s - node.time_s);
+            return state_of(node.state, numbers);
+        }
         double end_time = 0.0;
         double step = 0.0;
         const Numbers slope =
@@ -63,7 +79,7 @@ class Dopri5 {
         Numbers between{};
         controlled.stepper().calc_state(time_s, between, numbers_of(node.state), slope, node.time_s,
                                         numbers, end_slope, end_time);
-        return state_of(between);
+        return state_of(node.state, between);
     }
 
  private:
@@ -73,6 +89,8 @@ class Dopri5 {
 
     Numbers numbers_of(const StepState& state) const {
         const Eigen::Vector4d& q = state.space_from_principal.coeffs();
+        if (friction_.acts())
+            return {0.0, friction_.turn_of_decay_rad(state.momentum), 0.0, q[0], q[1], q[2], q[3]};
         return {state.momentum[0] / unit_,
                 state.momentum[1] / unit_,
                 state.momentum[2] / unit_,
@@ -83,21 +101,31 @@ class Dopri5 {
     }
 
     // The quaternion of unit length: its drift is of the order of the tolerance.
-    StepState state_of(const Numbers& n) const {
-        return {unit_ * Eigen::Vector3d(n[0], n[1], n[2]),
-                Eigen::Quaterniond(n[6], n[3], n[4], n[5]).normalized()};
+    StepState state_of(const StepState& start, const Numbers& n) const {
+        const Eigen::Quaterniond attitude = Eigen::Quaterniond(n[6], n[3], n[4], n[5]).normalized();
+        if (friction_.acts())
+            return friction_.settled(start, attitude, n[1] > 0.0 ? n[0] / n[1] : 0.0);
+        return {unit_ * Eigen::Vector3d(n[0], n[1], n[2]), attitude};
     }
 
     void derive(const Numbers& n, Numbers& rate, StepCounters& counters) const {
         ++counters.n_right_hand_sides;
         counters.n_torques += dynamics_.has_torque() ? 1 : 0;
         const Eigen::Quaterniond q(n[6], n[3], n[4], n[5]);
-        const RotationRates rates = dynamics_.rates({unit_ * Eigen::Vector3d(n[0], n[1], n[2]), q});
+        const StepState state{
+            friction_.acts() ? friction_.momentum_at(q) : unit_ * Eigen::Vector3d(n[0], n[1], n[2]),
+            q};
+        const RotationRates rates = dynamics_.rates(state);
         const Eigen::Vector3d half = 0.5 * rates.turning;
         const Eigen::Vector4d turning =
             (q * Eigen::Quaterniond(0.0, half[0], half[1], half[2])).coeffs();
         for (int i = 0; i < 3; ++i)
-            rate[static_cast<std::size_t>(i)] = rates.momentum_rate[i] / unit_;
+            rate[static_cast<std::size_t>(i)] =
+                friction_.acts() ? 0.0 : rates.momentum_rate[i] / unit_;
+        if (friction_.acts()) {
+            const double decay_1_s = n[1] * friction_.decay_1_s(state.momentum);
+            rate[0] = friction_.backwards() ? -decay_1_s : decay_1_s;
+        }
         for (int i = 0; i < 4; ++i) rate[static_cast<std::size_t>(i) + 3] = turning[i];
     }
 
@@ -110,7 +138,8 @@ class Dopri5 {
             derive(n, rate, counters);
         };
         Numbers slope = node.slope;
-        if (node.index == 0) derive(start, slope, counters);
+        // With friction the state after a step is not quite where its last derivative was taken.
+        if (node.index == 0 || friction_.acts()) derive(start, slope, counters);
         time = node.time_s;
         step = node.step_s;
         constexpr int max_tries = 60;
@@ -125,6 +154,7 @@ class Dopri5 {
     }
 
     RotationDynamics dynamics_;
+    Friction friction_;
     double tolerance_;
     double longest_step_s_ = 0.0;
     double unit_ = 1.0;

@@ -24,7 +24,8 @@ double default_step_s(const RotationDynamics& dynamics, const Eigen::Vector3d& m
     const bool swings = std::holds_alternative<GravityTorque>(dynamics.torque());
     const double gained =
         swings ? 2.0 * std::sqrt(torque / least_moment) : torque * span_s / least_moment;
-    const double rate = dynamics.greatest_free_omega(momentum) + gained;
+    const double rate = dynamics.greatest_free_omega(momentum) + gained +
+                        dynamics.greatest_friction_turning_rad_s();
     const double step = 2.0 * std::numbers::pi / (steps_a_turn * rate);
     return std::isfinite(step) && step < span_s ? step : span_s;
 }
@@ -43,13 +44,13 @@ void require_finite(const RotationState& start) {
 
 }  // namespace
 
-IntegratedRotation::IntegratedRotation(const MotionProblem& problem)
-    : method_(&check_method(problem.method, problem.inertia, problem.torque)),
-      inertia_(problem.inertia),
-      start_time_s_(problem.start.time_s),
-      first_time_s_(std::min(problem.first_time_s, problem.start.time_s)),
-      last_time_s_(std::max(problem.last_time_s, problem.start.time_s)),
-      overshoot_s_(problem.overshoot_s) {
+MethodStart IntegratedRotation::prepare(const MotionProblem& problem) {
+    method_ = &check_method(problem.method, problem.inertia, problem.torque);
+    inertia_ = problem.inertia;
+    start_time_s_ = problem.start.time_s;
+    first_time_s_ = std::min(problem.first_time_s, problem.start.time_s);
+    last_time_s_ = std::max(problem.last_time_s, problem.start.time_s);
+    overshoot_s_ = problem.overshoot_s;
     if (method_->make == nullptr) {
         throw InputError("method \"exact\" does not step; name a method that does");
     }
@@ -81,20 +82,74 @@ IntegratedRotation::IntegratedRotation(const MotionProblem& problem)
             fmt::format("step_s is {} s, longer than the {} s to be covered; give a shorter one",
                         step_s_, span_s));
     }
+    // Friction that turns the body farther in a step is not followed by it: explicit methods are
+    // unstable then, and T between the ends of a step would not fall steadily.
+    const double friction_rad = step_s_ * start.dynamics.greatest_friction_turning_rad_s();
+    if (method_->takes_step && span_s > 0.0 && !(friction_rad <= 1.0)) {
+        throw InputError(fmt::format(
+            "friction turns the body by {:.3g} rad in a step of {} s, and by 1 rad at most it can "
+            "be stepped; give a step_s of at most {:.3g} s",
+            friction_rad, step_s_, step_s_ / friction_rad));
+    }
+
+    start.step_s = step_s_;
+    return start;
+}
+
+IntegratedRotation::IntegratedRotation(const MotionProblem& problem, const std::stop_token& stop) {
+    MethodStart start = prepare(problem);
+    const double span_s = last_time_s_ - first_time_s_;
     if (method_->takes_step && span_s / step_s_ > max_steps) {
         throw InputError(
             fmt::format("step_s of {} s needs {:.3g} steps for {} s; give at least {} s", step_s_,
                         span_s / step_s_, span_s, span_s / max_steps));
     }
-
-    start.step_s = step_s_;
-    cover(forward_, start, last_time_s_ - start_time_s_);
+    // What lies beyond the end is stepped through once as well, not anew for each instant there.
+    cover(forward_, start, last_time_s_ + overshoot_s_ - start_time_s_, stop);
     start.step_s = -step_s_;
-    cover(backward_, start, first_time_s_ - start_time_s_);
+    cover(backward_, start, first_time_s_ - start_time_s_, stop);
+}
+
+SteppingProbe IntegratedRotation::probe(const MotionProblem& problem, std::int64_t most_steps) {
+    IntegratedRotation motion;
+    MethodStart start = motion.prepare(problem);
+    const double after_s = motion.last_time_s_ + motion.overshoot_s_ - motion.start_time_s_;
+    const double before_s = motion.start_time_s_ - motion.first_time_s_;
+    const double length_s = std::max(after_s, before_s);
+    if (before_s > after_s) start.step_s = -start.step_s;
+    const Propagator propagator = motion.method_->make(start);
+    StepNode node;
+    node.step_s = start.step_s;
+    node.state = start.state;
+    SteppingProbe probe;
+    while (probe.n_steps < most_steps && std::abs(node.time_s) < length_s) {
+        node = motion.advanced(propagator, node);
+        ++probe.n_steps;
+    }
+    probe.share = length_s > 0.0 ? std::min(1.0, std::abs(node.time_s) / length_s) : 1.0;
+    return probe;
+}
+
+StepNode IntegratedRotation::advanced(const Propagator& propagator, const StepNode& node) {
+    StepNode next = propagator.next(node, counters_);
+    if (!(std::abs(next.time_s) > std::abs(node.time_s))) {
+        throw InputError(fmt::format(
+            "method \"{}\" needs steps so short that the time of {} s does not advance; "
+            "give a slower motion, weaker torque or larger tolerance",
+            method_->name, start_time_s_ + node.time_s));
+    }
+    if (!next.state.momentum.allFinite()) {
+        throw InputError(fmt::format(
+            "method \"{}\" overflows at t = {} s with a step of {} s; give {}", method_->name,
+            start_time_s_ + next.time_s, std::abs(node.step_s),
+            method_->takes_step ? "a shorter one" : "a slower motion or a weaker torque"));
+    }
+    return next;
 }
 
 // Steps to the end, keeping every stride-th state; when there are too many, every second goes.
-void IntegratedRotation::cover(Branch& branch, const MethodStart& start, double end_s) {
+void IntegratedRotation::cover(Branch& branch, const MethodStart& start, double end_s,
+                               const std::stop_token& stop) {
     branch.propagator = method_->make(start);
     StepNode node;
     node.step_s = start.step_s;
@@ -109,12 +164,14 @@ void IntegratedRotation::cover(Branch& branch, const MethodStart& start, double 
     branch.kept.push_back(node);
     std::int64_t stride = 1;
     while (std::abs(node.time_s) < std::abs(end_s)) {
-        node = branch.propagator.next(node, counters_);
-        if (!node.state.momentum.allFinite()) {
-            throw InputError(fmt::format(
-                "method \"{}\" overflows at t = {} s with a step of {} s; give a shorter one",
-                method_->name, start_time_s_ + node.time_s, std::abs(start.step_s)));
-        }
+        node = advanced(branch.propagator, node);
+        constexpr std::int64_t steps_between_looks = 1024;
+        if (node.index % steps_between_looks == 0 && stop.stop_requested())
+            throw InputError(
+                fmt::format("stepping by {} had come to t = {:g} s when its time was over; give a "
+                            "larger step or "
+                            "tolerance, a shorter film, or method = \"exact\"",
+                            method_->name, start_time_s_ + node.time_s));
         if (static_cast<double>(node.index) > max_steps) {
             throw InputError(
                 fmt::format("method \"{}\" needs more than {:.0e} steps; shorten the "

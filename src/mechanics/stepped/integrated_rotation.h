@@ -1,6 +1,7 @@
 // A motion computed step by step by a method of the table, as an immutable value over a time span.
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "mechanics/methods.h"
@@ -9,6 +10,12 @@
 
 namespace poinsot {
 
+// How far a counted number of steps leads, for an estimate before all of them are taken.
+struct SteppingProbe {
+    std::int64_t n_steps = 0;  // that were taken
+    double share = 0.0;        // of the longer side of the span that they cover, 0 to 1
+};
+
 // Immutable. The steps start at the problem's start and go to both ends of its time span; every
 // so-many-th state is kept, and an instant between is reached from the one before it by whole steps
 // and one shorter step (or the method's dense output), so that the same instant always gives the
@@ -16,9 +23,14 @@ namespace poinsot {
 class IntegratedRotation {
  public:
     // Throws InputError for what check_method refuses, a start that is not finite, a step longer
-    // than the time span, a step that the method finds no solution for, and a span of more than
-    // max_steps steps.
-    explicit IntegratedRotation(const MotionProblem& problem);
+    // than the time span or than friction allows, a step that the method finds no solution for or
+    // that is too short for the time to advance, and a span of more than max_steps steps; and soon
+    // after a stop is requested.
+    explicit IntegratedRotation(const MotionProblem& problem, const std::stop_token& stop = {});
+
+    // Takes at most so many steps, on the longer side of the span, and keeps nothing. Throws as the
+    // constructor, but not for too many steps.
+    static SteppingProbe probe(const MotionProblem& problem, std::int64_t most_steps);
 
     // Throws InputError outside the time span and its overshoot.
     RotationState at(double time_s) const;
@@ -45,10 +57,15 @@ class IntegratedRotation {
         std::vector<StepNode> kept;  // in order of |time|, the start first
     };
 
-    void cover(Branch& branch, const MethodStart& start, double end_s);
+    IntegratedRotation() = default;
+    // Checks the problem and sets all but the branches.
+    MethodStart prepare(const MotionProblem& problem);
+    void cover(Branch& branch, const MethodStart& start, double end_s, const std::stop_token& stop);
+    // One step on, checked.
+    StepNode advanced(const Propagator& propagator, const StepNode& node);
 
     const Method* method_ = nullptr;
-    InertiaTensor inertia_;
+    InertiaTensor inertia_ = InertiaTensor::from_principal_moments({1.0, 1.0, 1.0});
     double start_time_s_ = 0.0;
     double first_time_s_ = 0.0;
     double last_time_s_ = 0.0;

@@ -8,6 +8,7 @@
 #include "error/error.h"
 #include "mechanics/methods.h"
 #include "mechanics/stepped/fixed_step.h"
+#include "mechanics/stepped/friction.h"
 #include "mechanics/stepped/moser_veselov_series.h"
 
 namespace poinsot {
@@ -94,21 +95,31 @@ constexpr int max_iterations = 25;
 }  // namespace
 
 Propagator euler(const MethodStart& start) {
-    return fixed_step(start, [dynamics = start.dynamics](const StepState& state, double h,
-                                                         StepCounters& counters) {
+    return fixed_step(start, [dynamics = start.dynamics, friction = Friction(start)](
+                                 const StepState& state, double h, StepCounters& counters) {
         StepState end = moved(state, rate_of(dynamics, state, counters), h);
         end.space_from_principal.normalize();
-        return end;
+        if (!friction.acts()) return end;
+        return friction.settled(state, end.space_from_principal,
+                                std::abs(h) * friction.decay_1_s(state.momentum));
     });
 }
 
 Propagator rk4(const MethodStart& start) {
-    return fixed_step(start, [dynamics = start.dynamics](const StepState& state, double h,
-                                                         StepCounters& counters) {
+    return fixed_step(start, [dynamics = start.dynamics, friction = Friction(start)](
+                                 const StepState& state, double h, StepCounters& counters) {
+        const auto stage = [&](const StateRate& rate, double duration) {
+            StepState here = moved(state, rate, duration);
+            if (friction.acts()) here.momentum = friction.momentum_at(here.space_from_principal);
+            return here;
+        };
         const StateRate k1 = rate_of(dynamics, state, counters);
-        const StateRate k2 = rate_of(dynamics, moved(state, k1, 0.5 * h), counters);
-        const StateRate k3 = rate_of(dynamics, moved(state, k2, 0.5 * h), counters);
-        const StateRate k4 = rate_of(dynamics, moved(state, k3, h), counters);
+        const StepState second = stage(k1, 0.5 * h);
+        const StateRate k2 = rate_of(dynamics, second, counters);
+        const StepState third = stage(k2, 0.5 * h);
+        const StateRate k3 = rate_of(dynamics, third, counters);
+        const StepState fourth = stage(k3, h);
+        const StateRate k4 = rate_of(dynamics, fourth, counters);
         StepState end;
         end.momentum =
             state.momentum +
@@ -118,19 +129,26 @@ Propagator rk4(const MethodStart& start) {
                                                 (k1.attitude.coeffs() + 2.0 * k2.attitude.coeffs() +
                                                  2.0 * k3.attitude.coeffs() + k4.attitude.coeffs());
         end.space_from_principal.normalize();
-        return end;
+        if (!friction.acts()) return end;
+        return friction.settled(
+            state, end.space_from_principal,
+            std::abs(h) / 6.0 *
+                (friction.decay_1_s(state.momentum) + 2.0 * friction.decay_1_s(second.momentum) +
+                 2.0 * friction.decay_1_s(third.momentum) + friction.decay_1_s(fourth.momentum)));
     });
 }
 
 // With q = q0 exp(u), du/dt = dexp⁻¹(Ω) = Ω + ½ u×Ω + u×(u×Ω)/12 + …, to the order of the method.
 Propagator rkmk4(const MethodStart& start) {
-    return fixed_step(start, [dynamics = start.dynamics, kept = KeptMomentum(start)](
-                                 const StepState& state, double h, StepCounters& counters) {
+    return fixed_step(start, [dynamics = start.dynamics, kept = KeptMomentum(start),
+                              friction = Friction(start)](const StepState& state, double h,
+                                                          StepCounters& counters) {
         const Quaterniond& q0 = state.space_from_principal;
         const Vector3d momentum_space = q0 * state.momentum;
         struct Stage {
             Vector3d turning;
             Vector3d momentum_rate_space;
+            double decay_1_s;
         };
         const auto stage = [&](const Vector3d& u, const Vector3d& momentum) {
             ++counters.n_right_hand_sides;
@@ -140,7 +158,8 @@ Propagator rkmk4(const MethodStart& start) {
             const Vector3d omega = dynamics.rates(here).turning;
             counters.n_torques += kept.kept ? 0 : 2;
             const Vector3d across = u.cross(omega);
-            Stage result{omega + 0.5 * across + u.cross(across) / 12.0, Vector3d::Zero()};
+            Stage result{omega + 0.5 * across + u.cross(across) / 12.0, Vector3d::Zero(),
+                         friction.acts() ? friction.decay_1_s(here.momentum) : 0.0};
             if (!kept.kept) {
                 result.momentum_rate_space = here.space_from_principal * dynamics.torque_on(here);
             }
@@ -160,6 +179,12 @@ Propagator rkmk4(const MethodStart& start) {
                                   2.0 * k3.momentum_rate_space + k4.momentum_rate_space);
         StepState end;
         end.space_from_principal = (q0 * rotation_by(u)).normalized();
+        if (friction.acts()) {
+            return friction.settled(
+                state, end.space_from_principal,
+                std::abs(h) / 6.0 *
+                    (k1.decay_1_s + 2.0 * k2.decay_1_s + 2.0 * k3.decay_1_s + k4.decay_1_s));
+        }
         end.momentum = kept.in_axes_of(end.space_from_principal,
                                        end.space_from_principal.conjugate() * momentum_end);
         return end;
