@@ -9,8 +9,8 @@
 namespace poinsot {
 
 Accuracy accuracy_of(const Scene& scene) {
-    // Arrows reach longest_arrow_length; the nearest point of them to the eye is that much nearer
-    // than the target.
+    // Arrows reach longest_arrow_length; their nearest point is nearer to the eye than the target
+    // by that length.
     const CameraPose camera = Timeline(scene, Eigen::Vector3d::Zero()).nearest_camera();
     const double nearest = std::max(0.1, camera.distance - longest_arrow_length);
     const double field_rad = camera.field_deg * std::numbers::pi / 180.0;

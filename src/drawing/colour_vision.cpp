@@ -31,7 +31,7 @@ Eigen::Vector3d lab_of_light(const Eigen::Vector3d& light) {
             200.0 * (f(xyz.y()) - f(xyz.z()))};
 }
 
-// The difference along L*, a*, b* that half of all people notice.
+// The difference along L*, a*, b* that half of all people notice (Stone, Szafir & Setlur 2014).
 Eigen::Vector3d noticed() {
     constexpr double half = 0.5;
     constexpr double width_deg = 4.0 / 1080.0 * 20.0;

@@ -1,4 +1,5 @@
-// Asking a motion for an instant, and counting what was asked: what is not shown is not computed.
+// Evaluating a motion at an instant, and counting the evaluations: quantities that are not shown
+// are not computed.
 #pragma once
 
 #include <cstdint>
@@ -7,29 +8,29 @@
 
 namespace poinsot {
 
-// Evaluations of a motion since its stage was made. Every evaluation gives ω and counts there, and
-// again under each further quantity that it was asked for.
+// Number of evaluations of a motion since its stage was made. Every evaluation gives ω and is
+// counted there, and also under each further quantity that was requested.
 struct EvaluationCounts {
     std::int64_t n_omega = 0;
     std::int64_t n_attitude = 0;
     std::int64_t n_herpolhode = 0;
     std::int64_t n_euler_angles = 0;
-    std::int64_t n_theta_series = 0;  // those that summed the closed forms' theta series
+    std::int64_t n_theta_series = 0;  // evaluations that summed the theta series of the closed form
 };
 
-// ω and nothing else: what every evaluation gives.
+// Only ω, which every evaluation gives.
 constexpr Quantities omega_alone{.attitude = false, .herpolhode = false, .euler_angles = false};
-// ω and how the body lies.
+// ω and the attitude.
 constexpr Quantities attitude_too{.attitude = true, .herpolhode = false, .euler_angles = false};
 
-// What satisfies both.
+// The quantities of both.
 constexpr Quantities united(const Quantities& a, const Quantities& b) {
     return {.attitude = a.attitude || b.attitude,
             .herpolhode = a.herpolhode || b.herpolhode,
             .euler_angles = a.euler_angles || b.euler_angles};
 }
 
-// A motion that counts what is asked of it. One thread at a time may use it.
+// A motion that counts its evaluations. Not thread-safe.
 class CountedMotion {
  public:
     // The motion must outlive it.
@@ -40,7 +41,7 @@ class CountedMotion {
         return motion_->sample(time_s, wanted);
     }
 
-    // For evaluations that another layer makes.
+    // Counts evaluations that another layer makes.
     void count(const Quantities& wanted, std::int64_t n) const {
         counts_.n_omega += n;
         counts_.n_attitude += wanted.attitude ? n : 0;

@@ -10,7 +10,7 @@ namespace poinsot {
 
 namespace {
 
-// How many shapes each list of a sheet holds.
+// Number of shapes in each list of a sheet.
 std::vector<std::size_t> filling_of(Sheet& sheet) {
     std::vector<std::size_t> sizes;
     for_each_list(sheet.view, [&](const auto& list) { sizes.push_back(list.size()); });
@@ -18,8 +18,8 @@ std::vector<std::size_t> filling_of(Sheet& sheet) {
     return sizes;
 }
 
-// How much of a shape is there. What has a surface of its own opacity, with lines on it, has a
-// presence, which says so of all that.
+// The value that scales a shape's opacity. Shapes with a surface and lines on it have `presence`,
+// which scales both.
 template <typename Shape>
 double& share_of(Shape& shape) {
     if constexpr (requires { shape.presence; })
@@ -28,7 +28,7 @@ double& share_of(Shape& shape) {
         return shape.opacity;
 }
 
-// Scales what has been added since.
+// Scales the shapes added since the counts `since` were taken.
 void scale_added(const std::vector<std::size_t>& since, double by, Sheet& sheet) {
     auto n_before = since.begin();
     const auto scale = [&](auto& list) {
@@ -38,7 +38,7 @@ void scale_added(const std::vector<std::size_t>& since, double by, Sheet& sheet)
     scale(sheet.wishes);
 }
 
-// Draws all but the names beside it.
+// A drawer without the labels.
 Drawer without_names(Drawer draw) {
     return [draw = std::move(draw)](const Instant& instant, Sheet& sheet) {
         const std::size_t n_before = sheet.wishes.size();

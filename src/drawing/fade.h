@@ -1,4 +1,4 @@
-// Things that come and go: a drawer whose shapes are as present as the film's timeline says.
+// Fades: drawers whose shapes have the opacity that the film's timeline gives.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace poinsot {
 
-// The drawer itself if nothing fades what goes by this name. Otherwise one that draws nothing at
-// opacity 0 and scales every shape's opacity; and the stage notes that the name means something.
-// Where the scene says `labels = false`, or has it among the unlabelled, the names beside it stay
-// away.
+// Returns the drawer itself if no fade uses this name. Otherwise returns a drawer that scales the
+// opacity of every shape and draws nothing at opacity 0; the stage then records that fades may use
+// the name. If the scene says `labels = false` or lists this name among the unlabelled, its labels
+// are omitted.
 Drawer fading(StageData& stage, const std::string& name, Drawer draw);
 
 }  // namespace poinsot

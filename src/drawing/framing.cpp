@@ -44,9 +44,9 @@ Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eig
     const Eigen::Vector2d above =
         per_px * (half - Eigen::Vector2d(margins.right_px, margins.top_px));
 
-    // In the camera's axes a point (x, z) is within the sight lines of an eye (X, Z) if
-    // X − bZ ≤ x − bz and X + aZ ≥ x + az; the nearest eye that has room for all lies where the
-    // extreme lines of the worse direction meet.
+    // In the camera's axes a point (x, z) is within the sight lines of an eye (X, Z) if X − bZ ≤ x
+    // − bz and X + aZ ≥ x + az. The nearest eye that sees all points is where the extreme lines of
+    // the tighter direction meet.
     constexpr double infinite = std::numeric_limits<double>::infinity();
     Eigen::Vector2d least = Eigen::Vector2d::Constant(infinite);
     Eigen::Vector2d most = -least;
@@ -62,7 +62,7 @@ Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eig
     double eye_depth = needed.maxCoeff();
     if (!(eye_depth - middle_depth > 1e-9)) eye_depth = middle_depth + 1.0;
 
-    // Between the two bounds that its depth leaves the eye.
+    // The middle between the two bounds at the eye's depth.
     const Eigen::Vector2d centre = 0.5 * (least + most + (below - above) * eye_depth);
     camera.eye = axes * Eigen::Vector3d(centre.x(), centre.y(), eye_depth);
     camera.target = axes * Eigen::Vector3d(centre.x(), centre.y(), middle_depth);
@@ -76,8 +76,8 @@ Margins even_margins(const PanelBox& box, double margin_px) {
 
 namespace {
 
-// Along parallel lines of sight nothing depends on the eye's depth: the frame is the rectangle that
-// the points fill.
+// With parallel lines of sight nothing depends on the eye's depth: the frame is the bounding
+// rectangle of the points.
 Camera framed_flat(const PanelBox& box, const Eigen::Vector3d& towards_eye,
                    const Eigen::Vector3d& up, double vertical_field_rad,
                    std::span<const Eigen::Vector3d> points, const Margins& margins) {
@@ -173,7 +173,7 @@ Eigen::Vector3d direction_of(double azimuth_deg, double elevation_deg) {
 }
 
 Eigen::Vector3d up_of(double azimuth_deg, double elevation_deg) {
-    // The same camera either way; near the vertical z leaves too few digits of it.
+    // Both give the same camera; near the vertical z would lose digits.
     if (std::abs(elevation_deg) < 89.0) return Eigen::Vector3d::UnitZ();
     return direction_of(azimuth_deg, elevation_deg + 90.0);
 }

@@ -100,7 +100,7 @@ class Gathering {
             if (scene_.panels.size() == 1 && !scene_.panels[0].title.value_or("").empty())
                 add("panels[0].title", "one panel alone has no heading; give the scene a title");
         }
-        // A keyframe of all cameras whose distance or aim no panel takes.
+        // A keyframe of all cameras whose distance or aim no panel uses.
         const bool aimed = std::any_of(
             scene_.panels.begin(), scene_.panels.end(),
             [](const PanelSpec& panel) { return panel.kind == "space" || panel.kind == "plan"; });
@@ -131,7 +131,7 @@ class Gathering {
 
     const Scene& scene_;
     bool dissipates_ = false;
-    std::string_view alone_;  // the kind of the one panel of a scene that names none
+    std::string_view alone_;  // kind of the only panel of a scene that lists none
     std::vector<IdleKey> idle_;
 };
 

@@ -1,4 +1,4 @@
-// Keys that a scene gives and that change nothing of what it shows.
+// Scene keys that are given and have no effect on the picture.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace poinsot {
 
 struct IdleKey {
     std::string key;  // "camera.distance"
-    std::string why;  // finishes the sentence "camera.distance changes nothing: …", with what to do
+    std::string why;  // completes the sentence "camera.distance changes nothing: …", with advice
 };
 
-// Those of the camera, the trails, the elements and the panels that no panel of the scene takes
-// anything of. What a panel's own table says in vain is refused when the panel is made.
+// Unused keys of the camera, trails, elements and panels: no panel of the scene uses them. Unused
+// keys in a panel's own table are rejected when the panel is made.
 std::vector<IdleKey> idle_keys(const Scene& scene);
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// The panels of a stage in the cells of their grid, and what keyframes and fades need of them.
+// The panels of a stage in the cells of their grid, and their keyframes and fades.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace poinsot {
 
 namespace {
 
-// The panels of a scene that names none: the one that suits its motion.
+// The scene's panels; if it lists none, the default one for its motion.
 std::vector<PanelSpec> panels_of(const StageData& stage) {
     if (!stage.scene.panels.empty()) return stage.scene.panels;
     PanelSpec alone;
@@ -32,8 +32,8 @@ std::vector<PanelSpec> panels_of(const StageData& stage) {
     return {alone};
 }
 
-// Boundaries of the columns or rows in pixels, by their relative sizes; whole, also in the picture
-// that is looked at (`step_px`), and the last one is the end of the room that they share.
+// Boundaries of the columns or rows in pixels, in proportion to their relative sizes; multiples of
+// `step_px`, so that they are whole final pixels. The last one is the end of the available length.
 std::vector<int> boundaries(const std::vector<double>& sizes, int from_px, int total_px,
                             int step_px) {
     double sum = 0.0;
@@ -61,8 +61,8 @@ PanelBox box_of(const PanelSpec& spec, const std::vector<int>& columns,
     return box;
 }
 
-// Lines of a panel shrink with it, but less than it does; its type shrinks less still, and not
-// below what can be read.
+// Scale of a panel's lines: they shrink less than the panel. Text shrinks even less, and not below
+// a legible size.
 double line_scale(const PanelBox& box, const StageOptions& options) {
     const double share =
         std::min(1.0 * box.height_px / options.height_px, 1.5 * box.width_px / options.width_px);
@@ -72,8 +72,8 @@ constexpr double least_type_share = 0.72;
 constexpr double least_label_share = 0.36;  // a label of 12 px
 constexpr double header_share = 0.85;
 
-// A picture in which six such labels would not stand one above another is for its shapes alone:
-// type shrinks with it until it is left out.
+// Whether a picture is high enough for six labels one above another. Smaller pictures are for
+// shapes alone: text shrinks with them until it is omitted.
 bool has_type(const StageOptions& options) {
     constexpr int least_side_px = 72;
     return std::min(options.width_px, options.height_px) >= least_side_px * options.samples;
@@ -81,7 +81,7 @@ bool has_type(const StageOptions& options) {
 
 // The name of a panel in its upper left corner.
 Drawer header_of(Panel& panel, std::string_view text) {
-    // One size for all, whatever their panels have.
+    // The same size in all panels, whatever their size.
     const StageData& stage = *panel.stage;
     const double size =
         std::max(24.0 * stage.scene.type_scale * stage.scene.style.heading_scale.value_or(1.0) *
@@ -90,7 +90,7 @@ Drawer header_of(Panel& panel, std::string_view text) {
     const SetType type =
         panel.stage->type_case.set(text, {.size_px = size, .mode = TypeMode::text});
     panel.header_px = 1.7 * size;
-    // In the first column it stands below the title.
+    // In the first column it is left-aligned with the title.
     const double left =
         panel.box.x_px == 0 ? overlay_margin * panel.stage->px : panel.box.x_px + 0.7 * size;
     return [&panel, &stage, type, size, left](const Instant&, Sheet& sheet) {
@@ -109,7 +109,7 @@ Drawer header_of(Panel& panel, std::string_view text) {
     };
 }
 
-// Refuses cells in which nothing can be seen.
+// Rejects cells that are too small to show anything.
 void check_room(const Scene& scene, const PanelBox& box, std::size_t panel) {
     constexpr int least_px = 8;
     if (scene.panels.size() < 2 || std::min(box.width_px, box.height_px) >= least_px) return;
@@ -125,8 +125,8 @@ bool says_camera(const KeyframeSpec& key) {
            !key.look_at.empty();
 }
 
-// Keys of a panel's own camera that the panel takes nothing of; those of a view, which says all at
-// once, are not meant one by one.
+// Rejects keys of a panel's own camera that the panel does not use; keys of a named view are
+// exempt, since a view sets all of them.
 void check_own_camera(const Scene& scene, const PanelKind& kind, std::size_t panel) {
     const auto refuse = [&](const std::string& key, std::string_view why) {
         if (scene.locations.contains(key))
@@ -148,8 +148,8 @@ void check_own_camera(const Scene& scene, const PanelKind& kind, std::size_t pan
     }
 }
 
-// The camera of one panel: [camera], or where such a panel is seen from by itself, but for what the
-// panel or its view says.
+// The camera of one panel: [camera], in body axes with the panel's default direction; then the keys
+// of the panel's view and its own keys.
 CameraSpec own_camera(const Panel& panel, const PanelKind& kind) {
     const PanelCameraSpec& own = panel.spec.camera;
     CameraSpec camera = panel.stage->scene.camera;
@@ -185,7 +185,7 @@ bool says_camera(const PanelCameraSpec& own) {
            !own.look_at.empty() || !own.view.empty();
 }
 
-// Gives a panel a camera of its own where it, or a keyframe for it, says one.
+// Gives a panel its own camera if the panel or a keyframe for it defines one.
 void give_camera(Panel& panel, const PanelKind& kind, std::size_t index) {
     const Scene& scene = panel.stage->scene;
     const int number = static_cast<int>(index);
@@ -246,11 +246,12 @@ void StageData::make_panels() {
     const std::vector<PanelSpec> specs = panels_of(*this);
     std::vector<const PanelKind*> kinds;
     for (const PanelSpec& spec : specs)
-        // By its address: to g++ 14 a reference may be to what was only lent for the call.
+        // Returned as a pointer: g++ 14 warns that a reference may dangle.
         kinds.push_back(at_scene_key(scene, fmt::format("panels[{}].kind", kinds.size()),
                                      [&spec] { return &panel_kind_named(spec.kind); }));
 
-    // Several panels, and those that fill their box, leave the title and the caption their room.
+    // If there are several panels, or one that fills its box, the title and the caption get their
+    // own rows.
     PanelBox room{0, 0, options.width_px, options.height_px};
     if (specs.size() > 1 || kinds.front()->fills) {
         const OverlayBands bands = overlay_bands(*this);
@@ -289,7 +290,7 @@ void StageData::make_panels() {
         if (specs.size() > 1)
             header = header_of(
                 panel, spec.title.value_or(std::string(phrase_in(scene.language, kind.title))));
-        // What a chart refuses is its quantity.
+        // Errors of a chart refer to its quantity.
         if (spec.quantity.empty())
             kind.make(panel);
         else

@@ -27,7 +27,8 @@ Eigen::Affine3d placed(const Eigen::Vector3d& origin, const Eigen::Vector3d& x,
     return placement;
 }
 
-// The principal sections of the view's ellipsoids, taken off them, as curves on their surfaces.
+// Removes the principal sections from the view's ellipsoids and returns them as curves on their
+// surfaces.
 std::vector<Curve> taken_sections(const StageData& stage, View& view) {
     std::vector<Curve> sections;
     for (std::size_t k = 0; k < view.ellipsoids.size(); ++k) {
@@ -48,7 +49,8 @@ std::vector<Curve> taken_sections(const StageData& stage, View& view) {
     return sections;
 }
 
-// The axis of an arrow as a line, seen only where the arrow is hidden: its shaft covers the rest.
+// The axis of an arrow as a line, drawn only where the arrow is hidden: elsewhere its shaft covers
+// the line.
 Curve axis_of(const StageData& stage, const Arrow& arrow) {
     constexpr double share_of_shaft = 0.6;
     const Eigen::Vector3d run = arrow.tip - arrow.tail;
@@ -61,7 +63,7 @@ Curve axis_of(const StageData& stage, const Arrow& arrow) {
     return line;
 }
 
-// Of the width of a line that was broken to be told apart, once it is whole.
+// Factor of the width of a line that was dashed to be distinguishable and becomes solid.
 constexpr double told_by_width = 0.7;
 
 void hide(std::string_view parts, Curve& curve) {
@@ -101,12 +103,12 @@ void style_hidden(const StageData& stage, std::string_view parts, View& view) {
 struct Piece {
     Eigen::Vector2d a = Eigen::Vector2d::Zero(), b = Eigen::Vector2d::Zero();  // px
     double depth_a = 0.0, depth_b = 0.0;
-    double from = 0.0, to = 0.0;  // of a curve: in its points
+    double from = 0.0, to = 0.0;  // of a curve: point indices
     double width_px = 0.0;
-    int curve = -1;  // -1: an arrow, which is never broken
+    int curve = -1;  // -1: an arrow, which never gets gaps
 };
 
-// Where lines pass under others.
+// Finds the gaps of lines that pass under others.
 class Crossing {
  public:
     Crossing(const View& view, double least_gap_px) : view_(view), least_gap_px_(least_gap_px) {
@@ -115,8 +117,8 @@ class Crossing {
         find();
     }
 
-    // What is left of a curve: it, or its parts between the gaps. A gap over the point at which a
-    // closed one begins goes on at its end.
+    // Adds the visible parts of a curve between its gaps. A gap at the first point of a closed
+    // curve continues at its end.
     void add_parts(int curve, std::vector<Curve>& parts) const {
         const Curve& whole = view_.curves[static_cast<std::size_t>(curve)];
         const auto found = gaps_.find(curve);
@@ -178,9 +180,9 @@ class Crossing {
 
     void add_curve(int number) {
         const Curve& curve = view_.curves[static_cast<std::size_t>(number)];
-        // A trail fades behind its end, and every part would have one.
+        // A fading trail cannot be split: every part would fade at its end.
         if (curve.geometry == nullptr || !(curve.opacity > 0.0) || curve.fade_points > 0.0) return;
-        // Nor is a name's leader a thing of the space.
+        // Leaders of labels are not objects in space.
         if (curve.occlusion == Occlusion::none) return;
         const auto& points = curve.geometry->points;
         const auto [first, last] = range_of(curve);
@@ -220,7 +222,7 @@ class Crossing {
         const Eigen::Vector2d u = p.b - p.a, v = q.b - q.a, w = q.a - p.a;
         const double area = u.x() * v.y() - u.y() * v.x();
         const double sine = std::abs(area) / std::max(u.norm() * v.norm(), 1e-12);
-        // Lines that run along each other do not cross.
+        // Lines that are nearly parallel in the picture do not cross.
         constexpr double least_sine = 0.15;
         if (sine < least_sine) return;
         const double s = (w.x() * v.y() - w.y() * v.x()) / area;
@@ -228,8 +230,7 @@ class Crossing {
         if (s < 0.0 || s >= 1.0 || t < 0.0 || t >= 1.0) return;
         const double depth_p = p.depth_a + s * (p.depth_b - p.depth_a);
         const double depth_q = q.depth_a + t * (q.depth_b - q.depth_a);
-        // Lines that meet in space leave each other whole, as an arrow does the curve on which it
-        // ends.
+        // Lines that meet in space get no gap, such as an arrow and the curve on which it ends.
         constexpr double touching = 0.012;
         if (std::abs(depth_p - depth_q) < touching * std::min(depth_p, depth_q)) return;
         const bool p_is_lower = depth_p > depth_q;
@@ -272,7 +273,7 @@ void thicken(double least_px, View& view) {
         raise(ellipsoid.ruling_px, least_px);
     }
     for (Plane& plane : view.planes) raise(plane.grid_px, least_px);
-    // Its rulings are thinner than its rim.
+    // A cone's rulings are thinner than its rim.
     constexpr double ruling_share = 0.6;
     for (Cone& cone : view.cones) raise(cone.rim_px, least_px / ruling_share);
     for (Curve& curve : view.curves) raise(curve.width_px, least_px);
@@ -280,8 +281,8 @@ void thicken(double least_px, View& view) {
     for (Dot& dot : view.dots) raise(dot.rim_px, least_px);
 }
 
-// The dashes of an arrow's shaft, as long as the gaps between them; its own where they are too few
-// to be told from a whole one.
+// The dashes of an arrow's shaft, as long as the gaps between them; the arrow itself if fewer than
+// two dashes fit.
 std::vector<Arrow> dashes_of(const View& view, const Arrow& arrow) {
     const double length = (arrow.tip - arrow.tail).norm();
     const double unit_px = 1.0 / units_per_pixel(view, project(view, view.camera.target).depth);
@@ -297,7 +298,7 @@ std::vector<Arrow> dashes_of(const View& view, const Arrow& arrow) {
         part.dash_px = 0.0;
         part.tail = arrow.tail + 2.0 * k * dash * run;
         if (k == n - 1.0) continue;
-        // An end as flat as its beginning: a head of the shaft's own width, and of hardly a length.
+        // A flat end, like the start: a head as wide as the shaft, of negligible length.
         part.tip = part.tail + dash * run;
         part.head_px = part.shaft_px;
         part.head_length_px = 0.01;

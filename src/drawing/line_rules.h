@@ -1,15 +1,15 @@
-// What all lines of a view have in common, whatever drew them: how they are drawn where something
-// hides them, where they pass under others, and how thin they may be.
+// Rules for all lines of a view, whichever element draws them: style of hidden lines, gaps at
+// crossings, and least width.
 #pragma once
 
 #include "drawing/stage_data.h"
 
 namespace poinsot {
 
-// Makes a view's lines as the scene's `hidden` and `crossings` say, and none thinner than the
-// stage's options allow. With hidden lines dashed no other line is: those that were broken to be
-// told apart become thinner. An ellipsoid's principal sections become curves on it. Arrows of
-// broken shafts become their dashes, the last of them with the head.
+// Applies the scene's `hidden` and `crossings` and the stage's least width to a view's lines. When
+// hidden lines are dashed, all other dashed lines become thin solid lines. The principal sections
+// of an ellipsoid become curves on it. An arrow with a dashed shaft becomes one arrow per dash, the
+// last of them with the head.
 void follow_line_rules(const StageData& stage, View& view);
 
 }  // namespace poinsot

@@ -54,7 +54,7 @@ Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen
 }
 
 void mark_arrows_at_viewer(const Panel& panel, View& view) {
-    // Heads of arcs, and arrows hardly longer than their heads, are not meant.
+    // Excludes heads of arcs, and arrows hardly longer than their heads.
     const double least_length_px = 80.0 * panel.px;
     for (Arrow& arrow : view.arrows) {
         const Projected tip = project(view, arrow.tip);
@@ -110,7 +110,7 @@ SetType set_label(const Panel& panel, std::string_view text, double scale) {
 
 namespace {
 
-// Whether the L at a place of a formula is the whole of a name: the length of L.
+// Whether the L at a position of a formula is a complete symbol: the length of L.
 bool is_length_of_L(std::string_view formula, std::size_t at) {
     const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
     if (formula[at] != 'L') return false;
@@ -118,7 +118,8 @@ bool is_length_of_L(std::string_view formula, std::size_t at) {
     return at + 1 == formula.size() || !is_letter(formula[at + 1]);
 }
 
-// Whether an L in words stands by itself, between spaces, the ends, or signs of other scripts.
+// Whether an L in words is a separate word: between spaces, ends of the text, or characters of
+// other scripts.
 bool is_word_L(std::string_view words, std::size_t at) {
     const auto parts = [](char c) { return c == ' ' || static_cast<unsigned char>(c) >= 0x80; };
     return words[at] == 'L' && (at == 0 || parts(words[at - 1])) &&
@@ -145,7 +146,7 @@ std::string named_by_scene(const Scene& scene, std::string_view formula) {
         {"L_", own.momentum, fmt::format("{{{}}}_", own.momentum)},
     };
     std::string named;
-    // What was put in is not looked at again: it may hold the symbol itself.
+    // Inserted text is not searched again, since it may contain the symbol itself.
     for (std::size_t at = 0; at < formula.size();) {
         const auto* const name =
             std::find_if(std::begin(names), std::end(names), [&](const Name& each) {
@@ -287,7 +288,7 @@ void add_arc_arrow(const Panel& panel, const Turn& turn, const Eigen::Vector3d& 
         return Eigen::Vector3d(turn.centre +
                                turn.radius * (std::cos(angle) * from + std::sin(angle) * towards));
     };
-    // The head follows the arc's end; its shaft hides in the arc.
+    // The head follows the arc's end; the arc hides its shaft.
     const double head = std::copysign(arc_head_rad(turn.radius), turn.angle_rad);
     Arrow arrow = arrow_between(panel, at(turn.angle_rad - 0.2 * head),
                                 at(turn.angle_rad + 0.8 * head), ink, 0.85);
@@ -298,7 +299,7 @@ void add_arc_arrow(const Panel& panel, const Turn& turn, const Eigen::Vector3d& 
 void add_turn(const Panel& panel, const Turn& turn, const Ink& ink, const SetType& type,
               Sheet& sheet) {
     add_arc_arrow(panel, turn, turn.axis.unitOrthogonal(), ink, sheet);
-    // Its name stands to the right, where neither axis nor arrow runs.
+    // The label is to the right, away from the axis and the arrow.
     const Eigen::Vector3d right = camera_axes(sheet.view.camera).col(0);
     wish_beside(panel, turn.centre + 1.1 * turn.radius * right, turn.centre, type, ink, sheet);
 }

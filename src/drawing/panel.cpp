@@ -13,7 +13,7 @@
 
 namespace poinsot {
 
-// The rows, one file each.
+// The panels, one file each.
 void make_space_panel(Panel& panel);
 void make_body_panel(Panel& panel);
 void make_plan_panel(Panel& panel);
@@ -39,7 +39,7 @@ constexpr std::string_view heavy_top = "a heavy symmetric top";
 constexpr std::string_view free_turning = "a torque-free body that turns";
 constexpr std::string_view turning = "a body that turns, free of torque but for friction inside it";
 
-// What stands over the panels.
+// Titles above the panels.
 constexpr Phrase invariable_plane_title{"Invariable plane", "Invariable Ebene",  "Plan invariable",
                                         "Plano invariable", "Piano invariabile", "不変平面"};
 constexpr Phrase body_axes_title{"Body axes",       "Körperfeste Achsen",     "Axes liés au corps",
@@ -121,7 +121,7 @@ std::string_view default_panel(const StageData& stage) {
 std::span<const PanelKind> panel_kinds() { return panel_rows; }
 
 std::vector<std::string> idle_camera_keys(const Scene& scene) {
-    // What the panels seen as [camera] says take of it.
+    // The part of [camera] that the panels without a direction of their own use.
     CameraUse use = CameraUse::none;
     bool any_view = scene.panels.empty();
     for (const PanelSpec& spec : scene.panels) {
@@ -129,7 +129,7 @@ std::vector<std::string> idle_camera_keys(const Scene& scene) {
             std::find_if(std::begin(panel_rows), std::end(panel_rows),
                          [&spec](const PanelKind& row) { return row.name == spec.kind; });
         if (kind == std::end(panel_rows)) return {};
-        // The plan is flat, and yet lies as the camera of the space panel sees the plane.
+        // The plan is flat, but follows the azimuth of the space panel's camera.
         if (kind->name == "plan") return {};
         any_view = any_view || kind->camera != CameraUse::none;
         if (kind->camera != CameraUse::own_direction) use = std::max(use, kind->camera);

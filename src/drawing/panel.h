@@ -1,4 +1,4 @@
-// The table of panels: views of one motion from several sides, in any grid, on one clock.
+// The table of panels: views of one motion in any grid, all at the same instant.
 #pragma once
 
 #include <optional>
@@ -13,25 +13,25 @@
 
 namespace poinsot {
 
-// Where a panel stands in the picture, pixels, y down.
+// Position and size of a panel in the picture, pixels, y down.
 struct PanelBox {
     int x_px = 0, y_px = 0, width_px = 0, height_px = 0;
 };
 
-// One panel of a stage: its place, its camera, and what it draws.
+// One panel of a stage: its box, its camera, and its drawer.
 struct Panel {
     StageData* stage = nullptr;
     PanelSpec spec;
     PanelBox box;
-    double px = 1.0;       // pixels for one pixel of a panel with 1080 rows: lines follow its size
-    double type_px = 1.0;  // the same for type, which shrinks less: it must stay readable
-    double header_px = 0.0;  // rows at the top that the panel's name takes, 0 without one
-    std::optional<Timeline> own_timeline;     // of a camera of its own; else that of [camera]
-    bool orthographic = false;                // as its camera's projection says
-    Camera camera;                            // at the film's beginning
-    std::function<Camera(double)> camera_at;  // of a second of the film, if it moves
+    double px = 1.0;         // pixels per pixel of a panel with 1080 rows; scales lines
+    double type_px = 1.0;    // the same for text, which shrinks less so that it stays legible
+    double header_px = 0.0;  // rows at the top for the panel's name, 0 without one
+    std::optional<Timeline> own_timeline;     // of its own camera; else that of [camera]
+    bool orthographic = false;                // projection of its camera
+    Camera camera;                            // at the film's start
+    std::function<Camera(double)> camera_at;  // if it moves; argument: film time, s
     double units_per_px = 0.001;              // at the camera's target
-    // What polylines may leave their curves by, in the panel's units.
+    // Largest distance of polylines from their curves, in the panel's units.
     double curve_units() const { return stage->curve_px * units_per_px; }
     // As StageData has it, by the polyline's distance from the curve in the panel's units.
     const CurveGeometry* keep(CurveGeometry geometry, double off_units,
@@ -44,33 +44,34 @@ struct Panel {
     Drawer draw;
 };
 
-// The construction as it is drawn. Precondition: the motion turns and keeps L.
+// The construction in picture axes. Precondition: the motion rotates and conserves L.
 inline const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
 
-// Where the panel's camera stands at any second of the film.
+// The camera's timeline: its own or that of [camera].
 const Timeline& timeline_of(const Panel& panel);
 
-// A camera as the panel has it: where it is orthographic, from afar, with that height of view which
-// a perspective camera has at its target.
+// A camera in the panel's projection: an orthographic one is placed far away, with the height of
+// view that the perspective camera has at its target.
 Camera projected(const Panel& panel, const Camera& camera);
 
-// Aims a panel's camera and notes how large a pixel is at its target.
+// Aims a panel's camera and stores the size of a pixel at its target.
 void aim(Panel& panel, const Camera& camera);
 
-// What a panel takes of a camera: nothing, for it is flat; in body axes or in space the direction,
-// the field and the projection, for it is framed; or the distance and the target too.
+// The part of the camera settings that a panel uses: none, because the panel is flat; direction,
+// field and projection (in body axes or in space), because it is framed; or all, including distance
+// and target.
 enum class CameraUse { none, own_direction, direction, all };
 
 // A row of the table of panels.
 struct PanelKind {
     std::string_view name;
     std::string_view summary;
-    Phrase title;  // stands over it when it is not alone
-    bool fills;    // alone, it still leaves the title and the caption their room
-    // Whether this motion can be shown so; `without` finishes the sentence "this panel needs …".
+    Phrase title;  // shown above it if there are several panels
+    bool fills;    // alone, it still leaves rows for the title and the caption
+    // Whether it can show this motion; `without` completes the sentence "this panel needs …".
     bool (*possible)(const StageData& stage);
     std::string_view needs;
-    // Sets the panel's camera, its drawer and what that asks for.
+    // Sets the panel's camera, its drawer and the quantities that the drawer reads.
     void (*make)(Panel& panel);
     CameraUse camera = CameraUse::none;
 };
@@ -80,10 +81,10 @@ std::span<const PanelKind> panel_kinds();
 // Throws InputError with the nearest name and the list.
 const PanelKind& panel_kind_named(std::string_view name);
 
-// Keys of [camera] that the scene gives though none of its panels is seen as they say.
+// Keys of [camera] that the scene gives and that none of its panels uses.
 std::vector<std::string> idle_camera_keys(const Scene& scene);
 
-// The kind of panel that suits a motion when the scene names none.
+// The default kind of panel for a motion.
 std::string_view default_panel(const StageData& stage);
 
 }  // namespace poinsot

@@ -36,8 +36,8 @@ Drawing Stage::at(const FilmMoment& moment) const {
     drawing.width_px = data_->options.width_px;
     drawing.height_px = data_->options.height_px;
     drawing.background = data_->theme->background;
-    // Views own what is set and sampled for this drawing alone, to which their shapes point: they
-    // must not move once made.
+    // Views own the text and curves made for this drawing alone; their shapes point to them, so
+    // that views must not move once made.
     drawing.views.reserve(data_->panels.size() + 1);
     for (const Panel& panel : data_->panels) {
         Sheet sheet;
@@ -48,7 +48,7 @@ Drawing Stage::at(const FilmMoment& moment) const {
         view.height_px = panel.box.height_px;
         view.camera = panel.camera_at ? panel.camera_at(moment.film_s) : panel.camera;
         view.light = panel.light;
-        // Panels that share the picture stand on its one background.
+        // Several panels share the picture's background.
         view.background = data_->theme->background;
         if (panel.box.height_px < drawing.height_px || panel.box.width_px < drawing.width_px) {
             view.background.alpha = 0.0;
@@ -56,7 +56,7 @@ Drawing Stage::at(const FilmMoment& moment) const {
         panel.draw(instant, sheet);
         const auto n_dots = static_cast<std::ptrdiff_t>(view.dots.size());
         mark_arrows_at_viewer(panel, view);
-        // A name stands off the ring that its arrow has become.
+        // A label keeps its distance from the ring that replaces its arrow.
         for (auto ring = view.dots.begin() + n_dots; ring != view.dots.end(); ++ring)
             for (LabelWish& wish : sheet.wishes)
                 if (wish.at && (*wish.at - ring->at).isZero(0.0))
@@ -66,7 +66,7 @@ Drawing Stage::at(const FilmMoment& moment) const {
         drawing.views.push_back(std::move(view));
     }
 
-    // Title, caption and clock stand in a view of their own over all panels.
+    // Title, caption and clock are in a view of their own over all panels.
     Sheet over;
     over.view.width_px = drawing.width_px;
     over.view.height_px = drawing.height_px;

@@ -1,4 +1,4 @@
-// (Scene, Motion) → Drawing at any instant: everything that can be made once is made here.
+// (Scene, Motion) → Drawing at any instant. Prepares everything that all instants share.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -18,11 +18,11 @@ namespace poinsot {
 struct EvaluationCounts;
 struct StageData;
 
-// What is drawn and at what size.
+// The size and the times of a drawing.
 struct StageOptions {
     int width_px = 1920;
     int height_px = 1080;
-    int samples = 1;          // of these a side go into one pixel of the picture that is looked at
+    int samples = 1;          // samples × samples rendered pixels form one final pixel
     double line_scale = 0.0;  // pixels for a line of "one pixel at 1080 rows"; 0: height_px / 1080
     double curve_px = 0.0;    // what polylines may leave their curves by; 0: as the scene asks
     LeastSizes least{};       // on paper, of the picture drawn
@@ -34,10 +34,10 @@ struct StageOptions {
 };
 
 // Holds the geometry that all video frames share and makes the drawing of an instant. Immutable
-// once made; drawings refer to it and must not outlive it. Move-only.
+// once constructed; drawings refer to it and must not outlive it. Move-only.
 class Stage {
  public:
-    // Throws InputError for a scene that has no picture (no invariable plane, unknown element).
+    // Throws InputError for a scene without a picture (no invariable plane, unknown element).
     // `beside`: the same motion by another method, drawn as a ghost; both must outlive the stage.
     Stage(const Scene& scene, const Motion& motion, const StageOptions& options,
           const Motion* beside = nullptr);
@@ -45,15 +45,14 @@ class Stage {
     Stage(Stage&&) noexcept;
     Stage& operator=(Stage&&) noexcept;
 
-    // The second of the film is the one that its clock names for this instant.
+    // The drawing of an instant, at the film time of this instant.
     Drawing at(double time_s) const;
     Drawing at(const FilmMoment& moment) const;
 
-    // What has been asked of the motion since the stage was made, its making included.
+    // Evaluations of the motion since the construction of the stage, which is included.
     const EvaluationCounts& counts() const;
 
-    // The greatest distance, in pixels, of a curve's polyline from the curve, where it was
-    // measured.
+    // The largest measured distance of a polyline from its curve, in pixels.
     double curve_error_px() const;
 
     // What is drawn otherwise than the scene says, and why: one line each.

@@ -133,7 +133,7 @@ void StageData::make_construction() {
     if (scene.camera.motion == "co-precessing") turn_rate_rad_s = constants.mean_advance_rate_rad_s;
 }
 
-// As wide as ρ's component in the plane becomes over the film.
+// Enlarges the herpolhode's radius to the largest component of ρ in the plane over the film.
 void StageData::widen_herpolhode() {
     constexpr int n_looks = 512;
     constexpr Quantities in_plane{.attitude = false, .herpolhode = true, .euler_angles = false};
@@ -210,7 +210,7 @@ double StageData::quickest_rate_rad_s() const {
     const double I_least = problem.inertia.moments_kg_m2().minCoeff();
     const Eigen::Vector3d omega =
         problem.inertia.body_from_principal().transpose() * problem.start.omega_body;
-    // In units of the least moment, so that T neither overflows nor vanishes.
+    // In units of the least moment, so that T neither overflows nor underflows.
     const Eigen::Vector3d weights = (problem.inertia.moments_kg_m2() / I_least).cwiseSqrt();
     double rate = weights.cwiseProduct(omega).stableNorm();
     if (const auto* gravity = std::get_if<GravityTorque>(&problem.torque)) {
@@ -222,7 +222,7 @@ double StageData::quickest_rate_rad_s() const {
 std::vector<LiveValue> StageData::live_values(const Scene& scene, const Instant& instant) {
     const Eigen::Vector3d& omega = instant.state.omega_body;
     const Eigen::Vector3d momentum = scene.body.inertia.matrix_body() * omega;
-    // In the unit that the scene shows such a quantity in.
+    // In the unit in which the scene shows such a quantity.
     const auto shown = [&scene](double value, std::string_view unit) {
         return value * unit_shown(scene.units, unit).per_SI;
     };

@@ -1,4 +1,4 @@
-// What panels and elements draw from: the scene, its motion, the theme, and geometry made once.
+// The input of panels and elements: the scene, its motion, the theme, and shared geometry.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,28 +25,28 @@
 
 namespace poinsot {
 
-// One instant as the panels see it.
+// The state at one instant, as the panels use it.
 struct Instant {
     double time_s = 0.0;
     RotationState state;  // the attitude is the identity unless a panel asks for it
-    Eigen::Vector3d herpolhode_space = Eigen::Vector3d::Zero();  // if asked for, as in MotionSample
-    EulerAngles euler;                                           // if asked for
+    Eigen::Vector3d herpolhode_space = Eigen::Vector3d::Zero();  // if requested, as in MotionSample
+    EulerAngles euler;                                           // if requested
     double film_s = 0.0;                                         // second of the film
-    std::optional<RotationState> beside{};  // by the method beside, if a panel shows it
+    std::optional<RotationState> beside{};  // state of the comparison motion, if a panel shows it
 };
 
-// A view in the making: its shapes, and the labels that still look for their place.
+// A view under construction: its shapes, and the labels that are not placed yet.
 struct Sheet {
     View view;
     std::vector<LabelWish> wishes;
 };
 
-// Adds the shapes of one instant to a sheet; owns nothing, refers to the stage's geometry.
+// Adds the shapes of one instant to a sheet; refers to the stage's geometry and owns none.
 using Drawer = std::function<void(const Instant&, Sheet&)>;
 
-// Poinsot's construction in picture axes: the fixed centre is the origin, z is upwards, and the
-// ellipsoid's largest half-axis is 1. Where the plane lies below, L points down along −z: the
-// picture with L up turned by half a turn about its x axis, never mirrored, so that the right-hand
+// Poinsot's construction in picture axes: the fixed centre is the origin, z is up, and the
+// ellipsoid's largest half-axis is 1. If the plane is below, L points down along −z: this is the
+// picture with L up, rotated by half a turn about its x axis (not mirrored), so that the right-hand
 // rule holds for every arrow.
 struct ConstructionPicture {
     PoinsotConstruction construction;
@@ -58,18 +58,19 @@ struct ConstructionPicture {
     Eigen::Vector3d normal = -Eigen::Vector3d::UnitZ();  // n = L/|L|, from the centre to the plane
     double plane_distance = 1.0;
     double herpolhode_radius = 0.0;  // outer radius of the annulus
-    // Whether friction inside the body takes T away: then the plane of an instant stands at that
-    // instant's √(2T)/L, and ρ is over its T. The numbers above are those of the start.
+    // Whether internal friction reduces T: then the plane's distance at an instant is that
+    // instant's √(2T)/L, and ρ is computed with the instant's T. The values above are those at the
+    // start.
     bool dissipates = false;
 
     // `plane`: "below" or "above", as [construction] says.
     ConstructionPicture(const InertiaTensor& inertia, const RotationState& start,
                         std::string_view plane);
 
-    // Where L meets the plane; of a body that dissipates, at the start or at an instant.
+    // Foot of L on the plane; of a dissipating body, at the start or at an instant.
     Eigen::Vector3d foot() const { return plane_distance * normal; }
     Eigen::Vector3d foot(const Instant& instant) const;
-    // √(T(0)/T) at an ω: 1 where T stays.
+    // √(T(0)/T) for this ω: 1 if T is conserved.
     double rho_growth(const Eigen::Vector3d& omega_body) const;
     // ρ = ω/√(2T) in body axes, in the ellipsoid's lengths.
     Eigen::Vector3d contact_body(const Eigen::Vector3d& omega_body) const;
@@ -89,22 +90,21 @@ struct StageData {
     CountedMotion motion;
     std::optional<CountedMotion> beside;  // by the scene's second method
     StageOptions options;
-    Theme own_theme;  // the scene's, with its [style]
+    Theme own_theme;  // the scene's theme, with its [style]
     const Theme* theme = &own_theme;
-    double px = 1.0;         // pixels of the picture for one pixel at 1080 rows
-    double curve_px = 0.05;  // what polylines may leave their curves by
-    double film_first_s =
-        0.0;  // the stretch that time axes span: the film's, and all that is drawn
+    double px = 1.0;            // pixels of the picture for one pixel at 1080 rows
+    double curve_px = 0.05;     // largest distance of polylines from their curves
+    double film_first_s = 0.0;  // time span of the film and of time axes
     double film_last_s = 1.0;
 
-    std::optional<ConstructionPicture> rolling;  // motions that turn and keep L
-    std::optional<double> polhode_period_s;      // where it has one
-    double turn_rate_rad_s = 0.0;  // of the space axes shown about L: a co-precessing camera's
+    std::optional<ConstructionPicture> rolling;  // of motions that rotate and conserve L
+    std::optional<double> polhode_period_s;      // if it has one
+    double turn_rate_rad_s = 0.0;  // of the shown space axes about L (co-precessing camera)
 
     Timeline timeline;
-    std::set<std::string, std::less<>> can_fade;  // names that a fade may say here
+    std::set<std::string, std::less<>> can_fade;  // names that fades may use
 
-    // Made once for all instants; addresses stay valid for the stage's life.
+    // Created once for all instants; addresses stay valid for the stage's lifetime.
     TypeCase type_case{options.samples, options.least};
     std::deque<CurveGeometry> curves;
     std::deque<MeshGeometry> meshes;
@@ -132,27 +132,26 @@ struct StageData {
     // Adds a note that is not there yet.
     void note(std::string text);
 
-    // The nearest place between pixels of the picture that is looked at: what stands there stands
-    // there however many samples a pixel has.
+    // The nearest boundary between final pixels: a shape placed there does not move with the number
+    // of samples per pixel.
     double at_whole_pixel(double at_px) const {
         return options.samples * std::round(at_px / options.samples);
     }
 
-    // What the panels ask for at an instant, and nothing else; attitude and herpolhode in the space
-    // axes shown.
+    // The state at an instant, with only the quantities that the panels read; attitude and
+    // herpolhode in the shown space axes.
     Instant instant_at(const FilmMoment& moment) const;
 
-    // A co-precessing camera, the lamp that goes with it, and the plane as it sees it, turn about L
-    // together; the same picture comes of axes that turn while they stand still. From space axes
-    // to those; they coincide at the film's start.
+    // Rotation from space axes to the shown axes. For a co-precessing camera, the camera, its light
+    // and its view of the plane turn about L together; this equals a fixed camera and
+    // rotating space axes. Both axes coincide at the film's start.
     bool turns() const { return turn_rate_rad_s != 0.0; }
     Eigen::Quaterniond turned_from_space(double time_s) const;
 
-    // A rate that |ω| does not exceed, rad/s: from the energy at the start and what gravity can
-    // add.
+    // An upper bound of |ω|, rad/s: from the energy at the start and the work of gravity.
     double quickest_rate_rad_s() const;
 
-    // The numbers that captions may name, at an instant.
+    // The numbers that captions may refer to, at an instant.
     static std::vector<LiveValue> live_values(const Scene& scene, const Instant& instant);
 
  private:

@@ -17,9 +17,9 @@ constexpr Colour hex(std::uint32_t rgb) {
             static_cast<double>(rgb & 0xff) / 255.0};
 }
 
-// Hues begin from Okabe & Ito (2008). They were then moved as little as makes the quantities that
-// one view shows differ for every common colour vision; tests/drawing/theme_test.cpp says by how
-// much.
+// The hues start from Okabe & Ito (2008). They were changed as little as needed to make the
+// quantities of one view distinguishable for all common kinds of colour vision;
+// tests/drawing/theme_test.cpp has the margins.
 const Theme light{
     .name = "light",
     .summary = "bright room, projector or screen; colour-blind safe",
@@ -87,7 +87,7 @@ const Theme dark{
     .rule = hex(0x71829a),
 };
 
-// On paper: a white ground, little ink on surfaces, and lines whose greys differ by themselves.
+// For paper: a white background, little ink on surfaces, and lines that differ in lightness alone.
 const Theme print{
     .name = "print",
     .summary = "on paper, in colour or in grey",
@@ -121,7 +121,8 @@ const Theme print{
     .rule = hex(0x858585),
 };
 
-// Every pair of lines differs for every colour vision, and the two curves in their style as well.
+// Every pair of lines is distinguishable for all kinds of colour vision, and the two curves also by
+// their style.
 const Theme colour_blind{
     .name = "colour-blind",
     .summary = "largest differences for every colour vision, the herpolhode heavier",
@@ -155,7 +156,7 @@ const Theme colour_blind{
     .rule = hex(0x6f7c8a),
 };
 
-// A theme's quantities on whatever lies below the picture.
+// The colours of a theme over a transparent background.
 Theme transparent_of(Theme theme, std::string_view name, std::string_view summary,
                      const Colour& halo) {
     theme.name = name;

@@ -12,12 +12,12 @@ namespace poinsot {
 
 struct Scene;
 
-// Told apart in grey as well.
+// Distinguishable in greyscale.
 enum class LineStyle { solid, dashed, dotted };
 
-// A colour with what a line of it looks like, where that is not as ever.
+// A colour with an optional line weight and line style.
 struct Ink : Colour {
-    double weight = 1.0;  // times the usual
+    double weight = 1.0;  // factor of the usual width
     std::optional<LineStyle> line;
 
     Ink() = default;
@@ -43,7 +43,7 @@ struct Theme {
 
     Ink polhode;
     Ink herpolhode;
-    double herpolhode_weight = 1.0;  // its width over the polhode's; a broken line means hidden
+    double herpolhode_weight = 1.0;  // its width over the polhode's; dashes mean hidden lines
     Ink momentum;
     Ink omega;
     Ink axes[3];
@@ -53,7 +53,7 @@ struct Theme {
     Ink annulus;
 
     Ink separatrix;
-    Ink ghost{Colour{0.36, 0.40, 0.45}};  // the motion beside
+    Ink ghost{Colour{0.36, 0.40, 0.45}};  // the comparison motion
     Ink sphere;                           // |m| = L in the space of momenta
     Ink solid;                            // real bodies
     Ink solid_lines;                      // marks on them that show how they turn
@@ -62,7 +62,7 @@ struct Theme {
     Ink potential;                        // V
     Ink rule;                             // axes and grids of plots
 
-    // What a scene says in `hidden` and `crossings`, where it says nothing.
+    // Defaults of the scene's `hidden` and `crossings`.
     std::string_view hidden = "pale";
     std::string_view crossings = "through";
 };
@@ -72,7 +72,7 @@ std::span<const Theme> themes();
 // Throws InputError with the nearest name.
 const Theme& theme_named(std::string_view name);
 
-// A scene's theme with what its [style] says otherwise. Throws SceneError for an unknown theme.
+// A scene's theme with the changes of its [style]. Throws SceneError for an unknown theme.
 Theme theme_of(const Scene& scene);
 
 }  // namespace poinsot

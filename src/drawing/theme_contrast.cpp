@@ -31,7 +31,7 @@ class Looking {
     }
 
  private:
-    // The key that changed one of two colours, the later of them named first; nothing where neither
+    // The key that changed one of two colours, that of `a` if both were changed; empty if neither
     // was.
     std::optional<std::string> key_of(std::string_view a, std::string_view b) const {
         for (const std::string_view name : {a, b}) {
@@ -77,7 +77,7 @@ class Looking {
         }
     }
 
-    // Of what one view shows as things of one kind, and colour alone tells apart.
+    // Pairs of the same kind of object in one view that are distinguished by colour alone.
     void look_at_pairs() {
         const Role polhode{"polhode", theme_.polhode}, herpolhode{"herpolhode", theme_.herpolhode};
         const Role momentum{"momentum", theme_.momentum}, omega{"omega", theme_.omega};
@@ -103,7 +103,7 @@ class Looking {
         for (const auto& [a, b] : pairs) ask_difference(a, b);
     }
 
-    // One line for a pair, of the eye that tells it least.
+    // Adds one line per pair, for the kind of colour vision with the smallest difference.
     void ask_difference(const Role& a, const Role& b) {
         const auto key = key_of(a.name, b.name);
         if (!key) return;

@@ -1,4 +1,4 @@
-// Whether what a scene's [style] made of its theme can still be seen and told apart.
+// Whether a theme changed by a scene's [style] still has visible and distinguishable colours.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace poinsot {
 
-// What the themes of ours keep (docs/guide.md, "Themes of one's own") and this one's [style] does
-// not: one line each, with the place of the key. Empty where the scene has no style.
+// Violations of the rules that the built-in themes follow (docs/guide.md, "Themes of one's own"):
+// one line each, with the position of the key. Empty if the scene has no style.
 std::vector<std::string> contrast_notes(const Scene& scene);
 
 }  // namespace poinsot

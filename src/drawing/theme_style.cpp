@@ -1,4 +1,4 @@
-// A theme with what a scene's [style] says otherwise.
+// A theme with the changes of a scene's [style].
 #include <array>
 #include <utility>
 
@@ -10,7 +10,7 @@ namespace poinsot {
 
 namespace {
 
-// Where a theme has the line of a role; null for surfaces and the ground.
+// The line of a role in a theme; null for surfaces and the background.
 Ink* ink_of(Theme& theme, std::string_view role) {
     const std::array<std::pair<std::string_view, Ink*>, 22> places{{
         {"omega", &theme.omega},
@@ -82,7 +82,8 @@ void apply(const std::string& role, const LookSpec& look, Theme& theme) {
 Theme theme_of(const Scene& scene) {
     Theme theme = at_scene_key(scene, "theme", [&] { return theme_named(scene.theme); });
     const auto& looks = scene.style.looks;
-    // A ground of one colour, unless its top has one of its own; and type has that ground about it.
+    // Sets a uniform background, unless its top has its own colour; text gets a halo of that
+    // colour.
     if (const auto ground = looks.find("ground"); ground != looks.end()) {
         apply("ground", ground->second, theme);
         if (ground->second.srgb) {

@@ -8,7 +8,7 @@ namespace poinsot {
 Eigen::Vector3d aim_point(std::string_view name, const Eigen::Vector3d& foot) {
     if (name == "centre") return Eigen::Vector3d::Zero();
     if (name == "foot") return foot;
-    // The middle between the plane and the reach of the body on its other side.
+    // The middle between the plane and the extent of the body on its other side.
     return 0.5 * (foot - foot.stableNormalized());
 }
 
@@ -30,7 +30,7 @@ Timeline::Timeline(const Scene& scene, const CameraSpec& camera, std::optional<i
         const Easing& easing = easing_named(key.easing);
         if (key.azimuth_deg) azimuth_deg_.add(key.at_s, *key.azimuth_deg, easing);
         if (key.elevation_deg) elevation_deg_.add(key.at_s, *key.elevation_deg, easing);
-        // Even in the ratio: a zoom over a hundred lengths seems even to the eye.
+        // The logarithm is interpolated, so that a zoom has a constant ratio per time.
         if (key.distance) log_distance_.add(key.at_s, std::log(*key.distance), easing);
         if (key.field_deg) field_deg_.add(key.at_s, *key.field_deg, easing);
         last_key_s_ = key.at_s;
@@ -45,7 +45,8 @@ Timeline::Timeline(const Scene& scene, const CameraSpec& camera, std::optional<i
     for (const FadeSpec& fade : scene.fades) {
         const Easing& easing = easing_named(fade.easing);
         for (const std::string& name : fade.elements) {
-            // What first comes in whole was not there before; what goes or grows pale was.
+            // An element that first fades in to full opacity starts invisible; one that fades out
+            // starts visible.
             const auto known = opacities_.try_emplace(name, fade.opacity < 1.0 ? 1.0 : 0.0).first;
             Track& opacity = known->second;
             opacity.add(fade.at_s, opacity.last_value(), easing);

@@ -1,5 +1,4 @@
-// A chart on logarithmic axes: work against precision, drawn by the same renderer as everything
-// else.
+// A work-precision chart on logarithmic axes, drawn by the same renderer as the scenes.
 #pragma once
 
 #include <deque>
@@ -15,7 +14,7 @@ namespace poinsot {
 struct ChartPoint {
     double x = 1.0, y = 1.0;  // positive and finite; others are left out
     bool marked = false;      // on the Pareto front
-    std::string name{};       // a caption below it and left, where a front has no points
+    std::string name{};       // a caption at its lower left, for a front without points
 };
 
 struct ChartSeries {
@@ -28,7 +27,7 @@ struct Chart {
     std::vector<ChartSeries> series;
 };
 
-// Holds the geometry and type of a chart's drawing; drawings refer to it and must not outlive it.
+// Holds the geometry and text of a chart's drawing; drawings refer to it and must not outlive it.
 class ChartSheet {
  public:
     // Throws InputError if no point can be shown.
@@ -44,7 +43,7 @@ class ChartSheet {
         double first_px = 0.0, last_px = 1.0;
         double at(double value) const;
         bool is_narrow() const { return last_decade - first_decade < 1.99; }
-        // Where the grid's lines stand.
+        // The values at which grid lines are drawn.
         std::vector<double> ticks() const;
     };
 

@@ -1,4 +1,4 @@
-// The table of what a plot can show against time.
+// The table of the quantities that a plot can show against time.
 #pragma once
 
 #include <array>
@@ -26,9 +26,9 @@ struct PlotQuantity {
     std::string_view summary;
     Phrase title;  // of the axis: text with $formulas$
     std::string_view unit;
-    bool stacked;    // a chart of its own for every curve, with its own scale
+    bool stacked;    // one chart per curve, each with its own scale
     bool decades;    // values are logarithms to base 10
-    bool from_zero;  // the axis holds 0
+    bool from_zero;  // the axis includes 0
     Quantities asks;
     bool (*possible)(const StageData& stage);
     std::string_view needs;
@@ -38,12 +38,12 @@ struct PlotQuantity {
 
 std::span<const PlotQuantity> plot_quantities();
 
-// By name, or the one that suits the motion if the name is empty. Throws InputError with the
-// nearest name and the list, or for a motion that has no such quantity.
+// The quantity with this name, or the default one for the motion if the name is empty. Throws
+// InputError with the nearest name and the list, or if the motion has no such quantity.
 const PlotQuantity& plot_quantity_of(const StageData& stage, std::string_view name);
 
-// The unit that a scene shows a quantity in, and its values in that unit. Quantities of several
-// units keep theirs.
+// The unit in which a scene shows a quantity, and its values in that unit. Quantities with several
+// units are not converted.
 ShownUnit unit_of(const StageData& stage, const PlotQuantity& quantity);
 PlotValues shown_values(const StageData& stage, const PlotQuantity& quantity,
                         const Instant& instant);

@@ -1,4 +1,4 @@
-// What a plot shows of one motion: its values over the film, and their range.
+// The values that a plot shows of one motion over the film, and their range.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace poinsot {
 
-// Values over the film of one motion, asked for once an instant however many curves need it. The
+// Cached values of one motion over the film: each instant is evaluated once, for all curves. The
 // stage, the motion and the quantity must outlive it.
 class PlotRecord {
  public:
@@ -19,7 +19,7 @@ class PlotRecord {
 
     const PlotValues& at(double time_s);
 
-    // Least and greatest of the values known so far from an instant on, of the curves first to
+    // Least and greatest of the values computed so far, from an instant on, of the curves first to
     // last.
     std::pair<double, double> range(std::size_t first, std::size_t last,
                                     double from_s = -std::numeric_limits<double>::infinity()) const;
@@ -33,17 +33,16 @@ class PlotRecord {
     std::map<double, PlotValues> known_;
 };
 
-// So many pieces of the film that no curve turns by more than about half a turn within one; no more
-// than a plot of this width can show.
+// Number of intervals to sample the film in: no curve turns by more than about half a turn in one,
+// limited to what a plot of this width can resolve.
 int n_pieces_of(const StageData& stage, double width_px);
 
-// Whether the first instants would ruin a range: whether it is so much wider than what follows them
-// that this would hardly be seen.
+// Whether the first instants widen the range so much that the later values would hardly be visible.
 bool is_ruined(const PlotQuantity& quantity, std::pair<double, double> whole,
                std::pair<double, double> after_start);
 
-// The range that shows both motions, but of the one beside no more than the first one's range again
-// on either side: one that blows up leaves the chart instead of flattening it.
+// A range that shows both motions. The comparison motion extends it by at most the first one's
+// width on either side: if it diverges, it leaves the chart instead of flattening it.
 std::pair<double, double> common_range(const PlotQuantity& quantity,
                                        std::pair<double, double> first,
                                        std::pair<double, double> beside);

@@ -1,4 +1,4 @@
-// A chart with its curves and their names, ready to be drawn at any instant.
+// A chart with its curves and their names, prepared for drawing at any instant.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace poinsot {
 
-// A curve of the plot, with the number that its dot follows.
+// A curve of the plot, with the index of the value that its dot follows.
 struct PlottedCurve {
     Curve curve;
     std::size_t value = 0;
-    double end_y = 0.0;  // where it ends, in the chart's pixels
+    double end_y = 0.0;  // height of its end, in the chart's pixels
 };
 
 struct PlottedChart {
@@ -21,15 +21,15 @@ struct PlottedChart {
     std::vector<PlottedCurve> curves;
     std::vector<Curve> beside;
     std::vector<Label> names;
-    std::vector<Curve> leaders;   // from a curve's end to a name that had to move away
-    bool begins_outside = false;  // whether its range leaves out the first instants
+    std::vector<Curve> leaders;   // from a curve's end to a name that was moved away from it
+    bool begins_outside = false;  // whether its range excludes the first instants
 };
 
-// Sets the names beside the ends of their curves, moved apart where the ends lie close; types are
-// in the order of the quantity's curves.
+// Places the names beside the ends of their curves, and moves them apart if the ends lie close;
+// `types` are in the order of the quantity's curves.
 void place_names(PlottedChart& plotted, const std::vector<SetType>& types, const Panel& panel);
 
-// The chart with a cursor at this time and a dot on every curve.
+// Adds the chart with a cursor at this time and a dot on every curve.
 void draw_chart(const Panel& panel, const PlottedChart& plotted, double time_s,
                 const PlotValues& values, Sheet& sheet);
 

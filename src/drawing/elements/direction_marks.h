@@ -1,4 +1,4 @@
-// Small chevrons of constant size along a curve, so that a still shows which way it is run along.
+// Small chevrons of constant size along a curve, which show the direction of motion in a still.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,16 @@
 
 namespace poinsot {
 
-// The chevrons of one curve: they stand on the curve at places that never change, as many as keep a
-// distance that does not depend on how much of the curve is shown.
+// The chevrons of one curve, at fixed positions on the curve. Their spacing does not depend on how
+// much of the curve is shown.
 class DirectionMarks {
  public:
-    // `backwards`: the curve's points run against the motion.
+    // `backwards`: the curve's points are in the order opposite to the motion.
     DirectionMarks(Panel& panel, const CurveGeometry& geometry, double spacing, bool backwards);
 
-    // Adds those on the shown stretch of the curve, in its colour and as opaque as the curve is
-    // there; the newest ones only, so that a long history costs no more than a short one. Needs the
-    // sheet's camera. Copies `curve`: it may be one of the sheet's.
+    // Adds the chevrons on the shown part of the curve, in the curve's colour and opacity; only the
+    // newest ones, so that a long history costs no more than a short one. Needs the sheet's camera.
+    // Copies `curve`, since it may be one of the sheet's curves.
     void add_to(Sheet& sheet, Curve curve, bool grows) const;
 
  private:
@@ -29,11 +29,12 @@ class DirectionMarks {
     std::vector<Mark> marks_;
 };
 
-// Whether the scene wants them.
+// Whether the scene requests direction marks.
 bool wants_marks(const Panel& panel);
 
-// Whether the contact point runs against the order of a polhode's points, in body axes at any
-// scale: at the motion's start, where dω/dt = J⁻¹(Jω × ω) (Landau & Lifshitz, Mechanics §36).
+// Whether the contact point moves against the order of a polhode's points, in body axes at any
+// scale: evaluated at the motion's start, where dω/dt = J⁻¹(Jω × ω) (Landau & Lifshitz, Mechanics
+// §36).
 bool runs_backwards(const Panel& panel, const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace poinsot

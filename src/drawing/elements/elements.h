@@ -1,5 +1,5 @@
-// The table of things that the space panel can show: a name beside the function that makes its
-// drawer.
+// The table of the elements that the space panel can show: each name with the function that makes
+// its drawer.
 #pragma once
 
 #include <span>
@@ -12,17 +12,18 @@ namespace poinsot {
 struct Element {
     std::string_view name;
     std::string_view summary;
-    // Whether it is shown when the scene does not say.
+    // Whether it is shown if the scene does not list elements.
     bool (*by_default)(const StageData& stage);
-    // What its drawer reads of an instant besides ω.
+    // The quantities of an instant that its drawer reads besides ω.
     Quantities asks;
-    // Makes what all instants share, kept by the stage, and the function that draws an instant.
+    // Makes what all instants share, stored in the stage, and the function that draws an instant.
     Drawer (*make)(Panel& panel);
 };
 
 std::span<const Element> elements();
 
-// Whether the space panel shows it: the scene names it, or names none and it suits the motion.
+// Whether the space panel shows it: the scene lists it, or lists no elements and it suits the
+// motion.
 bool is_shown(const StageData& stage, std::string_view name);
 
 // Throws InputError with the nearest name and the list.

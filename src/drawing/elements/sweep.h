@@ -1,4 +1,4 @@
-// What the rolling ellipsoid and its arrows pass through, whatever the instant.
+// The region that the rolling ellipsoid and its arrows pass through over all time.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,10 +8,10 @@
 
 namespace poinsot {
 
-// Points of the space that the space panel's figure fills over all time, picture axes: L's arrow,
-// and the circles about L on which the ellipsoid's outline and the tips of ω, e1, e2, e3 run, for
-// attitudes all along the polhode; and of the plane a disc about the foot of L. Tips reach `beyond`
-// further, for their labels. `azimuth_rad`: one point of every circle lies in this direction.
+// Points that bound the space panel's figure over all time, picture axes: L's arrow; the circles
+// about L that the ellipsoid's outline and the tips of ω, e1, e2, e3 describe, for attitudes all
+// along the polhode; and a disc of the plane about the foot of L. Tips extend `beyond` further, for
+// their labels. `azimuth_rad`: one point of every circle lies in this direction.
 std::vector<Eigen::Vector3d> swept_points(const ConstructionPicture& picture, double azimuth_rad,
                                           double beyond);
 

@@ -1,5 +1,5 @@
-// How much of a path of the contact point is shown at an instant: all of it, what has been run
-// along, or the last stretch, fading.
+// The part of a contact point's path that is shown at an instant: all of it, the part traversed so
+// far, or the last part, fading.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,13 +14,13 @@
 
 namespace poinsot {
 
-// A stretch of a path's points, in fractions of them, as Curve counts.
+// A part of a path, from and to as fractional point indices, as in Curve.
 struct ShownStretch {
     double first = 0.0;
     double last = 0.0;
     double fade_points = 0.0;  // as in Curve
-    bool grows = false;        // whether its end is where the contact point is
-    bool lasting = false;      // as in Curve, where the points stand still
+    bool grows = false;        // whether it ends at the contact point
+    bool lasting = false;      // as in Curve, for fixed points
 
     void apply_to(Curve& curve) const {
         curve.first = first, curve.last = last, curve.fade_points = fade_points;
@@ -28,11 +28,11 @@ struct ShownStretch {
     }
 };
 
-// A path that was sampled over the stretch of time that its trail needs, and no more.
+// A path sampled exactly over the time span that its trail needs.
 class Trail {
  public:
-    // `kind`: "whole", "history" or "fading". `period_s`: after which the path runs over itself,
-    // if it does; then one period of it before the film begins was sampled, too.
+    // `kind`: "whole", "history" or "fading". `period_s`: the time after which the path repeats, if
+    // it does; then one period before the film's start was sampled, too.
     Trail(const StageData& stage, const std::string& kind, const TimedPath& path,
           std::optional<double> period_s);
 
@@ -45,7 +45,7 @@ class Trail {
     double last_time_s_;
     std::optional<double> period_s_;
     double length_s_;
-    bool loops_;  // there was motion before the first instant, the same as in the film
+    bool loops_;  // whether the film loops: then motion precedes the first instant
 };
 
 // What is drawn instead of a curve from an instant on: the line that fills the ring, in the axes of

@@ -1,5 +1,5 @@
-// What the clock over a picture says: the instant in a unit and with the digits that the film's
-// span asks for.
+// The text of the clock over a picture: the time, in a unit and with digits that suit the film's
+// span.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ class ClockText {
     // For a film of the instants from first_s to last_s.
     ClockText(double first_s, double last_s);
 
-    // A caption: "$t$ = 3.25 s". Its digits are as many as the film needs to move, and so few that
-    // it stays short: at most eight, or a power of ten.
+    // A caption: "$t$ = 3.25 s". It has as many digits as needed to change during the film, but at
+    // most eight; else a power of ten.
     std::string at(double time_s) const;
 
  private:

@@ -1,7 +1,7 @@
-// Type beside what it names: labels that keep off each other and never jump between video frames.
+// Labels beside what they name: they do not overlap, and they do not jump between video frames.
 //
-// The place of a label is a continuous function of the picture alone, not of earlier frames, so
-// that any frame drawn by itself is the frame of the film.
+// The position of a label is a continuous function of the picture alone, not of earlier frames, so
+// that each frame can be drawn independently.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,20 +19,20 @@
 
 namespace poinsot {
 
-// A string that has been set: its mask and where its ink lies from the pen, in pixels of the
-// picture that is drawn.
+// Text that has been set: its mask, and the position of its ink relative to the pen, in pixels of
+// the rendered picture.
 struct SetType {
     const GlyphMask* mask = nullptr;
     int left_px = 0;
     double baseline_px = 0.0;
 
-    // Of the ink's box: whole pixels of the picture that is looked at.
+    // Size of the ink's box, in final pixels.
     double width_px() const { return mask->width_px(); }
     double height_px() const { return mask->height_px(); }
 };
 
-// Where on paper there is no room for all type, what has a higher rank is left out first; what is
-// named in the picture is not, and without room for it the picture is refused.
+// If text does not fit on paper, labels of higher rank are dropped first. Names in the picture are
+// never dropped: if they do not fit, the picture is rejected.
 enum LabelRank {
     rank_of_names = 0,
     rank_of_headings = 1,
@@ -42,69 +42,69 @@ enum LabelRank {
     rank_of_caption = 5
 };
 
-// Type of fewer pixels an em is left out: its small letters would be one pixel high.
+// Text below this size, pixels per em, is omitted: its small letters would be one pixel high.
 inline constexpr double least_legible_px = 3.0;
 
-// Sets type once a string and size, and keeps the masks for the stage's life. What is too small to
-// be read gets an empty mask; what cannot be set is refused at any size.
+// Sets text once per string and size, and caches the masks for the stage's lifetime. Text that is
+// too small to read gets an empty mask; text that cannot be set is rejected at any size.
 class TypeCase {
  public:
-    // For pictures drawn with samples × samples to a pixel: styles are in pixels of the picture
-    // drawn, and masks are set for the one that is looked at. What would be smaller than `least` is
-    // set larger, and all of a string whose sub- and superscripts would be.
+    // For pictures rendered with samples × samples per pixel: styles are in rendered pixels, masks
+    // in final pixels. Text smaller than `least` is enlarged; a string with too small sub- and
+    // superscripts is enlarged as a whole.
     explicit TypeCase(int samples = 1, const LeastSizes& least = {})
         : samples_(samples), least_(least.times(1.0 / samples)) {}
 
     SetType set(std::string_view text, const TypeStyle& style);
 
-    // For type that changes with every frame: the mask goes with the view.
+    // For text that changes in every frame: the view owns the mask.
     SetType set_live(std::string_view text, const TypeStyle& style, View& view) const;
 
-    // A band on which type is read, as dense as can be at its top or at its foot and fading out
-    // over the other half. Pixels of the picture drawn, whole ones of that which is looked at.
+    // A background band for text, densest at its top or at its bottom and fading out over the other
+    // half. In rendered pixels, rounded to final pixels.
     SetType band(double width_px, double height_px, bool dense_at_top);
 
-    // The smallest em of what was set and kept, in pixels of the picture drawn; infinite for none.
+    // The smallest em size of the cached text, in rendered pixels; infinite if there is none.
     double least_size_px() const;
 
-    // What stood in for characters that the fonts of labels and captions lack.
+    // The typesetter, which records replaced characters that the fonts lack.
     const Typesetter& typesetter() const { return typesetter_; }
 
  private:
-    // Leaves in the style what it was set by, in pixels of the mask.
+    // On return the style has the size used, in pixels of the mask.
     TypesetMask set_legible(std::string_view text, TypeStyle& style) const;
     SetType keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const;
     SetType set_among(std::deque<GlyphMask>& masks, std::string_view text,
                       const TypeStyle& style) const;
 
     int samples_;
-    LeastSizes least_;  // of the masks' pixels
+    LeastSizes least_;  // in pixels of the masks
     Typesetter typesetter_;
     std::deque<GlyphMask> masks_;
     std::map<std::tuple<std::string, double, int, double>, SetType> known_;
 };
 
-// A label that wants to stand beside a point, on the side that `away` names.
+// A requested label beside a point, on the side that `away` names.
 struct LabelWish {
     SetType type;
     Eigen::Vector2d anchor_px = Eigen::Vector2d::Zero();
-    // Picture axes, y down; longer than about 1 is far enough, shorter comes nearer to the anchor,
-    // and zero stands to the right of it.
+    // Picture axes, y down. A length of 1 or more is the full distance, a smaller one brings the
+    // label nearer to the anchor, and zero places it at the right of the anchor.
     Eigen::Vector2d away{1.0, 0.0};
     double gap_px = 6.0;
     Colour colour;
     double opacity = 1.0;
-    // What it names, view axes: there ends the leader of a label that had to stand elsewhere.
+    // The named point, view axes: a leader leads there if the label is moved away.
     std::optional<Eigen::Vector3d> at{};
-    // To which side of another's shaft it goes that runs through its place: 1, clockwise from the
-    // shaft's direction, or -1; 0 keeps off no shaft.
+    // The side to which the label moves off another arrow's shaft through its position: 1,
+    // clockwise from the shaft's direction, or -1; 0: it does not move off shafts.
     int side = 0;
 };
 
-// Adds the wishes as labels of the view: each at its place, then off the shafts of arrows that it
-// does not name, pushed apart where they would cover each other, and kept inside the view. Those
-// that come to stand away from their places have leaders, lines along `segment` (from the origin to
-// x; none: no leaders).
+// Adds the requested labels to the view: each is placed, moved off the shafts of arrows that it
+// does not name, moved apart from labels that it overlaps, and kept inside the view. Labels that
+// end up away from their requested position get leaders: lines along `segment` (from the origin to
+// x; null: no leaders).
 void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,
                   View& view, const CurveGeometry* segment = nullptr);
 

@@ -1,4 +1,4 @@
-// Type over the whole picture: the scene's title and caption, and the clock.
+// Text over the whole picture: the scene's title and caption, and the clock.
 #pragma once
 
 #include <span>
@@ -9,12 +9,11 @@
 
 namespace poinsot {
 
-// Drawers of the overlays that the scene asks for; without a list of its own it shows all that it
-// has text for.
+// Drawers of the overlays that the scene lists; by default, all for which it has text.
 std::vector<Drawer> make_overlays(StageData& stage);
 
-// Rows at the top and at the bottom of the picture that the overlays take, and where the title
-// ends.
+// Rows that the overlays take at the top and at the bottom of the picture, and the right end of the
+// title.
 struct OverlayBands {
     int top_px = 0;
     int bottom_px = 0;
@@ -22,24 +21,25 @@ struct OverlayBands {
 };
 OverlayBands overlay_bands(StageData& stage);
 
-// What the overlays of a picture so wide take more than on a screen, where a line of "one pixel at
-// 1080 rows" is `px` pixels wide: type that has its size in points takes more of a narrow page.
+// Rows that the overlays of a picture with this width need beyond those on a screen. `px`: width of
+// a line of "one pixel at 1080 rows". Text whose size is given in points takes more rows of a
+// narrow page.
 int rows_added_by_type(const Scene& scene, int width_px, double px, const LeastSizes& least);
 
-// What they take of such a picture altogether.
+// Rows that the overlays of such a picture take in total.
 int rows_of_overlays(const Scene& scene, int width_px, double px, const LeastSizes& least);
 
-// Between the overlays and the picture's sides, pixels at 1080 rows.
+// Distance between the overlays and the picture's sides, pixels at 1080 rows.
 constexpr double overlay_margin = 40.0;
 
-// What they are called in `show` and in fades.
+// Names of the overlays in `show` and in fades.
 struct OverlayName {
     std::string_view name;
     std::string_view summary;
 };
 std::span<const OverlayName> overlays();
 
-// Whether a name in `show` is one of these.
+// Whether a name in `show` is an overlay.
 bool is_overlay(std::string_view name);
 
 }  // namespace poinsot

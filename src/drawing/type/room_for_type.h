@@ -1,12 +1,12 @@
-// Type on paper, where it cannot shrink with the picture.
+// Dropping text on paper, where text cannot shrink with the picture.
 #pragma once
 
 #include "shapes/views.h"
 
 namespace poinsot {
 
-// Leaves out labels that cover others or stand off the page: of two that cover each other the one
-// of the higher rank, or the later. Throws InputError where names in the picture do.
+// Drops labels that overlap others or extend beyond the page: of two overlapping labels, the one of
+// higher rank, or else the later one. Throws InputError if both are names in the picture.
 void leave_out_type(Drawing& drawing);
 
 }  // namespace poinsot

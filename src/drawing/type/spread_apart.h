@@ -1,13 +1,13 @@
-// Names in a column that keep off each other.
+// Placing the names of a column without overlap.
 #pragma once
 
 #include <vector>
 
 namespace poinsot {
 
-// Middles of things of these heights, in their wished order, as near their wished middles as they
-// can stand with a gap between (least squares), and within [least, most]; from `least` on where
-// that has no room for them.
+// Middles of items of these heights, in the order of their requested middles and as near to them as
+// possible (least squares) with a gap between, and within [least, most]; if they do not fit,
+// stacked from `least` on.
 std::vector<double> spread_apart(const std::vector<double>& wished,
                                  const std::vector<double>& heights, double gap, double least,
                                  double most);

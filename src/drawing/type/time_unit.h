@@ -1,4 +1,4 @@
-// The unit in which a film's time is told: days for an asteroid, milliseconds for a coin,
+// The unit in which a film's time is shown: days for an asteroid, milliseconds for a coin,
 // nanoseconds for a molecule.
 #pragma once
 
@@ -11,7 +11,7 @@ struct TimeUnit {
     double seconds = 1.0;
 };
 
-// The unit in which a span of this many seconds is some tens of units, or a few.
+// The unit in which this span is a few to some tens of units.
 constexpr TimeUnit time_unit_of(double span_s) {
     constexpr double year_s = 365.25 * 86400.0;  // Julian
     if (span_s >= 3e9 * year_s) return {"Gyr", 1e9 * year_s};
