@@ -19,7 +19,7 @@ Eigen::Vector3d rho_in_principal_axes(const Panel& panel, const Instant& instant
 
 Eigen::Vector3d principal_view_direction(const Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
-    // A curve encircles an axis; a point lies nearest to one.
+    // The axis that the polhode encircles, or, for a polhode that is a point, the nearest axis.
     const Eigen::Vector3d rho = (principal_from_body(panel) * picture.polhode.at(0.0))
                                     .cwiseQuotient(picture.construction.half_axes());
     int axis = picture.polhode.encircled_axis();

@@ -19,10 +19,11 @@ namespace poinsot {
 
 namespace {
 
-// Inside of the glassy ellipsoid, and beyond the plane, these keep nearly all of their hue.
+// Opacity of lines inside of the translucent ellipsoid and beyond the plane: they keep nearly all
+// of their hue.
 constexpr double seen_through = 0.9;
 
-// A label beside the middle part of a line, on its left as it runs on the picture.
+// A label beside the middle part of a line, on the left in the line's direction in the picture.
 void wish_beside_line(const Panel& panel, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                       double share, const SetType& type, const Ink& colour, Sheet& sheet) {
     const Eigen::Vector2d a = project(sheet.view, from).px;
@@ -36,7 +37,7 @@ void wish_beside_line(const Panel& panel, const Eigen::Vector3d& from, const Eig
     sheet.wishes.push_back(wish);
 }
 
-// What is to the right for the camera, along the plane.
+// The camera's right, projected onto the plane.
 Eigen::Vector3d right_of(const Sheet& sheet) {
     Eigen::Vector3d right = camera_axes(sheet.view.camera).col(0);
     right.z() = 0.0;
@@ -105,7 +106,7 @@ Drawer make_momentum(Panel& panel) {
         if (has_foot) {
             Dot here = foot;
             here.at = picture_of(panel).foot(instant);
-            // On the side where the plane is seen: away from the camera's right.
+            // On the side where the plane is visible: away from the camera's right.
             add_right_angle(panel, here.at, -right_of(sheet), -picture_of(panel).normal,
                             arrow.colour, sheet);
             sheet.view.dots.push_back(here);
@@ -114,10 +115,10 @@ Drawer make_momentum(Panel& panel) {
     };
 }
 
-// ω from the centre: to the contact, or beyond it where ρ is shown as well.
+// ω from the centre to the contact, or beyond it if ρ is shown as well.
 Drawer make_omega(Panel& panel) {
     const SetType type = set_label(panel, "\\boldsymbol{\\omega}");
-    // Beyond the tip of ρ, which lies on it; alone it ends where ρ would.
+    // With ρ shown, ω extends beyond its tip; without ρ, ω ends there.
     const bool beyond = is_shown(*panel.stage, "radius");
     return [&panel, type, beyond](const Instant& instant, Sheet& sheet) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
@@ -125,14 +126,14 @@ Drawer make_omega(Panel& panel) {
             arrow_to(panel, beyond ? spin_axis_end(rho) : rho, panel.stage->theme->omega, 1.15);
         arrow.hidden_opacity = seen_through;
         sheet.view.arrows.push_back(arrow);
-        // Its name stands on along the line, off the contact and what meets there.
+        // The label is further along the line, away from the contact and the lines that meet there.
         wish_beside(panel, beyond ? arrow.tip : past_contact(rho), arrow.tail, type, arrow.colour,
                     sheet);
         sheet.wishes.back().side = 1;
     };
 }
 
-// The line of all matter that is at rest at the instant: through centre and contact, and out.
+// The points of the body that are at rest at the instant: the line through centre and contact.
 Drawer make_spin_axis(Panel& panel) {
     return [&panel](const Instant& instant, Sheet& sheet) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
@@ -146,7 +147,7 @@ Drawer make_spin_axis(Panel& panel) {
 // The point where ellipsoid and plane touch: the tip of ρ.
 Drawer make_contact(Panel& panel) {
     Dot dot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->contact);
-    // It lies on both curves, and over them also where the ellipsoid is before it.
+    // Drawn over both curves and the ellipsoid, since it lies on them.
     dot.occlusion = Occlusion::none;
     return [&panel, dot](const Instant& instant, Sheet& sheet) {
         sheet.view.dots.push_back(dot);
@@ -159,7 +160,7 @@ Drawer make_radius(Panel& panel) {
     const SetType type = set_label(panel, "\\boldsymbol{\\rho}");
     return [&panel, type](const Instant& instant, Sheet& sheet) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
-        // In the colour of the curve that its tip traces.
+        // In the colour of the polhode, the curve of its tip.
         const Ink& colour = panel.stage->theme->polhode;
         Arrow arrow = arrow_to(panel, rho, colour, 1.3);
         arrow.hidden_opacity = seen_through;
@@ -198,7 +199,7 @@ Drawer make_gradient(Panel& panel) {
     };
 }
 
-// The projection of ρ on L: from the tip of ρ across to L, and along L to the centre.
+// The projection of ρ on L: from the tip of ρ perpendicularly to L, and along L to the centre.
 Drawer make_projection(Panel& panel) {
     const SetType type = set_label(panel, "\\boldsymbol{\\rho}\\cdot\\mathbf{L}/L", 0.85);
     return [&panel, type](const Instant& instant, Sheet& sheet) {
@@ -225,7 +226,7 @@ Drawer make_projection(Panel& panel) {
 Drawer make_distance(Panel& panel) {
     const SetType type = set_label(panel, "\\sqrt{2T}/L", 0.9);
     return [&panel, type](const Instant& instant, Sheet& sheet) {
-        // On the right of the ellipsoid's largest reach, as the camera sees it.
+        // To the right of the ellipsoid's largest extent, in the camera's view.
         constexpr double aside = 1.22;
         const Eigen::Vector3d from = aside * right_of(sheet);
         const Eigen::Vector3d to = from + picture_of(panel).foot(instant);
@@ -240,7 +241,7 @@ Drawer make_distance(Panel& panel) {
             sheet.view.arrows.push_back(arrow);
         }
         wish_beside_line(panel, from, to, 0.5, type, colour, sheet);
-        // Away from the ellipsoid, whichever way the line runs.
+        // Away from the ellipsoid, for both directions of the line.
         Eigen::Vector2d& away = sheet.wishes.back().away;
         away.x() = std::abs(away.x());
     };
@@ -295,13 +296,13 @@ void LevelScale::add_to(Sheet& sheet, const Eigen::Vector3d& half_axes,
         add(at(half_axes[i]), end, theme.axes[i], 4.0);
         name(end, 1.0, types_[static_cast<std::size_t>(i)], theme.axes[i]);
     }
-    // The plane's own distance, joined with the plane where L meets it.
+    // The plane's own distance, connected with the foot of L.
     const Eigen::Vector3d here = at(foot.norm());
     add(foot, here, theme.contact, 1.6);
     sheet.view.dots.push_back(dot_at(panel, here, theme.contact, 5.5));
-    // Its name stands over the line that joins it with the plane, and beside the scale; below that
-    // line where over it another distance's mark is nearer, and farther off where marks are near on
-    // both sides: level with a mark it would name that.
+    // The label is above the line to the foot and beside the scale; it is below that line if
+    // another distance's tick is nearer above it, and further left if ticks are near on both sides,
+    // where it would seem to name a tick.
     constexpr double beyond = 0.13, preferred = 0.02, level = 0.06;
     const auto free_at = [&](double distance) {
         return (half_axes.array() - distance).abs().minCoeff();
@@ -310,13 +311,13 @@ void LevelScale::add_to(Sheet& sheet, const Eigen::Vector3d& half_axes,
     const double along = over + preferred >= below ? -beyond : beyond;
     const double off = std::max(over, below) < level ? 0.6 : 0.22;
     LabelWish& wish = name(here - off * right + along * normal, 0.0, own_, theme.contact);
-    wish.away = {-0.2, 0.0};  // its middle is at the anchor
+    wish.away = {-0.2, 0.0};  // the label's middle is at the anchor
     const double half_px = 0.5 * own_.width_px();
     wish.anchor_px.x() = std::min(wish.anchor_px.x() + 0.62 * (wish.gap_px + half_px),
                                   project(sheet.view, here).px.x() - wish.gap_px - half_px);
 }
 
-// That scale for the motion's own plane.
+// The scale of distances for the motion's own plane.
 Drawer make_levels(Panel& panel) {
     const LevelScale levels(panel);
     return [&panel, levels](const Instant& instant, Sheet& sheet) {
@@ -324,9 +325,9 @@ Drawer make_levels(Panel& panel) {
     };
 }
 
-// ω × r of the matter on the ellipsoid along an arc on the camera's side, from the contact, where
-// it is at rest, to the other end of the axis. The arc is turned about the axis out of the plane of
-// sight, in which all of it would stand on the axis's line.
+// ω × r of points of the ellipsoid along an arc on the camera's side, from the contact, where it is
+// zero, to the other end of the axis of rotation. The arc is rotated about the axis out of the
+// plane of the line of sight, in which it would cover the axis.
 Drawer make_velocity(Panel& panel) {
     const SetType type = set_label(panel, "\\boldsymbol{\\omega}\\times\\mathbf{r}", 0.85);
     return [&panel, type](const Instant& instant, Sheet& sheet) {
@@ -340,7 +341,7 @@ Drawer make_velocity(Panel& panel) {
             (towards_eye - towards_eye.dot(axis) * axis).stableNormalized();
         const Eigen::Vector3d sideways = axis.cross(facing);
 
-        // Where rays from the centre leave the ellipsoid.
+        // Intersections of rays from the centre with the ellipsoid.
         const Eigen::Matrix3d axes = picture.principal_axes(instant);
         const auto surface = [&](double angle) {
             const Eigen::Vector3d along = std::cos(angle) * axis + std::sin(angle) * facing;

@@ -9,18 +9,18 @@ namespace poinsot {
 
 namespace {
 
-constexpr double reach_px = 9.0;       // of an arm along the curve and across it, at 1080 rows
+constexpr double reach_px = 9.0;       // length of an arm along and across the curve, at 1080 rows
 constexpr double stroke_share = 0.75;  // of the curve's width
 constexpr std::size_t most_marks = 16;
 
-// From the end of one arm by the tip to the end of the other; the tip points to x.
+// From the end of one arm over the tip to the end of the other; the tip points along x.
 CurveGeometry chevron() {
     CurveGeometry geometry;
     geometry.points = {{-1.0, 0.8, 0.0}, {0.0, 0.0, 0.0}, {-1.0, -0.8, 0.0}};
     return geometry;
 }
 
-// How opaque the curve is at one of its points, 0…1.
+// The curve's opacity at one of its points, 0…1.
 double presence_at(const Curve& curve, double index) {
     if (!(curve.fade_points > 0.0)) return 1.0;
     return std::clamp(1.0 - (curve.last - index) / curve.fade_points, 0.0, 1.0);
@@ -56,7 +56,7 @@ DirectionMarks::DirectionMarks(Panel& panel, const CurveGeometry& geometry, doub
     const std::vector<Eigen::Vector3d>& points = geometry.points;
     double length = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-    // A closed curve has a whole number of equal gaps.
+    // A closed curve has an integral number of equal gaps.
     const double step =
         geometry.closed ? length / std::max(1.0, std::round(length / spacing)) : spacing;
     if (!(step > 0.0)) return;
@@ -91,7 +91,8 @@ void DirectionMarks::add_to(Sheet& sheet, Curve curve, bool grows) const {
         const Eigen::Vector3d ahead = (curve.placement.linear() * mark->ahead).normalized();
         const Projected here = project(sheet.view, at);
         if (!(here.depth > 0.0)) continue;
-        // Flat in the picture, where it keeps its size; gone where the curve runs towards the eye.
+        // In the picture plane, so that its size is constant; invisible where the curve points at
+        // the eye.
         const double unit = units_per_pixel(sheet.view, here.depth);
         const Projected there = project(sheet.view, at + 0.5 * reach_px * unit * ahead);
         const Eigen::Vector2d run = (there.px - here.px) / (0.5 * reach_px);
@@ -111,7 +112,7 @@ void DirectionMarks::add_to(Sheet& sheet, Curve curve, bool grows) const {
         arms.placement.linear() << forward, axes.col(2).cross(forward), axes.col(2);
         arms.placement.linear() *= size;
         arms.placement.translation() = at;
-        // It does not appear at once where a curve grows, nor go at once when it is one too many.
+        // A mark fades in at the end of a growing curve, and fades out as the oldest one.
         double opacity = flat * presence_at(curve, mark->index);
         if (grows) {
             const double gap = marks_.size() > 1 ? marks_[1].index - marks_[0].index : 1.0;

@@ -13,7 +13,7 @@
 
 namespace poinsot {
 
-// The rows that have files beside.
+// Elements that are defined in other files.
 Drawer make_plane(Panel& panel);
 Drawer make_polhode(Panel& panel);
 Drawer make_herpolhode(Panel& panel);
@@ -78,8 +78,8 @@ Drawer make_cones(Panel& panel) {
     if (!picture_of(panel).cones) {
         throw InputError("show: cones need a body with exactly two equal moments; leave them out");
     }
-    // Both cones stand on the centre and share the generator that ω runs along, as far as to the
-    // plane: their rims touch in the contact point.
+    // Both cones have their apex at the centre and share a generator along ω that ends at the
+    // plane: their rims touch at the contact point.
     return [&panel, cones = *picture_of(panel).cones](const Instant& instant, Sheet& sheet) {
         const double reach = picture_of(panel).contact(instant).norm();
         const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);

@@ -1,5 +1,5 @@
-// Elements that explain the body and its rates as a textbook's figure does: axes, half-axes, rates
-// of precession. Rows of the table in elements.cpp; picture axes.
+// Elements of textbook figures of the body and its rates: axes, half-axes, rates of precession.
+// Rows of the table in elements.cpp; picture axes.
 #include "drawing/elements/figure_elements.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 
 namespace poinsot {
 
-// The axes x, y, z that the scene's numbers are given in.
+// The axes x, y, z in which the scene's numbers are given.
 Drawer make_given_axes(Panel& panel) {
     const std::array<SetType, 3> types{set_label(panel, "x", 0.85), set_label(panel, "y", 0.85),
                                        set_label(panel, "z", 0.85)};
@@ -32,8 +32,8 @@ Drawer make_given_axes(Panel& panel) {
     };
 }
 
-// The turn from x, y, z to e1, e2, e3: about its axis an arc from each of the first to each of the
-// second, with the angle at the longest.
+// The rotation from x, y, z to e1, e2, e3: about its axis, an arc from each old to each new axis,
+// with the angle at the longest arc.
 Drawer make_turn(Panel& panel) {
     // The rotation that takes x, y, z to e1, e2, e3: about one axis by one angle (Euler's theorem).
     const Eigen::AngleAxisd turn(picture_of(panel).construction.inertia().body_from_principal());
@@ -67,7 +67,7 @@ Drawer make_turn(Panel& panel) {
     };
 }
 
-// From the centre to the surface along e1, e2, e3, named 1/√I.
+// The half-axes from the centre to the surface along e1, e2, e3, labelled 1/√I.
 Drawer make_half_axes(Panel& panel) {
     std::array<SetType, 3> types;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -82,15 +82,15 @@ Drawer make_half_axes(Panel& panel) {
             line.hidden_opacity = 0.75;
             sheet.view.curves.push_back(line);
             sheet.view.dots.push_back(dot_at(panel, end, colour, 5.0));
-            // At its end: beside its middle it would crowd with the name of ρ.
+            // The label is at the end: beside the middle it would be too near to that of ρ.
             wish_beside(panel, end, Eigen::Vector3d::Zero(), types[static_cast<std::size_t>(i)],
                         panel.stage->theme->text, sheet);
         }
     };
 }
 
-// Ω about the axis of symmetry, at which ω runs round in the body, and L/I₁ about L, at which that
-// axis runs round in space. Throws InputError for a body without two equal moments.
+// Ω about the axis of symmetry, the rate of ω's precession in the body, and L/I₁ about L, the rate
+// of that axis's precession in space. Throws InputError for a body without two equal moments.
 Drawer make_precession(Panel& panel) {
     if (!picture_of(panel).cones) {
         throw InputError(
@@ -103,7 +103,7 @@ Drawer make_precession(Panel& panel) {
     return [&panel, cones, in_body, in_space](const Instant& instant, Sheet& sheet) {
         const ConstructionPicture& picture = picture_of(panel);
         const Theme& theme = *panel.stage->theme;
-        // Both rings stand on the side away from the plane, each about a stem of its axis.
+        // Both rings are on the side away from the plane, each about a line along its axis.
         const Eigen::Vector3d axis = picture.principal_axes(instant).col(cones.symmetry_axis);
         const Eigen::Vector3d end = axis.dot(picture.normal) > 0.0 ? Eigen::Vector3d(-axis) : axis;
         const double beyond = picture.half_axes[cones.symmetry_axis] + 0.62 * axis_overhang;
@@ -125,7 +125,7 @@ double body_in_ellipsoid(const ConstructionPicture& picture) {
     return 0.85 * picture.half_axes.minCoeff();
 }
 
-// The body itself, inside its ellipsoid.
+// The body, inside its ellipsoid.
 Drawer make_body(Panel& panel) {
     const BodyShape shape = body_shape(panel);
     const double scale = body_in_ellipsoid(picture_of(panel));

@@ -15,10 +15,10 @@ namespace poinsot {
 
 namespace {
 
-// A point this far from the centre, in largest half-axes, is out of every picture.
+// A point at this distance from the centre, in largest half-axes, is outside of every picture.
 constexpr double out_of_picture = 4.0;
 
-// Ends the path before the first point out of the picture.
+// Ends the path before the first point outside of the picture.
 void cut(TimedPath& path) {
     const auto far = std::find_if(
         path.points.begin(), path.points.end(),
@@ -39,7 +39,7 @@ void require_beside(const Panel& panel, std::string_view element) {
         element));
 }
 
-// ρ of a state in the space panel's axes, measured with the T of the start: a drift of T takes it
+// ρ of a state in the space panel's axes, computed with the T of the start: a drift of T moves it
 // off the plane.
 Eigen::Vector3d contact_of(const ConstructionPicture& picture, const RotationState& state) {
     return picture.picture_from_space * picture.construction.contact_space(state) *
@@ -108,7 +108,7 @@ Drawer make_ghost(Panel& panel) {
             turn.toRotationMatrix() * picture.construction.inertia().body_from_principal() *
             picture.half_axes.asDiagonal();
         const Eigen::Vector3d contact = contact_of(picture, *instant.beside);
-        // As long beside ρ as ω itself is.
+        // Ends like ω's arrow, which depends on whether ρ is shown.
         add_ghost_arrow(panel, beyond ? spin_axis_end(contact) : contact, type, sheet);
         if (contact.norm() <= out_of_picture) {
             sheet.view.dots.push_back(dot_at(panel, contact, panel.stage->theme->ghost, 5.5));
@@ -122,7 +122,7 @@ Drawer make_drift(Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     GhostPath ghost = ghost_path(
         panel, [&picture](const RotationState& state) { return contact_of(picture, state); }, 3.2);
-    // Through the plane, too: how far it sinks is what it shows.
+    // Visible through the plane, too, since it shows how far the method's error lets it sink.
     ghost.curve.hidden_opacity = 0.75;
     return [ghost](const Instant& instant, Sheet& sheet) { add_ghost_path(ghost, instant, sheet); };
 }

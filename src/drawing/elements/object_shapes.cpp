@@ -40,7 +40,8 @@ TriangleMesh rod_to(const Eigen::Vector3d& end, double radius) {
     return placed(cylinder_mesh(radius, length, facets), placement);
 }
 
-// Balls whose volumes are as their masses, the largest a ninth of the reach of the centres.
+// Balls with volumes proportional to their masses; the radius of the largest is a ninth of the
+// centres' reach.
 TriangleMesh mesh_of_masses(const std::vector<PointMass>& masses, bool rods) {
     double reach = 0.0;
     double heaviest = 0.0;
@@ -55,7 +56,7 @@ TriangleMesh mesh_of_masses(const std::vector<PointMass>& masses, bool rods) {
             if (at.norm() > 1e-3) meshes.push_back(rod_to(at, 0.012));
             continue;
         }
-        // The smallest is still to be seen.
+        // The smallest ball must be visible.
         const double radius = std::max(0.04, 0.12 * std::cbrt(mass.mass_kg / heaviest));
         Eigen::Affine3d placement = Eigen::Affine3d::Identity();
         placement.translation() = at;
@@ -102,7 +103,7 @@ struct ColouredMesh {
     Colour colour;
 };
 
-// The flat face of a body's meshes there, taken out of them.
+// Removes the flat face with this outward normal from a body's meshes and returns it.
 TriangleMesh taken_face(std::vector<ColouredMesh>& meshes, const Eigen::Vector3d& outward) {
     double at_m = -1e300;
     for (const ColouredMesh& part : meshes)
@@ -116,7 +117,7 @@ TriangleMesh taken_face(std::vector<ColouredMesh>& meshes, const Eigen::Vector3d
     return joined(faces);
 }
 
-// From the least to the greatest place of a mesh's corners along an axis.
+// Least and greatest coordinate of a mesh's corners along an axis.
 struct Stretch {
     double low, high;
     double length() const { return high - low; }
@@ -131,8 +132,8 @@ Stretch stretch_of(const std::vector<Eigen::Vector3f>& corners, const Eigen::Vec
     return stretch;
 }
 
-// Where the upper side of a picture points: as it says, or along the axis of the body in which it
-// is stretched least, of two alike the later.
+// The direction of a picture's upper side: as given, or the axis of the body along which the
+// picture is stretched least; of two equal ones the later.
 Eigen::Vector3d up_of(const FacePictureSpec& spec, const Eigen::Matrix3d& axes,
                       const std::vector<Eigen::Vector3f>& corners) {
     if (!spec.up.empty()) return body_face_named(spec.up).outward(axes);
@@ -147,7 +148,7 @@ Eigen::Vector3d up_of(const FacePictureSpec& spec, const Eigen::Matrix3d& axes,
     return axes.col(with_first < with_second ? first : second);
 }
 
-// The picture over a ground that shows where it is transparent.
+// The picture over a background colour, which its transparent parts show.
 SurfacePicture picture_over(const Image& image, const Colour& ground) {
     SurfacePicture picture{image.width(), image.height(), {}};
     const std::span<const std::uint8_t> rgba = image.bytes();
@@ -170,7 +171,8 @@ SurfacePicture picture_over(const Image& image, const Colour& ground) {
     return picture;
 }
 
-// Puts a picture on a face: its right is up × outward, so that it is not mirrored from outside.
+// Puts a picture on a face: its right is up × outward, so that it is not mirrored when seen from
+// outside.
 void lay_picture(const FacePictureSpec& spec, const Eigen::Matrix3d& axes, const Colour& ground,
                  MeshGeometry& face) {
     const Eigen::Vector3d up = up_of(spec, axes, face.positions);
@@ -204,7 +206,7 @@ std::vector<ColouredMesh> meshes_of(const Scene& scene, const Theme& theme) {
         meshes.push_back({mesh_of_masses(body.masses, true), theme.solid});
         meshes.push_back({mesh_of_masses(body.masses, false), theme.solid_lines});
     } else {
-        // Moments scaled to order one: a box of any size stands for them.
+        // Moments scaled to order one: any size of the box is correct.
         const Eigen::Vector3d moments = body.inertia.moments_kg_m2();
         Eigen::Affine3d placement = Eigen::Affine3d::Identity();
         placement.linear() = body.inertia.body_from_principal();
@@ -214,7 +216,7 @@ std::vector<ColouredMesh> meshes_of(const Scene& scene, const Theme& theme) {
     return meshes;
 }
 
-// Whether its edges are those of a box along the principal axes.
+// Whether the scene's body has the edges of a box along the principal axes.
 bool is_box(const Scene& scene) {
     if (!scene.surfaces.empty()) return false;
     const BodySpec& body = scene.body;
@@ -263,7 +265,7 @@ BodyShape body_shape(Panel& panel) {
             shape.extents = shape.extents.cwiseMax(along / shape.reach_m);
         }
     }
-    // Last: no part of the body lies before its outermost faces.
+    // Last, since no part of the body is in front of its outermost faces.
     shape.parts.insert(shape.parts.end(), pictured.begin(), pictured.end());
     if (is_box(scene)) shape.edges = edges_of_box(panel, shape.extents, body_from_principal);
     return shape;

@@ -40,7 +40,7 @@ RotationState state_at(const StageData& stage, double time_s) {
     return state;
 }
 
-// The way of a mark over the stage's span.
+// Adds the path of a mark over the stage's span.
 void add_trail(Panel& panel, const MarkPlace& place, OwnMark& mark) {
     StageData& stage = *panel.stage;
     const double rate_rad_s = stage.quickest_rate_rad_s();
@@ -90,7 +90,7 @@ Drawer make_own_marks(Panel& panel, const MarkPlace& place) {
     }
     if (marks.empty()) return [](const Instant&, Sheet&) {};
     panel.asks = united(panel.asks, attitude_too);
-    const bool whole = !stage.scene.film.loop.empty();  // a film that loops has no beginning
+    const bool whole = !stage.scene.film.loop.empty();  // a loop has no first instant
     Drawer draw = [&panel, place, marks, whole](const Instant& instant, Sheet& sheet) {
         for (const OwnMark& mark : marks) {
             const Eigen::Vector3d at = *place(*mark.spec, instant.state);

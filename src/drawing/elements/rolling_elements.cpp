@@ -1,5 +1,5 @@
-// Elements of the rolling itself: the plane, and the paths of the contact point on it and on the
-// ellipsoid. Rows of the table in elements.cpp; picture axes, z along L.
+// Elements of the rolling: the plane, and the contact point's paths on it and on the ellipsoid.
+// Rows of the table in elements.cpp; picture axes, z along L.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,15 +19,16 @@ namespace poinsot {
 
 namespace {
 
-// Far enough for the herpolhode.
+// Radius of the plane, which contains the herpolhode.
 double plane_radius(const Panel& panel) {
     const double herpolhode = picture_of(panel).herpolhode_radius;
     return radius_in_view(panel, picture_of(panel).foot(), std::max(1.0, 1.3 * herpolhode),
                           std::max(2.4, 2.2 * herpolhode));
 }
 
-// A plane ruled in circles about the foot of L. Seen from a camera that turns about L they stand
-// still, where straight lines would turn, and lines that turned along would belie the rolling.
+// A plane with a grid of circles about the foot of L. For a camera that turns about L circles stand
+// still; straight lines would turn, and lines that followed the camera would contradict the
+// rolling.
 Drawer ringed(Panel& panel, Plane plane) {
     plane.grid_px = 0.0;
     std::vector<Curve> rings;
@@ -51,7 +52,7 @@ Drawer ringed(Panel& panel, Plane plane) {
 
 }  // namespace
 
-// The invariable plane, ruled in squares, or in circles for a camera that turns about L.
+// The invariable plane with a square grid, or with circles for a camera that turns about L.
 Drawer make_plane(Panel& panel) {
     Plane plane;
     plane.centre = picture_of(panel).foot();
@@ -72,18 +73,18 @@ Drawer make_plane(Panel& panel) {
 
 namespace {
 
-// Between direction marks, in the largest half-axis; the same on both curves, which roll on each
-// other.
+// Distance between direction marks, in largest half-axes; the same on both curves, since they roll
+// on each other.
 constexpr double mark_spacing = 0.45;
 
 }  // namespace
 
-// The contact point's path on the ellipsoid, and how much of it is shown.
+// The polhode and the part of it that is shown.
 Drawer make_polhode(Panel& panel) {
     const double per_rho = picture_of(panel).picture_per_rho;
     const double tolerance = panel.curve_units() / per_rho;
     const Polhode& polhode = picture_of(panel).polhode;
-    // What dissipates runs along no polhode twice: its path is found by time.
+    // With dissipation the path never repeats: it is sampled in time.
     const bool whole = panel.stage->scene.trail.polhode == "whole" && !picture_of(panel).dissipates;
     CurveGeometry geometry;
     std::optional<Trail> trail;
@@ -117,13 +118,13 @@ Drawer make_polhode(Panel& panel) {
         ShownStretch stretch{0.0, curve.last, 0.0, false};
         if (trail) stretch = trail->at(instant.time_s);
         stretch.apply_to(shown);
-        shown.lasting = false;  // it turns with the body
+        shown.lasting = false;  // the curve rotates with the body
         sheet.view.curves.push_back(shown);
         if (marks) marks->add_to(sheet, shown, stretch.grows);
     };
 }
 
-// Its path on the plane, likewise.
+// The herpolhode and the part of it that is shown.
 Drawer make_herpolhode(Panel& panel) {
     const ConstructionPicture& picture = picture_of(panel);
     const double per_rho = picture.picture_per_rho;
@@ -133,7 +134,7 @@ Drawer make_herpolhode(Panel& panel) {
         herpolhode_trail(*panel.stage, panel.curve_units() / per_rho,
                          width_px * ink.weight * panel.px * panel.units_per_px / per_rho);
 
-    // A plane that moves carries what was traced on it along.
+    // If the plane moves, the path traced on it moves with it.
     const Eigen::Vector3d foot = picture.dissipates
                                      ? Eigen::Vector3d::Zero()
                                      : Eigen::Vector3d(picture.construction.plane_distance() *
@@ -197,7 +198,7 @@ CurveGeometry circle_on_plane(const Panel& panel, double radius) {
 
 }  // namespace
 
-// The circles on the plane between which that runs.
+// The circles on the plane that bound the herpolhode.
 Drawer make_annulus(Panel& panel) {
     const Polhode::Annulus annulus = picture_of(panel).polhode.annulus();
     std::vector<Curve> circles;

@@ -8,8 +8,7 @@ namespace poinsot {
 
 namespace {
 
-// Cubics begin with a piece for so many points: the points resolve the curve, and a cubic does
-// with fewer of them.
+// Number of points per initial cubic: the points resolve the curve, and cubics need fewer.
 constexpr std::size_t points_a_piece = 8;
 
 SmoothForm fitted(const std::function<CurveFlow(double)>& flow, std::vector<double> parameters,

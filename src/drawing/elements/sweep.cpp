@@ -15,8 +15,8 @@ namespace {
 // A point's circle about L: its radius and height.
 using Circle = Eigen::Vector2d;
 
-// Of these circles, those that reach farthest in some direction of the half-plane (radius, height):
-// what lies within their hull cannot be seen beyond it.
+// Adds the circles that reach farthest in some direction of the half-plane (radius, height): those
+// inside their convex hull cannot be seen outside of it.
 void add_outermost(const std::vector<Circle>& circles, std::vector<Circle>& to) {
     constexpr int n_directions = 24;
     for (int k = 0; k <= n_directions; ++k) {
@@ -37,7 +37,7 @@ std::vector<Eigen::Vector3d> swept_points(const ConstructionPicture& picture, do
     const std::vector<Eigen::Vector3d> surface =
         points_of_ellipsoid(picture.half_axes.asDiagonal().toDenseMatrix());
 
-    // Up to a turn about L, the attitude follows from where L points in the body.
+    // Up to a rotation about L, the attitude is determined by the direction of L in the body.
     std::vector<Circle> circles;
     const Polhode& polhode = picture.polhode;
     constexpr int n_attitudes = 24;
@@ -59,12 +59,12 @@ std::vector<Eigen::Vector3d> swept_points(const ConstructionPicture& picture, do
             const double length = picture.half_axes[i] + axis_overhang + beyond;
             circles.push_back(circle_of(length * Eigen::Vector3d::Unit(i)));
         }
-        // The axis of rotation, out of the ellipsoid on both sides.
+        // The axis of rotation, outside of the ellipsoid on both sides.
         circles.push_back(circle_of(-spin_axis_end(rho)));
         circles.push_back(circle_of(past_contact(rho) + beyond * rho.stableNormalized()));
     }
 
-    // As much of the plane as the shadow and the herpolhode need.
+    // The part of the plane with the shadow and the herpolhode.
     circles.emplace_back(std::max(1.25, 1.2 * picture.herpolhode_radius), picture.foot().z());
 
     std::vector<Eigen::Vector3d> points{momentum_tip(picture) + beyond * picture.normal};

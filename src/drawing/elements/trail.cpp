@@ -16,7 +16,7 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-// ω turns about L at most at L/I_min; half a turn at that rate is surely one piece of a path.
+// ω turns about L at L/I_min at most; a path is resolved if sampled every half turn at that rate.
 double feature_s(const StageData& stage) {
     const PoinsotConstruction& construction = stage.rolling->construction;
     const double fastest =
@@ -53,7 +53,7 @@ Trail::Trail(const StageData& stage, const std::string& kind, const TimedPath& p
       loops_(stage.options.loop_s > 0.0) {}
 
 ShownStretch Trail::at(double time_s) const {
-    // Within the period that was sampled after the film's first instant.
+    // Wrapped into the period that was sampled from the film's first instant on.
     double end_s = time_s;
     if (period_s_) {
         const double since_s = std::fmod(time_s - first_time_s_, *period_s_);
@@ -71,7 +71,7 @@ ShownStretch Trail::at(double time_s) const {
     const bool all = !period_s_ && shown_s >= run_s;
     ShownStretch stretch{times_.index_at(all ? first_time_s_ : end_s - shown_s),
                          times_.index_at(end_s), 0.0, true, all && kind_ != "fading"};
-    // A trail that is still growing fades at the pace of a whole one.
+    // A growing trail fades at the rate of a complete one.
     if (kind_ == "fading" && shown_s > 0.0 && wanted_s < endless) {
         stretch.fade_points = (stretch.last - stretch.first) * (wanted_s / shown_s);
     }
@@ -152,8 +152,8 @@ Eigen::Vector3d omega_dot_body(const InertiaTensor& inertia, const Eigen::Vector
     return inertia.body_from_principal() * I.cwiseProduct(omega).cross(omega).cwiseQuotient(I);
 }
 
-// The contact point's path on the plane, in the space axes that the stage's instants are given in.
-// −ω̇/√(2T) is how fast it runs, for ω's component along L does not change.
+// The contact point's path on the plane, in the space axes of the stage's instants. Its velocity is
+// −ω̇/√(2T), since ω's component along L is constant.
 CurveFlow herpolhode_flow(const StageData& stage, double time_s) {
     const PoinsotConstruction& construction = stage.rolling->construction;
     const MotionSample sample = stage.motion.motion().sample(
@@ -163,7 +163,7 @@ CurveFlow herpolhode_flow(const StageData& stage, double time_s) {
                        sample.state.space_from_body *
                        omega_dot_body(construction.inertia(), sample.state.omega_body))};
     if (!stage.turns()) return flow;
-    // The axes turn at one rate: after the time of one radian by the axis and that angle.
+    // The axes turn at a constant rate: the rotation over the time of one radian gives the axis.
     const Eigen::Vector3d axis =
         stage.turned_from_space(stage.scene.film.start_s + 1.0 / stage.turn_rate_rad_s)
             .vec()
@@ -174,7 +174,7 @@ CurveFlow herpolhode_flow(const StageData& stage, double time_s) {
     return flow;
 }
 
-// The same on the ellipsoid, body axes.
+// The contact point's path on the ellipsoid, body axes.
 CurveFlow polhode_flow(const StageData& stage, double time_s) {
     const PoinsotConstruction& construction = stage.rolling->construction;
     const Eigen::Vector3d omega =
