@@ -1,5 +1,5 @@
-// The body panel: the ellipsoid at rest in its principal axes, with the polhodes that it can have,
-// the separatrices between their two families, and the one that ω runs along.
+// The body panel: the ellipsoid at rest in its principal axes, with its family of polhodes, the
+// separatrices between the two kinds, and the polhode of the motion.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,13 +20,13 @@ namespace poinsot {
 
 namespace {
 
-// L and ω are shorter here than in space, where they have to stand out of a body that turns, so
-// that the ellipsoid fills its panel; L still reaches beyond an ω beside it.
+// L and ω are shorter than in the space panel, where they must extend beyond a rotating body, so
+// that the ellipsoid fills its panel; L still extends beyond an ω beside it.
 constexpr double body_momentum_length = 1.3;
 constexpr double omega_share = 0.88;
 
-// Angle between neighbouring polhodes on the ellipse through the lowest and the highest axis, as an
-// ellipse's parameter.
+// Spacing of neighbouring polhodes on the ellipse through the axes of lowest and highest moment, as
+// that ellipse's parameter.
 constexpr double family_spacing_rad = 0.13;
 
 // A polhode as geometry in principal axes and picture lengths.
@@ -46,8 +46,7 @@ const CurveGeometry* keep_polhode(Panel& panel, const Polhode& polhode) {
     return panel.keep(std::move(geometry), off * picture.picture_per_rho, "a polhode");
 }
 
-// Of the thin family, a polhode and its mirror image in the centre: F(ρ) = 1 holds for ρ and −ρ
-// alike.
+// A thin line of the family; the mirror image of a polhode is a polhode, since F(ρ) = F(−ρ).
 Curve thin(const Panel& panel, const CurveGeometry* geometry) {
     Curve curve = curve_of(panel, geometry, panel.stage->theme->polhode, 1.9);
     curve.opacity = 0.85;
@@ -60,7 +59,7 @@ Curve mirror_image(Curve curve) {
     return curve;
 }
 
-// The principal axes by their moments.
+// The principal axes in order of their moments.
 struct Ranks {
     int low, middle, high;
 };
@@ -72,8 +71,8 @@ Ranks ranks_of(const Eigen::Vector3d& moments) {
 }
 
 // Polhodes in even steps from the axes of the lowest and the highest moment to the separatrices.
-// They cross the ellipse ρ = (cos u/√I_low, 0, sin u/√I_high), where the separatrices stand at
-// tan u = √((I_mid − I_low)/(I_high − I_mid)). None for a sphere.
+// They cross the ellipse ρ = (cos u/√I_low, 0, sin u/√I_high); the separatrices cross it at tan u =
+// √((I_mid − I_low)/(I_high − I_mid)). None for a sphere.
 std::vector<Curve> family_of(Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     const InertiaTensor& inertia = picture.construction.inertia();
@@ -85,7 +84,8 @@ std::vector<Curve> family_of(Panel& panel) {
     std::vector<Curve> curves;
     if (I[low] == I[high]) return curves;
 
-    // Where the curve of the motion crosses that ellipse: no thin line beside the bold one.
+    // Where the curve of the motion crosses that ellipse: no thin line is drawn beside the bold
+    // one.
     const Eigen::Vector3d crossing = principal_from_body(panel) * picture.polhode.at(0.0);
     const double u_motion = std::atan2(std::abs(crossing[high]) * std::sqrt(I[high]),
                                        std::abs(crossing[low]) * std::sqrt(I[low]));
@@ -100,7 +100,8 @@ std::vector<Curve> family_of(Panel& panel) {
         for (int k = 1; k < n_steps; ++k) {
             const double u = from + extent * k / n_steps;
             if (is_curve && std::abs(u - u_motion) < 0.4 * family_spacing_rad) continue;
-            // Both curves of the level: about one end of the axis and, mirrored, about the other.
+            // Both curves of the level: one about the axis's end, and its mirror image about the
+            // other end.
             Eigen::Vector3d rho = Eigen::Vector3d::Zero();
             rho[low] = std::cos(u) / std::sqrt(I[low]);
             rho[high] = std::sin(u) / std::sqrt(I[high]);
@@ -141,7 +142,7 @@ std::vector<Curve> separatrices_of(Panel& panel) {
     return curves;
 }
 
-// The polhode of the motion, bold, through the tip of ρ; its mirror image belongs to the family.
+// The polhode of the motion, bold, through the tip of ρ; its mirror image is part of the family.
 std::vector<Curve> motion_of(Panel& panel) {
     std::vector<Curve> curves;
     const Polhode& polhode = panel.stage->rolling->polhode;
@@ -155,8 +156,7 @@ std::vector<Curve> motion_of(Panel& panel) {
     return curves;
 }
 
-// What has been run along of the path that friction leads over the ellipsoid, from polhode to
-// polhode.
+// With dissipation: the path so far, which spirals over the ellipsoid from polhode to polhode.
 Drawer make_spiral(Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     TimedCurve timed = polhode_trail(*panel.stage, panel.curve_units() / picture.picture_per_rho);
@@ -176,15 +176,15 @@ Drawer make_spiral(Panel& panel) {
     };
 }
 
-// ρ = ω/√(2T) of the motion beside, with the T of the start: a drift takes it off its polhode and
-// off the ellipsoid.
+// ρ = ω/√(2T) of the comparison motion, with the T of the start: a drift moves it off its polhode
+// and off the ellipsoid.
 Eigen::Vector3d rho_of(const Panel& panel, const RotationState& state) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     return (principal_from_body(panel) * picture.construction.contact_body(state.omega_body)) *
            picture.picture_per_rho;
 }
 
-// The drifting polhode of the motion beside, run along by ω, with its ω. Nothing without one.
+// The drifting polhode of the comparison motion up to the instant, with its ω. Empty without one.
 Drawer make_beside(Panel& panel) {
     if (!panel.stage->beside) return [](const Instant&, Sheet&) {};
     panel.shows_beside = true;
@@ -198,9 +198,8 @@ Drawer make_beside(Panel& panel) {
     };
 }
 
-// Of a body with two equal moments: the circle on which the tip of ω runs round the axis of
-// symmetry, its radius A, and the rate Ω at which it does, with its sense. Nothing for other
-// bodies.
+// For a body with two equal moments: the circle of ω's tip about the axis of symmetry, its radius
+// A, and the rate Ω with its sense. Empty for other bodies.
 Drawer make_precession_circle(Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     if (!picture.cones || picture.polhode.kind() == Polhode::Kind::point) {
@@ -233,7 +232,7 @@ Drawer make_precession_circle(Panel& panel) {
     };
 }
 
-// Everything that the camera must hold over the whole motion.
+// Everything that the camera must show over the whole motion.
 std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     std::vector<Eigen::Vector3d> points =
@@ -244,7 +243,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
     const Polhode& polhode = picture.polhode;
     const Eigen::Vector3d moments = picture.construction.inertia().moments_kg_m2();
     if (picture.dissipates) {
-        // Where L and ω go over the film, by its own instants: the way spirals evenly round.
+        // L and ω at equidistant instants of the film: their path is a steady spiral.
         const StageData& stage = *panel.stage;
         constexpr int n_looks = 512;
         for (int k = 0; k <= n_looks; ++k) {
@@ -280,7 +279,7 @@ void make_body_panel(Panel& panel) {
 
     Ellipsoid ellipsoid = ellipsoid_of(panel);
     ellipsoid.half_axes = picture.half_axes.asDiagonal();
-    ellipsoid.section_px = 0.8 * panel.px;  // the polhodes are what is to be read
+    ellipsoid.section_px = 0.8 * panel.px;  // the polhodes are more important
     ellipsoid.ruling_px = 0.0;
     std::vector<Curve> curves = family_of(panel);
     for (const auto& part :

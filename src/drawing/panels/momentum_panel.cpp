@@ -1,6 +1,6 @@
-// The momentum panel: in body axes L moves on the sphere |m| = L, which is kept, and on the
-// ellipsoid of energy Σ mᵢ²/2Iᵢ = T, which is kept as well, and so on the curves in which they
-// meet. In units of L the sphere has radius 1 and the ellipsoid the half-axes √(2TIᵢ)/L.
+// The momentum panel: in body axes, L moves on the sphere |m| = L and on the ellipsoid of energy Σ
+// mᵢ²/2Iᵢ = T, both conserved, and hence on the curves in which they intersect. In units of L the
+// sphere has radius 1 and the ellipsoid the half-axes √(2TIᵢ)/L.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,8 +24,8 @@ namespace {
 
 constexpr int the_sphere = 0;
 
-// Beyond this many radii of the sphere an ellipsoid is no longer a figure beside it: its arms are
-// left out of the frame.
+// An ellipsoid longer than this, in radii of the sphere, would make the sphere too small: its ends
+// are left out of the frame.
 constexpr double longest_framed = 2.2;
 
 // m/L in principal axes at a point ρ of the polhode: Jρ·√(2T)/L.
@@ -49,8 +49,8 @@ const CurveGeometry* keep_meeting_curve(const Panel& panel) {
     return panel.keep(std::move(geometry), off, "the curve in which sphere and ellipsoid meet");
 }
 
-// m of the motion beside over the L of the start, principal axes: a drift of L takes it off the
-// sphere.
+// m of the comparison motion in units of the L of the start, principal axes: a drift of L moves it
+// off the sphere.
 Eigen::Vector3d momentum_beside(const Panel& panel, const RotationState& state) {
     const MotionProblem& problem = panel.stage->motion.motion().problem();
     const Eigen::Vector3d& moments = problem.inertia.moments_kg_m2();
@@ -62,7 +62,7 @@ Eigen::Vector3d momentum_beside(const Panel& panel, const RotationState& state) 
     return momentum(state.omega_body) / momentum(problem.start.omega_body).norm();
 }
 
-// Its path, leaving the curve in which sphere and ellipsoid meet. Nothing without one.
+// The path of the comparison motion, which leaves the curve of intersection. Empty without one.
 Drawer make_momentum_beside(Panel& panel) {
     if (!panel.stage->beside) return [](const Instant&, Sheet&) {};
     panel.shows_beside = true;
@@ -75,7 +75,7 @@ Drawer make_momentum_beside(Panel& panel) {
     };
 }
 
-// The way of L over the sphere as friction leads it, as much of it as the trail of the polhode.
+// With dissipation: the path of L over the sphere, as much of it as the trail of the polhode.
 Drawer make_momentum_spiral(Panel& panel) {
     TimedCurve timed =
         polhode_trail(*panel.stage, panel.curve_units(),
@@ -98,7 +98,7 @@ Eigen::Vector3d energy_half_axes(const Panel& panel) {
     return construction.plane_distance() * construction.inertia().moments_kg_m2().cwiseSqrt();
 }
 
-// What the two surfaces are, in their colours, in the lower left corner.
+// The names of the two surfaces, in their colours, in the lower left corner.
 std::vector<Label> legend_of(const Panel& panel) {
     const Theme& theme = *panel.stage->theme;
     const std::array<std::pair<std::string_view, Colour>, 2> rows{{
@@ -106,7 +106,7 @@ std::vector<Label> legend_of(const Panel& panel) {
         {"L_1^2/I_1 + L_2^2/I_2 + L_3^2/I_3 = 2T", theme.energy},
     }};
     std::vector<Label> legend;
-    // In the first column it stands below the title.
+    // In the first column it is left-aligned with the title.
     const double left =
         panel.box.x_px == 0 ? overlay_margin * panel.stage->px : 0.6 * chart_margin * panel.px;
     double bottom = 0.5 * chart_margin * panel.px;
@@ -118,7 +118,7 @@ std::vector<Label> legend_of(const Panel& panel) {
     return legend;
 }
 
-// Rows that the legend keeps for itself: none where it leaves the middle of the panel free.
+// Rows reserved for the legend: none if it leaves the middle of the panel free.
 double legend_rows(const Panel& panel, const std::vector<Label>& legend) {
     double top = panel.box.y_px + panel.box.height_px;
     double right = panel.box.x_px;
@@ -165,7 +165,7 @@ void make_momentum_panel(Panel& panel) {
         curve.on_surface = the_sphere;
         curve.hidden_opacity = 0.72;
         curves.push_back(curve);
-        // The other curve in which they meet, which this motion never sees.
+        // The other curve of intersection, which this motion does not reach.
         curve.placement.linear() = -Eigen::Matrix3d::Identity();
         curve.width_px = 1.9 * panel.px;
         curve.opacity = 0.85;
@@ -187,7 +187,7 @@ void make_momentum_panel(Panel& panel) {
         sheet.view.ellipsoids = {sphere, energy};
         sheet.view.curves = curves;
         if (spiral) {
-            // The ellipsoid of the T that is left.
+            // The ellipsoid of the remaining T.
             sheet.view.ellipsoids.back().half_axes =
                 energy.half_axes / panel.stage->rolling->rho_growth(instant.state.omega_body);
             spiral(instant, sheet);

@@ -1,7 +1,7 @@
-// The object panel: the body itself turning in space, with its principal axes, ω, L and the torque.
+// The object panel: the body rotating in space, with its principal axes, ω, L and the torque.
 //
-// Without torque L stands upright or, beside a panel of the construction, as it stands there;
-// otherwise up is the space axis z.
+// Without torque L is up or, if a panel shows the construction, in the same direction as there;
+// with torque the space axis z is up.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,33 +23,33 @@ namespace poinsot {
 
 namespace {
 
-// Longest arrows along L and ω over the film, beside the body's reach of 1: where both lie on one
-// line, their tips stand apart.
+// Longest arrows along L and ω over the film, in units of the body's reach: different, so that
+// their tips are apart if both arrows lie on one line.
 constexpr double longest_arrow = 1.45;
 constexpr double longest_omega = 1.22;
-// Of the principal axes over the body.
+// Length of the principal axes beyond the body.
 constexpr double axis_beyond = 0.22;
 
-// Whether another panel shows the construction, which this one then agrees with.
+// Whether another panel shows the construction; then both have the same orientation.
 bool stands_beside_construction(const StageData& stage) {
     return std::any_of(stage.scene.panels.begin(), stage.scene.panels.end(),
                        [](const PanelSpec& panel) { return panel.kind == "space"; });
 }
 
-// From space axes to the picture's.
+// Rotation from space axes to the picture's axes.
 Eigen::Quaterniond picture_from_space(const StageData& stage) {
     if (!stage.rolling) return Eigen::Quaterniond::Identity();
     if (stands_beside_construction(stage)) return stage.rolling->picture_from_space;
     return least_turn(stage.rolling->construction.normal_space(), Eigen::Vector3d::UnitZ());
 }
 
-// ω and L at an instant, picture axes; lengths beside the largest of the film.
+// ω and L at an instant, picture axes; lengths relative to the largest of the film.
 class ArrowScale {
  public:
     explicit ArrowScale(const StageData& stage)
         : stage_(&stage), inertia_(stage.motion.motion().problem().inertia.matrix_body()) {
         inertia_ /= inertia_.cwiseAbs().maxCoeff();
-        // Where L is kept, ω changes little enough for the state at the start to give the scale.
+        // With L conserved, ω varies so little that the state at the start determines the scale.
         constexpr int n = 64;
         for (int k = 0; k <= n; ++k) {
             const double t = stage.film_first_s + (stage.film_last_s - stage.film_first_s) * k / n;
@@ -82,7 +82,7 @@ class ArrowScale {
     double momentum_most_ = 0.0;
 };
 
-// The torque N, picture axes, beside the largest of the film.
+// The torque N, picture axes, relative to the largest of the film.
 class TorqueScale {
  public:
     explicit TorqueScale(const StageData& stage)
@@ -110,8 +110,8 @@ class TorqueScale {
     double most_N_m_;
 };
 
-// The torque's arrow, where one acts: beside ω and L, along which it may point, a little to the
-// left of the fixed point.
+// The torque's arrow, if there is a torque: slightly to the left of the fixed point, because it may
+// be parallel to ω or L.
 Drawer make_torque(Panel& panel, const TorqueScale& torque) {
     if (!torque.acts()) return [](const Instant&, Sheet&) {};
     const SetType type = set_label(panel, "\\mathbf{N}");
@@ -126,8 +126,8 @@ Drawer make_torque(Panel& panel, const TorqueScale& torque) {
     };
 }
 
-// The body as the motion beside turns it, in thin lines: the edges of a box, the principal axes as
-// far as the body reaches, and ω. Nothing without one.
+// The body of the comparison motion in thin lines: the edges of a box, the principal axes up to the
+// body's surface, and ω. Empty without one.
 Drawer make_ghost_body(Panel& panel, const BodyShape& shape, const ArrowScale& arrows) {
     if (!panel.stage->beside) return [](const Instant&, Sheet&) {};
     panel.shows_beside = true;
@@ -155,7 +155,7 @@ Drawer make_ghost_body(Panel& panel, const BodyShape& shape, const ArrowScale& a
     };
 }
 
-// Marks on the body, of this reach.
+// Marks on a body of this reach.
 Drawer make_marks(Panel& panel, double reach_m) {
     const StageData& stage = *panel.stage;
     return make_own_marks(
@@ -168,8 +168,8 @@ Drawer make_marks(Panel& panel, double reach_m) {
         });
 }
 
-// How far the body, its axes and the arrows come in every direction over the film, by its own
-// instants; beside another motion every attitude, for the ghost's.
+// The extreme points of the body, its axes and the arrows over the film, sampled at their own
+// instants; with a comparison motion, for all attitudes.
 std::vector<Eigen::Vector3d> points_to_frame(const StageData& stage, const BodyShape& shape,
                                              const ArrowScale& arrows, const TorqueScale& torque) {
     if (stage.beside) {
@@ -189,7 +189,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const StageData& stage, const BodyS
 
     std::vector<Eigen::Vector3d> points;
     constexpr int n_looks = 128;
-    // Spread by the golden section, so that no turning of the body keeps step with them.
+    // Instants of a golden-ratio sequence, which is in phase with no rotation of the body.
     constexpr double golden = 0.6180339887498949;
     for (int k = 0; k <= n_looks; ++k) {
         Instant instant;

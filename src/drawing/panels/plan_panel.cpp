@@ -1,10 +1,10 @@
-// The plan panel: the herpolhode on the invariable plane, seen along its normal, between the
+// The plan panel: the herpolhode on the invariable plane, viewed along its normal, between the
 // circles of its annulus.
 //
-// The plan has its own scale, the annulus filling the panel, so that the smallest wobble is seen;
-// distances are measured from the foot of L, where nothing cancels. It is what the space panel's
-// camera would see after rising to the zenith or, where it stands under the plane, sinking to the
-// nadir, so that the herpolhode turns in the same sense in both.
+// The plan has its own scale, at which the annulus fills the panel, so that the smallest wobble is
+// visible; distances are measured from the foot of L, which avoids cancellation. The view is that
+// of the space panel's camera after rising to the zenith or, if it is under the plane, sinking to
+// the nadir, so that the herpolhode has the same sense of rotation in both.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,7 +22,8 @@ namespace poinsot {
 
 namespace {
 
-// From space axes to the plan: z towards us, y up in the panel, the outer circle's radius 1.
+// From space axes to the plan: z towards the viewer, y up in the panel, the outer circle's radius
+// 1.
 struct PlanScale {
     Eigen::Matrix3d plan_from_space;
     double plan_per_rho = 1.0;
@@ -30,8 +31,8 @@ struct PlanScale {
     double outer = 0.0;
 };
 
-// Whether the space panel's camera stands above the plane, as the scene aims it or frames it: far
-// enough away its height alone decides.
+// Whether the space panel's camera, as aimed or framed, is above the plane: far away, its elevation
+// alone decides.
 bool camera_is_above(const Panel& panel) {
     const CameraPose pose = panel.stage->timeline.camera_at(0.0);
     const Eigen::Vector3d towards = direction_of(pose.azimuth_deg, pose.elevation_deg);
@@ -43,12 +44,12 @@ PlanScale scale_of(const Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     const Polhode::Annulus annulus = picture.polhode.annulus();
     PlanScale scale;
-    // A herpolhode that is a point is drawn at the scale of the space panel.
+    // A herpolhode that is a point is drawn at the space panel's scale.
     scale.plan_per_rho = annulus.outer > 0.0 ? 1.0 / annulus.outer : picture.picture_per_rho;
     scale.inner = annulus.outer > 0.0 ? annulus.inner / annulus.outer : 0.0;
     scale.outer = annulus.outer > 0.0 ? 1.0 : 0.0;
 
-    // Columns of the picture's axes: what is to the right, what is up, and what is towards us.
+    // Columns are the picture's axes: right, up, and towards the viewer.
     const double azimuth = panel.stage->scene.camera.azimuth_deg * std::numbers::pi / 180.0;
     const Eigen::Vector3d outwards(std::cos(azimuth), std::sin(azimuth), 0.0);
     const double side = camera_is_above(panel) ? 1.0 : -1.0;
@@ -76,12 +77,12 @@ void aim_from_above(Panel& panel) {
 
 Plane plane_of(const Panel& panel) {
     Plane plane;
-    // It fades out within the panel.
+    // It fades out inside the panel.
     plane.radius = std::max(1.5, 0.5 * panel.camera.height_units *
                                      std::min(1.0, 1.0 * panel.box.width_px / panel.box.height_px));
     plane.fade_from = 0.6;
     plane.grid_spacing = 0.25;
-    // Straight lines would turn in axes that do; the annulus's circles stand still.
+    // Straight lines would turn in rotating axes; the annulus's circles stand still.
     plane.grid_px = panel.stage->turns() ? 0.0 : 1.0 * panel.px;
     plane.colour = panel.stage->theme->plane;
     plane.grid_colour = panel.stage->theme->grid;
@@ -89,7 +90,7 @@ Plane plane_of(const Panel& panel) {
     return plane;
 }
 
-// The herpolhode, and how much of it is shown.
+// The herpolhode, and the part of it that is shown.
 struct HerpolhodeCurve {
     Curve curve;
     Trail trail;
@@ -124,7 +125,7 @@ HerpolhodeCurve herpolhode_of(Panel& panel, const PlanScale& scale) {
         ink, width_px);
     curve.on_plane = the_plane;
     curve.occlusion = Occlusion::none;
-    // Of the outer circle's radius.
+    // Spacing of direction marks, in radii of the outer circle.
     constexpr double mark_spacing = 1.1;
     std::optional<DirectionMarks> marks;
     if (wants_marks(panel)) marks.emplace(panel, *curve.geometry, mark_spacing, false);
@@ -152,7 +153,7 @@ void make_plan_panel(Panel& panel) {
     std::vector<Curve> circles;
     if (scale.outer > 0.0) {
         circles.push_back(circle_of(panel, 1.0));
-        // Of a motion near the separatrix, or a circle for a herpolhode, one is enough.
+        // Near the separatrix, or for a circular herpolhode, one circle is enough.
         if (scale.inner > 1e-3 && scale.inner < 0.999)
             circles.push_back(circle_of(panel, scale.inner));
     }
@@ -189,7 +190,7 @@ void make_plan_panel(Panel& panel) {
             if (timed->marks) timed->marks->add_to(sheet, shown, stretch.grows);
         }
 
-        // Where the film's curve begins; a loop has no beginning.
+        // The start of the film's curve; a loop has none.
         if (timed && !(panel.stage->options.loop_s > 0.0)) {
             Dot start = dot_at(panel, timed->curve.geometry->points.front(),
                                panel.stage->theme->herpolhode, 4.5);

@@ -28,15 +28,15 @@ constexpr Phrase begins_outside_note{"begins outside",         "beginnt außerha
 
 constexpr double curve_width = 3.4;
 
-// Lines of the motion beside are thinner, and paler.
+// Lines of the comparison motion are thinner and paler.
 constexpr double beside_width = 2.0;
 constexpr double beside_opacity = 0.6;
 
-// The range that an axis shows: a little more than the values.
+// The range of an axis: the values with a margin.
 Axis axis_for(const PlotQuantity& quantity, std::pair<double, double> range, int most_ticks) {
     auto [least, most] = range;
     if (quantity.decades)
-        // Where all is rounding, the axis still shows how little that is.
+        // If all values are rounding noise, the axis still shows their magnitude.
         return decade_axis(std::floor(least), std::max(most + 0.5, std::floor(least) + 4.0),
                            most_ticks);
     if (quantity.from_zero) {
@@ -80,7 +80,7 @@ class PlotMaker {
         : panel_(&panel),
           quantity_(&quantity),
           record_(*panel.stage, panel.stage->motion, quantity) {
-        // Angles of a stepped motion are not continuous: they make no curve.
+        // The angles of a stepped motion are not continuous and cannot be drawn as a curve.
         const StageData& stage = *panel.stage;
         if (stage.beside && !quantity.asks.euler_angles) {
             beside_.emplace(stage, *stage.beside, quantity);
@@ -93,7 +93,7 @@ class PlotMaker {
         const double first = stage.film_first_s;
         const double last = stage.film_last_s;
         n_pieces_ = n_pieces_of(stage, panel_->box.width_px);
-        // A first round for the ranges: so dense that an extreme is missed by little.
+        // A first pass for the ranges, dense enough for a small error of the extremes.
         constexpr int per_piece = 4;
         for (int k = 0; k <= per_piece * n_pieces_; ++k) {
             const double time_s = first + (last - first) * k / (per_piece * n_pieces_);
@@ -102,7 +102,7 @@ class PlotMaker {
         }
         set_names();
 
-        // Charts above each other share the room for their numbers.
+        // Stacked charts have the same width of numbers.
         const std::size_t n_curves = quantity_->curves.size();
         const std::size_t n_charts = quantity_->stacked ? n_curves : 1;
         double left_px = 0.0;
@@ -118,7 +118,7 @@ class PlotMaker {
     }
 
  private:
-    // With the scene's own symbols, its words in the scene's language.
+    // With the scene's own symbols and the words of the scene's language.
     std::string named_label(const Phrase& label) const {
         const Scene& scene = panel_->stage->scene;
         return named_by_scene(scene, phrase_in(scene.language, label));
@@ -136,7 +136,7 @@ class PlotMaker {
         }
     }
 
-    // Where one of the charts stands, and what it shows.
+    // The region and the content of one of the charts.
     struct Place {
         ChartArea region;
         Axis y;
@@ -155,7 +155,7 @@ class PlotMaker {
         place.last_curve = quantity_->stacked ? i : quantity_->curves.size() - 1;
         place.is_lowest = i + 1 == n_charts;
 
-        // Charts share the height; the lowest also has the numbers of the time axis.
+        // Charts have equal heights; the lowest also has the numbers of the time axis.
         const double margin = chart_margin * panel_->px;
         const double foot = (chart_number_size + 24.0) * panel_->type_px;
         const double top = panel_->box.height_px - 0.5 * margin - panel_->header_px;
@@ -167,7 +167,7 @@ class PlotMaker {
         return place;
     }
 
-    // The range of a chart; without its first instants where these would ruin it.
+    // Sets the range of a chart; without the first instants if they would widen it too much.
     void set_range(Place& place, std::size_t n_charts) const {
         const StageData& stage = *panel_->stage;
         constexpr double first_share = 0.01;
@@ -272,7 +272,7 @@ class PlotMaker {
         plotted.curves.push_back(curve);
     }
 
-    // The same quantity of the motion beside, up to where it leaves the chart.
+    // Adds the same quantity of the comparison motion, up to where it leaves the chart.
     void add_curve_beside(PlottedChart& plotted, std::size_t i) {
         const ChartArea& area = plotted.chart.area();
         std::vector<CurveSample> samples = sampled(plotted.chart, *beside_, i);

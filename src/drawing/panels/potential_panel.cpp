@@ -1,5 +1,5 @@
 // The potential panel: the effective potential of a heavy top over θ with the energy, the turning
-// points where they meet, and the moving point.
+// points at their intersections, and the moving point.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-// The well of the potential that the motion lies in, and how much of it is shown.
+// The potential well of the motion, and the part of it that is shown.
 struct Well {
     double theta_bottom = 0.0;
     double bottom_J = 0.0;
@@ -25,13 +25,13 @@ struct Well {
     double first_J = 0.0, last_J = 1.0;
 };
 
-// V where it is finite; a wall that p_φ ≠ ±p_ψ forbids is cut at a height.
+// V where it is finite; a wall, which exists if p_φ ≠ ±p_ψ, is cut at a height.
 double potential_below(const HeavyTop& top, double theta, double most_J) {
     const double V = top.effective_potential_J(theta);
     return V < most_J ? V : most_J;
 }
 
-// The lowest point between two angles: from the best of many, by golden sections.
+// The minimum between two angles: from the best of many samples, by golden-section search.
 double lowest_between(const HeavyTop& top, double from, double to) {
     constexpr int n = 400;
     int best = 0;
@@ -51,7 +51,8 @@ double lowest_between(const HeavyTop& top, double from, double to) {
     return 0.5 * (a + b);
 }
 
-// Where V, rising from `inside` to `outside`, reaches a height; `outside` if it does not.
+// The angle at which V, rising from `inside` to `outside`, reaches a height; `outside` if it does
+// not.
 double reaches(const HeavyTop& top, double inside, double outside, double height_J) {
     if (!(top.effective_potential_J(outside) > height_J)) return outside;
     for (int round = 0; round < 80; ++round) {
@@ -68,7 +69,7 @@ Well well_of(const HeavyTop& top) {
     well.theta_bottom = lowest_between(top, 0.0, pi);
     well.bottom_J = std::min(top.effective_potential_J(well.theta_bottom), energy);
 
-    // Twice the depth of the motion above the bottom, or a quarter radian's rise for steady motion.
+    // Twice the height of E above the minimum, or the rise over a quarter radian for steady motion.
     constexpr double least_half_width = 0.25;
     const auto rise_at = [&](double theta) {
         const double V = top.effective_potential_J(std::clamp(theta, 0.0, pi));
@@ -85,7 +86,7 @@ Well well_of(const HeavyTop& top) {
     well.last_J = std::max(energy, well.bottom_J) + depth;
     well.first_theta = reaches(top, well.theta_bottom, 0.0, well.last_J);
     well.last_theta = reaches(top, well.theta_bottom, pi, well.last_J);
-    // The motion itself is always within.
+    // The motion itself is always included.
     well.first_theta = std::min(well.first_theta, nutation.theta_min_rad);
     well.last_theta = std::max(well.last_theta, nutation.theta_max_rad);
     if (!(well.last_theta - well.first_theta > 1e-6)) {
@@ -125,7 +126,7 @@ void make_potential_panel(Panel& panel) {
         PlotFrame::numbers_px(panel, y),
         std::max(energy_type.width_px(), potential_type.width_px()) + 16.0 * panel.px);
 
-    // The curve, cut where it leaves the chart.
+    // The curve, clipped to the chart.
     CurveGeometry geometry;
     const auto point = [&](double theta) {
         return chart.at(theta, potential_below(top, theta, well.last_J));
@@ -151,7 +152,7 @@ void make_potential_panel(Panel& panel) {
     labels.push_back(chart_label(panel, potential_type, end.x() + 10.0 * panel.px, end.y(),
                                  Anchor::left_middle, theme.potential));
 
-    // Turning points, down to the axis; steady motion has one.
+    // Turning points, with lines down to the axis; steady motion has one.
     const TopNutation& nutation = top.nutation();
     std::vector<double> turns{nutation.theta_min_rad};
     if (nutation.theta_max_rad - nutation.theta_min_rad > 0.01 * (x.last - x.first)) {
@@ -184,7 +185,7 @@ void make_potential_panel(Panel& panel) {
             sheet.view.dots.push_back(
                 PlotFrame::dot(panel, chart.at(turn, energy), colours.energy, 5.0));
         }
-        // The moving point on the curve; what is left up to E is the energy of the nutation.
+        // The moving point on the curve; the difference to E is the energy of the nutation.
         const double theta = instant.euler.theta_rad;
         const Eigen::Vector3d at =
             chart.at(theta, std::clamp(potential_below(top, theta, well.last_J), well.first_J,

@@ -1,4 +1,4 @@
-// The space panel: the inertia ellipsoid rolling on the invariable plane, seen from outside.
+// The space panel: the inertia ellipsoid rolling on the invariable plane, viewed from outside.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,7 +22,7 @@ namespace poinsot {
 
 namespace {
 
-// Ends of what some elements put beside the ellipsoid, for a camera at this azimuth.
+// Ends of elements beside the ellipsoid, for a camera at this azimuth.
 std::vector<Eigen::Vector3d> points_aside(const Panel& panel, double azimuth_deg) {
     const StageData& stage = *panel.stage;
     const Eigen::Vector3d right =
@@ -41,7 +41,7 @@ std::vector<Eigen::Vector3d> points_aside(const Panel& panel, double azimuth_deg
         }
     }
     if (is_shown(stage, "distance")) points.emplace_back(1.6 * right);
-    // Axes and their turn may come to point anywhere.
+    // The given axes and their rotation may point in any direction.
     if (is_shown(stage, "given-axes") || is_shown(stage, "turn")) {
         constexpr double reach = 1.36;  // of an axis with its name
         for (const double colatitude_deg : {0.0, 45.0, 90.0, 135.0, 180.0})
@@ -51,13 +51,13 @@ std::vector<Eigen::Vector3d> points_aside(const Panel& panel, double azimuth_deg
     return points;
 }
 
-// A camera about the plane's normal, aimed so that the figure stands over the caption, and farther
-// away where the figure would not fit.
+// A camera towards the figure, aimed so that the figure is above the caption, and moved back if the
+// figure would not fit.
 Camera framing_camera(const Panel& panel, const CameraPose& pose) {
     const Eigen::Vector3d towards_eye = direction_of(pose.azimuth_deg, pose.elevation_deg);
     const double field_rad = pose.field_deg * std::numbers::pi / 180.0;
 
-    // The plane runs on below the caption; what stands on it does not.
+    // The plane continues behind the caption; the figure on it does not.
     const double per_px = 2.0 * pose.distance * std::tan(0.5 * field_rad) / panel.box.height_px;
     const double label = 1.4 * label_size * panel.type_px * per_px;
     std::vector<Eigen::Vector3d> points =
@@ -71,7 +71,7 @@ Camera framing_camera(const Panel& panel, const CameraPose& pose) {
     if (panel.box.height_px == picture.height_px) {
         const OverlayBands bands = overlay_bands(*panel.stage);
         margins.bottom_px += bands.bottom_px;
-        // The figure stands in the middle: a title that comes near it goes above, others beside it.
+        // The figure is centred: a long title is above it, a short one beside it.
         if (bands.title_right_px > 0.38 * picture.width_px) margins.top_px += bands.top_px;
     }
     margins.bottom_px = std::min(margins.bottom_px, 0.4 * panel.box.height_px);
@@ -82,8 +82,7 @@ Camera framing_camera(const Panel& panel, const CameraPose& pose) {
     return camera;
 }
 
-// The camera of a pose: one that frames the figure, one that looks where it is told, or on its way
-// from the one to the other.
+// The camera of a pose: framing the figure, aimed as given, or interpolated between both.
 Camera camera_of(const Panel& panel, const CameraPose& pose) {
     const Eigen::Vector3d towards_eye = direction_of(pose.azimuth_deg, pose.elevation_deg);
     Camera told;
@@ -101,8 +100,8 @@ Camera camera_of(const Panel& panel, const CameraPose& pose) {
     return camera;
 }
 
-// The first camera of the film, and how it moves. Pixels are measured at the nearest it comes, so
-// that curves keep their accuracy all along.
+// Sets the first camera of the film, and how it moves. The size of a pixel is that of the nearest
+// camera, so that curves have their accuracy throughout.
 void aim_along(Panel& panel) {
     const Timeline& timeline = timeline_of(panel);
     const Camera first = camera_of(panel, timeline.camera_at(0.0));
@@ -121,7 +120,7 @@ void aim_along(Panel& panel) {
     };
 }
 
-// Marks on the ellipsoid and in space, and on the body where it is shown inside.
+// Marks on the ellipsoid and in space, and on the body if it is shown inside.
 Drawer make_marks(Panel& panel) {
     const StageData& stage = *panel.stage;
     const std::vector<MarkSpec>& marks = stage.scene.marks;
@@ -148,7 +147,7 @@ Drawer make_marks(Panel& panel) {
 void make_space_panel(Panel& panel) {
     aim_along(panel);
 
-    // The elements that the scene names, or those that this kind of motion shows by itself.
+    // The elements that the scene lists, or the default ones for this kind of motion.
     const std::vector<std::string>& show = panel.stage->scene.show;
     for (const std::string& name : show) {
         if (is_overlay(name)) continue;

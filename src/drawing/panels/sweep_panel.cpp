@@ -1,10 +1,10 @@
-// The sweep panel: what [construction] sweep lets the film run through instead of a motion.
+// The sweep panel: the quantity that [construction] sweep varies over the film instead of a motion.
 //
-// axis: the body rests, and an axis n takes all directions in turn; ρ = n/√I(n) leaves its trace
-// until the inertia ellipsoid stands. energy: at fixed L the plane's distance √(2T)/L runs from the
-// least that the body has, 1/√I of its largest moment, to the greatest; the ellipsoid touches the
-// plane at each, and its polhode goes from a point through small closed curves to the one that
-// wraps round and on to a point about the other axis.
+// axis: the body is at rest, and an axis n takes all directions in turn; the tip of ρ = n/√I(n)
+// traces the inertia ellipsoid until it is complete. energy: at fixed L the plane's distance
+// √(2T)/L rises from the least possible value, 1/√I of the largest moment, to the greatest; the
+// ellipsoid touches the plane at each distance, and its polhode changes from a point to small
+// closed curves, to the separatrix, and on to a point about the other axis.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ namespace {
 
 using std::numbers::pi;
 
-// How much of the film has passed at an instant, 0…1.
+// The elapsed fraction of the film at an instant, 0…1.
 double share_at(const StageData& stage, const Instant& instant) {
     const double span_s = stage.film_last_s - stage.film_first_s;
     return std::clamp((instant.time_s - stage.film_first_s) / span_s, 0.0, 1.0);
@@ -47,7 +47,7 @@ Eigen::Vector3d half_axes_of(const Panel& panel) {
     return (moments / moments.minCoeff()).cwiseSqrt().cwiseInverse();
 }
 
-// Title and caption keep their room; what else a scene may want to show has no meaning here.
+// Rejects elements: a sweep shows only its own, with the title, the caption and the clock.
 void check_show(const StageData& stage) {
     for (const std::string& name : stage.scene.show) {
         if (is_overlay(name)) continue;
@@ -72,8 +72,8 @@ std::array<SetType, 3> axis_names(const Panel& panel) {
     return types;
 }
 
-// The direction n at a share of the sweep, principal axes: a spiral from e3 to −e3 whose turns lie
-// equally far apart on the sphere.
+// The direction n at a fraction of the sweep, principal axes: a spiral from e3 to −e3 whose turns
+// are equally spaced on the sphere.
 Eigen::Vector3d direction_at(double share) {
     constexpr double n_turns = 15.0;
     const double theta = pi * share;
@@ -81,19 +81,19 @@ Eigen::Vector3d direction_at(double share) {
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
-// I(n) = Σ I_i n_i² over the least moment.
+// I(n) = Σ I_i n_i² in units of the least moment.
 double moment_about(const Eigen::Vector3d& half_axes, const Eigen::Vector3d& n) {
     return n.cwiseQuotient(half_axes).squaredNorm();
 }
 
-constexpr double n_beyond = 0.3;  // the ellipsoid, of the arrow along n
+constexpr double n_beyond = 0.3;  // length of the arrow along n beyond the ellipsoid
 
-// The sweep of n takes this much of the film; then the ellipsoid stands alone.
+// Fraction of the film that the sweep of n takes; after it the ellipsoid is shown alone.
 constexpr double swept_share = 0.86;
 
 struct Trace {
     Curve curve;
-    std::vector<double> shares;  // of the sweep, point by point
+    std::vector<double> shares;  // fraction of the sweep at each point
 
     double index_at(double share) const {
         const auto after = std::upper_bound(shares.begin(), shares.end(), share);
@@ -126,7 +126,7 @@ Trace trace_of(Panel& panel, const Eigen::Vector3d& half_axes) {
     return trace;
 }
 
-// The body at rest, so small that it stays within its ellipsoid in every direction.
+// The body at rest, so small that it is inside its ellipsoid in every direction.
 Drawer resting_body(Panel& panel) {
     const BodyShape shape = body_shape(panel);
     Eigen::Affine3d placement = Eigen::Affine3d::Identity();
@@ -162,7 +162,7 @@ void make_axis_sweep(Panel& panel) {
             std::clamp((share - swept_share) / (0.7 * (1.0 - swept_share)), 0.0, 1.0);
 
         body(instant, sheet);
-        // Hardly there until its points have been found, but hiding what lies behind it.
+        // Nearly transparent until its points have been traced, but hiding objects behind it.
         sheet.view.ellipsoids.push_back(ellipsoid);
         Ellipsoid& shown = sheet.view.ellipsoids.back();
         constexpr double faint = 0.16;
@@ -180,7 +180,7 @@ void make_axis_sweep(Panel& panel) {
         sheet.view.curves.push_back(trace.curve);
         sheet.view.curves.back().last = trace.index_at(swept);
 
-        // n through the body and out, ρ along it as far as the surface, and I(n) as a number.
+        // n through the body, ρ along it up to the surface, and the number I(n).
         const Eigen::Vector3d n = direction_at(swept);
         const double moment = moment_about(half_axes, n);
         const Eigen::Vector3d rho = n / std::sqrt(moment);
@@ -208,11 +208,11 @@ void make_axis_sweep(Panel& panel) {
     };
 }
 
-// The construction at fixed L for a share of the sweep: L in the body goes along the quarter circle
-// from the axis of the largest moment to that of the smallest.
+// The construction at fixed L for a fraction of the sweep: in the body, L moves along the quarter
+// circle from the axis of the largest moment to that of the smallest.
 struct EnergyState {
-    Eigen::Vector3d rho;    // principal axes, over the largest half-axis
-    double distance = 1.0;  // √(2T)/L in the same unit
+    Eigen::Vector3d rho;    // principal axes, in units of the largest half-axis
+    double distance = 1.0;  // √(2T)/L in the same units
     Eigen::Matrix3d picture_from_principal;
 };
 
@@ -223,7 +223,7 @@ class EnergySweep {
         half_axes_.minCoeff(&high_);
         half_axes_.maxCoeff(&low_);
         if (high_ == low_) low_ = (high_ + 1) % 3;
-        // The middle axis stays level, a quarter turned from the camera.
+        // The middle axis is horizontal, rotated by a quarter turn from the camera.
         const double azimuth = (panel.stage->scene.camera.azimuth_deg + 35.0) * pi / 180.0;
         level_ = {std::cos(azimuth), std::sin(azimuth), 0.0};
     }
@@ -232,7 +232,7 @@ class EnergySweep {
 
     EnergyState at(double share) const {
         const double angle = 0.5 * pi * share;
-        Eigen::Vector3d n = Eigen::Vector3d::Zero();  // of L in the body
+        Eigen::Vector3d n = Eigen::Vector3d::Zero();  // direction of L in the body
         n[high_] = std::cos(angle);
         n[low_] = std::sin(angle);
         EnergyState state;
@@ -240,7 +240,7 @@ class EnergySweep {
         state.distance = towards.norm();
         state.rho = half_axes_.cwiseProduct(towards) / state.distance;
 
-        // n stands along the plane's normal and the middle axis level: two right-handed frames.
+        // n is along the plane's normal and the middle axis horizontal: two right-handed frames.
         Eigen::Vector3d middle = Eigen::Vector3d::Unit(3 - high_ - low_);
         Eigen::Matrix3d in_body, in_picture;
         in_body << n, middle, n.cross(middle);
@@ -294,7 +294,8 @@ void make_energy_sweep(Panel& panel) {
         sheet.view.ellipsoids.back().half_axes =
             state.picture_from_principal * sweep.half_axes().asDiagonal();
 
-        // The polhode of this distance, through the contact. ω along ρ is all that it depends on.
+        // The polhode of this distance, through the contact; it depends only on ω, which is along
+        // ρ.
         const InertiaTensor principal =
             InertiaTensor::from_principal_moments(inertia_of(panel).moments_kg_m2());
         const Polhode polhode(principal, state.rho);
@@ -330,7 +331,7 @@ void make_energy_sweep(Panel& panel) {
             sheet.view.arrows.push_back(*arrow);
         }
         wish_at_tip(panel, momentum, momentum_type, sheet);
-        // The axis goes on beyond the contact, off which the name stands.
+        // The axis continues beyond the contact, where its label is.
         Curve axis = line_between(panel, contact, past_contact(contact), theme.omega, 2.0);
         axis.hidden_opacity = 0.6;
         sheet.view.curves.push_back(axis);

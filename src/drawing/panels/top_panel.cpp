@@ -1,8 +1,8 @@
 // The top panel: a heavy top on its fixed point, the path of its axis on the unit sphere between
 // the circles θ1 and θ2, and its Euler angles z-x-z as arcs.
 //
-// The body drawn is a symbol: a top of revolution about e3, on the side where the centre of mass
-// is, not to the scale of the moments. Only the Euler angles are asked of the motion.
+// The body is drawn as a symbol: a top of revolution about e3, on the side of the centre of mass,
+// not to the scale of the moments. The panel reads only the motion's Euler angles.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,14 +24,14 @@ namespace {
 using std::numbers::pi;
 constexpr int the_sphere = 0;
 
-// Lengths beside the sphere's radius of 1.
+// Lengths in units of the sphere's radius.
 constexpr double vertical_length = 1.22;
 constexpr double theta_radius = 0.74;
 constexpr double phi_radius = 0.50;
 constexpr double psi_radius = 0.36;
 constexpr double node_length = 0.80;
 constexpr double e1_length = 0.62;
-constexpr double centre_of_mass = 0.43;  // on the axis, in the middle of the disc
+constexpr double centre_of_mass = 0.43;  // on the axis, in the disc's middle
 
 // e1, e2, e3 of the Euler angles as columns, space axes: Rz(φ) Rx(θ) Rz(ψ).
 Eigen::Matrix3d axes_of(const EulerAngles& euler) {
@@ -41,13 +41,13 @@ Eigen::Matrix3d axes_of(const EulerAngles& euler) {
         .toRotationMatrix();
 }
 
-// An angle within the turn [0, 2π).
+// An angle reduced to [0, 2π).
 double within_turn(double angle_rad) {
     const double turn = std::fmod(angle_rad, 2.0 * pi);
     return turn < 0.0 ? turn + 2.0 * pi : turn;
 }
 
-// A top about z with its point in the origin: cone, disc and stem.
+// A top about z with its point at the origin: cone, disc and stem.
 const MeshGeometry* keep_top(StageData& stage) {
     constexpr std::array<ProfilePoint, 13> profile{{{0.0, 0.0},
                                                     {0.018, 0.012},
@@ -66,7 +66,7 @@ const MeshGeometry* keep_top(StageData& stage) {
     return stage.keep({0, std::move(corners.positions), std::move(corners.normals)});
 }
 
-// Lines on the disc that show its spin: radii on its upper face.
+// Radii on the disc's upper face, which make the spin visible.
 std::vector<Curve> spokes_of(const Panel& panel) {
     std::vector<Curve> spokes;
     constexpr int n = 6;
@@ -109,12 +109,13 @@ Locus locus_of(Panel& panel) {
     return locus;
 }
 
-// e3 of the motion beside and its path on the sphere. Nothing without one.
+// e3 of the comparison motion and its path on the sphere. Empty without one.
 Drawer make_ghost_axis(Panel& panel) {
     const StageData& stage = *panel.stage;
     if (!stage.beside) return [](const Instant&, Sheet&) {};
     panel.shows_beside = true;
-    // A stepped motion has no Euler angles: e3 in body axes, from the first one's at one instant.
+    // A stepped motion has no Euler angles: e3 in body axes is taken from the exact motion at one
+    // instant.
     const MotionSample sample = stage.motion.sample(
         stage.options.first_time_s, {.attitude = true, .herpolhode = false, .euler_angles = true});
     const Eigen::Vector3d e3_body =
@@ -140,7 +141,7 @@ Curve latitude(const Panel& panel, double theta_rad, const Ink& colour, double w
     return circle;
 }
 
-// Things that stand still: the sphere, its circles, the vertical and the direction x.
+// The static parts: the sphere, its circles, the vertical and the direction x.
 struct Stand {
     Ellipsoid sphere;
     std::vector<Curve> curves;
@@ -156,7 +157,7 @@ Stand stand_of(const Panel& panel, const TopNutation& nutation) {
     stand.sphere.ruling_px = 0.0;
     stand.sphere.casts_shadow = false;
     stand.curves.push_back(latitude(panel, 0.5 * pi, theme.rule, 1.6));
-    // Steady precession runs along one circle; the poles have none.
+    // Steady precession is along one circle; at the poles there is none.
     std::vector<double> ends{nutation.theta_min_rad};
     if (nutation.theta_max_rad - nutation.theta_min_rad > 1e-3) {
         ends.push_back(nutation.theta_max_rad);
@@ -195,7 +196,7 @@ class TopDrawer {
     TopDrawer(const Panel& panel, Sheet& sheet, const EulerAngles& euler)
         : panel_(&panel), sheet_(&sheet), euler_(euler), axes_(axes_of(euler)) {}
 
-    // The symbol of the body with its spokes, hanging on the other side for Mgl < 0.
+    // The symbol of the body with its spokes, pointing the other way for Mgl < 0.
     void body(const MeshGeometry* geometry, const std::vector<Curve>& spokes, bool hangs) {
         Mesh mesh;
         mesh.geometry = geometry;
@@ -215,7 +216,7 @@ class TopDrawer {
         const Theme& theme = *panel_->stage->theme;
         const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
         const Eigen::Vector3d node(std::cos(euler_.phi_rad), std::sin(euler_.phi_rad), 0.0);
-        const Eigen::Vector3d leaning(node.y(), -node.x(), 0.0);  // where e3 leans to
+        const Eigen::Vector3d leaning(node.y(), -node.x(), 0.0);  // direction in which e3 leans
         const Eigen::Vector3d e3 = axes_.col(2);
 
         Curve nodes =
@@ -235,8 +236,7 @@ class TopDrawer {
         arrow(e3, theme.axes[2], 1.0, names.e3);
     }
 
-    // The centre of mass on the axis and its height over the fixed point, which V = Mgl cos θ
-    // counts.
+    // The centre of mass on the axis and its height above the fixed point, as in V = Mgl cos θ.
     void height(const SetType& name, bool hangs) {
         const Ink& colour = panel_->stage->theme->potential;
         const Eigen::Vector3d mass = (hangs ? -centre_of_mass : centre_of_mass) * axes_.col(2);
@@ -257,7 +257,7 @@ class TopDrawer {
     }
 
  private:
-    // An arc about the fixed point with its name outside of its middle.
+    // An arc about the fixed point with its label outside of its middle.
     void arc(const Eigen::Vector3d& from, const Eigen::Vector3d& towards, double radius,
              double angle_rad, const Ink& colour, const SetType& name) {
         const Eigen::Vector3d centre = Eigen::Vector3d::Zero();
