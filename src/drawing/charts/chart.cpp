@@ -18,7 +18,7 @@ bool can_show(const ChartPoint& point) {
     return point.x > 0.0 && point.y > 0.0 && std::isfinite(point.x) && std::isfinite(point.y);
 }
 
-// Hues after Okabe & Ito (2008); after one round they repeat dashed.
+// Hues after Okabe & Ito (2008); further series repeat them with dashed lines.
 constexpr std::array<Colour, 6> hues{{{0.04, 0.37, 0.65},
                                       {0.81, 0.29, 0.07},
                                       {0.00, 0.50, 0.36},
@@ -26,7 +26,7 @@ constexpr std::array<Colour, 6> hues{{{0.04, 0.37, 0.65},
                                       {0.54, 0.35, 0.00},
                                       {0.18, 0.53, 0.77}}};
 
-// 1, 2 and 5 times every power of ten from one to another.
+// 1, 2 and 5 times every power of ten within these decades.
 std::vector<double> one_two_five(double first_decade, double last_decade) {
     std::vector<double> values;
     for (double d = first_decade; d < last_decade; d += 1.0) {
@@ -54,7 +54,8 @@ ChartSheet::Axis ChartSheet::axis_of(const Chart& chart, double ChartPoint::*coo
         }
     }
     if (!(most > 0.0)) throw InputError("the chart has no point that can be shown");
-    // Whole decades around all points, at least one; within two, from 1, 2 or 5 to such a number.
+    // Whole decades around all points, at least one; ranges of less than two decades begin and end
+    // at 1, 2 or 5 times a power of ten.
     Axis axis;
     axis.first_decade = std::floor(std::log10(least));
     axis.last_decade = std::max(axis.first_decade + 1.0, std::ceil(std::log10(most)));
@@ -80,7 +81,7 @@ std::vector<double> ChartSheet::Axis::ticks() const {
         }
         return values;
     }
-    // At most nine numbers an axis.
+    // At most nine numbers per axis.
     const double stride = std::max(1.0, std::ceil((last_decade - first_decade) / 8.0));
     for (double d = first_decade; d <= last_decade; d += stride) {
         values.push_back(std::pow(10.0, d));
@@ -112,7 +113,7 @@ void ChartSheet::add_line(std::vector<Eigen::Vector3d> points, double width_px,
                           const Colour& colour, double dash_px) {
     CurveGeometry& geometry = geometries_.emplace_back();
     geometry.id = next_identity();
-    // Picture pixels have y down, the view has it up.
+    // y is down in the picture's pixels and up in the view.
     for (Eigen::Vector3d& point : points) point.y() = height_px_ - point.y();
     geometry.points = std::move(points);
     Curve curve;
@@ -168,7 +169,7 @@ void ChartSheet::add_series(const Chart& chart) {
         for (const ChartPoint& point : series.points) {
             if (!can_show(point)) continue;
             line.emplace_back(x_.at(point.x), y_.at(point.y), 0.0);
-            // Points of the front are filled, the others are rings.
+            // Points of the front are discs, the others rings.
             Dot dot;
             dot.at = {line.back().x(), height_px_ - line.back().y(), 0.0};
             dot.radius_px = (point.marked ? 8.0 : 6.0) * px_;
@@ -180,8 +181,8 @@ void ChartSheet::add_series(const Chart& chart) {
             wish_name(point.name, line.back(), {-0.6, 1.0}, colour);
         }
         if (line.empty()) continue;
-        // After a line's end, on that side; a single point has its name above it, for its like lie
-        // beside it.
+        // The name is beyond the line's last point, on the side where the line ends; a single point
+        // has its name above it, since similar points are beside it.
         const double side = line.back().x() < line.front().x() ? -1.0 : 1.0;
         wish_name(series.name, line.back(),
                   line.size() > 1 ? Eigen::Vector2d(side, 0.25) : Eigen::Vector2d(0.0, -1.0),

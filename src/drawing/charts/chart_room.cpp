@@ -12,7 +12,8 @@ namespace poinsot {
 
 namespace {
 
-// The row of a plot's quantity, as plot_quantity_of finds it; null for a name that it will refuse.
+// The row of a plot's quantity, as plot_quantity_of finds it; null for an unknown name, which is
+// rejected later.
 const PlotQuantity* quantity_of(const Scene& scene, const PanelSpec& panel) {
     const std::string_view usual = scene.start.top ? "euler_angles" : "omega";
     const std::string_view name = panel.quantity.empty() ? usual : panel.quantity;
@@ -21,8 +22,8 @@ const PlotQuantity* quantity_of(const Scene& scene, const PanelSpec& panel) {
     return nullptr;
 }
 
-// The height that a panel's charts need, in pixels, where their type has `type_px` pixels for one
-// at 1080 rows; 0 for a panel that is no chart.
+// The height that a panel's charts need, in pixels; `type_px`: scale of text relative to 1080 rows.
+// 0 for a panel without charts.
 double chart_rows(const Scene& scene, const PanelSpec& panel, double type_px) {
     std::size_t n_charts = 1;
     std::size_t n_names = 2;  // E and V of a potential
@@ -34,13 +35,14 @@ double chart_rows(const Scene& scene, const PanelSpec& panel, double type_px) {
     } else if (panel.kind != "potential") {
         return 0.0;
     }
-    // Five numbers tell a scale, three where charts stand above each other. Numbers, and names at
-    // the ends of curves, keep a third of their height apart.
+    // A scale needs five numbers, or three where charts are stacked. Numbers, and names at the ends
+    // of curves, are a third of their height apart.
     constexpr double line = 4.0 / 3.0;
     const double n_numbers = n_charts > 1 ? 3.0 : 5.0;
     const double numbers = n_numbers * line * chart_number_size;
     const double names = static_cast<double>(n_names) * line * chart_name_size;
-    // Above each its title; below all the numbers of the time axis; on top the panel's name.
+    // Each chart has its title above; the numbers of the time axis are below all, the panel's name
+    // on top.
     const double title = chart_title_size + 24.0;
     const double foot = chart_number_size + 24.0;
     const double header = 1.7 * chart_title_size;

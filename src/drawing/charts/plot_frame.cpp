@@ -11,10 +11,10 @@ namespace poinsot {
 
 namespace {
 
-// Where there is no room for all type, they go before all else: names tell more.
+// If text does not fit, numbers are dropped first: names are more important.
 constexpr int rank_of_numbers = rank_of_caption + 1;
 
-// The ends of a range that has a middle and an extent.
+// Widens an empty or infinite range to a finite one.
 void widen(double& first, double& last) {
     if (!std::isfinite(first) || !std::isfinite(last)) {
         first = 0.0;
@@ -29,7 +29,8 @@ void widen(double& first, double& last) {
     }
 }
 
-// The least of 1, 2, 5 times a power of ten that is not less: its digit and its power.
+// The smallest step of 1, 2 or 5 times a power of ten that is not less than a value: its digit and
+// its power.
 struct Step {
     int digit;
     int power;
@@ -50,7 +51,7 @@ Step step_above(double least) {
 Axis linear_axis(double first, double last, int most_ticks) {
     widen(first, last);
     Axis axis{first, last, 0, {}};
-    // Two numbers do not yet show a scale.
+    // Two numbers do not determine a scale.
     constexpr int least_ticks = 3;
     const auto n_within = [&](double size) {
         return std::floor(last / size + 1e-9) - std::ceil(first / size - 1e-9) + 1.0;
@@ -58,7 +59,8 @@ Axis linear_axis(double first, double last, int most_ticks) {
     Step step = step_above((last - first) / std::max(1, most_ticks));
     while (n_within(step.size()) < least_ticks) step = step_above(0.4 * step.size());
 
-    // Very large or small numbers count a power of ten, unless that would take too many digits.
+    // Very large or small numbers are given in units of a power of ten, unless that needs too many
+    // digits.
     const double largest = std::max(std::abs(first), std::abs(last));
     const int power = static_cast<int>(std::floor(std::log10(largest)));
     if ((power >= 4 || power <= -3) && power - step.power <= 4) axis.exponent = power;
@@ -67,7 +69,7 @@ Axis linear_axis(double first, double last, int most_ticks) {
     const auto k_first = std::ceil(first / step.size() - 1e-9);
     const auto k_last = std::floor(last / step.size() + 1e-9);
     for (double k = k_first; k <= k_last; ++k) {
-        // The number is k·digit·10^(power − exponent), free of the rounding of the step's size.
+        // The number is k·digit·10^(power − exponent), without the step's rounding error.
         const double number = k * step.digit * std::pow(10.0, step.power - axis.exponent);
         const double value = k * step.digit * std::pow(10.0, step.power);
         axis.ticks.push_back({std::clamp(value, first, last),
@@ -110,7 +112,7 @@ void aim_at_pixels(Panel& panel) {
     camera.eye = camera.target + Eigen::Vector3d(0.0, 0.0, 1000.0);
     camera.up = Eigen::Vector3d::UnitY();
     camera.orthographic = true;
-    // The numbers are a chart's smallest type: names and what keeps clear of it grow with them.
+    // Numbers are the smallest text of a chart: names and margins are scaled with them.
     panel.type_px = std::max(panel.type_px * panel.stage->scene.style.chart_scale.value_or(1.0),
                              least_type_px(*panel.stage) / chart_number_size);
     camera.height_units = panel.box.height_px;
@@ -171,7 +173,7 @@ Dot PlotFrame::dot(const Panel& panel, const Eigen::Vector3d& at, const Colour& 
 
 namespace {
 
-// Of the ticks along a height, every how-many-th has room for its number.
+// Every n-th tick along an axis gets a number, so that numbers are `least_px` apart.
 std::size_t label_stride(const Axis& axis, double height_px, double least_px) {
     if (axis.ticks.size() < 2) return 1;
     const double apart_px =
@@ -180,7 +182,7 @@ std::size_t label_stride(const Axis& axis, double height_px, double least_px) {
     return static_cast<std::size_t>(std::clamp(n, 1.0, static_cast<double>(axis.ticks.size())));
 }
 
-// The first tick of those: 0 is among them where it is a tick.
+// Index of the first tick with a number, such that the tick at 0 has one.
 std::size_t first_label(const Axis& axis, std::size_t stride) {
     for (std::size_t i = 0; i < axis.ticks.size(); ++i)
         if (axis.ticks[i].value == 0.0) return i % stride;
@@ -199,7 +201,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     const double number_px = chart_number_size * panel.type_px;
     const StageData& stage = *panel.stage;
 
-    // Room for numbers at the left, for one row of them below, for a title above.
+    // Space for numbers at the left, for one row of them below, and for a title above.
     area_.left += left_px;
     area_.right -= right_px;
     if (!x_title.empty()) area_.bottom += tick_px + gap + 0.75 * number_px;
@@ -208,7 +210,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     area_.right = std::max(area_.right, area_.left + 1.0);
     area_.top = std::max(area_.top, area_.bottom + 1.0);
 
-    // Numbers and grid of the values, as many as have room.
+    // Numbers and grid lines of the values, as many as fit.
     const std::size_t stride = label_stride(y, area_.height(), 1.1 * number_px);
     const std::size_t first = first_label(y, stride);
     for (std::size_t i = first; i < y.ticks.size(); i += stride) {
@@ -223,13 +225,14 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
             chart_label(panel, number, area_.left - gap, height, Anchor::right_middle, theme.text));
         labels_.back().rank = rank_of_numbers;
     }
-    // A long title begins sooner, as far as there is room.
+    // A long title starts further left, as far as there is space.
     const double title_left =
         std::max(std::min(region.left, panel.box.width_px - y_type.width_px() - gap), 0.0);
     labels_.push_back(chart_label(panel, y_type, title_left, area_.top + 1.3 * gap,
                                   Anchor::bottom_left, theme.text));
 
-    // The axis below, its ticks, its numbers on one line, and its title where the next would be.
+    // The horizontal axis, its ticks, its numbers on one line, and its title in place of the last
+    // numbers.
     lines_.push_back(line(panel, {area_.left, area_.bottom, 0.0}, {area_.right, area_.bottom, 0.0},
                           theme.text, 1.6));
     const double baseline = area_.bottom - tick_px - gap - 0.7 * number_px;
@@ -249,7 +252,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
         free_from = across + 0.5 * type.width_px();
     }
     if (x_title.empty()) return;
-    // The title stands at the end of the numbers; a number in its place gives way.
+    // The title is at the right end of the row of numbers; numbers that it would cover are omitted.
     const SetType type = set_chart_type(panel, x_title, TypeMode::text, chart_title_size);
     Label title = chart_label(panel, type, region.right, 0.0, Anchor::bottom_right, theme.text);
     title.top_left_px.y() =

@@ -41,7 +41,7 @@ bool rolls_with_cones(const StageData& stage) { return rolls(stage) && stage.rol
 
 constexpr Quantities euler_angles{.attitude = false, .herpolhode = false, .euler_angles = true};
 
-// Words of the rows below, in every language.
+// Words of the rows below, in all languages.
 constexpr Phrase turns_title{"turns", "Umdrehungen", "tours", "vueltas", "giri", "回転数"};
 constexpr Phrase angle_title{"angle from L", "Winkel zu L",  "angle avec L",
                              "ángulo con L", "angolo con L", "Lとの角度"};
@@ -106,7 +106,8 @@ constexpr PlotCurve momentum_curves[] = {
     {formula("L_3"), axis_colour<2>, LineStyle::dotted},
     {formula("L"), momentum_colour, LineStyle::solid},
 };
-// Components along the principal axes, which L seen in the body changes, and the length that stays.
+// Components along the principal axes, which change in the body, and the length, which is
+// conserved.
 PlotValues momentum_values(const StageData& stage, const Instant& instant) {
     const InertiaTensor& inertia = stage.motion.motion().problem().inertia;
     const Eigen::Vector3d momentum = inertia.moments_kg_m2().cwiseProduct(
@@ -119,7 +120,7 @@ constexpr PlotCurve tilt_curves[] = {
     {formula("\\mathbf{e}_2"), axis_colour<1>, LineStyle::dashed},
     {formula("\\mathbf{e}_3"), axis_colour<2>, LineStyle::dotted},
 };
-// Angles of the principal axes from L, whole also near 0 and π.
+// Angles of the principal axes from L, accurate also near 0 and π.
 PlotValues tilt_values(const StageData& stage, const Instant& instant) {
     const PlotValues L = momentum_values(stage, instant);
     const auto angle = [&L](std::size_t i) {
@@ -133,8 +134,9 @@ constexpr PlotCurve conserved_curves[] = {
     {formula("p_\\psi"), angle_colour<2>, LineStyle::dashed},
     {formula("E"), energy_colour, LineStyle::dotted},
 };
-// p_φ = A φ̇ sin²θ + p_ψ cos θ is L along the vertical, p_ψ = C ω₃ L along the top's axis; both and
-// E = T + Mgl cos θ from the state of the instant. Source: Landau & Lifshitz §35, problem 1.
+// p_φ = A φ̇ sin²θ + p_ψ cos θ is the vertical component of L, p_ψ = C ω₃ the component along the
+// top's axis; both, and E = T + Mgl cos θ, are computed from the state at the instant. Source:
+// Landau & Lifshitz §35, problem 1.
 PlotValues conserved_values(const StageData& stage, const Instant& instant) {
     const MotionProblem& problem = stage.motion.motion().problem();
     const auto& gravity = std::get<GravityTorque>(problem.torque);
@@ -149,7 +151,7 @@ constexpr PlotCurve turn_curves[] = {
     {spin_label, body_cone_colour, LineStyle::dashed},
 };
 // Turns since t = 0, seen along L: of the axis of symmetry, φ = L t/I₁, and of marks on the body
-// about it, φ + ψ with ψ = −Ω t; φ − ψ where the axis hangs down. Source: Landau & Lifshitz §35.
+// about it, φ + ψ with ψ = −Ω t; φ − ψ if the axis points downwards. Source: Landau & Lifshitz §35.
 PlotValues turn_values(const StageData& stage, const Instant& instant) {
     const MotionProblem& problem = stage.motion.motion().problem();
     const RollingCones& cones = *stage.rolling->cones;
@@ -168,8 +170,8 @@ constexpr PlotCurve residual_curves[] = {
     {slip_label, omega_colour, LineStyle::solid},
     {formula("|q|-1"), plane_colour, LineStyle::dashed},
 };
-// Less than 10^-14 is rounding, of which the last bit decides how it looks: it is drawn on the
-// axis's floor. The exact motion's residuals reach 2e-15.
+// Values below 10^-14 are rounding noise that depends on the last bit: they are drawn on the axis's
+// lowest line. The exact motion's residuals reach 2e-15.
 constexpr double rounding_decade = -14.0;
 PlotValues residual_values(const StageData& stage, const Instant& instant) {
     const RollingResiduals r = stage.rolling->construction.residuals(instant.state);
@@ -202,7 +204,7 @@ constexpr PlotQuantity quantity_rows[] = {
      residual_curves, residual_values},
 };
 
-// Where nothing has a potential E is T.
+// Without a potential E is T, so that the curve of T is enough.
 const PlotQuantity& without_potential(const PlotQuantity& energy) {
     static const PlotQuantity kinetic = [&energy] {
         PlotQuantity alone = energy;

@@ -47,9 +47,10 @@ bool is_ruined(const PlotQuantity& quantity, std::pair<double, double> whole,
     }
     const double rest = after_start.second - after_start.first;
     const double all = whole.second - whole.first;
-    // Of decades each is to be read.
+    // On a logarithmic axis, three extra decades are too many.
     if (quantity.decades) return all - rest >= 3.0;
-    // What has come to rest is seen best as that, and a constant's rounding is no range.
+    // A motion that comes to rest is shown with its start, and the rounding noise of a constant is
+    // not a range.
     constexpr double times = 4.0;
     constexpr double at_rest = 1e-3;
     constexpr double rounding = 1e-9;

@@ -47,7 +47,7 @@ void draw_chart(const Panel& panel, const PlottedChart& plotted, double time_s,
     sheet.view.labels.insert(sheet.view.labels.end(), plotted.names.begin(), plotted.names.end());
     for (const PlottedCurve& curve : plotted.curves) {
         const Eigen::Vector3d at = plotted.chart.at(time_s, values[curve.value]);
-        // A curve that begins outside of the chart has its dot once it is there.
+        // A curve that starts outside of the chart has a dot only inside of it.
         if (plotted.begins_outside && !(at.y() >= area.bottom && at.y() <= area.top)) continue;
         sheet.view.dots.push_back(PlotFrame::dot(panel, at, curve.curve.colour, 6.5));
     }
