@@ -12,12 +12,12 @@ namespace {
 
 constexpr int most_digits = 8;
 constexpr int least_decimals = 2;
-// A film is shown in this many steps of the last digit at least.
+// The last digit changes at least this many times during a film.
 constexpr double n_steps = 20.0;
 
 int decimals_for(double span) {
     if (!(span > 0.0)) return least_decimals;
-    // The smallest of spans have a finite number of decimals, too.
+    // Even for the smallest spans, the number of decimals is finite.
     const double n_a_unit = std::min(n_steps / span, std::numeric_limits<double>::max());
     return std::max(least_decimals, static_cast<int>(std::ceil(std::log10(n_a_unit))));
 }
@@ -34,7 +34,7 @@ ClockText::ClockText(double first_s, double last_s) {
     unit_ = time_unit_of(span_s);
     const auto n_before = [&] { return digits_before_the_point(largest_s / unit_.seconds); };
     n_decimals_ = decimals_for(span_s / unit_.seconds);
-    // A short film of a late time is told in the unit of that time.
+    // A short film at a late time has the unit of that time.
     if (n_before() + n_decimals_ > most_digits) {
         unit_ = time_unit_of(largest_s);
         n_decimals_ = std::clamp(decimals_for(span_s / unit_.seconds), least_decimals,
@@ -49,7 +49,7 @@ std::string ClockText::at(double time_s) const {
     const double value = time_s / unit_.seconds;
     std::string digits =
         with_exponent_ ? fmt::format("{:.3e}", value) : fmt::format("{:.{}f}", value, n_decimals_);
-    // A minus sign and not a hyphen, as printed formulas have it.
+    // A minus sign instead of a hyphen, as in printed formulas.
     for (std::size_t at = 0; (at = digits.find('-', at)) != std::string::npos;)
         digits.replace(at, 1, "\u2212");
     return fmt::format("$t$ = {} {}", digits, unit_.name);

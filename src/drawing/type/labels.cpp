@@ -11,8 +11,8 @@ namespace poinsot {
 
 namespace {
 
-// 1 for a point in the view, falling to 0 a little way outside: a label stays with what it names,
-// and leaves with it.
+// 1 for a point in the view, falling to 0 a little way outside: a label fades out as its point
+// leaves the view.
 double nearness_to_view(const Eigen::Vector2d& at_px, const View& view) {
     const double reach_px = 0.06 * view.height_px;
     const double outside_px =
@@ -31,10 +31,10 @@ struct PlacedBox {
     Eigen::Vector2d half;
 };
 
-// An arrow as it lies in the picture.
+// An arrow's projection to the picture.
 struct Shaft {
     Eigen::Vector3d tip, direction;  // a unit vector
-    Eigen::Vector2d from, along;     // px; a unit vector
+    Eigen::Vector2d from, along;     // px; `along` is a unit vector
     double length_px = 0.0, half_px = 0.0, opacity = 1.0;
 };
 
@@ -53,12 +53,12 @@ std::vector<Shaft> shafts_of(const View& view) {
     return shafts;
 }
 
-// Moves a box to its side of every shaft that would run through it, of arrows that point nearly
-// where its own does. Others only pass: a name that made way for them would leap to and fro, and
-// they pass under it. It sets out while the shaft is still on its way from the other side, and is
-// clear of it when the shaft comes to where it wishes to stand.
+// Moves a box to its side of shafts that pass through it, of arrows nearly parallel to its own.
+// Other shafts pass under the label: avoiding them would make it move back and forth. The label
+// starts to move while the shaft approaches, and is clear of it when the shaft reaches the
+// requested position.
 void keep_off(const std::vector<Shaft>& shafts, const LabelWish& wish, PlacedBox& box) {
-    constexpr double clear = 1.15;                        // of the box
+    constexpr double clear = 1.15;                        // of the box's size
     constexpr double passes = 0.90, accompanies = 0.985;  // cosines: 26° and 10°
     const auto own = std::find_if(shafts.begin(), shafts.end(), [&wish](const Shaft& shaft) {
         return wish.at && (*wish.at - shaft.tip).isZero(0.0);
@@ -83,7 +83,8 @@ void keep_off(const std::vector<Shaft>& shafts, const LabelWish& wish, PlacedBox
     }
 }
 
-// From what a label names to the nearest of its box, where that is farther than its place was.
+// Adds a leader from the named point to the nearest point of the label's box, if their distance
+// exceeds the requested one.
 void add_leader(const LabelWish& wish, const PlacedBox& box, double before_px, double halo_px,
                 double opacity, const CurveGeometry* segment, View& view) {
     const Eigen::Vector2d nearest =
@@ -108,8 +109,8 @@ void add_leader(const LabelWish& wish, const PlacedBox& box, double before_px, d
     view.curves.push_back(line);
 }
 
-// As large as it asks for, or larger, so that no sub- or superscript is smaller than this; leaves
-// the size in the style.
+// Sets text at the given size, or larger, so that no sub- or superscript is smaller than
+// `script_px`; on return the style has the size used.
 TypesetMask set_no_smaller(const Typesetter& typesetter, std::string_view text, double script_px,
                            TypeStyle& style) {
     TypesetMask set = typesetter.set(text, style);
@@ -199,16 +200,16 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
                   View& view, const CurveGeometry* segment) {
     const std::vector<Shaft> shafts = shafts_of(view);
     std::vector<PlacedBox> boxes;
-    std::vector<double> gaps;  // between what is named and its label, where it wishes to stand
+    std::vector<double> gaps;  // requested distance between the named point and the label
     boxes.reserve(wishes.size());
     gaps.reserve(wishes.size());
     for (const LabelWish& wish : wishes) {
         const Eigen::Vector2d half =
             0.5 * Eigen::Vector2d(wish.type.width_px(), wish.type.height_px());
-        // The box touches the anchor's neighbourhood as an ellipse would: smooth in the direction.
-        // A vanishing direction (an arrow pointing at the eye) fades into "to the right". No
-        // function of the direction alone is continuous there: the box comes nearer to the anchor
-        // as well.
+        // The distance is that of an ellipse about the box: smooth in the direction. If the
+        // direction vanishes (an arrow that points at the eye), it blends into "to the right". No
+        // function of the direction alone is continuous there: the box also moves nearer to the
+        // anchor.
         const Eigen::Vector2d leaning = wish.away + Eigen::Vector2d(0.2, 0.0);
         const double length = std::max(leaning.norm(), 1e-9);
         const Eigen::Vector2d away = leaning / length;
@@ -219,8 +220,8 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
         if (wish.side != 0) keep_off(shafts, wish, boxes.back());
     }
 
-    // Overlapping pairs push each other apart along the line of their centres, as ellipses of their
-    // boxes.
+    // Overlapping pairs are moved apart along the line between their centres; boxes are treated as
+    // ellipses.
     constexpr int n_rounds = 40;
     for (int round = 0; round < n_rounds; ++round) {
         for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -228,7 +229,7 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
                 const Eigen::Vector2d sum = 1.25 * (boxes[i].half + boxes[j].half);
                 const Eigen::Vector2d between = boxes[j].centre - boxes[i].centre;
                 const double nearness = between.cwiseQuotient(sum).norm();
-                // Of two that are left out it is no number.
+                // NaN for two omitted labels.
                 if (!(nearness < 1.0)) continue;
                 const Eigen::Vector2d push =
                     0.5 * (1.0 - nearness) * between.cwiseQuotient(sum).cwiseProduct(sum) /

@@ -12,14 +12,14 @@ namespace poinsot {
 
 namespace {
 
-// Takes at most two digits from the front.
+// Removes at most two digits from the front.
 void skip_digits(std::string_view& rest) {
     for (int n = 0; n < 2 && !rest.empty() && rest.front() >= '0' && rest.front() <= '9'; ++n) {
         rest.remove_prefix(1);
     }
 }
 
-// A width and a precision of at most two digits each: a caption cannot ask for a page of digits.
+// A width and a precision of at most two digits each, which limits a caption's length.
 bool is_number_format(std::string_view rest) {
     if (rest.starts_with('+')) rest.remove_prefix(1);
     if (rest.starts_with('0')) rest.remove_prefix(1);
@@ -39,21 +39,20 @@ std::string formatted(double value, std::string_view format, std::size_t column)
             fmt::format("caption column {}: bad number format \"{}\"; write digits as in .2f",
                         column + 1, printable(format)));
     }
-    // A minus sign and not a hyphen, as printed formulas have it.
+    // A minus sign instead of a hyphen, as in printed formulas.
     std::string digits = fmt::format(fmt::runtime(fmt::format("{{:{}}}", format)), value);
     if (!digits.empty() && digits.front() == '-') digits.replace(0, 1, "\u2212");
     return digits;
 }
 
-// Whether the brace at `at` opens the argument of a command as \\textbf is one, and so belongs to
-// the type.
+// Whether the brace at `at` opens the argument of a command such as \\textbf.
 bool belongs_to_command(std::string_view text, std::size_t at) {
     std::size_t from = at;
     while (from > 0 && std::isalpha(static_cast<unsigned char>(text[from - 1])) != 0) --from;
     return from < at && from > 0 && text[from - 1] == '\\';
 }
 
-// One past the brace that closes the one at `at`.
+// The position after the brace that closes the one at `at`.
 std::size_t end_of_group(std::string_view text, std::size_t at) {
     int depth = 0;
     for (std::size_t i = at; i < text.size(); ++i) {

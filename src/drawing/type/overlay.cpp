@@ -19,7 +19,7 @@ namespace poinsot {
 
 namespace {
 
-// Running text at a corner of the picture; its pen starts between pixels.
+// Adds text at a corner of the picture; its pen may be between pixels.
 void add_text(const StageData& stage, const SetType& type, double pen_x, double baseline_y,
               LabelRank rank, Sheet& sheet) {
     if (type.mask->width == 0) return;
@@ -35,20 +35,20 @@ void add_text(const StageData& stage, const SetType& type, double pen_x, double 
     sheet.view.labels.push_back(label);
 }
 
-// px: of a line of one pixel at 1080 rows.
+// `px`: width of a line of one pixel at 1080 rows.
 double margin(double px) { return overlay_margin * px; }
 double margin(const StageData& stage) { return margin(stage.px); }
 
 constexpr double title_size = 40.0;
 constexpr double caption_size = 26.0;
 
-// What [style] makes of type of this size.
+// The scale that [style] gives text of this size.
 double scale_of(const Scene& scene, double size) {
     const auto& own = size == title_size ? scene.style.title_scale : scene.style.caption_scale;
     return scene.type_scale * own.value_or(1.0);
 }
 
-// Wrapped to a picture so wide, of so many samples to a pixel's side.
+// The style of text wrapped to a picture of this width, with samples × samples per pixel.
 TypeStyle text_style(const Scene& scene, int width_px, double px, double size, int samples) {
     return {.size_px = size * px * scale_of(scene, size),
             .mode = TypeMode::text,
@@ -75,8 +75,7 @@ Drawer make_caption(StageData& stage) {
         add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
                  rank_of_caption, sheet);
     };
-    // Set once here in any case, so that a caption that does not parse is refused before the first
-    // frame.
+    // Always set here, so that an invalid caption is rejected before the first frame.
     const SetType type = at_scene_key(stage.scene, "caption", [&] {
         return stage.type_case.set(
             expand_live_text(stage.scene.caption, StageData::live_values(stage.scene, {})), style);
@@ -95,8 +94,8 @@ Drawer make_caption(StageData& stage) {
 Drawer make_clock(StageData& stage) {
     const ClockText clock(stage.film_first_s, stage.film_last_s);
     const TypeStyle style = text_style(stage, caption_size);
-    // It begins where the widest text of its kind ends at the margin, so that changing digits do
-    // not move it: digits are of one width.
+    // Its left end is fixed, with space for the widest text, so that it does not move as digits
+    // change: all digits have the same width.
     double widest_px = 160.0 * stage.px;
     for (const double time_s : {stage.film_first_s, stage.film_last_s}) {
         const SetType type = stage.type_case.set(clock.at(time_s), style);
@@ -115,13 +114,13 @@ bool wants(const Scene& scene, const char* name) {
     return show.empty() || std::find(show.begin(), show.end(), name) != show.end();
 }
 
-// One of [[captions]], set, and the film's seconds between which it is seen.
+// One of [[captions]], set, and the part of the film in which it is shown.
 struct TimedCaption {
     const TimedCaptionSpec* spec = nullptr;
     double begin_s = 0.0, end_s = 0.0;
-    std::optional<SetType> still;  // absent: its numbers run along
+    std::optional<SetType> still;  // empty: contains numbers that change
 
-    // How much of it is seen: it comes and goes within a third of a second, or of its time.
+    // Opacity: fades in and out within a third of a second, or of the caption's duration.
     double presence(double film_s) const {
         const double ramp_s = std::min(0.33, (end_s - begin_s) / 3.0);
         const double in = (film_s - begin_s) / ramp_s;
@@ -131,7 +130,7 @@ struct TimedCaption {
     }
 };
 
-// Where the scene's own caption begins, or the picture's foot.
+// The top of the scene's own caption, or the picture's lower margin.
 double bottom_of_captions(const StageData& stage, const TypeStyle& style) {
     double bottom = stage.options.height_px - margin(stage);
     const Scene& scene = stage.scene;
@@ -183,7 +182,7 @@ Drawer make_timed_captions(StageData& stage) {
     };
 }
 
-// A loop has no first instant for a clock to count from, unless the scene wants one all the same.
+// By default a loop has no clock, since it has no first instant.
 bool wants_clock(const Scene& scene) {
     if (scene.clock) return *scene.clock;
     if (!scene.film.loop.empty() && scene.show.empty()) return false;
@@ -193,9 +192,9 @@ bool wants_clock(const Scene& scene) {
 bool wants_title(const Scene& scene) { return !scene.title.empty() && wants(scene, "title"); }
 bool wants_caption(const Scene& scene) { return !scene.caption.empty() && wants(scene, "caption"); }
 
-// Where the camera of the whole picture goes near, the figure runs under the title and the caption:
-// then they stand on bands of the ground's colour, which come as the camera leaves the view that
-// keeps them clear.
+// If one panel fills the picture and its camera moves close, the figure may run under the title and
+// the caption: then they get bands of the background's colour, which fade in as the camera leaves
+// the framed view.
 Drawer make_bands(StageData& stage) {
     const Panel& panel = stage.panels.front();
     const bool runs_under = stage.panels.size() == 1 &&
@@ -251,10 +250,10 @@ std::vector<Drawer> make_overlays(StageData& stage) {
     return overlays;
 }
 
-// `type_case` sets for a picture of so many samples to a pixel's side.
+// `type_case` sets text for a picture with samples × samples per pixel.
 OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samples,
                            TypeCase& type_case) {
-    // Whole rows of the picture that is looked at, so that samples do not move its panels.
+    // Whole rows of final pixels, so that panels do not depend on the number of samples.
     const auto rows = [samples](double high_px) {
         return samples * static_cast<int>(std::ceil(high_px / samples));
     };
@@ -272,14 +271,14 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samp
         bands.title_right_px = margin(px) + type.width_px();
     }
     if (wants_caption(scene)) {
-        // Live numbers change the text's width, and its lines hardly ever.
+        // Changing numbers affect the text's width, but hardly its number of lines.
         const SetType type = at_scene_key(scene, "caption", [&] {
             return type_case.set(expand_live_text(scene.caption, StageData::live_values(scene, {})),
                                  text_style(scene, width_px, px, caption_size, samples));
         });
         bands.bottom_px = rows(margin(px) + type.height_px() + 18.0 * px);
     }
-    // Captions that come and go keep their rows all along, so that nothing moves for them.
+    // Rows of timed captions are reserved throughout, so that panels do not move.
     double top_px = 0.0;
     double bottom_px = 0.0;
     for (std::size_t i = 0; i < scene.captions.size(); ++i) {

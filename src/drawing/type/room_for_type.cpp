@@ -18,21 +18,21 @@ Box box_of(const Label& label) {
             label.top_left_px + Eigen::Vector2d(label.mask->width_px(), label.mask->height_px())};
 }
 
-// The share of the smaller that both cover.
+// Area of the overlap as a fraction of the smaller box.
 double shared(const Box& a, const Box& b) {
     const Box both = a.intersection(b);
     if (both.isEmpty()) return 0.0;
     return both.volume() / std::max(std::min(a.volume(), b.volume()), 1e-9);
 }
 
-// Bands that type stands on are none, and what is hardly seen covers nothing.
+// Whether a label is text: background bands are not, and nearly invisible text is ignored.
 bool is_type(const Label& label) {
     constexpr double least_opacity = 0.2;
     return label.mask != nullptr && !label.mask->letters.empty() && label.opacity >= least_opacity;
 }
 
 bool is_on_page(const Box& box, const Drawing& drawing) {
-    // A hair of a letter may stand out.
+    // A small part of a letter may extend beyond the page.
     const double slack = 0.25 * box.sizes().y();
     const Box page(Eigen::Vector2d(-slack, -slack),
                    Eigen::Vector2d(drawing.width_px + slack, drawing.height_px + slack));
@@ -48,7 +48,7 @@ void leave_out_type(Drawing& drawing) {
             if (is_type(label)) labels.push_back(&label);
     std::stable_sort(labels.begin(), labels.end(),
                      [](const Label* a, const Label* b) { return a->rank < b->rank; });
-    constexpr double least_shared = 0.1;  // what boxes share, letters seldom do
+    constexpr double least_shared = 0.1;  // boxes that overlap less seldom have overlapping letters
     constexpr double names_shared = 0.5;
     std::vector<Box> kept;
     for (Label* label : labels) {

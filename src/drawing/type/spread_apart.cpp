@@ -16,9 +16,9 @@ std::vector<double> spread_apart(const std::vector<double>& wished,
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t i, std::size_t j) { return wished[i] < wished[j]; });
 
-    // Packed as close as they may stand, the k-th has its middle at packed[k]. Less that, their
-    // middles need only rise: isotonic regression, by merging neighbours out of order into blocks
-    // at the mean (Barlow, Bartholomew, Bremner & Brunk 1972).
+    // Packed as closely as possible, the k-th item has its middle at packed[k]. The differences to
+    // these only have to be non-decreasing: isotonic regression, by merging neighbours out of order
+    // into blocks at the mean (Barlow, Bartholomew, Bremner & Brunk 1972).
     std::vector<double> packed(n, 0.0);
     struct Block {
         double sum;
