@@ -1,5 +1,5 @@
-// A still drawn and written band by band: pictures larger than a framebuffer, in the memory of one
-// band, and pictures of 16 bits a component.
+// Stills drawn and written in bands: pictures larger than a framebuffer, in the memory of one band,
+// and pictures with 16 bits per component.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,16 @@
 
 namespace poinsot {
 
-// Whether a picture of this size is better drawn so: it is beyond the framebuffer, or beyond what
-// should be held in memory whole.
+// Whether a picture of this size is drawn in bands: it exceeds the framebuffer or a reasonable
+// amount of memory.
 bool wants_bands(const PictureMaker& pictures);
 
-// What a picture carries, from the hash of its pixels; see image/pixel_check.h.
+// The texts of a PNG, given the hash of its pixels; see image/pixel_check.h.
 using TextsOfPixels = std::function<std::map<std::string, std::string>(const std::string& pixels)>;
 
-// Draws the picture of an instant and writes it. The bands show no seams: every pixel is computed
-// by itself, and the dither goes on. Throws EnvironmentError if it cannot be written.
+// Draws the picture of an instant and writes it. Bands have no seams: every pixel is computed
+// independently, and the dither pattern continues. Throws EnvironmentError if the picture cannot be
+// written.
 void write_in_bands(PictureMaker& pictures, const FilmMoment& moment,
                     const std::filesystem::path& path, const PngOptions& png, int bit_depth,
                     const TextsOfPixels& texts);

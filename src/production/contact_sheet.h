@@ -1,4 +1,4 @@
-// Many pictures laid out in one, each with its values below.
+// Many pictures in one, each with its values below.
 #pragma once
 
 #include <optional>
@@ -20,11 +20,12 @@ struct SheetRequest {
     std::vector<SheetCell> cells;  // row by row
     int n_columns = 1, n_rows = 1;
     std::string output;              // a PNG
-    std::optional<double> time_s{};  // of the motion; nothing: where each scene says
+    std::optional<double> time_s{};  // of the motion; empty: each scene's own
 };
 
-// Draws it; places beyond the last cell stay empty. Throws: InputError for more cells than places,
-// for pictures of several sizes, for a sheet larger than a picture may be; EnvironmentError.
+// Draws the sheet; places after the last cell stay empty. Throws InputError for more cells than
+// places, for pictures of different sizes, and for a sheet larger than the largest picture;
+// EnvironmentError.
 void draw_sheet(const SheetRequest& request, Easel& easel, const Telling& telling);
 
 }  // namespace poinsot

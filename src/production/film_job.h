@@ -1,4 +1,4 @@
-// A film or sequence, from a session to its file.
+// Makes a film or sequence from a session.
 #pragma once
 
 #include <cstdint>
@@ -16,30 +16,29 @@ namespace poinsot {
 
 struct FilmRequest {
     std::string output{};                                           // empty: output/<scene>.mp4
-    std::optional<std::pair<std::int64_t, std::int64_t>> frames{};  // inclusive; nothing: all
-    // Of a film the first so many of those frames alone, with the bytes of a run that was
-    // interrupted after them; 0: all.
+    std::optional<std::pair<std::int64_t, std::int64_t>> frames{};  // inclusive; empty: all
+    // If not 0, only the first n_shown of those frames of a film, byte-identical to a run that was
+    // interrupted after them.
     std::int64_t n_shown = 0;
-    // Part K of N of those frames, both from 1; nothing: all of them.
+    // Part K of N of those frames, both from 1; empty: all of them.
     std::optional<std::pair<std::int64_t, std::int64_t>> part{};
 };
 
 class FilmJob {
  public:
-    // The session must outlive it. Throws InputError for frames that the film does not have.
+    // The session must outlive it. Throws InputError for frames outside of the film.
     FilmJob(const Session& session, FilmRequest request);
 
     const FilmPlan& film() const { return film_; }
 
-    // Those asked for, of which a part has its share.
+    // Number of requested frames, of which a part draws its share.
     std::int64_t n_frames() const { return last_ - first_ + 1; }
 
-    // Draws and writes it, from where an interrupted run of the same film ended. Throws InputError
+    // Draws and writes the film; continues an interrupted run of the same film. Throws InputError
     // and EnvironmentError.
     void make(Easel& easel, const Telling& telling) const;
 
-    // Writes what lies beside a sequence whose pictures are there: its chapters. Throws
-    // EnvironmentError.
+    // Writes the chapters of a sequence whose pictures exist. Throws EnvironmentError.
     void end_sequence(const std::filesystem::path& pattern, const Telling& telling) const;
 
  private:

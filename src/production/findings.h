@@ -1,4 +1,4 @@
-// What can be said of a scene without drawing it.
+// Properties of a scene that are known without drawing it.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace poinsot {
 
-// One line of the answer: a key for JSON, words for people.
+// One line of the report: a key for JSON and a text for people.
 struct Fact {
     std::string key;
     std::string json;
@@ -21,12 +21,12 @@ struct Fact {
 
 struct Findings {
     std::vector<Fact> facts;
-    std::optional<Certificate> certificate;  // of torque-free bodies that turn
-    std::vector<PlanLine> plan;              // what will be modelled and why, if it was asked for
+    std::optional<Certificate> certificate;  // of torque-free rotating bodies
+    std::vector<PlanLine> plan;              // what will be computed and why, if requested
 };
 
-// Makes the stage, too: whether a scene can be drawn is part of it, and opens no context. Throws
-// InputError.
+// Computes the facts of a session. It also makes the stage, to check that the scene can be drawn;
+// this opens no context. Throws InputError.
 Findings examine(const Session& session, bool plan, const Telling& telling = {});
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// Films that run into themselves: what a scene's loop asks for, and what it takes.
+// Looping films: the options of a scene's loop, and their solution.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,19 @@
 
 namespace poinsot {
 
-// After loop_s of motion the picture is the same.
+// The picture is periodic with loop_s of motion.
 struct Loop {
     double loop_s = 0.0;
     std::string in_words;  // "5 turns about L in 3 polhode periods"
-    std::string change;    // what was changed in the start and by how much, empty for nothing
+    std::string change;    // changes of the start, with their size; empty: none
 };
 
-// Makes the scene the one that is shown: its start closes, and its film lasts one loop. Scenes
-// without a loop are left alone. Throws SceneError at film.loop where none is near by.
+// Changes the scene so that it loops: adjusts its start and sets the film's length to one loop.
+// Scenes without a loop are unchanged. Throws SceneError at film.loop if there is no loop nearby.
 std::optional<Loop> resolve_loop(Scene& scene);
 
-// Says in the scene's notes what makes the film jump all the same where it begins again: a camera
-// or an element that ends otherwise than it began.
+// Adds notes about elements that jump when the film repeats: a camera or an opacity that differs
+// between the film's end and start.
 void note_jumps(Scene& scene);
 
 }  // namespace poinsot

@@ -1,5 +1,5 @@
-// Where a picture or film goes: the user's name with its number and its scene put in, or a place of
-// our own.
+// Path of a picture or film: the user's pattern with the scene's name and the number inserted, or a
+// default path.
 #pragma once
 
 #include <cstdint>
@@ -12,26 +12,26 @@
 
 namespace poinsot {
 
-// Whether a name asks for the scene's with {scene}.
+// Whether a pattern contains {scene}.
 bool has_scene_name(std::string_view pattern);
 
-// The pattern with every {scene} replaced by the scene's name. A '#' in that counts nothing, so it
-// becomes '_'.
+// The pattern with every {scene} replaced by the scene's name. A '#' in the scene's name becomes
+// '_', since it is not part of a number.
 std::filesystem::path with_scene_name(const std::filesystem::path& pattern,
                                       std::string_view scene_name);
 
-// The same, its first #### replaced by a number.
+// The same with the first #### replaced by a number.
 std::filesystem::path numbered_output(const std::filesystem::path& pattern, std::int64_t number,
                                       std::string_view scene_name);
 
-// output/<scene> with a suffix.
+// output/<scene> with this suffix.
 std::filesystem::path default_output(std::string_view scene_name, std::string_view suffix);
 
-// output/<scene> with a suffix, or what the user has said. That folder is made when it is missing
-// and goes again if nothing came to lie in it; a folder that the user names is theirs to make.
+// output/<scene> with a suffix, or the user's path. The folder output/ is created if needed, and
+// removed again if it stays empty; other folders must exist.
 class OutputPlace {
  public:
-    // asked: what the user has said, or empty.
+    // asked: the user's path, or empty.
     OutputPlace(const std::string& asked, const Scene& scene, std::string_view suffix);
     ~OutputPlace();
     OutputPlace(OutputPlace&& other) noexcept

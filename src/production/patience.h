@@ -1,4 +1,4 @@
-// Work that may take long before anything is drawn: how long it will take, and a word meanwhile.
+// Work that may take long before drawing starts: an estimate of its time, and messages meanwhile.
 #pragma once
 
 #include <atomic>
@@ -44,10 +44,10 @@ class Patience {
     EndsAtOnce ends_at_once_;
 };
 
-// Stepping may take so long; more is refused beforehand.
+// Upper limit of the time for stepping; estimates above it are rejected.
 inline constexpr double longest_stepping_s = 600.0;
 
-// Of this thread alone: what a busy machine gives to others does not lengthen an estimate.
+// CPU time of this thread: an estimate does not depend on other load.
 double own_processor_s();
 
 // The seconds that stepping over a problem's span will take here, from a few thousandths of a

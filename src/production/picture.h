@@ -1,4 +1,4 @@
-// Pictures of a session: stage, context and renderer together, for the commands that draw.
+// Pictures of a session: stage, context and renderer, for the commands that draw.
 #pragma once
 
 #include <optional>
@@ -22,23 +22,23 @@ struct PictureSpan {
     std::optional<double> first_shown_s{};  // no picture is earlier; else the first
 };
 
-// Which context pictures are drawn on.
+// The context on which pictures are drawn.
 struct ContextChoice {
     Backend backend = Backend::automatic;
     Portability portability = Portability::native;
 };
-// Throws EnvironmentError where the machine has no such context.
+// Throws EnvironmentError if the machine has no such context.
 OffscreenContext make_context(const ContextChoice& choice,
                               ShaderCompilation compilation = ShaderCompilation::thorough);
 
-// What all scenes of a command are drawn with: a context, and a renderer, whose shaders serve them
-// all. Opened when first asked for.
+// The context and the renderer, with its shaders, that all scenes of a command share. Opened on
+// first use.
 class Easel {
  public:
     explicit Easel(const ContextChoice& choice = {}) : choice_(choice) {}
 
-    // Of use before the context is opened: a single small picture is drawn sooner than its shaders
-    // are optimised.
+    // Call before the context is opened: a single small picture takes less time than the
+    // optimisation of shaders.
     void compile_quickly() { compilation_ = ShaderCompilation::quick; }
 
     // Throw as make_context does.
@@ -46,7 +46,7 @@ class Easel {
     Renderer& renderer();
     const ContextChoice& choice() const { return choice_; }
     bool is_open() const { return context_.has_value(); }
-    // Whether it draws the same bytes on every processor.
+    // Whether it draws byte-identical pictures on every processor.
     bool is_portable() const { return choice_.portability == Portability::portable; }
 
  private:
@@ -56,30 +56,30 @@ class Easel {
     std::optional<Renderer> renderer_;
 };
 
-// How finely a picture is drawn; --quality names some of these.
+// Settings of a picture's quality; --quality selects some of these.
 struct PictureSetting {
     double curve_tolerance = 1.0;  // in units of the scene's accuracy_px
-    int samples = 1;               // drawn samples × samples times as large and averaged
-    double line_scale = 0.0;       // as StageOptions has it, of the picture made
-    LeastSizes least{};            // likewise
+    int samples = 1;               // supersampling: samples × samples per pixel
+    double line_scale = 0.0;       // as in StageOptions, of the final picture
+    LeastSizes least{};            // as in StageOptions, of the final picture
 
-    // Lines and type as large as they are on paper.
+    // Uses the sizes of lines and text on paper.
     void put_on(const PrintSize& paper) {
         line_scale = paper.line_scale;
         least = paper.least;
     }
 };
 
-// What the scene's quality asks for, and the size on paper.
+// The settings of the scene's quality, with the size on paper.
 PictureSetting setting_of(const Scene& scene, const PrintChoices& print = {});
 
-// The stage of pictures drawn so. The session must outlive it.
+// The stage of pictures with this setting. The session must outlive it.
 Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting);
 
 // What is drawn otherwise than asked for: as a ring, or as boxes, for want of a font.
 void tell_stage_notes(const Stage& stage, const Telling& telling);
 
-// How far anything drawn is from the truth, in pixels of the picture that is made.
+// Upper bounds of position errors in the picture, in pixels of the final picture.
 struct PictureBound {
     double motion_px = 0.0;            // see motion_error_px
     double curves_px = 0.0;            // polylines for curves
@@ -91,10 +91,10 @@ PictureBound bound_of(const Session& session, const Stage& stage, int samples);
 // "within 0.05 px of the truth (motion 1.6e-11 px, curves 0.05 px; 0.1 px asked)"
 std::string in_words(const PictureBound& bound, double accuracy_px);
 
-// All that the pictures of a session need but the context: what takes the time of a small one, and
-// may be made by another thread than theirs. The session must outlive it.
+// Everything that the pictures of a session need except for the context. Preparing it takes most of
+// the time of a small picture, and may be done by another thread. The session must outlive it.
 struct Staging {
-    // As finely as the scene's quality says.
+    // With the settings of the scene's quality.
     Staging(const Session& session, const PictureSpan& span, const PrintChoices& print);
     Staging(const Session& session, const PictureSpan& span, const PictureSetting& setting);
 
@@ -105,20 +105,20 @@ struct Staging {
 
 class PictureMaker {
  public:
-    // A scene that has no picture is refused before a context is opened.
+    // Throws for a scene without a picture before it opens a context.
     PictureMaker(Staging staging, Easel& easel);
-    // As finely as the scene's quality says.
+    // With the settings of the scene's quality.
     PictureMaker(const Session& session, Easel& easel, const PictureSpan& span);
-    // On a context that outlives it.
+    // Uses a context, which must outlive it.
     PictureMaker(const Session& session, const OffscreenContext& context, const PictureSpan& span,
                  const PictureSetting& setting);
     PictureMaker(const PictureMaker&) = delete;
     PictureMaker& operator=(const PictureMaker&) = delete;
 
-    // The picture of a moment of the film, drawn into an image whose memory is reused.
+    // Draws a moment of the film into an image, whose memory is reused.
     void draw(const FilmMoment& moment, Image& image);
 
-    // An area of a picture that the stage has made, in pixels of the picture made.
+    // Draws an area of a drawing of the stage, in pixels of the final picture.
     void draw_part(const Drawing& whole, const PixelArea& area, Image& image);
     void draw_part(const Drawing& whole, const PixelArea& area, DeepImage& image);
 

@@ -1,4 +1,4 @@
-// What a scene will have modelled, and why: the answer of `check --plan`.
+// What will be computed for a scene, and why: the output of `check --plan`.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ struct PlanLine {
     std::string why;
 };
 
-// From the motion's regime, from what the panels ask of each instant, and from what the stage has
-// evaluated.
+// The plan from the kind of motion, the quantities that the panels read, and the evaluations that
+// the stage has made.
 std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, const Stage& stage);
 
 }  // namespace poinsot

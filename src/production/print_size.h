@@ -9,21 +9,22 @@
 namespace poinsot {
 
 constexpr double mm_per_inch = 25.4;
-constexpr double pt_per_inch = 72.0;  // the point of PDF
+constexpr double pt_per_inch = 72.0;  // as in PDF
 
-// Lines keep their proportion to type: labels are 34 pixels an em where a polhode is 4 pixels wide.
-// So at 8.5 points a label, the curves are 1 point, L and ω 1.15, axes 0.85, an ellipsoid's
-// principal sections, rulings and grids 0.5, titles 10, captions and all other type 8 points.
+// Lines are proportional to text: labels are 34 pixels per em if a polhode is 4 pixels wide. With
+// labels of 8.5 points, the curves are 1 point wide, L and ω 1.15, axes 0.85, an ellipsoid's
+// principal sections, rulings and grids 0.5; titles are 10 points, captions and all other text 8
+// points.
 constexpr double default_type_pt = 8.5;
 constexpr double default_dpi = 300.0;
 
-// A still's size on paper.
+// Options for a still's size on paper.
 struct PrintChoices {
     std::optional<double> width_mm, height_mm;  // --width-mm, --height-mm
     std::optional<double> dpi;                  // --dpi
-    std::optional<double> type_pt;              // --type-pt, of labels
-    std::string journal{};                      // --journal, whose sizes are kept
-    // No type is smaller, no sub- or superscript, no line thinner.
+    std::optional<double> type_pt;              // --type-pt, size of labels
+    std::string journal{};                      // --journal, whose limits apply
+    // Lower limits of text, sub- and superscripts, and line widths.
     double least_type_pt = 8.0, least_script_pt = 6.0, least_line_pt = 0.5;
 };
 
@@ -34,9 +35,9 @@ struct PrintSize {
     LeastSizes least{};
 };
 
-// Of a picture that has the scene's size in pixels unless millimetres are given; a side that is not
-// given follows from the scene's shape. Nothing if the command line does not speak of paper.
-// Throws InputError for sizes that no picture has, naming the option.
+// The size on paper of a picture that has the scene's size in pixels unless millimetres are given;
+// a side that is not given follows from the scene's aspect ratio. Empty if no option is about
+// paper. Throws InputError for impossible sizes, with the option's name.
 std::optional<PrintSize> print_size_of(const PrintChoices& print, int scene_width_px,
                                        int scene_height_px);
 

@@ -1,4 +1,4 @@
-// The lines of a record, one row each: written, read and shown as JSON from one table.
+// The fields of a record, one row each: writing, reading and JSON use one table.
 #pragma once
 
 #include <optional>
@@ -11,22 +11,23 @@
 namespace poinsot {
 
 struct RecordField {
-    // How its text reads as JSON: "generic", 6.25, or the two numbers of "640x360" and "0-299".
+    // The JSON form of a field's text: "generic", 6.25, or the two numbers of "640x360" and
+    // "0-299".
     enum class Form { text, number, two_numbers };
 
-    std::string_view key;  // "scene-sha256"; in JSON with low lines: "scene_sha256"
-    bool is_required;      // in what is read
+    std::string_view key;  // "scene-sha256"; in JSON with underscores: "scene_sha256"
+    bool is_required;      // when a record is read
     Form form;
-    // Nothing where the record does not say it.
+    // Empty if the record does not have the field.
     std::optional<std::string> (*text_of)(const Record&);
-    // False for a text that it cannot have.
+    // False for an invalid text.
     bool (*read)(std::string_view text, Record&);
 };
 
-// In the order in which they are written.
+// In the order of writing.
 std::span<const RecordField> record_fields();
 
-// The name and the value of a field in JSON, of a text that it has.
+// The JSON name and value of a field, from its text.
 std::string json_key_of(const RecordField& field);
 std::string json_of(const RecordField& field, const std::string& text);
 

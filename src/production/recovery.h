@@ -1,4 +1,4 @@
-// What an interrupted run has drawn, as a film that can be shown now.
+// Builds a film from the finished frames of an interrupted run.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,12 @@
 
 namespace poinsot {
 
-// Makes the film of the frames that are there, and its chapters and subtitles beside it, if what
-// they need is still to be had. Returns the number of frames. Throws InputError, EnvironmentError.
+// Makes the film of the finished frames, and its chapters and subtitles beside it if the files that
+// these need still exist. Returns the number of frames. Throws InputError, EnvironmentError.
 std::int64_t recover(const std::filesystem::path& film, const Telling& telling);
 
-// The chapters, and a film's subtitles, beside a film or sequence that carries a record, as they
-// lie beside one that was made in one run. Throws InputError where the scene needs files that are
-// not there.
+// Writes the chapters and subtitles beside a film or sequence with a record, as a single run does.
+// Throws InputError if files of the scene are missing.
 void write_what_lies_beside(const std::filesystem::path& film, const Record& record,
                             const Telling& telling);
 

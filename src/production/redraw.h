@@ -1,4 +1,4 @@
-// The picture or film that a file describes, drawn again.
+// Redraws the picture or film that a file's record describes.
 #pragma once
 
 #include <filesystem>
@@ -14,25 +14,26 @@ namespace poinsot {
 
 struct RedrawRequest {
     std::filesystem::path file;
-    // A file of the same kind; {scene} in its name becomes the scene's, #### the frame's number.
+    // A file of the same kind; in its name, {scene} is replaced by the scene's name, #### by the
+    // frame's number.
     std::filesystem::path output{};
     Backend backend = Backend::automatic;
     OutsideFiles outside = OutsideFiles::refused;
 };
 
-// Whether a file can be drawn again here, as far as that can be told without drawing.
+// Whether a file can be redrawn here, as far as is known without drawing.
 struct RedrawCheck {
-    std::string obstacle;            // why it cannot be, in a line; empty: it can
-    std::vector<std::string> notes;  // what may keep it from the same bytes, a line each
+    std::string obstacle;            // the reason why not, one line; empty: it can be redrawn
+    std::vector<std::string> notes;  // possible causes of different bytes, one line each
 };
 
 // Reads the scene of the file's record, makes its motion and its stage, and opens the renderer. The
-// request's output is not looked at.
+// request's output is ignored.
 RedrawCheck check_redraw(const RedrawRequest& request, const Record& record,
                          const Telling& telling);
 
-// Draws as the file's record says; what may keep this machine from the same bytes is told. Throws
-// InputError for a file without a record, and for a mesh or a picture that has changed since;
+// Redraws a file from its record, and reports possible causes of different bytes. Throws InputError
+// for a file without a record, and for a mesh or a picture that has changed since;
 // EnvironmentError.
 void redraw(const RedrawRequest& asked, const Telling& telling);
 

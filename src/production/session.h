@@ -1,5 +1,5 @@
-// From a scene's name to what every command needs: the scene, its motion, and the instants of its
-// film.
+// From a scene's name to the common input of all commands: the scene, its motion, and the instants
+// of its film.
 #pragma once
 
 #include <cstdint>
@@ -24,46 +24,46 @@
 
 namespace poinsot {
 
-// A scene that has been read and whose motion has been made.
+// A scene that was read, and its motion.
 struct Session {
     Scene scene;
     Accuracy accuracy;
-    StepChoice step;  // of a stepped method; chosen from accuracy_px where the scene does not say
+    StepChoice step;  // of a stepped method; derived from accuracy_px by default
     Motion motion;
     std::optional<Motion> beside;  // by the scene's second method
-    std::optional<Loop> loop;      // of a film that runs into itself
+    std::optional<Loop> loop;      // of a looping film
 };
 
-// What is wanted of a scene file.
+// A request to open a scene file.
 struct SceneRequest {
     std::string file;
     std::vector<std::string> overrides;  // see load_scene
     OutsideFiles outside = OutsideFiles::refused;
     PrintChoices print;
-    std::vector<double> times_s;  // instants that a stepped motion must cover besides the film
+    std::vector<double> times_s;  // instants outside of the film that a stepped motion must cover
 };
 
 // Throws InputError.
 Session open_session(const SceneRequest& request, const Telling& telling = {});
 
-// The motion of a scene over its film and further instants, its step chosen. Throws SceneError.
-// Stepping that would take longer than longest_stepping_s is refused, and what takes more than a
-// second is told.
+// The motion of a scene over its film and further instants, with its step chosen. Throws
+// SceneError. Rejects stepping that would take longer than longest_stepping_s; reports stepping
+// that takes more than a second.
 Session session_of(Scene scene, std::span<const double> times_s = {}, const Telling& telling = {});
 
-// How far the motion can carry anything drawn from the truth, in pixels: measured for a stepped
-// motion, the bound of rounding for a closed form.
+// Upper bound of position errors due to the motion, in pixels: measured for a stepped motion, the
+// rounding bound for a closed form.
 double motion_error_px(const Session& session);
 
-// The instants of a film. Frame k shows second k/fps of it, from the ratio, never accumulated, and
-// the clock says which instant of the motion that is. The frames of a loop divide it evenly, so
-// that the one after the last is the first.
+// The instants of a film. Frame k shows second k/fps of it, computed from the ratio without
+// accumulation; the scene's clock maps this second to an instant of the motion. The frames of a
+// loop divide it evenly, so that the frame after the last is the first.
 struct FilmPlan {
     FrameRate rate;
     double start_s = 0.0;
     FilmClock clock;
     double length_s = 0.0;      // of the film
-    double loop_s = 0.0;        // seconds of motion after which it begins again; 0: it does not
+    double loop_s = 0.0;        // period of a loop, seconds of motion; 0: no loop
     std::int64_t n_frames = 0;  // of the whole film
 
     FilmMoment moment_of(std::int64_t frame) const;
@@ -73,21 +73,20 @@ struct FilmPlan {
 
 FilmPlan film_plan(const Session& session);
 
-// The residuals of the construction over all frames; every frame counts. Torque-free scenes that
-// turn.
+// The residuals of the construction over all frames. For torque-free rotation.
 bool can_certify(const Session& session);
 Certificate certify_film(const Session& session, const FilmPlan& film, const Telling& telling = {});
 
-// The certificate as lines of text, one a claim, with what was measured and what was promised.
+// The certificate as text, one line per claim, with measured and promised values.
 std::string text_of(const Certificate& certificate);
 
-// Throws the SceneError that at_key_of_error makes of one.
+// Throws the SceneError into which at_key_of_error converts an error.
 [[noreturn]] void throw_at_key(const Scene& scene, const std::string& key,
                                const std::string& time_key, const InputError& error);
 
-// Calls what may throw an InputError of the mechanics, which knows no file: one that begins with a
-// key of [start], as "omega_rad_s: …", gets that key's place; one about a time gets that of
-// `time_key`, any other that of `key`.
+// Calls a function that may throw an InputError of the mechanics, which does not know scene files:
+// adds the position of a key. An error that starts with a key of [start], such as "omega_rad_s: …",
+// gets that key's position; an error about a time gets that of `time_key`, any other that of `key`.
 template <typename Call>
 decltype(auto) at_key_of_error(const Scene& scene, const std::string& key,
                                const std::string& time_key, Call call) {
@@ -100,7 +99,7 @@ decltype(auto) at_key_of_error(const Scene& scene, const std::string& key,
     }
 }
 
-// What the scene's reader left for the user.
+// Reports the notes of the scene's reader.
 void tell_notes(const Scene& scene, const Telling& telling);
 
 }  // namespace poinsot

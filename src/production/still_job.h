@@ -18,13 +18,13 @@ namespace poinsot {
 
 struct StillRequest {
     std::string output{};            // empty: output/<scene>.png
-    std::optional<double> time_s{};  // of the motion; nothing: where the scene says
+    std::optional<double> time_s{};  // of the motion; empty: the scene's own
     PrintChoices print{};
     int bit_depth = 8;  // of a component
     VectorChoices vectors{};
 };
 
-// A picture ready to be drawn. Any thread may make it.
+// A prepared picture. Any thread may construct it.
 class StillJob {
  public:
     // Throws InputError.
@@ -33,18 +33,18 @@ class StillJob {
     StillJob& operator=(const StillJob&) = delete;
 
     std::int64_t n_pixels() const;
-    // Whether its drawing opens the easel's context.
+    // Whether drawing opens the easel's context.
     bool opens_context() const {
         return !is_vector_name(request_.output) || has_pixels(request_.vectors);
     }
-    // What its record says, but for what draws it and for the instant.
+    // Its record, except for the renderer and the instant.
     Record record() const;
 
-    // Draws it; the writer may still have it in hand. Throws InputError, EnvironmentError, and what
-    // the writer throws of an earlier one.
+    // Draws and writes the picture; the writer may finish later. Throws InputError,
+    // EnvironmentError, and the writer's error for an earlier picture.
     void draw(Easel& easel, StillWriter& writer, const Telling& telling);
 
-    // Draws it into memory alone, as one of many; its record. Throws as draw does.
+    // Draws into memory only, for a contact sheet; returns the record. Throws as draw does.
     Record draw_into(Easel& easel, Image& image);
 
  private:

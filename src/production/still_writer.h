@@ -1,5 +1,5 @@
-// Stills are written while the next is drawn: compressing one and waiting for the disk takes as
-// long as drawing a small one.
+// Writes stills while the next one is drawn: compression and writing take as long as drawing a
+// small one.
 #pragma once
 
 #include <functional>
@@ -12,20 +12,20 @@
 
 namespace poinsot {
 
-// One at a time, in order. What writing throws arrives at the next call. Destroyed, it waits, and
-// what was not asked for is lost: finish() asks.
+// Writes one at a time, in order. Errors of writing are thrown by the next call. The destructor
+// waits, and discards errors: call finish() to get them.
 class StillWriter {
  public:
-    // Returns while the picture is being written; `written` is called by the next call of this
-    // object once it is there. Throws what the one before threw.
+    // Returns while the picture is being written; the next call of this object calls `written` once
+    // the file is complete. Throws the previous picture's error.
     void write(OutputPlace&& place, Image&& picture, PngOptions&& png,
                std::function<void()>&& written);
 
-    // Waits for the last. Throws EnvironmentError as write_png does.
+    // Waits for the last picture. Throws EnvironmentError as write_png does.
     void finish();
 
  private:
-    std::optional<OutputPlace> place_;  // until the picture lies there
+    std::optional<OutputPlace> place_;  // until the picture is written
     std::future<void> writing_;
     std::function<void()> written_;
 };

@@ -1,4 +1,4 @@
-// What a job has to tell as it goes on, for whoever talks to the user.
+// Progress callbacks of a job, for the code that talks to the user.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 namespace poinsot {
 
-// What is not filled in is not told.
+// Unset callbacks do nothing.
 struct Telling {
-    // From any thread: while one works, another may say how long it will take.
+    // May be called from any thread: while one works, another may report an estimate of the time.
     std::function<void(const std::string& line)> say = [](const std::string&) {};
-    // Of a film: its name and frames when drawing begins, how many there are, and the file once it
-    // is whole.
+    // For films: the film's name and number of frames when drawing starts, the number of finished
+    // frames, and the completed file.
     std::function<void(const std::string& what, std::int64_t n_frames)> begin =
         [](const std::string&, std::int64_t) {};
     std::function<void(std::int64_t n_done)> done = [](std::int64_t) {};

@@ -1,4 +1,4 @@
-// A film's captions as subtitles: WebVTT beside it, to be read, translated and heard.
+// A film's captions as WebVTT subtitles beside it, for reading, translation and screen readers.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@ namespace poinsot {
 // "film.vtt" for "film.mp4", "film.webm.vtt" for "film.webm".
 std::filesystem::path subtitles_path(const std::filesystem::path& film);
 
-// The captions that stand in frames first … last of the film, with times from the first of those;
-// formulas as plain text, live numbers as they are when the caption comes.
+// The captions shown in frames first … last of the film, with times relative to the first of them;
+// formulas as plain text, live numbers with their values when the caption appears.
 std::vector<FilmSubtitle> subtitles_of(const Session& session, const FilmPlan& film,
                                        std::int64_t first, std::int64_t last);
 
-// Writes them as the film's file, whole or not at all; where there are none, removes the one that
-// an earlier film of the same name has left. Throws EnvironmentError. Source: W3C, WebVTT.
+// Writes the film's subtitles file atomically; without subtitles, removes the file that an earlier
+// film of the same name left. Throws EnvironmentError. Source: W3C, WebVTT.
 void write_subtitles(const std::filesystem::path& film, std::span<const FilmSubtitle> subtitles);
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// How many processes draw a film where the user does not say: as many as pay on this machine.
+// The default number of processes for a film: as many as speed it up on this machine.
 #pragma once
 
 #include <cstdint>
@@ -9,38 +9,38 @@
 
 namespace poinsot {
 
-// What there is to draw with.
+// The resources of a machine.
 struct Machine {
-    int n_cores = 1;              // that this process may use
-    std::int64_t memory_MiB = 0;  // of the machine; 0: not known
+    int n_cores = 1;              // available to this process
+    std::int64_t memory_MiB = 0;  // of the machine; 0: unknown
 };
 Machine this_machine();
 
-// What a film is to its processes.
+// The properties of a film that determine its cost.
 struct FilmWork {
     std::int64_t n_frames = 0;
     int width_px = 0, height_px = 0;
     std::string quality;
-    std::filesystem::path output;  // its name says the format
+    std::filesystem::path output;  // its suffix determines the format
 };
 FilmWork work_of(const Session& session, std::int64_t n_frames,
                  const std::filesystem::path& output);
 
 struct JobChoice {
     int n_jobs = 1;
-    int n_threads = 1;            // that each draws with; the encoders have threads of their own
-    std::int64_t memory_MiB = 0;  // of all of them, about
+    int n_threads = 1;            // drawing threads per process; encoders have their own
+    std::int64_t memory_MiB = 0;  // of all of them, approximately
     std::string why;
 };
 
-// From the machine's numbers and the film's alone, never from its load or a clock, so that the same
-// command does the same again. Throws InputError for a name or quality that is not known.
+// Depends only on the machine's and the film's properties, never on load or a clock, so that the
+// same command always has the same result. Throws InputError for an unknown name or quality.
 JobChoice choose_jobs(const FilmWork& film, const Machine& machine);
 
 // "2 processes, each drawing with one thread, about 900 MiB together"
 std::string in_words(const JobChoice& choice);
 
-// Threads that each of so many jobs draws with.
+// Drawing threads per process for this number of processes.
 int n_drawing_threads(int n_jobs, int n_cores);
 
 }  // namespace poinsot

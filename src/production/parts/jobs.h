@@ -1,4 +1,4 @@
-// A film drawn by several processes of this machine: its parts side by side, then joined.
+// Draws a film in several processes on this machine: in parts, which are then joined.
 #pragma once
 
 #include <filesystem>
@@ -11,20 +11,20 @@
 
 namespace poinsot {
 
-// Makes the film of a request, without a part in it, by so many processes or as many as it has
-// chunks; the bytes are those of FilmJob. Not said how many: as many as pay (job_choice.h), or as
-// an interrupted run of this film had. Parts wait aside, in a hidden folder beside the film, so
-// that an interrupted run of as many processes is gone on with. One process is this one, drawing on
-// the easel; more are forked, which where nothing is said is not done once this process has opened
-// it. Precondition: no thread of this process runs. Throws InputError and EnvironmentError; then no
-// process is left.
+// Makes the film of a request, which must not be for a part, in `n_jobs` processes, limited to the
+// number of its chunks; the result is byte-identical to FilmJob's. Default: the number that is
+// fastest (job_choice.h), or that of an interrupted run of this film. Parts are stored in a hidden
+// folder beside the film, so that an interrupted run with the same number continues. A single
+// process is this one, which draws on the easel; several are forked, by default only if the easel
+// is not open. Precondition: this process has no other threads. Throws InputError and
+// EnvironmentError; then no child process is left.
 void make_in_jobs(const Session& session, const FilmRequest& request, std::optional<int> n_jobs,
                   Easel& easel, const Telling& telling);
 
-// What an interrupted run of several processes has left of a film, as far as it goes without a gap,
-// as if one process had left it: what render goes on with and recover makes a film of. Nothing is
-// done where there is none, or where one process has left something. Returns how many frames come
-// after a gap: these stay where they are, for render. Throws EnvironmentError.
+// Converts the state that an interrupted run of several processes left of a film, up to the first
+// gap, to that of a single process, from which render continues and recover makes a film. Does
+// nothing if there is no such state, or if a single process left one. Returns the number of frames
+// after a gap: these stay in place, for render. Throws EnvironmentError.
 std::int64_t gather_parts_aside(const std::filesystem::path& film);
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// Whether two records are of one film's parts, and if not, why.
+// Whether two records belong to parts of the same film, and if not, why.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace poinsot {
 
-// Empty if they agree in everything but frame and hashes; else what differs, as the end of a
-// sentence: "their scenes or settings differ: quality = "draft" and quality = "lecture"".
+// Empty if the records agree in everything but frame and hashes; else the difference, as the end of
+// a sentence: "their scenes or settings differ: quality = "draft" and quality = "lecture"".
 std::string difference_of(const Record& one, const Record& other);
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// A submission handed to Slurm: an array of parts, and the joins after it.
+// Submits parts to Slurm: an array of parts, followed by the joins.
 #pragma once
 
 #include <filesystem>
@@ -9,34 +9,33 @@
 
 namespace poinsot {
 
-// A call of sbatch that waits to be made. What stands for the ids of earlier ones is filled in
-// then.
+// A planned call of sbatch. Placeholders of the ids of earlier calls are filled in when it is made.
 struct SlurmCall {
     std::vector<std::string> words;
-    bool after_parts = false;  // it needs the ids of the calls before it
+    bool after_parts = false;  // depends on the ids of the calls before it
 };
 
-// The calls that a submission takes: its tasks that are not done, in arrays of at most
-// largest_array, and their joins. Options are sbatch's own, the site's before the user's.
+// The calls for a submission: its unfinished tasks, in arrays of less than largest_array, and their
+// joins. `options` are those of sbatch, the site's before the user's.
 std::vector<SlurmCall> slurm_calls(const Submission& submission,
                                    const std::vector<std::string>& options, int largest_array);
 
-// As a shell would run them, ids in $parts.
+// The calls as shell commands, with ids in $parts.
 std::string in_shell(const std::vector<SlurmCall>& calls);
 
-// Options that hold for all submissions here: a line or more of them, # begins a comment, from
-// /etc/poinsot/slurm.options and $XDG_CONFIG_HOME/poinsot/slurm.options (~/.config without).
+// Options for all submissions on this site: one or more lines, comments start with #, from
+// /etc/poinsot/slurm.options and $XDG_CONFIG_HOME/poinsot/slurm.options (default: ~/.config).
 std::vector<std::string> site_options();
 
-// What Slurm says, or its default where it says nothing.
+// Slurm's MaxArraySize, or its default if Slurm does not report it.
 int largest_array();
 
 struct SlurmIds {
     std::vector<std::string> parts, joins;
 };
 
-// Makes the calls. Throws EnvironmentError where sbatch is missing or refuses, with its words; what
-// had been submitted until then is cancelled.
+// Makes the calls. Throws EnvironmentError, with sbatch's message, if sbatch is missing or fails;
+// then already submitted calls are cancelled.
 SlurmIds submit(const std::vector<SlurmCall>& calls);
 
 }  // namespace poinsot

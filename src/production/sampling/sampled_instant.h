@@ -1,4 +1,4 @@
-// What the numbers of one row of a table of samples are taken from. Known to the table alone.
+// The input for the numbers of one row of a table of samples. Used only by the table.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,11 +10,11 @@
 namespace poinsot {
 
 struct SampledInstant {
-    double time_s = 0.0;  // as asked
+    double time_s = 0.0;  // as requested
     MotionSample sample;
-    bool has_angles = false;  // whether the motion itself gives Euler's angles
+    bool has_angles = false;  // whether the motion itself has Euler angles
     Eigen::Matrix3d tensor_body = Eigen::Matrix3d::Identity();  // kg m²
-    std::optional<PoinsotConstruction> construction;            // where a column asks for it
+    std::optional<PoinsotConstruction> construction;            // if a column needs it
 };
 
 }  // namespace poinsot

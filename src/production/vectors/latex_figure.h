@@ -1,4 +1,4 @@
-// The type of a figure as LaTeX: a picture environment over \includegraphics.
+// The text of a figure as LaTeX: a picture environment over \includegraphics.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@ namespace poinsot {
 // FIG.tex beside FIG.pdf.
 std::filesystem::path latex_path_of(const std::filesystem::path& figure);
 
-// Throws InputError for a name that LaTeX cannot take for a figure's, and where a file of that
-// other name is there that is not one of these.
+// Throws InputError if LaTeX cannot use the figure's name, and if FIG.tex exists and was not
+// written by this program.
 void check_latex_place(const std::filesystem::path& figure);
 
-// What FIG.tex says: each label on its baseline, in the size that it has in the figure and the
-// document's own fonts. page: without its type. Adds to the gaps. Throws LabelError for what has no
-// meaning.
+// The contents of FIG.tex: each label on its baseline, in its size in the figure and in the
+// document's own fonts. page: without its text. Appends to the gaps. Throws LabelError for text
+// that cannot be converted.
 std::string latex_figure(const vector::Page& page, const std::vector<vector::Type>& type,
                          const std::filesystem::path& figure, LatexGaps& gaps);
 
