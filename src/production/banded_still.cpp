@@ -13,14 +13,14 @@ namespace poinsot {
 
 namespace {
 
-// Pixels drawn at a time: 14 bytes each in framebuffer and picture.
+// Pixels per band: 14 bytes each in framebuffer and picture.
 constexpr double band_pixels = 4e6;
 constexpr double most_whole_pixels = 32e6;
 constexpr int widest_part_px = 8192;
-// Parts begin where a cell of the dither does, and a block of four pixels of the renderer.
+// Parts are aligned to the cells of the dither pattern and to the renderer's blocks of four pixels.
 constexpr int step_px = 32;
 
-// Copies a part of the band into it, its left edge at a column.
+// Copies a part of the band into it; `x`: column of its left edge.
 void place(const Image& part, int x, Image& band) {
     const std::size_t row = 4u * static_cast<std::size_t>(part.width());
     for (int y = 0; y < part.height(); ++y)

@@ -23,14 +23,14 @@ namespace poinsot {
 
 namespace {
 
-constexpr int most_pixels = 16384;  // of a side
+constexpr int most_pixels = 16384;  // per side
 
-// What a caption takes of a picture's height, and how large its type is in that.
+// A caption's share of a picture's height, and its font size as a share of that.
 constexpr double caption_share = 0.09, type_share = 0.62;
 
 class ContactSheet {
  public:
-    // Pictures like the first, on the ground that its corner has.
+    // For pictures of the first one's size, on the colour of its corner.
     ContactSheet(const SheetRequest& request, const Image& first)
         : request_(&request),
           width_px_(first.width()),
@@ -65,7 +65,7 @@ class ContactSheet {
     const Image& image() const { return image_; }
 
  private:
-    // Centred, as large as there is room for.
+    // Centred, at the largest size that fits.
     void write(const std::string& caption, int left, int top) {
         TypeStyle style;
         style.mode = TypeMode::text;
@@ -86,7 +86,7 @@ class ContactSheet {
                                   static_cast<std::size_t>(x)]);
     }
 
-    // Dark on a light ground, light on a dark one.
+    // Dark text on a light background, light text on a dark one.
     void ink(int x, int y, int coverage) {
         if (x < 0 || y < 0 || x >= image_.width() || y >= image_.height() || coverage == 0) return;
         const int brightness = (2 * ground_.r + 5 * ground_.g + ground_.b) / 8;

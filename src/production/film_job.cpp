@@ -24,13 +24,13 @@ namespace poinsot {
 
 namespace {
 
-// The first frame that a plan has.
+// The first frame of a plan.
 std::int64_t first_of(const OutputPlan& plan) {
     return plan.first_frame + (plan.part ? plan.part->n_before : 0);
 }
 
-// Whether a part lies where it is to go. What is no part, or another of the same film, is not
-// replaced: most likely all of them were given one name.
+// Whether the part exists already. Throws for a file that is not a part, or is another part of the
+// same film: most likely one name was used for all parts, so it is not overwritten.
 bool is_there(const OutputPlan& plan) {
     if (format_for(plan.path).join == nullptr || kind_of_file(plan.path) != FileKind::regular)
         return false;
@@ -48,7 +48,7 @@ bool is_there(const OutputPlan& plan) {
     return there.is_whole() && there.part() == *plan.part;
 }
 
-// What an interrupted run has left is gone on from, and the user is told. n_there: of the frames.
+// Reports that the frames of an interrupted run are used. n_there: number of those frames.
 void note_kept(const OutputPlan& plan, const FrameSink& sink, std::int64_t n_there, bool film,
                const Telling& telling) {
     if (n_there == 0) return;
@@ -71,7 +71,7 @@ void note_kept(const OutputPlan& plan, const FrameSink& sink, std::int64_t n_the
         name, n_there, plan.n_frames));
 }
 
-// A shorter run over a longer one, or one of other frames, leaves pictures that are not its own.
+// Reports pictures of other frames, such as those of an earlier, longer run.
 void note_others(const OutputPlan& plan, const Telling& telling) {
     std::vector<std::int64_t> others = frames_there(plan.path);
     std::erase_if(others, [&plan](std::int64_t frame) {
@@ -88,7 +88,7 @@ void note_others(const OutputPlan& plan, const Telling& telling) {
         others.size() == 1 ? "it" : "them"));
 }
 
-// A theme without a ground, in a format that cannot keep what is seen through.
+// Reports a transparent theme in a format without (full) transparency.
 void note_transparency(const Scene& scene, const OutputFormat& format, const Telling& telling) {
     if (theme_of(scene).background.alpha >= 1.0) return;
     const bool one_bit = format.name == "gif";
@@ -99,7 +99,7 @@ void note_transparency(const Scene& scene, const OutputFormat& format, const Tel
                 : fmt::format(".{} keeps no transparency, its ground is white", format.name)));
 }
 
-// Frames are drawn whole; a still that is larger is drawn in bands.
+// Rejects frames larger than a framebuffer; only stills are drawn in bands.
 void check_size(const OutputPlan& plan) {
     if (std::max(plan.width_px, plan.height_px) <= largest_png_side_px) return;
     throw InputError(fmt::format(
@@ -137,7 +137,7 @@ OutputPlan FilmJob::output_plan(const std::filesystem::path& path) const {
     return plan;
 }
 
-// Makes the plan that of a part; false if the film has so few that this one has no frames.
+// Makes the plan that of a part; false if the part has no frames because the film has too few.
 bool FilmJob::take_part(OutputPlan& plan, const Telling& telling) const {
     const OutputFormat& format = format_for(plan.path);
     const auto [number, n_parts] = *request_.part;
@@ -170,7 +170,7 @@ void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan, const Telling
     const OutputFormat& format = format_for(plan.path);
     at_scene_key(session_->scene, "film.fps", [&] { check_rate(format, plan.rate); });
     at_scene_key(session_->scene, "film.size", [&] { check_size(plan); });
-    // What a format refuses of a plan besides is its size.
+    // Other errors of a format are due to the size.
     AsyncSink sink(at_scene_key(session_->scene, "film.size", [&] { return format.open(plan); }));
     std::int64_t n_done = 0;
     for (std::int64_t k = 0; k < plan.n_frames; ++k) n_done += sink.has_frame(k) ? 1 : 0;
@@ -221,7 +221,7 @@ void FilmJob::make(Easel& easel, const Telling& telling) const {
     if (request_.part && !take_part(plan, telling)) return;
     note_transparency(scene, format, telling);
     if (request_.n_shown > 0 && request_.n_shown < plan.n_frames) {
-        // Packets know of the frames that follow in their chunk.
+        // Packets depend on the later frames of their chunk.
         const std::int64_t chunk = format.n_chunk_frames;
         plan.n_frames = std::min(plan.n_frames, (request_.n_shown + chunk - 1) / chunk * chunk);
         plan.n_shown = request_.n_shown;

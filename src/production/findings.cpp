@@ -29,7 +29,7 @@ void add_number(std::vector<Fact>& facts, std::string key, std::string label, do
 
 std::string axis_name(int axis) { return fmt::format("e{}", axis + 1); }
 
-// Steady spin about the axis of the middle moment, which any disturbance leaves.
+// Whether the body spins about the axis of the middle moment, which is unstable.
 bool is_about_middle_axis(const MotionProblem& problem) {
     const Eigen::Vector3d& I = problem.inertia.moments_kg_m2();
     const Eigen::Vector3d omega =
@@ -63,7 +63,7 @@ std::string regime_in_words(const MotionProblem& problem, Regime regime,
     }
 }
 
-// The facts of a torque-free motion and its construction.
+// Adds the facts of a torque-free motion and its construction.
 void add_free_motion(const Session& session, std::vector<Fact>& facts) {
     const MotionProblem& problem = session.motion.problem();
     const FreeRotationConstants constants = session.motion.free_constants();
@@ -112,7 +112,7 @@ void add_free_motion(const Session& session, std::vector<Fact>& facts) {
     }
 }
 
-// What the name of a top's motion means.
+// An explanation of the kind of a top's motion.
 std::string_view meaning_of(TopRegime regime) {
     switch (regime) {
         case TopRegime::sleeping:
@@ -143,7 +143,7 @@ std::string_view meaning_of(TopRegime regime) {
     return "";
 }
 
-// The closed form of a heavy symmetric top, by whatever method the motion is computed.
+// The closed form of a heavy symmetric top, whatever the motion's method.
 std::optional<HeavyTop> heavy_top_of(const Session& session) {
     const MotionProblem& problem = session.motion.problem();
     const auto* gravity = std::get_if<GravityTorque>(&problem.torque);
@@ -151,7 +151,7 @@ std::optional<HeavyTop> heavy_top_of(const Session& session) {
     return HeavyTop(problem.inertia, *gravity, problem.start, problem.top_start);
 }
 
-// What a heavy top keeps: its momenta, its energy, and the ends and rates of its nutation.
+// Adds a heavy top's conserved momenta and energy, and the limits and rates of its nutation.
 void add_heavy_top(const HeavyTop& top, std::vector<Fact>& facts) {
     facts.push_back({"top_regime", json_string(name_of(top.regime())), "kind of its motion",
                      fmt::format("{}: {}", name_of(top.regime()), meaning_of(top.regime()))});
@@ -174,7 +174,7 @@ void add_heavy_top(const HeavyTop& top, std::vector<Fact>& facts) {
                    nods ? "period of the nutation" : "period of a small nutation about it",
                    nutation.period_s, "s");
     }
-    // While the axis is vertical φ means nothing.
+    // φ is undefined while the axis is vertical.
     const bool is_vertical = top.regime() == TopRegime::sleeping ||
                              top.regime() == TopRegime::sleeping_unstable ||
                              top.regime() == TopRegime::hanging;
@@ -183,7 +183,7 @@ void add_heavy_top(const HeavyTop& top, std::vector<Fact>& facts) {
                    "rad/s");
 }
 
-// T and L change under a torque; these are those of the start.
+// Adds T and L at the start, since they vary under a torque.
 void add_start(const MotionProblem& problem, std::vector<Fact>& facts) {
     const Eigen::Vector3d& omega = problem.start.omega_body;
     const Eigen::Vector3d momentum = problem.inertia.matrix_body() * omega;
@@ -191,7 +191,7 @@ void add_start(const MotionProblem& problem, std::vector<Fact>& facts) {
     add_number(facts, "start_momentum_kg_m2_s", "L at t = 0", momentum.stableNorm(), "kg m²/s");
 }
 
-// What the scene's accuracy in pixels means here, and what is reached.
+// Adds the requested accuracy in pixels as an angle, and the achieved accuracy.
 void add_accuracy(const Session& session, const PictureBound& bound, std::vector<Fact>& facts) {
     const bool stepped = session.motion.integrated() != nullptr;
     facts.push_back({"accuracy_px", json_number(session.accuracy.asked_px), "accuracy asked",
@@ -210,7 +210,7 @@ void add_accuracy(const Session& session, const PictureBound& bound, std::vector
     }
 }
 
-// What the second method makes of the same start, against the first.
+// Adds the differences of the second method's motion from the first one's.
 void add_beside(const Session& session, const FilmPlan& film, std::vector<Fact>& facts) {
     if (!session.beside) return;
     std::vector<double> times;
@@ -231,7 +231,7 @@ void add_beside(const Session& session, const FilmPlan& film, std::vector<Fact>&
                      fmt::format("{:.3g} of L", errors.momentum_relative)});
 }
 
-// What the scene says, and what motion it is.
+// Adds the scene's data and the kind of motion.
 void add_motion(const Session& session, std::vector<Fact>& facts) {
     const MotionProblem& problem = session.motion.problem();
     facts.push_back(
@@ -285,7 +285,7 @@ Findings examine(const Session& session, bool plan, const Telling& telling) {
     const FilmPlan film = film_plan(session);
     add_motion(session, facts);
     add_film(session, film, facts);
-    // Whether it can be drawn is part of the check: making the stage opens no context.
+    // Making the stage checks that the scene can be drawn; it opens no context.
     const PictureSetting setting = setting_of(session.scene);
     const Stage stage = stage_of(
         session, {.first_time_s = film.start_s, .last_time_s = film.last_time_s()}, setting);

@@ -22,7 +22,7 @@ std::string counted(int n, std::string_view what) {
     return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-// One polhode period, in axes that turn with the herpolhode's mean advance.
+// A loop of one polhode period, in axes that turn with the herpolhode's mean advance.
 std::optional<Loop> one_period(Scene& scene) {
     RotationState start;
     start.omega_body = scene.start.omega_rad_s;
@@ -33,7 +33,7 @@ std::optional<Loop> one_period(Scene& scene) {
                          "film.loop is \"period\", but this motion has no polhode period; leave it "
                          "out, or start it off the principal axes and the separatrix");
     }
-    // Nobody asked: the film is one as any other.
+    // The loop was only a default: the film does not loop.
     scene.film.loop.clear();
     return std::nullopt;
 }
@@ -65,7 +65,7 @@ Loop closed(Scene& scene, const LoopRatio& ratio) {
     return loop;
 }
 
-// The film shows the loop once: in the length that it gives, or at the speed that it gives.
+// Fits one loop to the film, from the film's given length or its given speed.
 void fit_film(Scene& scene, double loop_s) {
     FilmSpec& film = scene.film;
     constexpr double rounding = 1e-12;

@@ -43,7 +43,7 @@ std::filesystem::path default_output(std::string_view scene_name, std::string_vi
 OutputPlace::OutputPlace(const std::string& asked, const Scene& scene, std::string_view suffix)
     : path_(asked) {
     if (!path_.empty()) return;
-    // What cannot be made is said where the file is opened.
+    // Errors are reported when the file is opened.
     std::error_code ignored;
     made_ = std::filesystem::create_directory(default_folder, ignored);
     path_ = default_output(scene.name, suffix);

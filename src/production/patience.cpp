@@ -22,7 +22,7 @@ Patience::Patience(std::string what, const Telling& telling, double limit_s) {
             tell(what, limit_s, say);
         });
     } catch (const std::system_error&) {
-        // Where no thread can be had, the work is done without a word.
+        // If no thread can be started, the work is done without messages.
     }
 }
 

@@ -12,7 +12,7 @@
 namespace poinsot {
 
 PictureSetting setting_of(const Scene& scene, const PrintChoices& print) {
-    // By its address: to g++ 14 a reference may be to what was only lent for the call.
+    // Returned as a pointer: g++ 14 warns that a reference may dangle.
     const Quality& quality = *at_scene_key(scene, "film.quality",
                                            [&scene] { return &quality_named(scene.film.quality); });
     const auto paper = print_size_of(print, scene.film.width_px, scene.film.height_px);
@@ -32,7 +32,7 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     options.last_time_s = span.last_time_s;
     options.first_shown_s = span.first_shown_s;
     options.loop_s = session.loop ? session.loop->loop_s : 0.0;
-    // In pixels of the picture drawn, which is `samples` times as large as the one made.
+    // In pixels of the rendered picture, which is `samples` times as large as the final one.
     options.curve_px = session.accuracy.curve_px(setting.curve_tolerance * setting.samples);
     return at_key_of_error(session.scene, "motion", "film", [&] {
         return Stage(session.scene, session.motion, options,

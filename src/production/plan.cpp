@@ -58,7 +58,7 @@ PlanLine frames_line(const char* what, bool asked, std::int64_t n_frames, const 
             asked ? why : why_not};
 }
 
-// Where the film of a table's row may be divided.
+// The positions at which a film may be divided into parts.
 PlanLine parts_line(const FilmPlan& film) {
     const std::int64_t chunk = format_for("film.mp4").n_chunk_frames;
     const std::int64_t n_parts = (film.n_frames + chunk - 1) / chunk;
@@ -68,7 +68,7 @@ PlanLine parts_line(const FilmPlan& film) {
             "the encoders of MP4 and WebM start anew there; GIF and PNG have seams anywhere"};
 }
 
-// The default of --jobs on this machine.
+// The default of --jobs on this machine, with the reason.
 PlanLine jobs_line(const Session& session, const FilmPlan& film) {
     const JobChoice choice =
         choose_jobs(work_of(session, film.n_frames, "film.mp4"), this_machine());

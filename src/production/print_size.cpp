@@ -21,7 +21,7 @@ void check_between(const char* option, std::optional<double> value, double least
         fmt::format("{} {:g}: give {:g} to {:g} {}", option, *value, least, most, unit));
 }
 
-// The pixels of a side, from the option that decides it.
+// The pixels of a side; `option` is the option that determines it, for messages.
 int side_px(const char* option, double given_mm, double side_mm, double dpi) {
     const double px = std::round(side_mm / mm_per_inch * dpi);
     if (px >= least_side_px && px <= largest_banded_png_side_px) return static_cast<int>(px);

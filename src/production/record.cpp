@@ -39,7 +39,7 @@ std::string mesa_version(const std::string& gl_version) {
     return rest.substr(0, rest.find(' '));
 }
 
-// How the motion is computed, with what was chosen for the method.
+// The method of the motion, with its step or tolerance.
 std::string method_in_words(const Motion& motion) {
     const MethodChoice& choice = motion.problem().method;
     std::string text = choice.name;
@@ -52,10 +52,10 @@ std::string method_in_words(const Motion& motion) {
     return text;
 }
 
-// The lines before the scene, by key.
+// The lines before the scene, by their keys.
 using Fields = std::map<std::string, std::string, std::less<>>;
 
-// The line that seals a record.
+// The key of the hash line.
 constexpr std::string_view seal_key = "record-sha256: ";
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
@@ -63,7 +63,7 @@ constexpr std::string_view seal_key = "record-sha256: ";
                                  printable(name), what));
 }
 
-// The fonts that stood in for those that come with the program, each by its name and its hash.
+// The fonts used as fallback for the program's own fonts, each with its name and hash.
 std::string fonts_in_words(const Stage& stage) {
     std::string text;
     for (const auto& file : stage.data().type_case.typesetter().fallbacks_used()) {
@@ -127,7 +127,7 @@ Record record_of(const Session& session, const Stage& stage, const std::string& 
     record.version = POINSOT_VERSION;
     record.scene_name = session.scene.name;
     record.scene_toml = to_toml(session.scene);
-    // Refused before anything is drawn: a picture must be able to say how it was made.
+    // Rejected before anything is drawn: every picture must contain its complete record.
     if (record.scene_toml.size() > most_scene_bytes)
         throw InputError(fmt::format(
             "{}: written out in full it has {} bytes, more than the {} that are read again of a "
@@ -146,7 +146,7 @@ Record record_of(const Session& session, const Stage& stage, const std::string& 
 std::string to_text(const Record& record) {
     std::string text = fmt::format("poinsot {}\n", record.version);
     const auto add = [&text](std::string_view key, std::string_view value) {
-        // A name with a line break in it would pass for another field.
+        // A line break in a name would start another field.
         text += fmt::format("{}: {}\n", key, printable(value, any_length));
     };
     for (const RecordField& field : record_fields())
@@ -175,7 +175,8 @@ std::string told(const std::string& metadata, const Contents& contents) {
 
 namespace {
 
-// Frames are counted with, so they must be some; those of a run begin where the run does.
+// Checks frame numbers, which are used in arithmetic: they are not negative, and those of a run
+// start where the run starts.
 void check_frames(const Record& record, const std::string& name) {
     constexpr std::int64_t most = std::int64_t{1} << 53;
     const auto is_span = [](const auto& span) {
@@ -201,7 +202,7 @@ Record parse_record(std::string_view text, const std::string& name) {
 
     Record record;
     record.text = text;
-    // A hash of what stands around its line.
+    // The hash is that of the text around its own line.
     if (const std::size_t seal = text.find(fmt::format("\n{}", seal_key)); seal < blank) {
         const std::size_t end = text.find('\n', seal + 1);
         Sha256 hash;
@@ -271,7 +272,7 @@ std::string fault_of_scene(const Record& record) {
     try {
         scene_of(record, OutsideFiles::refused);
     } catch (const SceneFileError&) {
-        // Another matter.
+        // A missing file is not an error of the scene's text.
     } catch (const InputError& error) {
         return error.what();
     }
@@ -280,7 +281,7 @@ std::string fault_of_scene(const Record& record) {
 
 namespace {
 
-// What was appended to a file, in words; empty for nothing.
+// Describes bytes appended to a file; empty if there are none.
 std::string bytes_behind(std::uintmax_t n_bytes) {
     if (n_bytes == 0) return "";
     return fmt::format("{} follow{} its end",

@@ -40,7 +40,7 @@ void write_what_lies_beside(const std::filesystem::path& path, const Record& rec
 }
 
 std::int64_t recover(const std::filesystem::path& film, const Telling& telling) {
-    // What several processes have left is first made what one would have.
+    // Parts of several processes are converted to the state of a single process first.
     const std::int64_t n_left = format_for(film).recover != nullptr ? gather_parts_aside(film) : 0;
     const std::int64_t n_frames = recover_film(film, told);
     if (n_left > 0)
@@ -51,7 +51,7 @@ std::int64_t recover(const std::filesystem::path& film, const Telling& telling) 
     try {
         write_what_lies_beside(film, read_record(film), telling);
     } catch (const InputError& error) {
-        // The film is there; only what stands beside it needs the scene's files.
+        // The film itself is complete; only the files beside it need the scene's files.
         telling.say(fmt::format("note: no {}: {}", printable(chapters_path(film).string()),
                                 printable(error.what())));
     }

@@ -23,7 +23,7 @@ namespace poinsot {
 
 namespace {
 
-// What keeps this machine from drawing as the one that made the file, in words for the user.
+// Differences between this machine and the one that made the file, as messages.
 std::vector<std::string> differences(const Record& then, const Record& now) {
     std::vector<std::string> notes;
     const auto note = [&](std::string_view what, const std::string& was, const std::string& is) {
@@ -47,7 +47,7 @@ void refuse_sheet(const std::filesystem::path& file, const Record& record) {
         printable(file.string())));
 }
 
-// Which frame of its sequence a picture is. One of an older poinsot does not say it itself.
+// The number of a picture in its sequence. Records of older versions do not contain it.
 std::int64_t frame_of_picture(const std::filesystem::path& file, const Record& record) {
     const auto frame = record.frame ? record.frame : frame_of_name(file);
     const auto [first, last] = *record.frames;
@@ -59,12 +59,13 @@ std::int64_t frame_of_picture(const std::filesystem::path& file, const Record& r
     return *frame;
 }
 
-// What the histories of a film's frames span.
+// The span of the histories in a film's frames.
 PictureSpan span_of(const FilmPlan& film, const Record& record) {
     return {.first_time_s = film.time_of(0), .last_time_s = film.time_of(record.frames->second)};
 }
 
-// One frame of a sequence carries the record of the whole, whose histories it shows.
+// Redraws one frame of a sequence; its record is that of the whole sequence, since it shows its
+// history.
 void redraw_frame(const RedrawRequest& request, const Record& record, const Session& session,
                   Easel& easel) {
     const std::int64_t frame = frame_of_picture(request.file, record);
@@ -79,7 +80,7 @@ void redraw_frame(const RedrawRequest& request, const Record& record, const Sess
     write_png(request.output, image, png);
 }
 
-// The request, its output with the scene's name and the frame's number put in.
+// The request with the scene's name and the frame's number inserted into its output.
 RedrawRequest with_its_names(RedrawRequest request, const Record& record) {
     const bool one_frame = record.frames && suffix_of(request.file) == ".png";
     const auto frame = record.frame ? record.frame : frame_of_name(request.file);
@@ -92,7 +93,7 @@ RedrawRequest with_its_names(RedrawRequest request, const Record& record) {
     return request;
 }
 
-// The session of the record's scene, whose meshes and pictures are those that it was drawn with.
+// The session of the record's scene; checks that meshes and pictures are unchanged.
 Session session_of_record(const RedrawRequest& request, const Record& record,
                           const Telling& telling) {
     Scene scene = scene_of(record, request.outside);
@@ -124,7 +125,7 @@ StillRequest still_request_of(const RedrawRequest& request, const Record& record
     return still;
 }
 
-// The record that the file would have if it were drawn again, but for what is known only then.
+// The record of a redrawn file, except for fields known only after drawing.
 Record record_to_come(const RedrawRequest& request, const Record& record, const Telling& telling) {
     refuse_sheet(request.file, record);
     Session session = session_of_record(request, record, telling);
@@ -158,7 +159,7 @@ RedrawCheck check_redraw(const RedrawRequest& request, const Record& record,
             return {"its scene is read as another than it was written", {}};
         return {"", differences(record, now)};
     } catch (const Error& error) {
-        // What is said of the file has its name before it already.
+        // The message starts with the file's name already.
         std::string what = error.what();
         const std::string name = printable(request.file.string()) + ": ";
         return {what.starts_with(name) ? what.substr(name.size()) : what, {}};
@@ -198,7 +199,7 @@ void redraw(const RedrawRequest& asked, const Telling& telling) {
     } else if (is_picture) {
         redraw_frame(request, record, session, easel);
     } else {
-        // Of a film that was recovered, the frames that it has of the run that was interrupted.
+        // Of a recovered film: the recovered frames of the interrupted run.
         const auto [first, last] = *record.frames;
         FilmRequest film{request.output.string(), record.run ? record.run : record.frames};
         if (record.run) film.n_shown = last - first + 1;

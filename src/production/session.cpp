@@ -33,7 +33,7 @@ void note_unreached(const Accuracy& accuracy, const StepChoice& step, Scene& sce
         step.attitude_rad * accuracy.px_per_rad));
 }
 
-// The key that a refusal of the mechanics is about.
+// The key to which an error of the mechanics refers.
 std::string key_of(const std::string& table, const MethodChoice& choice) {
     if (choice.step_s) return table + ".step_s";
     return choice.tolerance ? table + ".tolerance" : table;
@@ -41,13 +41,14 @@ std::string key_of(const std::string& table, const MethodChoice& choice) {
 
 void extend(MotionProblem& problem, std::span<const double> times_s) {
     for (const double time_s : times_s) {
-        if (!std::isfinite(time_s)) continue;  // refused where it is used, by name
+        if (!std::isfinite(time_s)) continue;  // reported by name where it is used
         problem.first_time_s = std::min(problem.first_time_s, time_s);
         problem.last_time_s = std::max(problem.last_time_s, time_s);
     }
 }
 
-// A size on paper is a size in pixels; what else it says, the picture's maker asks for.
+// Sets the scene's size in pixels from a size on paper; the other options are used when the picture
+// is made.
 void set_size_on_paper(const SceneRequest& request, Scene& scene) {
     const auto paper = print_size_of(request.print, scene.film.width_px, scene.film.height_px);
     if (!paper) return;
@@ -61,8 +62,8 @@ void set_size_on_paper(const SceneRequest& request, Scene& scene) {
     scene.film.width_px = paper->width_px;
     scene.film.height_px = paper->height_px;
     if (!request.print.width_mm || request.print.height_mm) return;
-    // The figure keeps the scene's shape; title and caption add the rows that their points take,
-    // charts those without which their numbers and names would not stand one above another.
+    // The figure keeps the scene's aspect ratio; title, caption and charts add rows, since their
+    // text has a fixed size in points.
     const double px = paper->line_scale;
     int& height_px = scene.film.height_px;
     height_px += rows_added_by_type(scene, paper->width_px, px, paper->least);
@@ -80,10 +81,10 @@ bool steps(const MethodChoice& choice) {
 // What stepping over a problem's span takes, found before it is done.
 struct SteppingPlan {
     bool steps = false;
-    double estimate_s = 0.0;  // 0: the step is still to be chosen
+    double estimate_s = 0.0;  // 0: the step is not chosen yet
 };
 
-// The seconds that stepping so many times will take. Throws InputError where that is too long.
+// Estimated seconds for stepping n_times. Throws InputError if it exceeds the limit.
 double affordable_s(const MotionProblem& problem, double n_times) {
     const double estimate_s = n_times * stepping_estimate_s(problem);
     if (estimate_s <= longest_stepping_s) return estimate_s;
@@ -101,21 +102,21 @@ SteppingPlan stepping_plan(const MotionProblem& problem) {
     const Method& method = check_method(problem.method, problem.inertia, problem.torque);
     plan.steps = method.make != nullptr && problem.first_time_s < problem.last_time_s;
     if (!plan.steps) return plan;
-    // Without an exact motion to compare with, a step is measured against half of it.
+    // Without an exact motion to compare with, the error of a step is measured by halving it.
     const bool has_truth = can_solve(find_method("exact"), problem.inertia, problem.torque);
     if (problem.method.step_s || problem.method.tolerance || problem.start.omega_body.isZero(0.0)) {
         plan.estimate_s = affordable_s(problem, has_truth ? 2.0 : 4.0);
         return plan;
     }
-    // The coarsest rung, its double, and the motion that is chosen: clocks refuse, and never
-    // choose.
+    // The coarsest step, its half, and the chosen motion. A time estimate may reject a scene; it
+    // never chooses the step.
     MotionProblem rung = problem;
     rung.method = coarsest_choice(problem);
     affordable_s(rung, has_truth ? 3.0 : 5.0);
     return plan;
 }
 
-// Where a key does nothing, or hides what it colours, silence would mislead.
+// Adds notes about keys without effect, and about styles that make colours indistinguishable.
 void note_idle_keys(Scene& scene) {
     for (const auto& [key, why] : idle_keys(scene))
         scene.notes.push_back(fmt::format("{}{} changes nothing: {}", scene.where(key), key, why));
@@ -135,7 +136,7 @@ Session session_of(Scene scene, std::span<const double> times_s, const Telling& 
     std::optional<Loop> loop = resolve_loop(scene);
     MotionProblem problem = problem_of(scene);
     extend(problem, times_s);
-    // The trails of a loop come from the time before.
+    // The trails of a loop include the motion before its start.
     if (loop)
         problem.first_time_s = std::min(problem.first_time_s, scene.film.start_s - loop->loop_s);
     problem.overshoot_s = overshoot_s(problem);

@@ -25,14 +25,14 @@ namespace poinsot {
 
 namespace {
 
-constexpr int most_side_px = 16384;  // of a framebuffer
+constexpr int most_side_px = 16384;  // limit of a framebuffer
 
 FilmMoment moment_asked(const Session& session, const StillRequest& request) {
     const FilmPlan film = film_plan(session);
     const auto asked_s = request.time_s ? request.time_s : session.scene.film.still_s;
     const FilmMoment moment =
         asked_s ? moment_of_time(film.clock, *asked_s) : film.moment_of(film.n_frames - 1);
-    // An instant that the motion cannot be asked for is refused where it is named.
+    // An instant for which the motion fails is reported with its option.
     if (request.time_s) {
         try {
             session.motion.at(moment.time_s);
@@ -47,7 +47,7 @@ FilmMoment moment_asked(const Session& session, const StillRequest& request) {
     return moment;
 }
 
-// The request of a still that can be made so.
+// Checks a request and returns it.
 StillRequest accepted(StillRequest request) {
     const std::filesystem::path output(request.output);
     const bool is_vectors = is_vector_name(request.output);
@@ -75,14 +75,14 @@ StillRequest accepted(StillRequest request) {
     return request;
 }
 
-// The histories shown begin with the film and end with the instant.
+// The histories start with the film and end at the instant.
 PictureSpan span_of(const Session& session, double time_s) {
     return {.first_time_s = std::min(film_plan(session).start_s, time_s),
             .last_time_s = time_s,
             .first_shown_s = time_s};
 }
 
-// What a drawing of surfaces alone looks like.
+// The pixels of a drawing of surfaces alone.
 vector::Raster pixels_of(const Drawing& drawing, Easel& easel) {
     constexpr double most_pixels = 1e8;
     if (1.0 * drawing.width_px * drawing.height_px > most_pixels ||
@@ -102,7 +102,7 @@ PictureSetting setting_for(const Scene& scene, const StillRequest& request) {
                                           : setting_of(scene, request.print);
 }
 
-// What not every document sets as it stands in the figure.
+// Reports text that LaTeX may set differently than the figure shows.
 void note_gaps(const LatexGaps& gaps, const std::filesystem::path& file, const Telling& telling) {
     const std::string name = printable(file.filename().string());
     if (!gaps.hidden.empty())

@@ -9,7 +9,7 @@ void StillWriter::write(OutputPlace&& place, Image&& picture, PngOptions&& png,
     finish();
     written_ = std::move(written);
     place_.emplace(std::move(place));
-    // Where no thread can be had, finish() writes.
+    // If no thread can be started, finish() writes.
     writing_ = std::async([path = place_->path(), picture = std::move(picture),
                            png = std::move(png)] { write_png(path, picture, png); });
 }

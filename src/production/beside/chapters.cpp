@@ -15,7 +15,7 @@ namespace poinsot {
 
 namespace {
 
-// The first frame that shows this second of the film or a later one.
+// The first frame at or after this second of the film.
 std::int64_t frame_at(const FilmPlan& film, double film_s) {
     constexpr double rounding = 1e-9;
     std::int64_t before = -1;
@@ -27,7 +27,7 @@ std::int64_t frame_at(const FilmPlan& film, double film_s) {
     return after;
 }
 
-// The first lines of the file, by which it is known for that of a film.
+// The first lines of the file, which identify it as the film's.
 std::string chapters_head(const std::filesystem::path& film) {
     return fmt::format("{{\n  \"film\": {},\n", json_string(film.filename().string()));
 }
@@ -57,7 +57,7 @@ std::filesystem::path chapters_path(const std::filesystem::path& film) {
         stem.erase(std::remove(stem.begin(), stem.end(), '#'), stem.end());
         stem.erase(stem.find_last_not_of("_-. ") + 1);
     }
-    // Films of one name in two formats each have theirs.
+    // Films with the same stem and different suffixes have separate files.
     if (suffix_of(film) != ".mp4" && !stem.empty()) stem += film.extension().string();
     return film.parent_path() / (stem.empty() ? "chapters.json" : stem + ".chapters.json");
 }
@@ -89,7 +89,7 @@ std::string chapters_text_of(const OutputPlan& plan, const FilmPlan& film) {
                                  .add("loops", film.loop_s > 0.0)
                                  .json("chapters", json_lines(rows, 2))
                                  .lines();
-    // The head, with the opening brace and the film's name, is put before it when it is written.
+    // The head, with the opening brace and the film's name, is prepended when the file is written.
     return text.substr(std::string_view("{\n").size());
 }
 

@@ -23,7 +23,7 @@ std::string stamp(std::int64_t ms) {
                        ms % 1000);
 }
 
-// Without empty lines, which would end a cue.
+// Removes empty lines, which would end a cue.
 std::string without_empty_lines(std::string_view text) {
     std::string lines;
     for (const char c : text)
@@ -31,7 +31,7 @@ std::string without_empty_lines(std::string_view text) {
     return lines;
 }
 
-// The first lines, by which the file is known for that of a film.
+// The first lines, which identify the file as the film's.
 std::string subtitles_head(const std::filesystem::path& film) {
     return fmt::format("WEBVTT\n\nNOTE poinsot: {}\n", escaped_cue(film.filename().string()));
 }

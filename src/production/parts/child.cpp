@@ -23,10 +23,10 @@ namespace poinsot {
 
 namespace {
 
-// What a line on the pipe is, by its first letter.
+// The first letter of a line in the pipe is its kind.
 constexpr char tells_done = 'd', tells_line = 's', tells_refusal = 'r', tells_failure = 'f';
 
-// A message of several lines is one on the pipe.
+// Separates the lines of a message, which is one line in the pipe.
 constexpr char line_break = '\x1e';
 
 void tell(int pipe, char what, std::string text) {
@@ -35,7 +35,7 @@ void tell(int pipe, char what, std::string text) {
     for (std::string_view rest = text; !rest.empty();) {
         const ssize_t n = ::write(pipe, rest.data(), rest.size());
         if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) return;  // nobody listens: the signal is on its way
+        if (n <= 0) return;  // the parent has died: the signal follows
         rest.remove_prefix(static_cast<std::size_t>(n));
     }
 }
@@ -60,7 +60,7 @@ Telling telling_on(int pipe) {
     } catch (const std::exception& error) {
         tell(pipe, tells_failure, error.what());
     }
-    // Nothing of the parent's is flushed or destroyed here.
+    // Exits without flushing buffers or running destructors of the parent.
     ::_exit(code);
 }
 
@@ -73,8 +73,8 @@ void Children::start(const Work& work) {
     const pid_t parent = ::getpid();
     const pid_t process = ::fork();
     if (process == 0) {
-        // Not SIGTERM, after which a child draws its frame to the end and empties its encoder: what
-        // it has finished is in its log, however it ends. The parent may have died before this.
+        // Not SIGTERM, after which a child would finish its frame and flush its encoder; the log
+        // has all finished frames in any case. The parent may have died before this call.
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (::getppid() != parent) ::_exit(1);
         ::close(ends[0]);
@@ -112,7 +112,7 @@ void Children::take_line(Child& child, const std::string& line, const Telling& t
         for (const Child& each : children_) n_done += each.n_done;
         telling.done(n_done);
     } else if (line[0] == tells_line) {
-        // All would say the same of the scene.
+        // Notes are the same from all children: only the first one's are shown.
         if (&child == &children_.front()) telling.say(text);
     } else {
         child.failure = text;
@@ -120,7 +120,7 @@ void Children::take_line(Child& child, const std::string& line, const Telling& t
     }
 }
 
-// Reads what a child has written; its end of the pipe closed, it has ended.
+// Reads a child's messages; a closed pipe means that the child has ended.
 void Children::listen(Child& child, const Telling& telling) {
     std::array<char, 4096> buffer{};
     const ssize_t n = ::read(child.pipe, buffer.data(), buffer.size());
@@ -164,7 +164,7 @@ void Children::wait(const Telling& telling) {
             heard.push_back(&child);
         }
         if (pipes.empty()) return;
-        // A signal between the question above and this call waits no longer than this.
+        // Limits the delay of a signal that arrives between the check above and this call.
         constexpr int patience_ms = 200;
         if (::poll(pipes.data(), pipes.size(), patience_ms) <= 0) continue;
         for (std::size_t i = 0; i < pipes.size(); ++i)

@@ -16,30 +16,30 @@ namespace poinsot {
 
 namespace {
 
-// CPU seconds of a frame: a millisecond, and what the table of qualities has for its pixels.
-// Measured of the default scene as MP4, lecture (2026-11-22): 2.3 ms at 320×180, 5.8 at 640×360, 33
-// at 1920×1080; this gives 2.2, 5.7 and 43.
+// CPU seconds per frame: a millisecond, plus the cost of its pixels from the table of qualities.
+// Measured for the default scene as MP4, lecture (2026-11-22): 2.3 ms at 320×180, 5.8 at 640×360,
+// 33 at 1920×1080; this gives 2.2, 5.7 and 43.
 double frame_s(const FilmWork& film) {
     const QualityFigures& figures = quality_named(film.quality).figures;
     const double share = film.width_px * static_cast<double>(film.height_px) / (960.0 * 540.0);
     return 1e-3 * (1.0 + (figures.picture_ms + figures.film_ms) * share);
 }
 
-// Work below which another process does not pay: its start takes 0.2 s of CPU, 0.5 s where the
+// Work below which another process does not pay: starting it takes 0.2 s of CPU, or 0.5 s if
 // shaders have to be compiled.
 constexpr double least_job_s = 0.5;
 
-// A process's share of the memory: libraries, shaders and curves, and for its pixels layers,
-// pictures in the queue and the encoder's. Measured beside one other (Pss, lecture, 2026-11-22):
-// 127 MiB at 320×180, 357 at 1920×1080, 1,089 at 3840×2160; 505 at 1920×1080 with 2×2 samples a
-// pixel, 1,052 with 4×4.
+// Memory of one process: libraries, shaders and curves; and per pixel: layers, pictures in the
+// queue and the encoder. Measured with one other process (Pss, lecture, 2026-11-22): 127 MiB at
+// 320×180, 357 at 1920×1080, 1,089 at 3840×2160; 505 at 1920×1080 with 2×2 samples per pixel, 1,052
+// with 4×4.
 std::int64_t job_MiB(const FilmWork& film) {
     const int samples = quality_named(film.quality).samples;
     return 120 + std::int64_t{film.width_px} * film.height_px *
                      (94 + std::int64_t{23} * samples * samples) / 1000000;
 }
 
-// The most that the memory, of which a half stays free, holds.
+// The largest number of processes that fit into half of the memory.
 std::int64_t most_in(const Machine& machine, std::int64_t each_MiB) {
     return machine.memory_MiB <= 0 ? 1
                                    : std::max<std::int64_t>(1, machine.memory_MiB / 2 / each_MiB);

@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 
 fs::path parts_folder(const fs::path& film) { return aside_path_of(film, ".parts"); }
 
-// Parts in such a folder: "2-of-8.mp4", and as long as it is drawn ".2-of-8.mp4.part.frames".
+// A part in such a folder: "2-of-8.mp4", and while it is drawn ".2-of-8.mp4.part.frames".
 struct LeftPart {
     std::int64_t number = 0, n_parts = 0;
     fs::path path;
@@ -65,9 +65,9 @@ bool has_bytes(const fs::path& path) {
     return !none && size > 0;
 }
 
-// Where parts of a film wait for each other: a hidden folder beside it, which goes with the last of
-// them. Held by one run at a time, as is what one process would leave, which goes when the film is
-// there.
+// The folder of a film's parts: a hidden folder beside the film, removed with the last part. The
+// object holds the lock of this folder and that of a single-process run, so that only one run at a
+// time works on the film.
 class PartsAside {
  public:
     PartsAside(const fs::path& film, std::int64_t n_parts)
@@ -100,7 +100,7 @@ class PartsAside {
     }
 
  private:
-    // What a run of another number of jobs has left cannot be gone on with.
+    // Removes parts of a run with another number of jobs, which cannot be continued.
     void remove_others() const {
         std::vector<fs::path> others;
         for (const auto& entry : fs::directory_iterator(folder_))
@@ -119,15 +119,15 @@ class PartsAside {
     std::optional<AtomicFile> lock_;
 };
 
-// Jobs share the processor; each drawing with as many threads as there are cores would only make
-// them wait for each other.
+// Jobs share the processor: with as many threads as cores in each job, they would only wait for
+// each other.
 void take_a_share_of_the_cores(int n_jobs) {
     const int n_threads = n_drawing_threads(n_jobs, n_processors());
-    // llvmpipe draws on the calling thread where it has no threads of its own.
+    // Without threads, llvmpipe draws on the calling thread.
     ::setenv("LP_NUM_THREADS", fmt::format("{}", n_threads > 1 ? n_threads : 0).c_str(), 0);
 }
 
-// Draws all parts side by side.
+// Draws all parts in parallel.
 void draw_parts(const Session& session, const FilmRequest& request, std::int64_t n_parts,
                 const ContextChoice& context, const std::vector<std::string>& outputs,
                 const Telling& telling) {
@@ -145,8 +145,7 @@ void draw_parts(const Session& session, const FilmRequest& request, std::int64_t
     children.wait(telling);
 }
 
-// How many where nothing is said: as an interrupted run had, of one process or several, or as many
-// as pay.
+// The default number of jobs: that of an interrupted run, else the one that choose_jobs finds.
 int n_jobs_for(const Session& session, std::int64_t n_frames, const fs::path& path,
                const Easel& easel) {
     if (easel.is_open() || has_bytes(frame_log_path(path))) return 1;
@@ -157,7 +156,7 @@ int n_jobs_for(const Session& session, std::int64_t n_frames, const fs::path& pa
     return choose_jobs(work_of(session, n_frames, path), this_machine()).n_jobs;
 }
 
-// The entries of a part, in the log of the film.
+// Appends the entries of a part to the film's log.
 void append_all(const PartFile& part, FrameLog& log) {
     const std::vector<PartFile> one{part};
     JoinedEntries entries(one);
@@ -168,7 +167,7 @@ void append_all(const PartFile& part, FrameLog& log) {
 void make_in_this_process(const FilmJob& film, const fs::path& path, Easel& easel,
                           const Telling& telling) {
     film.make(easel, telling);
-    // What several processes have left of it is of no use any more.
+    // Parts of several processes are obsolete now.
     std::error_code ignored;
     if (!parts_left_of(path).empty()) fs::remove_all(parts_folder(path), ignored);
 }
@@ -195,7 +194,7 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
                                 n_parts));
     telling.begin(session.scene.name, film.n_frames());
     if (format.join == nullptr) {
-        // Pictures go to their own names at once, held against a second run as by one process.
+        // The pictures are written under their final names; the lock prevents a second run.
         const AtomicFile held(path, aside_path_of(path));
         const std::vector<std::string> outputs(static_cast<std::size_t>(n_parts), path.string());
         draw_parts(session, request, n_parts, easel.choice(), outputs, telling);
@@ -216,7 +215,7 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
 std::int64_t gather_parts_aside(const fs::path& film) {
     const std::vector<LeftPart> left = parts_left_of(film);
     if (left.empty() || has_bytes(frame_log_path(film))) return 0;
-    // Another run that still draws holds it.
+    // Fails if another run is still drawing.
     const AtomicFile lock(film, parts_folder(film) / "held");
     std::optional<FrameLog> log;
     std::vector<fs::path> gathered;

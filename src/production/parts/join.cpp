@@ -37,8 +37,8 @@ std::string name_of(const fs::path& path) { return printable(path.string()); }
         fmt::format("{} and {} are not parts of one film: {}", name_of(one), name_of(other), why));
 }
 
-// The parts of a film in order. Throws InputError for one that is not whole, for two of one number,
-// for one that is missing.
+// Sorts the parts of a film. Throws InputError for an incomplete part, for two with the same
+// number, and for a missing one.
 void check_all_there(std::vector<PartFile>& parts) {
     std::sort(parts.begin(), parts.end(), [](const PartFile& a, const PartFile& b) {
         return a.part().number < b.part().number;
@@ -134,7 +134,7 @@ struct PartPicture {
     fs::path path;
 };
 
-// Those that names and patterns stand for.
+// The pictures that match names and patterns.
 std::vector<fs::path> pictures_named(const std::vector<std::string>& names) {
     std::vector<fs::path> pictures;
     for (const std::string& name : names) {
@@ -161,7 +161,7 @@ Record whole_record_of(const fs::path& path) {
     return record;
 }
 
-// "240-359 and 400" of what is missing between sorted pictures; the first two gaps.
+// Missing frames of sorted pictures, "240-359 and 400"; the first two gaps.
 std::string gaps_in(const std::vector<PartPicture>& pictures, std::int64_t first,
                     std::int64_t last) {
     std::string gaps;

@@ -17,7 +17,7 @@ std::string_view next_line(std::string_view& text) {
     return line;
 }
 
-// The first line in which two scenes differ, of each.
+// The first line in which two scenes differ, from each scene.
 std::string differing_lines(std::string_view one, std::string_view other) {
     while (!one.empty() || !other.empty()) {
         const std::string_view a = next_line(one), b = next_line(other);

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int default_largest_array = 1001;  // slurm.conf(5), MaxArraySize
 
-// "1-3,7" of lines counted from 1 that are not done, those after an offset and within an array's
-// size; empty if there are none.
+// "1-3,7": indices from 1, relative to an offset, of unfinished lines within an array's size; empty
+// if there are none.
 std::string indices_of(const std::vector<SubmittedTask>& tasks, std::size_t offset,
                        std::size_t most) {
     std::string text;
@@ -40,7 +40,7 @@ void add_calls(std::vector<SlurmCall>& calls, const Submission& submission,
                const std::vector<SubmittedTask>& tasks, const char* list,
                const std::vector<std::string>& options, int largest_array) {
     const std::string folder = submission.folder.string();
-    // Indices run from 1 and stay below the largest.
+    // Slurm's indices start at 1 here and must be less than largest_array.
     const auto most = static_cast<std::size_t>(std::max(1, largest_array - 1));
     for (std::size_t offset = 0; offset < tasks.size(); offset += most) {
         const std::string indices = indices_of(tasks, offset, most);
@@ -68,7 +68,7 @@ std::string joined(const std::vector<std::string>& ids) {
     return text;
 }
 
-// Of "1234;cluster\n".
+// The id in "1234;cluster\n".
 std::string id_of(const std::string& answer) {
     return answer.substr(0, answer.find_first_of(";\n \t"));
 }
@@ -86,7 +86,7 @@ std::string id_of(const std::string& answer) {
     throw EnvironmentError(why + what_was);
 }
 
-// What a command of Slurm's said, as one line: its lines without the name and "error:" before each.
+// A Slurm command's message as one line, without the command's name and "error:".
 std::string words_of(const std::string& said) {
     std::string words;
     std::istringstream lines(said);

@@ -25,8 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Runs a line of a list. A program that was killed (out of memory, by hand) is started again: it
-// goes on from where it was. So does a task that the scheduler puts back into its queue.
+// Runs a line of a list. A program that was killed (out of memory, by hand) is restarted and
+// continues where it was interrupted. So does a task that the scheduler requeues.
 constexpr const char* task_script = R"(#!/bin/sh
 # task.sh LIST [LINE]: runs one line of a list (a name, a tab, a command), here or as a task of a Slurm array.
 cd {folder} || exit 3
@@ -49,7 +49,7 @@ if [ $code -eq 0 ]; then : >"state/$name.done"; else echo $code >"state/$name.fa
 exit $code
 )";
 
-// A name for logs and states, which no other film of the submission has.
+// A name for logs and states, unique in the submission.
 std::string name_for(const fs::path& output, std::set<std::string>& taken) {
     std::string stem = output.stem().string();
     std::replace_if(
@@ -83,7 +83,7 @@ bool is_there(const fs::path& path) {
     return fs::exists(path, ignored);
 }
 
-// The tasks of one film: its parts, and their join. Returns its line of `films`.
+// Adds the tasks of one film: its parts, and their join. Returns its line in `films`.
 std::string add_film(Submission& submission, const FilmToSubmit& film,
                      const std::vector<std::string>& options, std::int64_t n_asked,
                      const std::string& name) {
@@ -128,7 +128,7 @@ std::string list_of(const std::vector<SubmittedTask>& tasks) {
     return text;
 }
 
-// What was submitted before and is to be done in the same way is done; anything else begins anew.
+// Keeps the state of tasks that were submitted before and are unchanged; removes other states.
 void keep_what_is_done(Submission& submission) {
     const fs::path& folder = submission.folder;
     const std::string before = read_text_if_there(folder / "films");
@@ -197,7 +197,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return pieces;
 }
 
-// Whether a file was written within the last minutes, by the clock of the file system.
+// Whether a file was modified within the last minutes, by the file system's clock.
 bool is_fresh(const fs::path& path) {
     constexpr auto patience = std::chrono::minutes(5);
     std::error_code error;
@@ -230,13 +230,13 @@ TaskStatus status_of_task(const fs::path& folder, const std::string& name, const
                 status.n_frames = under_way.part().n_frames;
             }
         } catch (const Error&) {
-            // It has just been finished, or begun.
+            // The part was completed or created at this moment.
         }
     }
     return status;
 }
 
-// The folder itself, or the one submission in it.
+// The folder itself, or the only submission in it.
 fs::path folder_with_tasks(const fs::path& folder) {
     if (is_there(folder / "films")) return folder;
     std::vector<fs::path> found;

@@ -1,4 +1,4 @@
-// What can be sampled: the table of quantities, each with its columns, and how names choose them.
+// The table of quantities that can be sampled, each with its columns, and their selection by name.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ Eigen::Vector3d momentum_body(const SampledInstant& at) {
     return at.tensor_body * at.sample.state.omega_body;
 }
 
-// ρ = ω/√(2T) with the instant's own T, over a power of two so that nothing overflows.
+// ρ = ω/√(2T) with the T of the instant, scaled by a power of two so that nothing overflows.
 Eigen::Vector3d contact_body(const SampledInstant& at) {
     const Eigen::Vector3d& omega = at.sample.state.omega_body;
     const double largest = omega.cwiseAbs().maxCoeff();
@@ -162,11 +162,11 @@ const SampleQuantity& quantity_named(std::string_view name) {
                          [name](const SampleQuantity& quantity) { return quantity.name == name; });
 }
 
-// The lecture's symbols, which may be typed as well.
+// The lecture's symbols, accepted as names.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> symbols{
     {{"T", "kinetic_energy"}, {"L", "momentum"}, {"omega", "omega_body"}, {"rho", "contact_body"}}};
 
-// What a name stands for: a quantity's columns, or one of them. Empty for a name that is none.
+// The columns of a name: all of a quantity's, or one. Empty for an unknown name.
 std::vector<ChosenColumn> columns_called(std::string_view name) {
     for (const auto& [symbol, meant] : symbols)
         if (name == symbol) name = meant;
@@ -199,7 +199,7 @@ std::span<const SampleQuantity> sample_quantities() { return sample_rows; }
 
 std::vector<ChosenColumn> default_columns(const Motion& motion) {
     std::vector<ChosenColumn> columns;
-    // These headings are older than the units in them, and scripts read them.
+    // These headings have no units, for compatibility with existing scripts.
     const auto take = [&columns](std::string_view name, bool with_unit) {
         const SampleQuantity& quantity = quantity_named(name);
         for (std::size_t i = 0; i < quantity.columns.size(); ++i)

@@ -20,10 +20,10 @@ namespace poinsot {
 
 namespace {
 
-// Bytes gathered before they are handed on.
+// Size of the output buffer.
 constexpr std::size_t block_bytes = std::size_t{1} << 20;
 
-// Shortest decimals that give the double back.
+// The shortest decimal that reads back as the same double.
 void append_number(std::string& text, double value) {
     fmt::format_to(std::back_inserter(text), FMT_COMPILE("{}"), value);
 }
@@ -51,7 +51,7 @@ void write_json_lines(const SampleTable& table, const WriteBytes& write) {
     const std::size_t width = table.headings.size();
     for (std::size_t i = 0; i < table.values.size(); ++i) {
         text += openings[i % width];
-        // JSON knows neither infinity nor what is no number.
+        // JSON has neither infinity nor NaN.
         if (std::isfinite(table.values[i])) {
             append_number(text, table.values[i]);
         } else {
@@ -66,8 +66,8 @@ void write_json_lines(const SampleTable& table, const WriteBytes& write) {
     write(text);
 }
 
-// NumPy's format 1.0: a line of Python that says what follows, padded so that the numbers start at
-// a multiple of 64 bytes. Source: numpy.lib.format, "Format Version 1.0".
+// NumPy's format 1.0: a Python expression that describes the data, padded so that the numbers start
+// at a multiple of 64 bytes. Source: numpy.lib.format, "Format Version 1.0".
 void write_npy(const SampleTable& table, const WriteBytes& write) {
     constexpr char order = std::endian::native == std::endian::little ? '<' : '>';
     std::string described;
@@ -75,7 +75,7 @@ void write_npy(const SampleTable& table, const WriteBytes& write) {
         described += fmt::format("('{}', '{}f8'), ", heading, order);
     std::string header = fmt::format("{{'descr': [{}], 'fortran_order': False, 'shape': ({},), }}",
                                      described, table.n_rows());
-    constexpr std::size_t before = 10;  // magic, version and the header's length
+    constexpr std::size_t before = 10;  // magic, version and header length
     header.append(63 - (before + header.size()) % 64, ' ');
     header += '\n';
     const auto length = static_cast<unsigned>(header.size());
@@ -107,7 +107,7 @@ Quantities wanted_of(const Motion& motion, std::span<const ChosenColumn> columns
     return wanted;
 }
 
-// Columns of one quantity that stand side by side: its numbers are found once.
+// Adjacent columns of one quantity, whose values are computed once.
 struct Run {
     const SampleQuantity* quantity = nullptr;
     std::vector<std::size_t> indices;

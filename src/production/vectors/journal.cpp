@@ -11,7 +11,7 @@ namespace poinsot {
 
 namespace {
 
-// Where a page says nothing of a size, it is ours: 8 pt, 6 pt, 0.5 pt.
+// Defaults if a page gives no size: 8 pt, 6 pt, 0.5 pt.
 constexpr std::array<Journal, 5> journal_rows{
     {{"aip",
       "AIP Publishing (American Journal of Physics, Chaos, …): 85 mm, at most 170; type of 8 pt, "

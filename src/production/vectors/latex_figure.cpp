@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::string_view signature = "% Written by poinsot: ";
 
-// Sizes and places are shares of the figure's width, which the document may choose; type keeps its
-// size.
+// Sizes and positions are relative to the figure's width, which the document may change; text keeps
+// its size.
 constexpr std::string_view preamble = R"(%
 %   \usepackage{{graphicx}}        in the preamble; xcolor or color for colours
 %   \input{{{0}}}   where the figure stands
@@ -52,7 +52,7 @@ std::string put(const vector::Page& page, const vector::Type& type, LatexGaps& g
                            words.max_width_pt / page.width_pt, text);
     const double x = words.corner_pt.x() + words.held_at * words.size_pt.x();
     const double y = page.height_pt - words.corner_pt.y() - words.baseline_pt;
-    // There is no transparent type: it is as pale as over its halo.
+    // LaTeX has no transparent text: the colour is blended with that of the halo.
     const double keep = type.ink.alpha;
     const auto mixed = [keep](double ink, double halo) { return keep * ink + (1.0 - keep) * halo; };
     return fmt::format(

@@ -26,7 +26,7 @@ constexpr double longest_inches = 200.0;  // ISO 32000-1, annex C: 14,400 units
 
 enum class Lettering { font, paths, latex };
 
-// A value of an option, by its name.
+// The value of an option's choice, by its name.
 template <typename Value>
 struct Named {
     std::string_view name;
@@ -53,7 +53,7 @@ Lettering lettering_named(const std::string& name) {
 
 bool is_svg(const std::filesystem::path& name) { return suffix_of(name) == ".svg"; }
 
-// The same file without its record.
+// The file without its record.
 std::string without_text(std::string svg, const std::string& text) {
     const std::string empty = vector::svg_text(svg);
     if (empty != text) return svg;
