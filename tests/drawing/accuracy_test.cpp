@@ -1,4 +1,4 @@
-// What accuracy_px means elsewhere, against the picture itself.
+// Conversion of accuracy_px to other units, compared with the picture.
 #include "drawing/accuracy.h"
 
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@
 namespace poinsot {
 namespace {
 
-// The tips of the longest arrows, turned by a small angle about any axis, move by no more pixels
-// than the motion's share says; near the eye they move by much of that.
-TEST(Accuracy, OfTheMotionBoundsWhatAWrongAttitudeMoves) {
+// The tips of the longest arrows, rotated by a small angle about any axis, move by no more pixels
+// than the motion's share of the accuracy; tips near the eye move by a large part of it.
+TEST(Accuracy, MotionErrorIsAnUpperBoundInThePicture) {
     Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, "space");
     scene.accuracy_px = 0.25;
     scene.camera.target = Eigen::Vector3d::Zero();
@@ -41,8 +41,8 @@ TEST(Accuracy, OfTheMotionBoundsWhatAWrongAttitudeMoves) {
     EXPECT_GE(accuracy.motion_rad(), 0.5 * rad_that_moves_the_asked);
 }
 
-// A picture that is drawn larger and averaged has the same error in pixels of the one made.
-TEST(Accuracy, OfCurvesIsHalfOfWhatIsAsked) {
+// A supersampled picture has the same error in final pixels.
+TEST(Accuracy, CurveErrorIsHalfOfTheRequestedOne) {
     Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, "space");
     scene.accuracy_px = 0.2;
     const Motion motion(problem_of(scene));

@@ -9,7 +9,7 @@
 namespace poinsot {
 namespace {
 
-TEST(Chart, StandsDecadesAtEqualDistances) {
+TEST(Chart, DecadesAreEquallySpaced) {
     const Chart chart{"t", "x", "y", {{"s", {{1.0, 1e-6}, {10.0, 1e-4}, {100.0, 1e-2}}}}};
     const ChartSheet sheet(chart, theme_named("light"), 960, 540);
     const Drawing drawing = sheet.drawing();
@@ -22,28 +22,28 @@ TEST(Chart, StandsDecadesAtEqualDistances) {
         EXPECT_GE(dot.at.y(), 0.0);
         EXPECT_LE(dot.at.y(), 540.0);
     }
-    // Less y stands lower in the picture, where the view's y is less.
+    // A smaller y is lower in the picture; y of the view is up.
     EXPECT_LT(dots[0].at.y(), dots[2].at.y());
 }
 
-TEST(Chart, SpansOneTwoOrFiveWhereAllLiesWithinTwoDecades) {
-    // From 2 to 20: the middle of the axis is their geometric mean.
+TEST(Chart, SmallRangesSpanOneTwoOrFive) {
+    // From 2 to 20: the axis's middle is the geometric mean.
     const Chart chart{
         "t", "x", "y", {{"s", {{2.5, 3.0}, {std::sqrt(40.0), 6.0}, {15.0, 12.0, true, "name"}}}}};
     const ChartSheet sheet(chart, theme_named("light"), 960, 540);
     const Drawing drawing = sheet.drawing();
     const View& view = drawing.views.at(0);
     ASSERT_EQ(view.dots.size(), 3u);
-    const double left = view.curves.front().geometry->points.front().x();  // the line of 2
-    const double right = view.curves.at(3).geometry->points.front().x();   // 5, 10, 20
+    const double left = view.curves.front().geometry->points.front().x();  // grid line of 2
+    const double right = view.curves.at(3).geometry->points.front().x();   // of 5, 10, 20
     EXPECT_NEAR(view.dots[1].at.x(), 0.5 * (left + right), 1e-9);
     EXPECT_LT(left, view.dots[0].at.x());
     EXPECT_LT(view.dots[2].at.x(), right);
-    // Four numbers an axis, title and captions, and the names of series and point.
+    // Four numbers per axis, title and captions, and the names of series and point.
     EXPECT_EQ(view.labels.size(), 4u + 4u + 3u + 2u);
 }
 
-TEST(Chart, RefusesToShowNothing) {
+TEST(Chart, RejectsEmptyCharts) {
     const Chart chart{"t", "x", "y", {{"s", {{0.0, 1.0}}}}};
     EXPECT_THROW(ChartSheet(chart, theme_named("light"), 960, 540), InputError);
 }

@@ -1,4 +1,4 @@
-// The clock moves, and stays in its place, whatever the film's span and wherever it begins.
+// The clock changes during a film and fits its place, for all spans and start times.
 #include "drawing/type/clock_text.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace poinsot {
 namespace {
 
-TEST(ClockText, IsThatOfAFilmOfSeconds) {
+TEST(ClockText, ShowsSecondsForAFilmOfSeconds) {
     EXPECT_EQ(ClockText(0.0, 16.0).at(3.25), "$t$ = 3.25 s");
     EXPECT_EQ(ClockText(-6.5, 5.5).at(-6.5), "$t$ = \u22126.50 s");
     EXPECT_EQ(ClockText(0.0, 0.4).at(0.1), "$t$ = 0.10 s");
@@ -27,13 +27,13 @@ TEST(ClockText, HasUnitsFromPicosecondsToGigayears) {
     EXPECT_EQ(ClockText(0.0, 1e9).at(365.25 * 86400.0), "$t$ = 1.00 yr");
     EXPECT_EQ(ClockText(0.0, 1e15).at(1e15), "$t$ = 31.69 Myr");
     EXPECT_EQ(ClockText(0.0, 1e18).at(1e18), "$t$ = 31.69 Gyr");
-    // A minute of a film that begins in 1e15 s.
+    // A minute of a film that starts at 1e15 s.
     EXPECT_EQ(ClockText(1e15, 1e15 + 60.0).at(1e15), "$t$ = 31.688088 Myr");
     EXPECT_EQ(ClockText(1e4, 1e4 + 1.0).at(1e4), "$t$ = 10000.00 s");
 }
 
-// In a place of 270 pixels at 1080 rows, an eighth of the picture's width.
-TEST(ClockText, MovesAndFitsAtAnySpan) {
+// The clock's width is 270 pixels at 1080 rows, an eighth of the picture's width.
+TEST(ClockText, ChangesAndFitsAtAnySpan) {
     const Typesetter typesetter;
     const TypeStyle style{.size_px = 26.0, .mode = TypeMode::text};
     for (int power = -320; power <= 300; power += 5) {
@@ -46,7 +46,7 @@ TEST(ClockText, MovesAndFitsAtAnySpan) {
                 seen.insert(text);
                 EXPECT_LE(typesetter.measure(text, style).advance_px, 270.0) << text;
             }
-            // Where eight digits hold both the instant and the span.
+            // If eight digits are enough for both the instant and the span.
             if (first_s == 0.0 || first_s == -span_s) {
                 EXPECT_GE(seen.size(), 20u) << span_s;
             }

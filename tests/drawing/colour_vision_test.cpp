@@ -1,4 +1,4 @@
-// Contrast and difference of colours against published values.
+// Contrast and difference of colours, compared with published values.
 #include "drawing/colour_vision.h"
 
 #include <gtest/gtest.h>
@@ -14,9 +14,9 @@ Colour grey(int level) {
     return {part, part, part};
 }
 
-// What WCAG's techniques and checkers name: #767676 is the lightest grey on white that text may
-// have, #949494 the lightest of a graphical object.
-TEST(Contrast, OfGreysOnWhiteIsThatOfWcag) {
+// Values from WCAG's techniques and checkers: on white, #767676 is the lightest grey allowed for
+// text, #949494 the lightest allowed for graphical objects.
+TEST(Contrast, OfGreysOnWhiteAgreesWithWcag) {
     EXPECT_NEAR(contrast(black, white), 21.0, 1e-5);
     EXPECT_EQ(contrast(white, white), 1.0);
     EXPECT_NEAR(contrast(grey(0x76), white), 4.54, 0.005);
@@ -26,8 +26,8 @@ TEST(Contrast, OfGreysOnWhiteIsThatOfWcag) {
     EXPECT_NEAR(contrast(blue, white), 8.59, 0.005);
 }
 
-// Of sRGB's primaries under D65, as colour tables have them.
-TEST(Lab, OfThePrimariesIsThatOfTables) {
+// Published values of sRGB's primaries under D65.
+TEST(Lab, OfPrimariesAgreesWithPublishedTables) {
     const auto is = [](const Colour& colour, double l, double a, double b) {
         const Eigen::Vector3d found = lab(colour);
         EXPECT_NEAR(found.x(), l, 0.02);
@@ -42,15 +42,15 @@ TEST(Lab, OfThePrimariesIsThatOfTables) {
     is(grey(128), 53.59, 0.0, 0.0);
 }
 
-TEST(Visions, LeaveGreysAsTheyAre) {
+TEST(Visions, DoNotChangeGreys) {
     for (const Vision& vision : visions())
         for (int row = 0; row < 3; ++row)
             EXPECT_NEAR(vision.seen_from_linear.row(row).sum(), 1.0, 2e-6) << vision.eye;
 }
 
-// Without red or green cones a dark red and an olive of the same lightness are one colour, to a
-// common eye they are far apart; blue and yellow are told by both.
-TEST(LineDifference, TellsWhatAnEyeCannot) {
+// Without red or green cones, a dark red and an olive of the same lightness look alike, though they
+// differ strongly for normal vision; blue and yellow remain distinguishable.
+TEST(LineDifference, IsSmallForConfusableColours) {
     const Colour brown{0.55, 0.32, 0.0}, olive{0.36, 0.40, 0.0};
     EXPECT_GT(line_difference(brown, olive, visions()[0]),
               2.0 * line_difference(brown, olive, visions()[2]));
@@ -59,7 +59,7 @@ TEST(LineDifference, TellsWhatAnEyeCannot) {
         EXPECT_GT(line_difference(white, black, vision), 1.0);
     }
     EXPECT_EQ(grey_difference(red, red), 0.0);
-    // ΔL* = 100 of 5.08 + 0.75/0.0741: half of 10.16 + 1.50/s.
+    // ΔL* = 100 in units of 5.08 + 0.75/0.0741: half of 10.16 + 1.50/s.
     EXPECT_NEAR(grey_difference(white, black), 100.0 / (5.08 + 0.75 / (80.0 / 1080.0)), 1e-3);
 }
 

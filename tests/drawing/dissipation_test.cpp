@@ -1,5 +1,5 @@
-// Poinsot's construction of a body that burns energy inside: L stays, the plane comes nearer, the
-// polhode is a spiral.
+// Poinsot's construction of a body with internal friction: L is conserved, the plane approaches,
+// the polhode is a spiral.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,18 +26,18 @@ Scene burning(const std::string& panel) {
     return scene;
 }
 
-// T over that of the start, from the motion itself.
+// T relative to its value at the start, from the motion itself.
 double energy_share(const StagedScene& staged, double time_s) {
     const Eigen::Vector3d w = staged.motion.at(time_s).omega_body;
     return w.dot(moments.cwiseProduct(w)) / omega.dot(moments.cwiseProduct(omega));
 }
 
-// |L| of a body that turns so, kg m²/s.
+// |L| of a body with this ω, kg m²/s.
 double momentum(const Eigen::Vector3d& omega_body) {
     return moments.cwiseProduct(omega_body).norm();
 }
 
-TEST(Dissipation, ThePlaneStandsAtTheRootOfTheEnergyThatIsLeft) {
+TEST(Dissipation, PlaneDistanceIsTheRootOfTheRemainingEnergy) {
     for (const char* side : {"below", "above"}) {
         Scene scene = burning("space");
         scene.construction.plane = side;
@@ -52,11 +52,11 @@ TEST(Dissipation, ThePlaneStandsAtTheRootOfTheEnergyThatIsLeft) {
             const View& view = drawing.views[0];
             const Plane& plane = view.planes[0];
             EXPECT_NEAR(plane.centre.z(), start * std::sqrt(energy_share(staged, time_s)), 1e-12);
-            // It touches the ellipsoid: F at the point of the plane along its own normal's image.
+            // The plane touches the ellipsoid: F at the plane's point with the same normal is 1.
             const Eigen::Matrix3d axes = view.ellipsoids[0].half_axes;
             const Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
             EXPECT_NEAR((axes.transpose() * normal).norm(), std::abs(plane.centre.z()), 1e-9);
-            // And the contact point lies on both.
+            // The contact point is on both.
             bool has_contact = false;
             for (const Dot& dot : view.dots) {
                 const bool on_plane = std::abs(dot.at.z() - plane.centre.z()) < 1e-9;
@@ -68,8 +68,9 @@ TEST(Dissipation, ThePlaneStandsAtTheRootOfTheEnergyThatIsLeft) {
     }
 }
 
-// From about the axis of the least moment to about that of the largest, on the ellipsoid all along.
-TEST(Dissipation, ThePolhodeIsASpiralOnTheEllipsoid) {
+// The path goes from near the axis of the least moment to near that of the largest, always on the
+// ellipsoid.
+TEST(Dissipation, PolhodeIsASpiralOnTheEllipsoid) {
     for (const char* kind : {"space", "body"}) {
         const StagedScene staged(burning(kind), 30.0);
         const Drawing drawing = staged.stage.at(30.0);
@@ -87,13 +88,13 @@ TEST(Dissipation, ThePolhodeIsASpiralOnTheEllipsoid) {
             EXPECT_NEAR(point.cwiseQuotient(half_axes).norm() * half_axes.maxCoeff(), 1.0, 1e-12);
         EXPECT_GT(points.front().z(), 0.9);
         EXPECT_GT(points.back().normalized().cwiseAbs().x(), 0.9);
-        // Of its whole length the end is shown, of the beginning nothing.
+        // The end of the path is shown, its start is not.
         EXPECT_NEAR(spiral->last, static_cast<double>(points.size() - 1), 1.0);
         EXPECT_LT(staged.stage.at(0.0).views[0].curves.size(), 1000u);
     }
 }
 
-TEST(Dissipation, TheEnergyEllipsoidShrinksOnTheSphereOfMomentum) {
+TEST(Dissipation, EnergyEllipsoidShrinksOnTheMomentumSphere) {
     const StagedScene staged(burning("momentum"), 30.0);
     const Drawing start = staged.stage.at(0.0);
     const double before = start.views[0].ellipsoids[1].half_axes(0, 0);
@@ -103,23 +104,23 @@ TEST(Dissipation, TheEnergyEllipsoidShrinksOnTheSphereOfMomentum) {
         EXPECT_NEAR(view.ellipsoids[1].half_axes(0, 0) / before,
                     std::sqrt(energy_share(staged, time_s)), 1e-12);
         EXPECT_EQ(view.ellipsoids[0].half_axes.diagonal(), Eigen::Vector3d::Ones());
-        // L's tip is on both.
+        // L's tip is on both surfaces.
         const Eigen::Vector3d tip = view.arrows.back().tip;
         EXPECT_NEAR(tip.norm(), 1.0, 1e-14);
-        // The drawing takes L for constant, which the stepping keeps to its tolerance only.
+        // The drawing assumes a constant L, which stepping conserves only to its tolerance.
         const double drift = momentum(omega) / momentum(staged.motion.at(time_s).omega_body);
         EXPECT_NEAR(drift, 1.0, 10.0 * stepping_tolerance);
         EXPECT_NEAR((view.ellipsoids[1].half_axes.inverse() * tip).norm(), drift, 1e-12);
     }
 }
 
-TEST(Dissipation, PanelsSuitIt) {
+TEST(Dissipation, IsShownByPanelsThatAllowIt) {
     Scene scene = burning("space");
     for (const char* kind : {"space", "body", "momentum", "object", "plot"}) {
         scene.panels[0].kind = kind;
         EXPECT_NO_THROW(StagedScene(scene, 5.0)) << kind;
     }
-    // A herpolhode on one plane, and residuals, need a T that stays.
+    // A herpolhode in one plane, and residuals, need a conserved T.
     scene.panels[0].kind = "plan";
     EXPECT_THROW(StagedScene(scene, 5.0), InputError);
     scene.panels[0].kind = "plot";
@@ -131,7 +132,7 @@ TEST(Dissipation, PanelsSuitIt) {
     }
     scene.panels.clear();
     const StagedScene staged(scene, 5.0);
-    EXPECT_EQ(staged.stage.at(1.0).views[0].planes.size(), 1u);  // the space panel by itself
+    EXPECT_EQ(staged.stage.at(1.0).views[0].planes.size(), 1u);  // the space panel by default
 }
 
 }  // namespace

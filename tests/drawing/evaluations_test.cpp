@@ -1,4 +1,4 @@
-// What is not shown is not computed.
+// Quantities that are not shown are not computed.
 #include "drawing/evaluations.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 const Eigen::Vector3d generic_moments{1.0, 2.0, 2.9};
 const Eigen::Vector3d generic_omega{1.4, 0.5, 1.6};
 
-TEST(Evaluations, BodyPanelAsksForOmegaAlone) {
+TEST(Evaluations, BodyPanelRequestsOnlyOmega) {
     for (const char* kind : {"body", "momentum"}) {
         const StagedScene staged(free_scene(generic_moments, generic_omega, kind), 10.0);
         EXPECT_EQ(staged.stage.counts().n_omega, 0) << kind;
@@ -22,7 +22,7 @@ TEST(Evaluations, BodyPanelAsksForOmegaAlone) {
     }
 }
 
-TEST(Evaluations, PlanAsksForNoAttitude) {
+TEST(Evaluations, PlanRequestsNoAttitude) {
     const StagedScene staged(free_scene(generic_moments, generic_omega, "plan"), 10.0);
     const std::int64_t made = staged.stage.counts().n_herpolhode;
     EXPECT_GT(made, 0);
@@ -31,7 +31,7 @@ TEST(Evaluations, PlanAsksForNoAttitude) {
     EXPECT_EQ(staged.stage.counts().n_attitude, 0);
 }
 
-TEST(Evaluations, SpacePanelAsksForWhatItsElementsShow) {
+TEST(Evaluations, SpacePanelRequestsWhatItsElementsShow) {
     Scene scene = free_scene(generic_moments, generic_omega, "space");
     scene.show = {"plane", "momentum", "annulus"};
     const StagedScene still(scene, 10.0);
@@ -47,20 +47,20 @@ TEST(Evaluations, SpacePanelAsksForWhatItsElementsShow) {
     EXPECT_EQ(turning.stage.counts().n_herpolhode, 0);
 }
 
-TEST(Evaluations, StillMakesNoHistoryBeyondItsInstant) {
+TEST(Evaluations, StillSamplesNoHistoryAfterItsInstant) {
     const Scene scene = free_scene(generic_moments, generic_omega, "space");
     const StagedScene at_start(scene, 0.0);
     EXPECT_LE(at_start.stage.counts().n_herpolhode, 1);
     const StagedScene early(scene, 1.0);
     const StagedScene late(scene, 10.0);
-    // Evaluations follow the stretch that is shown, up to the end of its last piece.
+    // The number of evaluations is proportional to the shown time, up to the end of its last piece.
     EXPECT_LT(early.stage.counts().n_herpolhode, late.stage.counts().n_herpolhode / 5);
 }
 
 TEST(Evaluations, SphereHasNoCurves) {
     const StagedScene space(free_scene({2.0, 2.0, 2.0}, generic_omega, "space"), 10.0);
     EXPECT_EQ(space.stage.counts().n_herpolhode, 0);
-    // Straight marks alone: the axis of rotation, and the right angle at the foot of L.
+    // Only straight lines: the axis of rotation, and the right angle at the foot of L.
     const Drawing drawing = space.stage.at(1.0);
     for (const Curve& curve : drawing.views[0].curves) {
         EXPECT_EQ(curve.geometry->points.size(), 2u);
@@ -71,8 +71,9 @@ TEST(Evaluations, SphereHasNoCurves) {
     EXPECT_TRUE(momentum.stage.at(1.0).views[0].curves.empty());
 }
 
-TEST(Evaluations, SphereSumsNoSeries) {
-    // A sphere turns steadily; the same picture of another body needs Jacobi's functions each time.
+TEST(Evaluations, SphereEvaluatesNoThetaSeries) {
+    // A sphere rotates steadily; the same picture of another body needs Jacobi's functions at each
+    // instant.
     const StagedScene sphere(free_scene({2.0, 2.0, 2.0}, generic_omega, "space"), 10.0);
     const StagedScene generic(free_scene(generic_moments, generic_omega, "space"), 10.0);
     for (int k = 0; k < 5; ++k) {
@@ -84,13 +85,13 @@ TEST(Evaluations, SphereSumsNoSeries) {
     EXPECT_EQ(generic.stage.counts().n_theta_series, generic.stage.counts().n_omega);
 }
 
-TEST(Evaluations, SteadySpinSumsNoSeries) {
+TEST(Evaluations, SteadySpinEvaluatesNoThetaSeries) {
     const StagedScene staged(free_scene(generic_moments, {0.0, 2.0, 0.0}, "body"), 10.0);
     staged.stage.at(3.0);
     EXPECT_EQ(staged.stage.counts().n_theta_series, 0);
 }
 
-TEST(Evaluations, WithoutTorqueNoneIsEvaluated) {
+TEST(Evaluations, WithoutTorqueNoTorqueIsEvaluated) {
     Scene scene = free_scene({1.0, 1.0, 0.5}, generic_omega, "body");
     scene.method.step_s = 0.1;
     for (const char* method : {"euler", "rk4", "splitting", "rkmk4"}) {
@@ -108,14 +109,14 @@ TEST(Evaluations, WithoutTorqueNoneIsEvaluated) {
     EXPECT_EQ(Motion(problem_of(scene)).integrated()->counters().n_torques, 0);
 }
 
-TEST(Evaluations, PotentialOfATopAsksForItsAnglesAlone) {
+TEST(Evaluations, PotentialOfATopRequestsOnlyItsAngles) {
     const StagedScene staged(top_scene({.theta_rad = 0.7, .omega3_rad_s = 5.0}, "potential"), 10.0);
     staged.stage.at(1.0);
     EXPECT_EQ(staged.stage.counts().n_euler_angles, 1);
     EXPECT_EQ(staged.stage.counts().n_attitude, 0);
 }
 
-TEST(Evaluations, PanelsTogetherAskOnceAnInstant) {
+TEST(Evaluations, PanelsShareOneEvaluationPerInstant) {
     Scene scene = free_scene(generic_moments, generic_omega, "space");
     scene.grid.columns = {1.0, 1.0, 1.0};
     for (const char* kind : {"body", "momentum"}) {

@@ -1,4 +1,4 @@
-// What lies on a body's faces: the marked one, and pictures the right way round.
+// The faces of a body: the marked face, and pictures in the correct orientation.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -13,7 +13,7 @@
 namespace poinsot {
 namespace {
 
-// A box of 4 × 3 × 2 m, as body axes have it.
+// A box of 4 × 3 × 2 m along body axes.
 Scene box_scene() {
     Scene scene = free_scene({13.0, 20.0, 25.0}, {0.1, 1.0, 0.1}, "object");
     scene.body.given = BodySpec::Given::solid;
@@ -22,7 +22,7 @@ Scene box_scene() {
     return scene;
 }
 
-// The meshes of the object panel at t = 0, in body axes and m.
+// The meshes of the object panel at t = 0, in body axes and metres.
 std::vector<Mesh> meshes_of(const StagedScene& staged) {
     return staged.stage.at(0.0).views.at(0).meshes;
 }
@@ -38,7 +38,7 @@ double area_of(const MeshGeometry& geometry) {
     return area;
 }
 
-TEST(Faces, TheMarkedOneIsTheWholeOfItsSideAndNothingElse) {
+TEST(Faces, MarkedFaceIsExactlyOneWholeSide) {
     const double reach_m = 0.5 * std::sqrt(29.0);
     const std::array<double, 3> sides_m2{6.0, 8.0, 12.0};
     for (const std::string_view name : body_faces()) {
@@ -58,9 +58,9 @@ TEST(Faces, TheMarkedOneIsTheWholeOfItsSideAndNothingElse) {
     }
 }
 
-// A point of a face and where it lies in the picture; the picture's own axes, by differences.
+// A point of a face, its position in the picture, and the picture's axes, from differences.
 struct Laid {
-    Eigen::Vector3d right, down;  // of the face, for the whole picture
+    Eigen::Vector3d right, down;  // of the face, per picture width and height
 };
 Laid laid(const MeshGeometry& geometry) {
     Eigen::Matrix<double, 2, 2> places;
@@ -74,7 +74,7 @@ Laid laid(const MeshGeometry& geometry) {
     return {axes.col(0), axes.col(1)};
 }
 
-TEST(Faces, PicturesAreSeenFromOutsideUnmirroredAndUpwards) {
+TEST(Faces, PicturesAreUnmirroredFromOutsideAndUpright) {
     for (const std::string_view name : body_faces())
         for (const std::string_view up : body_faces()) {
             const BodyFace face = body_face_named(name), towards = body_face_named(up);
@@ -87,7 +87,7 @@ TEST(Faces, PicturesAreSeenFromOutsideUnmirroredAndUpwards) {
             ASSERT_EQ(meshes.size(), 2u);
             const Laid picture = laid(*meshes[1].geometry);
             const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-            // Right × up points to the beholder.
+            // Right × up points to the viewer.
             const Eigen::Vector3d to_us = picture.right.cross(-picture.down).normalized();
             EXPECT_LT((to_us - face.outward(axes)).norm(), 1e-6) << name << up;
             EXPECT_LT((-picture.down.normalized() - towards.outward(axes)).norm(), 1e-6)
@@ -95,7 +95,8 @@ TEST(Faces, PicturesAreSeenFromOutsideUnmirroredAndUpwards) {
         }
 }
 
-// Tall pictures stand along the longer side, wide ones lie along it.
+// The top of a tall picture points along the face's longer side, that of a wide one along the
+// shorter side.
 TEST(Faces, PicturesAreStretchedLeast) {
     for (const auto& [image, upright] : {std::pair(Image(30, 40), Eigen::Vector3d(1, 0, 0)),
                                          std::pair(Image(40, 30), Eigen::Vector3d(0, 1, 0))}) {
@@ -110,7 +111,7 @@ TEST(Faces, PicturesAreStretchedLeast) {
     }
 }
 
-// A pixel that is half transparent shows half of the light of the body's own colour.
+// A half-transparent pixel blends with the body's own colour in linear light.
 TEST(Faces, TransparentPicturesShowTheBody) {
     Scene scene = box_scene();
     Image image(1, 1);

@@ -1,4 +1,4 @@
-// The elements that explain the construction stand where its definitions put them.
+// The elements that explain the construction have the positions of their definitions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,19 +18,19 @@ namespace {
 const Eigen::Vector3d moments{1.0, 1.8, 2.6};
 const Eigen::Vector3d omega{1.3, 0.9, 0.8};
 
-// A scene that shows these elements alone, and no title, caption or clock.
+// A scene that shows only these elements, without title, caption or clock.
 Scene showing(const std::vector<std::string>& show) {
     Scene scene = free_scene(moments, omega, "space");
     scene.show = show;
     return scene;
 }
 
-// F(ρ) = ρ·Iρ of a point in picture lengths, where the largest half-axis 1/√I_min is 1.
+// F(ρ) = ρ·Iρ of a point in picture lengths, in which the largest half-axis 1/√I_min is 1.
 double form(const Eigen::Matrix3d& axes, const Eigen::Vector3d& point) {
     return moments.dot((axes.transpose() * point).cwiseAbs2()) / moments.minCoeff();
 }
 
-TEST(FigureElements, RadiusEndsOnTheEllipsoidAndTheGradientStandsAlongL) {
+TEST(FigureElements, RadiusEndsOnTheEllipsoidAndGradientIsAlongL) {
     const StagedScene staged(showing({"ellipsoid", "radius", "gradient", "tangent", "axes"}), 10.0);
     for (const double t : {0.0, 2.7, 9.1}) {
         const View view = staged.stage.at(t).views.front();
@@ -41,7 +41,7 @@ TEST(FigureElements, RadiusEndsOnTheEllipsoidAndTheGradientStandsAlongL) {
         }
         const Eigen::Vector3d rho = view.arrows[3].tip;
         EXPECT_NEAR(form(axes, rho), 1.0, 1e-14);
-        // ∇F = 2Iρ, from ρ on, along L, which points down.
+        // ∇F = 2Iρ starts at ρ and is along L, which points down.
         const Arrow& gradient = view.arrows[4];
         EXPECT_EQ(gradient.tail, rho);
         const Eigen::Vector3d along = (gradient.tip - gradient.tail).normalized();
@@ -54,9 +54,9 @@ TEST(FigureElements, RadiusEndsOnTheEllipsoidAndTheGradientStandsAlongL) {
     }
 }
 
-// The tangent patch goes with the contact; the curve's plane stands still, in whatever order the
-// scene names them.
-TEST(FigureElements, TheHerpolhodeLiesOnThePlaneThatStandsStill) {
+// The tangent patch follows the contact; the herpolhode's plane is fixed, in any order of the
+// elements.
+TEST(FigureElements, HerpolhodeIsOnTheFixedPlane) {
     for (const std::vector<std::string>& show :
          {std::vector<std::string>{"tangent", "herpolhode", "plane"},
           std::vector<std::string>{"plane", "tangent", "herpolhode"}}) {
@@ -74,8 +74,8 @@ TEST(FigureElements, TheHerpolhodeLiesOnThePlaneThatStandsStill) {
     }
 }
 
-// A renderer keeps what it has uploaded by these numbers, of curves and of masks.
-TEST(FigureElements, NoTwoStagesGiveOneNumberToTwoThings) {
+// A renderer caches uploaded curves and masks by these ids.
+TEST(FigureElements, IdsAreUniqueAcrossStages) {
     std::set<std::uint64_t> masks, geometry;
     std::set<const GlyphMask*> seen_masks;
     std::set<const CurveGeometry*> seen_geometry;
@@ -110,7 +110,7 @@ TEST(FigureElements, HalfAxesHaveTheirLengths) {
     }
 }
 
-TEST(FigureElements, DimensionLineSpansThePlanesDistance) {
+TEST(FigureElements, DimensionLineSpansThePlaneDistance) {
     const StagedScene staged(showing({"plane", "distance"}), 10.0);
     const View view = staged.stage.at(0.0).views.front();
     ASSERT_EQ(view.arrows.size(), 2u);
@@ -128,7 +128,7 @@ TEST(FigureElements, PrecessionNeedsTwoEqualMoments) {
     EXPECT_EQ(StagedScene(scene, 10.0).stage.at(1.0).views.front().arrows.size(), 2u);
 }
 
-TEST(FigureElements, BodyStaysWithinItsEllipsoid) {
+TEST(FigureElements, BodyIsInsideItsEllipsoid) {
     const StagedScene staged(showing({"ellipsoid", "body"}), 10.0);
     const View view = staged.stage.at(1.9).views.front();
     ASSERT_EQ(view.meshes.size(), 1u);

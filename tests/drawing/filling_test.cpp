@@ -1,5 +1,5 @@
-// Bodies fill their panels: what is drawn, arrows with their names and the plane to its rim
-// included, seen by a projection of the test's own.
+// Figures fill their panels: everything drawn, including arrows with their labels and the plane's
+// rim, measured with a projection that is independent of the program's.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace poinsot {
 namespace {
 
-// Widths and heights over which points are seen, within the panel.
+// The bounding box of the projected points within the panel.
 class Extent {
  public:
     explicit Extent(const View& view) : view_(view) {
@@ -25,7 +25,7 @@ class Extent {
         up_ = right_.cross(forward_);
     }
 
-    // From the view's upper left, y down.
+    // Pixels from the view's upper left corner, y down.
     Eigen::Vector2d seen_at(const Eigen::Vector3d& point) const {
         const Camera& camera = view_.camera;
         const Eigen::Vector3d ray = point - camera.eye;
@@ -83,11 +83,11 @@ class Extent {
                        radius * cone.axis.cross(across));
         }
         for (const Mesh& mesh : view_.meshes)
-            // A corner of each triangle: neighbours have the others.
+            // One corner of each triangle; neighbours have the others.
             for (std::size_t k = 0; k < mesh.geometry->positions.size(); k += 3)
                 see(mesh.placement * mesh.geometry->positions[k].cast<double>());
     }
-    // The names at the tips of arrows.
+    // The labels at the tips of arrows.
     void see_names() {
         for (const Label& label : view_.labels) {
             const Eigen::Vector2d corner =
@@ -113,7 +113,7 @@ class Extent {
 
 bool is_chart(const PanelSpec& panel) { return panel.kind == "plot" || panel.kind == "potential"; }
 
-TEST(Filling, WhatIsDrawnSpansFourFifthsOfItsPanel) {
+TEST(Filling, FigureSpansFourFifthsOfItsPanel) {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes"))
         if (entry.path().extension() == ".toml") files.push_back(entry.path());
@@ -146,7 +146,7 @@ TEST(Filling, WhatIsDrawnSpansFourFifthsOfItsPanel) {
                 }
             }
             for (std::size_t i = 0; i < boxes.size(); ++i) {
-                // The last view is for what stands over the picture.
+                // The last view is that of the overlays.
                 if (boxes[i].isEmpty() || (i < scene.panels.size() && is_chart(scene.panels[i])))
                     continue;
                 const double spanned = boxes[i].sizes().maxCoeff();

@@ -30,7 +30,7 @@ double least_margin(const View& view, const std::vector<Eigen::Vector3d>& points
     return least;
 }
 
-TEST(Framing, HoldsAllPointsAndTouchesTheMargin) {
+TEST(Framing, ContainsAllPointsAndTouchesTheMargin) {
     std::mt19937 random(7);
     std::normal_distribution<double> normal;
     for (int k = 0; k < 200; ++k) {
@@ -41,12 +41,12 @@ TEST(Framing, HoldsAllPointsAndTouchesTheMargin) {
         const PanelBox box{37, 11, k % 2 == 0 ? 800 : 300, k % 3 == 0 ? 600 : 300};
         const Camera camera =
             framed(box, direction_of(7.0 * k, 20.0), Eigen::Vector3d::UnitZ(), 0.5, points, 25.0);
-        // Some point lies on the margin, none beyond it. Measured 2e-12.
+        // The outermost point is on the margin. Measured 2e-12.
         EXPECT_NEAR(least_margin(view_of(box, camera), points), 25.0, 1e-9);
     }
 }
 
-TEST(Framing, OnePointIsSeenFromADistance) {
+TEST(Framing, OnePointIsViewedFromADistance) {
     const std::vector<Eigen::Vector3d> points(3, Eigen::Vector3d(1.0, 2.0, 3.0));
     const Camera camera = framed({0, 0, 100, 100}, direction_of(10.0, 20.0),
                                  Eigen::Vector3d::UnitZ(), 0.5, points, 10.0);
@@ -54,7 +54,7 @@ TEST(Framing, OnePointIsSeenFromADistance) {
     EXPECT_LT((camera.target - points[0]).norm(), 1e-12);
 }
 
-TEST(Framing, EllipsoidsPointsLieOnIt) {
+TEST(Framing, PointsOfAnEllipsoidLieOnIt) {
     const Eigen::Matrix3d half_axes = Eigen::Vector3d(1.0, 0.5, 1e-6).asDiagonal();
     for (const Eigen::Vector3d& point : points_of_ellipsoid(half_axes)) {
         EXPECT_NEAR((half_axes.inverse() * point).norm(), 1.0, 1e-12);

@@ -1,4 +1,4 @@
-// The motion beside is drawn as its method computes it, and nothing of it where there is none.
+// The comparison motion is drawn as its method computes it, and is absent if there is none.
 #include "drawing/elements/ghost.h"
 
 #include <gtest/gtest.h>
@@ -43,19 +43,18 @@ struct StagedBeside {
 const MethodChoice euler{"euler", 0.05, {}, {}};
 const MethodChoice exact{"exact", {}, {}, {}};
 
-// A linear map is a rotation of the other's: the largest difference of entries.
+// The largest difference of two matrices' elements.
 double apart(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
     return (a - b).cwiseAbs().maxCoeff();
 }
 
-TEST(Ghost, EllipsoidTurnsAsTheMethodBesideHasIt) {
+TEST(Ghost, EllipsoidRotatesAsTheComparisonMethodComputes) {
     const StagedBeside staged(free_scene(moments, omega, "space"), euler);
     for (const double time_s : {0.0, 3.3, 10.0}) {
         const Drawing drawing = staged.stage.at(time_s);
         const auto& ellipsoids = drawing.views[0].ellipsoids;
         ASSERT_EQ(ellipsoids.size(), 2u);
-        // Both are the same ellipsoid; from the first to the second turns what lies between the
-        // attitudes, seen in picture axes.
+        // Both ellipsoids are equal up to the rotation between the two attitudes, in picture axes.
         const ConstructionPicture& picture = *staged.stage.data().rolling;
         const Eigen::Quaterniond between = picture.picture_from_space *
                                            staged.beside.at(time_s).space_from_body *
@@ -66,7 +65,7 @@ TEST(Ghost, EllipsoidTurnsAsTheMethodBesideHasIt) {
     }
 }
 
-TEST(Ghost, ExactBesideExactIsOnItself) {
+TEST(Ghost, ExactMethodCoincidesWithItself) {
     const StagedBeside staged(free_scene(moments, omega, "space"), exact);
     const Drawing drawing = staged.stage.at(7.0);
     const auto& ellipsoids = drawing.views[0].ellipsoids;
@@ -97,7 +96,7 @@ TEST(Ghost, PolhodeOfEulersMethodLeavesTheEllipsoidAsItsEnergyGrows) {
     };
     const double grown = energy(staged.beside) / energy(staged.motion);
     EXPECT_GT(grown, 1.05);
-    // The path's last point is at most a piece of 0.05 s before: T grows by less than 1e-2 in that.
+    // The path's last point is at most 0.05 s earlier: T grows by less than 1e-2 in that time.
     EXPECT_NEAR(energy_at_end(staged), grown, 1e-2);
     EXPECT_NEAR(energy_at_end(StagedBeside(free_scene(moments, omega, "body"), exact)), 1.0, 1e-14);
 }
@@ -111,14 +110,14 @@ TEST(Ghost, MomentumOfEulersMethodLeavesTheSphere) {
     EXPECT_NEAR(drawing.views[0].arrows.back().tip.norm(), grown, 1e-14);
 }
 
-TEST(Ghost, PlotHasASecondSetOfCurves) {
+TEST(Ghost, PlotHasCurvesOfBothMotions) {
     const StagedScene alone(free_scene(moments, omega, "plot"), 10.0);
     const StagedBeside both(free_scene(moments, omega, "plot"), euler);
     EXPECT_EQ(both.stage.at(1.0).views[0].curves.size(),
               alone.stage.at(1.0).views[0].curves.size() + 3);
 }
 
-// The last curve of the ghost's colour in the only view.
+// The last curve in the ghost's colour in the only view.
 const Curve& last_grey_curve(const StagedBeside& staged, const Drawing& drawing) {
     const Colour& grey = staged.stage.data().theme->ghost;
     const auto& curves = drawing.views[0].curves;
@@ -126,13 +125,13 @@ const Curve& last_grey_curve(const StagedBeside& staged, const Drawing& drawing)
                          [&grey](const Curve& curve) { return curve.colour == grey; });
 }
 
-TEST(Ghost, BodyOfTheObjectPanelTurnsAsTheMethodBesideHasIt) {
+TEST(Ghost, BodyOfTheObjectPanelRotatesAsTheComparisonMethodComputes) {
     const StagedBeside staged(free_scene(moments, omega, "object"), euler);
     const Drawing drawing = staged.stage.at(3.3);
-    // The third principal axis is the last of its lines.
+    // The third principal axis is the last of the body's lines.
     const Curve& axis = last_grey_curve(staged, drawing);
     const Eigen::Vector3d end = axis.placement * axis.geometry->points.back();
-    // Alone it stands with L up.
+    // A single panel has L up.
     const Eigen::Quaterniond picture_from_space =
         least_turn(moments.cwiseProduct(omega), Eigen::Vector3d::UnitZ());
     const Eigen::Vector3d e3 =
@@ -140,23 +139,23 @@ TEST(Ghost, BodyOfTheObjectPanelTurnsAsTheMethodBesideHasIt) {
     EXPECT_LE((end.normalized() - e3).norm(), 1e-14);
 }
 
-TEST(Ghost, AxisOfATopStandsWhereTheMethodBesideHasIt) {
+TEST(Ghost, AxisOfATopIsThatOfTheComparisonMethod) {
     Scene scene = top_scene({.theta_rad = 0.7, .omega3_rad_s = 8.0}, "top");
     const StagedBeside staged(scene, {"rk4", 0.2, {}, {}});
     const Drawing drawing = staged.stage.at(6.0);
     const Eigen::Vector3d e3 = staged.beside.at(6.0).space_from_body * Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d exact_e3 =
         staged.motion.at(6.0).space_from_body * Eigen::Vector3d::UnitZ();
-    EXPECT_GT((e3 - exact_e3).norm(), 1e-3);  // such a step drifts
+    EXPECT_GT((e3 - exact_e3).norm(), 1e-3);  // such a large step causes drift
     const auto& arrows = drawing.views[0].arrows;
     const auto tip_is_there = [&e3](const Arrow& arrow) { return (arrow.tip - e3).norm() < 1e-14; };
     EXPECT_TRUE(std::any_of(arrows.begin(), arrows.end(), tip_is_there));
-    // Its path has come that far too, but for less than a piece of it.
+    // The path ends there, up to less than one of its pieces.
     const Curve& path = last_grey_curve(staged, drawing);
     EXPECT_LE((path.geometry->points[static_cast<std::size_t>(path.last)] - e3).norm(), 0.2);
 }
 
-TEST(Ghost, WithoutAMotionBesideThereIsNone) {
+TEST(Ghost, IsAbsentWithoutAComparisonMotion) {
     const StagedScene staged(free_scene(moments, omega, "space"), 10.0);
     EXPECT_EQ(staged.stage.at(1.0).views[0].ellipsoids.size(), 1u);
     Scene scene = free_scene(moments, omega, "space");
@@ -164,11 +163,11 @@ TEST(Ghost, WithoutAMotionBesideThereIsNone) {
     EXPECT_THROW(StagedScene(scene, 10.0), InputError);
 }
 
-TEST(Ghost, PanelsThatShowNoneAreRefused) {
+TEST(Ghost, IsRejectedByPanelsThatCannotShowIt) {
     EXPECT_THROW(StagedBeside(free_scene(moments, omega, "plan"), euler), InputError);
 }
 
-TEST(Ghost, AMethodThatBlowsUpDrawsNoLineToInfinity) {
+TEST(Ghost, DivergingMethodDrawsNoLineToInfinity) {
     const StagedBeside staged(free_scene(moments, omega, "space"), {"euler", 1.0, {}, {}});
     ASSERT_GT(staged.beside.at(10.0).omega_body.norm(), 6.0 * omega.norm());
     const Drawing drawing = staged.stage.at(10.0);

@@ -1,4 +1,4 @@
-// No key is silently without an effect.
+// Keys without effect are always reported.
 #include "drawing/idle_keys.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::vector<std::string> idle_in(const std::string& more) { return idle_in("", m
 
 using Keys = std::vector<std::string>;
 
-TEST(IdleKeys, TrailsNeedAPanelWithThePaths) {
+TEST(IdleKeys, TrailsNeedAPanelWithPaths) {
     const std::string trails =
         "[trail]\npolhode = \"history\"\nherpolhode = \"whole\"\nlength_s = 2.0\n"
         "direction_marks = true\n";
@@ -35,14 +35,14 @@ TEST(IdleKeys, TrailsNeedAPanelWithThePaths) {
         (Keys{"trail.polhode", "trail.herpolhode", "trail.length_s", "trail.direction_marks"}));
     EXPECT_EQ(idle_in(trails + "[[panels]]\nkind = \"plan\"\n"),
               (Keys{"trail.polhode", "trail.length_s"}));
-    // With friction the panels in body axes show it, too.
+    // With friction, the panels in body axes show the trail, too.
     EXPECT_EQ(idle_in("[trail]\npolhode = \"history\"\n[torque]\nkind = \"dissipation\"\n"
                       "half_life_s = 3.0\n[motion]\nmethod = \"dopri5\"\n"
                       "[[panels]]\nkind = \"body\"\n"),
               Keys{});
 }
 
-TEST(IdleKeys, ElementsAndLooksNeedTheirPanels) {
+TEST(IdleKeys, ElementsAndStylesNeedTheirPanels) {
     const std::string plot = "[[panels]]\nkind = \"plot\"\n";
     EXPECT_EQ(idle_in("show = [\"title\", \"clock\"]\n", plot), Keys{});
     EXPECT_EQ(idle_in("show = [\"title\", \"levels\"]\n", plot), Keys{"show"});
@@ -59,13 +59,13 @@ TEST(IdleKeys, KeysOfPanelsBelongToTheirKind) {
     EXPECT_EQ(idle_in("[[panels]]\nkind = \"body\"\ncurves = 3\n"), Keys{});
 }
 
-TEST(IdleKeys, KeyframesMoveWhatPanelsTake) {
+TEST(IdleKeys, KeyframesNeedAPanelThatFollowsThem) {
     const std::string keyframe = "[[keyframes]]\nat_s = 2.0\nazimuth_deg = 3.0\ndistance = 4.0\n";
     EXPECT_EQ(idle_in(keyframe), Keys{});
     EXPECT_EQ(idle_in(keyframe + "[[panels]]\nkind = \"object\"\n"), Keys{"keyframes[0].distance"});
 }
 
-TEST(IdleKeys, NoSceneOfOursHasOne) {
+TEST(IdleKeys, NoSceneOfTheRepositoryHasOne) {
     for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes"))
         if (entry.path().extension() == ".toml")
             for (const IdleKey& idle : idle_keys(load_scene(entry.path())))

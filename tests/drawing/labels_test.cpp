@@ -32,13 +32,13 @@ class Labels : public testing::Test {
     GlyphMask mask;
 };
 
-TEST_F(Labels, StandOnTheSideThatTheyAskFor) {
+TEST_F(Labels, AreOnTheRequestedSide) {
     place_labels({wish(400, 300, 1, 0), wish(100, 300, 0, -1)}, {}, 2.0, view);
     EXPECT_GT(view.labels[0].top_left_px.x(), 400.0);
     EXPECT_LT(view.labels[1].top_left_px.y() + 20.0, 300.0);
 }
 
-TEST_F(Labels, DoNotCoverEachOther) {
+TEST_F(Labels, DoNotOverlap) {
     place_labels({wish(400, 300, 1, 0), wish(404, 302, 1, 0.05), wish(398, 301, 1, -0.05)}, {}, 2.0,
                  view);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -59,7 +59,7 @@ TEST_F(Labels, StayInsideTheView) {
 }
 
 TEST_F(Labels, MoveContinuously) {
-    // A label whose direction turns once round and passes through zero never jumps.
+    // A label does not jump while its direction makes a full turn and passes through zero.
     Eigen::Vector2d before;
     double largest = 0.0;
     constexpr int n = 4000;
@@ -71,10 +71,10 @@ TEST_F(Labels, MoveContinuously) {
         if (k > 0) largest = std::max(largest, (centre(0) - before).norm());
         before = centre(0);
     }
-    EXPECT_LT(largest, 2.0);  // measured below 1 px a step of 2π/4000
+    EXPECT_LT(largest, 2.0);  // measured below 1 px per step of 2π/4000
 }
 
-// A view in pixels: one unit a pixel, x right, y up from the foot.
+// A view in pixels: one unit per pixel, x right, y up from the lower edge.
 View view_in_pixels() {
     View view;
     view.width_px = 800;
@@ -94,7 +94,7 @@ Arrow shaft_at(double from_x, double from_y, double to_x, double to_y) {
     return arrow;
 }
 
-TEST_F(Labels, KeepOffTheShaftsOfOthers) {
+TEST_F(Labels, AvoidShaftsOfOtherArrows) {
     const CurveGeometry segment{1, {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}, false, {}};
     for (const int side : {1, -1}) {
         view = view_in_pixels();
@@ -103,11 +103,11 @@ TEST_F(Labels, KeepOffTheShaftsOfOthers) {
         name.at = Eigen::Vector3d(400.0, 300.0, 0.0);
         name.side = side;
         place_labels({name}, {}, 2.0, view, &segment);
-        // The shaft runs down the picture: clockwise of it is left.
+        // The shaft points down in the picture: clockwise from it is left.
         const double beyond = -side * (centre(0).x() - 422.5);
         EXPECT_GT(beyond, 20.0) << side;
         EXPECT_LT(beyond, 40.0) << side;
-        // One that had to go has a leader, from what it names to its box.
+        // A label that was moved away has a leader, from the named point to its box.
         ASSERT_LE(view.curves.size(), 1u);
         for (const Curve& curve : view.curves) {
             EXPECT_EQ(curve.placement.translation(), *name.at);
@@ -115,7 +115,7 @@ TEST_F(Labels, KeepOffTheShaftsOfOthers) {
             EXPECT_NEAR(std::abs(end.x() - centre(0).x()), 20.0, 1e-9);
         }
     }
-    // Its own shaft, one that crosses it, and one that ends elsewhere move it nowhere.
+    // Its own shaft, one that crosses it, and one that ends elsewhere do not move it.
     view = view_in_pixels();
     LabelWish name = wish(400, 300, 1, 0);
     name.at = Eigen::Vector3d(400.0, 300.0, 0.0);
@@ -130,7 +130,7 @@ TEST_F(Labels, KeepOffTheShaftsOfOthers) {
     EXPECT_TRUE(view.curves.empty());
 }
 
-TEST_F(Labels, MoveContinuouslyWhereAShaftSweepsOverThem) {
+TEST_F(Labels, MoveContinuouslyAsAShaftPassesOverThem) {
     Eigen::Vector2d before;
     double largest = 0.0;
     for (int k = 0; k <= 4000; ++k) {
@@ -145,7 +145,7 @@ TEST_F(Labels, MoveContinuouslyWhereAShaftSweepsOverThem) {
         if (k > 0) largest = std::max(largest, (centre(0) - before).norm());
         before = centre(0);
     }
-    // The shaft comes by 0.08 px a step and turns.
+    // The shaft moves by 0.08 px per step and rotates.
     EXPECT_LT(largest, 0.3);
 }
 

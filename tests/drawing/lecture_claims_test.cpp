@@ -1,5 +1,5 @@
-// The lecture, claim by claim: what the scenes say beside their names is so in what is drawn. From
-// the scene files alone; the answers come from the inertia and ω that they give.
+// The lecture, claim by claim: the drawings of the scenes satisfy the claims that the scenes
+// illustrate. Expected values are computed from the inertia and ω in the scene files alone.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -42,7 +42,7 @@ struct Lecture {
     }
     const Theme& theme() const { return *staged.stage.data().theme; }
     Vector3d moments() const { return scene.body.inertia.moments_kg_m2(); }
-    // √(2T)/L over the largest half-axis, from what the scene gives.
+    // √(2T)/L in units of the largest half-axis, from the scene's numbers.
     double distance() const {
         const Vector3d omega =
             scene.body.inertia.body_from_principal().transpose() * scene.start.omega_rad_s;
@@ -58,7 +58,7 @@ const Arrow& arrow_of(const View& view, const Colour& colour) {
     throw std::runtime_error("no arrow of this colour");
 }
 
-// Curves of one colour.
+// Curves with this colour.
 std::vector<const Curve*> curves_of(const View& view, const Colour& colour) {
     std::vector<const Curve*> found;
     for (const Curve& curve : view.curves) {
@@ -70,7 +70,7 @@ std::vector<const Curve*> curves_of(const View& view, const Colour& colour) {
 Vector3d end_of(const Curve& line) { return line.placement * line.geometry->points.back(); }
 Vector3d start_of(const Curve& line) { return line.placement * line.geometry->points.front(); }
 
-// e1, e2, e3 as drawn.
+// The drawn e1, e2, e3.
 Matrix3d axes_of(const View& view, const Theme& theme) {
     Matrix3d axes;
     for (int i = 0; i < 3; ++i) axes.col(i) = arrow_of(view, theme.axes[i]).tip.normalized();
@@ -93,14 +93,14 @@ TEST(LectureClaims, PrincipalAxesMakeTheTensorDiagonal) {  // pages 2–5
         if (arrow.colour == lecture.theme().potential) given.col(n++) = arrow.tip.normalized();
     }
     ASSERT_EQ(n, 3);
-    const Matrix3d turn = given.transpose() * principal;  // of the body: e_i in x, y, z
+    const Matrix3d turn = given.transpose() * principal;  // the components of e_i along x, y, z
     const Matrix3d diagonal = turn.transpose() * lecture.scene.body.tensor_kg_m2 * turn;
     for (int i = 0; i < 3; ++i) {
         EXPECT_NEAR(diagonal(i, i), lecture.moments()[i], 1e-14);
         EXPECT_NEAR(diagonal(i, (i + 1) % 3), 0.0, 1e-14);
     }
     EXPECT_NEAR(turn.determinant(), 1.0, 1e-14);
-    // The axis that the turn is drawn about stays where it is.
+    // The axis of the drawn rotation is invariant.
     const Vector3d axis = end_of(*curves_of(view, lecture.theme().angles[0]).front()).normalized();
     EXPECT_LT((given * (turn * (given.transpose() * axis)) - axis).norm(), 1e-13);
 }
@@ -118,7 +118,7 @@ TEST(LectureClaims, MomentumRestsInSpaceAndMovesInTheBody) {  // pages 6, 8
         turned = std::max(turned, body.normalized().cross(in_body.normalized()).norm());
     }
     EXPECT_GT(turned, 0.5);
-    // The numbers of the caption, from the state of the instant.
+    // The numbers of the caption, from the state at the instant.
     const double T = 0.5 * lecture.moments().dot(lecture.scene.start.omega_rad_s.cwiseAbs2());
     for (const double t : lecture.instants()) {
         Instant instant;
@@ -165,7 +165,7 @@ TEST(LectureClaims, PointsOfLengthOneOverRootIMakeTheEllipsoid) {  // pages 9–
         EXPECT_NEAR(form(view.ellipsoids.front(), rho), 1.0, 1e-14);
         const Arrow& axis = arrow_of(view, lecture.theme().text);
         EXPECT_LT(axis.tip.normalized().cross(n).norm(), 1e-14);
-        // The trace ends where ρ does, and lies on the surface.
+        // The traced curve ends at the tip of ρ, on the surface.
         const Curve& trace = *curves_of(view, lecture.theme().polhode).front();
         const auto last = static_cast<std::size_t>(std::ceil(trace.last));
         EXPECT_LT((trace.geometry->points.at(last) - rho).norm(), 0.2);
@@ -189,7 +189,7 @@ TEST(LectureClaims, GradientAtTheTipOfRhoIsAlongMomentum) {  // page 11
         const Vector3d expected =
             (axes * lecture.moments().cwiseProduct(axes.transpose() * rho)).normalized();
         EXPECT_LT((along - expected).norm(), 1e-14);
-        // ∇F, the plane's normal and L are one direction; so are ρ and ω.
+        // ∇F, the plane's normal and L are parallel; so are ρ and ω.
         const Vector3d L = arrow_of(view, lecture.theme().momentum).tip.normalized();
         EXPECT_LT((along - L).norm(), 1e-14);
         EXPECT_NEAR(std::abs(view.planes.front().normal.dot(L)), 1.0, 1e-14);
@@ -208,7 +208,7 @@ TEST(LectureClaims, ProjectionOfRhoOnMomentumEndsOnThePlane) {  // page 12
         const Vector3d n = arrow_of(view, lecture.theme().momentum).tip.normalized();
         EXPECT_NEAR(plane.normal.dot(rho - plane.centre), 0.0, 1e-14);
         EXPECT_NEAR(n.dot(rho), lecture.distance(), 1e-14);
-        // Along L from the centre to the plane, and across to the tip of ρ.
+        // Along L from the centre to the plane, and perpendicularly to the tip of ρ.
         const auto lines = curves_of(view, lecture.theme().energy);
         ASSERT_EQ(lines.size(), 2u);
         EXPECT_LT(start_of(*lines[0]).norm(), 1e-15);
@@ -226,12 +226,12 @@ TEST(LectureClaims, MatterAtTheContactIsAtRest) {  // page 13
         const Vector3d contact = view.dots.back().at;
         const Vector3d omega = arrow_of(view, lecture.theme().omega).tip;
         EXPECT_LT((omega - contact).norm(), 1e-15);
-        // The axis of rotation runs through centre and contact.
+        // The axis of rotation is through centre and contact.
         const Curve& axis = *curves_of(view, lecture.theme().omega).front();
         EXPECT_LT(start_of(axis).normalized().cross(contact.normalized()).norm(), 1e-14);
         EXPECT_LT(start_of(axis).dot(contact), 0.0);
         EXPECT_GT(end_of(axis).norm(), contact.norm());
-        // The velocities drawn are ω × r, one factor for all, of points of the ellipsoid.
+        // The drawn velocities are ω × r of points of the ellipsoid, with a common factor.
         double factor = 0.0;
         int n = 0;
         for (const Arrow& arrow : view.arrows) {
@@ -243,7 +243,7 @@ TEST(LectureClaims, MatterAtTheContactIsAtRest) {  // page 13
             EXPECT_LT((velocity - factor * expected).norm(), 1e-14);
         }
         EXPECT_GT(n, 5);
-        // From the attitudes alone: the material point under the contact does not move.
+        // From the attitudes alone: the velocity of the body's point at the contact is zero.
         constexpr double h = 1e-5;
         const Vector3d material =
             lecture.staged.motion.at(t).space_from_body.conjugate() *
@@ -296,7 +296,7 @@ TEST(LectureClaims, SphereHasOneLineAndAStillContact) {  // page 15
 TEST(LectureClaims, PlanesDistanceStandsAmongTheThree) {  // pages 16–17
     struct Case {
         const char* name;
-        int near;  // the principal axis whose distance it is near to
+        int near;  // the principal axis with the nearest distance
         double within;
     };
     for (const Case& c : {Case{"stable_largest", 2, 0.05}, Case{"stable_smallest", 0, 0.08},
@@ -305,7 +305,7 @@ TEST(LectureClaims, PlanesDistanceStandsAmongTheThree) {  // pages 16–17
         const Drawing drawing = lecture.staged.stage.at(lecture.instants().front());
         const View& view = drawing.views.front();
         const Vector3d L = arrow_of(view, lecture.theme().momentum).tip.normalized();
-        // The dot on the scale is as high as the plane, the marks as the ends of the half-axes.
+        // The dot on the scale has the height of the plane, the ticks those of the half-axes' ends.
         bool found = false;
         for (const Dot& dot : view.dots) {
             if (std::abs(dot.at.x()) + std::abs(dot.at.y()) < 1.0) continue;
@@ -338,16 +338,16 @@ TEST(LectureClaims, EnergyGoesFromOnePointThroughTheSeparatrixToAnother) {  // p
         const double distance = L.dot(view.planes.front().centre);
         EXPECT_GT(distance, before);
         before = distance;
-        // It touches: the contact lies on both, where the normal is along L.
+        // Plane and ellipsoid touch: the contact is on both, with the normal along L.
         const Vector3d contact = arrow_of(view, lecture.theme().omega).tip;
         EXPECT_NEAR(L.dot(contact), distance, 1e-14);
         EXPECT_NEAR(form(view.ellipsoids.front(), contact), 1.0, 1e-14);
         const Matrix3d inverse = view.ellipsoids.front().half_axes.inverse();
         const Vector3d normal = (inverse.transpose() * (inverse * contact)).normalized();
         EXPECT_LT((normal - L).norm(), 1e-13);
-        // The body has turned, and was not mirrored.
+        // The body was rotated, not mirrored.
         EXPECT_NEAR(axes_of(view, lecture.theme()).determinant(), 1.0, 1e-13);
-        // Its polhode keeps this distance: √(F)/|Iρ| is the same all along.
+        // The polhode has this distance: √(F)/|Iρ| is constant along it.
         for (const Curve* curve : curves_of(view, lecture.theme().polhode)) {
             for (std::size_t k = 0; k < curve->geometry->points.size(); k += 11) {
                 const Vector3d p = curve->placement * curve->geometry->points[k];
@@ -369,14 +369,15 @@ TEST(LectureClaims, ConesShareTheGeneratorThatOmegaRunsAlong) {  // pages 18–1
             const Vector3d contact = view.dots.back().at;
             ASSERT_EQ(view.cones.size(), 2u);
             for (const Cone& cone : view.cones) {
-                // The tip of ρ lies on its rim.
+                // The tip of ρ is on the rim.
                 EXPECT_NEAR(contact.dot(cone.axis), cone.length, 1e-14) << name;
                 const double radius = (contact - cone.length * cone.axis).norm();
                 EXPECT_NEAR(radius, cone.length * std::tan(cone.half_angle_rad), 1e-14) << name;
             }
             EXPECT_LT((arrow_of(view, lecture.theme().omega).tip - contact).norm(), 1e-15);
 
-            // ω in the body: ω₃ stays, (ω₁, ω₂) runs round the circle of radius A at Ω.
+            // ω in the body: ω₃ is constant, (ω₁, ω₂) moves on the circle of radius A at the rate
+            // Ω.
             const Vector3d omega = lecture.staged.motion.at(t).omega_body;
             const double A = std::hypot(omega0[0], omega0[1]);
             const double Omega =
@@ -385,7 +386,7 @@ TEST(LectureClaims, ConesShareTheGeneratorThatOmegaRunsAlong) {  // pages 18–1
             EXPECT_NEAR(omega[2], omega0[2], 4e-15);
             EXPECT_NEAR(omega[0], A * std::cos(phase), 2e-14);
             EXPECT_NEAR(omega[1], A * std::sin(phase), 2e-14);
-            // And as drawn there: the circle about e₃ goes through the tip of ω.
+            // The drawn circle about e₃ passes through the tip of ω.
             const View& body = drawing.views.at(1);
             const Vector3d tip = arrow_of(body, lecture.theme().omega).tip;
             const Curve& circle = *curves_of(body, lecture.theme().omega).front();
@@ -397,7 +398,7 @@ TEST(LectureClaims, ConesShareTheGeneratorThatOmegaRunsAlong) {  // pages 18–1
     }
 }
 
-// Where an arc that begins at its geometry's first point ends, by the angle that is drawn of it.
+// The end of an arc that starts at its geometry's first point, from the drawn angle.
 struct DrawnArc {
     Vector3d first, last;
     double angle_rad;
@@ -410,7 +411,7 @@ DrawnArc drawn_arc(const Curve& arc) {
     return {from, std::cos(angle) * from + std::sin(angle) * towards, angle};
 }
 
-// The angles φ, θ, ψ of the drawn line of nodes and axes, each about the axis that it turns about.
+// The angles φ, θ, ψ measured from the drawn line of nodes and axes, each about its own axis.
 Vector3d drawn_euler_angles(const View& view, const Theme& theme, Vector3d& node) {
     for (const Curve* line : curves_of(view, theme.text)) {
         if (line->dash_px > 0.0) node = (end_of(*line) - start_of(*line)).normalized();
@@ -424,7 +425,7 @@ Vector3d drawn_euler_angles(const View& view, const Theme& theme, Vector3d& node
     return {about(z, Vector3d::UnitX(), node), about(node, z, e3), about(e3, node, e1)};
 }
 
-TEST(LectureClaims, EulerAnglesAreTurnedWhereTheyAreDrawn) {  // pages 20–21
+TEST(LectureClaims, EulerAnglesAreTheDrawnAngles) {  // pages 20–21
     const Lecture lecture("euler_angles");
     const double A = lecture.moments()[0];
     const double C = lecture.moments()[2];
@@ -435,9 +436,9 @@ TEST(LectureClaims, EulerAnglesAreTurnedWhereTheyAreDrawn) {  // pages 20–21
         const Vector3d e3 = arrow_of(view, lecture.theme().axes[2]).tip.normalized();
         Vector3d node = Vector3d::Zero();
         const Vector3d angles = drawn_euler_angles(view, lecture.theme(), node);
-        // The line of nodes lies in the level plane and in that of the body, along z × e₃.
+        // The line of nodes is in the horizontal plane and in that of the body, along z × e₃.
         EXPECT_LT((node - Vector3d::UnitZ().cross(e3).normalized()).norm(), 1e-14);
-        // Each arc begins and ends on the lines that its angle lies between.
+        // Each arc starts and ends on the two lines of its angle.
         const Vector3d from[] = {Vector3d::UnitZ(), Vector3d::UnitX(), node};
         const Vector3d to[] = {e3, node, e1};
         const double angle[] = {angles[1], angles[0], angles[2]};
@@ -448,7 +449,7 @@ TEST(LectureClaims, EulerAnglesAreTurnedWhereTheyAreDrawn) {  // pages 20–21
             EXPECT_NEAR(arc.angle_rad, std::abs(angle[i]), 1e-13) << i;
         }
 
-        // T by the rates of the drawn angles is that of ω.
+        // T from the rates of the drawn angles equals T from ω.
         const double h = 1e-5;
         const auto drawn_at = [&](double time_s) {
             Vector3d ignored = Vector3d::Zero();
@@ -474,7 +475,8 @@ TEST(LectureClaims, MomentaAndEnergyOfATopStay) {  // page 22
     const double A = lecture.moments()[0];
     const double C = lecture.moments()[2];
     const auto& gravity = std::get<GravityTorque>(lecture.scene.torque);
-    // From the Lagrangian at the start: p_ψ = Cω₃, p_φ = A φ̇ sin²θ + p_ψ cos θ, E = T + Mgl cos θ.
+    // From the Lagrangian, at the start: p_ψ = Cω₃, p_φ = A φ̇ sin²θ + p_ψ cos θ, E = T + Mgl cos
+    // θ.
     const double p_psi = C * start.omega3_rad_s;
     const double sine = std::sin(start.theta_rad);
     const double p_phi = A * start.phi_dot_rad_s * sine * sine + p_psi * std::cos(start.theta_rad);
@@ -499,7 +501,7 @@ TEST(LectureClaims, MomentaAndEnergyOfATopStay) {  // page 22
         // The height of the centre of mass is marked on the vertical.
         const Drawing drawing = lecture.staged.stage.at(t);
         const auto lines = curves_of(drawing.views.front(), lecture.theme().potential);
-        ASSERT_GE(lines.size(), 2u);  // and the leader of a name
+        ASSERT_GE(lines.size(), 2u);  // and a label's leader
         EXPECT_NEAR(end_of(*lines[1]).z() / start_of(*lines[0]).norm(),
                     std::cos(sample.euler.theta_rad), 1e-13);
     }

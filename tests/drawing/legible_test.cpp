@@ -1,4 +1,4 @@
-// Type that is read from the back row, and lines that say what they are.
+// Text is legible from the back row, and line styles have one meaning.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::vector<std::filesystem::path> scene_files() {
     return files;
 }
 
-// WCAG's contrast of two luminances.
+// Luminance for WCAG's contrast ratio.
 double luminance(const Colour& c) {
     return 0.2126 * linear_from_srgb(c.r) + 0.7152 * linear_from_srgb(c.g) +
            0.0722 * linear_from_srgb(c.b);
@@ -46,8 +46,8 @@ class Legible : public ::testing::Test {
     }
 };
 
-// In every scene, at two sizes: nothing under 1/45 of the height.
-TEST_F(Legible, NoTypeOfAFilmIsUnderAFortyFifthOfItsHeight) {
+// In every scene, at two sizes: no text is smaller than 1/45 of the height.
+TEST_F(Legible, TextOfAFilmIsAtLeastAFortyFifthOfItsHeight) {
     for (const auto& file : scene_files()) {
         for (const auto& [width, height] : {std::pair{1920, 1080}, std::pair{640, 360}}) {
             Scene scene = scene_of(file);
@@ -72,7 +72,7 @@ TEST_F(Legible, NoTypeOfAFilmIsUnderAFortyFifthOfItsHeight) {
     }
 }
 
-// Headings are a little quieter than the text, and no more than can be read.
+// Headings have less contrast than text, but enough to be legible.
 TEST_F(Legible, HeadingsHaveAContrastOfFourAndAHalf) {
     Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, "body");
     PanelSpec plan;
@@ -87,7 +87,7 @@ TEST_F(Legible, HeadingsHaveAContrastOfFourAndAHalf) {
         for (std::size_t i = 0; i < 2; ++i)
             for (const Label& label : drawing.views[i].labels)
                 for (const Colour& ground : {theme.background.top, theme.background.bottom}) {
-                    // Laid over in linear light.
+                    // Blended in linear light.
                     const double ground_Y = luminance(ground);
                     const double seen =
                         ground_Y + label.opacity * (luminance(label.colour) - ground_Y);
@@ -98,8 +98,8 @@ TEST_F(Legible, HeadingsHaveAContrastOfFourAndAHalf) {
     }
 }
 
-// Dashes mean hidden, or a curve that no motion runs along.
-TEST_F(Legible, TheHerpolhodeIsAWholeLineInEveryTheme) {
+// Dashes mean a hidden line, or a curve that is not the motion's.
+TEST_F(Legible, HerpolhodeIsSolidInEveryTheme) {
     for (const char* panel : {"space", "plan"}) {
         Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, panel);
         for (const Theme& theme : themes()) {
@@ -117,8 +117,8 @@ TEST_F(Legible, TheHerpolhodeIsAWholeLineInEveryTheme) {
     }
 }
 
-// An arrow that points at the viewer is a ring with a dot, and nothing of it is left as a disc.
-TEST_F(Legible, AnArrowTowardsTheViewerIsARingAndADot) {
+// An arrow that points at the viewer is replaced by a ring with a dot.
+TEST_F(Legible, ArrowTowardsTheViewerIsARingWithADot) {
     Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, "body");
     scene.camera.projection = "orthographic";
     scene.panels[0].camera.azimuth_deg = 90.0;
@@ -138,15 +138,14 @@ TEST_F(Legible, AnArrowTowardsTheViewerIsARingAndADot) {
             at_tip && dot.opacity == 1.0 && (dot.colour == colour || dot.rim_colour == colour);
     }
     EXPECT_EQ(n_dots, 2);
-    // From beside, it is an arrow.
+    // From the side, it is an arrow.
     scene.panels[0].camera.azimuth_deg = 30.0;
     const View beside = StagedScene(scene, 1.0).stage.at(0.5).views[0];
     for (const Arrow& arrow : beside.arrows) EXPECT_EQ(arrow.opacity, 1.0);
 }
 
-// Where the camera goes near, title and caption stand on bands; where the figure keeps clear of
-// them, there are none.
-TEST_F(Legible, TitleAndCaptionKeepAQuietGround) {
+// If the camera moves close, title and caption get background bands; a framed figure has none.
+TEST_F(Legible, TitleAndCaptionHaveAUniformBackground) {
     Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, "space");
     scene.title = "A title";
     scene.caption = "A caption";

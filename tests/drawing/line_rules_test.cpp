@@ -1,5 +1,5 @@
-// How lines are drawn where something hides them and where they pass under others; on paper, none
-// is too thin and no type too small.
+// Styles of hidden lines, gaps at crossings, and lower limits of line widths and text sizes on
+// paper.
 #include "drawing/line_rules.h"
 
 #include <gtest/gtest.h>
@@ -17,10 +17,10 @@
 namespace poinsot {
 namespace {
 
-// 85 mm at 300 dots an inch: 8 pt, 6 pt and half a point.
+// 85 mm at 300 dots per inch: 8 pt, 6 pt and half a point.
 constexpr LeastSizes least{33.3, 25.0, 2.08};
 
-// A scene's drawing of that size, with what it refers to.
+// A scene's drawing of this size, with the objects that it refers to.
 struct OnPaper {
     Motion motion;
     Stage stage;
@@ -37,7 +37,7 @@ struct OnPaper {
           drawing(stage.at(5.0)) {}
 };
 
-// Of the lines that there are: a width of 0 is none.
+// Of the visible lines: a width of 0 means no line.
 double thinnest_px(const Drawing& drawing) {
     double px = 1e9;
     const auto take = [&px](double width_px) {
@@ -64,7 +64,7 @@ double smallest_letter_px(const Drawing& drawing) {
     return px;
 }
 
-TEST(LineRules, OnPaperNoLineIsThinnerAndNoTypeSmaller) {
+TEST(LineRules, OnPaperLinesAndTextHaveTheirLeastSizes) {
     for (const char* panel : {"space", "body", "plan", "plot"}) {
         const Scene scene = free_scene({1.0, 1.8, 2.6}, {1.3, 0.9, 0.8}, panel);
         const OnPaper small(scene, {}), paper(scene, least);
@@ -78,7 +78,7 @@ TEST(LineRules, OnPaperNoLineIsThinnerAndNoTypeSmaller) {
     }
 }
 
-TEST(LineRules, AStringIsSetLargerForItsScripts) {
+TEST(LineRules, TextIsEnlargedForItsScripts) {
     TypeCase plain(1, {20.0, 0.0, 0.0}), scripts(1, {20.0, 18.0, 0.0});
     for (const char* text : {"I_1", "\\mathrm{kg}\\,\\mathrm{m}^2", "x^{a_b}"}) {
         const SetType before = plain.set(text, {.size_px = 10.0});
@@ -100,7 +100,7 @@ Scene styled(const char* panel, const std::string& hidden, const std::string& cr
     return scene;
 }
 
-// Its first view, with what it refers to.
+// The first view, with the objects that it refers to.
 struct Shown {
     StagedScene staged;
     Drawing drawing;
@@ -115,7 +115,7 @@ bool may_be_hidden(const Shape& shape) {
     return shape.occlusion == Occlusion::by_solids;
 }
 
-TEST(LineRules, ABrokenLineMeansHiddenAndNothingElse) {
+TEST(LineRules, DashesMeanHiddenLinesOnly) {
     const Shown shown(styled("body", ""));
     const View& pale = shown.view;
     EXPECT_TRUE(std::any_of(pale.curves.begin(), pale.curves.end(), [](const Curve& curve) {
@@ -136,7 +136,7 @@ TEST(LineRules, ABrokenLineMeansHiddenAndNothingElse) {
     }
 }
 
-TEST(LineRules, ArrowsGoOnAsBrokenLinesWhereTheyAreHidden) {
+TEST(LineRules, HiddenPartsOfArrowsAreDashed) {
     const Shown solid(styled("space", "")), broken(styled("space", "dashed"));
     const View &pale = solid.view, &dashed = broken.view;
     std::size_t n = 0;
@@ -151,7 +151,7 @@ TEST(LineRules, ArrowsGoOnAsBrokenLinesWhereTheyAreHidden) {
         }));
     }
     EXPECT_GT(n, 2u);
-    // And three sections.
+    // And the three principal sections.
     EXPECT_EQ(dashed.curves.size(), pale.curves.size() + n + 3);
 }
 
@@ -168,8 +168,8 @@ std::vector<Arrow> arrows_of(const View& view, const Colour& colour) {
     return found;
 }
 
-// Dashes and gaps as long as each other, from the tail to the head, which stays what it was.
-TEST(LineRules, ABrokenShaftIsItsDashes) {
+// Dashes and gaps have the same length, from the tail to the head, which is unchanged.
+TEST(LineRules, DashedShaftIsSplitIntoDashes) {
     const Colour& omega = theme_named("light").omega;
     const Shown solid(styled("space", ""));
     const std::vector<Arrow> one = arrows_of(solid.view, omega);
@@ -195,7 +195,7 @@ TEST(LineRules, ABrokenShaftIsItsDashes) {
     }
 }
 
-TEST(LineRules, WithHiddenLinesBrokenNoShaftIs) {
+TEST(LineRules, WithDashedHiddenLinesNoShaftIsDashed) {
     const Colour& omega = theme_named("light").omega;
     const Shown solid(styled("space", "dashed")), shown(with_broken_omega("dashed", "dashed"));
     const std::vector<Arrow> whole = arrows_of(solid.view, omega);
@@ -204,7 +204,7 @@ TEST(LineRules, WithHiddenLinesBrokenNoShaftIs) {
     EXPECT_LT(thin.front().shaft_px, whole.front().shaft_px);
 }
 
-TEST(LineRules, WhatIsOmittedIsNotThere) {
+TEST(LineRules, OmittedLinesAreAbsent) {
     const Shown shown(styled("space", "omitted"));
     const View& view = shown.view;
     for (const Curve& curve : view.curves)
@@ -217,7 +217,7 @@ TEST(LineRules, WhatIsOmittedIsNotThere) {
         }
 }
 
-TEST(LineRules, SectionsLieOnTheEllipsoid) {
+TEST(LineRules, PrincipalSectionsLieOnTheEllipsoid) {
     const Shown solid(styled("space", "")), broken(styled("space", "dashed"));
     const View& view = broken.view;
     ASSERT_EQ(view.ellipsoids.size(), 1u);
@@ -238,12 +238,12 @@ TEST(LineRules, SectionsLieOnTheEllipsoid) {
     EXPECT_EQ(n, 3);
 }
 
-// Every gap lies where the two lines cross, and only the one behind is broken.
-TEST(LineRules, LinesThatPassUnderOthersLeaveAGap) {
+// Every gap is at a crossing of two lines, and only the rear line has gaps.
+TEST(LineRules, LinesPassingUnderOthersHaveGaps) {
     const Shown whole_lines(styled("space", "", "through")), gaps(styled("space", "", "gap"));
     const View &through = whole_lines.view, &gap = gaps.view;
     EXPECT_GT(gap.curves.size(), through.curves.size());
-    // What is left of each curve, in points: less than all of it, and most of it.
+    // The visible part of each curve, in points: most of the curve.
     double whole = 0.0, left = 0.0;
     const auto length = [](const Curve& curve) {
         const double n = static_cast<double>(curve.geometry->points.size());

@@ -29,24 +29,24 @@ TEST(LiveText, WritesNegativeNumbersWithAMinusSign) {
     EXPECT_EQ(expand_live_text("{omega_1_rad_s:.1f}", values), "\u22120.5");
 }
 
-TEST(LiveText, LeavesFormulasAlone) {
+TEST(LiveText, DoesNotChangeFormulas) {
     EXPECT_EQ(expand_live_text("$\\mathbf{L}$ at {time_s:.0f}", values), "$\\mathbf{L}$ at 1");
     EXPECT_FALSE(is_live("$\\mathbf{L}$ is kept"));
     EXPECT_TRUE(is_live("{time_s}"));
 }
 
-TEST(LiveText, LeavesArgumentsOfCommandsAlone) {
+TEST(LiveText, DoesNotChangeArgumentsOfCommands) {
     EXPECT_EQ(expand_live_text("\\textbf{never {x}} {time_s:.0f}", values),
               "\\textbf{never {x}} 1");
     EXPECT_FALSE(is_live("\\emph{stable}"));
 }
 
-TEST(LiveText, DoubledBracesStandForThemselves) {
+TEST(LiveText, DoubledBracesAreLiteralBraces) {
     EXPECT_EQ(expand_live_text("{{x}}", values), "{x}");
     EXPECT_FALSE(is_live("{{x}}"));
 }
 
-TEST(LiveText, SaysWhatIsWrongAndWhere) {
+TEST(LiveText, ReportsErrorsWithTheirColumn) {
     EXPECT_EQ(error_of("at {time}"),
               "caption column 5: no number called \"time\"; did you mean \"time_s\"?");
     EXPECT_EQ(error_of("at {xyzzy}"),

@@ -1,4 +1,4 @@
-// Cameras of single panels, and views along parallel lines.
+// Cameras of single panels, and orthographic views.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -62,11 +62,11 @@ kind = "momentum"
 column = 2
 )";
 
-TEST(OwnCamera, IsThatOfItsPanelAlone) {
+TEST(OwnCamera, AffectsItsPanelOnly) {
     const Drawing with = StagedScene(scene_of(three_panels), 8.0).stage.at(1.0);
     EXPECT_LT((sight(with.views[0]) - direction_of(-70.0, 35.0)).norm(), 1e-12);
     EXPECT_LT((sight(with.views[1]) - direction_of(10.0, 5.0)).norm(), 1e-12);
-    // Without one the panels in body axes are seen from where they always are.
+    // Without their own cameras, panels in body axes have their default direction.
     std::string without = three_panels;
     without.erase(without.find("[panels.camera]"),
                   without.find("[[panels]]\nkind = \"space\"") - without.find("[panels.camera]"));
@@ -75,7 +75,7 @@ TEST(OwnCamera, IsThatOfItsPanelAlone) {
     EXPECT_LT((sight(usual.views[2]) - sight(with.views[2])).norm(), 1e-12);
 }
 
-TEST(OwnCamera, WhatItDoesNotSayStaysWhereThePanelIsSeenFrom) {
+TEST(OwnCamera, MissingKeysHaveThePanelsDefaults) {
     const auto body = [](const std::string& camera) {
         const std::string panel = "[[panels]]\nkind = \"body\"\n";
         return StagedScene(scene_of(panel + camera), 8.0).stage.at(1.0).views[0];
@@ -102,14 +102,14 @@ TEST(OwnCamera, KeyframesMoveThePanelThatTheyName) {
     EXPECT_GT((seen(2.0, 2) - seen(0.0, 2)).norm(), 0.05);
 }
 
-TEST(OwnCamera, ComesBackWhenWritten) {
+TEST(OwnCamera, IsPreservedByWriting) {
     const std::string keys = "[[keyframes]]\nat_s = 4.0\npanel = 0\nazimuth_deg = 120.0\n";
     const std::string once = to_toml(scene_of(three_panels + keys));
     EXPECT_EQ(to_toml(parse_scene(once, "b.toml", {})), once);
     EXPECT_NE(once.find("\n[panels.camera]\nazimuth_deg = -70"), std::string::npos) << once;
 }
 
-TEST(OwnCamera, KeysWithoutAnEffectAreRefused) {
+TEST(OwnCamera, KeysWithoutEffectAreRejected) {
     const std::string body = "[[panels]]\nkind = \"body\"\n";
     EXPECT_NE(
         refusal(body + "[panels.camera]\ndistance = 3.0\n")
@@ -126,12 +126,12 @@ TEST(OwnCamera, KeysWithoutAnEffectAreRefused) {
     EXPECT_NE(refusal(body + "[[keyframes]]\nat_s = 1\npanel = 3\nazimuth_deg = 3\n")
                   .find("keyframes[0].panel is 3, but the scene has one panel"),
               std::string::npos);
-    // A keyframe that moves the camera of no panel here.
+    // A keyframe that moves no panel's camera.
     EXPECT_NE(refusal(body + "[[keyframes]]\nat_s = 1\nazimuth_deg = 3\n").find("keyframes[0]"),
               std::string::npos);
 }
 
-TEST(OwnCamera, IdleKeysOfTheCameraAreNamed) {
+TEST(OwnCamera, IdleCameraKeysAreListed) {
     const auto idle = [](const std::string& more) { return idle_camera_keys(scene_of(more)); };
     using Keys = std::vector<std::string>;
     const std::string camera = "[camera]\nazimuth_deg = 3.0\ndistance = 3.0\nfield_deg = 20.0\n";
@@ -143,7 +143,7 @@ TEST(OwnCamera, IdleKeysOfTheCameraAreNamed) {
               (Keys{"camera.field_deg", "camera.azimuth_deg", "camera.distance"}));
 }
 
-// Equal lengths are equal wherever they lie, and what is parallel stays so.
+// Equal lengths are equal at all depths, and parallel lines stay parallel.
 TEST(Orthographic, LengthsDoNotDependOnDepth) {
     for (const char* kind : {"space", "body", "object", "momentum"}) {
         const Drawing drawing =
@@ -162,8 +162,8 @@ TEST(Orthographic, LengthsDoNotDependOnDepth) {
     }
 }
 
-// The frame of parallel lines: some point stands at each margin of one direction, none beyond.
-TEST(Orthographic, TheFigureFillsItsFrame) {
+// In an orthographic frame, the outermost points are on both margins of one direction.
+TEST(Orthographic, FigureFillsItsFrame) {
     const StagedScene staged(scene_of("[camera]\nprojection = \"orthographic\"\n"
                                       "[[panels]]\nkind = \"object\"\n"),
                              8.0);

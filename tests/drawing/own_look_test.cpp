@@ -1,4 +1,4 @@
-// What a scene says of its own look: words, symbols, units, the clock, sizes of type, captions.
+// Customisation by the scene: words, symbols, units, the clock, text sizes, captions.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -23,25 +23,25 @@ namespace {
 const Eigen::Vector3d moments{1.0, 2.0, 2.9};
 const Eigen::Vector3d omega{1.4, 0.5, 1.6};
 
-// A title's words stand between its $formulas$ and units in brackets.
+// Whether a title has words outside of $formulas$ and units in brackets.
 bool title_has_words(std::string_view title) {
     const std::string plain =
         std::regex_replace(std::string(title), std::regex(R"(\$[^$]*\$|\([^)]*\))"), "");
     return std::regex_search(plain, std::regex("[A-Za-z]{2}"));
 }
 
-// Those of a formula in \mathrm{}.
+// Whether a formula has words in \mathrm{}.
 bool formula_has_words(std::string_view label) {
     return label.find("\\mathrm{") != std::string_view::npos;
 }
 
-// Words are there in every language; what has none stands alone.
+// Phrases with words have a text in every language; phrases without words have one text only.
 void expect_whole(const Phrase& phrase, bool has_words) {
     for (std::size_t i = 1; i < phrase.size(); ++i)
         EXPECT_EQ(!phrase[i].empty(), has_words) << phrase[0] << " in " << language_codes[i];
 }
 
-TEST(OwnLook, EveryBuiltInWordIsThereInEveryLanguage) {
+TEST(OwnLook, EveryBuiltInPhraseIsTranslated) {
     for (const PanelKind& kind : panel_kinds())
         expect_whole(kind.title, title_has_words(kind.title[0]));
     for (const PlotQuantity& quantity : plot_quantities()) {
@@ -53,8 +53,8 @@ TEST(OwnLook, EveryBuiltInWordIsThereInEveryLanguage) {
     EXPECT_FALSE(title_has_words("$p_\\psi$ / (kg m²/s);  $E$"));
 }
 
-// The languages of Latin letters are set with the fonts that are always there.
-TEST(OwnLook, WordsOfLatinLettersAreSet) {
+// Languages with Latin letters are set with the built-in fonts.
+TEST(OwnLook, LatinTextUsesBuiltInFonts) {
     Scene scene = free_scene(moments, omega, "body");
     PanelSpec plot;
     plot.kind = "plot";
@@ -68,7 +68,7 @@ TEST(OwnLook, WordsOfLatinLettersAreSet) {
     }
 }
 
-TEST(OwnLook, SymbolsStandForTheUsualNames) {
+TEST(OwnLook, SymbolsReplaceTheDefaultNames) {
     Scene scene;
     EXPECT_EQ(named_by_scene(scene, "\\boldsymbol{\\omega}"), "\\boldsymbol{\\omega}");
     scene.symbols.omega = "\\Omega";
@@ -86,7 +86,7 @@ TEST(OwnLook, SymbolsStandForTheUsualNames) {
     EXPECT_EQ(title_named_by_scene(scene, "$L_i$, $L$"), "${\\mathbf{J}}_i$, $|\\mathbf{J}|$");
     EXPECT_EQ(title_named_by_scene(scene, "Linie zu L"), "Linie zu $\\mathbf{J}$");
     EXPECT_EQ(title_named_by_scene(scene, "Lとの角度"), "$\\mathbf{J}$との角度");
-    Scene renamed;  // by names that hold those of others
+    Scene renamed;  // by names that contain other symbols
     renamed.symbols.omega = "\\mathbf{L}";
     renamed.symbols.momentum = "\\boldsymbol{\\omega}";
     EXPECT_EQ(named_by_scene(renamed, "\\boldsymbol{\\omega}\\cdot\\mathbf{L}"),
@@ -94,7 +94,7 @@ TEST(OwnLook, SymbolsStandForTheUsualNames) {
     EXPECT_EQ(title_named_by_scene({}, "angle from L, $L_i$"), "angle from L, $L_i$");
     EXPECT_EQ(named_by_scene(scene, "\\mathbf{e}_1"), "x");
     EXPECT_EQ(named_by_scene(scene, "\\mathbf{e}_2"), "\\mathbf{e}_2");
-    // One that is no formula is refused.
+    // An invalid formula is rejected.
     Scene shown = free_scene(moments, omega, "body");
     shown.symbols.omega = "\\nosuch";
     EXPECT_THROW(StagedScene(shown, 1.0), InputError);
@@ -102,7 +102,7 @@ TEST(OwnLook, SymbolsStandForTheUsualNames) {
     EXPECT_NO_THROW(StagedScene(shown, 1.0));
 }
 
-TEST(OwnLook, ChartsAreInTheUnitsWanted) {
+TEST(OwnLook, ChartsUseTheRequestedUnits) {
     Scene scene = free_scene(moments, omega, "plot");
     scene.panels[0].quantity = "omega";
     scene.units = {"rpm"};
@@ -115,11 +115,11 @@ TEST(OwnLook, ChartsAreInTheUnitsWanted) {
     const PlotValues shown = shown_values(data, quantity, instant);
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_DOUBLE_EQ(shown[i], in_SI[i] * 60.0 / (2.0 * std::numbers::pi));
-    // What has units of its own keeps them.
+    // Quantities with several units are not converted.
     EXPECT_EQ(unit_of(data, plot_quantity_of(data, "energy")).per_SI, 1.0);
 }
 
-TEST(OwnLook, LiveNumbersAreInTheUnitsWanted) {
+TEST(OwnLook, LiveNumbersUseTheRequestedUnits) {
     Scene scene = free_scene(moments, omega, "space");
     scene.units = {"rpm", "mJ"};
     Instant instant;
@@ -136,7 +136,7 @@ std::size_t n_overlaid(const Scene& scene, double film_s) {
     return drawing.views.size() > 1 ? drawing.views.back().labels.size() : 0;
 }
 
-TEST(OwnLook, TheClockIsShownOrNot) {
+TEST(OwnLook, ClockIsShownOrHidden) {
     Scene scene = free_scene(moments, omega, "space");
     EXPECT_EQ(n_overlaid(scene, 1.0), 1u);
     scene.clock = false;
@@ -146,7 +146,7 @@ TEST(OwnLook, TheClockIsShownOrNot) {
     EXPECT_EQ(n_overlaid(scene, 1.0), 1u);
 }
 
-TEST(OwnLook, TypeIsScaled) {
+TEST(OwnLook, TextIsScaled) {
     Scene scene = free_scene(moments, omega, "space");
     scene.title = "Title";
     scene.caption = "Caption";
@@ -165,7 +165,7 @@ TEST(OwnLook, TypeIsScaled) {
     for (std::size_t i = 0; i < once.size(); ++i) EXPECT_NEAR(twice[i], 2.0 * once[i], 3.0);
 }
 
-TEST(OwnLook, CaptionsComeAndGo) {
+TEST(OwnLook, CaptionsFadeInAndOut) {
     Scene scene = free_scene(moments, omega, "space");
     scene.clock = false;
     scene.film.duration_s = 10.0;
@@ -175,7 +175,7 @@ TEST(OwnLook, CaptionsComeAndGo) {
     for (const auto& [film_s, n] : std::vector<std::pair<double, std::size_t>>{
              {0.0, 0}, {1.9, 0}, {3.0, 1}, {4.5, 2}, {6.0, 1}, {7.9, 1}, {9.0, 1}})
         EXPECT_EQ(n_overlaid(scene, film_s), n) << film_s;
-    // It grows and pales without a step.
+    // The opacity changes continuously.
     const StagedScene staged(scene, 10.0);
     double before = 0.0;
     for (double film_s = 1.9; film_s < 5.2; film_s += 1.0 / 60.0) {
@@ -187,7 +187,7 @@ TEST(OwnLook, CaptionsComeAndGo) {
     }
 }
 
-TEST(OwnLook, TheBodyPanelHasAsManyCurvesAsAsked) {
+TEST(OwnLook, BodyPanelHasTheRequestedNumberOfCurves) {
     Scene scene = free_scene(moments, omega, "body");
     const auto n_thin = [&scene] {
         const StagedScene staged(scene, 1.0);
@@ -201,7 +201,8 @@ TEST(OwnLook, TheBodyPanelHasAsManyCurvesAsAsked) {
     const std::size_t own = n_thin();  // the motion's and its mirror image
     EXPECT_EQ(own, 2u);
     scene.panels[0].curves = 3;
-    // Two families of three, each with its mirror images, but for one beside the motion's own.
+    // Two families of three curves, each with its mirror images, except for the one next to the
+    // motion's.
     EXPECT_GE(n_thin(), own + 2u * 2u * 3u - 2u);
     EXPECT_LE(n_thin(), own + 2u * 2u * 3u);
 }

@@ -1,4 +1,5 @@
-// What the panels show, against the laws that it must satisfy; and every panel at every extreme.
+// The contents of the panels satisfy the laws of the motion; and all panels are finite for extreme
+// motions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ const Eigen::Vector3d generic_omega{1.4, 0.5, 1.6};
 
 const View& view_of(const Drawing& drawing) { return drawing.views.front(); }
 
-// Points of a curve where they are drawn.
+// The points of a curve at their drawn positions.
 std::vector<Eigen::Vector3d> drawn_points(const Curve& curve) {
     std::vector<Eigen::Vector3d> points;
     for (const Eigen::Vector3d& point : curve.geometry->points) {
@@ -39,7 +40,7 @@ std::vector<Eigen::Vector3d> drawn_points(const Curve& curve) {
 
 bool finite(const Eigen::Vector3d& v) { return v.allFinite(); }
 
-// Every number of a view that a picture is made of.
+// Expects that all numbers of a view are finite.
 void expect_finite(const View& view, const std::string& name) {
     EXPECT_TRUE(finite(view.camera.eye) && finite(view.camera.target)) << name;
     EXPECT_GT((view.camera.eye - view.camera.target).norm(), 0.0) << name;
@@ -105,7 +106,7 @@ const FreeCase extremes[] = {
     {"unphysical", {1.0, 2.0, 3.5}, {1.0, 0.2, 0.3}},
 };
 
-TEST(Panels, AreFiniteAtEveryExtreme) {
+TEST(Panels, AreFiniteForExtremeMotions) {
     for (const char* kind : {"space", "body", "plan", "momentum", "object", "plot"}) {
         for (const FreeCase& one : extremes) {
             const std::string name = std::string(kind) + ", " + one.name;
@@ -140,7 +141,7 @@ const TopCase tops[] = {
     {"at rest upright", {0.0, 0.0, 0.0, 0.0}, 1.0},
 };
 
-TEST(Panels, OfTopsAreFiniteAtEveryExtreme) {
+TEST(Panels, OfTopsAreFiniteForExtremeMotions) {
     for (const char* kind : {"top", "potential", "plot", "object"}) {
         for (const TopCase& one : tops) {
             const std::string name = std::string(kind) + ", " + one.name;
@@ -153,7 +154,7 @@ TEST(Panels, OfTopsAreFiniteAtEveryExtreme) {
     }
 }
 
-// Every row of the table of quantities that a motion has, as a chart: finite. Returns how many.
+// Expects that the charts of all quantities of a motion are finite; returns their number.
 int n_finite_charts(Scene scene, const std::string& name) {
     int n = 0;
     for (const PlotQuantity& quantity : plot_quantities()) {
@@ -162,7 +163,7 @@ int n_finite_charts(Scene scene, const std::string& name) {
         try {
             staged.emplace(scene, 10.0);
         } catch (const InputError&) {
-            continue;  // it needs another motion
+            continue;  // it needs another kind of motion
         }
         ++n;
         for (const double t : {0.0, 3.7, 10.0})
@@ -171,14 +172,14 @@ int n_finite_charts(Scene scene, const std::string& name) {
     return n;
 }
 
-TEST(Panels, EveryQuantityIsFiniteAtEveryExtreme) {
+TEST(Panels, EveryQuantityIsFiniteForExtremeMotions) {
     for (const FreeCase& one : extremes)
         EXPECT_GE(n_finite_charts(free_scene(one.moments, one.omega, "plot"), one.name), 5);
     for (const TopCase& one : tops)
         EXPECT_GE(n_finite_charts(top_scene(one.start, "plot", one.mgl_N_m), one.name), 5);
 }
 
-// What an element adds to the space panel, as numbers: where its marks, curves and solids are, in
+// The numbers of an element in the space panel: positions of its marks, curves and solids, in
 // picture units.
 std::vector<double> places_of(const View& view) {
     std::vector<double> places;
@@ -201,12 +202,12 @@ std::vector<double> places_of(const View& view) {
     return places;
 }
 
-// Whether it compares the motion with that of a method beside.
+// Whether it shows a comparison motion.
 bool is_of_beside(const Element& element) {
     return element.name == "ghost" || element.name == "drift";
 }
 
-// Of a body's scene that shows one element, with lengths, masses and times in other units.
+// The numbers of one element for a body, with lengths, masses and times in other units.
 std::vector<double> places_of_element(const Element& element, const Eigen::Matrix3d& tensor,
                                       double moments_by, double rates_by) {
     Scene scene =
@@ -231,8 +232,8 @@ std::vector<double> places_of_element(const Element& element, const Eigen::Matri
 }
 
 std::vector<double> places_of_element(const Element& element, double moments_by, double rates_by) {
-    // With two equal moments, so that cones and precession are there too, about an axis between
-    // the first two of those that are given.
+    // Two equal moments, as cones and precession require; the axis is between the first two of the
+    // given axes.
     Eigen::Matrix3d tensor;
     tensor << 2.5, 0.5, 0.0, 0.5, 2.5, 0.0, 0.0, 0.0, 2.0;
     try {
@@ -243,9 +244,9 @@ std::vector<double> places_of_element(const Element& element, double moments_by,
     }
 }
 
-// Whatever units a body is measured in, its picture is the same: nothing vanishes beside what has a
-// size of order one, or grows beyond it.
-TEST(SpacePanel, EveryElementIsDrawnAlikeInAnyUnits) {
+// A body's picture does not depend on the units of its data: no absolute tolerance of order one is
+// involved.
+TEST(SpacePanel, EveryElementIsIndependentOfUnits) {
     for (const Element& element : elements()) {
         const std::vector<double> expected = places_of_element(element, 1.0, 1.0);
         EXPECT_GT(expected.size(), 0u) << element.name;
@@ -261,10 +262,10 @@ TEST(SpacePanel, EveryElementIsDrawnAlikeInAnyUnits) {
     }
 }
 
-// What refuses a motion that it cannot be drawn of is drawn of another.
-TEST(SpacePanel, EveryElementIsFiniteAtEveryExtreme) {
+// Motions for which an element is rejected are skipped; every element is drawn for some motion.
+TEST(SpacePanel, EveryElementIsFiniteForExtremeMotions) {
     for (const Element& element : elements()) {
-        if (is_of_beside(element)) continue;  // drawn of a method beside, above
+        if (is_of_beside(element)) continue;  // tested above with a comparison motion
         int n = 0;
         for (const FreeCase& one : extremes) {
             Scene scene = free_scene(one.moments, one.omega, "space");
@@ -284,7 +285,7 @@ TEST(SpacePanel, EveryElementIsFiniteAtEveryExtreme) {
     }
 }
 
-// A scene that a kind of panel can show.
+// A scene that this kind of panel can show.
 Scene scene_for(const PanelKind& kind) {
     const std::string name(kind.name);
     if (name == "top" || name == "potential") {
@@ -295,7 +296,7 @@ Scene scene_for(const PanelKind& kind) {
     return scene;
 }
 
-TEST(Panels, EveryRowOfTheTableIsMade) {
+TEST(Panels, EveryKindCanBeMade) {
     for (const PanelKind& kind : panel_kinds()) {
         const Scene scene = scene_for(kind);
         const StagedScene staged(scene, 1.0);
@@ -307,7 +308,7 @@ TEST(Panels, EveryRowOfTheTableIsMade) {
     }
 }
 
-TEST(Panels, RefuseMotionsThatTheyCannotShow) {
+TEST(Panels, RejectMotionsThatTheyCannotShow) {
     EXPECT_THROW(StagedScene(top_scene({.theta_rad = 0.7, .omega3_rad_s = 5.0}, "body"), 1.0),
                  InputError);
     EXPECT_THROW(StagedScene(free_scene(generic_moments, generic_omega, "top"), 1.0), InputError);
@@ -339,12 +340,12 @@ TEST(BodyPanel, CurvesLieOnTheEllipsoid) {
     EXPECT_GT(n, 1000u);
 }
 
-TEST(BodyPanel, OmegaRunsOnTheBoldPolhodeAndMomentumIsNormal) {
+TEST(BodyPanel, OmegaIsOnTheBoldPolhodeAndMomentumIsNormal) {
     const StagedScene staged(free_scene(generic_moments, generic_omega, "body"), 10.0);
     for (int k = 0; k <= 20; ++k) {
         const Drawing drawing = staged.stage.at(0.5 * k);
         const View& view = view_of(drawing);
-        // The widest curve that comes near: the dot of ω lies on it, within the tolerance.
+        // The widest nearby curve: the dot of ω is on it, within the tolerance.
         double nearest = 1e300;
         for (const Curve& curve : view.curves) {
             if (curve.width_px < 4.0 * 360.0 / 1080.0) continue;
@@ -358,7 +359,7 @@ TEST(BodyPanel, OmegaRunsOnTheBoldPolhodeAndMomentumIsNormal) {
         }
         EXPECT_LT(nearest, 2e-4);  // a tenth of a pixel at 360 rows; measured 1.0e-4
 
-        // Arrows: e1, e2, e3, L, ω. L is the ellipsoid's normal there, ω goes through the dot.
+        // Arrows: e1, e2, e3, L, ω. L is normal to the ellipsoid there, ω passes through the dot.
         const Eigen::Matrix3d axes = view.ellipsoids[0].half_axes;
         const Eigen::Vector3d normal = (axes * axes).inverse() * view.dots[0].at;
         EXPECT_LT(normal.normalized().cross(view.arrows[3].tip.normalized()).norm(), 1e-14);
@@ -392,8 +393,8 @@ TEST(MomentumPanel, CurvesLieOnSphereAndEnergyEllipsoid) {
             }
             for (const Eigen::Vector3d& point : points) {
                 EXPECT_NEAR(point.norm(), 1.0, 4e-15) << one.name;  // measured 4e-16
-                // 2T/L² of the point: relative accuracy of the moments' ratio is not needed, since
-                // every term is positive.
+                // 2T/L² of the point: the relative error of the moments' ratio does not matter,
+                // since all terms are positive.
                 EXPECT_NEAR(point.cwiseQuotient(half_axes).norm(), 1.0, 2e-14) << one.name;
             }
         }
@@ -424,7 +425,8 @@ TEST(PlanPanel, HerpolhodeStaysBetweenItsCirclesAndEndsAtTheContact) {
             continue;
         }
         EXPECT_NEAR(outer, 1.0, 1e-14) << one.name;
-        // A herpolhode of an ulp of ω is known to a few hundredths of itself.
+        // If ω differs from the axis by an ulp, the herpolhode has a relative error of a few
+        // hundredths.
         const double slack = std::string_view(one.name) == "nearly a sphere" ? 0.03 : 1e-8;
         EXPECT_LE(contact.norm(), 1.0 + slack) << one.name;
         EXPECT_GE(contact.norm(), inner - slack) << one.name;
@@ -437,7 +439,7 @@ TEST(PlanPanel, HerpolhodeStaysBetweenItsCirclesAndEndsAtTheContact) {
         const Eigen::Vector3d end =
             points[i] + (path->last - static_cast<double>(i)) *
                             (points[std::min(i + 1, points.size() - 1)] - points[i]);
-        // The end of the revealed part runs along the chord at an even rate.
+        // The end of the shown part moves along the chord at a constant rate.
         EXPECT_LT((end - contact).norm(), 2e-2) << one.name;
     }
 }
@@ -468,8 +470,8 @@ TEST(PlotPanel, DotsLieOnTheirCurvesUnderTheCursor) {
     }
 }
 
-// What rounding makes of zero is no curve, and no order of names.
-TEST(PlotPanel, ResidualsOfRoundingLieOnTheFloorInTheTablesOrder) {
+// Rounding noise around zero is not drawn as a curve and does not determine the order of names.
+TEST(PlotPanel, RoundingNoiseIsOnTheLowestLineInTableOrder) {
     for (const Eigen::Vector3d& omega : {generic_omega, Eigen::Vector3d(0.3, 2.0, 0.1)}) {
         Scene scene = free_scene(generic_moments, omega, "plot");
         scene.panels[0].quantity = "residuals";
@@ -483,7 +485,7 @@ TEST(PlotPanel, ResidualsOfRoundingLieOnTheFloorInTheTablesOrder) {
             for (const Eigen::Vector3d& point : curve.geometry->points)
                 ASSERT_EQ(point.y(), view.dots[0].at.y());
         }
-        // The names are the last labels: the first of the table lowest, one above the other.
+        // The names are the last labels, stacked upwards in the order of the table.
         ASSERT_GE(view.labels.size(), 5u);
         const std::span names(view.labels.end() - 5, view.labels.end());
         for (std::size_t i = 1; i < names.size(); ++i)
@@ -491,7 +493,7 @@ TEST(PlotPanel, ResidualsOfRoundingLieOnTheFloorInTheTablesOrder) {
     }
 }
 
-TEST(PlotPanel, QuantitiesSuitTheMotion) {
+TEST(PlotPanel, QuantitiesDependOnTheMotion) {
     Scene scene = free_scene(generic_moments, generic_omega, "plot");
     for (const char* quantity : {"omega", "energy", "residuals"}) {
         scene.panels[0].quantity = quantity;
@@ -515,12 +517,12 @@ TEST(TopPanel, AxisIsThatOfTheAttitude) {
     for (const TopCase& one : tops) {
         const StagedScene staged(top_scene(one.start, "top", one.mgl_N_m), 10.0);
         for (const double t : {0.0, 1.3, 10.0}) {
-            // The quaternion is a result of its own, not made from the angles.
+            // The quaternion is computed independently of the angles.
             const Eigen::Vector3d e3 =
                 staged.motion.at(t).space_from_body * Eigen::Vector3d::UnitZ();
             const Drawing drawing = staged.stage.at(t);
             EXPECT_LT((view_of(drawing).dots.back().at - e3).norm(), 2e-12) << one.name << " " << t;
-            // The path that is shown ends there; leaders of names follow.
+            // The shown path ends there; leaders of labels follow it in the list.
             const auto& curves = view_of(drawing).curves;
             const auto path = std::find_if(curves.rbegin(), curves.rend(), [&](const Curve& curve) {
                 return curve.geometry != staged.stage.data().unit_segment;
@@ -549,7 +551,7 @@ TEST(TopPanel, AxisMovesBetweenTheDrawnCircles) {
         highest = std::max(highest, point.z());
         EXPECT_NEAR(point.norm(), 1.0, 1e-14);
     }
-    EXPECT_NEAR(lowest, std::min(heights[0], heights[1]), 1e-3);  // reached between two points
+    EXPECT_NEAR(lowest, std::min(heights[0], heights[1]), 1e-3);  // reached between two samples
     EXPECT_NEAR(highest, std::max(heights[0], heights[1]), 1e-3);
     EXPECT_GE(lowest, std::min(heights[0], heights[1]) - 1e-13);
     EXPECT_LE(highest, std::max(heights[0], heights[1]) + 1e-13);
@@ -562,34 +564,34 @@ TEST(PotentialPanel, MovingPointReachesTheEnergyAtTheTurningPoints) {
     const auto& dots = view_of(start).dots;
     ASSERT_EQ(dots.size(), 3u);
     EXPECT_LT(std::min((dots[2].at - dots[0].at).norm(), (dots[2].at - dots[1].at).norm()), 1e-6);
-    // Between them it lies below the line of the energy.
+    // Between the turning points V is less than E.
     const double period = staged.motion.heavy_top()->nutation().period_s;
     const Drawing middle = staged.stage.at(0.25 * period);
     EXPECT_LT(view_of(middle).dots[2].at.y(), dots[0].at.y() - 10.0);
 }
 
-TEST(ObjectPanel, BoxHasTheMomentsItStandsFor) {
-    // Of 1 kg: I₁ = (b² + c²)/12 and so on.
+TEST(ObjectPanel, BoxHasTheGivenMoments) {
+    // For 1 kg: I₁ = (b² + c²)/12 and so on.
     const Eigen::Vector3d edges = box_of_moments(generic_moments);
     const Eigen::Vector3d squares = edges.cwiseProduct(edges);
     for (int i = 0; i < 3; ++i) {
         EXPECT_NEAR((squares[(i + 1) % 3] + squares[(i + 2) % 3]) / 12.0, generic_moments[i],
                     1e-14);
     }
-    // A lamina keeps a thickness, and so does a body that no mass has.
+    // A lamina and bodies with impossible moments have a positive thickness.
     EXPECT_GT(box_of_moments({1.0, 2.0, 3.0}).minCoeff(), 0.0);
     EXPECT_GT(box_of_moments({1.0, 2.0, 3.5}).minCoeff(), 0.0);
 }
 
-TEST(ObjectPanel, MassesAreDrawnWhereTheyAre) {
+TEST(ObjectPanel, MassesAreAtTheirPositions) {
     Scene scene = free_scene({1.0, 2.0, 2.5}, generic_omega, "object");
     scene.body.given = BodySpec::Given::masses;
     scene.body.masses = {{1.0, {1.0, 0.0, 0.0}}, {1.0, {-0.5, 0.5, 0.0}}, {1.0, {-0.5, -0.5, 0.0}}};
     const StagedScene staged(scene, 1.0);
     const Drawing drawing = staged.stage.at(0.0);
     ASSERT_EQ(view_of(drawing).meshes.size(), 2u);
-    // The balls' mean is the centre of mass, in units of the body's reach: every ball has the same
-    // number of corners.
+    // The mean of the balls' corners is the centre of mass, in units of the body's reach: all balls
+    // have the same number of corners.
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     double reach = 0.0;
     for (const auto& p : view_of(drawing).meshes[1].geometry->positions) {
@@ -601,7 +603,7 @@ TEST(ObjectPanel, MassesAreDrawnWhereTheyAre) {
     EXPECT_NEAR(reach, 1.0, 1e-6);
 }
 
-TEST(Layout, PanelsLeaveTheTitleAndTheCaptionTheirRoom) {
+TEST(Layout, PanelsLeaveSpaceForTitleAndCaption) {
     Scene scene = free_scene(generic_moments, generic_omega, "body");
     scene.title = "Title";
     scene.caption = "Caption";
@@ -619,7 +621,7 @@ TEST(Layout, PanelsLeaveTheTitleAndTheCaptionTheirRoom) {
     EXPECT_EQ(body.y_px + body.height_px, below.y_px);
     EXPECT_LT(below.y_px + below.height_px, scene.film.height_px);
     EXPECT_NEAR(body.height_px, 2.0 * below.height_px, 2.0);
-    // The overlays' type stands in the bands.
+    // The overlays' text is in the reserved bands.
     for (const Label& label : drawing.views[2].labels) {
         const double bottom = label.top_left_px.y() + label.mask->height;
         EXPECT_TRUE(bottom <= body.y_px || label.top_left_px.y() >= below.y_px + below.height_px)
@@ -627,8 +629,8 @@ TEST(Layout, PanelsLeaveTheTitleAndTheCaptionTheirRoom) {
     }
 }
 
-TEST(Layout, NumbersOfAChartKeepOffEachOtherAtAnyHeight) {
-    // Three charts above each other.
+TEST(Layout, NumbersOfAChartDoNotOverlapAtAnyHeight) {
+    // Three stacked charts.
     for (const int height : {100, 180, 240, 400}) {
         Scene scene = top_scene({.theta_rad = 0.7, .omega3_rad_s = 5.0}, "plot");
         scene.panels[0].quantity = "euler_angles";
@@ -636,7 +638,7 @@ TEST(Layout, NumbersOfAChartKeepOffEachOtherAtAnyHeight) {
         scene.film.height_px = height;
         const StagedScene staged(scene, 1.0);
         const Drawing drawing = staged.stage.at(1.0);
-        // Those of the values end on one line, to a pixel of rounding.
+        // The numbers of the values are right-aligned, up to a pixel of rounding.
         const std::vector<Label>& labels = view_of(drawing).labels;
         const auto right = [](const Label& label) {
             return label.top_left_px.x() + label.mask->width;
@@ -657,7 +659,7 @@ TEST(Layout, NumbersOfAChartKeepOffEachOtherAtAnyHeight) {
     }
 }
 
-TEST(Layout, LabelsStayInsideTheirPanelAtAnySize) {
+TEST(Layout, LabelsAreInsideTheirPanelAtAnySize) {
     for (const PanelKind& kind : panel_kinds()) {
         Scene scene = scene_for(kind);
         scene.show = {"polhode", "ellipsoid", "momentum", "axes", "omega"};  // no overlays

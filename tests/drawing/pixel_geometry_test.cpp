@@ -1,4 +1,4 @@
-// How far what is drawn lies from where it belongs, in pixels of a 1080p frame, over whole films.
+// Position errors of the drawing in pixels of a 1080p frame, over whole films.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double largest_px = 0.1;
 
-// A scene of the repository as it is shown.
+// A scene of the repository on its stage.
 struct FilmScene {
     Scene scene;
     double last_time_s;
@@ -33,7 +33,7 @@ struct FilmScene {
 const Curve& polhode_of(const View& view) { return view.curves.at(0); }
 const Curve& herpolhode_of(const View& view) { return view.curves.at(1); }
 
-// As the renderer takes them: single precision.
+// In single precision, as the renderer receives them.
 Eigen::Vector3d point_of(const Curve& curve, std::size_t k) {
     const auto& points = curve.geometry->points;
     return curve.placement * points[k % points.size()].cast<float>().cast<double>();
@@ -43,7 +43,7 @@ double px_per_unit(const View& view, const Eigen::Vector3d& point) {
     return 1.0 / units_per_pixel(view, project(view, point).depth);
 }
 
-// Distance of a point from the ellipsoid, to first order: (|u| − 1) over the gradient of |u|.
+// Distance of a point from the ellipsoid, to first order: (|u| − 1) divided by the gradient of |u|.
 double distance_from(const Ellipsoid& ellipsoid, const Eigen::Vector3d& point) {
     const Eigen::Matrix3d to_u = ellipsoid.half_axes.inverse();
     const Eigen::Vector3d u = to_u * (point - ellipsoid.centre);
@@ -62,7 +62,7 @@ TEST_P(LectureFilm, PolhodeLiesOnTheDrawnSurface) {
         const View& view = drawing.views.at(0);
         const Curve& polhode = polhode_of(view);
         const std::size_t n = polhode.geometry->points.size();
-        // Corners and, where a chord is farthest from its arc, middles.
+        // Points and, where a chord is farthest from its arc, middles.
         for (std::size_t k = 0; k + (polhode.geometry->closed ? 0 : 1) < n; ++k) {
             const Eigen::Vector3d corner = point_of(polhode, k);
             const Eigen::Vector3d middle = 0.5 * (corner + point_of(polhode, k + 1));
@@ -95,7 +95,7 @@ TEST_P(LectureFilm, ContactPointLiesOnPlaneSurfaceAndBothCurves) {
         from_surface =
             std::max(from_surface, scale * distance_from(view.ellipsoids.at(0), contact));
 
-        // The herpolhode ends in it.
+        // The herpolhode ends at the contact.
         const Curve& trail = herpolhode_of(view);
         const double last =
             std::min(trail.last, static_cast<double>(trail.geometry->points.size() - 1));
@@ -107,7 +107,7 @@ TEST_P(LectureFilm, ContactPointLiesOnPlaneSurfaceAndBothCurves) {
                  point_of(trail, k));
         from_herpolhode = std::max(from_herpolhode, scale * (end - contact).norm());
 
-        // The polhode passes through it.
+        // The polhode passes through the contact.
         const Curve& polhode = polhode_of(view);
         const std::size_t n = polhode.geometry->points.size();
         double nearest = 1e300;
@@ -131,21 +131,21 @@ Eigen::AlignedBox2d box_of(const Label& label) {
             label.top_left_px + Eigen::Vector2d(label.mask->width, label.mask->height)};
 }
 
-TEST_P(LectureFilm, LabelsGoWithTheirArrowsAndKeepOffEachOther) {
+TEST_P(LectureFilm, LabelsFollowTheirArrowsAndDoNotOverlap) {
     const FilmScene film(GetParam());
     const StagedScene staged(film.scene, film.last_time_s);
     const double fps = 1.0 * film.scene.film.fps_numerator / film.scene.film.fps_denominator;
     const double step_s = film.scene.film.speed / fps;
     const int n_frames =
         std::min(600, static_cast<int>((film.last_time_s - film.scene.film.start_s) / step_s));
-    // Where a label stands from its arrow's tip; labels and arrows are in the same order.
+    // Positions of labels relative to their arrows' tips; labels and arrows are in the same order.
     std::vector<Eigen::Vector2d> before;
     double largest_step_px = 0.0;
     double largest_share = 0.0;
     for (int k = 0; k < n_frames; ++k) {
         const Drawing drawing = staged.stage.at(film.scene.film.start_s + k * step_s);
         const View& view = drawing.views.at(0);
-        // A panel's name comes before the names of its arrows, those of a scale after them.
+        // A panel's heading precedes the names of its arrows, the names of a scale follow them.
         const auto& show = film.scene.show;
         const bool has_scale = std::find(show.begin(), show.end(), "levels") != show.end();
         const std::size_t n_others =
@@ -168,8 +168,8 @@ TEST_P(LectureFilm, LabelsGoWithTheirArrowsAndKeepOffEachOther) {
     RecordProperty("largest_step_px", std::to_string(largest_step_px));
     RecordProperty("largest_share", std::to_string(largest_share));
     // Measured: 24 px in the racket's turn and 23 px on the separatrix, shown at twice its speed,
-    // where the arrow's own tip moves 90 px in a frame; 13 px and less elsewhere. Before, with a
-    // side that leapt, 34 px.
+    // where the arrow's own tip moves by 90 px per frame; at most 13 px elsewhere. If a label
+    // changed sides abruptly: 34 px.
     EXPECT_LT(largest_step_px, 30.0);
     EXPECT_LT(largest_share, 0.1);  // measured 0.031
 }

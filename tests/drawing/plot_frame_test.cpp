@@ -20,7 +20,7 @@ TEST(PlotFrame, TicksAreMultiplesOfOneTwoOrFive) {
         for (const int most : {2, 4, 7, 10}) {
             const Axis axis = linear_axis(-0.3 * extent, 0.7 * extent, most);
             ASSERT_GE(axis.ticks.size(), 3u) << extent;
-            // Where steps of 5 give two ticks, those of 2 may give seven.
+            // If steps of 5 give two ticks, steps of 2 may give seven.
             EXPECT_LE(axis.ticks.size(), static_cast<std::size_t>(std::max(most, 6)) + 1) << extent;
             const double step = axis.ticks[1].value - axis.ticks[0].value;
             const double digit = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
@@ -32,23 +32,23 @@ TEST(PlotFrame, TicksAreMultiplesOfOneTwoOrFive) {
     }
 }
 
-TEST(PlotFrame, NumbersSayWhatTheTicksAre) {
+TEST(PlotFrame, NumbersGiveTheValuesOfTheTicks) {
     EXPECT_EQ(labels_of(linear_axis(-1.1, 1.1, 5)),
               (std::vector<std::string>{"-1.0", "-0.5", "0", "0.5", "1.0"}));
     EXPECT_EQ(labels_of(linear_axis(0.0, 16.0, 8)),
               (std::vector<std::string>{"0", "2", "4", "6", "8", "10", "12", "14", "16"}));
-    // Small and large numbers count powers of ten.
+    // Small and large numbers are in units of a power of ten.
     const Axis small = linear_axis(0.0, 2.1e-8, 4);
     EXPECT_EQ(small.exponent, -8);
     EXPECT_EQ(labels_of(small), (std::vector<std::string>{"0", "1", "2"}));
     EXPECT_EQ(linear_axis(0.0, 3e7, 4).exponent, 7);
-    // A short stretch of a late time keeps its digits.
+    // A short range at a late time keeps its digits.
     const Axis late = linear_axis(1e9, 1e9 + 10.0, 5);
     EXPECT_EQ(late.exponent, 0);
     EXPECT_EQ(late.ticks.front().label, "1000000000");
 }
 
-TEST(PlotFrame, EveryTickHasANumberOfItsOwn) {
+TEST(PlotFrame, EveryTickHasADifferentNumber) {
     for (const double first : {-3.7, 0.0, 0.1, 99.9, 1234.5, 1e9}) {
         for (const double extent : {1e-6, 0.013, 0.9, 7.0, 555.0}) {
             const Axis axis = linear_axis(first, first + extent, 6);
@@ -59,7 +59,7 @@ TEST(PlotFrame, EveryTickHasANumberOfItsOwn) {
     }
 }
 
-TEST(PlotFrame, RangesWithoutExtentAreWidened) {
+TEST(PlotFrame, EmptyRangesAreWidened) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     constexpr double infinite = std::numeric_limits<double>::infinity();
     for (const auto& [first, last] : std::vector<std::pair<double, double>>{{0.0, 0.0},
@@ -76,13 +76,13 @@ TEST(PlotFrame, RangesWithoutExtentAreWidened) {
     }
 }
 
-TEST(PlotFrame, DecadesStandAtWholePowers) {
+TEST(PlotFrame, DecadesAreAtWholePowers) {
     EXPECT_EQ(labels_of(decade_axis(-17.0, -14.0, 5)),
               (std::vector<std::string>{"10^{-17}", "10^{-16}", "10^{-15}", "10^{-14}"}));
     EXPECT_LE(decade_axis(-300.0, 0.0, 6).ticks.size(), 7u);
 }
 
-TEST(PlotFrame, TitleNamesQuantityAndUnit) {
+TEST(PlotFrame, TitleHasQuantityAndUnit) {
     EXPECT_EQ(axis_title("$t$", "s", 0), "$t$ / s");
     EXPECT_EQ(axis_title("$\\omega_i$", "rad/s", 0), "$\\omega_i$ / (rad/s)");
     EXPECT_EQ(axis_title("$\\omega_i$", "rad/s", -8), "$\\omega_i$ / ($10^{-8}$ rad/s)");

@@ -1,4 +1,4 @@
-// What becomes of type on paper for which there is no room.
+// Text that does not fit on paper.
 #include "drawing/type/room_for_type.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace poinsot {
 namespace {
 
-// Words with their left sides and ranks, all on one line of a page 400 by 100.
+// Words with their left sides and ranks, on one line of a page of 400 by 100 pixels.
 class Line {
  public:
     void add(const char* word, double left_px, LabelRank rank, double opacity = 1.0) {
@@ -25,7 +25,7 @@ class Line {
         view_.labels.push_back(label);
     }
 
-    // What is left of it.
+    // The remaining words.
     std::vector<std::string> words() const {
         Drawing drawing;
         drawing.width_px = 400;
@@ -46,7 +46,7 @@ class Line {
 
 using Words = std::vector<std::string>;
 
-TEST(RoomForType, WhatHasTheHigherRankGoes) {
+TEST(RoomForType, DropsTheHigherRank) {
     Line line;
     line.add("caption", 100.0, rank_of_caption);
     line.add("title", 110.0, rank_of_title);
@@ -54,25 +54,25 @@ TEST(RoomForType, WhatHasTheHigherRankGoes) {
     EXPECT_EQ(line.words(), (Words{"title", "clock"}));
 }
 
-TEST(RoomForType, OfOneRankTheLaterGoes) {
+TEST(RoomForType, DropsTheLaterOfEqualRank) {
     Line line;
     for (int k = 0; k < 4; ++k) line.add("1000", 50.0 + 30.0 * k, rank_of_charts);
     EXPECT_EQ(line.words().size(), 2u);
 }
 
-TEST(RoomForType, WhatStandsOffThePageGoesUnlessItIsAName) {
+TEST(RoomForType, DropsTextOutsideThePageUnlessItIsAName) {
     Line line;
     line.add("caption", 370.0, rank_of_caption);
     line.add("L", 395.0, rank_of_names);
     EXPECT_EQ(line.words(), (Words{"L"}));
 }
 
-TEST(RoomForType, NamesThatCoverEachOtherAreRefused) {
+TEST(RoomForType, OverlappingNamesAreRejected) {
     Line line;
     line.add("omega", 100.0, rank_of_names);
     line.add("omega", 110.0, rank_of_names);
     EXPECT_THROW(line.words(), InputError);
-    // One that is fading out covers nothing.
+    // A label that is fading out does not count as overlapping.
     Line fading;
     fading.add("omega", 100.0, rank_of_names);
     fading.add("omega", 110.0, rank_of_names, 0.1);

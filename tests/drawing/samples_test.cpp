@@ -1,4 +1,4 @@
-// Samples within a pixel refine a picture and move nothing in it.
+// Supersampling refines a picture and does not move its contents.
 #include <gtest/gtest.h>
 
 #include "drawing/panel.h"
@@ -12,7 +12,7 @@ struct Place {
     Camera camera;
 };
 
-// A picture drawn with so many samples to a pixel's side, and what it is made from.
+// A picture with this number of samples per side of a pixel, and its stage.
 struct Sampled {
     Sampled(const Scene& scene, int samples)
         : motion(problem_of(scene)),
@@ -27,7 +27,7 @@ struct Sampled {
     Drawing drawing;
 };
 
-// Where the views of a picture stand.
+// Positions of a picture's views.
 std::vector<Place> places(const Scene& scene, int samples) {
     const Sampled picture(scene, samples);
     std::vector<Place> all;
@@ -51,11 +51,12 @@ Scene with_type(std::vector<std::string> kinds) {
     return scene;
 }
 
-TEST(Samples, LeavePanelsAndCamerasWhereTheyAre) {
+TEST(Samples, DoNotMovePanelsAndCameras) {
     const std::vector<std::vector<std::string>> pictures{
         {"space"}, {"plan"}, {"space", "body", "plot"}};
     for (const std::vector<std::string>& kinds : pictures) {
-        // 643 pixels are no multiple of the columns; the heights of type round otherwise at each.
+        // 643 pixels are not a multiple of the number of columns; heights of text are rounded
+        // differently at each size.
         for (const int width_px : {640, 643, 960}) {
             Scene scene = with_type(kinds);
             scene.film.width_px = width_px;
@@ -70,8 +71,8 @@ TEST(Samples, LeavePanelsAndCamerasWhereTheyAre) {
                     EXPECT_EQ(b.y_px, n * a.y_px) << kinds[0] << width_px;
                     EXPECT_EQ(b.width_px, n * a.width_px) << kinds[0] << width_px;
                     EXPECT_EQ(b.height_px, n * a.height_px) << kinds[0] << width_px;
-                    // Charts and type are drawn in pixels, of which there are more. What is seen by
-                    // the eye is framed to rounding.
+                    // Charts and text are drawn in rendered pixels, whose number differs. Other
+                    // cameras agree up to rounding.
                     if (a.camera.orthographic) continue;
                     EXPECT_LT((b.camera.eye - a.camera.eye).norm(), 1e-9 * a.camera.eye.norm());
                     EXPECT_LT((b.camera.target - a.camera.target).norm(),
@@ -82,8 +83,7 @@ TEST(Samples, LeavePanelsAndCamerasWhereTheyAre) {
     }
 }
 
-// Ends of the lines of all flat views, and where their type stands, in pixels of the picture that
-// is looked at.
+// Ends of the lines of all flat views, and positions of their text, in final pixels.
 struct Sheet2d {
     std::vector<Eigen::Vector2d> ends, type;
 };
@@ -102,7 +102,7 @@ Sheet2d flat_parts(const Scene& scene, int samples) {
     return sheet;
 }
 
-TEST(Samples, LeaveChartsWhereTheyAre) {
+TEST(Samples, DoNotChangeCharts) {
     for (const int width_px : {640, 643, 960}) {
         Scene scene = with_type({"space", "plot"});
         scene.film.width_px = width_px;
@@ -123,8 +123,8 @@ TEST(Samples, LeaveChartsWhereTheyAre) {
     }
 }
 
-// The masks of all views, and where they stand in pixels of the picture that is looked at.
-TEST(Samples, LeaveTypeAsItIs) {
+// The masks of all views, and their positions in final pixels.
+TEST(Samples, DoNotChangeText) {
     const std::vector<std::vector<std::string>> pictures{{"space", "plot"}, {"momentum", "plan"}};
     for (const std::vector<std::string>& kinds : pictures) {
         const Scene scene = with_type(kinds);

@@ -1,5 +1,5 @@
-// Smooth forms of what is drawn, against the exact curves: on the two quadrics whose intersection a
-// polhode is, and where the motion is at every instant.
+// Smooth forms of curves, compared with the exact curves: the polhode as the intersection of two
+// quadrics, and the motion at every instant.
 #include "drawing/elements/smooth_paths.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ struct Body {
     Eigen::Vector3d omega;
 };
 
-// A generic one about either outer axis, a small one, two near the separatrix, and the separatrix.
+// Generic polhodes about both outer axes, a small one, two near the separatrix, and the separatrix.
 const std::vector<Body> bodies{
     {{1.0, 2.0, 3.0}, {0.2, 0.3, 1.0}},         {{1.0, 2.0, 3.0}, {1.0, 0.3, 0.2}},
     {{1.0, 2.0, 2.5}, {1e-3, 2e-3, 1.0}},       {{1.0, 2.0, 3.0}, {1.7320, 1.0, 1.0}},
@@ -29,7 +29,7 @@ SmoothForm smooth_of(const Polhode& polhode, const Eigen::Affine3d& map, double 
     return placed(smooth_polhode(polhode, 1e-3), map)(tolerance);
 }
 
-TEST(SmoothPolhode, IsWithinItsBoundOfTheExactPolhode) {
+TEST(SmoothPolhode, IsWithinItsErrorBoundOfTheExactPolhode) {
     Eigen::Affine3d map(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 2) / 3.0));
     map.linear() *= 1.7;
     map.translation() = Eigen::Vector3d(0.1, 0.2, -0.3);
@@ -52,7 +52,7 @@ TEST(SmoothPolhode, IsWithinItsBoundOfTheExactPolhode) {
     }
 }
 
-// 2T and L² are those of the start wherever the form goes: F(ρ) = ρᵀJρ = 1 and |Jρ|² = L²/2T.
+// 2T and L² are those of the start all along: F(ρ) = ρᵀJρ = 1 and |Jρ|² = L²/2T.
 TEST(SmoothPolhode, LiesOnTheEllipsoidAndOnTheSphereOfL) {
     const Eigen::Affine3d as_it_is = Eigen::Affine3d::Identity();
     for (const Body& body : bodies) {
@@ -65,7 +65,7 @@ TEST(SmoothPolhode, LiesOnTheEllipsoidAndOnTheSphereOfL) {
                                (polhode.last_chi_rad() - polhode.first_chi_rad()) * k / 1000.0;
             const Eigen::Vector3d rho = smooth.at(chi);
             const Eigen::Vector3d m = body.moments.cwiseProduct(rho);
-            // Gradients 2Jρ and 2J²ρ turn a distance into a residual.
+            // The gradients 2Jρ and 2J²ρ convert a distance to a residual.
             EXPECT_NEAR(rho.dot(m), 1.0, 2.0 * m.norm() * smooth.off + 1e-14);
             EXPECT_NEAR(m.squaredNorm(), wanted,
                         2.0 * body.moments.cwiseProduct(m).norm() * smooth.off + 4e-14);
@@ -73,8 +73,8 @@ TEST(SmoothPolhode, LiesOnTheEllipsoidAndOnTheSphereOfL) {
     }
 }
 
-// What halving the polyline's error costs in points costs cubics nearly nothing.
-TEST(SmoothPolhode, TakesFewerPiecesThanPoints) {
+// A cubic replaces several points of an equally accurate polyline.
+TEST(SmoothPolhode, HasFewerPiecesThanPoints) {
     const Polhode polhode(InertiaTensor::from_principal_moments({1.0, 2.0, 3.0}), {0.2, 0.3, 1.0});
     const SmoothForm smooth = smooth_of(polhode, Eigen::Affine3d::Identity(), 1e-6);
     const std::size_t n_pieces = std::get<std::vector<CubicPiece>>(smooth.form).size();
@@ -90,8 +90,8 @@ TEST(SmoothPolhode, OfASymmetricBodyIsAConic) {
         EXPECT_LT((smooth.at(chi) - polhode.at(chi)).norm(), 4e-16);
 }
 
-// Every point of the geometry is where its parameter says, and the end of a closed one its begin.
-TEST(SmoothPolhode, KnowsTheParametersOfThePoints) {
+// Every point of the geometry agrees with its parameter, and a closed curve's end is its start.
+TEST(SmoothPolhode, HasTheParametersOfItsPoints) {
     const Polhode polhode(InertiaTensor::from_principal_moments({1.0, 2.0, 3.0}), {0.2, 0.3, 1.0});
     const auto points = polhode.sampled(1e-3);
     const SmoothForm smooth = smooth_of(polhode, Eigen::Affine3d::Identity(), 1e-9);
@@ -102,15 +102,15 @@ TEST(SmoothPolhode, KnowsTheParametersOfThePoints) {
     EXPECT_LT((smooth.at(smooth.parameters.back()) - points.front()).norm(), 1e-15);
 }
 
-TEST(SmoothCircle, IsTheCircleThatItsPointsAreOn) {
+TEST(SmoothCircle, IsTheCircleOfItsPoints) {
     const SmoothForm smooth = smooth_circle({0.0, 0.0, -0.7}, 2.0, 256)(1e-9);
     EXPECT_EQ(smooth.parameters.size(), 257u);
     const Eigen::Vector3d at = smooth.at(smooth.parameter_at(64.0));
     EXPECT_LT((at - Eigen::Vector3d(0.0, 2.0, -0.7)).norm(), 1e-15);
 }
 
-// What a renderer may ask of the geometry of any panel: each point is where its parameter says.
-TEST(SmoothForms, OfAllPanelsGoThroughTheirPoints) {
+// For the geometry of all panels: each point agrees with its parameter.
+TEST(SmoothForms, OfAllPanelsPassThroughTheirPoints) {
     int n_smooth = 0;
     for (const std::string panel : {"space", "body", "plan", "momentum"}) {
         for (const std::string trail : {"whole", "history", "fading"}) {
@@ -138,8 +138,8 @@ TEST(SmoothForms, OfAllPanelsGoThroughTheirPoints) {
     EXPECT_GT(n_smooth, 40);
 }
 
-// The herpolhode's cubics, between its points too, against the motion itself.
-TEST(SmoothForms, OfTheHerpolhodeAreWhereTheContactPointIs) {
+// The herpolhode's cubics, also between its points, compared with the motion itself.
+TEST(SmoothForms, OfTheHerpolhodeFollowTheContactPoint) {
     const Scene scene = free_scene({1.0, 2.0, 2.9}, {0.4, 0.3, 1.1}, "space");
     const StagedScene staged(scene, 4.0);
     const StageData& stage = staged.stage.data();
@@ -160,8 +160,8 @@ TEST(SmoothForms, OfTheHerpolhodeAreWhereTheContactPointIs) {
     }
 }
 
-// A stepped motion has no exact tangents, and its points are all there is.
-TEST(SmoothForms, AreNotMadeOfSteppedMotions) {
+// A stepped motion has no exact tangents, only points.
+TEST(SmoothForms, DoNotExistForSteppedMotions) {
     Scene scene = free_scene({1.0, 2.0, 2.9}, {0.4, 0.3, 1.1}, "space");
     scene.method.name = "rk4";
     scene.method.step_s = 0.01;

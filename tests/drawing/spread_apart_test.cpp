@@ -1,4 +1,4 @@
-// Names at the ends of curves keep off each other and stay near what they name.
+// Names at the ends of curves do not overlap and stay near their curves.
 #include "drawing/type/spread_apart.h"
 
 #include <gtest/gtest.h>
@@ -14,19 +14,19 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-TEST(SpreadApart, LeavesAloneWhatHasRoom) {
+TEST(SpreadApart, DoesNotMoveItemsWithoutOverlap) {
     const Numbers wished{70.0, 10.0, 40.0};
     EXPECT_EQ(spread_apart(wished, {20.0, 20.0, 20.0}, 5.0, 0.0, 100.0), wished);
 }
 
-TEST(SpreadApart, MovesTwoThatMeetByAsMuchEach) {
+TEST(SpreadApart, MovesTwoOverlappingItemsEqually) {
     const Numbers middles = spread_apart({50.0, 54.0}, {20.0, 10.0}, 3.0, 0.0, 200.0);
-    // 18 apart, about 52.
+    // 18 apart, symmetric about 52.
     EXPECT_DOUBLE_EQ(middles[0], 43.0);
     EXPECT_DOUBLE_EQ(middles[1], 61.0);
 }
 
-TEST(SpreadApart, StaysAboveTheFloor) {
+TEST(SpreadApart, StaysAboveTheLowerLimit) {
     const Numbers middles = spread_apart({1.0, 0.0, 2.0}, {10.0, 10.0, 10.0}, 2.0, 0.0, 100.0);
     EXPECT_EQ(middles, (Numbers{17.0, 5.0, 29.0}));
 }
@@ -47,7 +47,7 @@ TEST(SpreadApart, KeepsOrderGapAndLeastSquaresAtRandom) {
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::sort(order.begin(), order.end(),
                   [&](std::size_t i, std::size_t j) { return wished[i] < wished[j]; });
-        // What touches moves as one: it stands where its mean displacement is zero.
+        // Touching items form a block whose mean displacement is zero.
         double displacement = 0.0;
         for (std::size_t k = 0; k < 6; ++k) {
             const std::size_t i = order[k];

@@ -1,4 +1,4 @@
-// What [style] does to what is drawn, names that stay away, and points of the user's own.
+// The effect of [style] on the drawing, omitted labels, and the user's own points.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ const Eigen::Vector3d omega{1.4, 0.5, 1.6};
 
 Scene a_scene(const std::string& panel = "space") { return free_scene(moments, omega, panel); }
 
-// What the stage keeps, as the points of curves, is gone with it.
+// Only the view is returned: the stage's geometry, such as points of curves, is destroyed.
 View view_of(const Scene& scene, double time_s = 0.0) {
     const StagedScene staged(scene, 10.0);
     return staged.stage.at(time_s).views.at(0);
@@ -47,8 +47,8 @@ const Curve* curve_in(const View& view, const Colour& colour) {
     return nullptr;
 }
 
-// No two roles are one place of a theme.
-TEST(Style, EveryRoleChangesSomethingOfItsOwn) {
+// Each role sets a different member of a theme.
+TEST(Style, EveryRoleChangesItsOwnMember) {
     for (const StyleRole& role : style_roles()) {
         Scene scene = a_scene();
         scene.style.looks[std::string(role.name)] = look(0.123, 0.456, 0.789);
@@ -79,7 +79,7 @@ TEST(Style, EveryRoleChangesSomethingOfItsOwn) {
             compare(theme.axes[i], base.axes[i]);
             compare(theme.angles[i], base.angles[i]);
         }
-        // A ground is that of the whole picture, and what type stands on.
+        // A background is that of the picture and that of the text.
         EXPECT_EQ(n_changed, role.name == "ground" ? 3 : 1) << role.name;
     }
 }
@@ -103,7 +103,7 @@ TEST(Style, SetsColourWeightAndLine) {
     EXPECT_GT(curve_in(view, green)->dash_px, 0.0);
 }
 
-TEST(Style, GivesAndTakesTheGround) {
+TEST(Style, SetsAndRemovesTheBackground) {
     Scene scene = a_scene();
     scene.theme = "transparent";
     EXPECT_EQ(theme_of(scene).background.alpha, 0.0);
@@ -115,19 +115,19 @@ TEST(Style, GivesAndTakesTheGround) {
     EXPECT_EQ(theme_of(scene).background.alpha, 0.0);
 }
 
-TEST(Contrast, OursHaveNothingToSay) {
+TEST(Contrast, BuiltInThemesCauseNoNotes) {
     for (const Theme& theme : themes()) {
         Scene scene = a_scene();
         scene.theme = theme.name;
-        // As they are, said as a style.
+        // The theme's own values, given as a style.
         scene.style.looks["omega"] = look(theme.omega.r, theme.omega.g, theme.omega.b);
         scene.style.looks["text"] = look(theme.text.r, theme.text.g, theme.text.b);
         EXPECT_TRUE(contrast_notes(scene).empty()) << theme.name << contrast_notes(scene).front();
     }
 }
 
-// #777777 on #ffffff has a contrast of 4.48, which is what WCAG's own examples say.
-TEST(Contrast, WhatIsHardToReadIsSaidInOneLine) {
+// #777777 on #ffffff has a contrast of 4.48, as in WCAG's own examples.
+TEST(Contrast, LowContrastIsReportedInOneLine) {
     Scene scene = a_scene();
     scene.theme = "print";
     scene.locations["style.text"] = {"a.toml", 7, 1};
@@ -138,7 +138,7 @@ TEST(Contrast, WhatIsHardToReadIsSaidInOneLine) {
               "a.toml:7:1: style.text: text on ground has a contrast of 4.48, less than 4.5");
 }
 
-TEST(Contrast, WhatAnEyeTakesForAnotherIsSaid) {
+TEST(Contrast, ConfusableColoursAreReported) {
     Scene scene = a_scene();
     const Theme& light = theme_named("light");
     scene.style.looks["omega"] = look(light.polhode.r, light.polhode.g, light.polhode.b);
@@ -149,7 +149,7 @@ TEST(Contrast, WhatAnEyeTakesForAnotherIsSaid) {
     })) << notes.front();
 }
 
-TEST(Unlabelled, NamesStayAwayWhileTheThingStays) {
+TEST(Unlabelled, LabelsAreOmittedWhileTheElementIsShown) {
     Scene scene = a_scene();
     scene.title.clear();
     const View with = view_of(scene);
@@ -171,8 +171,8 @@ TEST(Unlabelled, NamesStayAwayWhileTheThingStays) {
     }
 }
 
-// On the ellipsoid F(ρ) = 1 in the body's axes whatever its attitude; in space it stands still.
-TEST(OwnMarks, GoWithWhatTheyAreOn) {
+// F(ρ) = 1 on the ellipsoid in body axes for any attitude; a mark in space does not move.
+TEST(OwnMarks, FollowTheirObject) {
     Scene scene = a_scene();
     const Colour red{1.0, 0.0, 0.0}, green{0.0, 1.0, 0.0};
     MarkSpec on_it, in_space;
@@ -192,12 +192,12 @@ TEST(OwnMarks, GoWithWhatTheyAreOn) {
     };
     for (const double time_s : {0.0, 1.7, 9.3}) {
         const View view = staged.stage.at(time_s).views.at(0);
-        // Along e2, at the tip of that half-axis.
+        // Along e2, at the end of that half-axis.
         const Eigen::Vector3d e2 = view.ellipsoids.at(0).half_axes.col(1);
         EXPECT_LT((dot_in(view, red) - e2).norm(), 1e-12);
         EXPECT_EQ(dot_in(view, green), in_space.at);
 
-        // Its trail ends where it is, and is as far from the centre all along.
+        // Its trail ends at the mark, and its distance from the centre is constant.
         const Curve* trail = curve_in(view, red);
         ASSERT_NE(trail, nullptr);
         const auto last = static_cast<std::size_t>(trail->last);
@@ -211,8 +211,8 @@ TEST(OwnMarks, GoWithWhatTheyAreOn) {
     }
 }
 
-// The corner of a box, in m, at the reach of the body: it turns with it.
-TEST(OwnMarks, OnABodyAreInItsMetres) {
+// The corner of a box, in metres, at the body's reach: it rotates with the body.
+TEST(OwnMarks, OnABodyAreInMetres) {
     Scene scene = a_scene("object");
     scene.body.given = BodySpec::Given::solid;
     scene.body.shape = "box";
@@ -231,7 +231,7 @@ TEST(OwnMarks, OnABodyAreInItsMetres) {
     const auto found = std::find_if(view.dots.begin(), view.dots.end(),
                                     [&](const Dot& dot) { return dot.colour == red; });
     ASSERT_NE(found, view.dots.end());
-    // The box's farthest point is 1 from the centre, and one of its edges ends there.
+    // The box's farthest point has distance 1 from the centre, and an edge of the box ends there.
     EXPECT_NEAR(found->at.norm(), 1.0, 1e-12);
     double nearest = 1.0;
     for (const Curve& edge : view.curves)
@@ -240,9 +240,9 @@ TEST(OwnMarks, OnABodyAreInItsMetres) {
     EXPECT_LT(nearest, 1e-9);
 }
 
-// A pencil that spins about its length and loses that to friction within a thousandth of the film:
-// from ω = 20 rad/s it ends at L/I_max = 1.96 rad/s about e3, which then fills the chart.
-TEST(Plots, FirstInstantsThatWouldRuinTheRangeAreCutOff) {
+// A pencil that spins about its length, and loses this spin by friction within a thousandth of the
+// film: from ω = 20 rad/s to L/I_max = 1.96 rad/s about e3. The chart shows the latter's range.
+TEST(Plots, FirstInstantsThatWidenTheRangeTooMuchAreExcluded) {
     Scene scene = free_scene({0.1, 1.0, 1.05}, {20.0, 0.4, 0.2}, "plot");
     scene.film.duration_s = 60.0;
     scene.panels[0].quantity = "omega";
@@ -269,14 +269,14 @@ TEST(Plots, FirstInstantsThatWouldRuinTheRangeAreCutOff) {
     EXPECT_LT(most_y, view.height_px);
 }
 
-TEST(Plots, WhatIsOneRangeStaysOne) {
+TEST(Plots, RangesOfSimilarWidthAreNotChanged) {
     const PlotQuantity& omega_row =
         *std::find_if(plot_quantities().begin(), plot_quantities().end(),
                       [](const PlotQuantity& quantity) { return quantity.name == "omega"; });
     EXPECT_TRUE(is_ruined(omega_row, {0.0, 20.0}, {0.0, 2.0}));
     EXPECT_FALSE(is_ruined(omega_row, {0.0, 20.0}, {0.0, 10.0}));
-    EXPECT_FALSE(is_ruined(omega_row, {0.0, 20.0}, {19.0, 20.0}));  // its axis begins at 0
-    EXPECT_FALSE(is_ruined(omega_row, {0.0, 20.0}, {0.0, 1e-3}));   // it has come to rest
+    EXPECT_FALSE(is_ruined(omega_row, {0.0, 20.0}, {19.0, 20.0}));  // its axis includes 0
+    EXPECT_FALSE(is_ruined(omega_row, {0.0, 20.0}, {0.0, 1e-3}));   // it comes to rest
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Whether a theme's lines can be seen and told apart: by eyes of every common kind, and in grey.
+// Whether a theme's lines are visible and distinguishable, for all common kinds of colour vision
+// and in greyscale.
 #include "drawing/theme.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ double least_difference(const Colour& a, const Colour& b) {
 
 using Pair = std::pair<Colour, Colour>;
 
-// Pairs that one view shows as things of one kind, and that colour alone must tell apart.
+// Pairs of the same kind of object in one view, which are distinguished by colour alone.
 std::vector<Pair> main_pairs(const Theme& t) {
     return {{t.polhode, t.herpolhode},  {t.polhode, t.momentum},    {t.polhode, t.omega},
             {t.herpolhode, t.omega},    {t.herpolhode, t.momentum}, {t.momentum, t.omega},
@@ -40,13 +41,13 @@ class EveryTheme : public testing::TestWithParam<std::size_t> {
     const Theme& theme() const { return themes()[GetParam()]; }
 };
 
-TEST_P(EveryTheme, LinesStandOutFromWhatTheyAreDrawnOn) {
+TEST_P(EveryTheme, LinesHaveContrastToTheirBackground) {
     const Theme& t = theme();
     EXPECT_GE(contrast(t.polhode, t.ellipsoid), 3.0);
     EXPECT_GE(contrast(t.separatrix, t.ellipsoid), 3.0);
     EXPECT_GE(contrast(t.polhode, t.plane), 3.0);
     EXPECT_GE(contrast(t.herpolhode, t.plane), 3.0);
-    // On no ground of its own a picture has only the halo of its type to stand on.
+    // Over a transparent background, only the text's halo is known.
     std::vector<Colour> grounds{t.halo};
     if (t.background.alpha > 0.0)
         grounds.insert(grounds.end(), {t.background.top, t.background.bottom});
@@ -59,7 +60,7 @@ TEST_P(EveryTheme, LinesStandOutFromWhatTheyAreDrawnOn) {
 }
 
 TEST_P(EveryTheme, QuantitiesOfOneViewDifferForEveryColourVision) {
-    // Measured: 1.02 (colour-blind, θ and ψ seen by protanopes) and above.
+    // Measured: at least 1.02 (colour-blind, θ and ψ seen by protanopes).
     for (const Vision& vision : visions())
         for (const auto& [a, b] : main_pairs(theme()))
             EXPECT_GE(line_difference(a, b, vision), 1.0)
@@ -76,8 +77,8 @@ TEST_P(EveryTheme, AllQuantitiesDifferForNormalVision) {
             EXPECT_GE(line_difference(all[i], all[j], visions()[0]), 1.0) << i << " " << j;
 }
 
-// Where colour may not be seen, the herpolhode is told by its weight.
-TEST_P(EveryTheme, CurvesDifferInWeightWhereColourMayFail) {
+// If colours may be indistinguishable, the herpolhode differs by its width.
+TEST_P(EveryTheme, CurvesDifferInWidthWhereColoursMayBeConfused) {
     const Theme& t = theme();
     const bool by_weight = t.name == "print" || t.name == "colour-blind";
     EXPECT_GE(t.herpolhode_weight, by_weight ? 1.4 : 1.0);
@@ -92,7 +93,7 @@ std::string name_of(const testing::TestParamInfo<std::size_t>& info) {
 INSTANTIATE_TEST_SUITE_P(Themes, EveryTheme, testing::Range<std::size_t>(0, themes().size()),
                          name_of);
 
-TEST(PrintTheme, WorksInGrey) {
+TEST(PrintTheme, IsDistinguishableInGreyscale) {
     const Theme& t = theme_named("print");
     EXPECT_GE(grey_difference(t.polhode, t.herpolhode), 1.0);
     EXPECT_GE(grey_difference(t.momentum, t.omega), 1.0);
@@ -103,7 +104,7 @@ TEST(PrintTheme, WorksInGrey) {
     EXPECT_EQ(t.background.bottom, (Colour{1.0, 1.0, 1.0}));
 }
 
-TEST(ColourBlindTheme, EveryPairIsFartherApartThanInTheOthers) {
+TEST(ColourBlindTheme, EveryPairDiffersMoreThanInTheOtherThemes) {
     const auto least = [](const Theme& t) {
         const std::array<Colour, 7> all{t.polhode, t.herpolhode, t.momentum, t.omega,
                                         t.axes[0], t.axes[1],    t.axes[2]};
@@ -121,12 +122,12 @@ TEST(ColourBlindTheme, EveryPairIsFartherApartThanInTheOthers) {
         }
 }
 
-TEST(TransparentTheme, HasNoGround) {
+TEST(TransparentTheme, HasNoBackground) {
     EXPECT_EQ(theme_named("transparent").background.alpha, 0.0);
     EXPECT_EQ(theme_named("transparent-dark").background.alpha, 0.0);
 }
 
-TEST(Themes, UnknownNameIsAnsweredWithTheNearest) {
+TEST(Themes, UnknownNameSuggestsTheNearest) {
     try {
         theme_named("drak");
         FAIL();

@@ -1,4 +1,4 @@
-// The film as it is told: cameras that move, things that come and go, trails and direction marks.
+// The film's timeline: moving cameras, fades, trails and direction marks.
 #include "drawing/timeline.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 const Eigen::Vector3d moments(1.0, 2.0, 2.9);
 const Eigen::Vector3d spin(1.5, 0.3, 0.75);
-constexpr double period_s = 9.27014978;  // of this polhode, as `check` says it
+constexpr double period_s = 9.27014978;  // of this polhode, as printed by `check`
 
 Scene rolling_scene(std::vector<std::string> show = {}) {
     Scene scene = free_scene(moments, spin, "space");
@@ -48,7 +48,7 @@ View view_at(const StagedScene& staged, double film_s) {
     return staged.stage.at(FilmMoment{film_s, film_s}).views.at(0);
 }
 
-TEST(Timeline, CameraPassesItsKeysAndKeepsStillOutsideThem) {
+TEST(Timeline, CameraPassesItsKeysAndIsStillOutsideThem) {
     Scene scene = rolling_scene();
     scene.keyframes = {key_at(2.0, 10.0, 4.0), key_at(4.0, 30.0, 9.0)};
     const Timeline timeline(scene, Eigen::Vector3d(0.0, 0.0, -0.7));
@@ -56,14 +56,14 @@ TEST(Timeline, CameraPassesItsKeysAndKeepsStillOutsideThem) {
     EXPECT_EQ(timeline.camera_at(2.0).azimuth_deg, 10.0);
     EXPECT_EQ(timeline.camera_at(3.0).azimuth_deg, 20.0);
     EXPECT_EQ(timeline.camera_at(99.0).azimuth_deg, 30.0);
-    // Distances go evenly in their ratio: half-way from 4 to 9 is 6.
+    // Distances have a constant ratio per time: half-way from 4 to 9 is 6.
     EXPECT_NEAR(timeline.camera_at(3.0).distance, 6.0, 1e-14);
-    // What no key says stays the very number given.
+    // Values without keys are exactly the given numbers.
     EXPECT_EQ(timeline.camera_at(3.0).elevation_deg, scene.camera.elevation_deg);
     EXPECT_FALSE(Timeline(rolling_scene(), Eigen::Vector3d(0.0, 0.0, -0.7)).camera_moves());
 }
 
-TEST(Timeline, MovingCameraStandsWhereItsPoseSays) {
+TEST(Timeline, MovingCameraHasThePoseOfItsTimeline) {
     Scene scene = rolling_scene();
     scene.keyframes = {key_at(2.0, 10.0, 4.0), key_at(4.0, 30.0, 9.0)};
     scene.camera.target = Eigen::Vector3d(0.0, 0.0, 0.3);
@@ -80,7 +80,7 @@ TEST(Timeline, MovingCameraStandsWhereItsPoseSays) {
     }
 }
 
-TEST(Timeline, CameraGoesFromFramingToWhereItIsToldWithoutAStep) {
+TEST(Timeline, CameraMovesContinuouslyFromFramingToATarget) {
     Scene scene = rolling_scene();
     KeyframeSpec key = key_at(4.0, 10.0, 3.0);
     key.look_at = "foot";
@@ -93,7 +93,7 @@ TEST(Timeline, CameraGoesFromFramingToWhereItIsToldWithoutAStep) {
         longest = std::max(longest, (eye - before).norm());
         before = eye;
     }
-    // About 6 units in 400 even steps; half of one is far from a leap. Measured 0.02.
+    // About 6 units in 400 even steps; half a unit would be a jump. Measured 0.02.
     EXPECT_LT(longest, 0.1);
     const Camera last = view_at(staged, 4.0).camera;
     EXPECT_NEAR((last.eye - last.target).norm(), 3.0, 1e-12);
@@ -110,7 +110,7 @@ TEST(Timeline, ViewFromTheTopSeesTheVerticalAsAPoint) {
     const Eigen::Vector2d low = project(view, {0.0, 0.0, -0.5}).px;
     const Eigen::Vector2d high = project(view, {0.0, 0.0, 1.0}).px;
     EXPECT_LT((low - high).norm(), 1e-9);
-    // And a step towards higher elevation moves nothing suddenly: 89.9° looks nearly the same.
+    // The direction is continuous in the elevation: 89.9° looks nearly the same.
     scene.camera.elevation_deg = 88.9999;
     const StagedScene near(scene, 1.0);
     scene.camera.elevation_deg = 89.0001;
@@ -121,7 +121,7 @@ TEST(Timeline, ViewFromTheTopSeesTheVerticalAsAPoint) {
         0.01);
 }
 
-TEST(Fades, BringThingsAndTakeThemAway) {
+TEST(Fades, ShowAndHideElements) {
     Scene scene = rolling_scene();
     scene.fades = {fade_at(1.0, "plane"), fade_at(2.0, "ellipsoid", 0.25),
                    fade_at(4.0, "plane", 0.0)};
@@ -135,7 +135,7 @@ TEST(Fades, BringThingsAndTakeThemAway) {
     EXPECT_EQ(view_at(staged, 9.0).ellipsoids.at(0).presence, 0.25);
 }
 
-TEST(Fades, TakeTheLabelsAlong) {
+TEST(Fades, IncludeTheLabels) {
     Scene scene = rolling_scene({"plane", "momentum"});
     scene.fades = {fade_at(0.0, "momentum")};
     const StagedScene staged(scene, 10.0);
@@ -145,7 +145,7 @@ TEST(Fades, TakeTheLabelsAlong) {
     EXPECT_EQ(view_at(staged, 1.5).labels[0].opacity, 1.0);
 }
 
-TEST(Fades, OfWhatIsNotShownAreRefused) {
+TEST(Fades, OfElementsThatAreNotShownAreRejected) {
     Scene scene = rolling_scene();
     scene.fades = {fade_at(0.0, "planes")};
     try {
@@ -160,7 +160,7 @@ TEST(Fades, OfWhatIsNotShownAreRefused) {
     }
 }
 
-// Where the shown end of a curve lies, in its view's axes.
+// The end of a curve's shown part, in its view's axes.
 Eigen::Vector3d end_of(const Curve& curve) {
     const auto& points = curve.geometry->points;
     const double last = std::min(curve.last, static_cast<double>(points.size() - 1));
@@ -181,22 +181,22 @@ TEST(Trails, EndAtTheContactPoint) {
             ASSERT_EQ(view.curves.size(), 2u);
             const double px = staged.stage.data().panels.front().units_per_px;
             for (const Curve& curve : view.curves) {
-                // The polyline is within half of accuracy_px = 0.1 of the path; its points are
-                // timed evenly between two of them, which costs a few times that. Measured 0.3.
+                // The polyline is within half of accuracy_px = 0.1 of the path; between two points
+                // the time is interpolated linearly, which adds a few times that. Measured 0.3.
                 EXPECT_LT((end_of(curve) - view.dots.at(0).at).norm() / px, 1.0) << kind << t;
             }
         }
     }
 }
 
-TEST(Trails, ShowWhatTheyAreAskedFor) {
+TEST(Trails, ShowTheRequestedPart) {
     Scene scene = rolling_scene({"polhode"});
     scene.trail.polhode = "history";
     const StagedScene history(scene, 40.0);
     const auto shown = [](const View& view) {
         return view.curves.at(0).last - view.curves.at(0).first;
     };
-    // It grows, and is whole from one period on.
+    // It grows, and is complete after one period.
     EXPECT_LT(shown(view_at(history, 1.0)), shown(view_at(history, 2.0)));
     EXPECT_LT(shown(view_at(history, 5.0)), shown(view_at(history, 9.0)));
     EXPECT_NEAR(shown(view_at(history, 12.0)), shown(view_at(history, 21.3)), 0.5);
@@ -209,7 +209,7 @@ TEST(Trails, ShowWhatTheyAreAskedFor) {
     EXPECT_NEAR(old.fade_points, old.last - old.first, 1e-9);
 }
 
-TEST(DirectionMarks, PointTheWayTheContactPointRuns) {
+TEST(DirectionMarks, PointInTheDirectionOfTheContactPoint) {
     for (const std::string kind : {"whole", "history"}) {
         Scene scene = rolling_scene({"polhode"});
         scene.trail.polhode = kind;
@@ -218,7 +218,7 @@ TEST(DirectionMarks, PointTheWayTheContactPointRuns) {
         const double t = 7.0;
         const View view = view_at(staged, t);
         ASSERT_GT(view.curves.size(), 4u);
-        // The contact point runs past the marks; the one nearest to it points along its velocity.
+        // The contact point moves past the marks; the nearest one points along its velocity.
         const ConstructionPicture& picture = *staged.stage.data().rolling;
         double least = 1e9;
         double along = 0.0;
@@ -243,7 +243,7 @@ TEST(DirectionMarks, PointTheWayTheContactPointRuns) {
     }
 }
 
-TEST(DirectionMarks, KeepTheirSizeInPixels) {
+TEST(DirectionMarks, HaveAConstantSizeInPixels) {
     for (const double distance : {3.0, 12.0}) {
         Scene scene = rolling_scene({"herpolhode"});
         scene.camera.distance = distance;
@@ -256,27 +256,27 @@ TEST(DirectionMarks, KeepTheirSizeInPixels) {
             const Eigen::Vector2d tip = project(view, mark.placement * Eigen::Vector3d::Zero()).px;
             const Eigen::Vector2d foot =
                 project(view, mark.placement * Eigen::Vector3d(-1.0, 0.0, 0.0)).px;
-            // 9 px at 1080 rows; they lie flat in the picture, so perspective changes nothing.
+            // 9 px at 1080 rows; they are in the picture plane, so that perspective has no effect.
             EXPECT_NEAR((tip - foot).norm(), 9.0 * 360.0 / 1080.0, 1e-6);
         }
     }
 }
 
-TEST(DirectionMarks, OfALongHistoryAreNoMoreThanOfAShortOne) {
+TEST(DirectionMarks, OfALongHistoryAreAsFewAsOfAShortOne) {
     Scene scene = rolling_scene({"herpolhode"});
     scene.trail.direction_marks = true;
     const StagedScene staged(scene, 2000.0);
     EXPECT_LE(view_at(staged, 2000.0).curves.size(), 17u);
 }
 
-TEST(CoPrecessing, SeesThePathOfThePlaneClose) {
+TEST(CoPrecessing, SeesAClosedHerpolhode) {
     Scene scene = rolling_scene({"herpolhode"});
     scene.camera.motion = "co-precessing";
     const StagedScene staged(scene, period_s);
     const auto& points = view_at(staged, period_s).curves.at(0).geometry->points;
-    // After one period it is back where it began; in axes that stand still it is not.
+    // After one period it is back at its start; in fixed axes it is not.
     const Curve whole = view_at(staged, period_s).curves.at(0);
-    // To accuracy_px, within which the polyline is of the path; measured 0.03 px.
+    // To accuracy_px, the polyline's bound; measured 0.03 px.
     const double px = staged.stage.data().panels.front().units_per_px;
     EXPECT_LT((end_of(whole) - points.front()).norm() / px, 0.1);
     scene.camera.motion = "fixed";
