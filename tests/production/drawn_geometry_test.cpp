@@ -1,6 +1,6 @@
-// Where the pixels of a picture lie: the ellipsoid, the polhode on it, the plane and the contact
-// point are drawn alone, measured to a fraction of a pixel, and compared with the two quadrics and
-// a pinhole camera that are worked out here, from nothing of the program's geometry.
+// Positions of a picture's pixels: the ellipsoid, the polhode on it, the plane and the contact
+// point are each drawn alone, measured to a fraction of a pixel, and compared with the two quadrics
+// and a pinhole camera computed here, independently of the program's geometry.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -27,8 +27,9 @@ using Eigen::Vector3d;
 constexpr double pi = std::numbers::pi;
 constexpr double largest_px = 0.1;
 
-// A body at t = 0, where its axes are those of space; the shortest turn takes L along z and half a
-// turn about x takes it down, so that the plane lies below; lengths count the largest half-axis.
+// A body at t = 0, with its axes along those of space; the smallest rotation takes L to z and a
+// half turn about x takes it down, so that the plane is below; lengths are in units of the largest
+// half-axis.
 struct Body {
     Vector3d moments{1.0, 2.0, 2.9};
     Vector3d omega{1.5, 0.3, 0.75};
@@ -51,7 +52,7 @@ struct Body {
         return picture_from_body * x;
     }
 
-    // The outline seen from an eye: where the surface's normal is across the line of sight.
+    // The outline for an eye: the points whose normal is perpendicular to the line of sight.
     Vector3d outline(const Vector3d& eye, double angle) const {
         const Vector3d half_axes = moments.cwiseSqrt().cwiseInverse();
         const Vector3d e = (picture_from_body.inverse() * eye).cwiseQuotient(half_axes);
@@ -81,8 +82,8 @@ class DrawnPixels : public ::testing::Test {
 
 using Level = std::function<double(const Rgba8&)>;
 
-// How far the middle of a stroke lies from a point of the picture, along a direction: the centroid
-// of what stands out from the line between the ends of the stretch.
+// Offset of a stroke's middle from a point of the picture, along a direction: the centroid of the
+// levels above the line between the stretch's ends.
 std::optional<double> stroke_offset(const Image& image, const Vector2d& at, const Vector2d& across,
                                     double reach_px, const Level& level) {
     constexpr int n = 40;
@@ -101,9 +102,9 @@ std::optional<double> stroke_offset(const Image& image, const Vector2d& at, cons
     return moment / sum;
 }
 
-// How far an edge lies from a point, inwards: by as much as the stretch across it is covered less
-// than half. The ellipsoid is nearly opaque at its limb and less so further in: what is covered in
-// full has the greatest level of the stretch, and there is none beyond it.
+// Offset of an edge from a point, inwards: from the area of the stretch that is covered by more or
+// less than half. The ellipsoid is nearly opaque at its limb and less opaque further in: the
+// greatest level of the stretch is full coverage, and the background has none.
 double edge_offset(const Image& image, const Vector2d& at, const Vector2d& inwards) {
     constexpr double reach_px = 1.5;
     constexpr int n = 60;
@@ -125,14 +126,15 @@ const Vector3d target(0.0, 0.0, -0.2);
 const std::vector<Pinhole> cameras{
     {-40.0, 14.0, target}, {140.0, 20.0, target}, {75.0, 35.0, target}};
 
-// Direction across a path of the picture.
+// Direction perpendicular to a path of the picture.
 Vector2d across(const std::function<Vector2d(double)>& path, double angle) {
     return normal_of(path(angle + 1e-4) - path(angle - 1e-4));
 }
 
 constexpr int n_places = 360;
 
-// Whether a path runs 20 pixels clear of its other parts: where it does not, no middle can be told.
+// Whether a path is at least 20 pixels away from its other parts; otherwise its middle cannot be
+// measured.
 bool runs_alone(const std::function<Vector2d(double)>& path, int k) {
     for (int j = 0; j < n_places; ++j) {
         const int apart = std::min((j - k + n_places) % n_places, (k - j + n_places) % n_places);
@@ -142,7 +144,7 @@ bool runs_alone(const std::function<Vector2d(double)>& path, int k) {
     return true;
 }
 
-TEST_F(DrawnPixels, EllipsoidAndPolhodeLieWhereTheirQuadricsDo) {
+TEST_F(DrawnPixels, EllipsoidAndPolhodeAreAtTheirQuadrics) {
     double worst_edge = 0.0;
     double worst_stroke = 0.0;
     for (const Pinhole& camera : cameras) {
@@ -158,8 +160,8 @@ TEST_F(DrawnPixels, EllipsoidAndPolhodeLieWhereTheirQuadricsDo) {
             if (inwards.dot(middle - edge(angle)) < 0.0) inwards = -inwards;
             edges.push_back(edge_offset(ellipsoid, edge(angle), inwards));
         }
-        // Reading between pixels alone is off by up to 0.1 px (standard deviation 0.026), here this
-        // way, there that: three places, 7 px apart, are taken together.
+        // Interpolation between pixels has an error of up to 0.1 px (standard deviation 0.026) of
+        // varying sign: three positions, 7 px apart, are averaged.
         for (std::size_t k = 0; k < edges.size(); ++k) {
             const double mean =
                 (edges[k] + edges[(k + 1) % edges.size()] + edges[(k + 2) % edges.size()]) / 3.0;
@@ -179,12 +181,12 @@ TEST_F(DrawnPixels, EllipsoidAndPolhodeLieWhereTheirQuadricsDo) {
     RecordProperty("worst_edge_px", std::to_string(worst_edge));
     RecordProperty("worst_stroke_px", std::to_string(worst_stroke));
     EXPECT_LT(worst_edge, largest_px);    // measured 0.075
-    EXPECT_LT(worst_stroke, largest_px);  // measured 0.080; its chords are within 0.05 of it
+    EXPECT_LT(worst_stroke, largest_px);  // measured 0.080; its chords are within 0.05
 }
 
-TEST_F(DrawnPixels, PolhodeTouchesTheEllipsoidsOutlineWhereItPassesRoundTheLimb) {
-    // Both as drawn, one measured against the other: a curve that floated off the surface by some
-    // hundredths of a pixel would pass the outline by as much.
+TEST_F(DrawnPixels, PolhodeTouchesTheEllipsoidsOutlineAtTheLimb) {
+    // Both drawn curves are compared with each other: a polhode some hundredths of a pixel above
+    // the surface would cross the outline by as much.
     double worst = 0.0;
     int n_touches = 0;
     for (const Pinhole& camera : cameras) {
@@ -192,7 +194,7 @@ TEST_F(DrawnPixels, PolhodeTouchesTheEllipsoidsOutlineWhereItPassesRoundTheLimb)
         const Image polhode = drawn_alone("polhode", camera);
         const Vector2d middle = camera.pixel_of(Vector3d::Zero());
         const auto path = [&](double angle) { return camera.pixel_of(body_.polhode(angle)); };
-        // Turned from the limb by 0.01 rad it lies 0.00005 of the radius, 0.02 px, within the
+        // At 0.01 rad from the limb, the polhode is 0.00005 of the radius, 0.02 px, inside the
         // outline.
         double sum = 0.0;
         int n = 0;
@@ -227,7 +229,7 @@ TEST_F(DrawnPixels, ContactPointLiesOnThePlane) {
     double worst_contact = 0.0;
     int n_measured = 0;
     for (const Pinhole& camera : cameras) {
-        // The rulings stand 0.2 apart, one through the foot of L each way.
+        // The grid lines are 0.2 apart; in both directions one passes through the foot of L.
         const Image plane = drawn_alone("plane", camera);
         const Level green = [](const Rgba8& pixel) { return pixel.g / 255.0; };
         for (int i = -3; i <= 3; ++i) {
@@ -252,8 +254,8 @@ TEST_F(DrawnPixels, ContactPointLiesOnThePlane) {
     RecordProperty("worst_grid_px", std::to_string(worst_grid));
     RecordProperty("worst_contact_px", std::to_string(worst_contact));
     EXPECT_GT(n_measured, 100);
-    // A point off the plane by h would be seen beside it by h·cos(elevation), on the other side
-    // from behind.
+    // A contact point at height h above the plane would be displaced by h·cos(elevation) in the
+    // picture, in opposite directions from the front and the back.
     EXPECT_LT(worst_grid, largest_px);     // measured 0.061
     EXPECT_LT(worst_contact, largest_px);  // measured 0.002
 }

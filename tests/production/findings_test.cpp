@@ -1,4 +1,5 @@
-// What `check` says of a heavy top, against the closed forms of a start at rest but for its spin.
+// Output of `check` for a heavy top, compared with closed forms for a start with no rate but the
+// spin.
 #include "production/findings.h"
 
 #include <gtest/gtest.h>
@@ -34,9 +35,9 @@ Found top(const std::string& start, const std::string& more = "") {
 
 double number(const Found& found, const std::string& key) { return std::stod(found.at(key)); }
 
-// Let go at θ₀ with nothing but its spin, the axis falls until p_ψ²(u₀ − u) = 2A·Mgl(1 − u²), u
-// being cos θ: what the spin's momentum costs when it precesses is what the fall gave.
-TEST(Findings, OfATopThatIsLetGo) {
+// A top released at θ₀ with only its spin falls until p_ψ²(u₀ − u) = 2A·Mgl(1 − u²), where u = cos
+// θ: by conservation of energy and p_φ.
+TEST(Findings, OfAReleasedTopAreItsLimits) {
     const double theta = 0.7, omega3 = 8.0, p = C * omega3, u0 = std::cos(theta);
     const double q = p * p / (2.0 * A * Mgl);
     const double u = q / 2.0 - std::sqrt(q * q / 4.0 - q * u0 + 1.0);
@@ -54,15 +55,15 @@ TEST(Findings, OfATopThatIsLetGo) {
     }
 }
 
-// Upright, (Cω₃)² against 4A·Mgl decides.
-TEST(Findings, OfATopThatSleeps) {
+// An upright top is stable depending on (Cω₃)² compared with 4A·Mgl.
+TEST(Findings, OfASleepingTopSayWhetherItIsStable) {
     EXPECT_EQ(top("theta_rad = 0.0\nomega3_rad_s = 4.0").at("top_regime"), "\"sleeping\"");
     EXPECT_EQ(top("theta_rad = 0.0\nomega3_rad_s = 3.9").at("top_regime"),
               "\"sleeping, unstable\"");
 }
 
-// Of a body without two equal moments no closed form is claimed.
-TEST(Findings, OfABodyThatIsNoTop) {
+// For a body without two equal moments no closed form is reported.
+TEST(Findings, OfAnAsymmetricBodyHaveNoClosedForm) {
     const Found found = found_of(
         "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [3.0, 0.0, 4.0]\n"
         "[torque]\nkind = \"constant_body\"\ntorque_body_N_m = [0.0, 0.1, 0.0]\n"

@@ -1,4 +1,5 @@
-// The default of --jobs: from numbers of the machine and the film alone, here made up.
+// The default of --jobs as a function of the machine's and the film's properties, with made-up
+// values.
 #include "production/parts/job_choice.h"
 
 #include <gtest/gtest.h>
@@ -15,31 +16,31 @@ FilmWork film(std::int64_t n_frames, int width_px, int height_px,
     return {n_frames, width_px, height_px, quality, output};
 }
 
-TEST(JobChoice, TakesEveryCoreForALongFilm) {
+TEST(JobChoice, UsesEveryCoreForALongFilm) {
     EXPECT_EQ(choose_jobs(film(480, 1920, 1080), two_cores).n_jobs, 2);
     EXPECT_EQ(choose_jobs(film(480, 1920, 1080), two_cores).n_threads, 1);
     EXPECT_EQ(choose_jobs(film(16 * 120, 1920, 1080), sixteen_cores).n_jobs, 16);
     EXPECT_EQ(choose_jobs(film(480, 1920, 1080), {1, 8000}).n_jobs, 1);
 }
 
-// Four chunks on sixteen cores: four jobs, and the cores left over draw with them.
-TEST(JobChoice, GivesCoresWithoutAChunkToTheOthers) {
+// Four chunks on sixteen cores: four jobs, which share the remaining cores.
+TEST(JobChoice, DistributesRemainingCores) {
     const JobChoice choice = choose_jobs(film(4 * 120, 1920, 1080), sixteen_cores);
     EXPECT_EQ(choice.n_jobs, 4);
     EXPECT_EQ(choice.n_threads, 4);
     EXPECT_EQ(choose_jobs(film(120, 1920, 1080), sixteen_cores).n_jobs, 1);
-    // Pictures have a seam after each.
+    // Sequences of pictures can be divided at any frame.
     EXPECT_EQ(choose_jobs(film(120, 1920, 1080, "f_###.png"), sixteen_cores).n_jobs, 10);
 }
 
-TEST(JobChoice, DrawsTinyFilmsWithOneProcess) {
+TEST(JobChoice, DrawsTinyFilmsInOneProcess) {
     EXPECT_EQ(choose_jobs(film(240, 96, 54), sixteen_cores).n_jobs, 1);
     EXPECT_EQ(choose_jobs(film(240, 320, 180), two_cores).n_jobs, 1);
     EXPECT_EQ(choose_jobs(film(60, 320, 180, "f_##.png"), two_cores).n_jobs, 1);
     EXPECT_GT(choose_jobs(film(36000, 96, 54), two_cores).n_jobs, 1);
 }
 
-TEST(JobChoice, KnowsWhatOneProcessPutsTogether) {
+TEST(JobChoice, ConsidersFormatsThatOneProcessAssembles) {
     for (const char* output : {"a.gif", "a.md5", "a.png", "null", "-.gif", "/dev/stdout.gif"})
         EXPECT_EQ(choose_jobs(film(4800, 1920, 1080, output), sixteen_cores).n_jobs, 1) << output;
     EXPECT_EQ(choose_jobs(film(4800, 1920, 1080, "a.webm"), two_cores).n_jobs, 1);
@@ -48,7 +49,7 @@ TEST(JobChoice, KnowsWhatOneProcessPutsTogether) {
 }
 
 TEST(JobChoice, LeavesHalfOfTheMemory) {
-    // 1,089 MiB each at 3840 × 2160.
+    // 1,089 MiB per process at 3840 × 2160.
     const JobChoice choice = choose_jobs(film(4800, 3840, 2160), {16, 9000});
     EXPECT_EQ(choice.n_jobs, 4);
     EXPECT_LE(choice.memory_MiB, 4500);
@@ -58,7 +59,7 @@ TEST(JobChoice, LeavesHalfOfTheMemory) {
               2 * choose_jobs(film(4800, 1920, 1080), two_cores).memory_MiB);
 }
 
-// Never more jobs for a smaller film, and never more than cores or chunks.
+// The number of jobs grows with the film, and never exceeds the numbers of cores and chunks.
 TEST(JobChoice, GrowsWithTheFilm) {
     int last = 0;
     for (std::int64_t n_frames = 1; n_frames < 100000; n_frames = n_frames * 5 / 4 + 1) {
@@ -71,7 +72,7 @@ TEST(JobChoice, GrowsWithTheFilm) {
     EXPECT_EQ(last, 16);
 }
 
-TEST(JobChoice, IsSaidInWords) {
+TEST(JobChoice, IsDescribedInWords) {
     EXPECT_EQ(in_words(choose_jobs(film(480, 1920, 1080), two_cores)),
               "2 processes, each drawing with one thread, about 724 MiB together");
 }

@@ -1,5 +1,5 @@
-// Films and stills are made without a command line: a session and a request in, files and words
-// out.
+// Films and stills without a command line: input is a session and a request, output is files and
+// messages.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -27,7 +27,7 @@ Session small_session() {
         "a.toml", std::vector<std::string>{"film.size=[96, 54]"}));
 }
 
-// All that a job has told, in order.
+// All messages of a job, in order.
 struct Heard {
     std::vector<std::string> words;
     Telling telling() {
@@ -45,7 +45,7 @@ std::string text_of_file(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-TEST(FilmJob, TellsItsFramesInOrderAndItsBoundAtTheEnd) {
+TEST(FilmJob, ReportsItsFramesInOrderAndItsBoundAtTheEnd) {
     const TemporaryFolder folder;
     const Session session = small_session();
     const FilmJob job(session, {(folder / "a.md5").string(), {{3, 5}}});
@@ -61,8 +61,8 @@ TEST(FilmJob, TellsItsFramesInOrderAndItsBoundAtTheEnd) {
     EXPECT_EQ(heard.words[5].rfind("within ", 0), 0u) << heard.words[5];
 }
 
-// The same three frames of the film, whoever asks for them and whatever is told.
-TEST(FilmJob, MakesTheFramesAskedFor) {
+// Requested frames are the same as in the whole film, with any callbacks.
+TEST(FilmJob, MakesTheRequestedFrames) {
     const TemporaryFolder folder;
     const Session session = small_session();
     Easel easel;
@@ -75,12 +75,12 @@ TEST(FilmJob, MakesTheFramesAskedFor) {
     EXPECT_FALSE(std::filesystem::exists(folder / "part_0006.png"));
 }
 
-TEST(FilmJob, RefusesFramesBeyondTheFilmBeforeAnythingIsOpened) {
+TEST(FilmJob, RejectsFramesOutsideTheFilmBeforeOpeningAnything) {
     const Session session = small_session();
     EXPECT_THROW(FilmJob(session, {"", {{0, 10}}}), InputError);
 }
 
-TEST(StillJob, TellsThePictureOnceItIsThere) {
+TEST(StillJob, ReportsThePictureWhenItIsComplete) {
     const TemporaryFolder folder;
     Easel easel;
     StillWriter writer;
@@ -95,7 +95,7 @@ TEST(StillJob, TellsThePictureOnceItIsThere) {
     EXPECT_EQ(read_record(folder / "a.png").time_s, 0.5);
 }
 
-TEST(StillJob, RefusesNamesAndDepthsThatNoPngHas) {
+TEST(StillJob, RejectsNamesAndDepthsThatNoPngHas) {
     EXPECT_THROW(StillJob(small_session(), {.output = "a.mp4"}), InputError);
     EXPECT_THROW(StillJob(small_session(), {.bit_depth = 12}), InputError);
 }

@@ -1,4 +1,4 @@
-// What keeps two records from being of one film's parts.
+// Reasons why two records do not belong to parts of the same film.
 #include "production/parts/kinship.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ Record record() {
     return record;
 }
 
-TEST(Kinship, IsBrokenByAllThatPixelsDependOn) {
+TEST(Kinship, NeedsAllFieldsThatPixelsDependOn) {
     const std::vector<std::pair<std::function<void(Record&)>, const char*>> changes{
         {[](Record& r) { r.version = "2"; }, "versions of poinsot differ: 1 and 2"},
         {[](Record& r) {
@@ -50,7 +50,7 @@ TEST(Kinship, IsBrokenByAllThatPixelsDependOn) {
         EXPECT_NE(difference_of(record(), other).find(words), std::string::npos)
             << difference_of(record(), other);
     }
-    // Pictures of one sequence differ in these alone.
+    // Pictures of one sequence differ only in these fields.
     Record other = record();
     other.frame = 7;
     other.pixels = "p";

@@ -1,4 +1,4 @@
-// Films that run into themselves: the frame after the last would be the first.
+// Looping films: the frame after the last equals the first.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Session session_from(const std::string& text) {
         parse_scene(motion + text, "a.toml", std::vector<std::string>{"film.size=[240, 136]"}));
 }
 
-// Largest difference of any component of any pixel, in levels.
+// Largest difference of any component of any pixel, in levels of 255.
 int largest_difference(const Image& a, const Image& b) {
     EXPECT_EQ(a.bytes().size(), b.bytes().size());
     int largest = 0;
@@ -33,7 +33,7 @@ int largest_difference(const Image& a, const Image& b) {
 }
 
 struct Ends {
-    int levels_around = 0;  // between the first frame and the one past the last
+    int levels_around = 0;  // between the first frame and the one after the last
     int levels_step = 0;    // between the first frame and the second
 };
 
@@ -52,17 +52,17 @@ Ends ends_of(const std::string& text) {
     return {largest_difference(first, past), largest_difference(first, second)};
 }
 
-TEST(Loop, OfTurnsOverPeriodsRunsIntoItself) {
+TEST(Loop, OfTurnsOverPeriodsIsSeamless) {
     for (const std::string trail : {"history", "fading", "whole"}) {
         const Ends ends = ends_of("[film]\nloop = \"5/3\"\n[trail]\nherpolhode = \"" + trail +
                                   "\"\npolhode = \"" + trail + "\"\n");
         EXPECT_LE(ends.levels_around, 1) << trail;
-        // And the pictures in between are others.
+        // The frames between are different.
         EXPECT_GT(ends.levels_step, 20) << trail;
     }
 }
 
-TEST(Loop, OfAPeriodRunsIntoItselfSeenByATurningCamera) {
+TEST(Loop, OfAPeriodIsSeamlessForATurningCamera) {
     const std::string panels =
         "[[panels]]\nkind = \"space\"\n[[panels]]\nkind = \"plan\"\ncolumn = 1\n"
         "[[panels]]\nkind = \"object\"\ncolumn = 2\n";
@@ -72,8 +72,8 @@ TEST(Loop, OfAPeriodRunsIntoItselfSeenByATurningCamera) {
     EXPECT_GT(ends.levels_step, 20);
 }
 
-TEST(Loop, DoesNotRunIntoItselfSeenByAFixedCamera) {
-    // The claim above would hold of nothing if any period did.
+TEST(Loop, OfAPeriodIsNotSeamlessForAFixedCamera) {
+    // Otherwise the test above would prove nothing.
     const Session session = session_from("[camera]\nmotion = \"co-precessing\"\n");
     Session fixed = session_from("");
     const FilmPlan film = film_plan(session);
@@ -85,9 +85,9 @@ TEST(Loop, DoesNotRunIntoItselfSeenByAFixedCamera) {
     EXPECT_GT(largest_difference(first, past), 20);
 }
 
-TEST(FilmPictures, DoNotDependOnThePicturesBefore) {
-    // What a renderer keeps from picture to picture must be redrawn when it fades or is seen from
-    // elsewhere, and only then: a camera that moves and rests, a plane and a title that come.
+TEST(FilmPictures, DoNotDependOnEarlierPictures) {
+    // Contents cached by the renderer must be redrawn when they fade or the camera moves, and only
+    // then: here a camera that moves and stops, and a plane and a title that fade in.
     const Session session = session_from(
         "[film]\nlength_s = 4\nfps = 4\n[[keyframes]]\nat_s = 1\nview = \"lecture\"\n"
         "[[keyframes]]\nat_s = 2\nview = \"high\"\nspeed = 0\n"
@@ -106,30 +106,30 @@ TEST(FilmPictures, DoNotDependOnThePicturesBefore) {
     }
 }
 
-TEST(Loop, KeepsItsFramesApartEvenly) {
+TEST(Loop, HasEquallySpacedFrames) {
     const Session session = session_from("[film]\nloop = \"5/3\"\nfps = 7\n");
     const FilmPlan film = film_plan(session);
     const double step_s = film.loop_s / static_cast<double>(film.n_frames);
     for (std::int64_t k = 0; k <= film.n_frames; ++k) {
-        // Rounding of a product of two doubles and a sum; measured 4e-15
+        // Rounding of a product of two doubles and a sum; measured 4e-15.
         EXPECT_NEAR(film.time_of(k), static_cast<double>(k) * step_s, 1e-13);
     }
-    // So the steps are as long as the rate says, up to half a frame in the whole film.
+    // The steps agree with the given rate up to half a frame in the whole film.
     EXPECT_NEAR(step_s * 7.0, 1.0, 0.5 / static_cast<double>(film.n_frames));
 }
 
-TEST(Loop, FitsTheLengthGivenAndKeepsSlowMotion) {
+TEST(Loop, FitsTheGivenLengthAndKeepsSlowMotion) {
     const Session session = session_from(
         "[film]\nloop = \"5/3\"\nlength_s = 12\n[[keyframes]]\nat_s = 4\nspeed = 1\n"
         "[[keyframes]]\nat_s = 6\nspeed = 0.2\n[[keyframes]]\nat_s = 10\nspeed = 1\n");
     const FilmPlan film = film_plan(session);
     EXPECT_EQ(film.n_frames, 360);
     EXPECT_NEAR(film.time_of(film.n_frames), film.loop_s, 1e-12 * film.loop_s);
-    // Speeds keep their ratio.
+    // The ratio of speeds is unchanged.
     EXPECT_NEAR(film.clock.speed_at(6.0) / film.clock.speed_at(4.0), 0.2, 1e-12);
 }
 
-TEST(Loop, SaysWhatWasChangedAndByHowMuch) {
+TEST(Loop, ReportsChangesOfTheStartWithTheirSize) {
     const Session session = session_from("[film]\nloop = \"5/3\"\nloop_changes = \"omega_1\"\n");
     ASSERT_EQ(session.scene.notes.size(), 1u);
     const std::string& note = session.scene.notes[0];

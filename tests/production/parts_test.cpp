@@ -1,4 +1,4 @@
-// Pictures drawn part by part, and pictures on no ground.
+// Pictures drawn in parts, and pictures with a transparent background.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace poinsot::testing {
 namespace {
 
-// The default scene's kind of picture, with type over it.
+// A picture such as the default scene's, with text over it.
 StagedScene staged(const std::string& theme, int width_px, int height_px, double line_scale = 0.0) {
     Scene scene = free_scene({1.0, 2.0, 2.9}, {1.5, 0.3, 0.75}, "space");
     scene.title = "A title";
@@ -30,14 +30,14 @@ struct Difference {
     int largest = 0;
     int n_pixels = 0;
     int n_over_a_level = 0;
-    std::array<int, 2> at{};  // of the largest
+    std::array<int, 2> at{};  // of the largest difference
 };
 Difference difference_of(const Image& a, const Image& b) {
     Difference difference;
     for (int y = 0; y < a.height(); ++y) {
         for (int x = 0; x < a.width(); ++x) {
             const Rgba8 p = a.at(x, y), q = b.at(x, y);
-            // Colour counts as much as it is seen.
+            // Colours are weighted with their opacity.
             const auto seen = [&](int c, int d) { return std::abs(c * p.a - d * q.a) / 255; };
             const int off =
                 std::max({seen(p.r, q.r), seen(p.g, q.g), seen(p.b, q.b), std::abs(p.a - q.a)});
@@ -50,7 +50,7 @@ Difference difference_of(const Image& a, const Image& b) {
     return difference;
 }
 
-TEST(Parts, MakeThePictureThatIsDrawnWhole) {
+TEST(Parts, AreIdenticalToTheWholePicture) {
     for (const char* theme : {"light", "transparent"}) {
         const StagedScene scene = staged(theme, 960, 544);
         const Drawing whole = scene.stage.at(5.0);
@@ -65,8 +65,8 @@ TEST(Parts, MakeThePictureThatIsDrawnWhole) {
             }
         }
         const Difference difference = difference_of(at_once, pieced);
-        // Coordinates counted from another corner round otherwise. Measured: 1 level in 38 of
-        // 522,240 pixels.
+        // Coordinates relative to another corner are rounded differently. Measured: 1 level in 38
+        // of 522,240 pixels.
         RecordProperty(std::string(theme) + "_largest", difference.largest);
         RecordProperty(std::string(theme) + "_pixels", difference.n_pixels);
         EXPECT_LE(difference.largest, 2)
@@ -76,8 +76,8 @@ TEST(Parts, MakeThePictureThatIsDrawnWhole) {
     }
 }
 
-TEST(Parts, CutLongMasksWithoutASeam) {
-    // A mask wider than is kept whole, its columns alternating.
+TEST(Parts, SplitLongMasksWithoutASeam) {
+    // A mask wider than a part, with alternating columns.
     GlyphMask mask;
     mask.id = 77001;
     mask.width = 3000;
@@ -99,14 +99,14 @@ TEST(Parts, CutLongMasksWithoutASeam) {
     }
 }
 
-// What lies under a straight-alpha picture shows through in linear light.
+// A straight-alpha colour composited over a background in linear light.
 double over(std::uint8_t colour, std::uint8_t alpha, double ground) {
     const double a = alpha / 255.0;
     return 255.0 * srgb_from_linear(a * linear_from_srgb(colour / 255.0) +
                                     (1.0 - a) * linear_from_srgb(ground));
 }
 
-TEST(TransparentPicture, LaidOnAGroundIsThePictureDrawnOnThatGround) {
+TEST(TransparentPicture, CompositedOverABackgroundEqualsThePictureDrawnOnIt) {
     const StagedScene scene = staged("transparent", 640, 360);
     Drawing drawing = scene.stage.at(5.0);
     const Image picture = renderer().render(drawing);
@@ -128,19 +128,19 @@ TEST(TransparentPicture, LaidOnAGroundIsThePictureDrawnOnThatGround) {
                 const Rgba8 p = picture.at(x, y);
                 const double off = std::abs(over(p.g, p.a, ground) - on_ground.at(x, y).g);
                 // On black, 8 bits of alpha are coarse: a level of 255 in linear light is 13 levels
-                // of a dark colour. There the sum alone is judged.
+                // of a dark colour. There only the sum is compared.
                 if (ground > 0.0) worst = std::max(worst, off);
                 sum += off;
             }
         }
         // Both are dithered by half a level and alpha is rounded. Premultiplied colours would be
-        // too dark by most of a half-covered pixel's light.
+        // too dark by most of the light of a half-covered pixel.
         EXPECT_LE(worst, 3.0) << ground;
         EXPECT_LT(sum / (640.0 * 360.0), 0.8) << ground;
     }
 }
 
-TEST(DeepPicture, AgreesWithEightBitsAndHasMore) {
+TEST(DeepPicture, AgreesWithEightBitsAndHasMoreLevels) {
     Drawing drawing;
     drawing.width_px = 64;
     drawing.height_px = 2048;
@@ -156,28 +156,29 @@ TEST(DeepPicture, AgreesWithEightBitsAndHasMore) {
         n_levels += level != before;
         before = level;
         EXPECT_EQ(deep.samples()[4u * 64u * static_cast<std::size_t>(y) + 3u], 65535);
-        // A dithered level is less than one from the truth.
+        // A dithered level differs by less than one from the exact value.
         EXPECT_LT(std::abs(level / 257.0 - shallow.at(0, y).g), 1.0) << y;
     }
-    // 0.04 of the range in 2048 rows is 1.28 levels of 65535 a row: nearly every row has its own.
+    // 0.04 of the range in 2048 rows is 1.28 levels of 65535 per row: nearly every row has a
+    // different level.
     EXPECT_GT(n_levels, 1500);
 }
 
-// The mean square of the difference in linear light, over the pixels of an edge.
-TEST(WholePicture, HasSmootherEdgesThanFourSamplesAPixel) {
+// The mean square of the difference in linear light, over the edges' pixels.
+TEST(WholePicture, HasSmootherEdgesThanFourSamplesPerPixel) {
     constexpr int width = 480, height = 270, n = 8;
     const StagedScene small = staged("light", width, height);
     const StagedScene large = staged("light", n * width, n * height, n * height / 1080.0);
     Drawing one = small.stage.at(5.0);
     Drawing many = large.stage.at(5.0);
-    // Type is set for its size and is no edge of the geometry.
+    // Text is removed: it is set for its size and is not an edge of the geometry.
     for (Drawing* drawing : {&one, &many})
         for (View& view : drawing->views) view.labels.clear();
     const Image analytic = renderer().render(one);
     const Image fine = renderer().render(many);
 
     const auto linear = [](int level) { return linear_from_srgb(level / 255.0); };
-    // The usual places of four samples in a pixel of 8 × 8.
+    // The usual positions of four samples in a pixel of 8 × 8.
     constexpr std::array<std::array<int, 2>, 4> places{{{3, 1}, {7, 3}, {1, 5}, {5, 7}}};
     double of_analytic = 0.0, of_samples = 0.0;
     for (int y = 0; y < height; ++y) {

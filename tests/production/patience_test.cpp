@@ -1,4 +1,4 @@
-// What a stepped motion will take, told before it is stepped.
+// Estimates of the time that stepping takes.
 #include "production/patience.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@
 namespace poinsot {
 namespace {
 
-// A clock by which each stepping takes a microsecond, but some of them half a second more: what a
-// host takes away from its virtual machine, or others between two looks.
+// A clock by which each stepping takes a microsecond, and some take half a second more: time that a
+// host takes from its virtual machine, or that other processes use.
 double interrupted_clock_s() {
     static int looks = 0;
     static double now_s = 0.0;
@@ -26,8 +26,8 @@ double interrupted_clock_s() {
     return now_s;
 }
 
-// A clock by which setting up takes a hundredth of a second or two, and stepping nothing that it
-// could tell.
+// A clock by which setup takes one or two hundredths of a second, and stepping takes no measurable
+// time.
 double setting_up_clock_s() {
     static int looks = 0;
     static double now_s = 0.0;
@@ -43,9 +43,8 @@ const Scene& stepped_scene() {
     return scene;
 }
 
-// One such interruption of a short part made a second of stepping look like hours, and the scene
-// was refused.
-TEST(SteppingEstimate, IsOfTheMotionAndNotOfABusyMachine) {
+// A single interruption of a short part must not inflate the estimate from a second to hours.
+TEST(SteppingEstimate, IsIndependentOfOtherLoad) {
     EXPECT_LT(stepping_estimate_s(problem_of(stepped_scene()), interrupted_clock_s), 1.0);
 }
 

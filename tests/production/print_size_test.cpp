@@ -1,4 +1,4 @@
-// Sizes on paper as sizes in pixels.
+// Conversion of sizes on paper to pixels.
 #include "production/print_size.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ PrintChoices on_paper(double width_mm, double dpi) {
     return print;
 }
 
-TEST(PrintSize, FollowsFromMillimetresAndDots) {
+TEST(PrintSize, FollowsFromMillimetresAndDpi) {
     // 85 / 25.4 · 600 = 2007.87; 16:9; 600 / 0.0254 m = 23622.05.
     const auto size = print_size_of(on_paper(85.0, 600.0), 1920, 1080);
     ASSERT_TRUE(size);
@@ -26,7 +26,7 @@ TEST(PrintSize, FollowsFromMillimetresAndDots) {
     EXPECT_EQ(size->height_px, 1129);
     EXPECT_NEAR(size->pixels_per_metre, 23622.05, 0.01);
 
-    // A0 upright: 841 mm × 1189 mm.
+    // A0 in portrait format: 841 mm × 1189 mm.
     PrintChoices poster = on_paper(841.0, 300.0);
     poster.height_mm = 1189.0;
     const auto a0 = print_size_of(poster, 1920, 1080);
@@ -36,10 +36,10 @@ TEST(PrintSize, FollowsFromMillimetresAndDots) {
     EXPECT_FALSE(print_size_of({}, 1920, 1080));
 }
 
-TEST(PrintSize, LinesHaveTheirPointsWhateverTheDots) {
+TEST(PrintSize, LinesHaveTheirPointsAtAnyDpi) {
     for (const double dpi : {72.0, 300.0, 600.0, 1200.0}) {
         const auto size = print_size_of(on_paper(85.0, dpi), 1920, 1080);
-        // A polhode of 4 pixels at 1080 rows is 1 point, a label of 34 is 8.5.
+        // A polhode of 4 pixels at 1080 rows is 1 point wide, a label of 34 pixels is 8.5 points.
         EXPECT_NEAR(4.0 * size->line_scale / dpi * 72.0, 1.0, 1e-12);
         EXPECT_NEAR(34.0 * size->line_scale / dpi * 72.0, 8.5, 1e-12);
     }
@@ -57,7 +57,7 @@ std::string refusal(const PrintChoices& print, int width_px = 1920, int height_p
     return "";
 }
 
-TEST(PrintSize, RefusesWhatNoPictureHasByName) {
+TEST(PrintSize, RejectsImpossibleSizesWithTheOptionsName) {
     EXPECT_EQ(refusal(on_paper(9000.0, 600.0)),
               "--width-mm 9000 at 600 dpi makes a side of 212598 pixels; a picture has 16 to 65536 "
               "a side: change --width-mm or --dpi");

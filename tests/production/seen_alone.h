@@ -1,5 +1,5 @@
-// Elements of a scene drawn alone, as `still` draws them but in this process, and the pinhole that
-// they are seen by, worked out with nothing of the program's geometry.
+// Pictures of single elements of a scene, drawn as by `still` but in this process, and a pinhole
+// camera that is computed independently of the program's geometry.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@
 
 namespace poinsot::testing {
 
-// The camera of a picture of 1920 × 1080, or of so many times its pixels a side.
+// The camera of a picture of 1920 × 1080 pixels, or of `scale` times as many per side.
 struct Pinhole {
     double azimuth_deg = 0.0, elevation_deg = 0.0;
     Eigen::Vector3d target = Eigen::Vector3d::Zero();
@@ -34,7 +34,7 @@ struct Pinhole {
         return {std::cos(h) * std::cos(a), std::cos(h) * std::sin(a), std::sin(h)};
     }
     Eigen::Vector3d eye() const { return target + distance * towards_eye(); }
-    // x to the right, y down, pixel centres at halves.
+    // x to the right, y down, pixel centres at half-integers.
     Eigen::Vector2d pixel_of(const Eigen::Vector3d& point) const {
         const Eigen::Vector3d forward = -towards_eye();
         const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
@@ -56,8 +56,8 @@ struct Pinhole {
     }
 };
 
-// Elements of a scene, as "contact", "omega" in quotes, at an instant and on no ground. `plane` is
-// "below" or "above".
+// Elements of a scene, such as "contact", "omega" in quotes, at an instant and with a transparent
+// background. `plane` is "below" or "above".
 inline Image seen_alone(Easel& easel, const std::string& scene, const std::string& elements,
                         double time_s, const std::string& plane, const Pinhole& camera) {
     std::vector<std::string> settings = camera.settings();
@@ -73,7 +73,7 @@ inline Image seen_alone(Easel& easel, const std::string& scene, const std::strin
 
 inline double alpha(const Rgba8& pixel) { return pixel.a / 255.0; }
 
-// Between pixel centres, evenly; past the outermost as at them.
+// Bilinear interpolation between pixel centres; constant beyond the outermost.
 template <typename Level>
 double level_at(const Image& image, const Eigen::Vector2d& px, const Level& level) {
     const Eigen::Vector2d from = px - Eigen::Vector2d(0.5, 0.5);
@@ -85,7 +85,7 @@ double level_at(const Image& image, const Eigen::Vector2d& px, const Level& leve
            v * ((1.0 - u) * level(image.at(x, y + 1)) + u * level(image.at(x + 1, y + 1)));
 }
 
-// The middle of all that is drawn, which must be so many pixels.
+// The centroid of all that is drawn, which must have at least `least_px` pixels.
 inline Eigen::Vector2d centroid(const Image& image, double least_px) {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     double weight = 0.0;

@@ -1,7 +1,7 @@
-// The construction as it is taught, found in the pixels: from ω and the attitude alone, which
-// `sample` prints, ρ = ω/√(2T), L and the plane n·x = √(2T)/L are worked out here, with nothing of
-// the program's geometry or signs, and looked for in pictures of single elements seen by a pinhole.
-// Source of the construction: Goldstein, Classical Mechanics §5.6.
+// The construction as in textbooks, measured in the pixels: from ω and the attitude alone, which
+// `sample` prints, ρ = ω/√(2T), L and the plane n·x = √(2T)/L are computed here, independently of
+// the program's geometry and signs, and compared with pictures of single elements seen by a pinhole
+// camera. Source of the construction: Goldstein, Classical Mechanics §5.6.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,8 @@ using Eigen::Vector3d;
 constexpr double pi = std::numbers::pi;
 constexpr double largest_px = 0.1;
 
-// A torque-free body and an instant at which its contact lies to the side for the camera below.
+// A torque-free body and an instant at which its contact is to the side of the picture for the
+// camera below.
 struct Turning {
     Vector3d moments;
     Vector3d omega;
@@ -63,7 +64,7 @@ RotationState state_of(const Turning& body) {
     return session_of(parse_scene(scene_of(body), "scene.toml")).motion.at(body.time_s);
 }
 
-// The construction in picture axes: z upwards, lengths over the largest half-axis.
+// The construction in picture axes: z up, lengths in units of the largest half-axis.
 struct Taught {
     Matrix3d picture_from_body;
     Vector3d rho, omega, normal;
@@ -75,8 +76,8 @@ struct Taught {
         const Vector3d momentum_body = body.moments.cwiseProduct(state.omega_body);
         const Vector3d momentum = space_from_body * momentum_body;
         const double two_T = state.omega_body.dot(momentum_body);
-        // The shortest turn takes L upwards; where the plane lies below, half a turn about x
-        // follows: two rotations.
+        // The smallest rotation takes L to z; if the plane is below, a half turn about x follows:
+        // both are rotations.
         Matrix3d picture_from_space = least_turn(momentum, Vector3d::UnitZ()).toRotationMatrix();
         if (below) {
             picture_from_space =
@@ -97,10 +98,10 @@ double alpha_between(const Image& image, const Vector2d& px) {
     return level_at(image, px, [](const Rgba8& pixel) { return testing::alpha(pixel); });
 }
 
-// The tip of the one arrow drawn: its head is a cone, whose width falls evenly to nothing there; a
-// line through the widths and one through the middles, from the head's forward part, meet the axis.
-// `near`: a point within some pixels of it; `along`: the way the arrow points in the picture;
-// `from`, `to`: the part of the head that is read, in pixels before that point.
+// The tip of the only arrow in the picture: its head is a cone, whose width decreases linearly to
+// zero at the tip; a line fitted to the widths and one fitted to the middles of the head's front
+// part give the tip. `near`: a point within some pixels of the tip; `along`: the arrow's direction
+// in the picture; `from`, `to`: the measured part of the head, in pixels before that point.
 Vector2d tip_of(const Image& image, const Vector2d& near, const Vector2d& along, double from = 20.0,
                 double to = 6.0) {
     const Vector2d across(-along.y(), along.x());
@@ -140,7 +141,7 @@ double row_of_plane(const Image& image, double column) {
     return sum / weight;
 }
 
-// The azimuth from which a vector is seen most from its side.
+// The azimuth from which a vector is seen most nearly from the side.
 double azimuth_beside(const Vector3d& vector) {
     return std::atan2(vector.y(), vector.x()) * 180.0 / pi - 90.0;
 }
@@ -155,12 +156,12 @@ TEST(TaughtConstruction, TipOfRhoContactAndPlaneMeetInThePixels) {
         const RotationState state = state_of(body);
         for (const std::string plane : {"below", "above"}) {
             const Taught taught(body, state, plane == "below");
-            // ρ ends on the ellipsoid and on the plane: it is what `sample` says of ω.
+            // ρ ends on the ellipsoid and on the plane, and agrees with ω as printed by `sample`.
             ASSERT_NEAR(taught.rho.dot(taught.normal), taught.distance, 1e-12);
             ASSERT_EQ(taught.normal.z() < 0.0, plane == "below");
 
-            // The camera lies in the plane, but for a twentieth of a degree up and down: the mean
-            // of both is the plane's own row.
+            // The camera is in the plane, except for a twentieth of a degree up and down: the mean
+            // of both is the plane's row.
             Vector2d dot = Vector2d::Zero();
             Vector2d tip = Vector2d::Zero();
             double row = 0.0;
@@ -194,7 +195,7 @@ TEST(TaughtConstruction, TipOfRhoContactAndPlaneMeetInThePixels) {
     EXPECT_LT(worst_row, largest_px);
 }
 
-// What lies beside a line on one side, if it is even there: no ruling, limb or other line is near.
+// The background on one side of a line, if it is uniform: no ruling, limb or other line is near.
 std::optional<double> even_beside(const Image& image, const Vector2d& middle, const Vector2d& way,
                                   double width_px) {
     double least = 1.0, most = 0.0;
@@ -206,8 +207,8 @@ std::optional<double> even_beside(const Image& image, const Vector2d& middle, co
     return alpha_between(image, middle + 1.5 * width_px * way);
 }
 
-// Where a line that stands alone crosses a stretch, in pixels from its middle: between both its
-// sides at half height, whatever pale surface lies on either side of it.
+// Where a separate line crosses a stretch, in pixels from its middle: between both sides at half
+// height, for any pale surfaces beside the line.
 std::optional<double> line_offset(const Image& image, const Vector2d& at, const Vector2d& across,
                                   double width_px) {
     constexpr double step = 0.2;
@@ -242,7 +243,7 @@ std::optional<double> line_offset(const Image& image, const Vector2d& at, const 
     return 0.5 * sum;
 }
 
-// How near the picture of a circle through a point about an axis comes to a pixel.
+// Distance in the picture of a pixel from a circle through a point about an axis.
 double nearest_on(const Pinhole& camera, const Vector3d& axis, const Vector3d& through,
                   const Vector2d& px) {
     double nearest = 1e9;
@@ -253,8 +254,7 @@ double nearest_on(const Pinhole& camera, const Vector3d& axis, const Vector3d& t
     return nearest;
 }
 
-// The conic that comes nearest to many points of a picture, in the sense of least squares of
-// x², xy, y², x, y, 1.
+// The conic that best fits many points of a picture, by least squares of x², xy, y², x, y, 1.
 class FittedConic {
     using Terms = Eigen::Matrix<double, 6, 1>;
 
@@ -269,7 +269,7 @@ class FittedConic {
             Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(squares).eigenvectors().col(
                 0);
     }
-    // Where a line meets it, near a point of that line.
+    // Intersection of the conic with a line, near a point of that line.
     Vector2d on_line(Vector2d near, const Vector2d& along) const {
         const auto value = [this](const Vector2d& p) { return terms(p).dot(coefficients_); };
         for (int round = 0; round < 20; ++round) {
@@ -292,8 +292,8 @@ class FittedConic {
     Terms coefficients_;
 };
 
-// Readings of the rim of a cone from the picture's centre through the tip of ρ, a degree apart:
-// where its line is, and how far that is from the circle about the axis.
+// Measurements of a cone's rim from the picture's centre through the tip of ρ, in steps of a
+// degree: the position of the line, and its distance from the circle about the axis.
 struct RimReadings {
     std::vector<Vector2d> points;
     double worst_px = 0.0;
@@ -309,9 +309,9 @@ RimReadings readings_of_rim(const Image& cones, const Pinhole& camera, const Vec
         };
         const double degrees = static_cast<double>(k) + 0.5;
         const Vector2d at = camera.pixel_of(rim_at(degrees));
-        // Where the other rim is near, no line stands alone.
+        // Near the other rim, the line is not separate.
         if (nearest_on(camera, other, rho, at) < 14.0 * camera.scale) continue;
-        // Where the rim runs along the cone's limb there are two lines in one.
+        // Where the rim is at the cone's limb, two lines coincide.
         const Vector3d point = rim_at(degrees);
         const Vector3d sight = (point - camera.eye()).normalized();
         const Vector3d normal = point.cross(axis.cross(point)).normalized();
@@ -325,7 +325,7 @@ RimReadings readings_of_rim(const Image& cones, const Pinhole& camera, const Vec
     }
     RimReadings readings;
     for (std::size_t k = 0; k < offsets.size(); ++k) {
-        // What ends the readings, the limb of the other cone among them, is felt two degrees off.
+        // Disturbances, such as the limb of the other cone, affect measurements within two degrees.
         bool stands_alone = true;
         for (const std::size_t step : {0U, 1U, 2U, 358U, 359U})
             stands_alone = stands_alone && offsets[(k + step) % offsets.size()].has_value();
@@ -336,8 +336,8 @@ RimReadings readings_of_rim(const Image& cones, const Pinhole& camera, const Vec
     return readings;
 }
 
-// The shaft of the one arrow drawn: a point of it near the tip, and its direction, through the
-// middles of its cover across.
+// The shaft of the only arrow in the picture: a point near the tip, and its direction, from the
+// middles of its cross-sections.
 struct ArrowLine {
     Vector2d at, along;
 };
@@ -360,10 +360,10 @@ ArrowLine line_of_arrow(const Image& image, const Vector2d& tip, const Vector2d&
 
 TEST(TaughtConstruction, BothConesShareTheGeneratorThatOmegaRunsAlong) {
     Easel easel;
-    // The rims are read in a picture of four times the pixels a side, where their lines are eight
-    // pixels wide; all is counted in pixels of 1920 × 1080. Measured: every one of 1,559 readings
-    // within 0.031 px; both rims, ω's line and its tip meet in the contact within 0.043 px. With
-    // the body cone 0.2 px longer: 0.25 and 0.19.
+    // The rims are measured in a picture with four times as many pixels per side, where their lines
+    // are eight pixels wide; results are in pixels of 1920 × 1080. Measured: all of 1,559
+    // measurements within 0.031 px; both rims, ω's line and its tip meet at the contact within
+    // 0.043 px. With the body cone 0.2 px longer: 0.25 and 0.19.
     constexpr double scale = 4.0;
     double worst_rim = 0.0;
     double worst_meeting = 0.0;
@@ -382,7 +382,7 @@ TEST(TaughtConstruction, BothConesShareTheGeneratorThatOmegaRunsAlong) {
             const Vector2d here = camera.pixel_of(taught.rho);
             const Vector2d along = (here - camera.pixel_of(Vector3d::Zero())).normalized();
 
-            // ω ends at the contact, whose dot covers seven pixels of its tip.
+            // ω ends at the contact, whose dot would cover seven pixels of its tip.
             const Image omega =
                 seen_alone(easel, scene, "\"omega\", \"contact\"", body.time_s, plane, camera);
             const Vector2d contact =
@@ -392,8 +392,8 @@ TEST(TaughtConstruction, BothConesShareTheGeneratorThatOmegaRunsAlong) {
                 std::max(worst_tip, (tip_of(omega, here, along, 24.0, 10.0) - contact).norm());
             const ArrowLine line = line_of_arrow(omega, here, along);
 
-            // The rims, circles through the tip of ρ about L and about the axis of symmetry, meet
-            // the line of ω there too.
+            // The rims, circles through the tip of ρ about L and about the axis of symmetry, also
+            // meet the line of ω there.
             Pinhole large = camera;
             large.scale = scale;
             const Image cones = seen_alone(easel, scene, "\"cones\"", body.time_s, plane, large);
@@ -422,7 +422,7 @@ TEST(TaughtConstruction, BothConesShareTheGeneratorThatOmegaRunsAlong) {
     EXPECT_LT(worst_contact, largest_px);
 }
 
-// The tip of the arrow of one axis among three, told by its colour: the farthest of its pixels.
+// The tip of one axis's arrow among three, identified by its colour: the farthest of its pixels.
 std::optional<Vector2d> coloured_tip(const Image& image, int channel, const Vector2d& centre) {
     std::vector<std::pair<double, Vector2d>> found;
     for (int y = 0; y < image.height(); ++y) {
@@ -447,7 +447,7 @@ std::optional<Vector2d> coloured_tip(const Image& image, int channel, const Vect
     return sum;
 }
 
-// A point from its pixels in two pictures: where the lines of sight come nearest to each other.
+// A point in space from its pixels in two pictures: where the lines of sight are nearest.
 Vector3d triangulated(const Pinhole& a, const Vector2d& px_a, const Pinhole& b,
                       const Vector2d& px_b) {
     const auto ray = [](const Pinhole& camera, const Vector2d& px) {
@@ -462,7 +462,7 @@ Vector3d triangulated(const Pinhole& a, const Vector2d& px_a, const Pinhole& b,
     const Vector3d from_b = b.eye();
     const Vector3d u = ray(a, px_a);
     const Vector3d v = ray(b, px_b);
-    // Their distance is least where it is across both.
+    // Their distance is least where it is perpendicular to both.
     const Vector3d between = from_b - from_a;
     const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
     const double at_u = (vv * u.dot(between) - uv * v.dot(between)) / (uu * vv - uv * uv);
@@ -472,8 +472,8 @@ Vector3d triangulated(const Pinhole& a, const Vector2d& px_a, const Pinhole& b,
 
 TEST(TaughtConstruction, ThePictureIsARotationOfTheMotion) {
     Easel easel;
-    // Seen from two sides, every tip has a place in space. The axes are right-handed, and each tip
-    // moves along ω × r, with ω as drawn.
+    // Tips seen from two sides have known positions in space. The axes are right-handed, and each
+    // tip moves along ω × r, with the drawn ω.
     const Turning body{{1.0, 2.0, 2.9}, {1.5, 0.3, 0.75}, 0.0};
     const std::string scene = scene_of(body);
     Pinhole left{-80.0, 18.0};
@@ -504,7 +504,7 @@ TEST(TaughtConstruction, ThePictureIsARotationOfTheMotion) {
                       0.9)
                 << plane << time_s;
 
-            // ω as drawn: from the middle of the contact's dot, seen from both sides.
+            // The drawn ω: from the centroid of the contact's dot, seen from both sides.
             const Vector3d omega =
                 triangulated(
                     left,
@@ -516,7 +516,7 @@ TEST(TaughtConstruction, ThePictureIsARotationOfTheMotion) {
                 if (!then[i] || !before[i]) continue;
                 const Vector3d velocity = *then[i] - *before[i];
                 const Vector3d expected = omega.cross(*now[i]);
-                // Near the axis a tip hardly moves.
+                // A tip near the axis hardly moves.
                 if (expected.norm() < 0.4) continue;
                 EXPECT_GT(velocity.normalized().dot(expected.normalized()), 0.95)
                     << plane << time_s << " e" << i + 1;

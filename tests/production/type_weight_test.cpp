@@ -1,4 +1,4 @@
-// Type is drawn at the final size, however many samples a pixel has.
+// Text is drawn at the final size, for any number of samples per pixel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ Session session_with_type(const std::string& theme) {
     return session_of(scene);
 }
 
-// The type of a scene's picture by itself, with so many samples to a pixel's side.
+// The text of a scene's picture alone, with this number of samples per side of a pixel.
 class TypeAlone {
  public:
     TypeAlone(const std::string& theme, int samples)
@@ -61,7 +61,7 @@ class TypeAlone {
     Drawing drawing_;
 };
 
-// What the type adds to its ground, summed over all components, of 65,535 levels each.
+// The text's contribution to its background, summed over all components, of 65,535 levels each.
 double ink_of(const std::string& theme, int samples) {
     TypeAlone type(theme, samples);
     const DeepImage with = type.drawn<DeepImage>();
@@ -73,7 +73,7 @@ double ink_of(const std::string& theme, int samples) {
     return sum;
 }
 
-TEST(TypeWeight, IsTheSameAtAnyNumberOfSamples) {
+TEST(TypeWeight, DoesNotDependOnTheNumberOfSamples) {
     for (const char* theme : {"light", "dark"}) {
         const double ink = ink_of(theme, 1);
         ASSERT_GT(ink, 1e7);
@@ -82,7 +82,7 @@ TEST(TypeWeight, IsTheSameAtAnyNumberOfSamples) {
     }
 }
 
-TEST(TypeWeight, IsTheSameInEveryPixel) {
+TEST(TypeWeight, IsEqualInEveryPixel) {
     for (const char* theme : {"light", "transparent"}) {
         const Image one = TypeAlone(theme, 1).drawn<Image>();
         for (const int samples : {2, 3, 4}) {
@@ -90,7 +90,7 @@ TEST(TypeWeight, IsTheSameInEveryPixel) {
             int largest = 0;
             for (int y = 0; y < height_px; ++y) {
                 for (int x = 0; x < width_px; ++x) {
-                    // Straight alpha: colour counts as much as it is seen.
+                    // Straight alpha: colours are weighted with their opacity.
                     const Rgba8 p = one.at(x, y), q = more.at(x, y);
                     const auto seen = [&](int c, int d) {
                         return std::abs(c * p.a - d * q.a) / 255;
@@ -104,7 +104,7 @@ TEST(TypeWeight, IsTheSameInEveryPixel) {
     }
 }
 
-TEST(TypeWeight, IsTheSameInParts) {
+TEST(TypeWeight, IsEqualInParts) {
     for (const int samples : {2, 3}) {
         TypeAlone type("light", samples);
         const Image whole = type.drawn<Image>();
