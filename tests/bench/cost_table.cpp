@@ -1,7 +1,7 @@
-// cost_table [NAME]: what the exact motion costs in every regime, and what stepping costs beside
-// it: the cheapest method, of our table and of Boost.odeint, that keeps the attitude within 1e-6
-// and 1e-12 rad over 100 periods of 60 video frames. With NAME, only the bodies of that name.
-// Processor time, medians of five runs.
+// cost_table [NAME]: the cost of the exact motion in every regime, compared with stepping: the
+// cheapest method, of ours and of Boost.odeint, that keeps the attitude within 1e-6 and 1e-12 rad
+// over 100 periods of 60 video frames. With NAME, only the bodies of that name. Processor time,
+// medians of five runs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ const std::array<FreeBody, 4> spans{{
     {"mild", {2.0, 2.2, 2.5}, {0.3, 0.2, 1.0}},
 }};
 
-// What keeps the compiler from leaving work out.
+// Prevents the compiler from removing computations.
 volatile double sink = 0.0;
 
 double cpu_ns() {
@@ -86,8 +86,8 @@ std::vector<double> frame_times(const FreeBody& c) {
     return times;
 }
 
-// The coarsest rung that meets the target, with its cost a frame; or, where no rung does within the
-// runner's longest run, the least error found.
+// The coarsest setting that meets the target, with its cost per frame; or the least error found, if
+// no setting meets it within the runner's longest run.
 struct Found {
     bool reached = false;
     std::string setting;
@@ -104,7 +104,7 @@ Found coarsest(const Runner& runner, const Attitudes& truth, double target) {
         try {
             error_rad = worst_error(runner.run(rung), truth);
         } catch (const InputError&) {
-            // A step that an implicit method finds no solution for, or that blows up.
+            // A step for which an implicit method finds no solution, or that diverges.
         }
         if (error_rad <= target) {
             const double ns = median_ns([&] { sink = runner.run(rung).back()[0]; });

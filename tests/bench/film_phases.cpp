@@ -1,7 +1,7 @@
-// film_phases PHASE SCENE SIZE SETTINGS N: what one part of making a film costs, as a line of JSON.
-// PHASE: render (frames drawn and dropped), encode (the same frames from memory), film (both at
-// once, as `poinsot render` does it). SETTINGS: a quality's name, or a preset of x264 taken as it
-// is at crf 18. film_bench.py puts the parts together.
+// film_phases PHASE SCENE SIZE SETTINGS N: the cost of one phase of making a film, as a line of
+// JSON. PHASE: render (frames drawn and discarded), encode (the same frames from memory), film
+// (both in parallel, as in `poinsot render`). SETTINGS: a quality's name, or an unmodified preset
+// of x264 at crf 18. film_bench.py combines the phases.
 #include <fmt/format.h>
 #include <malloc.h>
 #include <sys/resource.h>
@@ -29,7 +29,7 @@
 namespace poinsot {
 namespace {
 
-// x264 with a preset of its own, its packets dropped.
+// x264 with a given preset; packets are discarded.
 class PresetSink : public FrameSink {
  public:
     PresetSink(const OutputPlan& plan, const std::string& preset)
@@ -140,7 +140,7 @@ int run(const std::string& phase, const std::string& scene, const std::string& s
     output.quality = settings;
 
     silence_libav();
-    // Shaders are compiled and what stands still is drawn before the clock starts.
+    // Shaders are compiled and static contents are cached before the clock starts.
     for (Image image; const std::int64_t k : {0, 1, 2}) film.draw(k, image);
     std::vector<Image> frames;
     if (phase == "encode") {
@@ -185,7 +185,7 @@ int main(int argc, char** argv) {
         std::fputs("film_phases render|encode|film SCENE WxH QUALITY|PRESET N\n", stderr);
         return 2;
     }
-    // As the program does.
+    // As in the program's main.
     mallopt(M_MMAP_THRESHOLD, 1 << 20);
     try {
         return poinsot::run(argv[1], argv[2], argv[3], argv[4], std::stol(argv[5]));

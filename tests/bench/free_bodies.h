@@ -1,4 +1,4 @@
-// The bodies whose free motion the benchmarks time: one in every regime.
+// The bodies whose free motion is benchmarked: one per regime.
 #pragma once
 
 #include <Eigen/Core>

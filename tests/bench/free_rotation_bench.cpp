@@ -1,5 +1,5 @@
-// What an instant of the exact free motion costs in every regime, near the start and 1e12 s away,
-// and what setting it up costs. cost_table compares it with stepping.
+// The cost of an instant of the exact free motion in every regime, near the start and 1e12 s away,
+// and of its setup. cost_table compares it with stepping.
 #include <benchmark/benchmark.h>
 
 #include <string>

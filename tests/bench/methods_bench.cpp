@@ -1,5 +1,5 @@
-// What the methods cost: a step of each, an evaluation of the heavy top, and a video frame at a
-// given accuracy over 100 periods, beside the exact motion.
+// The cost of the methods: a step of each, an evaluation of the heavy top, and a video frame at a
+// given accuracy over 100 periods, compared with the exact motion.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace poinsot;
 
-// A flipping body, (1,2,3) near the middle axis, and a mild one.
+// A flipping motion, of moments (1,2,3) near the middle axis, or a mild one.
 MotionProblem body(bool flipping) {
     MotionProblem problem;
     problem.inertia = InertiaTensor::from_principal_moments(
@@ -70,7 +70,7 @@ bool choose_setting(MotionProblem& problem, const Method& method, double target,
         try {
             if (worst_attitude_error(problem, times) <= target) return true;
         } catch (const std::exception&) {
-            continue;  // a step too long for an implicit method
+            continue;  // too long a step for an implicit method
         }
     }
     return false;

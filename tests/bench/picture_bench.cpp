@@ -1,5 +1,5 @@
-// CPU time of a video frame, all threads counted: without each element in turn, by stage, and
-// against the number of pixels, panels and points of the curves.
+// CPU time of a video frame, all threads included: with each element omitted in turn, by stage, and
+// depending on the number of pixels, panels and points of the curves.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -58,7 +58,8 @@ void draw(benchmark::State& state, const std::vector<std::string>& overrides) {
     for ([[maybe_unused]] auto _ : state) film.draw();
 }
 
-// From a frame on, of a film of an hour: the herpolhode is that long. segments: drawn a frame.
+// Draws frames of a film of an hour from this frame on: the herpolhode is that long. segments:
+// drawn per frame.
 void draw_late(benchmark::State& state, std::int64_t frame) {
     Film film({"film.duration_s=3600"}, frame);
     for ([[maybe_unused]] auto _ : state) film.draw();

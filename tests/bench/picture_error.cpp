@@ -1,11 +1,11 @@
-// picture_error SCENE [SIZE]: how far the picture is from one of 64 samples a pixel, beside what
-// four samples a pixel reach on the same scene.
+// picture_error SCENE [SIZE]: the difference of the picture from one with 64 samples per pixel,
+// compared with that of four samples per pixel.
 //
 // The reference is drawn eight times as large and averaged in linear light. The four samples are
-// those of its pixels that lie where llvmpipe, as most of the field, puts the four of multisampling
-// (a rotated grid). Multisampling shades only once a pixel, so its lines within a surface are
-// coarser than this: the comparison favours it. Type is left out: it is the same however many
-// samples a pixel has.
+// those of its pixels at the positions of llvmpipe's multisampling (a rotated grid), which is the
+// usual choice. Multisampling shades only once per pixel, so that its lines inside surfaces are
+// coarser than here: the comparison favours it. Text is omitted: it does not depend on the number
+// of samples.
 #include <fmt/format.h>
 
 #include <array>
@@ -24,7 +24,7 @@ namespace {
 
 using namespace poinsot;
 
-constexpr int side = 8;  // samples of the reference along a pixel's side
+constexpr int side = 8;  // samples of the reference per side of a pixel
 
 double linear(int level) {
     const double x = level / 255.0;
@@ -34,7 +34,7 @@ double encoded(double x) {
     return 255.0 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055);
 }
 
-// Squared differences, in levels, over the pixels that count.
+// Squared differences, in levels, over the counted pixels.
 struct Sum {
     double square = 0.0, edge_square = 0.0;
     long n = 0, n_edge = 0;

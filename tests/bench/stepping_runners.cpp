@@ -108,7 +108,7 @@ Runner odeint_dopri5(const FreeBody& body, const std::vector<double>& times_s) {
     return runner;
 }
 
-// Whole steps from frame to frame, one more a frame at each rung.
+// An integral number of steps between frames, one more at each finer setting.
 template <typename Number, template <typename...> typename Stepper>
 Runner odeint_fixed(std::string name, const FreeBody& body, const std::vector<double>& times_s) {
     Runner runner;

@@ -1,5 +1,5 @@
-// Ways to step a free motion through the video frames of a span, each with a ladder of settings
-// from coarse to fine: the methods of our table and what a user of Boost.odeint writes.
+// Ways to step a free motion through the video frames of a span, each with settings from coarse to
+// fine: our methods and typical code with Boost.odeint.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,8 +18,8 @@ using Attitudes = std::vector<Eigen::Vector4d>;
 
 struct Runner {
     std::string name;
-    double longest_run_s = 0.3;  // processor time of a run after which no finer setting is tried
-    std::function<std::optional<std::string>(int rung)> setting;  // empty past the ladder's end
+    double longest_run_s = 0.3;  // processor time of a run after which finer settings are skipped
+    std::function<std::optional<std::string>(int rung)> setting;  // empty after the finest setting
     std::function<Attitudes(int rung)> run;
 };
 
@@ -28,7 +28,8 @@ Attitudes attitudes_of(const Motion& motion, const std::vector<double>& times_s)
 // The largest angle between two attitudes at a frame, in rad; infinite if one is not finite.
 double worst_error(const Attitudes& a, const Attitudes& b);
 
-// All of them, for this body and these times from 0 on; frames_a_period says how dense they are.
+// All runners for this body and these times from 0 on; frames_a_period: number of frames per
+// period.
 std::vector<Runner> runners_for(const FreeBody& body, const std::vector<double>& times_s,
                                 std::size_t frames_a_period);
 
