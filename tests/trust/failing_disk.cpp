@@ -17,7 +17,7 @@
 namespace poinsot::testing {
 namespace {
 
-std::mutex mutex;  // guards all below
+std::mutex mutex;  // guards the variables below
 std::string watched;
 DiskFault fault;
 std::int64_t n_calls = 0, n_names = 0, n_bytes_left = 0;
@@ -33,7 +33,7 @@ bool is_below(const char* path) {
     return !watched.empty() && std::strncmp(path, watched.c_str(), watched.size()) == 0;
 }
 
-// What a call that changes something ends with: 0 if it may go on, or an error number.
+// The result of a modifying call: 0 if it may proceed, or an error number.
 int verdict() {
     ++n_calls;
     if (fault.kind == DiskFault::Kind::kill && n_calls >= fault.n) {
@@ -70,7 +70,7 @@ bool is_watched(int descriptor) {
            is_watched_file[static_cast<std::size_t>(descriptor)];
 }
 
-// A call on a name; `renames` gives a file its name.
+// A call with a file name; `renames`: whether the call gives a file its final name.
 template <typename Call>
 int on_name(const char* path, bool renames, const Call& call) {
     const std::lock_guard lock(mutex);
@@ -113,7 +113,8 @@ bool has_struck() {
 
 }  // namespace poinsot::testing
 
-// The C library's names. A write that is cut off by a kill or by a full disk comes through in part.
+// The C library's functions. A write that is interrupted by a kill or a full disk is written in
+// part.
 extern "C" {
 
 ssize_t write(int descriptor, const void* bytes, size_t size) {

@@ -1,5 +1,5 @@
-// A disk that fails as it is told, for all that this process does in one folder: its file system
-// calls are answered here instead of by the C library (failing_disk.cpp defines them).
+// Simulated disk faults for all file accesses of this process in one folder: failing_disk.cpp
+// replaces the file system calls of the C library.
 #pragma once
 
 #include <cstdint>
@@ -7,31 +7,31 @@
 
 namespace poinsot::testing {
 
-// What is to happen, counted in the calls that change something: open for writing, write, fsync,
-// ftruncate, rename, unlink.
+// The fault to simulate. Modifying calls are counted: open for writing, write, fsync, ftruncate,
+// rename, unlink.
 struct DiskFault {
     enum class Kind {
         none,
-        kill,   // from call n on nothing reaches the disk, as if the process had been killed there
-        error,  // call n fails with an error number, once
-        full    // n bytes more can be written, then ENOSPC until the disk is freed
+        kill,   // from call n on nothing reaches the disk, as if the process had been killed
+        error,  // call n fails once, with an error number
+        full    // n more bytes can be written, then ENOSPC until the disk is freed
     };
     Kind kind = Kind::none;
     std::int64_t n = 0;
     int error_number = 0;
 };
 
-// Calls on names that begin with it are counted and fail. Nothing is synced: that is the kernel's
-// affair, and slow.
+// Calls with names that start with `folder` are counted and may fail. fsync does nothing, since it
+// is slow and its effect is the kernel's responsibility.
 void watch_folder(const std::string& folder);
 
-// Sets what happens from now on; the count begins anew. Under Kind::none all is well.
+// Sets the fault from now on and resets the count. Kind::none: no fault.
 void set_fault(const DiskFault& fault);
 
-// Since then: the calls that change something, and the files that got their names.
+// Since then: the number of modifying calls, and the files that got their final names.
 std::int64_t n_disk_calls();
 std::int64_t n_renames();
-// Whether the fault has struck.
+// Whether the fault has occurred.
 bool has_struck();
 
 }  // namespace poinsot::testing

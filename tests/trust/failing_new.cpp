@@ -1,6 +1,6 @@
-// Preloaded by fault_matrix.py: the POINSOT_FAIL_NEW-th allocation that poinsot itself asks of
-// operator new fails, and those after it as well. Libraries get their memory: what LLVM or FFmpeg
-// do without is not ours to mend.
+// Preloaded by fault_matrix.py: makes the POINSOT_FAIL_NEW-th call of operator new by poinsot
+// itself fail, and all later ones. Allocations of libraries succeed: we cannot fix out-of-memory
+// errors in LLVM or FFmpeg.
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <link.h>
@@ -24,14 +24,14 @@ long limit() {
     return value;
 }
 
-// Where the program's own code lies.
+// The address range of the program's own code.
 struct Range {
     std::uintptr_t from = 0, to = 0;
 };
 
 Range program_range() {
     Range range;
-    // The first object told of is the program.
+    // The first object reported is the program.
     dl_iterate_phdr(
         [](dl_phdr_info* info, std::size_t, void* out) {
             for (int i = 0; i < info->dlpi_phnum; ++i) {
@@ -52,8 +52,8 @@ bool in_program(const void* address) {
     return at >= range.from && at < range.to;
 }
 
-// Whether this is one of the standard library's templates that the program shares with all that it
-// loads: LLVM's strings grow in the program's own code.
+// Whether this is an instance of a standard library template that the program shares with its
+// libraries: LLVM's strings grow in the program's own code.
 bool in_shared_template(const void* address) {
     Dl_info info{};
     void* found = nullptr;
@@ -63,7 +63,7 @@ bool in_shared_template(const void* address) {
     return reinterpret_cast<std::uintptr_t>(address) < from + symbol->st_size;
 }
 
-// Whether the program asks. caller: of operator new.
+// Whether the program is the caller. caller: of operator new.
 bool program_asks(const void* caller) {
     if (!in_program(caller)) return false;
     if (!in_shared_template(caller)) return true;
@@ -78,7 +78,7 @@ bool program_asks(const void* caller) {
     return false;
 }
 
-// Nothing fails before main: what is made there is made when the program starts or not at all.
+// No failure before main: static initialisation succeeds or the program does not start.
 std::atomic<bool> in_main{false};
 int (*program_main)(int, char**, char**) = nullptr;
 
@@ -95,7 +95,7 @@ void* allocate(std::size_t size, const void* caller) {
     return std::malloc(size == 0 ? 1 : size);
 }
 
-// With POINSOT_FAIL_NEW=-1 nothing fails, and the number of allocations is told.
+// With POINSOT_FAIL_NEW=-1 nothing fails, and the number of allocations is printed.
 struct Report {
     ~Report() {
         if (limit() < 0) std::fprintf(stderr, "allocations: %ld\n", n_asked.load());
@@ -119,7 +119,7 @@ void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
-// glibc's start of a program, in which main is exchanged for one that tells us of itself.
+// glibc's entry point of a program; main is replaced by a function that marks its start.
 extern "C" int __libc_start_main(int (*main)(int, char**, char**), int argc, char** argv,
                                  void (*init)(), void (*fini)(), void (*end)(), void* stack) {
     using Start = int (*)(int (*)(int, char**, char**), int, char**, void (*)(), void (*)(),

@@ -1,10 +1,10 @@
 // Properties of every kind of output: after any sequence of {run, interrupt, kill, failing call,
-// full disk, freed, change of a setting} on one output there is, under its name, nothing or what an
-// uninterrupted run of one of its settings makes, and the next run that nothing disturbs makes what
-// an uninterrupted run makes, and nothing else is left.
+// full disk, freed, change of a setting} on one output, either no file has its final name or the
+// file is byte-identical to that of an uninterrupted run with one of its settings; the next
+// undisturbed run makes a byte-identical file; and no other files are left.
 //
-// In process, on tiny pictures, with a disk that fails as it is told (failing_disk.h). All is
-// decided by a seed; a sequence that fails is made again by --seed, --kind and --only.
+// Runs in one process, on tiny pictures, with simulated disk faults (failing_disk.h). Everything
+// follows from a seed; --seed, --kind and --only reproduce a failing sequence.
 // Usage: output_sequences [--seed N] [--sequences N] [--kind NAME] [--only K]
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What lies in a folder, by name.
+// The files of a folder, by name.
 using Contents = std::map<std::string, std::string>;
 
 Contents contents_of(const fs::path& folder) {
@@ -52,21 +52,21 @@ Contents contents_of(const fs::path& folder) {
 
 bool is_hidden(const std::string& name) { return name.starts_with('.'); }
 
-// One kind of output with the settings that it may be made with.
+// One kind of output and its settings.
 struct Kind {
     std::string name;
     int n_settings;
-    // Makes it in a folder with one of its settings. n_frames: stops there unfinished, as at
-    // Ctrl-C; nothing: to the end. Throws Error.
+    // Makes the output in a folder with one of its settings. n_frames: stops there unfinished, as
+    // after Ctrl-C; empty: runs to the end. Throws Error.
     std::function<void(const fs::path& folder, int setting, std::optional<int> n_frames)> run;
-    int n_steps;  // of a run, for choosing where to stop
+    int n_steps;  // of a run, for choosing where to stop it
 };
 
 // Films and pictures --------------------------------------------------------------------------
 
 constexpr int n_few = 5, n_many = 125;  // frames: less than a chunk, and more
 
-// Two scenes, and each in few frames or many: the many end in another chunk than they begin.
+// Two scenes, each with few frames or many: many frames are more than one chunk.
 OutputPlan plan_of(const std::string& name, const fs::path& folder, int setting) {
     OutputPlan plan;
     plan.path = folder / name;
@@ -101,7 +101,8 @@ void run_output(const std::string& name, const fs::path& folder, int setting,
     for (std::int64_t k = 0; k < plan.n_frames; ++k) {
         if (sink->has_frame(k)) continue;
         if (n_frames && n_written == *n_frames) {
-            // Frames that wait for a thread would be dropped, or not, as the threads run.
+            // Waits for writer threads; otherwise timing would determine whether pending frames are
+            // dropped.
             const bool numbered = name.find('#') != std::string::npos;
             for (int i = 0; i < 2000 && numbered && n_renames() < n_written && !has_struck(); ++i)
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -124,7 +125,7 @@ Kind output_kind(const std::string& name) {
 
 // Baselines -----------------------------------------------------------------------------------
 
-// Two pictures with their lines, of one of two looks.
+// Approves two pictures, in one of two versions, with their manifest lines.
 void run_approval(const fs::path& source, const fs::path& folder, int setting) {
     BaselineWriter writer(folder);
     std::vector<BaselineWriter::Change> changes;
@@ -168,10 +169,10 @@ class Sequence {
           dice_(std::move(dice)),
           tally_(tally) {}
 
-    // The sentence that says what was wrong, or nothing.
+    // A description of the failure, or empty.
     std::string make() {
         setting_ = any(kind_.n_settings);
-        // Long films take long: most sequences have none.
+        // Films of many frames are slow: most sequences have none.
         if (kind_.n_settings == 4 && any(8) != 0) setting_ %= 2;
         const int n_steps = 2 + any(6);
         for (int k = 0; k < n_steps; ++k) {
@@ -197,7 +198,7 @@ class Sequence {
         set_fault({});
     }
 
-    // What an error said, or nothing.
+    // The message of an error, or empty.
     std::string run(std::optional<int> n_frames) {
         made_with_.insert(setting_);
         try {
@@ -250,10 +251,10 @@ class Sequence {
 
     int expected_n_frames() const { return setting_ >= 2 ? n_many : kind_.n_steps; }
 
-    // A run during which the disk fails, at a call of a run as long as this one would be.
+    // A run with a disk fault, at a random call of a run of this length.
     std::string disturbed(DiskFault::Kind fault, const std::string& name) {
         const int n_calls = setting_ >= 2 ? 5 * n_many : 40;
-        // The first and the last calls are the delicate ones.
+        // The first and the last calls are the most critical ones.
         std::int64_t n = 1 + (any(2) == 0 ? any(12) : any(n_calls));
         if (fault == DiskFault::Kind::full) n = any(2) == 0 ? any(600) : any(6000);
         constexpr std::array<int, 4> errors{ENOSPC, EIO, EDQUOT, EACCES};
@@ -269,8 +270,8 @@ class Sequence {
         if (error.find('\n') != std::string::npos) return "more than a line: " + error;
         if (!struck && !full_ && !error.empty()) return "refused though nothing failed: " + error;
         if (error.empty() && fault != DiskFault::Kind::kill) {
-            // What failed may be what nobody needs; then all is as it should be, but for what could
-            // not be removed.
+            // The failing call may be irrelevant; then everything is correct, except for files that
+            // could not be removed.
             if (visible(contents_of(folder_)) != expected()) return difference();
         }
         return what_is_there();
@@ -281,7 +282,7 @@ class Sequence {
         return contents;
     }
 
-    // Under the names of outputs there is nothing, or what some run makes.
+    // Under the outputs' names there is no file, or one that some run makes.
     std::string what_is_there() const {
         for (const auto& [name, bytes] : visible(contents_of(folder_))) {
             bool right = false;
@@ -290,7 +291,7 @@ class Sequence {
                 const auto found = whole.find(name);
                 right = right || (found != whole.end() && found->second == bytes);
             }
-            // The lines of two looks may stand side by side while pictures are replaced.
+            // While pictures are replaced, the manifest may have lines of both versions.
             if (!right && name != manifest_name)
                 return fmt::format("{} is there, of {} bytes, and is no run's", name, bytes.size());
         }
@@ -346,7 +347,7 @@ Choices choices_of(int argc, char** argv) {
     return choices;
 }
 
-// The same for every machine: one generator a sequence, from seed, kind and number.
+// Identical on every machine: one generator per sequence, from seed, kind and number.
 std::mt19937_64 dice_of(const Choices& choices, const std::string& kind, int number) {
     std::seed_seq seed{static_cast<unsigned>(choices.seed), static_cast<unsigned>(number),
                        static_cast<unsigned>(std::hash<std::string>{}(kind))};

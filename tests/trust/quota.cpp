@@ -1,7 +1,7 @@
-// Preloaded by fault_matrix.py: a disk quota of POINSOT_QUOTA bytes for regular files in the folder
-// POINSOT_QUOTA_FOLDER. The write that passes it comes through in part, those after it fail with
-// EDQUOT; a quota of 0 refuses new files, too, as one on their number does. For kernels without
-// quotas, and for a user whom they do not bind.
+// Preloaded by fault_matrix.py: simulates a disk quota of POINSOT_QUOTA bytes for regular files in
+// the folder POINSOT_QUOTA_FOLDER. The write that exceeds it is done in part, later ones fail with
+// EDQUOT; a quota of 0 also rejects new files, as a limit on their number does. For kernels without
+// quotas, and for users who have none.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -35,7 +35,7 @@ bool in_folder(const char* path) {
     return folder() != nullptr && std::strncmp(path, folder(), std::strlen(folder())) == 0;
 }
 
-// The name by which the kernel knows an open file.
+// Whether an open file is a regular one in the folder, by the kernel's path of it.
 bool counts(int descriptor) {
     struct stat status {};
     if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return false;

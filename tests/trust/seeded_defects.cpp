@@ -1,10 +1,9 @@
-// Prints which seeded defects the default caps of a comparison catch, and that they let the noise
-// of other processors pass. Exit code 1 if one is missed or noise is caught.
+// Prints which seeded defects a comparison with the default limits detects, and checks that it
+// accepts the differences between processors (noise). Exit code 1 if a defect is missed or noise is
+// rejected.
 //
-// Usage: seeded_defects                              all of it; noise also under qemu, if it is
-// there
-//        seeded_defects --draw FOLDER                the pictures of the noise, in the native
-//        profile
+// seeded_defects: all tests; noise also under qemu, if installed.
+// seeded_defects --draw FOLDER: draws the pictures for the noise, in the native profile.
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -33,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In the middle of the motion, while the herpolhode is being drawn.
+// In the middle of the motion, while the herpolhode is growing.
 constexpr double shown_at_s = 3.0;
 constexpr double frame_length_s = 1.0 / 30.0;
 
@@ -56,7 +55,7 @@ Scene scene_named(const std::string& name) {
     return load_scene(source_folder() / "scenes" / (name + ".toml"));
 }
 
-// Sideways by half a pixel, at the distance of the view's target.
+// Half a pixel to the right, at the distance of the view's target.
 Eigen::Vector3d half_pixel(const View& view) {
     const Eigen::Vector3d ahead = view.camera.target - view.camera.eye;
     const double units_per_px = 2.0 * std::tan(view.camera.vertical_field_rad / 2.0) *
@@ -64,14 +63,14 @@ Eigen::Vector3d half_pixel(const View& view) {
     return 0.5 * units_per_px * ahead.cross(view.camera.up).normalized();
 }
 
-// The herpolhode, which lies on the plane.
+// The herpolhode: the curve on the plane.
 Curve* herpolhode_of(View& view) {
     for (Curve& curve : view.curves)
         if (curve.on_plane >= 0) return &curve;
     return nullptr;
 }
 
-// A change of the drawing, as small as a mistake may be.
+// A change of the drawing, as small as a realistic mistake.
 struct Defect {
     std::string name;
     std::function<void(Drawing& drawing, const Stage& stage)> make;
@@ -95,7 +94,7 @@ std::vector<Defect> drawing_defects(std::size_t n_curves) {
         {"herpolhode one frame late", [](Drawing& d, const Stage& stage) {
              Drawing before = stage.at(shown_at_s - frame_length_s);
              herpolhode_of(d.views[0])->last = herpolhode_of(before.views[0])->last;
-             // With the contact point, which lies over the curve's end.
+             // With the original contact point, which covers the curve's end.
              d.views[0].dots = before.views[0].dots;
          }}};
     for (std::size_t i = 0; i < n_curves; ++i)
@@ -107,7 +106,7 @@ std::vector<Defect> drawing_defects(std::size_t n_curves) {
     return defects;
 }
 
-// The largest component of ω by one in its fourth digit.
+// The largest component of ω, changed by one in its fourth digit.
 Scene with_wrong_omega(Scene scene) {
     Eigen::Vector3d& omega = scene.start.omega_rad_s;
     Eigen::Index largest = 0;
@@ -116,7 +115,7 @@ Scene with_wrong_omega(Scene scene) {
     return scene;
 }
 
-// One line of the table. Returns whether it is as it should be.
+// Prints one line of the table. Returns whether the result is as expected.
 bool print_row(const std::string& picture, const std::string& what, const Comparison& found,
                bool must_fail) {
     const auto percent = [&](std::int64_t n) {
@@ -148,8 +147,8 @@ int defects_of(const std::string& name, const Size& size, Renderer& renderer) {
     return n_wrong;
 }
 
-// What is drawn on other processors, all of it in one process on each: under qemu it is the
-// compiling of shaders that takes the time.
+// A picture drawn on other processors. One process draws all of them on each processor: under qemu,
+// compiling the shaders takes most of the time.
 struct NoisePicture {
     const char* name;
     Size size;
@@ -163,7 +162,7 @@ fs::path file_of(const fs::path& folder, const NoisePicture& picture) {
     return folder / fmt::format("{}-{}.png", picture.name, picture.size.width_px);
 }
 
-// This program again, in a process of its own, as another processor ("" for this one).
+// Runs this program in a child process, as another processor ("" for this one).
 bool draw_elsewhere(const std::string& processor, const fs::path& folder) {
     const std::string self = fs::read_symlink("/proc/self/exe");
     std::vector<std::string> words;
@@ -187,7 +186,7 @@ bool draw_elsewhere(const std::string& processor, const fs::path& folder) {
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-// What other processors make of the same scenes, in the native profile.
+// Compares the pictures of other processors, in the native profile.
 int noise(Renderer& renderer) {
     std::vector<Image> good;
     good.reserve(noise_pictures.size());
