@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
-"""The gallery, docs/gallery.md: every scene as a small picture and as vectors, and which still shows which claim of the lecture.
+"""Makes the gallery, docs/gallery.md: every scene as a small picture and as vectors, and a table of the lecture's claims with their
+stills.
 
 Usage: gallery.py draw POINSOT     (or: cmake --build build/release --target gallery)
        gallery.py text             docs/gallery.md alone, from the scene files
-       gallery.py check            exit code 1 unless docs/gallery.md says what the scene files say, and each has its picture
-Draws scenes/*.toml in one process, in the portable profile, into tests/golden/gallery, brings each below 40 kB by a palette
-(pngquant, Debian package of that name), draws each as an SVG beside it, draws the README's pictures, and writes both tables between their marks. A picture's
-caption is its scene's title and the first line of its file. A claim is a comment in the scene file that begins with
-"# Claim (lecture, page 14): " or "# Claims (lecture, pages 6, 8): "; what follows "Seen:" in it is what the picture must show.
+       gallery.py check            exit code 1 unless docs/gallery.md agrees with the scene files, and each scene has its picture
+Draws scenes/*.toml in one process, in the portable profile, into tests/golden/gallery, reduces each picture to less than 40 kB with
+a palette (pngquant, Debian package of that name), draws each as an SVG beside it, draws the README's pictures, and writes both
+tables between their marks. A picture's caption is its scene's title and the first line of its file. A claim is a comment in the
+scene file that begins with "# Claim (lecture, page 14): " or "# Claims (lecture, pages 6, 8): "; the text after "Seen:" in it says
+what the picture must show.
 """
 import pathlib
 import re
@@ -21,16 +23,16 @@ GALLERY = ROOT / "tests" / "golden" / "gallery"
 README_PICTURES = ROOT / "tests" / "golden" / "readme"
 PAGE = ROOT / "docs" / "gallery.md"
 SIZE = "480x270"
-MOST_BYTES_OF_SVGS = 4_000_000  # of all together, before git packs them to a third
+MOST_BYTES_OF_SVGS = 4_000_000  # in total, before git compresses them to a third
 COLOURS = "128"
 MOST_BYTES = 40_000
-# As a lecture would come to them.
+# In the order of a lecture.
 ORDER = ["tensor", "four_views", "momentum_sphere", "torque_axis", "torque_symmetric", "euler_drift", "inertia_ellipsoid", "gradient",
          "invariable_plane", "rolling", "contact_matter", "generic", "lecture_construction", "sphere", "stable_largest", "stable_smallest",
          "tennis_racket", "separatrix", "stability_map", "energy_sweep", "symmetric_oblate", "symmetric_prolate", "point_masses", "euler_angles",
          "heavy_top_conserved", "heavy_top_wavy", "heavy_top_cusp", "heavy_top_looping", "heavy_top_steady",
          "heavy_top_sleeping", "t_handle", "racket_thrown", "feynman_plate", "football", "explorer_1", "earth_wobble", "toutatis"]
-# Of the lecture: those with a claim about rigid bodies.
+# Pages of the lecture with a claim about rigid bodies.
 PAGES = range(2, 23)
 
 
@@ -58,7 +60,7 @@ def draw(program, names):
 
 
 def palette(picture, small, colours=COLOURS, most_bytes=MOST_BYTES):
-    """The picture with few colours, below the most that one may take."""
+    """Reduces the picture to a palette of few colours, below the size limit."""
     subprocess.run(["pngquant", "--force", "--nofs", "--speed", "1", "--strip", "-o", str(small), colours, str(picture)],
                    check=True)
     if small.stat().st_size > most_bytes:
@@ -66,7 +68,7 @@ def palette(picture, small, colours=COLOURS, most_bytes=MOST_BYTES):
 
 
 def draw_first(program):
-    """The README's: the default scene, and the same for paper."""
+    """Draws the README's pictures: the default scene, and the same for paper."""
     scene = str(ROOT / "scenes" / "generic.toml")
     subprocess.run([program, "render", str(ROOT / "scenes" / "loop_turning.toml"), "--portable", "--size", "400x226", "--fps", "12",
                     "-q", "-o", str(README_PICTURES / "turning.gif")], check=True)
@@ -79,7 +81,7 @@ def draw_first(program):
 
 
 def draw_map(program):
-    """The guide's: a sweep on a sheet."""
+    """Draws the guide's picture: a sweep on a contact sheet."""
     with tempfile.TemporaryDirectory() as folder:
         sheet = pathlib.Path(folder) / "map.png"
         subprocess.run([program, "still", str(ROOT / "scenes" / "stability_map.toml"), "--portable", "--size", "400x226", "--sweep",
@@ -88,7 +90,7 @@ def draw_map(program):
 
 
 def lines_of(name):
-    """Without the line that names the schema for editors."""
+    """The lines of a scene file without the one that names the schema for editors."""
     lines = (ROOT / "scenes" / f"{name}.toml").read_text().splitlines()
     return [line for line in lines if not line.startswith("#:")]
 
@@ -114,7 +116,7 @@ def gallery_table(names):
 
 
 def claim_of(name):
-    """The pages of a scene's claim, the claim, and what must be seen; None for a scene that makes none."""
+    """The pages of a scene's claim, the claim, and what must be seen; None for a scene without a claim."""
     comment = []
     for line in lines_of(name):
         if comment and not line.startswith("#"):
@@ -131,7 +133,7 @@ def claim_of(name):
 
 
 def pages_in(text):
-    """6, 8 and 10–12 of "6, 8, 10–12"."""
+    """The pages 6, 8 and 10–12 of "6, 8, 10–12"."""
     spans = [[int(page) for page in span.split("–")] for span in text.split(",")]
     return [page for span in spans for page in range(span[0], span[-1] + 1)]
 
@@ -151,7 +153,7 @@ def claims_table(names):
 
 
 def written():
-    """docs/gallery.md with its tables as the scene files have them."""
+    """docs/gallery.md with its tables generated from the scene files."""
     names = scenes_in_order()
     text = PAGE.read_text()
     for mark, lines in (("gallery", gallery_table(names)), ("claims", claims_table(names))):

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""The golden suite: every scene drawn small, in the portable profile, beside the picture that was approved.
+"""The golden tests: every scene as a small picture, in the portable profile, compared with its approved baseline.
 
-check:  one scene against its baseline in tests/golden/scenes, by `poinsot compare`: with the renderer that drew the baselines no
-        pixel may differ; with another llvmpipe 0.1 % may, by a level. On failure a report is left and named.
-together: all scenes three times over in one process, in an order that says nothing: each has the bytes that it has alone.
-rerendered: every scene's picture drawn again from its own record alone: the same bytes, as `explain --verify` promises.
-renew:  takes the pictures of all scenes as baselines, after you have looked at them; --why says what changed them.
-sheet:  all baselines on one picture, to be looked at.
-Usage: golden.py check POINSOT NAME FOLDER | golden.py together POINSOT | golden.py rerendered POINSOT | golden.py renew POINSOT "WHY" [FOLDER] | golden.py sheet POINSOT OUT.png
+check:  one scene against its baseline in tests/golden/scenes, by `poinsot compare`: with the baselines' renderer
+        no pixel may differ; with another version of llvmpipe 0.1 % may, by one level. A failure leaves a report and prints its path.
+together: all scenes three times in one process, in shuffled order: each picture is byte-identical to the one drawn alone.
+rerendered: every scene's picture redrawn from its own record: byte-identical, as `explain --verify` promises.
+renew:  takes the pictures of all scenes as baselines, after you have looked at them; --why gives the reason of the change.
+sheet:  all baselines in one picture, for inspection.
+Usage: golden.py check POINSOT NAME FOLDER | golden.py together POINSOT | golden.py rerendered POINSOT | golden.py renew POINSOT
+       "WHY" [FOLDER] | golden.py sheet POINSOT OUT.png
 """
 import pathlib
 import random
@@ -23,7 +24,7 @@ SIZE = "240x135"
 
 
 def draw(program, name, folder):
-    """The scene's picture in the folder, at the last instant of its film, when every curve has its length."""
+    """Draws the scene's picture into the folder, at the last instant of its film, when every curve has its full length."""
     picture = folder / f"{name}.png"
     subprocess.run([program, "still", str(SCENES / f"{name}.toml"), "--portable", "--size", SIZE, "-q", "-o", str(picture)],
                    check=True)
@@ -31,7 +32,7 @@ def draw(program, name, folder):
 
 
 def fields_of(program, picture):
-    """What a picture says of itself, by key."""
+    """The fields of a picture's record, by key."""
     text = subprocess.run([program, "explain", str(picture)], check=True, capture_output=True, text=True).stdout
     return dict(line.split(": ", 1) for line in text.split("\n\n")[0].splitlines() if ": " in line)
 
@@ -56,7 +57,8 @@ def check(program, name, folder):
 
 
 def together(program, alone):
-    """Every scene three times by one process, in any order, against the pictures that `check` has left in the folder `alone`."""
+    """Draws every scene three times in one process, in shuffled order, and compares with the pictures that `check` left in the
+    folder `alone`."""
     with tempfile.TemporaryDirectory() as beside_others:
         names = 3 * sorted(scene.stem for scene in SCENES.glob("*.toml"))
         random.Random(1).shuffle(names)
@@ -70,7 +72,7 @@ def together(program, alone):
 
 
 def rerendered(program):
-    """The scene's own file is not at hand, only what lies beside it: its meshes and pictures."""
+    """Redraws pictures without the scene file, with only the files beside it: meshes and pictures."""
     names = sorted(scene.stem for scene in SCENES.glob("*.toml"))
     wrong = []
     with tempfile.TemporaryDirectory() as scratch:
@@ -101,7 +103,7 @@ def renew(program, why, folder=None):
         names = sorted(scene.stem for scene in SCENES.glob("*.toml"))
         for name in names:
             draw(program, name, results)
-        # Baselines of scenes that are no more go, with their lines in the manifest.
+        # Removes baselines of deleted scenes, with their lines in the manifest.
         for baseline in BASELINES.glob("*.png"):
             if baseline.stem in names:
                 continue
@@ -115,7 +117,7 @@ def renew(program, why, folder=None):
 
 
 def sheet(program, out):
-    """Baselines side by side through a page that Chromium draws; only for looking."""
+    """Baselines side by side, on a page rendered by Chromium; only for inspection."""
     pictures = sorted(BASELINES.glob("*.png"))
     cells = "".join(f'<figure style="display:inline-block;margin:4px"><img src="file://{p}" style="width:480px">'
                     f"<figcaption>{re.sub('_', ' ', p.stem)}</figcaption></figure>" for p in pictures)
