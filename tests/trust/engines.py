@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""GNU parallel, Snakemake and a GitHub matrix as docs/guide.md has them: its very lines, run on a small film, end in the bytes of one run.
+"""Checks docs/guide.md's examples for GNU parallel, Snakemake and a GitHub matrix: its unchanged lines, run on a small film, make a
+file that is byte-identical to that of a single run.
 
-A matrix is run as GitHub does, a job for each value and then the one that needs them, but here and without its actions.
-Prints a table; exit code 1 if anything is otherwise, 77 (skipped) where parallel or snakemake is missing.
+A matrix is run in GitHub's order, a job for each value and then the job that needs them, but locally and without GitHub's actions.
+Prints a table; exit code 1 on any failure, 77 (skipped) if parallel or snakemake is missing.
 Usage: engines.py POINSOT GUIDE
 """
 import filecmp
@@ -33,7 +34,7 @@ class Trial:
         self.blocks = dict(re.findall(r"```(sh|python|yaml)\n(.*?)```", section, re.S))
 
     def place(self, folder):
-        """A folder as the guide's lines find it: its scene, and the program on the way."""
+        """A folder that the guide's lines expect: with the scene, and the program in PATH."""
         (folder / "scenes").mkdir(parents=True)
         (folder / "scenes" / "generic.toml").write_text(SCENE)
         (folder / "bin").mkdir()
@@ -67,7 +68,7 @@ class Trial:
         self.judge("Snakemake", folder, self.run(folder, "snakemake", "-q", "-j2"), began)
 
     def matrix(self, folder):
-        """Each step's commands, with the matrix's values in place; artifacts are the folder itself."""
+        """Each step's commands, with the matrix's values inserted; artifacts are files in the folder itself."""
         began = time.monotonic()
         jobs, done = self.blocks["yaml"].split("  film:"), True
         values = re.search(r"matrix: \{k: \[([\d, ]+)\]\}", jobs[0]).group(1).split(", ")

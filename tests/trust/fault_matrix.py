@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""What becomes of a picture, a sequence and a film when the machine fails: each case with its outcome.
+"""Tests pictures, sequences and films on a failing machine: each case with its outcome.
 
-A run must end with the right file (the bytes of an undisturbed run), or with exit code 3 (2 where the scene could not be read),
-one line, and nothing under the final name. Exit code 1 if any case does otherwise.
-What is left to chance comes from the seed, a trial at a time: a wrong outcome names its trial, and `--seed N --only CASE --trial
-TRIAL` makes that one again. Places of system calls are exact; moments of `kills` are as exact as the machine's clock; of libfiu the
-seed decides which call fails, where threads call in the same order, but not with which error: its library draws that by the clock.
-Failures that replay exactly, errors included, are those of output_sequences.
+A run must end with the correct file (byte-identical to an undisturbed run), or with exit code 3 (2 if the scene could not be read),
+one line of message, and no file under the final name. Exit code 1 if any case fails.
+Random choices follow from the seed, separately for each trial: a failure prints its trial, and `--seed N --only CASE --trial TRIAL`
+repeats it. Positions of system calls are exact; moments of `kills` depend on the machine's clock; with libfiu the seed determines
+which call fails, if threads make calls in the same order, but not the error, which its library chooses by the clock. Failures that
+are exactly repeatable, including errors, are those of output_sequences.
 Usage: fault_matrix.py POINSOT [FAILING_NEW.so [QUOTA.so]] [--kills N] [--seed N] [--runs N] [--only CASE…] [--trial TRIAL]
 """
 import argparse
@@ -31,7 +31,7 @@ omega_rad_s = [0.01, 2.0, 0.01]
 size = "96x54"
 duration_s = 60.0
 """
-# Name of the output → the arguments that make it. "####" stands for the frame's number.
+# Name of the output → the arguments that make it. "####" is replaced by the frame's number.
 KINDS = {
     "a.png": ["still", "--time", "1"],
     "a_####.png": ["render", "--frames", "0-11"],
@@ -48,10 +48,10 @@ class Matrix:
         self.seed, self.trial = seed, trial
         self.scene = folder / "scene.toml"
         self.scene.write_text(SCENE)
-        # Mesa's compiled shaders, kept by the undisturbed runs below: the disturbed ones have nothing to add, so that every write,
-        # rename and unlink is poinsot's own, and none compiles again what takes most of a short run.
+        # Mesa's shader cache, filled by the undisturbed runs below: the disturbed runs do not write to it, so that every write,
+        # rename and unlink is made by poinsot itself, and no run spends its time on compiling shaders.
         os.environ["MESA_SHADER_CACHE_DIR"] = str(folder / "shaders")
-        # And no threads of Mesa's own, which small pictures wait for.
+        # And no threads in Mesa, which would delay small pictures.
         os.environ["LP_NUM_THREADS"] = "0"
         self.counts = {}
         self.n_wrong = 0
@@ -83,7 +83,7 @@ class Matrix:
         return random.Random(f"{self.seed}:{':'.join(map(str, trial))}")
 
     def wants(self, *trial):
-        """Whether a trial is asked for: all are, or one by its name."""
+        """Whether a trial is selected: all are, or one by its name."""
         return self.trial is None or self.trial == ":".join(map(str, trial))
 
     def print(self):
@@ -92,7 +92,7 @@ class Matrix:
         self.counts = {}
 
     def judge(self, fault, name, place, done, input_may_fail=False, trial=None):
-        """A finished process and the folder it wrote to."""
+        """Checks a completed process and its output folder."""
         replay = f" (trial {trial})" if trial else ""
         found, expected = self.contents(place), self.expected[name]
         line = done.stderr.decode(errors="replace").strip()
@@ -103,7 +103,7 @@ class Matrix:
         if done.returncode == 3 and one_line and found == expected:
             self.say(fault, name, True, f"exit 3, one line, and the right file ({line.split(': ')[-1][:60]})")
             return
-        # Frames of a sequence that are there must be whole ones.
+        # Existing frames of a sequence must be complete.
         partial = all(expected.get(n) == h for n, h in found.items()) if "#" in name else not found
         codes = (2, 3) if input_may_fail else (3,)
         if done.returncode in codes and one_line and partial:
@@ -119,13 +119,13 @@ class Matrix:
     def run(self, command, timeout=120, **more):
         return subprocess.run(command, capture_output=True, timeout=timeout, **more)
 
-    # The cases.
+    # The test cases.
 
     def full_disk(self):
         for name in KINDS:
             for size in ("4k", "12k", "40k", "100k"):
                 place, kept = self.fresh(), self.fresh()
-                # A mount of the process's own; what is left is copied out before it vanishes.
+                # A mount in the process's own namespace; remaining files are copied before it disappears.
                 script = 'mount -t tmpfs -o size=$1 none "$2" || exit 99; shift; p=$1; k=$2; shift 2; "$@"; s=$?; cp -a "$p"/. "$k"; exit $s'
                 done = self.run(["unshare", "-m", "sh", "-c", script, "sh", size, str(place), str(kept),
                                  *self.command(name, place)])
@@ -154,7 +154,7 @@ class Matrix:
                 self.judge("ulimit -f", name, place, done)
 
     def quota(self, library):
-        """A user's quota on the disk: bytes, and, with none left, files. The write that passes it comes through in part."""
+        """Disk quotas: of bytes, and of files if no bytes are left. The write that exceeds it is done in part."""
         if library is None:
             return
         for name in KINDS:
@@ -203,7 +203,7 @@ class Matrix:
         process.stdout.close()
         said = process.stderr.read().decode().strip()
         code = process.wait()
-        # As other tools end: by the signal, without a word.
+        # As for other tools: terminated by the signal, without a message.
         self.say("broken pipe", "sample", code == -signal.SIGPIPE and said == "", f"ended by {code} ({said[:50]})")
         place = self.fresh()
         os.mkfifo(place / "a.gif")
@@ -222,7 +222,7 @@ class Matrix:
             long = self.command(name, place)
             long[long.index("--frames") + 1] = "0-1799"
             first = subprocess.Popen(long, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            # The second begins when the first has its file.
+            # The second run starts when the first has opened its file.
             deadline = time.monotonic() + 30
             while not any(place.iterdir()) and time.monotonic() < deadline:
                 time.sleep(0.01)
@@ -234,7 +234,7 @@ class Matrix:
                      "exit 3, one line (another run is writing it)" if refused else f"exit {done.returncode} {done.stderr[-200:]}")
 
     def kills(self, n_kills):
-        """kill -9 at random moments, then the same command again; after five kills it may finish."""
+        """Sends SIGKILL at random moments and runs the same command again; after five kills it may finish."""
         n_each = 5
         for name, frames, share in (("a.mp4", LONG_FRAMES, 1), ("a.webm", LONG_FRAMES, 0.4), ("a.gif", 400, 0.4),
                                     ("a_####.png", 150, 0.2)):
@@ -260,18 +260,18 @@ class Matrix:
                         process.send_signal(signal.SIGKILL)
                         process.wait()
                         n_done += 1
-                    # A run killed between the renaming and its end has done its work.
+                    # A run killed after the final rename has completed its work.
                     if any(expected.get(n) != h for n, h in self.contents(place).items()):
                         self.say("kill -9", name, False, f"a file that is not as it should be (trial {name}:{k})")
                     if process.returncode == 0:
                         break
                 n_resumed += self.finish("kill -9", name, k, again, place, expected)
-            # How many there are depends on the machine's speed; that kept frames are used is tested in tests/output.
+            # Their number depends on the machine's speed; tests/output tests that finished frames are reused.
             self.say("kill -9", name, True,
                      f"{n_done} kills; {n_resumed} finishing runs went on from what was left")
 
     def finish(self, fault, name, trial, command, place, expected):
-        """The same command, undisturbed, ends in the bytes of an uninterrupted run. Returns whether it went on from any."""
+        """Checks that the same command, undisturbed, makes a byte-identical file. Returns whether it continued an interrupted run."""
         done = self.run(command)
         same = done.returncode == 0 and self.contents(place) == expected
         self.say(f"{fault}, then the same command", name, same, "the bytes of an uninterrupted run" if same else
@@ -279,15 +279,15 @@ class Matrix:
         shutil.rmtree(place)
         return b"going on" in done.stderr
 
-    # A program under strace, in which the n-th call of a thread kills or fails.
+    # A program under strace, in which the n-th call of a thread kills it or fails.
     CALLS = {"rename": "EIO", "fsync": "EIO", "write": "ENOSPC", "ftruncate": "EIO", "unlink": "EACCES"}
 
     def traced(self, command, *options):
-        # --seccomp-bpf: only the calls asked for stop the program.
+        # --seccomp-bpf: only the traced calls stop the program.
         return self.run(["strace", "--seccomp-bpf", "-f", "-qq", *options, *command])
 
     def places_of(self, command, call, dice):
-        """Which of a program's calls are disturbed: the first, the last, and some between."""
+        """Indices of a program's disturbed calls: the first, the last, and some between."""
         log = self.folder / "calls"
         self.traced(command, "-o", str(log), "-e", f"trace={call}")
         threads = [line.split()[0] for line in log.read_text(errors="replace").splitlines() if f" {call}(" in line]
@@ -296,7 +296,7 @@ class Matrix:
         return sorted({1, 2, most - 1, most, *dice.sample(between, min(4, len(between)))} & set(range(1, most + 1)))
 
     def system_calls(self):
-        """Kills and failures placed by system call."""
+        """Kills and failures at given system calls."""
         if shutil.which("strace") is None:
             self.say("system calls", "all", True, "skipped: strace is not installed (Debian: strace)")
             return
@@ -323,7 +323,7 @@ class Matrix:
                     self.finish(f"{call} fails", name, trial, command, place, self.expected[name])
 
     def approvals(self):
-        """`approve` killed at system calls: the next one finishes, and no baseline is without a line that fits."""
+        """`approve` killed at system calls: the next run completes, and every baseline has a matching line in the manifest."""
         if shutil.which("strace") is None:
             self.say("approve killed", "all", True, "skipped: strace is not installed (Debian: strace)")
             return
@@ -337,7 +337,7 @@ class Matrix:
                     "--why", "again"]
 
         def prepared():
-            """Two baselines; results of which one is another picture and one is new."""
+            """Two baselines, and results of which one is a different picture and one is new."""
             place = self.fresh()
             for folder in ("ref", "new"):
                 (place / folder).mkdir()
@@ -364,14 +364,15 @@ class Matrix:
                          f"exit {again.returncode}, {compared.stdout[-200:]}, left {left} (trial approve:{call}:{n})")
 
     def failing_calls(self, n_runs):
-        """libfiu: reads, writes, opens and syncs of the C library that fail at random."""
+        """libfiu: random failures of the C library's reads, writes, opens and syncs."""
         if shutil.which("fiu-run") is None:
             self.say("libfiu", "all", True, "skipped: fiu-run is not installed (Debian: fiu-utils)")
             return
-        # As fiu-run does, but with FFmpeg loaded from the start: libfiu's malloc() asks for thread-local data while the loader
+        # As in fiu-run, but with FFmpeg loaded from the start: libfiu's malloc() requests thread-local data while the loader
         # is about to move it for libraries opened later, and glibc 2.36 then frees it twice.
-        # And without Mesa's shader cache: the thread that writes it asks the loader for a name while it holds libfiu's lock, and
-        # the loader, opening FFmpeg, asks libfiu's malloc() for memory while it holds its own. Shaders are compiled quickly instead.
+        # And without Mesa's shader cache: its writer thread asks the loader for a symbol while it holds libfiu's lock, and the
+        # loader, opening FFmpeg, calls libfiu's malloc() while it holds its own lock: a deadlock. Shaders are compiled in quick
+        # mode.
         preloaded = " ".join(["/usr/lib/fiu/fiu_run_preload.so", "/usr/lib/fiu/fiu_posix_preload.so",
                               "libavformat.so.59", "libswscale.so.6"])
         for what, probability in (("posix/io/rw/*", 0.02), ("posix/io/oc/*", 0.03), ("posix/io/sync/*", 0.5),
@@ -396,7 +397,7 @@ class Matrix:
                 return dict(os.environ, LD_PRELOAD=library, POINSOT_FAIL_NEW=str(n))
             counted = self.run(self.command(name, self.fresh()), env=environment(-1))
             total = int(counted.stderr.decode().split("allocations: ")[1])
-            # Close together at first, where the set-up is, then over the whole run; of a still, which is quick, many.
+            # Dense at first, during the setup, then over the whole run; many for a still, which is quick.
             n = 8 * n_points if name == "a.png" else n_points
             points = sorted({max(1, int(total ** (i / (n - 1)))) for i in range(n)} | {max(1, total * i // n) for i in range(1, n)})
             for point in points:
@@ -405,7 +406,7 @@ class Matrix:
                 self.judge("failing allocation", name, place, done, input_may_fail=True)
 
     def parts(self, n_kills):
-        """A join that runs out of room or is killed, and processes that draw parts side by side, one of them killed."""
+        """A join on a full disk or killed, and parallel processes that draw parts, one of them killed."""
         name = "a.mp4"
         made = self.fresh()
         files = [str(made / f"{k}.mp4") for k in (1, 2)]
@@ -458,7 +459,7 @@ class Matrix:
                 right = right and (process.returncode in (0, 3, -signal.SIGKILL, -signal.SIGINT)) and said.count("\n") == 0
                 self.say("jobs: one is killed", name, right, f"exit {process.returncode}, at most one line" if right else
                          f"exit {process.returncode}, left {sorted(found)}, said {said[-200:]!r} (trial jobs:{k})")
-                # Children of a killed parent end by themselves.
+                # Children of a killed parent terminate by themselves.
                 deadline = time.monotonic() + 20
                 while any(os.path.exists(f"/proc/{child}") for child in children) and time.monotonic() < deadline:
                     time.sleep(0.01)
@@ -469,7 +470,7 @@ class Matrix:
                      f"exit {done.returncode}, left {left}, said {done.stderr[-200:]} (trial jobs:{k})")
 
     def room(self):
-        """A run that cannot fit ends early: on 2 MB, before 5 % of its frames are drawn."""
+        """A run that does not fit on the disk ends early: on 2 MB, before 5 % of its frames are drawn."""
         for name, frames in (("a.mp4", 54000), ("a_####.png", 54000)):
             place = self.fresh()
             long = self.command(name, place, "--set", "film.duration_s=1800")

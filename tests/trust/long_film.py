@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A long film in parts, joined byte for byte, with what it costs: start, parts, join, and the join's memory.
+"""Makes a long film in parts, checks that the joined film is byte-identical, and measures costs: start, parts, join, and the join's
+memory.
 
 Prints a table; exit code 1 if a byte differs or the join's memory grows with the film. Takes some minutes, so no test runs it.
 Usage: long_film.py POINSOT [--frames N] [--parts N] [--hour]      (36,000 frames at 320×180 in 10 parts; --hour: 108,000, too)
@@ -24,7 +25,7 @@ duration_s = 4000.0
 
 
 class Cost:
-    """Wall and CPU seconds of a process, and the most memory that it held."""
+    """Wall and CPU seconds of a process, and its peak memory."""
 
     def __init__(self, *command):
         began = time.monotonic()
@@ -42,7 +43,7 @@ def say(what, cost, more=""):
 
 
 def in_parts(program, scene, folder, n_frames, n_parts):
-    """The film of its parts, each drawn by a process of its own, one after the other, and what its join took."""
+    """Makes the film in parts, each drawn by its own process, one after the other; returns it with the join's cost."""
     parts, all_s = [], 0.0
     for number in range(1, n_parts + 1):
         parts.append(folder / f"{number}.mp4")
@@ -85,7 +86,7 @@ def main():
         print("byte for byte the film of one process" if same else "WRONG: other bytes than one process's", flush=True)
         if chosen.hour:
             _, joined = in_parts(program, scene, folder, 108000, chosen.parts)
-        # FFmpeg's index of an MP4 and ours of the parts take some bytes a frame.
+        # FFmpeg's index of an MP4 and our index of the parts take some bytes per frame.
         flat = joined.most_mib < short.most_mib + 64
         n_wrong += not flat
         print(f"{'' if flat else 'WRONG: '}the join holds {joined.most_mib - short.most_mib:.0f} MiB more than of a tenth", flush=True)

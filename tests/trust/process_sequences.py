@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Sequences of {run, kill, rerun, change a setting, disk full, freed} on one output, each step a process.
+"""Tests sequences of {run, kill, rerun, change a setting, disk full, freed} on one output, each step in its own process.
 
-After every step there is, under the output's name, nothing or what an uninterrupted run of one of its settings makes; after the last
-run, which nothing disturbs, what an uninterrupted run makes, and nothing else. tests/trust/output_sequences.cpp makes far more of
-them within one process. What is left to chance comes from the seed, a sequence at a time; moments of kills are as exact as the
-machine's clock, and with strace every other kill is placed at a system call.
+After every step, either no file has the output's name or it is byte-identical to that of an uninterrupted run with one of its
+settings; after the last, undisturbed run it is that of an uninterrupted run, and no other files are left.
+tests/trust/output_sequences.cpp tests far more sequences in one process. Random choices follow from the seed, separately for each
+sequence; moments of kills depend on the machine's clock; with strace, every second kill is at a given system call.
 Usage: process_sequences.py POINSOT QUOTA.so [--seed N] [--sequences N] [--kind NAME] [--only K]
 """
 import argparse
@@ -49,9 +49,9 @@ class Sequences:
         self.program, self.quota, self.folder, self.seed = program, quota, folder, seed
         self.scene = folder / "scene.toml"
         self.scene.write_text(SCENE)
-        # Mesa's compiled shaders: the runs that nothing disturbs keep them, the others have nothing to add.
+        # Mesa's shader cache: filled by undisturbed runs; the others do not write to it.
         os.environ["MESA_SHADER_CACHE_DIR"] = str(folder / "shaders")
-        # And no threads of Mesa's own, which small pictures wait for.
+        # And no threads in Mesa, which would delay small pictures.
         os.environ["LP_NUM_THREADS"] = "0"
         self.has_strace = shutil.which("strace") is not None
         self.n_steps = 0
@@ -88,7 +88,7 @@ class Sequences:
         return files, took
 
     def make(self, name, number, right, took):
-        """The sentence that says what was wrong, or an empty one."""
+        """Returns a description of the failure, or an empty string."""
         dice = random.Random(f"{self.seed}:{name}:{number}")
         place = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
         setting, used, told = dice.randrange(2), set(), []

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""The portable profile's promise: the same bytes on every x86-64, whatever the processor, threads, backend and run.
+"""Tests the portable profile: byte-identical files on every x86-64 processor, with any number of threads, any backend and in every
+run.
 
-Runs the real program natively and under qemu-x86_64 as several processors, and compares PNG, PDF and SVG files, a film's bytes and
-the digits of `sample` with those of the first native run. Exit code 1 if anything differs, 77 (skipped) without qemu.
+Runs the program natively and under qemu-x86_64 as several processors, and compares PNG, PDF and SVG files, a film's bytes and the
+digits of `sample` with those of the first native run. Exit code 1 on any difference, 77 (skipped) without qemu.
 Usage: processor_sweep.py POINSOT [TEST_LIBM]
 """
 import concurrent.futures
@@ -17,14 +18,14 @@ import tempfile
 import time
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-# Without AVX and FMA; with AVX; with AVX2 and FMA, of both makers.
+# Without AVX and FMA; with AVX; with AVX2 and FMA, of both manufacturers.
 PROCESSORS = ["native", "Nehalem", "SandyBridge", "Haswell", "EPYC"]
 SIZE = "128x72"
 TIMES = ",".join(repr(0.37 * k * k) for k in range(300))
 
-# OSMesa, which Mesa has no more from 25.1 on, or what stands in for it.
+# OSMesa, which was removed from Mesa in 25.1, or its replacement.
 FIRST = "osmesa" if ctypes.util.find_library("OSMesa") else "egl"
-# What is run: name → (arguments, suffix of the output file or "" for stdout, llvmpipe's threads).
+# The runs: name → (arguments, suffix of the output file or "" for stdout, llvmpipe's threads).
 STILL = ["--portable", "-q", "--size", SIZE]
 CASES = {
     f"still generic, {FIRST}, 2 threads": (["still", "generic", *STILL, "--backend", FIRST], ".png", 2),
@@ -40,14 +41,14 @@ CASES = {
     "sample heavy_top_wavy": (["sample", "heavy_top_wavy", "--times", TIMES], "", 2),
     "sample heavy_top_looping": (["sample", "heavy_top_looping", "--times", TIMES], "", 2),
 }
-# Pictures that must be equal to each other, too.
+# Pictures that must be equal to each other as well.
 ALIKE = [f"still generic, {FIRST}, 2 threads", f"still generic, {FIRST}, 1 thread", "still generic, egl, 4 threads"]
-# Left out to save minutes: what they would run, other cases run there.
+# Omitted to save minutes: other cases test the same.
 LEFT_OUT = {ALIKE[1]: ["SandyBridge", "Haswell"], ALIKE[2]: ["SandyBridge", "EPYC"]}
 
 
 def run_case(program, processor, name, folder):
-    """The SHA-256 of what one run makes, or what went wrong."""
+    """The SHA-256 of one run's output, or its error."""
     arguments, suffix, threads = CASES[name]
     command, scene, *options = arguments
     output = folder / f"{processor}-{abs(hash(name))}{suffix}"
@@ -63,7 +64,7 @@ def run_case(program, processor, name, folder):
 
 
 def elementary_functions(test, processor):
-    """Whether the elementary functions' own test passes on the processor."""
+    """Whether the test of the elementary functions passes on the processor."""
     line = [] if processor == "native" else ["qemu-x86_64", "-cpu", processor]
     done = subprocess.run([*line, test, "--gtest_filter=*SameBits*"], capture_output=True)
     return "same bits" if done.returncode == 0 else f"FAILED, exit code {done.returncode}"

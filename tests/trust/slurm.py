@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Films in parts on a real Slurm, started here for the test alone: kills, a requeue, a daemon that is started again.
+"""Tests films in parts on a real Slurm cluster, started here for this test: kills, a requeue, a restarted daemon.
 
-What comes out must have the bytes of one run, and nothing else may lie in its folder. Prints a table; exit code 1 if anything is
-otherwise, 77 (skipped) with the reason where Slurm cannot be started, unless POINSOT_NEED_SLURM=1.
+The outputs must be byte-identical to those of a single run, and no other files may be in their folder. Prints a table; exit code 1
+on any failure, 77 (skipped) with the reason if Slurm cannot be started, unless POINSOT_NEED_SLURM=1.
 Usage: slurm.py POINSOT
 """
 import filecmp
@@ -68,7 +68,7 @@ def free_port():
 
 
 class Slurm:
-    """A cluster of this machine alone."""
+    """A cluster that consists of this machine."""
 
     def __init__(self, folder):
         for name in ("slurmctld", "slurmd", "sbatch", "scontrol"):
@@ -96,7 +96,8 @@ class Slurm:
             time.sleep(0.2)
 
     def munge(self):
-        """A munged of the test's own, which vouches for who asks whom; its lines of slurm.conf. Without one nobody is asked."""
+        """Starts a separate munged for authentication and returns its lines of slurm.conf. Without munge there is no
+        authentication."""
         self.authentication = "none"
         if shutil.which("munged") is None and not os.path.exists("/usr/sbin/munged"):
             return "AuthType=auth/none\nCredType=cred/none"
@@ -188,7 +189,7 @@ class Trial:
         return dict(line.split(" ", 1) for line in done.stdout.splitlines())
 
     def film(self):
-        """Eight parts; one killed, one requeued, and the node's daemon started again."""
+        """Eight parts; one killed, one requeued, and the node's daemon restarted."""
         scene = self.folder / "film.toml"
         scene.write_text(SCENE)
         one = self.folder / "one"
@@ -200,7 +201,7 @@ class Trial:
         killed = self.wait_for(lambda: self.drawing(place))
         if killed:
             os.kill(next(iter(killed)), signal.SIGKILL)
-        # A task that has been put back begins again only after a while, so it goes early.
+        # A requeued task restarts only after a delay, so it is requeued early.
         requeued = self.wait_for(lambda: [part for part in self.drawing(place).values() if part not in killed.values()])
         if requeued:
             self.slurm.ask("scontrol", "requeue", f"{told['parts']}_{requeued[0].split('/')[0]}")
@@ -208,7 +209,7 @@ class Trial:
         self.slurm.stop("slurmd")
         self.slurm.start("slurmd")
         states = self.poinsot("status", place, check=False).stdout
-        # Slurm holds a requeued task back for two minutes; that need not be waited for here.
+        # Slurm delays a requeued task for two minutes, which the test need not wait for.
         self.wait_for(lambda: self.release(told["parts"]), 90)
         empty = self.slurm.wait_until_empty(400)
         seconds = time.monotonic() - began
@@ -227,7 +228,7 @@ class Trial:
         self.say("  status in the end", told.returncode == 0 and "8 done; join done" in told.stdout, told.stdout.strip(), 0)
 
     def release(self, job):
-        """A requeued task waits until a time; it may run now."""
+        """Releases a requeued task that waits until a given time."""
         waiting = self.slurm.ask("squeue", "-h", "-r", "-j", job, "-t", "PENDING", "-o", "%i %r").split("\n")
         held = [line.split()[0] for line in waiting if "BeginTime" in line]
         for task in held:
@@ -254,7 +255,7 @@ class Trial:
         self.say("  what else lies in the folder", left == ["s_.png.job"], ", ".join(left), 0)
 
     def refusals(self):
-        """What sbatch refuses is said in its words, and nothing stays submitted."""
+        """Checks that errors of sbatch are reported with its message, and that no job stays submitted."""
         scene = self.folder / "film.toml"
         done = self.poinsot("submit", scene, "-q", "-o", self.folder / "no.mp4", "--parts", "2", "--slurm", "--partition=none", check=False)
         queue = self.slurm.ask("squeue", "-h").strip()

@@ -1,18 +1,20 @@
 #!/usr/bin/env python3
-"""Where edges lie: the PDF by poppler and the SVG by Chromium, against our own pixels with 8 x 8 samples, at 1080p.
+"""Measures positions of edges: the PDF in poppler and the SVG in Chromium, compared with our own pixels with 8 x 8 samples, at
+1080p.
 
-An edge is a row or column of pixels that runs from one even tone to another over at most five pixels; a line, one that dips between two.
-Its place is the coverage summed over them, a line's the middle of what it takes: of our picture in linear light, as it is mixed, of
-readers' in encoded levels, as they mix. Type is left out: pixels have it at whole pixels.
+An edge is a row or column of pixels that changes from one uniform tone to another over at most five pixels; a line is one that dips
+between two equal tones. An edge's position is the sum of the coverage, a line's position the middle of its dip: computed for our
+picture in linear light and for the readers' in encoded levels, which is how each blends. Text is omitted: in pixels it is at whole
+pixels.
 
-Geometry is measured on the samples themselves: a reader draws the page eight times as large, too, and an edge is looked for among its
-pixels and our samples, in every eighth row and column; within three pixels of an ellipsoid's outline, where lines end, apart.
-What a reader does to edges of 1080p is said beside, and how far its picture of that size is from its own larger one: poppler raises
-coverage to the power 1.5, which moves the edge of a dark stroke by up to 0.1 px, and puts lines along rows and columns at whole pixels
-(those are left out there); Chromium moves dots and dashes.
-Prints a table of how far places are apart, px. Exit code 1 if of the geometry more than MOST_OFF is over 0.1 px apart or the median is
-over 0.03 px; at 1080p, if it is further from ours than from its own larger picture by more than MOST_MORE of the edges, or 0.02 px in the
-median; 77 (skipped) where no reader is here.
+Geometry is measured on the samples themselves: a reader draws the page eight times as large as well, and edges are searched in its
+pixels and our samples, in every eighth row and column; those within three pixels of an ellipsoid's outline, where lines end, are
+counted separately. The effects of a reader at 1080p are printed beside, and the difference of its picture of that size from its own
+larger one: poppler raises coverage to the power 1.5, which moves the edge of a dark stroke by up to 0.1 px, and puts lines along
+rows and columns at whole pixels (those are omitted there); Chromium moves dots and dashes.
+Prints a table of position differences, px. Exit code 1 if, for the geometry, more than MOST_OFF of them are over 0.1 px or the
+median is over 0.03 px; or, at 1080p, if a reader's picture differs from ours more than from its own larger one, by MOST_MORE of the
+edges or by 0.02 px in the median; 77 (skipped) if no reader is installed.
 Usage: vector_edges.py POINSOT SCENES [--small] [--overlay FOLDER] [NAME...]
 """
 import pathlib
@@ -29,12 +31,12 @@ import vector_readers
 
 Image.MAX_IMAGE_PIXELS = None
 MOST_PX = 0.1
-FLAT = 2.5  # levels within which a tone is even
-CONTRAST = 40.0  # levels, at least
-MOST_OFF = 0.02  # a share; measured: see docs/accuracy.md
-MOST_MORE = 0.12  # likewise
-SVG_UNITS = 256.0  # a point
-FINE = 8  # samples a pixel, each way
+FLAT = 2.5  # largest range of levels in a uniform tone
+CONTRAST = 40.0  # least difference of levels
+MOST_OFF = 0.02  # a fraction; measured: see docs/accuracy.md
+MOST_MORE = 0.12  # a fraction; measured: see docs/accuracy.md
+SVG_UNITS = 256.0  # per point
+FINE = 8  # samples per pixel, in each direction
 
 
 def linear(levels):
@@ -43,14 +45,14 @@ def linear(levels):
 
 
 def samples(program, scene, folder, size, dpi):
-    """Our own samples: a picture 8 times as large each way."""
+    """Our own samples: a picture 8 times as large in each direction."""
     subprocess.run([program, "still", str(scene), "-q", "--theme", "print", *size, "--dpi", str(FINE * dpi),
                     "-o", "large.png"], cwd=folder, check=True)
     return numpy.asarray(Image.open(folder / "large.png").convert("RGB"))
 
 
 def reduced(large):
-    """Pixels: the mean of 8 x 8 samples in linear light."""
+    """Pixels as the mean of 8 x 8 samples in linear light."""
     height, width = large.shape[0] // FINE, large.shape[1] // FINE
     out = numpy.empty((height, width, 3))
     light = linear(numpy.arange(256.0))
@@ -69,13 +71,13 @@ def levels_of(light):
 
 
 def cover_of(values, side):
-    """How far an edge lies from the left, px."""
+    """Position of an edge from the left, px, from the coverage."""
     low, high = values[-side:].mean(), values[:side].mean()
     return ((values - low) / (high - low)).sum()
 
 
 def middle_of(values, side):
-    """Where the middle of a line lies, px from the left."""
+    """Position of a line's middle from the left, px."""
     n = len(values)
     depth = numpy.interp(numpy.arange(n), [side / 2, n - side / 2], [values[:side].mean(), values[-side:].mean()]) - values
     depth[:side] = depth[-side:] = 0.0
@@ -83,10 +85,10 @@ def middle_of(values, side):
 
 
 def places(ours, own, theirs, free, after, level=True):
-    """How far edges and thin lines are apart, px. ours: green, as coverage mixes it; own: the same in levels; theirs: levels; free: where no
-    type stands; after: as ours, the row after each; level: also what runs along the columns. Told apart along x, and then across the edge,
-    by how far it moves from row to row."""
-    n, side = 13, 4  # of a window: even, edge or line of at most 5, even
+    """Position differences of edges and thin lines, px. ours: green, in linear light; own: the same in levels; theirs: levels;
+    free: where there is no text; after: as ours, one row further; level: include edges along the columns. Differences along x are
+    converted to differences perpendicular to the edge, by the edge's shift from row to row."""
+    n, side = 13, 4  # of a window: uniform, edge or line of at most 5, uniform
     a, b = windows(own, n), windows(theirs, n)
     even = windows(free, n).all(axis=2)
     for w in (a, b):
@@ -100,12 +102,12 @@ def places(ours, own, theirs, free, after, level=True):
     for kind, place, middle in ((steps, cover_of, n / 2), (dips, middle_of, (n - 1) / 2)):
         for y, x in zip(*numpy.nonzero(kind)):
             here = place(ours[y, x:x + n], side)
-            # One window an edge: that in whose middle it lies.
+            # One window per edge: the one with the edge in its middle.
             if abs(here - middle) >= 0.5:
                 continue
             beside = after[y, x:x + n]
             if abs(beside[:side].mean() - beside[-side:].mean()) < 1e-9 and place is cover_of:
-                continue  # a corner: it goes on nowhere
+                continue  # a corner: it does not continue in the next row
             slope = place(beside, side) - here
             if not level and abs(slope) < 1e-3:
                 continue
@@ -114,7 +116,7 @@ def places(ours, own, theirs, free, after, level=True):
 
 
 def free_of_type(pdf, shape, dpi):
-    """Where no word of the page stands, nor what is near it."""
+    """Pixels without words of the page nearby."""
     page = subprocess.run(["pdftotext", "-bbox", pdf, "-"], capture_output=True, text=True, check=True).stdout
     free = numpy.ones(shape[:2], dtype=bool)
     for box in re.findall(r'<word xMin="([\d.-]+)" yMin="([\d.-]+)" xMax="([\d.-]+)" yMax="([\d.-]+)"', page):
@@ -124,7 +126,7 @@ def free_of_type(pdf, shape, dpi):
 
 
 def turned(*pictures):
-    """Both ways: to be looked at along rows, and along columns."""
+    """The arrays in both orientations: to be searched along rows, and along columns."""
     height, width = (min(p.shape[k] for p in pictures) for k in (0, 1))
     pictures = [p[:height, :width] for p in pictures]
     return pictures, [p.T for p in pictures]
@@ -138,13 +140,13 @@ def differences(ours, own, levels, free):
 
 
 def smaller(levels):
-    """A reader's picture, FINE times smaller, as it mixes: in levels."""
+    """A reader's picture reduced by FINE in levels, as the reader blends."""
     height, width = levels.shape[0] // FINE, levels.shape[1] // FINE
     return levels[:FINE * height, :FINE * width].reshape(height, FINE, width, FINE).mean(axis=(1, 3))
 
 
 def outlines(svg):
-    """Of the ellipsoids, as arrays of points, pt: the conics that clip what is drawn on them."""
+    """Outlines of the ellipsoids, as arrays of points, pt: the conics that clip the lines on them."""
     for data in re.findall(r'<clipPath id="[^"]*"><path d="(m[^"]*c[^"]*)"', svg.read_text()):
         at = start = numpy.zeros(2)
         path = []
@@ -176,7 +178,7 @@ def near_outlines(svg, shape, dpi, reach_px=3):
 
 
 def fine_differences(own, theirs, free):
-    """As differences(), px, of samples and a reader's picture as large, both levels of green; free: by pixel."""
+    """As differences(), px, for samples and a reader's picture of the same size, both in levels of green; free: per pixel."""
     light = linear(numpy.arange(256.0))
     off = []
     for a, b, c in turned(own, theirs, free.repeat(FINE, axis=0).repeat(FINE, axis=1)):
@@ -190,7 +192,8 @@ def fine_differences(own, theirs, free):
 
 
 def fine_picture(reader, folder, name, own, size):
-    """A reader's picture as large as our samples; green. Chromium may take a large page before all of it is painted: it is asked again."""
+    """A reader's picture as large as our samples; green. Chromium may capture a large page before it is completely painted: then it
+    is rendered again."""
     for _ in range(8):
         made = vector_readers.raster(reader, folder, name, size, scale=FINE)
         fine = numpy.asarray(Image.open(made).convert("RGB"))[..., 1]
@@ -200,7 +203,7 @@ def fine_picture(reader, folder, name, own, size):
 
 
 def report(name, reader, what, off):
-    """Prints a row; the median, px, and the share over MOST_PX."""
+    """Prints a row; returns the median, px, and the fraction over MOST_PX."""
     median, over = numpy.median(abs(off)), (abs(off) > MOST_PX).mean()
     print(f"{name:20} {reader:10} {what:9} {len(off):6} edges and lines: median {median:.3f} px, 99 % within "
           f"{numpy.quantile(abs(off), 0.99):.3f} px, {100 * over:.2f} % over {MOST_PX} px", flush=True)
@@ -219,11 +222,11 @@ def main():
         del arguments[at:at + 2]
     program, scenes = arguments[0], pathlib.Path(arguments[1])
     names = arguments[2:] or ["generic", "invariable_plane", "tennis_racket", "symmetric_prolate", "momentum_sphere"]
-    # 1080p, or a quarter of it, at 300 dots an inch.
-    # Both sides are told, and the page is laid out on the same fine pixels: rows that type adds are whole ones.
+    # 1080p, or a quarter of it, at 300 dots per inch.
+    # Both sides are given, and the page is laid out on the same fine pixels: the number of rows added for text is an integer.
     size = ["--width-mm", "81.28", "--height-mm", "45.72"] if small else ["--width-mm", "162.56", "--height-mm", "91.44"]
     if small:
-        # Type of 8 pt would leave the figure a third of so small a page.
+        # Text of 8 pt would leave only a third of such a small page for the figure.
         size += ["--set", 'title=""', "--set", 'caption=""', "--set", "clock=false"]
     dpi = 300
     readers = [r for r in ("pdftoppm", "chromium") if shutil.which(r)]

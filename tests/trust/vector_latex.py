@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Figures whose type is set by LaTeX: each scene's compiled by pdflatex, in a document that is the figure alone.
+"""Tests figures whose text is set by LaTeX: each scene's figure is compiled by pdflatex, in a document that contains only the
+figure.
 
-Labels must stand where the figure with our own type has them. Prints a table; exit code 1 if one does not compile or stands
-elsewhere, 77 (skipped) where there is no pdflatex or pdftotext.
+Labels must be at the positions that they have in the figure with our own text. Prints a table; exit code 1 if a figure does not
+compile or a label is elsewhere, 77 (skipped) without pdflatex or pdftotext.
 Usage: vector_latex.py POINSOT SCENES
 """
 import html
@@ -14,7 +15,7 @@ import sys
 import tempfile
 import unicodedata
 
-# The figure's corner is the page's.
+# The figure is in the page's corner.
 DOCUMENT = r"""\documentclass{article}
 \usepackage{graphicx,color}
 \pdfpagewidth=%(width)sbp \pdfpageheight=%(height)sbp
@@ -22,41 +23,41 @@ DOCUMENT = r"""\documentclass{article}
 \textwidth=%(width)sbp \textheight=%(height)sbp \pagestyle{empty}
 \begin{document}\noindent\input{figure}\end{document}
 """
-# Letters of another font have other widths and heights: what a label is held at stays in place.
+# Letters of another font have other widths and heights; only a label's reference point has the same position.
 MOST_PT = 3.0  # measured 1.2
 
 
 def words_of(pdf):
-    """Each word of the page: what it says, left and right, and its lower edge, points."""
+    """Each word of the page: its text, left and right, and its lower edge, points."""
     page = subprocess.run(["pdftotext", "-bbox", pdf, "-"], capture_output=True, text=True, check=True).stdout
     found = re.findall(r'<word xMin="([\d.-]+)" yMin="[\d.-]+" xMax="([\d.-]+)" yMax="([\d.-]+)">([^<]*)<', page)
     return [(unicodedata.normalize("NFKC", html.unescape(word)), float(x0), float(x1), float(y1)) for x0, x1, y1, word in found]
 
 
 def is_beside(word, other):
-    """Whether a word goes on from another on its left."""
-    # Exponents stand higher than the line, and a large radical between two words is not told.
+    """Whether a word continues another one on its left."""
+    # Exponents are above the line, and pdftotext does not report a large radical between two words.
     return word is not other and abs(word[3] - other[3]) < 7.0 and -1.0 < word[1] - other[2] < 16.0
 
 
 def is_under(word, other):
-    """Whether a word begins the line below another's."""
+    """Whether a word begins the line below another one's."""
     return 4.0 < word[3] - other[3] < 18.0 and abs(word[1] - other[1]) < 2.0
 
 
 def beginnings(words):
-    """The words with which a label or a caption begins."""
+    """The first words of labels and captions."""
     return [word for word in words if not any(is_beside(word, other) or is_under(word, other) for other in words)]
 
 
 def end_of(word, words):
-    """Where the line ends that a word begins or goes on with."""
+    """The end of the line to which a word belongs."""
     after = next((other for other in words if is_beside(other, word)), None)
     return word[2] if after is None else end_of(after, words)
 
 
 def distance(one, ours, other, theirs):
-    """Of two labels: their nearest sides or middles, and their lower edges."""
+    """Distance of two labels: of their nearest sides or middles, and of their lower edges."""
     left = other[1] - one[1]
     right = end_of(other, theirs) - end_of(one, ours)
     return max(min(abs(left), abs(right), abs(0.5 * (left + right))), abs(other[3] - one[3]))
@@ -74,13 +75,13 @@ def trial(program, scene, folder):
     if run.returncode != 0:
         log = run.stdout.decode("utf-8", "replace")
         return "pdflatex: " + next((line for line in log.splitlines() if line.startswith("!")), "failed")
-    # Nothing in the figure itself is type.
+    # The figure's own file contains no text.
     if len(subprocess.run(["pdffonts", "figure.pdf"], cwd=folder, capture_output=True, text=True).stdout.splitlines()) > 2:
         return "the figure without type has fonts"
     ours, theirs = words_of(folder / "ours.pdf"), words_of(folder / "document.pdf")
-    # What each engine takes for a word differs in formulas.
+    # The programs split formulas into words differently.
     plain = [word for word in beginnings(ours) if re.fullmatch("[A-Za-z0-9.]+", word[0])]
-    # Two that nearly touch are one word to pdftotext.
+    # Two labels that nearly touch are one word to pdftotext.
     off = [min((distance(word, ours, other, theirs) for other in theirs if word[0] in other[0]), default=1e9) for word in plain]
     worst = max(off, default=1e9)
     print(f"{scene.stem:28} {len(plain):3} beginnings, at most {worst:.2f} pt off", flush=True)

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""The same page in several readers: each rasterises it, and they are compared with one another.
+"""Compares renderings of the same page by several PDF and SVG readers.
 
-Readers differ on type (hinting, weight of small letters) and in how they smooth an edge; away from type and edges they must not.
-Prints a table; exit code 1 if a reader fails or differs by more, 77 (skipped) where fewer than two are here.
+Readers differ in text (hinting, weight of small letters) and in the antialiasing of edges; elsewhere they must agree. Prints a
+table; exit code 1 if a reader fails or differs by more, 77 (skipped) if fewer than two are installed.
 Usage: vector_readers.py POINSOT SCENES [--quick] [NAME...]
---quick: by poppler and Chromium alone, one scene.
+--quick: only poppler and Chromium, one scene.
 """
 import pathlib
 import shutil
@@ -15,7 +15,7 @@ import tempfile
 from PIL import Image, ImageChops
 
 DPI = 150
-# Levels of 255, mean over all pixels, and share of pixels over 24 levels, both with type and edges.
+# Levels of 255, mean over all pixels, and fraction of pixels over 24 levels, both including text and edges.
 MOST_MEAN = 2.0  # measured 1.42
 MOST_SHARE = 0.025  # measured 0.0175
 
@@ -30,7 +30,7 @@ def chromium(folder, name, size, scale=1):
 
 
 def raster(reader, folder, name, size, scale=1):
-    """The file that a reader makes of the page, at DPI; by Chromium, of this size times the scale."""
+    """The file of the page as rendered by a reader, at DPI; in Chromium, of this size times the scale."""
     out = folder / f"{reader}.png"
     commands = {
         "pdftoppm": ["pdftoppm", "-png", "-singlefile", "-r", str(DPI), f"{name}.pdf", reader],
@@ -47,7 +47,8 @@ def raster(reader, folder, name, size, scale=1):
 
 
 def difference(a, b):
-    """Of two pictures: the mean over all pixels of the component that is furthest apart, levels, and the share over 24 levels."""
+    """Difference of two pictures: the mean over all pixels of the component with the largest difference, levels, and the fraction
+    over 24 levels."""
     size = (min(a.width, b.width), min(a.height, b.height))
     red, green, blue = ImageChops.difference(a.crop((0, 0, *size)), b.crop((0, 0, *size))).split()
     counts = ImageChops.lighter(ImageChops.lighter(red, green), blue).histogram()
@@ -71,7 +72,7 @@ def main():
         with tempfile.TemporaryDirectory() as temporary:
             folder = pathlib.Path(temporary)
             for suffix in ("pdf", "svg"):
-                # Letters as paths: what is compared is geometry and tone.
+                # Letters as paths: only geometry and tones are compared.
                 subprocess.run([program, "still", str(scenes / f"{name}.toml"), "-q", "--theme", "print", "--text", "paths",
                                 "-o", f"{name}.{suffix}"], cwd=folder, check=True)
             first = raster(readers[0], folder, name, (0, 0))

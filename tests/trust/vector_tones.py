@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
-"""How the light of figures in vectors differs from our own pixels: at 300 dots an inch, poppler's picture of the PDF and, where it is here,
-rsvg's of the SVG against ours, where neither changes by more than 2 levels from a pixel to the next, so that no line is meant. Inside the outlines of the ellipsoids in levels
-rms; on the whole page, bodies too, the share of such pixels that are over FAR levels apart: there something else is seen.
+"""Measures differences of tones between vector figures and our own pixels.
 
-Prints a row a scene, levels of 255. Exit code 1 if any is over MOST_RMS or MOST_FAR; 77 (skipped) where poppler is not here.
+At 300 dots per inch, poppler's rendering of the PDF and, if installed, rsvg's of the SVG are compared with our picture, where
+neither changes by more than 2 levels between neighbouring pixels, which excludes lines. Inside the outlines of the ellipsoids: the
+rms in levels; on the whole page, bodies included: the fraction of such pixels that differ by more than FAR levels, which show
+different surfaces.
+
+Prints one row per scene, levels of 255. Exit code 1 if any value is over MOST_RMS or MOST_FAR; 77 (skipped) without poppler.
 Usage: vector_tones.py POINSOT SCENES [NAME...]
 """
 import pathlib
@@ -25,12 +28,12 @@ STILL = ["-q", "--theme", "print", "--width-mm", "162.56", "--height-mm", "91.44
 
 
 def most(channels):
-    """The largest of three channels; numpy's own max(axis=2) takes ten times as long."""
+    """The largest of three channels; numpy's own max(axis=2) is ten times slower."""
     return numpy.maximum(numpy.maximum(channels[..., 0], channels[..., 1]), channels[..., 2])
 
 
 def even(levels):
-    """Where a picture changes by no more than 2 levels to any of the four neighbours."""
+    """Where a picture differs by no more than 2 levels from all four neighbours."""
     flat = numpy.ones(levels.shape[:2], dtype=bool)
     down = most(abs(numpy.diff(levels, axis=0))) <= 2
     across = most(abs(numpy.diff(levels, axis=1))) <= 2
@@ -50,7 +53,7 @@ def inside_outlines(svg, size):
 
 
 def tones(name, folder):
-    """By reader: levels rms inside the ellipsoids, of how many pixels, and the share of all that are far apart."""
+    """By reader: rms in levels inside the ellipsoids, number of pixels, and the fraction of all pixels with large differences."""
     readers = {"poppler.ppm": ["pdftoppm", "-singlefile", "-r", str(DPI), f"{name}.pdf", "poppler"],
                "rsvg.png": ["rsvg-convert", "--dpi-x", str(DPI), "--dpi-y", str(DPI), "-b", "white", "-o", "rsvg.png", f"{name}.svg"]}
     for picture, command in readers.items():
