@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""CMake configures the program on machines that have only some of the packages; nothing is built.
+"""Checks that CMake configures the program on machines with only some of the packages; nothing is built.
 
-Each library of the tests is hidden in turn, then all of them. The program alone (BUILD_TESTING=OFF, as `sh .ci/film` configures it) must
-configure without a word about tests; with BUILD_TESTING=ON the tests are left out and a warning names the Debian package. Each library
-of the program is hidden in turn, too: CMake must stop with its Debian package.
+Each library of the tests is hidden in turn, then all of them. The program alone (BUILD_TESTING=OFF, as `sh .ci/film` configures it)
+must configure without any message about tests; with BUILD_TESTING=ON the tests are omitted and a warning names the Debian package.
+Each library of the program is hidden in turn, too: CMake must stop and name its Debian package.
 Usage: configure_check.py CMAKE SOURCE
 """
 import pathlib
@@ -12,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-TEST_PACKAGES = {  # Debian package → what hides it from CMake
+TEST_PACKAGES = {  # Debian package → the CMake option that hides it
     "libgtest-dev": "-DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON",
     "librapidcheck-dev": "-DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON",
     "libbenchmark-dev": "-DCMAKE_DISABLE_FIND_PACKAGE_benchmark=ON",
@@ -38,7 +38,7 @@ def main():
         every = [*TEST_PACKAGES.values(), *PROGRAM_PACKAGES.values()]
 
         def configure(*options):
-            """With these options alone: what an earlier run hid is found again."""
+            """Configures with only these options: libraries hidden by an earlier run are found again."""
             shown = [unset(hidden) for hidden in every if hidden not in options]
             done = subprocess.run([cmake, "-S", source, "-B", build, "--no-warn-unused-cli", *shown, *options], capture_output=True,
                                   text=True)
@@ -58,14 +58,14 @@ def main():
             expect(code == 0, f"without {name}, BUILD_TESTING=ON", said)
             for package in [name] if hidden else TEST_PACKAGES:
                 expect(f"{package}" in said and "tests are left out" in said, f"{package} is not named", said)
-        # Whoever builds the program alone can renew what is generated from it.
+        # Generated files can be renewed without the tests.
         targets = subprocess.run([cmake, "--build", build, "--target", "help"], capture_output=True, text=True).stdout.split()
         for target in ("poinsot", "docs", "gallery"):
             expect(any(word.rstrip(":") == target for word in targets), f"there is no target {target} without tests", "")
         for name, hidden in PROGRAM_PACKAGES.items():
             code, said = configure(tests_off, hidden)
             expect(code != 0 and f"install {name}" in said, f"without {name}", said)
-        # Nothing is hidden any more: the tests are configured, so the checks above could have failed.
+        # With nothing hidden, the tests are configured; otherwise the checks above would prove nothing.
         code, said = configure(tests_on)
         expect(code == 0 and (pathlib.Path(build) / "tests").exists() and "left out" not in said, "with all packages", said)
     print("\n".join(failures) or f"{len(TEST_PACKAGES)} test packages and {len(PROGRAM_PACKAGES)} libraries hidden in turn")

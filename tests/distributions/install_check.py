@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What `cmake --install` puts under a prefix, used from another folder as a user would.
+"""Checks the files that `cmake --install` puts under a prefix, used from another folder as by a user.
 
 Usage: install_check.py CMAKE BUILD_FOLDER
 """
@@ -45,7 +45,7 @@ def findings(cmake, build):
             if not (prefix / "share" / path).is_file() or not (prefix / "share" / path).stat().st_size:
                 yield f"share/{path} is not there, or empty"
 
-        # Where nothing can be written, nothing is left half installed.
+        # If the prefix is not writable, no partial installation is left.
         if os.getuid() != 0:
             locked = pathlib.Path(name, "locked")
             locked.mkdir(mode=0o500)

@@ -1,4 +1,4 @@
-/* A libEGL that knows one graphics card and no software device, as a machine without Mesa has it. Nothing of it draws. */
+/* A libEGL with one graphics card and no software device, as on a machine without Mesa. It draws nothing. */
 #include <string.h>
 
 typedef void (*Function)(void);
