@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Whether the documents hold what they say: links, sizes, files, tests, and command lines.
+"""Checks the statements of the documents: links, sizes, files, tests, and command lines.
 
 Usage: docs_check.py POINSOT WHAT
-links:     every relative link of *.md and docs/*.md leads to a file that is there, and to a heading that it has.
+links:     every relative link of *.md and docs/*.md leads to an existing file, and to one of its headings.
 readme:    README.md is at most 8192 bytes.
-files:     every path of src/, tests/, scenes/, shaders/ or .ci/ in backticks is there; `*` stands for any name.
-tests:     every test that docs/formulas.md names, as `Suite.Claim`, is in tests/.
-walks:     the blocks of sh of the guide's walks run as they stand, one after the other, in a folder that holds scenes alone; of
-           films the first two frames.
-commands:  every line with poinsot in a block of sh names a command, options and scenes that the program knows.
+files:     every path of src/, tests/, scenes/, shaders/ or .ci/ in backticks exists; `*` matches any name.
+tests:     every test that docs/formulas.md names, as `Suite.Claim`, exists in tests/.
+walks:     the sh blocks of the guide's walks run unchanged, one after the other, in a folder with only
+           scenes; of films, only the first two frames are drawn.
+commands:  every line with poinsot in an sh block has a command, options and scenes that the program knows.
 """
 import pathlib
 import re
@@ -27,7 +27,7 @@ def without_code(text):
 
 
 def anchors_of(page):
-    """As GitHub makes them of headings."""
+    """Anchors of headings, as GitHub makes them."""
     headings = re.findall(r"^#+ +(.*)$", re.sub(r"^```.*?^```", "", page.read_text(), flags=re.M | re.S), re.M)
     return {re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-") for heading in headings}
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""docs/scene-reference.md, made of the lists that the program prints of its own tables.
+"""Generates docs/scene-reference.md from the lists that the program prints of its own tables.
 
 Usage: scene_reference.py write POINSOT     (or: cmake --build build/release --target docs)
-       scene_reference.py check POINSOT     exit code 1 if the page is not what the program would write
+       scene_reference.py check POINSOT     exit code 1 if the page is out of date
 """
 import json
 import pathlib
@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "scene-reference.md"
-# Table of the scene file → what stands over its keys.
+# Table of the scene file → introduction of its keys.
 TABLES = {
     "": "At the top of the file, before any table.",
     "body": "What turns, in exactly one of these ways: `moments_kg_m2`, `tensor_kg_m2`, `shape`, `[[body.masses]]`, `object` or `mesh`.",
@@ -36,7 +36,7 @@ TABLES = {
     "panels[]": "Views of the one motion, one table each.",
     "panels[].camera": "From where one panel is seen, below its `[[panels]]`. `space`, `object`, `top` and `sweep` take from `[camera]` what is not said here; `body` and `momentum`, in body axes, from where they are seen by themselves.",
 }
-# Lists of names that keys take, with the key.
+# Lists of accepted names, with the key that accepts them.
 LISTS = {
     "elements": "show", "panels": "panels[].kind", "quantities": "panels[].quantity", "themes": "theme", "methods": "motion.method",
     "qualities": "film.quality", "overlays": "show", "views": "camera.view", "easings": "keyframes[].easing", "solids": "body.shape",
@@ -60,7 +60,7 @@ def header_of(table):
 
 
 def key_sections(keys):
-    """The keys by table, in the order of the program's own list."""
+    """The keys by table, in the program's order."""
     sections = {}
     for path, summary in keys:
         table, _, leaf = path.rpartition(".")

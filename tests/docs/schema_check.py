@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""The schema that the program prints, against a validator of JSON Schema that knows nothing of it.
+"""Checks the program's schema with an independent JSON Schema validator.
 
 Usage: schema_check.py POINSOT
-Every scene of scenes/ is valid and names the schema for editors; what stands in scenes/ is what the program prints; every key has a
-type; 44 broken scenes are refused at the right key, as the program itself refuses them; and of every key that takes numbers the schema
-has the bounds that the program names when a number is outside of them, refuses 0 where the program asks for one greater than 0, and
-takes what the program takes.
+Every scene in scenes/ is valid and names the schema for editors; the schema in scenes/ is the one that the program prints; every
+key has a type; 44 invalid scenes are rejected at the same key as by the program; and for every numeric key, the schema has the
+bounds that the program states in its error message, rejects 0 where the program requires a positive number, and accepts what the
+program accepts.
 """
 import json
 import pathlib
@@ -29,7 +29,7 @@ omega_rad_s = [0.01, 2.0, 0.01]
 [film]
 duration_s = 1.0
 """
-# A scene is GOOD with one line replaced by another, or with lines added: (what is replaced or "", by what, the key that is wrong).
+# A scene is GOOD with one line replaced, or with lines added: (the replaced line or "", its replacement, the invalid key).
 BROKEN = [
     ('title = "good"', 'title = 3', "title"),
     ('title = "good"', 'titel = "good"', "titel"),
@@ -79,7 +79,7 @@ BROKEN = [
 
 
 def key_of(error):
-    """The innermost key that a validator's error is about."""
+    """The innermost key to which a validator's error refers."""
     if error.validator == "additionalProperties":
         known = error.schema["properties"]
         return next(name for name in error.instance if name not in known)
@@ -98,7 +98,7 @@ def leaves(schema):
 
 
 def numbers(schema, header=""):
-    """Of every key that takes numbers: its name, what it takes, and a scene that gives it a value, to be filled in."""
+    """For every numeric key: its name, its type, and a scene template that sets it."""
     for name, leaf in schema["properties"].items():
         items = leaf.get("items", {})
         if "properties" in leaf:
@@ -106,7 +106,7 @@ def numbers(schema, header=""):
         elif "properties" in items:
             yield from numbers(items, f"[[{header[1:-1] + '.' if header else ''}{name}]]")
         elif re.search('"(number|integer)"', json.dumps(items or leaf)) and "items" not in items:
-            # No other keys: what stands in a table must be read before it is missed that others do not.
+            # No other keys: the table's own keys must be parsed before missing keys are reported.
             yield f"{header}{name}", leaf, f"{header}\n{name} = {{}}\n"
 
 
@@ -118,7 +118,7 @@ def said_of(program, scene):
 
 
 def disagreements(program, schema):
-    """Where the schema draws a line elsewhere than the program: at 0, and far out on both sides."""
+    """Differences of the bounds between schema and program: at 0, and for large numbers of both signs."""
     n_positive = n_bounded = 0
     for key, leaf, scene in numbers(schema):
         number = next((one for one in leaf.get("anyOf", [leaf]) if one.get("type") in ("number", "integer")), None)

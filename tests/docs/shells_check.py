@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Completions as they are typed in real shells, and manual pages as groff reads them.
+"""Checks completions in real shells, and manual pages with groff.
 
 Usage: shells_check.py POINSOT WHAT     bash, zsh, fish: that shell; manual: every page
 """
@@ -13,7 +13,7 @@ import sys
 import tempfile
 import time
 
-# What is typed before the tabulator key, and words that must then be on the screen.
+# The text typed before the tabulator key, and words that must then be on the screen.
 TYPED = [
     ("poinsot rec", ["poinsot recover"]),
     ("poinsot still --wid", ["--width-mm"]),
@@ -30,7 +30,7 @@ DEADLINE_S = 20.0
 
 
 class Shell:
-    """A shell on a terminal of its own, in a folder that holds a scene and a picture."""
+    """A shell on its own terminal, in a folder with a scene and a picture."""
 
     def __init__(self, words, folder, environment):
         self.process, self.terminal = pty.fork()
@@ -61,12 +61,12 @@ class Shell:
 
 
 def plain(screen):
-    """What is read on a screen: without the terminal's own sequences."""
+    """The visible text: without the terminal's control sequences."""
     return re.sub(r"\x1b\[[0-9;?<>=]*[ -/]*[@-~]|\x1b[()][A-Z0-9]|\x1b[=>]|\x1b\][^\x07]*\x07|[\r\x07]", "", screen)
 
 
 def words_of(shell, folder, program):
-    """The command that starts the shell with the completions and a prompt that cannot be mistaken."""
+    """The command that starts the shell with the completions and a unique prompt."""
     script = {"bash": "completion.bash", "zsh": "completion.zsh", "fish": "completion.fish"}[shell]
     text = subprocess.run([program, "list", script], check=True, capture_output=True, text=True).stdout
     if shell == "bash":
