@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Every scene in every theme, on sheets to be looked at before the golden pictures are renewed.
+"""Draws every scene in every theme, on sheets for inspection before the golden pictures are renewed.
 
-Usage: sheets.py POINSOT FOLDER [SCENE...]      all scenes, or those named (stems)
-A scene's sheet has a picture of 900 pixels for each theme at 1920 × 1080, then the still for paper (print theme,
-85 mm at 600 dpi). `NAME.film.png` has four frames of its film, at 0, 1/3, 2/3 and the end. The pictures themselves stay in
-FOLDER/THEME/. `transparent` is laid on a mid grey, where wrong alpha shows, `transparent-dark` on a dark blue. Takes about four
+Usage: sheets.py POINSOT FOLDER [SCENE...]      all scenes, or the named ones (stems)
+A scene's sheet has a picture of 900 pixels for each theme at 1920 × 1080, then the still for paper (print theme, 85 mm at 600 dpi).
+`NAME.film.png` has four frames of its film, at 0, 1/3, 2/3 and the end. The pictures themselves stay in FOLDER/THEME/.
+`transparent` is composited on a mid grey, which makes errors of alpha visible, `transparent-dark` on a dark blue. Takes about four
 minutes. Needs Pillow (python3-pil).
 """
 import json
@@ -16,13 +16,13 @@ from PIL import Image, ImageDraw
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 PAPER = ["--theme", "print", "--width-mm", "85", "--dpi", "600"]
-WIDTH = 900           # pixels of a picture on a sheet
+WIDTH = 900           # width of a picture on a sheet, pixels
 GROUNDS = {"transparent-dark": (38, 50, 70)}
 MID_GREY = (150, 150, 150)
 
 
 def stills(program, names, folder, options):
-    """The scenes' pictures in the folder, drawn in one process, by their names."""
+    """The scenes' pictures in the folder, drawn in one process, by name."""
     folder.mkdir(parents=True, exist_ok=True)
     for old in folder.glob("*.png"):
         old.unlink()
@@ -48,7 +48,7 @@ def film_frames(program, name, folder):
 
 
 def sheet(pictures, out):
-    """Pictures with their names, two to a row."""
+    """Pictures with their names, two per row."""
     opened = []
     for title, path in pictures:
         picture = Image.open(path).convert("RGBA")
