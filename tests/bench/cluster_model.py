@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""A film on many nodes, on paper: a simulation over times that were measured on one machine, in tables and one plot.
+"""Models a film on many nodes: a simulation with times measured on one machine, as tables and one plot.
 
-What is measured and what is assumed stands below, by name. A node has one task at a time; tasks are handed out at the scheduler's
-rate; a task starts, draws its chunks, and ends. One in a hundred is a straggler, one in a hundred dies at some moment and is put
-back into the queue, where it waits as long as Slurm makes it, and goes on from its last whole chunk. After the last part the join
-copies. The same seed gives the same numbers.
+The measured and the assumed values are listed below. A node runs one task at a time; tasks are started at the scheduler's rate; a
+task starts, draws its chunks, and ends. One in a hundred is a straggler; one in a hundred dies at a random moment, is requeued,
+waits for Slurm's delay, and continues after its last complete chunk. After the last part the join copies all packets. The same seed
+gives the same numbers.
 Usage: cluster_model.py [--plot cluster.png] [--seed N]     (the plot needs python3-matplotlib; run with /usr/bin/python3)
 """
 import argparse
@@ -12,30 +12,30 @@ import heapq
 import random
 
 # Measured (2026-11-22, AMD EPYC, 2 cores).
-START_S = 0.13          # CPU of a process until its first frame, shaders' cache warm
-COLD_START_S = 0.5      # and cold, as it is on a node's first task
-CHUNK = 120             # frames between two seams
-FRAME_S = 0.033         # CPU a frame, 1920 × 1080, lecture
+START_S = 0.13          # CPU of a process until its first frame, with cached shaders
+COLD_START_S = 0.5      # the same without cached shaders, as for a node's first task
+CHUNK = 120             # frames per chunk
+FRAME_S = 0.033         # CPU per frame, 1920 × 1080, lecture
 FRAME_BYTES = 14.4e3     # of the film, 1920 × 1080, lecture
 JOIN_START_S = 0.05
-JOIN_FRAME_S = 8e-6     # of the join, a frame: index and hash
-JOIN_BYTE_S = 3e-9      # and a byte: read twice, written once
-LIBRARIES_BYTES = 150e6  # what a node reads before its first frame: program, Mesa, LLVM, FFmpeg
-REQUEUE_S = 120.0       # for which Slurm holds back a task that was put back, as the test on Slurm finds
+JOIN_FRAME_S = 8e-6     # of the join, per frame: index and hash
+JOIN_BYTE_S = 3e-9      # of the join, per byte: read twice, written once
+LIBRARIES_BYTES = 150e6  # read by a node before its first frame: program, Mesa, LLVM, FFmpeg
+REQUEUE_S = 120.0       # Slurm's delay of a requeued task, as measured by tests/trust/slurm.py
 # Assumed.
-DISPATCH_A_S = 100.0    # tasks that a scheduler starts in a second, once it has begun
-FIRST_WAIT_S = 5.0      # until it begins
+DISPATCH_A_S = 100.0    # tasks that the scheduler starts per second, after its first wait
+FIRST_WAIT_S = 5.0      # until the scheduler starts the first task
 STRAGGLERS, SLOWER = 0.01, 3.0
 FAILURES = 0.01
-SPREAD = 0.05           # of the speeds of nodes alike, relative
+SPREAD = 0.05           # relative spread of the speeds of equal nodes
 
 HOUR = 108_000          # frames
-TABLE = {               # CPU ms a frame, by size and quality: docs/speed.md
+TABLE = {               # CPU ms per frame, by size and quality: docs/speed.md
     "1280 × 720": (8, 14, 50, 102), "1920 × 1080": (17, 29, 92, 214), "3840 × 2160": (60, 137, 365, 809)}
 
 
 def parts_of(n_frames, n_parts):
-    """Frames of each part: chunks dealt out evenly."""
+    """Frames of each part: chunks are distributed evenly."""
     n_chunks = -(-n_frames // CHUNK)
     n_parts = min(n_parts, n_chunks)
     chunks = [n_chunks // n_parts + (k < n_chunks % n_parts) for k in range(n_parts)]
@@ -47,8 +47,8 @@ def join_s(n_frames):
 
 
 def film_s(n_frames, n_nodes, n_parts, dice, stragglers=STRAGGLERS, failures=FAILURES, requeue_s=REQUEUE_S, n_films=1):
-    """Wall seconds from submission to the joined film, or to the last of several alike, which are joined side by side."""
-    nodes = [(0.0, node) for node in range(n_nodes)]  # when each is free
+    """Wall seconds from submission to the joined film, or to the last of several such films, which are joined in parallel."""
+    nodes = [(0.0, node) for node in range(n_nodes)]  # time at which each node is free
     heapq.heapify(nodes)
     cold = set(range(n_nodes))
     queue = [(0.0, k, frames) for k, frames in enumerate(parts_of(n_frames, n_parts))]  # earliest start, order, frames left

@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
-"""The whole of what making films costs, in one table and one plot.
+"""Measures all costs of making films, in one table and one plot.
 
     tests/bench/film_bench.py [--build build/release] [--scene scenes/generic.toml] [--quick]
                               [--plot films.png] [--json films.json]
 
-Prints Markdown. CPU time is that of all threads; every figure is the median of --repeat runs. --quick takes a
-few minutes on two idle cores: it leaves out the repeats, three quarters of each film's frames, and the film of 3,000
-frames for one of 600. Build the targets
-poinsot, film_phases, picture_error and bench_picture first. The plot needs python3-matplotlib.
+Prints Markdown. CPU time includes all threads; every number is the median of --repeat runs. --quick takes a few minutes on two idle
+cores: it omits the repetitions and three quarters of each film's frames, and draws 600 frames instead of the film of 3,000. Build
+the targets poinsot, film_phases, picture_error and bench_picture first. The plot needs python3-matplotlib.
 """
 import argparse
 import datetime
@@ -30,11 +29,11 @@ QUALITIES = ["draft", "lecture", "print", "reference"]
 
 
 class Failed(Exception):
-    """A process did not end with 0; its last words."""
+    """A process failed; contains the end of its output."""
 
 
 class Run:
-    """One process run to its end: wall and CPU seconds, peak memory in MiB, what it printed."""
+    """A completed process: wall and CPU seconds, peak memory in MiB, its output."""
 
     def __init__(self, command, **environment):
         before = time.perf_counter()
@@ -63,7 +62,7 @@ class Bench:
         return statistics.median(values)
 
     def phase(self, phase, size, settings, n_frames):
-        """CPU and wall in ms a frame, and memory, of one phase of film_phases."""
+        """CPU and wall ms per frame, and memory, of one phase of film_phases."""
         runs = [json.loads(Run([self.tools / "film_phases", phase, self.options.scene, size, settings, n_frames]).out)
                 for _ in range(self.options.repeat)]
         row = {key: self.median([run[key] for run in runs]) for key in
@@ -76,7 +75,7 @@ class Bench:
         few = {"print": 4, "reference": 10}.get(settings, 1) * {"3840x2160": 4}.get(size, 1)
         return max(6, self.options.frames // few)
 
-    # Each part below prints one section and keeps its numbers in `found`.
+    # Each function below prints one section and stores its numbers in `found`.
 
     def picture(self):
         error = json.loads(Run([self.tools / "picture_error", self.options.scene, "1920x1080"]).out)

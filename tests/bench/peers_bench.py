@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""The same kind of film by other tools, in the same run: ratios of wall time, CPU time and memory.
+"""Compares poinsot with other tools that make the same kind of film: ratios of wall time, CPU time and memory.
 
     tests/bench/peers_bench.py PEERS_FOLDER [--build build/release] [--frames 60] [--presets medium,veryfast]
 
-PEERS_FOLDER holds mktraj.py and peer_NAME.py, each of which draws the motion of scenes/generic.toml's body (ellipsoid,
-plane, both curves, arrows, text) and encodes it by x264 at crf 18. Whichever of them can run here is run; poinsot makes
-its film of the default scene with the same size, number of frames, preset and crf. --quick leaves out the preset medium
-and takes 20 frames, a minute of each peer at most. Not part of CI.
+PEERS_FOLDER contains mktraj.py and peer_NAME.py, each of which draws the motion of scenes/generic.toml's body (ellipsoid, plane,
+both curves, arrows, text) and encodes it with x264 at crf 18. All peers that are installed are run; poinsot makes its film of the
+default scene with the same size, number of frames, preset and crf. --quick omits the preset medium and draws 20 frames, at most a
+minute per peer. Not part of CI.
 """
 import argparse
 import datetime
@@ -18,7 +18,7 @@ import subprocess
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# Name in the table, script, environment, how many of the frames are enough (a slow peer draws fewer).
+# Name in the table, script, environment, number of frames (fewer for a slow peer).
 PEERS = [("VTK, 4× MSAA", "peer_vtk.py", {"MSAA": "4"}, 1.0),
          ("VTK, no MSAA", "peer_vtk.py", {"MSAA": "0"}, 1.0),
          ("MuJoCo, 4× MSAA", "peer_mujoco.py", {"MSAA": "4"}, 1.0),
@@ -30,7 +30,7 @@ REPORT = re.compile(r"frames=(\d+) .*?fps=([\d.]+) .*?cpu_self=([\d.]+) cpu_chil
 
 
 def peer(folder, script, environment, arguments, limit_s):
-    """Frames a second, CPU ms a frame and MiB of one peer; None with the reason if it cannot run here."""
+    """Frames per second, CPU ms per frame and MiB of one peer; None with the reason if it cannot run here."""
     try:
         run = subprocess.run(["/usr/bin/python3", folder / script, *map(str, arguments)], capture_output=True, text=True,
                              env={**os.environ, **environment}, timeout=limit_s)

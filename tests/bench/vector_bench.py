@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Processor time and size of every scene's page: PDF and SVG, as tone and as lines alone.
+"""Measures processor time and size of every scene as PDF and SVG, with tones and with lines only.
 
-Usage: vector_bench.py POINSOT SCENES [still's options]
+Usage: vector_bench.py POINSOT SCENES [options of still]
 """
 import os
 import pathlib
@@ -12,7 +12,7 @@ import tempfile
 
 
 def cost(command):
-    """Seconds of processor time of a command, the least of three."""
+    """Seconds of processor time of a command, the least of three runs."""
     best = 1e9
     for _ in range(3):
         before = resource.getrusage(resource.RUSAGE_CHILDREN)

@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""Which settings of x264 suit drawings: work against size at one likeness.
+"""Finds the settings of x264 that suit drawings: CPU time against size at equal quality.
 
     tests/bench/x264_search.py [--build build/release] [--frames 60] [--plot x264.png]
 
-Each setting encodes the same frames at several crf; size and CPU are taken where its SSIM is that of the preset medium at
-crf 18, by interpolation. Prints the table, the cheapest first; `front` marks what nothing beats in both. Needs ffmpeg with
-libx264; the plot needs python3-matplotlib.
+Each setting encodes the same frames at several crf; size and CPU are interpolated to the SSIM of the preset medium at crf 18.
+Prints the table, the cheapest first; `front` marks the Pareto front. Needs ffmpeg with libx264; the plot needs python3-matplotlib.
 """
 import argparse
 import math
@@ -16,7 +15,7 @@ import subprocess
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FLAT = "psy=0:aq-mode=1"  # no grain to keep
+FLAT = "psy=0:aq-mode=1"  # there is no grain to preserve
 SETTINGS = [("veryfast", ""), ("faster", ""), ("fast", ""), ("medium", ""), ("slow", ""),
             ("superfast", FLAT + ":trellis=1"), ("veryfast", FLAT + ":trellis=1"), ("veryfast", "psy=0:aq-mode=2:trellis=1"),
             ("veryfast", FLAT + ":trellis=1:subme=6:rc-lookahead=30"), ("faster", FLAT + ":trellis=1"), ("fast", FLAT),
@@ -40,7 +39,7 @@ def ssim_of(film, reference):
 
 
 def at_likeness(points, loss_db):
-    """CPU and size where the likeness is this, between the two points about it (straight in dB and log size)."""
+    """CPU and size at this SSIM, interpolated between the two neighbouring points (linear in dB and log size)."""
     points = sorted(points)
     for low, high in zip(points, points[1:]):
         if low[0] <= loss_db <= high[0]:
