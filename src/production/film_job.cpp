@@ -99,7 +99,7 @@ void note_transparency(const Scene& scene, const OutputFormat& format, const Tel
                 : fmt::format(".{} keeps no transparency, its ground is white", format.name)));
 }
 
-// Rejects frames larger than a framebuffer; only stills are drawn in bands.
+// Rejects frames that are too large to be drawn as a whole; only stills are drawn in bands.
 void check_size(const OutputPlan& plan) {
     if (std::max(plan.width_px, plan.height_px) <= largest_png_side_px) return;
     throw InputError(fmt::format(

@@ -77,7 +77,7 @@ TEST(Parts, AreIdenticalToTheWholePicture) {
 }
 
 TEST(Parts, SplitLongMasksWithoutASeam) {
-    // A mask wider than a part, with alternating columns.
+    // A mask wider than the picture, with a checkered pattern.
     GlyphMask mask;
     mask.id = 77001;
     mask.width = 3000;
