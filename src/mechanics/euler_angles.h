@@ -5,7 +5,8 @@
 
 namespace poinsot {
 
-// z-x-z, φ and ψ within ±π; φ−ψ is taken as zero where θ is 0 and φ+ψ where it is π.
+// Returns the z-x-z Euler angles, φ and ψ within ±π; φ−ψ is set to zero where θ = 0, and φ+ψ where
+// θ = π.
 EulerAngles euler_angles_of(const Eigen::Quaterniond& space_from_body);
 
 }  // namespace poinsot

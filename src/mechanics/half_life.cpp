@@ -57,7 +57,7 @@ ScaledStart scaled_start(const InertiaTensor& inertia, const Eigen::Vector3d& om
     omega.cwiseAbs().maxCoeff(&axis);
     Eigen::Vector3d aside = omega / largest;
     aside[axis] = 0.0;
-    // Equal moments have no axis of their own: within their plane, ω stays as well.
+    // With two equal moments every axis in their plane is principal: there ω is constant, too.
     const Eigen::Vector3d& I = inertia.moments_kg_m2();
     for (int i = 0; i < 3; ++i)
         if (I[i] == I[axis]) aside[i] = 0.0;

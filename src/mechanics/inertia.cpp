@@ -85,7 +85,7 @@ TensorDD symmetric_part(const Eigen::Matrix3d& tensor, std::string& note) {
             if (x == y) continue;
             const double largest = std::max(std::abs(x), std::abs(y));
             const double n_ulps = std::abs(x - y) / ulp(largest);
-            // Elements below the diagonal's own rounding are noise whatever their ratio.
+            // Elements smaller than the rounding of the diagonal are noise, whatever their ratio.
             const bool noise = largest <= epsilon * least_diagonal;
             if (n_ulps > 8.0 && !noise) {
                 throw InputError(fmt::format(

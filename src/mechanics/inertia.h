@@ -8,19 +8,19 @@
 
 namespace poinsot {
 
-// Whether moments that no mass distribution can have are refused, or kept for their mathematics.
+// Whether moments that violate the triangle inequality, which no real body has, are refused.
 enum class Physicality { required, waived };
 
 // A symmetric inertia tensor with its principal axes, checked once at construction.
 //
-// "Body axes" are whatever axes the user gave the numbers in. The principal axes e1, e2, e3 are
-// numbered as the user gave them (principal moments) or so that each is the one nearest to the body
-// axis of its number (tensor); they are never sorted. body_from_principal is a proper rotation.
+// "Body axes" are the axes in which the user gave the numbers. The principal axes e1, e2, e3 are
+// numbered as the user gave them (principal moments), or each has the number of the nearest body
+// axis (tensor); they are never sorted. body_from_principal is a proper rotation.
 class InertiaTensor {
  public:
-    // Principal moments in kg m², in any order; body axes are the principal axes.
-    // Throws InputError if one is not finite, not positive, or (required) the triangle inequality
-    // fails by more than 4 ulp. Names the moment as moments_kg_m2[i] and says the rule.
+    // Principal moments in kg m², in any order; body axes are the principal axes. Throws InputError
+    // if one is not finite, not positive, or (required) the triangle inequality fails by more than
+    // 4 ulp. The message names the moment as moments_kg_m2[i] and states the rule.
     static InertiaTensor from_principal_moments(const Eigen::Vector3d& moments_kg_m2,
                                                 Physicality physicality = Physicality::required);
 
@@ -31,11 +31,12 @@ class InertiaTensor {
                                              Physicality physicality = Physicality::required);
 
     // A full symmetric tensor in kg m², in body axes. Asymmetry of at most 8 ulp is averaged away
-    // and noted; more is refused. An exactly diagonal tensor keeps its moments bit for bit.
-    // Otherwise its elements are taken as exact, moments within 4 epsilon of the largest as equal
-    // (with the axes nearest the body's), and a lamina to 16 ulp, as far as rounding the elements
-    // moves one. Throws InputError with the eigenvalues printed if it is not positive definite or
-    // breaks the triangle inequality.
+    // and noted; more is refused. An exactly diagonal tensor keeps its moments exactly. The
+    // elements of other tensors are taken as exact; moments that differ by at most 4 epsilon of the
+    // largest are set equal (with the axes nearest the body's), and the body is a lamina if the
+    // triangle equality holds to 16 ulp: rounding the elements moves a moment by as much. Throws
+    // InputError with the eigenvalues printed if it is not positive definite or breaks the triangle
+    // inequality.
     static InertiaTensor from_matrix(const Eigen::Matrix3d& tensor_kg_m2_body,
                                      Physicality physicality = Physicality::required);
 
@@ -54,7 +55,7 @@ class InertiaTensor {
     // True if one moment is the sum of the others to 4 ulp: a lamina.
     bool planar() const { return planar_; }
 
-    // What was changed on the way in ("asymmetry of 2 ulp averaged away"), or empty.
+    // The correction made to the input ("asymmetry of 2 ulp averaged away"), or empty.
     const std::string& note() const { return note_; }
 
  private:

@@ -16,7 +16,7 @@
 
 namespace poinsot {
 
-// What the rows step by, in stepped/.
+// The functions of the rows, defined in stepped/.
 
 // Explicit, for any torque.
 Propagator euler(const MethodStart& start);   // order 1
@@ -135,7 +135,7 @@ std::string joined(const std::vector<std::string_view>& names) {
 
 bool is_exact(const Method& method) { return method.make == nullptr; }
 
-// What the method takes instead of something that it does not.
+// The options that the method accepts, for a message about one that it does not accept.
 std::string options_of(const Method& method) {
     if (method.takes_step) return "it takes step_s";
     if (method.takes_tolerance) return "it takes tolerance";

@@ -1,4 +1,4 @@
-// The methods that compute a motion, as a table: a name, what it is, and one function.
+// The table of the methods that compute a motion: a name, a description and one function each.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace poinsot {
 
-// What a stepped motion has cost.
+// The cost of a stepped motion.
 struct StepCounters {
     std::int64_t n_steps = 0;
     std::int64_t n_right_hand_sides = 0;  // for an implicit method: iterations
@@ -38,7 +38,7 @@ struct Propagator {
     std::function<StepState(const StepNode&, double time_s, StepCounters&)> within;
 };
 
-// What a method needs to begin.
+// The initial data of a method.
 struct MethodStart {
     RotationDynamics dynamics;
     StepState state;
@@ -53,7 +53,7 @@ struct Method {
     std::string_view summary{};
     std::string_view source{};
     std::string_view conserves{};
-    std::span<const int> orders{};  // that may be asked for; the last is the default. Empty: exact
+    std::span<const int> orders{};  // available orders; the last is the default. Empty: exact
     bool takes_step = false;
     bool takes_tolerance = false;
     unsigned torques = 0;                              // bit i: handles alternative i of Torque
@@ -66,21 +66,21 @@ std::span<const Method> methods();
 // The row of this name. Throws InputError with the nearest name and all of them.
 const Method& find_method(std::string_view name);
 
-// True if the method has an answer for this body and torque: exact takes gravity along the axis of
-// a symmetric body (or Mgl = 0), and the others what their row says.
+// True if the method can compute this body's motion under this torque: exact accepts gravity along
+// the axis of a symmetric body (or Mgl = 0); the other methods accept the torques of their row.
 bool can_solve(const Method& method, const InertiaTensor& inertia, const Torque& torque);
 
-// Their names, comma-separated, for a message.
+// Names of the methods that can solve the problem, comma-separated, for a message.
 std::string methods_that_solve(const InertiaTensor& inertia, const Torque& torque);
 
-// The least tolerance that a method may be asked for; below it rounding is larger than the error.
+// The smallest tolerance that a method accepts; below it rounding exceeds the method's error.
 inline constexpr double least_tolerance = 1e-14;
 inline constexpr double default_tolerance = 1e-9;
 
-// The row that a choice names, after checking it: throws InputError if the method is unknown,
+// Checks a choice and returns the row that it names. Throws InputError if the method is unknown,
 // cannot solve the problem (naming those that can), or does not take the order, step or tolerance
-// given; if the step is not positive and finite, or the tolerance not between least_tolerance
-// and 1.
+// given; if the step is not positive and finite, or the tolerance not between least_tolerance and
+// 1.
 const Method& check_method(const MethodChoice& choice, const InertiaTensor& inertia,
                            const Torque& torque);
 

@@ -1,4 +1,4 @@
-// The motion of a rigid body as an immutable value that can be asked for any instant.
+// The motion of a rigid body as an immutable value that can be evaluated at any instant.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,8 +14,8 @@
 
 namespace poinsot {
 
-// Chooses the regime once and answers for any time. Exact motions cost the same at every instant;
-// stepped ones cover the problem's time span and throw InputError outside it.
+// Chooses the regime once, at construction. Exact motions cost the same at every instant; stepped
+// ones cover the problem's time span and throw InputError outside it.
 class Motion {
  public:
     // Throws InputError for what cannot be computed: an unknown method (with the nearest), exact
@@ -36,7 +36,7 @@ class Motion {
     // problem has no torque.
     FreeRotationConstants free_constants() const;
 
-    // The solution in its own type, for what only it can tell; null if it is another one.
+    // The solution as a FreeRotation, for the functions that only it has; null for other solutions.
     const FreeRotation* free_rotation() const { return std::get_if<FreeRotation>(&solution_); }
     const HeavyTop* heavy_top() const { return std::get_if<HeavyTop>(&solution_); }
     const IntegratedRotation* integrated() const {

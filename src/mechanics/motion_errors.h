@@ -1,4 +1,4 @@
-// How far one computed motion is from another: the measure behind every choice of a step.
+// The differences between two computed motions, by which steps are chosen.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ struct MotionErrors {
 // The angle in rad, 0…π, of the rotation between two attitudes; accurate for small angles.
 double angle_between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
 
-// The worst over the given instants. Both motions must cover them.
+// Returns the largest errors over the given instants. Both motions must cover these instants.
 MotionErrors worst_errors(const Motion& motion, const Motion& truth,
                           std::span<const double> times_s);
 

@@ -30,7 +30,7 @@ struct DissipationTorque {  // internal friction: L is kept, T decays (major-axi
 using Torque = std::variant<NoTorque, GravityTorque, ConstantBodyTorque, ConstantSpaceTorque,
                             DissipationTorque>;
 
-// How the motion is to be computed.
+// How the motion is computed.
 struct MethodChoice {
     std::string name = "exact";
     std::optional<double> step_s;
@@ -51,14 +51,13 @@ struct MotionProblem {
     InertiaTensor inertia = InertiaTensor::from_principal_moments({1.0, 1.0, 1.0});
     RotationState start;  // at time_s = 0
     std::optional<TopStart>
-        top_start;  // what start was rounded from, if so; the exact heavy top begins from it
+        top_start;  // unrounded form of start, if known; the exact heavy top begins from it
     Torque torque;
     MethodChoice method;
-    double first_time_s =
-        0.0;  // span that stepped methods must cover; exact ones answer everywhere
+    double first_time_s = 0.0;  // span that stepped methods must cover; exact ones cover all times
     double last_time_s = 0.0;
-    double overshoot_s = 0.0;  // beyond its end they still answer: a drawn history ends with a
-                               // whole piece
+    double overshoot_s = 0.0;  // stepped methods also cover this much more: a drawn history
+                               // ends with a whole piece
 };
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// Attitude and angular velocity at an instant, and what may be asked of a motion.
+// Attitude and angular velocity at an instant, and the quantities that a motion can compute.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,7 +21,7 @@ struct EulerAngles {
     double psi_rad = 0.0;
 };
 
-// What is asked of one evaluation; what is not asked is not computed.
+// The quantities that one evaluation computes; others are left out.
 struct Quantities {
     bool attitude = true;
     bool herpolhode = false;
@@ -29,7 +29,7 @@ struct Quantities {
 };
 
 struct MotionSample {
-    RotationState state;  // the attitude is the identity when it was not asked for
+    RotationState state;  // the attitude is the identity when it was not requested
     Eigen::Vector3d herpolhode_space =
         Eigen::Vector3d::Zero();  // component of ω perpendicular to L, rad/s, space axes
     EulerAngles euler;

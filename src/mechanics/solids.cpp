@@ -95,7 +95,7 @@ void check_mass(double mass_kg, std::string_view what) {
     throw InputError(fmt::format("{} = {}: a mass is finite and positive", what, mass_kg));
 }
 
-// Of a double and a sum with what it left over, rounded to two doubles.
+// The difference of a double and a double-double, rounded to two doubles.
 DoubleDouble difference(double a, DoubleDouble b) { return DoubleDouble(a) - b; }
 
 // A power of two near the largest coordinate or mass: scaling by it rounds nothing.
@@ -116,7 +116,7 @@ struct SecondMoments {
     TensorDD inertia;
 };
 
-// Sums in double-double: an offset of 1e8 costs no digit of the inertia.
+// Sums in double-double: an offset of 1e8 loses no digit of the inertia.
 SecondMoments second_moments(std::span<const ScaledMass> masses) {
     SecondMoments sum;
     std::array<DoubleDouble, 3> moment;
@@ -191,7 +191,7 @@ InertiaTensor inertia_of_solid(std::string_view name, std::span<const double> si
             "holds; choose other units",
             name, moments[0], moments[1], moments[2]));
     }
-    // A solid's moments are a real body's, whatever their last digits.
+    // A solid's moments satisfy the triangle inequality except for their rounding.
     return InertiaTensor::from_principal_moments(moments, Physicality::waived);
 }
 

@@ -39,9 +39,9 @@ struct MassDistribution {
     double mass_kg;
 };
 
-// Point masses: compensated sums, parallel axes applied. Throws InputError naming the missing
-// extent for one mass, coincident or collinear masses, and for a mass that is not finite and
-// positive.
+// Inertia of point masses by compensated sums and the parallel axis theorem. Throws InputError
+// naming the missing extent for one mass, coincident or collinear masses, and for a mass that is
+// not finite and positive.
 MassDistribution inertia_of_masses(std::span<const PointMass> masses);
 
 }  // namespace poinsot

@@ -45,7 +45,7 @@ double span_of(const MotionProblem& problem) {
     return std::max(std::abs(problem.first_time_s), std::abs(problem.last_time_s));
 }
 
-// The ladder's next rung; nothing past its finest, or where that one would take too many steps.
+// The next finer rung; none after the finest, or if it would take too many steps.
 std::optional<MethodChoice> finer_than(const MethodChoice& rung, const MotionProblem& problem,
                                        double most_steps) {
     MethodChoice finer = rung;
@@ -59,15 +59,15 @@ std::optional<MethodChoice> finer_than(const MethodChoice& rung, const MotionPro
     return finer;
 }
 
-// Steps that an adaptive method took: how many a tolerance needs is only known afterwards.
+// The steps that an adaptive method took; their number is known only after the integration.
 double n_adaptive_steps(const Motion& motion) {
     const IntegratedRotation& stepped = *motion.integrated();
     return stepped.method().takes_step ? 0.0 : static_cast<double>(stepped.counters().n_steps);
 }
 
-// The error of a choice that names its step or tolerance: against the truth, or else against half
-// the step or a tenth of the tolerance. Where no tolerance is finer, ten times this one is measured
-// against it: an upper bound.
+// The error of a choice with a given step or tolerance: against the exact motion, or else against
+// half the step or a tenth of the tolerance. If that tolerance is too small, ten times the
+// tolerance is measured against this one: an upper bound.
 double error_of(const MotionProblem& problem, const std::optional<Motion>& truth,
                 std::span<const double> times, const std::stop_token& stop) {
     const auto error = [&](const MotionProblem& coarse, const Motion& fine) {
@@ -124,7 +124,7 @@ StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_r
     Motion motion(with(problem, choice.method), stop);
     while (true) {
         const std::optional<MethodChoice> finer = finer_than(choice.method, problem, most_steps);
-        std::optional<Motion> next;  // stands for the truth where there is none
+        std::optional<Motion> next;  // reference where no exact motion exists
         if (!truth)
             next.emplace(
                 with(problem, finer ? *finer : *finer_than(choice.method, problem, any_number)),

@@ -14,7 +14,7 @@ struct StepChoice {
     MethodChoice method;        // with step_s or tolerance filled in
     double attitude_rad = 0.0;  // worst error measured over the problem's span at that choice; 0
                                 // for an exact method
-    bool reached = true;        // whether that is within the tolerance asked for
+    bool reached = true;        // whether that error is within the requested tolerance
 };
 
 // The largest step (or tolerance) of a geometric ladder whose worst attitude error over the

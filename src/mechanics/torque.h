@@ -1,7 +1,7 @@
 // Torques and the equations of motion that the stepping methods solve.
 //
-// With a torque the motion of a general body is not integrable: but for Lagrange's top there is no
-// closed form, and a method must step.
+// With a torque the motion of a general body is not integrable: except for Lagrange's top there is
+// no closed form, and the motion must be integrated numerically.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ namespace poinsot {
 // "none", "gravity", "constant in the body", "constant in space", "internal dissipation".
 std::string_view name_of(const Torque& torque);
 
-// What a stepping method advances: momentum L in kg m²/s in principal axes, and the attitude.
+// The variables of a stepping method: momentum L in kg m²/s in principal axes, and the attitude.
 struct StepState {
     Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
     Eigen::Quaterniond space_from_principal = Eigen::Quaterniond::Identity();
@@ -44,7 +44,7 @@ class RotationDynamics {
 
     const Eigen::Vector3d& moments_kg_m2() const { return moments_; }
     const Torque& torque() const { return torque_; }  // in principal axes
-    // Whether a torque acts at all; friction inside the body is none.
+    // Whether a torque acts; internal friction is not a torque.
     bool has_torque() const {
         return !std::holds_alternative<NoTorque>(torque_) &&
                !std::holds_alternative<DissipationTorque>(torque_);

@@ -135,7 +135,7 @@ void FreeRotation::set_rates(const JacobiSolution& j, double start_time_s) {
     DoubleDouble phase_at_0 = phase_start.double_double();
     DoubleDouble turn_at_0;
     if (start_time_s != 0.0) {
-        // The start's own time is taken off the phases, whole revolutions apart.
+        // The phases at the start's time are subtracted, with whole revolutions kept separate.
         const WideDouble t = start_time_s;
         const auto reduced = [](const WideDouble& x) {
             const DoubleDouble value = x.double_double();

@@ -1,10 +1,10 @@
 // The torque-free rotation of a rigid body, exact at any instant: Jacobi's solution by theta
 // functions.
 //
-// Against the doubles given, ω is good to 8e-16 of its norm, the attitude to 1.1e-15 rad and the
-// herpolhode to 2e-15 of its length, in every regime and up to 1e15 rad of turning; the error then
-// grows by 5e-32 a radian. How far those doubles themselves decide the motion is another matter:
-// see docs/accuracy.md.
+// For given doubles, the error of ω is at most 8e-16 of its norm, that of the attitude 1.1e-15 rad
+// and that of the herpolhode 2e-15 of its length, in every regime and up to 1e15 rad of turning;
+// the error then grows by 5e-32 per radian. docs/accuracy.md describes how far the rounding of the
+// input changes the motion.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,10 +18,10 @@
 
 namespace poinsot {
 
-// Constants of a torque-free motion. What a regime does not have is empty: no period on the
-// separatrix (it is infinite), in permanent rotation or at rest.
+// Constants of a torque-free motion. A constant that the regime does not have is empty: there is no
+// period on the separatrix (it is infinite), in permanent rotation or at rest.
 struct FreeRotationConstants {
-    double kinetic_energy_J = 0.0;  // T; infinite or zero where a double cannot hold it
+    double kinetic_energy_J = 0.0;  // T; infinite on overflow, zero on underflow
     double momentum_kg_m2_s = 0.0;  // |L|
     Eigen::Vector3d momentum_space = Eigen::Vector3d::Zero();  // L, kg m²/s, space axes
     int encircled_axis = 2;              // index of the principal axis that the polhode encircles
@@ -38,8 +38,8 @@ struct FreeRotationConstants {
 // Immutable; every instant costs the same.
 class FreeRotation {
  public:
-    // From a state at start.time_s. Throws InputError if ω, the attitude or the time is not finite,
-    // if the attitude is zero, or if L overflows.
+    // Constructs the motion through a state at start.time_s. Throws InputError if ω, the attitude
+    // or the time is not finite, if the attitude is zero, or if L overflows.
     FreeRotation(const InertiaTensor& inertia, const RotationState& start);
 
     // Throws InputError if ω t overflows.
@@ -86,12 +86,12 @@ class FreeRotation {
 
     RotationState start_;  // as given, the attitude of unit length
     Eigen::Vector3d steady_axis_body_ = Eigen::Vector3d::Zero();  // ω/|ω| of permanent rotation
-    // What the output is linear in.
+    // Linear maps from the evaluated directions to the output.
     ThreeRows<3> omega_from_direction_;  // of the momentum, along a, b, c: (L/I)·(the axis)
     QuaternionRows attitude_from_turn_;
     ThreeRows<2> plane_space_;      // the invariable plane's two directions over κ
     double herpolhode_a_ = 0.0;     // (L² − 2TI)/(I L) of a
-    Pair herpolhode_bc_{0.0, 0.0};  // and of b, c
+    Pair herpolhode_bc_{0.0, 0.0};  // the same of b and c
     FreeRotationConstants constants_;
 };
 

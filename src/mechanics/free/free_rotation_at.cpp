@@ -1,4 +1,4 @@
-// The free motion at an instant: what FreeRotation's setup is for.
+// Evaluation of the free motion at an instant.
 #include <cmath>
 
 #include "error/error.h"
@@ -7,7 +7,7 @@
 
 namespace poinsot {
 
-// The scaled time, refused where ω t overflows.
+// The scaled time. Throws where ω t overflows.
 inline double FreeRotation::scaled_time(double time_s) const {
     const double time = time_s * time_scale_;
     if (!std::isfinite(time)) {
@@ -42,7 +42,7 @@ inline double FreeRotation::scaled_time(double time_s) const {
     const double side = x.hi < 0.0 ? -1.0 : 1.0;
     if (std::abs(x.hi) < 2000.0) x = rate * time + start;
     x = abs(DoubleDouble(128.0 * x.hi, 128.0 * x.lo));
-    // The approach to the middle axis goes through the subnormal numbers to nothing.
+    // Near the middle axis E decreases through the subnormal numbers to zero.
     double E = 0.0;
     double one_less_E = 1.0;
     if (x.hi <= 128'000.0) {
@@ -59,16 +59,17 @@ inline double FreeRotation::scaled_time(double time_s) const {
 }
 
 // P = (1 + n_a, 0, n_c, −n_b) takes the momentum's direction to a, and the rotor turns about a:
-// |P|²·weight² = 2·weight·(weight + a), and |rotor|² = κ·(weight + a), for both sides of
-// Θ(u)Θ(−u) ∝ θ₄(u)·(1 + A/L·dn u) have the same zeros, ±iβ, and no pole. So no length would
-// have to be taken; the quaternion's is, for one rounding where these products have five.
+// |P|²·weight² = 2·weight·(weight + a), and |rotor|² = κ·(weight + a), because both sides of
+// Θ(u)Θ(−u) ∝ θ₄(u)·(1 + A/L·dn u) have the same zeros, ±iβ, and no pole. The length of the
+// quaternion is therefore known; it is computed all the same, which takes one rounding where these
+// products take five.
 [[gnu::always_inline]] inline void FreeRotation::finish(const SeriesPoint& point,
                                                         const Quantities& wanted,
                                                         MotionSample& out) const {
     const double weight = point.weight_a[0];
     const double a = point.weight_a[1];
     const double p0 = weight + a;
-    // While the quotients are under way, everything is worked out but for them.
+    // The processor computes the terms that need no quotient while the divisions run.
     const double g = 1.0 / (weight * p0);
     omega_from_direction_.product({a, point.b_c[0], point.b_c[1]}, g * p0, out.state.omega_body);
     if (wanted.attitude || wanted.euler_angles) {
@@ -97,7 +98,7 @@ void FreeRotation::steady(double time, const Quantities& wanted, MotionSample& o
                                 out.state.space_from_body);
 }
 
-// One function for each series, so that none saves registers for another.
+// One function for each series, so that a series does not save registers that only another uses.
 template <FreeRotation::Series series>
 [[gnu::noinline]] void FreeRotation::evaluate_series(double time, const Quantities& wanted,
                                                      MotionSample& out) const {
@@ -129,7 +130,7 @@ inline void FreeRotation::evaluate(double time_s, const Quantities& wanted,
             evaluate_series<Series::separatrix>(time, wanted, out);
             break;
     }
-    // At the start the state is the one given, which the series give back but for their rounding.
+    // At the start the given state is returned; the series reproduce it only to rounding.
     if (time_s == start_.time_s) [[unlikely]] {
         out.state.omega_body = start_.omega_body;
         if (wanted.attitude || wanted.euler_angles) {

@@ -59,7 +59,7 @@ WideDouble momentum_difference(const Vector3d& I, const Vector3d& w, int i) {
     if (y.zero) return first;
     if (x.zero) return WideDouble(y.significand.value(), y.exponent);
     const int shift = y.exponent - x.exponent;
-    // Terms so unlike in size do not cancel.
+    // Terms of such different sizes do not cancel.
     if (shift < -60) return first + WideDouble(y.significand.value(), y.exponent);
     return WideDouble(x.significand.plus(y.significand.times(std::ldexp(1.0, shift))).value(),
                       x.exponent);
@@ -136,9 +136,8 @@ void set_periods(JacobiSolution& j, const WideDouble& ba, const WideDouble& bc,
     j.third_kind_argument = sqrt(sin2) * carlson_rf(cos2, cos2 + square(j.modulus) * sin2, 1.0);
 }
 
-// The mean over a period of ψ̇ = L/Ia − (Δa/Ia)/(L + ma). With p = Ib(Ic − Ia)/(Ic(Ib − Ia)) and
-// p − 1 = Ia(Ic − Ib)/(Ic(Ib − Ia)), the large L/Ia of a needle is gone before any number is
-// formed.
+// The mean over a period of ψ̇ = L/Ia − (Δa/Ia)/(L + ma). With p = Ib(Ic − Ia)/(Ic(Ib − Ia)) and p
+// − 1 = Ia(Ic − Ib)/(Ic(Ib − Ia)), the large term L/Ia of a needle cancels analytically.
 WideDouble mean_turn_rate(const JacobiSolution& j, const WideDouble& ba, const WideDouble& bc,
                           const WideDouble& ca) {
     const auto& [Ia, Ib, Ic] = j.moments;

@@ -1,11 +1,11 @@
-// The constants of Jacobi's solution for one motion, in wide double-double: worked out once.
+// The constants of Jacobi's solution for one motion, computed once in wide double-double.
 //
 // Notation, as in van Zon & Schofield, J. Comput. Phys. 225 (2007) 145: the polhode encircles the
 // axis a, b is the axis of the middle moment, c the other one. Signs of the axes are chosen so that
 // (a, b, c) is right-handed, the momentum along a is positive and along c is of the sign of s. Then
 //     momentum = (A dn u, B sn u, s C cn u),   u = λ t + u₀,   s = +1 if a has the lowest moment.
-// The attitude is followed in the axes that turn least as they follow a: there no pole appears at
-// zero wobble.
+// The attitude is computed in the axes that follow a with the least rotation: in these axes no pole
+// appears at zero wobble.
 #pragma once
 
 #include <Eigen/Core>
@@ -51,8 +51,8 @@ WideDouble momentum_difference(const Eigen::Vector3d& moments_kg_m2,
 // Moments in kg m² and angular velocity in rad/s along the principal axes, both finite, moments
 // positive. In permanent rotation and at rest only regime, axis, momentum and twice_energy are set.
 // Source: Jacobi 1849; van Zon & Schofield 2007; Celledoni, Fassò, Säfström & Zanna, SIAM J. Sci.
-// Comput. 30 (2008) 2084. Departures: k′² is formed from L² − 2T·Ib itself, never as 1 − k²; that
-// difference is exact (Shewchuk's expansions); Ω is a sum without needles' cancellation.
+// Comput. 30 (2008) 2084. Departures: k′² is computed from L² − 2T·Ib, not as 1 − k², and that
+// difference is exact (Shewchuk's expansions); the sum for Ω does not cancel for needles.
 JacobiSolution solve_free_rotation(const Eigen::Vector3d& moments_kg_m2,
                                    const Eigen::Vector3d& omega_principal);
 

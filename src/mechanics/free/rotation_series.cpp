@@ -6,7 +6,7 @@ namespace poinsot {
 
 namespace {
 
-// q, q², … as far as any series here needs them, and 1.
+// 1, q, q², …, up to the highest power that a series here needs.
 struct Nome {
     std::array<DoubleDouble, 26> power{};
 
@@ -206,7 +206,7 @@ TrigonometricSeries trigonometric_series(const JacobiSolution& j) {
 
 HyperbolicSeries hyperbolic_series(const JacobiSolution& j) {
     const HyperbolicNomes nomes = hyperbolic_nomes(j);
-    // Terms below 2^−120 are left out: beside 1 they are nothing.
+    // Terms below 2^−120 are left out: they are negligible beside 1.
     const DoubleDouble root = nomes.root.hi > 0x1p-60 ? nomes.root : DoubleDouble(0.0);
     const Nome Q(root);
     const Nome q(root * root);

@@ -1,9 +1,9 @@
-// Jacobi's solution as rapidly converging series with coefficients in double: what is evaluated at
-// every instant.
+// Jacobi's solution as rapidly converging series with coefficients in double, which are evaluated
+// at every instant.
 //
 // Both series are theta functions of a small nome: directly, q = exp(−πK′/K) ≤ 0.086, for k′ ≥ ½,
 // and after Jacobi's imaginary transformation, q′ = exp(−πK/K′) ≤ 0.018, below; the separatrix is
-// the plain case q′ = 0. Source: DLMF 20.2, 20.7(viii), 22.2; the integral of the third kind is the
+// the limit q′ = 0. Source: DLMF 20.2, 20.7(viii), 22.2; the integral of the third kind is the
 // argument of a theta function Θ of periods 2K and 4iK′ that vanishes at u = −iβ.
 #pragma once
 
@@ -16,8 +16,8 @@
 
 namespace poinsot {
 
-// Direction of the momentum along a, b, c times a weight, which spares a division before the
-// quaternion's length is known, and the turn about it as a rotor ∝ exp(iψ/2).
+// The direction of the momentum along a, b, c times a weight, and the rotation about it as a rotor
+// ∝ exp(iψ/2). The weight avoids a division before the quaternion's length is known.
 struct SeriesPoint {
     Pair weight_a;
     Pair b_c;
@@ -26,15 +26,15 @@ struct SeriesPoint {
 
 // Theta functions of v = πu/2K as polynomials in x = sin²v; a symmetric body is the case q = 0.
 struct TrigonometricSeries {
-    // Pair by pair what a SeriesPoint holds, with sin v taken out of b, cos v out of c and both out
-    // of im; column n has the factors of xⁿ. The rotor is
+    // The pairs of a SeriesPoint without the factors sin v of b, cos v of c and both of im; column
+    // n has the coefficients of xⁿ. The rotor is
     // Θ = 1 − ρe^{2iv} − ρ′e^{−2iv} + q⁴(ρ²e^{4iv} + ρ′²e^{−4iv}) − …, conjugated for s = +1;
     // ρ = e^{−πβ/K}, ρ′ = q⁴/ρ.
     using Polynomial = std::array<Pair, 4>;
     Polynomial weight_a{}, b_c{}, rotor{};
     DoubleDouble kappa = 1.0;  // |Θ|² over weight + a
 
-    // At (sin v, cos v).
+    // Evaluates the series at (sin v, cos v).
     SeriesPoint at(Pair sin_cos) const {
         const Pair sin = both(sin_cos[0]);
         const Pair x = sin * sin;
@@ -47,12 +47,12 @@ struct TrigonometricSeries {
 };
 
 // Theta functions in X = E² and Y = F², where E = exp(−π|r|/2K′), F = exp(−π(K − |r|)/2K′) = Q/E,
-// and r is u less its nearest multiple of 2K.
+// and r is u minus its nearest multiple of 2K.
 struct HyperbolicSeries {
     double exponent_high = 0.0;  // −128 log₂ of E at r = K, in two words, the first of 26 bits
     double exponent_low = 0.0;
-    double root_nome_up = 0.0;      // 2^512 Q, Q = √q′: a normal number even where Q is not
-    double phase_per_period = 0.0;  // quarter turns that Θ's argument gains in 2K, conjugated too
+    double root_nome_up = 0.0;      // 2^512 Q, Q = √q′: normal even where Q is subnormal
+    double phase_per_period = 0.0;  // quarter turns that Θ's argument gains in 2K; also conjugated
     double a = 0.0, b = 0.0, c = 0.0;
     // Powers of q′, and the factors of the series over 1 − X and 1 − Y, each twice.
     Pair q1{}, q2{}, q4{}, q6{}, q9{};
@@ -61,11 +61,11 @@ struct HyperbolicSeries {
     // δ = πF(φ,k′)/4K′.
     std::array<Pair, 5> in_F{};
     std::array<Pair, 4> in_E{};
-    bool is_short = false;     // Q⁴ is nothing beside 1
+    bool is_short = false;     // Q⁴ is negligible beside 1
     DoubleDouble kappa = 1.0;  // |Θ|² over weight + a
 
-    // What the phase, u in units of K, says of r: the side of the nearest even multiple of K it is
-    // on, whether that is an odd multiple of 2K, and r/2K.
+    // r from the phase, which is u in units of K: the side of the nearest even multiple of K that r
+    // is on, whether that multiple is an odd multiple of 2K, and r/2K.
     struct Place {
         double side;
         double parity;
@@ -135,7 +135,8 @@ struct HyperbolicSeries {
                       parity);
     }
 
-    // Beside 1, what is below 2^−60 is nothing; as zero it makes no slow subnormal numbers.
+    // Sets powers below 2^−60 to zero: they are negligible beside 1 and would give slow subnormal
+    // numbers.
     static Pair visible(Pair powers) { return powers > 0x1p-60 ? powers : both(0.0); }
 
     // dn's, sn's and cn's outer factors.
@@ -157,7 +158,7 @@ inline bool suits_trigonometric(const JacobiSolution& solution) {
     return !(solution.complementary_modulus < 0.5);
 }
 
-// (re, im) of exp(iψ/2) at the start but for the mean turn, of unit length, in double-double.
+// (re, im) of exp(iψ/2) at the start without the mean rotation, of unit length, in double-double.
 std::array<DoubleDouble, 2> start_rotor(const JacobiSolution& solution);
 
 }  // namespace poinsot

@@ -31,7 +31,7 @@ class Dopri5 {
         // Largest step: a quarter of a turn, where each first step is the 200th part of one.
         constexpr double first_steps = 50.0;
         longest_step_s_ = first_steps * start.step_s;
-        // The momentum's unit makes one tolerance serve momentum and attitude.
+        // In this unit of momentum one tolerance suits both momentum and attitude.
         const double momentum = start.state.momentum.stableNorm();
         const double torque = dynamics_.greatest_torque_N_m();
         unit_ = momentum > 0.0
@@ -129,7 +129,8 @@ class Dopri5 {
         for (int i = 0; i < 4; ++i) rate[static_cast<std::size_t>(i) + 3] = turning[i];
     }
 
-    // One accepted step from a node; returns the derivative at its start. step is the next one's.
+    // Takes one accepted step from a node; returns the derivative at its start. step becomes the
+    // next step.
     Numbers take_step(const StepNode& node, Controlled& controlled, Numbers& end,
                       Numbers& end_slope, double& time, double& step,
                       StepCounters& counters) const {

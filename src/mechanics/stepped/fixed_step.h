@@ -1,4 +1,4 @@
-// Steps of equal length made into a Propagator.
+// A Propagator that takes steps of equal length.
 #pragma once
 
 #include <utility>
@@ -8,7 +8,7 @@
 namespace poinsot {
 
 // step(state, h, counters) → state after a time h; a time within a step is reached by a shorter
-// one.
+// step.
 template <typename Step>
 Propagator fixed_step(const MethodStart& start, Step step) {
     Propagator propagator;

@@ -20,7 +20,7 @@ double default_step_s(const RotationDynamics& dynamics, const Eigen::Vector3d& m
                       double span_s) {
     const double torque = dynamics.greatest_torque_N_m();
     const double least_moment = dynamics.moments_kg_m2().minCoeff();
-    // A pendulum's rate under gravity; under a constant torque what it can spin up to.
+    // A pendulum's rate under gravity; under a constant torque the rate that the body can reach.
     const bool swings = std::holds_alternative<GravityTorque>(dynamics.torque());
     const double gained =
         swings ? 2.0 * std::sqrt(torque / least_moment) : torque * span_s / least_moment;
@@ -154,8 +154,8 @@ void IntegratedRotation::cover(Branch& branch, const MethodStart& start, double 
     StepNode node;
     node.step_s = start.step_s;
     node.state = start.state;
-    // All the room at once, which costs nothing until it is written to: a vector that doubles has
-    // the system clear twice the memory, in every run anew.
+    // Reserves all memory at once, which costs nothing until it is written to; in a growing vector
+    // the system would clear twice the memory, in every run.
     constexpr auto most = static_cast<double>(max_kept_states);
     const double n_expected = end_s == 0.0          ? 1.0
                               : method_->takes_step ? end_s / start.step_s + 2.0
@@ -208,7 +208,7 @@ RotationState IntegratedRotation::at(double time_s, StepCounters& counters) cons
         [](double wanted, const StepNode& node) { return wanted < std::abs(node.time_s); });
     StepNode node = *std::prev(after);
     while (true) {
-        // A fixed step's end is known without taking it.
+        // The end of a fixed step is known without taking the step.
         if (method_->takes_step &&
             std::abs(static_cast<double>(node.index + 1) * step_s_) > distance) {
             break;

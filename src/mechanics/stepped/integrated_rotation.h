@@ -42,9 +42,9 @@ class IntegratedRotation {
     double step_s() const { return step_s_; }
     double first_time_s() const { return first_time_s_; }
     double last_time_s() const { return last_time_s_; }
-    // What covering the time span has cost.
+    // The cost of covering the time span.
     const StepCounters& counters() const { return counters_; }
-    // What one evaluation costs: as at(), adding to the counters.
+    // Like at(); adds the cost of the evaluation to the counters.
     RotationState at(double time_s, StepCounters& counters) const;
     std::size_t n_kept_states() const { return forward_.kept.size() + backward_.kept.size(); }
 

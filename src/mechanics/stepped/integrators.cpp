@@ -66,14 +66,14 @@ Quaterniond rotation_by(const Vector3d& v) {
     return {cosine, 0.5 * sinc * v[0], 0.5 * sinc * v[1], 0.5 * sinc * v[2]};
 }
 
-// L in space where no torque acts: a method that keeps L takes it from here, not from the step
-// before, so that rounding cannot add up.
+// L in space where no torque acts: a method that conserves L takes L from here, not from the step
+// before, so that rounding errors do not accumulate.
 struct KeptMomentum {
     explicit KeptMomentum(const MethodStart& start)
         : space(start.state.space_from_principal * start.state.momentum),
           kept(!start.dynamics.has_torque()) {}
 
-    // L in principal axes of this attitude, if it is kept; else the one given.
+    // L in the principal axes of this attitude if L is kept; otherwise the given L.
     Vector3d in_axes_of(const Quaterniond& attitude, const Vector3d& otherwise) const {
         return kept ? attitude.conjugate() * space : otherwise;
     }
@@ -191,8 +191,8 @@ Propagator rkmk4(const MethodStart& start) {
     });
 }
 
-// L1 = L0 + h L̄ × ω̄ with L̄ = (L0+L1)/2 and ω̄ = I⁻¹L̄, which keeps the quadratic |L|² and T; it
-// says that L1 is L0 turned back by the Cayley transform of h ω̄, by which the attitude turns
+// L1 = L0 + h L̄ × ω̄ with L̄ = (L0+L1)/2 and ω̄ = I⁻¹L̄, which conserves the quadratic |L|² and T;
+// equivalently L1 is L0 turned back by the Cayley transform of h ω̄, by which the attitude turns
 // forward (Austin, Krishnaprasad & Wang, J. Comput. Phys. 107 (1993) 105).
 Propagator midpoint(const MethodStart& start) {
     return fixed_step(start, [dynamics = start.dynamics, kept = KeptMomentum(start)](
@@ -258,9 +258,9 @@ Propagator splitting(const MethodStart& start) {
     });
 }
 
-// h L/2 = e0 Ĩe + e × Ĩe for the unit quaternion (e0, e) of the step, by Newton's method; then L is
-// turned back and the attitude forward by it. With 1/Ĩ = (1+s)/I + d the modified equation is the
-// true one up to the order asked for (Hairer & Vilmart, J. Phys. A 39 (2006) 13225; the step as in
+// h L/2 = e0 Ĩe + e × Ĩe for the unit quaternion (e0, e) of the step, by Newton's method; then the
+// step turns L back and the attitude forward. With 1/Ĩ = (1+s)/I + d the modified equation is the
+// true one up to the requested order (Hairer & Vilmart, J. Phys. A 39 (2006) 13225; the step as in
 // Lee, Leok & McClamroch, Comput. Methods Appl. Mech. Eng. 196 (2007) 2907).
 Propagator dmv(const MethodStart& start) {
     const MoserVeselovSeries series =

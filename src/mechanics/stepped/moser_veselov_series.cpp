@@ -75,14 +75,15 @@ struct Residual {
     Series angle;
 };
 
-// How far a step with these s and d misses the time and the angle.
+// The errors in time and angle of a step with these s and d.
 Residual residual_of(const Polhode& p, const Series& s, const Series& d) {
     const Series scale = Series(1.0) + s;
     const Series g1 = scale * p.inverse1 + d;  // 1/Ĩ
     const Series g2 = scale * p.inverse2 + d;
     const Series spread2 = (scale * p.spread) * (scale * p.spread);
 
-    // e = h √X/Ĩ: the step's quaternion has no third component. Each pass settles one more order.
+    // e = h √X/Ĩ: the step's quaternion has no third component. Each pass determines one more
+    // order.
     Series X1 = p.crossing1 / 4.0;
     Series X2 = p.crossing2 / 4.0;
     Series e0_squared;
@@ -148,7 +149,7 @@ Polhode polhode_of(const Eigen::Vector3d& moments, const Eigen::Vector3d& moment
     p.inverse3 = unit / moments[axis[1]];
     p.inverse2 = unit / moments[axis[2]];
     p.spread = p.inverse1 - p.inverse2;
-    // Of a sphere any share is right.
+    // For a sphere every share is correct.
     p.share1 = p.spread > 0.0 ? (p.inverse3 - p.inverse2) / p.spread : 0.5;
     p.share2 = 1.0 - p.share1;
     p.crossing1 = square(0) + p.share1 * square(1);

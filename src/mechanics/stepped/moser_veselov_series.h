@@ -5,8 +5,8 @@
 
 namespace poinsot {
 
-// The two invariants' functions that preprocess the moments of dmv: 1/Ĩ = (1+s)/I + d with
-// s = Σ s[k] h^{2k+2}, d = Σ d[k] h^{2k+2}; k = 0…3. momentum and moments in principal axes.
+// Functions of the two invariants by which dmv preprocesses the moments: 1/Ĩ = (1+s)/I + d with s =
+// Σ s[k] h^{2k+2}, d = Σ d[k] h^{2k+2}; k = 0…3. momentum and moments in principal axes.
 struct MoserVeselovSeries {
     double s[4] = {0.0, 0.0, 0.0, 0.0};
     double d[4] = {0.0, 0.0, 0.0, 0.0};

@@ -33,7 +33,7 @@ Complex quarter_turns(std::int64_t n) {
     }
 }
 
-// e^{iφ}, the turns taken off in two words.
+// e^{iφ}; the whole turns are subtracted in double-double.
 Complex unit_phase(DoubleDouble phase) {
     DoubleDouble rest = phase;
     do {
@@ -73,7 +73,7 @@ HeavyTop::Phase HeavyTop::phase_at(double elapsed_s) const {
     if (series_.steady) return phase;
     DoubleDouble u = series_.lambda_1_s * elapsed_s + series_.u_start;
     if (std::isfinite(series_.quarter_u.hi)) {
-        // One pass, and more where the number of quarters nears 2^53: the series are those of the
+        // One pass, or more if the number of quarters approaches 2^53: the series are those of the
         // nearest turning point.
         constexpr double half_a_quarter = 0.5 + 0x1p-10;
         do {
@@ -108,7 +108,7 @@ HeavyTop::Factors HeavyTop::factors_at(const Phase& phase) const {
     if (!series_.hyperbolic) {
         m = multiples_of(std::cos(argument), std::sin(argument), curvature);
     } else if (series_.scaled && !upper && std::abs(argument) > 1.0) {
-        // Everything times e^{−|argument|}, which the normalisation takes out again.
+        // All terms are multiplied by e^{−|argument|}; the normalisation removes this factor.
         const double decay = std::exp(-2.0 * std::abs(argument));
         m = Multiples{};
         m.odd_cos[0] = 0.5 * (1.0 + decay);
@@ -139,8 +139,8 @@ HeavyTop::Factors HeavyTop::factors_at(const Phase& phase) const {
     return result;
 }
 
-// The continuous phase of a factor, from the series' own zero; in two words, for φ and ψ are sums
-// and differences of large phases.
+// The continuous phase of a factor, from the series' own zero; in double-double, because φ and ψ
+// are sums and differences of large phases.
 DoubleDouble HeavyTop::unwrapped(int which, const Phase& phase, const Factors& factors) const {
     const TopFactor& factor = series_.factor[which];
     if (factor.zero) return 0.0;
@@ -158,8 +158,8 @@ DoubleDouble HeavyTop::unwrapped(int which, const Phase& phase, const Factors& f
     return angle + half_pi * (factor.winding * phase.quarters) + std::arg(value);
 }
 
-// Turns the series so that they meet the start: by their phase there, or by that of their rate
-// where the start is exactly vertical.
+// Rotates the series so that they match the start: by their phase there, or by the phase of their
+// rate where the start is exactly vertical.
 void HeavyTop::fit_start(std::complex<double> omega_transverse) {
     const Phase phase = phase_at(0.0);
     const Factors factors = factors_at(phase);
@@ -202,8 +202,8 @@ RotationState HeavyTop::state_from(double time_s, const Phase& phase,
         std::swap(rate[0], rate[1]);
     }
 
-    // ω1 + iω2 = 2 (ᾱ dβ/dt − β dᾱ/dt); the norm's own rate drops out. One
-    // of the two is never small, so that a square may vanish unharmed.
+    // ω1 + iω2 = 2 (ᾱ dβ/dt − β dᾱ/dt); the norm's own rate drops out. One of α and β is never
+    // small, so that an underflow of the other's square is harmless.
     const double norm = std::sqrt(std::norm(value[0]) + std::norm(value[1]));
     const Complex alpha = value[0] / norm;
     const Complex beta = value[1] / norm;

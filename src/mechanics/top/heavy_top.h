@@ -1,5 +1,5 @@
 // Lagrange's top: a symmetric body with one point fixed, in uniform gravity, solved by theta
-// functions and therefore answered for any instant at the same cost.
+// functions, so that every instant costs the same.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -26,14 +26,14 @@ struct HeavyTopProblem {
     double omega3_rad_s = 0.0;  // ω along e3, conserved
 };
 
-// The state at t = 0 that the Euler angles and rates of the problem mean; body axes are principal.
+// Returns the state at t = 0 for the problem's Euler angles and rates; body axes are principal.
 RotationState start_of(const HeavyTopProblem& problem);
 
 // The kinds of motion of a heavy symmetric top. "Upper" is the end of the nutation with the higher
 // centre of mass.
 enum class TopRegime {
     sleeping,           // upright and stable: (Cω3)² ≥ 4A·Mgl
-    sleeping_unstable,  // upright, kept by symmetry alone: (Cω3)² < 4A·Mgl
+    sleeping_unstable,  // upright but unstable: (Cω3)² < 4A·Mgl
     hanging,            // vertical, centre of mass below the fixed point
     steady_slow,        // θ constant, the slower of the two precessions
     steady_fast,        // θ constant, the faster one
@@ -78,11 +78,11 @@ class HeavyTop {
     // Throws InputError if a number is not finite or a moment not positive.
     explicit HeavyTop(const HeavyTopProblem& problem);
 
-    // From a state at start.time_s. Throws InputError if a number of it is not finite or the
-    // attitude is zero, and unless two principal moments are equal and the arm lies along the third
-    // axis (any arm for three equal moments). The Euler angles are those of that axis. If the start
-    // was rounded from Euler angles, giving them too makes the motion exact for them; they are used
-    // where the third body axis is the symmetry axis.
+    // Constructs the motion through a state at start.time_s. Throws InputError if a number of the
+    // state is not finite or the attitude is zero, and unless two principal moments are equal and
+    // the arm lies along the third axis (any arm for three equal moments). The Euler angles are
+    // those of that axis. If the state was rounded from Euler angles, give these as well: the
+    // motion is then exact for them. They are used where the third body axis is the symmetry axis.
     HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity, const RotationState& start,
              const std::optional<TopStart>& unrounded = std::nullopt);
 
@@ -126,7 +126,7 @@ class HeavyTop {
     double p_phi_minus_p_psi_ = 0.0;  // kept apart: small near the upright position
     TopSeries series_;
     std::complex<double> start_[2];                 // α and β at t = 0
-    std::complex<double> start_phase_[2] = {1, 1};  // what the series must be turned by
+    std::complex<double> start_phase_[2] = {1, 1};  // factors that make the series match the start
     DoubleDouble start_angle_[2];                   // the series' own continuous phase at t = 0
     double angle_start_[2] = {0.0, 0.0};            // φ+ψ and φ−ψ at t = 0
     TopRegime regime_ = TopRegime::wavy;

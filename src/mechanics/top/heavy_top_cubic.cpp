@@ -4,7 +4,7 @@ namespace poinsot::top_setup {
 
 namespace {
 
-// The larger of the two expressions of a difference, by what cancellation has left of each.
+// Of two expressions for a difference, the one that cancels less.
 WideDouble less_cancelled(const WideDouble& p, const WideDouble& q, const WideDouble& r,
                           const WideDouble& s) {
     const WideDouble one = p - q;
@@ -12,8 +12,8 @@ WideDouble less_cancelled(const WideDouble& p, const WideDouble& q, const WideDo
     return abs(one) * (abs(r) + abs(s)) >= abs(other) * (abs(p) + abs(q)) ? one : other;
 }
 
-// The root of P above x0, as a distance: Newton's method from a bound beyond it, which a polynomial
-// with real roots only makes monotone.
+// The distance from x0 to the root of P above it: Newton's method from a bound beyond the root,
+// which converges monotonically for a polynomial with real roots only.
 WideDouble distance_to_upper_root(const Cubic& c) {
     if (c.p0 == 0) {
         if (c.p1 <= 0) return 0;

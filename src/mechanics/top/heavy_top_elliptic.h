@@ -12,7 +12,7 @@ namespace poinsot::top_setup {
 
 inline const WideDouble pi(pi_dd);
 
-// The modulus with what belongs to it; K is infinite on the separatrix, K' where β = 0.
+// The modulus, its quarter periods and nome; K is infinite on the separatrix, K' where β = 0.
 struct Modulus {
     WideDouble k_prime;
     WideDouble K = 0, K_prime = 0;  // 0 stands for infinite

@@ -6,7 +6,7 @@
 
 namespace poinsot::top_setup {
 
-// Names the motion. What rounding of the input decides is decided to 1e-12.
+// Names the motion. Cases that depend on the rounding of the input are told apart to 1e-12.
 TopRegime regime_of(const Cubic& c);
 
 }  // namespace poinsot::top_setup

@@ -1,5 +1,5 @@
-// The constants that an evaluation of Lagrange's top needs, computed once by heavy_top_setup.cpp
-// and used by heavy_top.cpp alone, and the sums that it takes.
+// The constants and sums for evaluating Lagrange's top; heavy_top_setup.cpp computes the constants
+// once, and only heavy_top.cpp uses them.
 #pragma once
 
 #include <array>
@@ -20,12 +20,12 @@ struct TopFactor {
     std::array<double, max_terms> theta1_re{}, theta1_im{};
     std::array<double, max_terms> theta2_re{}, theta2_im{};
     double lower_amplitude = 0.0;
-    double upper_amplitude[2] = {0.0, 1.0};  // a product of two, lest it underflow too early
+    double upper_amplitude[2] = {0.0, 1.0};  // a product of two, against early underflow
     DoubleDouble rate_1_s;                   // of the phase
     double regular_rate_1_s = 0.0;           // the same without ±(ω3 − a)/2
     double cell_rate = 0.0;                  // phase per unit of u, radians
     int winding = 1;                         // +1 or −1
-    bool through_zero = false;               // real but for the phase: passes through zero
+    bool through_zero = false;               // real except for the phase: passes through zero
     bool zero = false;                       // identically zero
 };
 

@@ -109,7 +109,7 @@ void TopSetup::fill_nutating(TopSeries& series) {
                 angle_rate[which] = angle_rate[which] + factor.winding * pi * lambda / m.K;
         }
     }
-    // By symmetry a vanishing constant leaves no mean rate but that of the spin.
+    // If this constant vanishes, by symmetry only the spin has a mean rate.
     if (c.e == 0) angle_rate[0] = 2 * half_spin;
     if (c.d == 0) angle_rate[1] = -2 * half_spin;
     fill_amplitudes(series, m.k_prime);

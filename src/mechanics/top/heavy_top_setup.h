@@ -7,7 +7,7 @@
 
 namespace poinsot {
 
-// Fills a HeavyTop, whose friend it is.
+// Fills a HeavyTop, as its friend.
 struct TopSetup {
     HeavyTop& top;
     top_setup::Cubic cubic{};

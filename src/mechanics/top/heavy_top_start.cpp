@@ -1,4 +1,4 @@
-// What Lagrange's top starts from: angles, or a state of a body that is symmetric about its arm.
+// Starts of Lagrange's top: angles, or a state of a body that is symmetric about its arm.
 #include <fmt/format.h>
 
 #include <cmath>
