@@ -23,8 +23,8 @@ class AdaptiveSampler {
 
     CurveSample at(double parameter) const { return {parameter, point_(parameter), 0.0}; }
 
-    // Appends the samples after `from` up to and with `to`; the middle is known from the caller's
-    // test.
+    // Appends the samples after `from` up to and including `to`; the caller's test has already
+    // computed the middle.
     void subdivide(const CurveSample& from, const CurveSample& to, int depth) {
         const double half = 0.5 * (to.parameter - from.parameter);
         const CurveSample middle = at(from.parameter + half);

@@ -29,8 +29,8 @@ ContactSpeeds contact_speeds(const PoinsotConstruction& construction, const Moti
     return {body.norm() / (12.0 * step_s), space.norm() / (12.0 * step_s)};
 }
 
-// Where speeds are measured. The step is a power of two near a five-hundredth of a radian at the
-// present rate, which keeps the difference's own error near 1e-12.
+// Chooses where speeds are measured. The step is a power of two near a five-hundredth of a radian
+// at the present rate, which keeps the difference's own error near 1e-12.
 class Differences {
  public:
     explicit Differences(const Motion& motion)
@@ -42,9 +42,9 @@ class Differences {
     double step_s() const { return step_s_; }
     double rate() const { return rate_; }
 
-    // The instant next to this one from which whole steps lead to times that doubles have, so that
-    // rounding of the time does not enter; none where a step is less than 2^20 last places of it,
-    // or leaves what a stepped motion covers.
+    // The nearest instant from which whole steps lead to times that are doubles, so that no time is
+    // rounded; none if a step is less than 2^20 last places of the time, or leaves the interval
+    // that a stepped motion covers.
     std::optional<double> centre(double time_s) const {
         const double farthest_s = std::abs(time_s) + 2.0 * step_s_;
         if (!(step_s_ > 0.0) || !std::isfinite(farthest_s)) return std::nullopt;
@@ -65,8 +65,8 @@ class Differences {
     double step_s_ = 0.0;
 };
 
-// The same body in a unit of mass in which its moments are far from the least doubles: the motion
-// knows nothing of that unit, and T and L keep their digits.
+// The same body in a unit of mass in which its moments are far from the smallest doubles: the
+// motion does not depend on that unit, and T and L keep their digits.
 InertiaTensor lifted(const InertiaTensor& inertia) {
     constexpr int least_exponent = -900, most_exponent = 1000;
     int least = 0, most = 0;
@@ -125,7 +125,7 @@ void set_stepped_bounds(std::vector<CertifiedClaim>& claims, double accuracy_rad
 
 void take(CertifiedClaim& claim, double residual, double time_s) {
     ++claim.n_measured;
-    // A residual that is not a number is the worst of all.
+    // A residual that is not a number counts as the largest.
     if (residual > claim.worst || !(residual == residual)) {
         claim.worst = residual == residual ? residual : HUGE_VAL;
         claim.at_time_s = time_s;
@@ -157,8 +157,8 @@ Certificate certify(const Motion& motion, std::span<const double> times_s, doubl
         {"speed_difference",
          "speed on the polhode less that on the herpolhode, over the greatest speed"},
     };
-    // A turn by the bound moves the end of a long half-axis by so much more of the plane's
-    // distance.
+    // An attitude error of `bound` moves the end of a long half-axis by a larger part of the
+    // plane's distance.
     const double reach =
         std::max(1.0, construction.half_axes().maxCoeff() / construction.plane_distance());
     const std::optional<Motion> truth = exact_beside(motion);
@@ -199,9 +199,9 @@ Certificate certify(const Motion& motion, std::span<const double> times_s, doubl
             worst_time_s = time_s;
         }
     }
-    // Where the contact point hardly moves (steady spin, a small wobble) the differences are
-    // rounding, measured 4e-14 of the rate times the half-axis: a floor keeps it far below the
-    // bound.
+    // Where the contact point hardly moves (steady spin, a small wobble) the differences are only
+    // rounding, measured 4e-14 of the rate times the half-axis: a floor keeps their relative error
+    // far below the bound.
     const double least_speed = 1e-3 * differences.rate() * construction.half_axes().maxCoeff();
     const double unit_speed = std::max(greatest_speed, least_speed);
     speeds.worst = worst_difference > 0.0 ? worst_difference / unit_speed : 0.0;

@@ -1,4 +1,4 @@
-// How well a computed motion is Poinsot's, over all the instants of a film.
+// Checks how exactly a computed motion fulfils Poinsot's construction, over all instants of a film.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace poinsot {
 
-// One claim of the certificate: the worst residual over all instants, and where it was.
+// One claim of the certificate: the largest residual over all instants, and its instant.
 struct CertifiedClaim {
     std::string_view name;   // "contact_plane_gap"
     std::string_view means;  // one sentence
     double worst = 0.0;
     double at_time_s = 0.0;
     double bound = 0.0;
-    std::int64_t n_measured = 0;  // instants; 0: the claim is neither kept nor broken
+    std::int64_t n_measured = 0;  // instants; 0: the claim was not tested
     bool measured() const { return n_measured > 0; }
     bool holds() const { return measured() && worst <= bound; }
     bool fails() const { return measured() && !(worst <= bound); }
@@ -27,16 +27,16 @@ struct CertifiedClaim {
 struct Certificate {
     std::int64_t n_instants = 0;
     std::vector<CertifiedClaim> claims;
-    bool holds() const;  // no claim that was measured fails
+    bool holds() const;  // true if no claim that was tested fails
 };
 
-// Worst residual that an exact evaluation may leave, relative: a few units in the last place of
-// each quantity. Measured 4e-15 over the reference cases.
+// Largest relative residual of an exact evaluation: a few units in the last place of each quantity.
+// Measured 4e-15 over the reference cases.
 inline constexpr double exact_residual_bound = 2e-14;
 
-// The speeds are found by differences in time, whose own error this covers, relative to the
-// greatest speed. They are taken only where a step in time is large against the last place of the
-// time.
+// The bound of the speeds, relative to the greatest speed: speeds are differences in time, and the
+// bound covers the error of these. They are measured only where a step in time is large against the
+// last place of the time.
 inline constexpr double speed_difference_bound = 1e-9;
 
 // Evaluates the motion at every instant. `bound` is what the method promises: for a closed form

@@ -17,12 +17,13 @@ namespace poinsot {
 
 namespace {
 
-// How far from the start given is still near by, in |ω|.
+// Largest allowed change of the start, in |ω|.
 constexpr double reach = 0.5;
 constexpr double closed_turns = 1e-12;
 
 // Advance of the herpolhode in one polhode period, in turns, and the axis that the polhode
-// encircles: the advance is continuous as long as that stays, and has a pole at the separatrix.
+// encircles: the advance is continuous as long as this axis stays the same, and has a pole at the
+// separatrix.
 struct Advance {
     double turns = 0.0;
     int axis = 0;
@@ -39,7 +40,7 @@ std::optional<Advance> advance_of(const InertiaTensor& inertia, const Eigen::Vec
                    constants.encircled_axis, *constants.polhode_period_s};
 }
 
-// The motions that differ from one in one component of ω.
+// The motions that differ from a given one in one component of ω.
 class Family {
  public:
     Family(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body, int component)
@@ -67,9 +68,10 @@ struct Sample {
     Advance advance;
 };
 
-// Values of the component outwards on one side of the given one, each with its advance, as far as
-// the polhode encircles the same axis; in ratios, so that a small change is found as surely as a
-// large one, and drawing nearer and nearer to a separatrix in the way.
+// Values of the component with their advances, from the given value outwards on one side, as far as
+// the polhode encircles the same axis. The distances grow in constant ratios, so that a small
+// change is found as reliably as a large one; towards a separatrix the values come closer and
+// closer to it.
 std::vector<Sample> samples_outwards(const Family& family, const Advance& here, double span) {
     std::vector<Sample> samples{{family.given(), here}};
     constexpr int n_steps = 160;
@@ -99,7 +101,7 @@ std::vector<Sample> samples_outwards(const Family& family, const Advance& here, 
     return samples;
 }
 
-// The least change on this side that makes the advance what is wanted.
+// The smallest change on this side for which the advance has the wanted value.
 std::optional<double> nearest_root(const Family& family, const std::vector<Sample>& samples,
                                    double wanted_turns) {
     const auto excess = [&](double value) {
@@ -116,8 +118,8 @@ std::optional<double> nearest_root(const Family& family, const std::vector<Sampl
     return std::nullopt;
 }
 
-// The fraction nearest to the one wanted between two numbers of turns: with as many periods if
-// there is one, otherwise with the fewest.
+// The fraction nearest to the wanted one between two numbers of turns: with as many periods if
+// possible, otherwise with the fewest.
 Closure nearest_closure(const Closure& wanted, double least, double most) {
     const auto within = [&](int periods) -> std::optional<Closure> {
         const double turns = 1.0 * wanted.turns * periods / wanted.periods;

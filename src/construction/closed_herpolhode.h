@@ -1,4 +1,4 @@
-// Motions whose herpolhode closes: the whole body then comes back to where it was.
+// Motions with a closed herpolhode: the whole body then returns to its initial attitude.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,30 +8,30 @@
 
 namespace poinsot {
 
-// After q periods of the polhode with p turns of ω about L.
+// A closed herpolhode: p turns of ω about L in q periods of the polhode.
 struct Closure {
     int turns = 1;    // p
     int periods = 1;  // q
 };
 
-// The start of a motion that closes.
+// The start of a motion with a closed herpolhode.
 struct ClosedStart {
     Eigen::Vector3d omega_body;     // rad/s
-    std::optional<int> changed;     // the component of ω that was changed; none: it closed before
-    double polhode_period_s = 0.0;  // of that motion
-    double advance_turns = 0.0;     // of its herpolhode in one period
+    std::optional<int> changed;     // the component of ω that was changed; none: already closed
+    double polhode_period_s = 0.0;  // of the changed motion
+    double advance_turns = 0.0;     // of the herpolhode in one period
 };
 
-// Changes one component of ω (body axes, rad/s), the one named or else the one that has to change
-// least, by as little as makes the herpolhode close: its advance in one polhode period, which the
-// exact solution gives in closed form, becomes 2π p/q. Within half of |ω|. A motion that closes to
-// 1e-12 of a turn a period is left as it is.
+// Changes one component of ω (body axes, rad/s) by as little as possible so that the herpolhode
+// closes: its advance in one polhode period, which the exact solution gives in closed form, becomes
+// 2π p/q. The component is the given one, or else the one with the smallest change. The change is
+// at most half of |ω|. A motion that closes to 1e-12 of a turn per period is left unchanged.
 //
-// The attitude closes with it: after a period ω is back in body axes, and as L = Jω is fixed in
-// space, the attitude has turned about L by the herpolhode's advance.
+// The attitude closes with the herpolhode: after a period ω is back in body axes, and as L = Jω is
+// fixed in space, the attitude has turned about L by the herpolhode's advance.
 //
-// Throws InputError, without a place: for a body whose herpolhode is a point or never ends, and,
-// naming the nearest p/q that is possible, where no start near by closes.
+// Throws InputError, without a place: for a body whose herpolhode is a point or does not end, and,
+// naming the nearest possible p/q, if no start in this range closes.
 ClosedStart close_herpolhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body,
                              const Closure& closure, std::optional<int> component = {});
 

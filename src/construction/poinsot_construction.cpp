@@ -24,7 +24,8 @@ PoinsotConstruction::PoinsotConstruction(const InertiaTensor& inertia, const Rot
             "omega_rad_s is zero: a body at rest has no invariable plane; give it a spin");
     }
 
-    // A power of two takes ω to order one, so that T and L neither overflow nor vanish.
+    // Scaling by a power of two brings ω to order one, so that T and L neither overflow nor
+    // underflow.
     std::frexp(largest, &omega_exponent_);
     const Eigen::Vector3d omega =
         start.omega_body.unaryExpr([this](double w) { return std::ldexp(w, -omega_exponent_); });

@@ -1,11 +1,11 @@
-// The constants of one free motion and the contact point: what Poinsot drew, as geometry. Knows
-// mechanics only.
+// The constants of one free motion and the contact point: the geometry of Poinsot's construction.
+// Depends on mechanics only.
 //
 // Lengths are those of the inertia ellipsoid F(ρ) = ρᵀJρ = 1, in 1/√(kg m²), with ρ = ω/√(2T). Its
-// normal at ρ is ∇F = 2Jρ = √(2/T) L, so that there, at the tip of ρ, it touches the invariable
-// plane n·x = +√(2T)/L with n = L/|L|, and rolls on it: the point of touch lies on the
-// instantaneous axis. All that is drawn holds to this side; the other tangent plane, at −ρ, appears
-// nowhere. Source: Goldstein, Classical Mechanics §5.6; Landau & Lifshitz, Mechanics §37.
+// normal at ρ is ∇F = 2Jρ = √(2/T) L. Therefore the ellipsoid touches the invariable plane n·x =
+// +√(2T)/L, with n = L/|L|, at the tip of ρ. It rolls on the plane, because the contact point lies
+// on the instantaneous axis. All drawings use this plane; the other tangent plane, at −ρ, is not
+// drawn. Source: Goldstein, Classical Mechanics §5.6; Landau & Lifshitz, Mechanics §37.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@
 
 namespace poinsot {
 
-// How far a state is from being Poinsot's construction; zero for the exact motion.
+// Deviations of a state from Poinsot's construction; zero for the exact motion.
 struct RollingResiduals {
     double contact_plane_gap = 0.0;  // distance of ρ from the plane over the plane's distance
     double tangency_gap = 0.0;       // of the ellipsoid's point of tangency from it, likewise
@@ -29,7 +29,8 @@ struct RollingResiduals {
 
 class PoinsotConstruction {
  public:
-    // From any state of the motion. Throws InputError for ω = 0, which has no invariable plane.
+    // Constructs it from any state of the motion. Throws InputError for ω = 0, which has no
+    // invariable plane.
     PoinsotConstruction(const InertiaTensor& inertia, const RotationState& start);
 
     const InertiaTensor& inertia() const { return inertia_; }
@@ -41,7 +42,7 @@ class PoinsotConstruction {
     // n = L/|L| in space axes: the plane's normal, from the centre towards the plane.
     const Eigen::Vector3d& normal_space() const { return normal_space_; }
 
-    // T in J and |L| in kg m²/s; they may overflow or vanish where the geometry above does not.
+    // T in J and |L| in kg m²/s; may overflow or underflow where the geometry above does not.
     double kinetic_energy_J() const;
     double momentum_kg_m2_s() const;
 
@@ -52,8 +53,8 @@ class PoinsotConstruction {
     // at any radius.
     Eigen::Vector3d contact_in_plane(const Eigen::Vector3d& herpolhode_space) const;
 
-    // Point of the ellipsoid with the outward normal n, in space axes: found without ω, by tangency
-    // alone.
+    // Point of the ellipsoid with the outward normal n, in space axes: computed from the tangency
+    // alone, without ω.
     Eigen::Vector3d tangency_point_space(const Eigen::Quaterniond& space_from_body) const;
 
     RollingResiduals residuals(const RotationState& state) const;
@@ -68,7 +69,7 @@ class PoinsotConstruction {
     Eigen::Vector3d momentum_scaled_space_;
 };
 
-// Half-angles of the cones of a symmetric body and how fast they roll.
+// Half-angles of the cones of a symmetric body and the rates at which they roll.
 struct RollingCones {
     int symmetry_axis = 2;              // index of the principal axis of symmetry
     double body_half_angle_rad = 0.0;   // between ω and the symmetry axis
@@ -80,8 +81,8 @@ struct RollingCones {
         true;  // prolate: body cone rolls outside the space cone; oblate: around it
 };
 
-// The cones of a body with two equal moments, from ω in body axes; none for a body without symmetry
-// or a sphere. Source: Landau & Lifshitz, Mechanics §35; Goldstein §5.6.
+// Returns the cones of a body with two equal moments, from ω in body axes; none for a body without
+// symmetry or a sphere. Source: Landau & Lifshitz, Mechanics §35; Goldstein §5.6.
 std::optional<RollingCones> rolling_cones(const InertiaTensor& inertia,
                                           const Eigen::Vector3d& omega_body);
 

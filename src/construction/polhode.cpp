@@ -27,12 +27,13 @@ Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body
     const int middle = order[1];
     const int high = order[2];
 
-    // Δ_i = L² − 2T·I_i as sums of terms of one sign for the outer axes; Δ of the middle one
-    // decides the family, as it does that of the motion.
+    // Δ_i = L² − 2T·I_i as sums of terms of one sign for the outer axes; Δ of the middle axis
+    // determines the family, as in FreeRotation.
     const auto term = [&](int i, int j) { return I[j] * omega[j] * omega[j] * (I[j] - I[i]); };
     const double with_high = term(middle, high), with_low = term(middle, low);
     double delta_middle = with_high + with_low;
-    // Where the two cancel, what is left of them is rounded otherwise than the motion's.
+    // Where the two terms cancel, their rounding differs from FreeRotation's, so its function is
+    // used.
     if (std::abs(delta_middle) < 1e-6 * with_high) {
         const Eigen::Vector3d omega_principal = body_from_principal_.transpose() * omega_body;
         const WideDouble unit = WideDouble(I_largest) * omega_largest;
@@ -43,7 +44,7 @@ Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body
     a_ = delta_middle >= 0.0 ? high : low;
     b_ = middle;
     c_ = delta_middle >= 0.0 ? low : high;
-    // √|Δ_a| without its square, which vanishes for wobbles below 1e-160.
+    // √|Δ_a| without forming Δ_a, which underflows for wobbles below 1e-160.
     const auto root = [&](int j) {
         return omega[j] * std::sqrt(I[j]) * std::sqrt(std::abs(I[j] - I[a_]));
     };
@@ -85,7 +86,7 @@ Eigen::Vector3d Polhode::at(double chi_rad) const {
     }
     const double s = std::sin(chi_rad);
     const double c = std::cos(chi_rad);
-    // dn² = cos² + k'² sin², never 1 − k² sin².
+    // dn² = cos² + k'² sin², which does not cancel as 1 − k² sin² does.
     rho[a_] = alpha_ * std::sqrt(c * c + k2_complement_ * s * s);
     if (kind_ == Kind::circle && k2_ == 0.0) rho[a_] = alpha_;
     rho[b_] = beta_ * s;

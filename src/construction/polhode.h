@@ -1,4 +1,4 @@
-// The polhode: the path of the contact point on the inertia ellipsoid, a curve that needs no clock.
+// The polhode: the path of the contact point on the inertia ellipsoid, as a curve without time.
 #pragma once
 
 #include <Eigen/Core>
@@ -39,8 +39,8 @@ class Polhode {
     double last_chi_rad() const;
     bool closed() const { return kind_ == Kind::closed || kind_ == Kind::circle; }
 
-    // A circle's middle and the half-axes that cos χ and sin χ stand at, body axes; none for other
-    // kinds.
+    // The centre of a circle and the half-axes multiplied by cos χ and sin χ, body axes; none for
+    // other kinds.
     struct Circle {
         Eigen::Vector3d centre, cosine_axis, sine_axis;
     };
@@ -52,7 +52,7 @@ class Polhode {
     // The same with the χ of each point, and with the first point of a closed curve once more.
     std::vector<CurveSample> samples(double tolerance, double* off = nullptr) const;
 
-    // Smallest and largest distance of the curve's points from the foot of the plane: the
+    // Smallest and largest distance of the curve's points from the foot of the plane's normal: the
     // herpolhode's annulus.
     struct Annulus {
         double inner = 0.0;

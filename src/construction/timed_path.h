@@ -1,4 +1,4 @@
-// A path that is run along in time: sampled once, shown up to any instant.
+// A path as a function of time: sampled once, drawn up to any instant.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace poinsot {
 
-// `times_s` ascends and names the instant of each point.
+// `times_s` ascends and holds the time of each point.
 struct TimedPath {
     std::vector<double> times_s;
     std::vector<Eigen::Vector3d> points;
@@ -17,7 +17,7 @@ struct TimedPath {
     double off = 0.0;  // largest distance found between path and polyline; infinite where the path
                        // has more turns than there may be points, and was not followed
 
-    // Fractional index of an instant: how many points have been passed, 0 … n−1.
+    // Fractional index of an instant: the number of points passed so far, 0 … n−1.
     double index_at(double time_s) const;
 };
 
