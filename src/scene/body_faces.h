@@ -1,4 +1,4 @@
-// The faces of a body by name: "+e1" is the one that the principal axis e₁ leaves by.
+// The faces of a body by name: the principal axis e₁ points out of the face "+e1".
 #pragma once
 
 #include <Eigen/Core>

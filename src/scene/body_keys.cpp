@@ -1,4 +1,4 @@
-// Keys of the body: its inertia, and what it looks like.
+// Keys of the body: its inertia and appearance.
 #include "scene/body_faces.h"
 #include "scene/given_value.h"
 #include "scene/scene_draft.h"
@@ -83,7 +83,7 @@ const SceneKey body_rows[] = {
      [](const GivenValue& g, SceneDraft& d) { d.masses.at(g.item()).at_m = g.vector(); },
      [](const Scene& s, size_t i) { return toml_text(s.body.masses_as_given.at(i).at_m); }},
 
-    // What a body given by its moments or its tensor looks like.
+    // The appearance of a body given by its moments or its tensor.
     {"object.name", "a string", "", R"("toutatis")",
      "the object panel shows this thing, see `poinsot list objects`, in place of a box; its axes "
      "follow the order of the moments",

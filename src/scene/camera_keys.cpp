@@ -1,4 +1,4 @@
-// Keys of where it is seen from, and how much is shown of the paths.
+// Keys of the camera, the construction's position and the trails.
 #include <array>
 #include <string_view>
 
@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 2> plane_sides{"below", "above"};
 constexpr std::array<std::string_view, 2> construction_sweeps{"axis", "energy"};
 
 const SceneKey camera_rows[] = {
-    // Where it is seen from; the picture's vertical is the normal of the invariable plane.
+    // The camera; the picture's vertical is the normal of the invariable plane.
     {"camera.azimuth_deg", "a number from -3600 to 3600", "degrees", "-40.0",
      "direction of the camera about the vertical",
      [](const GivenValue& g, SceneDraft& d) {
@@ -97,7 +97,7 @@ const SceneKey camera_rows[] = {
      [](const Scene& s, size_t) { return text_unless_empty(s.construction.sweep); },
      construction_sweeps},
 
-    // How much of the contact point's paths is shown.
+    // Which part of the contact point's paths is shown.
     {"trail.polhode", "a string", "", R"("fading")",
      "whole, history (since the film began) or fading (what trail.length_s holds); default whole",
      [](const GivenValue& g, SceneDraft& d) { d.scene.trail.polhode = g.one_of(trail_kinds); },

@@ -6,7 +6,7 @@
 
 namespace poinsot {
 
-// Values of [camera] that a name stands for.
+// The [camera] values of a named view.
 struct CameraView {
     std::string_view name;
     std::string_view summary;
@@ -18,14 +18,14 @@ struct CameraView {
 
 std::span<const CameraView> camera_views();
 
-// Throws InputError with the nearest name and the list.
+// Returns a view by name. Throws InputError with the nearest name and the list.
 const CameraView& camera_view_named(std::string_view name);
 
-// How space is thrown onto the picture: "perspective", or "orthographic", along parallel lines.
+// The projections: "perspective", or "orthographic", along parallel lines.
 std::span<const std::string_view> camera_projections();
 
-// What `look_at` may name: "middle" of the construction, "centre" of the body, "foot" of L on the
-// invariable plane.
+// The names that `look_at` accepts: "middle" of the construction, "centre" of the body, "foot" of L
+// on the invariable plane.
 std::span<const std::string_view> camera_aims();
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// [body]: the inertia from whichever way it was given.
+// [body]: the inertia, whichever way it was given.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ const std::array<std::vector<std::string>, 6> ways_of_body{{
     {"body.mesh"},
 }};
 
-// Keys that only some of the ways take, and those that do.
+// A key that only some of the ways accept, and these ways.
 struct SharedKey {
     std::string key;
     std::vector<std::string> ways;
@@ -125,7 +125,7 @@ void complete_body(SceneDraft& draft) {
         body.inertia = at_scene_key(scene, "body.tensor_kg_m2", [&] {
             return InertiaTensor::from_matrix(*draft.tensor_kg_m2, physicality);
         });
-        // Halves of the least doubles are rounded, so equal elements are kept as they are.
+        // Halving rounds the smallest doubles, so equal elements are kept unchanged.
         const Eigen::Matrix3d& tensor = *draft.tensor_kg_m2;
         body.tensor_kg_m2 = tensor.binaryExpr(
             tensor.transpose(), [](double x, double y) { return x == y ? x : 0.5 * x + 0.5 * y; });

@@ -1,4 +1,4 @@
-// [object] marked_face and [[object.pictures]]: what lies on the flat faces of a body.
+// [object] marked_face and [[object.pictures]]: marks and pictures on flat faces of the body.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a face's picture may have: it is kept in memory, and in that of the renderer.
+// The largest picture of a face: it is kept in memory, and in the renderer's.
 constexpr int most_picture_px = 4096;  // a side
 constexpr std::uintmax_t most_picture_bytes = std::uintmax_t{128} << 20;
 
@@ -45,7 +45,7 @@ void check_face(const Scene& scene, const std::string& key, const std::string& n
                            key, name));
 }
 
-// The picture in a file. Throws InputError saying what is wrong with it.
+// Reads a picture from a file. Throws InputError with the reason.
 Image picture_in(const fs::path& file, const std::string& shown) {
     std::error_code failed;
     if (kind_of_file(file) == FileKind::regular && fs::file_size(file, failed) > most_picture_bytes)

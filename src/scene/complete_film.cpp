@@ -1,4 +1,4 @@
-// [film], [camera] and what is told along the film: keyframes, fades and chapters.
+// [film], [camera] and the events of the film: keyframes, fades and chapters.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::string item_name(std::string_view array, std::size_t i) {
     return fmt::format("{}[{}]", array, i);
 }
 
-// Each item has these keys.
+// Requires these keys in each item.
 void need(const SceneDraft& draft, std::string_view array, std::size_t n_items,
           std::initializer_list<std::string_view> keys) {
     for (std::size_t i = 0; i < n_items; ++i) {
@@ -33,7 +33,7 @@ void need(const SceneDraft& draft, std::string_view array, std::size_t n_items,
     }
 }
 
-// Items stand in order of time.
+// Requires items in order of time.
 template <typename Item>
 void need_order(const Scene& scene, std::string_view array, const std::vector<Item>& items) {
     for (std::size_t i = 1; i < items.size(); ++i) {
@@ -45,7 +45,7 @@ void need_order(const Scene& scene, std::string_view array, const std::vector<It
     }
 }
 
-// A view's values for what a keyframe does not say itself.
+// Fills the values that a keyframe does not give from its view.
 void apply_view(KeyframeSpec& key) {
     if (key.view.empty()) return;
     const CameraView& view = camera_view_named(key.view);
@@ -56,7 +56,7 @@ void apply_view(KeyframeSpec& key) {
     if (!key.target && key.look_at.empty()) key.look_at = view.look_at;
 }
 
-// What a keyframe says, by name, so that none is said twice at one instant.
+// The names of a keyframe's values, so that none is given twice at one instant.
 std::vector<std::string_view> values_of(const KeyframeSpec& key) {
     std::vector<std::string_view> names;
     if (key.azimuth_deg) names.emplace_back("azimuth_deg");
@@ -151,7 +151,7 @@ void check_chapters(const SceneDraft& draft) {
                    fmt::format("{} begins with {}, at {} s; let each last a while", item,
                                item_name("chapters", i - 1), at_s));
         }
-        // How long a loop lasts is known with its motion.
+        // The length of a loop is known only with its motion.
         if (scene.film.loop.empty() && at_s >= length_s) {
             refuse(scene, item + ".at_s",
                    fmt::format("{}.at_s is {}, but the film ends at {:.6g} s; begin it earlier",
@@ -160,7 +160,7 @@ void check_chapters(const SceneDraft& draft) {
     }
 }
 
-// Each begins within the film and stands for a while; those of one place do not overlap.
+// Each caption begins within the film and has a duration; those of one place do not overlap.
 void check_captions(const SceneDraft& draft) {
     const Scene& scene = draft.scene;
     need(draft, "captions", scene.captions.size(), {"at_s", "text"});
@@ -188,7 +188,7 @@ void check_captions(const SceneDraft& draft) {
     }
 }
 
-// A loop needs a motion that has a polhode.
+// A loop needs a motion with a polhode.
 void check_loop(SceneDraft& draft) {
     Scene& scene = draft.scene;
     FilmSpec& film = scene.film;
@@ -239,7 +239,7 @@ void complete_camera(SceneDraft& draft) {
     if (!draft.has("camera.elevation_deg")) camera.elevation_deg = view.elevation_deg;
     if (!draft.has("camera.distance")) camera.distance = view.distance;
     if (!draft.has("camera.field_deg")) camera.field_deg = view.field_deg;
-    // Of a target and a view's aim the target is what the scene says.
+    // A target given by the scene takes precedence over the view's aim.
     if (!draft.has("camera.look_at") && !camera.target) camera.look_at = view.look_at;
 }
 
@@ -249,7 +249,7 @@ void complete_timeline(SceneDraft& draft) {
     check_fades(draft);
 }
 
-// A scene cannot ask for more frames than a disk holds.
+// A scene cannot have more frames than a disk can hold.
 void complete_film(SceneDraft& draft) {
     const Scene& scene = draft.scene;
     const FilmSpec& film = scene.film;

@@ -1,4 +1,4 @@
-// [body] object, [body] mesh and [object]: real things and surfaces from files.
+// [body] object, [body] mesh and [object]: built-in objects and surfaces from files.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ Thing thing_named(std::string_view name) {
     return thing;
 }
 
-// The solid in a file, of unit density; what was mended on the way is noted.
+// Reads the solid in a file, with unit density; repairs are noted.
 Thing thing_in_file(SceneDraft& draft, const std::string& key, const std::string& name) {
     SolidMesh solid =
         at_file_key(draft.scene, key, [&] { return read_solid(file_named(draft, key, name)); });
@@ -48,7 +48,7 @@ Thing thing_in_file(SceneDraft& draft, const std::string& key, const std::string
     return thing;
 }
 
-// The surfaces turned, and moved so that the centre of mass is the origin, in m.
+// The surfaces in m, rotated, with the centre of mass at the origin.
 std::vector<BodySurface> placed_surfaces(Thing thing, const Eigen::Matrix3d& turn, double scale) {
     for (BodySurface& surface : thing.surfaces) {
         for (Eigen::Vector3d& vertex : surface.mesh.vertices) {
@@ -58,7 +58,8 @@ std::vector<BodySurface> placed_surfaces(Thing thing, const Eigen::Matrix3d& tur
     return std::move(thing.surfaces);
 }
 
-// Inertia of the thing at a scale and with a mass, in kg m²: as the square of its lengths.
+// Inertia of the thing with a given scale and mass, in kg m²: proportional to the square of its
+// lengths.
 InertiaTensor inertia_of(const Scene& scene, const std::string& key, const Thing& thing) {
     const BodySpec& body = scene.body;
     const double factor = body.mass_kg / thing.properties.mass_kg * body.scale * body.scale;
@@ -67,7 +68,7 @@ InertiaTensor inertia_of(const Scene& scene, const std::string& key, const Thing
     });
 }
 
-// Axes by their moments, the least first; as columns of a proper rotation.
+// Principal axes in order of their moments, the smallest first, as columns of a proper rotation.
 Eigen::Matrix3d axes_by_moment(const InertiaTensor& inertia) {
     std::array<int, 3> order{0, 1, 2};
     const Eigen::Vector3d& I = inertia.moments_kg_m2();
@@ -80,7 +81,7 @@ Eigen::Matrix3d axes_by_moment(const InertiaTensor& inertia) {
     return axes;
 }
 
-// The box that a solid of simple form fills, along the body's axes, in m; nothing for other bodies.
+// The bounding box of a simple solid along the body's axes, in m; none for other bodies.
 std::optional<Eigen::Vector3d> extents_of(const BodySpec& body) {
     if (body.given != BodySpec::Given::solid) return std::nullopt;
     const std::vector<double>& size = body.size_m;
@@ -92,7 +93,7 @@ std::optional<Eigen::Vector3d> extents_of(const BodySpec& body) {
 }
 
 // Stretches the surfaces along the body's axes so that together they fill a box about the origin:
-// the skin of a thing on a body of one's own sizes.
+// the shape of an object on a body with the user's dimensions.
 void fit(std::vector<BodySurface>& surfaces, const Eigen::Vector3d& extents_m) {
     Eigen::AlignedBox3d box;
     for (const BodySurface& surface : surfaces)
@@ -108,10 +109,10 @@ void fit(std::vector<BodySurface>& surfaces, const Eigen::Vector3d& extents_m) {
 fs::path file_named(const SceneDraft& draft, const std::string& key, const std::string& name) {
     const fs::path scene_folder = draft.scene.file.parent_path();
     const fs::path folder = scene_folder.empty() ? fs::path(".") : scene_folder;
-    fs::path file = folder / name;  // an absolute name stands for itself
+    fs::path file = folder / name;  // an absolute name is used as it is
     if (draft.outside == OutsideFiles::allowed) return file;
 
-    // Links are followed before it is asked where the file lies.
+    // Links are resolved before the location is checked.
     std::error_code failed;
     const fs::path true_folder = fs::weakly_canonical(folder, failed);
     const fs::path true_file = failed ? fs::path() : fs::weakly_canonical(file, failed);
@@ -149,7 +150,7 @@ void complete_mesh_body(SceneDraft& draft) {
                              : "the mesh has no mass; give body.mass_kg or body.density_kg_m3");
     }
     Thing thing = thing_in_file(draft, "body.mesh", body.mesh);
-    // Its density so far is one kilogram for a cube of its own unit.
+    // So far its density is 1 kg per cubed unit of its own length.
     const double volume_m3 = thing.properties.mass_kg * std::pow(body.scale, 3);
     body.mass_kg = draft.mass_kg ? *draft.mass_kg : *body.density_kg_m3 * volume_m3;
     body.inertia = inertia_of(scene, "body.mesh", thing);
@@ -177,7 +178,7 @@ void complete_look(SceneDraft& draft) {
     Thing thing = by_name ? at_scene_key(scene, key, [&] { return thing_named(scene.object.name); })
                           : thing_in_file(draft, key, scene.object.mesh);
 
-    // Its axis of the largest moment lies along the body's, and so on.
+    // Each principal axis is aligned with the body's axis of the same rank of moment.
     const InertiaTensor its_own = at_scene_key(
         scene, key, [&] { return InertiaTensor::from_matrix(thing.properties.inertia_kg_m2); });
     const Eigen::Matrix3d turn =

@@ -1,5 +1,5 @@
-// From what was read to a whole scene: torque, method and grid; the mechanics' refusals get the
-// place of the key that they concern.
+// Makes a complete scene from the draft: torque, method and grid; errors of mechanics/ get the
+// place of the key that caused them.
 #include <fmt/format.h>
 
 #include <array>
@@ -22,11 +22,11 @@ namespace {
 
 struct TorqueKind {
     std::string_view name;
-    std::string needed;                 // the key without which the kind means nothing
-    std::vector<std::string> its_keys;  // that key, too
+    std::string needed;                 // the key without which the kind has no meaning
+    std::vector<std::string> its_keys;  // all keys of the kind, with `needed`
 };
 
-// The friction of a half-life, for which the start must be known.
+// The friction for a half-life, which depends on the start.
 void complete_half_life(SceneDraft& draft) {
     const Scene& scene = draft.scene;
     if (!scene.half_life_s) return;
@@ -87,7 +87,7 @@ void complete_torque(SceneDraft& draft) {
 
 // [motion] and [beside]
 
-// The choice that a table makes: "motion" or "beside".
+// Checks the method in a table: "motion" or "beside".
 void check_method_of(const SceneDraft& draft, const std::string& table,
                      const MethodChoice& choice) {
     const Scene& scene = draft.scene;
@@ -107,7 +107,7 @@ void check_method_of(const SceneDraft& draft, const std::string& table,
                            name, methods_that_solve(inertia, scene.torque)));
     }
 
-    // Each option by itself, so that what is wrong gets its own place.
+    // Checks each option separately, so that an error gets the place of its key.
     const MethodChoice order{choice.name, {}, {}, choice.order};
     const MethodChoice step{choice.name, choice.step_s, {}, {}};
     const MethodChoice tolerance{choice.name, {}, choice.tolerance, {}};
@@ -131,8 +131,8 @@ void check_motion(const SceneDraft& draft) {
 
 // [grid] and [[panels]]
 
-// A grid that was not given has as many equal cells as the panels reach, and no more than one that
-// is given may have.
+// A grid that is not given has as many equal cells as the panels need, up to the limit of a given
+// grid.
 void complete_grid(SceneDraft& draft) {
     Scene& scene = draft.scene;
     const auto extend = [&](const std::string& key, std::vector<double>& sizes, int PanelSpec::*at,

@@ -16,7 +16,7 @@ namespace {
 const std::vector<std::string> top_keys{"start.theta_rad", "start.theta_dot_rad_s",
                                         "start.phi_dot_rad_s", "start.omega3_rad_s"};
 
-// The proper rotation that a matrix is, to rounding or nearly.
+// The attitude that a rotation matrix describes, corrected for rounding.
 Eigen::Vector4d attitude_of_matrix(Scene& scene, const Eigen::Matrix3d& matrix) {
     const std::string key = "start.attitude_matrix";
     const double largest = matrix.cwiseAbs().maxCoeff();
@@ -89,7 +89,7 @@ void complete_start(SceneDraft& draft) {
     Eigen::Vector4d attitude(1.0, 0.0, 0.0, 0.0);
     if (draft.attitude) attitude = unit(scene, "start.attitude", *draft.attitude);
     if (draft.attitude_matrix) attitude = attitude_of_matrix(scene, *draft.attitude_matrix);
-    // Of q and −q, the same attitude, the one with w ≥ 0.
+    // q and −q are the same attitude; the one with w ≥ 0 is used.
     if (attitude[0] < 0.0) attitude = -attitude;
     scene.start.space_from_body =
         Eigen::Quaterniond(attitude[0], attitude[1], attitude[2], attitude[3]);

@@ -1,5 +1,5 @@
-// A theme in a file: what it says is put under what the scene itself says, so that the scene holds
-// all of it.
+// Theme files: the theme's values are merged below the scene's own, so that the scene holds all of
+// them.
 #include <fmt/format.h>
 
 #include <system_error>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the command line names lies where the command is given, or else in the scene's folder.
+// A theme named on the command line is looked for in the current folder, then in the scene's.
 fs::path theme_file(const SceneDraft& draft) {
     const std::string& name = draft.scene.theme;
     std::error_code failed;
@@ -25,7 +25,7 @@ fs::path theme_file(const SceneDraft& draft) {
     return file_named(draft, "theme", name);
 }
 
-// Hands every entry of the file to the row of [style]; `extends` is its own.
+// Passes every entry of the file to its row of [style], except `extends`.
 void read_theme(const TomlValue& root, SceneDraft& theme) {
     static const SceneKey extends{
         "extends",
@@ -63,7 +63,7 @@ void complete_style(SceneDraft& draft) {
     theme.scene.theme = "light";
     read_theme(parse_toml(text, file.string()), theme);
 
-    // What the scene says itself stands above.
+    // The scene's own values take precedence.
     StyleSpec& below = theme.scene.style;
     for (const auto& [name, look] : scene.style.looks) {
         LookSpec& under = below.looks[name];

@@ -8,7 +8,7 @@ namespace poinsot {
 
 namespace {
 
-// "at line 3", "by --set", for the other half of a contradiction.
+// "at line 3", "by --set": the place of the other key of a contradiction.
 std::string place(const SourceLocation& where) {
     return where.line > 0 ? fmt::format("at line {}", where.line)
                           : fmt::format("by {}", printable(where.file));
@@ -21,7 +21,7 @@ bool stands_before(const SourceLocation& a, const SourceLocation& b) {
     return order(a) < order(b);
 }
 
-// Refuses two keys that say the same thing in different ways, at the one that stands later.
+// Refuses two keys that give the same value in different ways, at the one that stands later.
 void refuse_both(const Scene& scene, const std::string& one, const std::string& other,
                  std::string_view remedy) {
     if (!scene.locations.contains(one) || !scene.locations.contains(other)) return;

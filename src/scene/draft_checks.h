@@ -1,4 +1,5 @@
-// Weighing the values of a draft against each other: what the completing functions share.
+// Functions that check the values of a draft against each other, shared by the complete_*
+// functions.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,18 +19,18 @@ namespace poinsot {
 // Throws SceneError at a key.
 [[noreturn]] void refuse(const Scene& scene, const std::string& key, std::string_view what);
 
-// Refuses every pair of keys of two different ways of giving one thing, at the one that stands
-// later.
+// Refuses pairs of keys that give one thing in two different ways, at the key that stands later.
 void refuse_mixed(const Scene& scene, std::span<const std::vector<std::string>> ways,
                   std::string_view remedy);
 
-// The file that a key names, looked for in the scene's folder. Throws SceneError at the key for one
-// that lies outside of it, also by a link, unless the draft allows that.
+// The file that a key names, relative to the scene's folder. Throws SceneError at the key for a
+// file outside that folder, also through a link, unless the draft allows outside files.
 std::filesystem::path file_named(const SceneDraft& draft, const std::string& key,
                                  const std::string& name);
 
-// A vector of length 1 to rounding is kept bit for bit, so that a scene written out reads back the
-// same; any other is scaled, and the user is told. Throws for the zero vector.
+// Returns the unit vector along the given one. A vector of length 1 to rounding is kept exactly, so
+// that a scene written out reads back the same; any other is normalised with a note to the user.
+// Throws for the zero vector.
 template <typename Vector>
 Vector unit(Scene& scene, const std::string& key, const Vector& given) {
     const double length = given.stableNorm();
@@ -47,17 +48,17 @@ Vector unit(Scene& scene, const std::string& key, const Vector& given) {
     return scaled;
 }
 
-// The parts of complete_scene.
+// The steps of complete_scene.
 void complete_body(SceneDraft& draft);
 void complete_object_body(SceneDraft& draft);  // [body] object
 void complete_mesh_body(SceneDraft& draft);    // [body] mesh
-void complete_look(SceneDraft& draft);         // [object], once the body is complete
-void complete_faces(SceneDraft& draft);        // its marked face and pictures, after that
+void complete_look(SceneDraft& draft);         // [object], after the body
+void complete_faces(SceneDraft& draft);        // its marked face and pictures, after complete_look
 void complete_start(SceneDraft& draft);
 void complete_film(SceneDraft& draft);
 void complete_camera(SceneDraft& draft);
 void complete_timeline(SceneDraft& draft);
-void complete_style(SceneDraft& draft);  // a theme in a file, once [style] is read
+void complete_style(SceneDraft& draft);  // a theme file, after [style] is read
 void complete_marks(SceneDraft& draft);
 
 }  // namespace poinsot

@@ -30,8 +30,8 @@ std::optional<double> FilmClock::film_second_of(double time_s) const {
         return speed_.last_key_s() + (wanted_s - until_last_key_s) / speed_.last_value();
     }
 
-    // The integral never falls; where it rests, the first second counts. Halving ends when nothing
-    // lies between.
+    // The integral never decreases; where it is constant, the first second is returned. Bisection
+    // ends when no double lies between.
     double before_s = 0.0;
     double after_s = speed_.last_key_s();
     while (true) {
@@ -44,7 +44,7 @@ std::optional<double> FilmClock::film_second_of(double time_s) const {
 std::optional<double> FilmClock::length_s() const {
     if (asked_length_s_) return asked_length_s_;
     if (!asked_duration_s_) return default_film_s;
-    // The quotient itself, where there is one: it is exact more often than a search.
+    // With constant speed the quotient is used: it is exact more often than a search.
     if (!speed_.moves() && speed_.first_value() > 0.0) {
         return *asked_duration_s_ / speed_.first_value();
     }
@@ -53,7 +53,7 @@ std::optional<double> FilmClock::length_s() const {
 
 FilmMoment moment_of_time(const FilmClock& clock, double time_s) {
     if (const auto film_s = clock.film_second_of(time_s)) return {time_s, *film_s};
-    // The speed is 0 before the film or after it.
+    // Outside the film the speed is 0.
     const bool before = time_s < clock.time_at(0.0);
     return {time_s, before ? -1.0 : clock.length_s().value_or(default_film_s)};
 }

@@ -1,4 +1,4 @@
-// Which instant of the motion each second of the film shows: the exact integral of its speed.
+// Maps seconds of the film to instants of the motion: the exact integral of the film's speed.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace poinsot {
 
 struct Scene;
 
-// An instant on both clocks.
+// An instant as the time of the motion and the time of the film.
 struct FilmMoment {
     double time_s = 0.0;  // of the motion
     double film_s = 0.0;  // of the film, from its first frame
@@ -21,19 +21,19 @@ class FilmClock {
  public:
     explicit FilmClock(const Scene& scene);
 
-    // The motion's time at a second of the film. Slow motion loses nothing: it is the closed form
-    // of the integral, and never accumulated.
+    // Returns the motion's time at a second of the film: the closed form of the integral, not a
+    // running sum, so that slow motion loses no accuracy.
     double time_at(double film_s) const;
 
-    // The first second of the film that shows an instant of the motion; beyond what the speed ever
-    // reaches, none.
+    // Returns the first second of the film that shows an instant of the motion; none if the film
+    // never reaches it.
     std::optional<double> film_second_of(double time_s) const;
 
-    // Length of the film in seconds of film; none if the speed ends at 0 before film.duration_s of
+    // Length of the film in seconds of film; none if the speed falls to 0 before film.duration_s of
     // the motion have passed.
     std::optional<double> length_s() const;
 
-    // Seconds of motion a second of film.
+    // Speed: seconds of motion per second of film.
     double speed_at(double film_s) const { return speed_.at(film_s); }
 
  private:
@@ -42,15 +42,15 @@ class FilmClock {
     std::optional<double> asked_length_s_, asked_duration_s_;
 };
 
-// Where the film's clock says that an instant of the motion is shown; where it is not, a second
-// before the film or after it that keeps the order.
+// Returns the film time at which an instant of the motion is shown; if it is not shown, a time
+// before or after the film that keeps the order of instants.
 FilmMoment moment_of_time(const FilmClock& clock, double time_s);
 
-// The motion's time at the end of the film, or its start where there is no end.
+// The motion's time at the end of the film, or at its start if the film has no end.
 double film_end_time_s(const Scene& scene);
 
-// The seconds of the film between which one of [[captions]] stands: until its own end, the next one
-// of its place, or the film's end.
+// The seconds of the film between which one of [[captions]] is shown: until its own end, the next
+// caption of its place, or the film's end.
 std::pair<double, double> caption_span(const Scene& scene, std::size_t caption);
 
 }  // namespace poinsot

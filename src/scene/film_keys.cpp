@@ -1,4 +1,4 @@
-// Keys of the film: which instants become video frames, and how large.
+// Keys of the film: its frames, their size and rate.
 #include <fmt/format.h>
 
 #include <array>
@@ -19,7 +19,7 @@ namespace {
 
 using std::size_t;
 
-constexpr int most_pixels = 65536;  // of the largest still, which is drawn in bands
+constexpr int most_pixels = 65536;  // of the largest still, which is rendered in bands
 
 void read_loop(const GivenValue& given, SceneDraft& draft) {
     draft.scene.film.loop = given.text();
@@ -76,7 +76,7 @@ void read_size(const GivenValue& given, SceneDraft& draft) {
 }
 
 const SceneKey film_rows[] = {
-    // Which instants become video frames.
+    // The instants that become video frames.
     {"film.start_s", "a number", "s", "0.0",
      "instant of the motion that the film begins with; default 0",
      [](const GivenValue& g, SceneDraft& d) { d.scene.film.start_s = g.number(); },

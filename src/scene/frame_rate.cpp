@@ -32,7 +32,7 @@ std::optional<RateRatio> rate_of_decimal(double frames_per_s) {
     if (!std::isfinite(frames_per_s) || frames_per_s <= 0.0 || frames_per_s > most) {
         return std::nullopt;
     }
-    // Broadcasting writes n·1000/1001 as a rounded decimal.
+    // Broadcasting rates are n·1000/1001, written as rounded decimals.
     struct Broadcast {
         double written;
         std::int64_t nominal;

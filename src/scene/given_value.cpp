@@ -16,7 +16,7 @@ namespace poinsot {
 
 namespace {
 
-// A number with a unit that people use where the key has this one.
+// An example of a value in a common unit of the same quantity as this unit.
 std::string_view measured_example(std::string_view unit) {
     if (unit == "m") return "24 cm";
     if (unit == "kg") return "800 g";
@@ -40,7 +40,7 @@ void GivenValue::refuse_type(const TomlValue& value, const std::string& name) co
                                               key_.expectation()));
 }
 
-// A number with its unit, as a string, in the key's own unit.
+// Converts a string of a number with a unit to the key's unit.
 double GivenValue::measured_number(const TomlValue& value, const std::string& name) const {
     const auto unit = unit_named(key_.unit);
     if (!unit) refuse_type(value, name);

@@ -1,4 +1,4 @@
-// A value that a scene gives for a key, read as the type that the key asks for.
+// A value that a scene gives for a key, converted to the type that the key needs.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,12 +12,12 @@
 
 namespace poinsot {
 
-// Every reader throws SceneError at the value's own place: `film.fps is a string; it must be …`.
-// Numbers are finite; integers count as numbers, and so does a string that holds a number with a
-// unit of what the key measures ("24 cm").
+// Every function that reads the value throws SceneError at the value's own place: `film.fps is a
+// string; it must be …`. Numbers are finite; an integer is accepted as a number, and so is a string
+// of a number with a unit of the key's quantity ("24 cm").
 class GivenValue {
  public:
-    // `name` is the path as the user would say it: "body.masses[2].mass_kg".
+    // `name` is the path as the user writes it: "body.masses[2].mass_kg".
     GivenValue(const SceneKey& key, std::string name, std::size_t item, const TomlValue& value)
         : key_(key), name_(std::move(name)), item_(item), value_(value) {}
 
@@ -27,10 +27,10 @@ class GivenValue {
     double number_between(double least, double most) const;
     int integer_between(int least, int most) const;
     bool boolean() const;
-    // Without control characters, but for line ends and tabs.
+    // Without control characters except line ends and tabs.
     std::string text() const { return text(value_, name_); }
     std::string one_of(std::span<const std::string_view> names) const;
-    std::vector<double> positive_numbers() const;  // any count
+    std::vector<double> positive_numbers() const;  // any number of them
     Eigen::Vector3d vector() const { return vector(value_, name_); }
     Eigen::Vector3d positive_vector() const;
     Eigen::Vector4d four_numbers() const;
@@ -39,7 +39,7 @@ class GivenValue {
     std::vector<std::string> texts() const;
 
     const TomlValue& value() const { return value_; }
-    // As the user would say it.
+    // The path as the user writes it.
     const std::string& name() const { return name_; }
     // Index in the array of tables that the key belongs to.
     std::size_t item() const { return item_; }

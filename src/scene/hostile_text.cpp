@@ -1,4 +1,4 @@
-// What is refused before a parser sees it.
+// Checks that refuse a text before it is parsed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace {
 constexpr int most_brackets = 16;
 constexpr int most_key_parts = 16;
 
-// Follows TOML's lexical structure just far enough to tell brackets and dots from text in strings
-// and comments. Where it and a parser could disagree (a string that is not closed on its line), the
-// parser stops with an error, so nothing after that is parsed.
+// Follows TOML's lexical structure far enough to tell brackets and dots from text in strings and
+// comments. Where the scanner and a parser could disagree (a string that is not closed on its
+// line), the parser stops with an error and parses nothing after it.
 class StructureScanner {
  public:
     explicit StructureScanner(std::string_view text) : text_(text) {}
 
-    // Called at each character outside of what was consumed; returns how many bytes to consume.
+    // Called at each character that was not consumed; returns how many bytes to consume.
     std::size_t step(std::size_t at) {
         const char c = text_[at];
         if (c == '#') return to_line_end(at);
@@ -54,7 +54,7 @@ class StructureScanner {
             if (quote == '"' && text_[i] == '\\') {
                 ++i;
             } else if (multiline && text_.substr(i, 3) == triple) {
-                // Up to two quotes may stand before the closing three.
+                // Up to two quotes may precede the closing three.
                 i += 3;
                 while (i < text_.size() && text_[i] == quote) ++i;
                 return i - at;
@@ -72,7 +72,7 @@ class StructureScanner {
     int n_dots_ = 0;
 };
 
-// The location after a character; text that is not a file's has none to count.
+// The location after a character; only text from a file has locations.
 void advance(SourceLocation& where, const Utf8Character& character) {
     if (where.line == 0) return;
     ++where.column;
@@ -102,7 +102,7 @@ void refuse_bytes(std::string_view text, SourceLocation where) {
     }
 }
 
-// The location of a byte, counted only when there is something to complain about.
+// The location of a byte, computed only for messages.
 SourceLocation location_of_byte(std::string_view text, std::size_t byte, SourceLocation where) {
     for (std::size_t at = 0; at < byte;) {
         const Utf8Character character = first_character(text.substr(at));
@@ -112,8 +112,8 @@ SourceLocation location_of_byte(std::string_view text, std::size_t byte, SourceL
     return where;
 }
 
-// Outside of strings and comments TOML is ASCII; some other characters run toml++'s classification
-// of them into undefined behaviour.
+// Outside strings and comments TOML is ASCII; some other characters cause undefined behaviour in
+// toml++'s classification.
 void refuse_unquoted(std::string_view text, std::size_t at, const SourceLocation& start) {
     if (static_cast<unsigned char>(text[at]) < 0x80) return;
     const Utf8Character character = first_character(text.substr(at));

@@ -1,4 +1,4 @@
-// Finding keys by name, and the nearest one for a name that is not a key.
+// Finds keys by name, and the nearest key to an unknown name.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,7 +13,7 @@ namespace poinsot {
 
 namespace {
 
-// Rows whose table is this one.
+// The rows of this table.
 std::vector<std::string_view> leaves_of(std::string_view table) {
     std::vector<std::string_view> leaves;
     for (const SceneKey& key : scene_keys()) {
@@ -22,7 +22,7 @@ std::vector<std::string_view> leaves_of(std::string_view table) {
     return leaves;
 }
 
-// Tables and arrays of tables that lie directly in this one.
+// The tables and arrays of tables directly in this one.
 std::vector<std::string_view> tables_of(std::string_view table) {
     std::vector<std::string_view> tables;
     for (const SceneKey& key : scene_keys()) {
@@ -37,7 +37,7 @@ std::vector<std::string_view> tables_of(std::string_view table) {
     return tables;
 }
 
-// A name that lacks its unit, or says more than it should: "omega" for "omega_rad_s".
+// The key of a name with a missing unit or a wrong ending: "omega" for "omega_rad_s".
 std::string_view with_other_ending(std::string_view given,
                                    const std::vector<std::string_view>& known) {
     if (given.size() < 3) return "";
@@ -77,7 +77,7 @@ bool is_scene_table(std::string_view path) {
 
 std::string written_table(std::string_view path) {
     if (path.ends_with("[]")) return fmt::format("[[{}]]", path.substr(0, path.size() - 2));
-    // A table of an item stands below that item: [panels.camera].
+    // A table of an item is written below that item: [panels.camera].
     std::string written(path);
     for (std::size_t at = 0; (at = written.find("[]", at)) != std::string::npos;)
         written.erase(at, 2);
@@ -96,7 +96,7 @@ std::string scene_key_remedy(std::string_view unknown_path, bool in_file) {
     const std::string_view table = dot == std::string_view::npos ? "" : unknown_path.substr(0, dot);
     const std::string_view leaf = unknown_path.substr(dot == std::string_view::npos ? 0 : dot + 1);
 
-    // On the command line whole paths are typed, and so they are suggested.
+    // On the command line whole paths are typed, so whole paths are suggested.
     if (!in_file) {
         std::vector<std::string_view> paths;
         for (const SceneKey& key : scene_keys()) paths.push_back(key.path);
@@ -104,7 +104,7 @@ std::string scene_key_remedy(std::string_view unknown_path, bool in_file) {
         if (!near.empty()) return near;
     }
 
-    // The nearest name in the same table, then a key of that very name in another one.
+    // The nearest name in the same table, then a key of exactly that name in another table.
     std::vector<std::string_view> here = leaves_of(table);
     const std::vector<std::string_view> tables = tables_of(table);
     here.insert(here.end(), tables.begin(), tables.end());

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
     throw SceneError({file.string(), 0, 0}, what_and_remedy);
 }
 
-// "; did you mean "scenes/generic.toml"?", from the folder that the file should be in.
+// "; did you mean "scenes/generic.toml"?", from the folder where the file was expected.
 std::string near_file(const fs::path& file) {
     std::vector<std::string> names;
     std::error_code failed;
@@ -45,7 +45,7 @@ std::string near_file(const fs::path& file) {
     return near.empty() ? "; name a scene file, see `poinsot list scenes`" : near;
 }
 
-// A --set is split at its first "=".
+// A --set, split at its first "=".
 struct Override {
     std::string key;  // as typed: "body.masses[0].mass_kg"
     SourceLocation where;
@@ -64,7 +64,7 @@ std::string without_indices(std::string_view key) {
     return path;
 }
 
-// Every part of an override's value came from the command line.
+// Sets the location of every part of an override's value to the command line.
 void locate(TomlValue& value, const SourceLocation& where) {
     value.where = where;
     for (TomlValue& item : value.items) locate(item, where);
@@ -74,7 +74,7 @@ void locate(TomlValue& value, const SourceLocation& where) {
     }
 }
 
-// What was typed: "--set film.fps=30", "--fps 30".
+// The override as it was typed: "--set film.fps=30", "--fps 30".
 std::string as_typed(std::string_view given) {
     const std::string_view text = assignment_of(given);
     if (text.size() == given.size()) return fmt::format("--set {}", text);
@@ -111,7 +111,7 @@ Override parse_override(const std::string& given) {
     TomlValue value = parse_override_value(written, where);
     const bool may_be_text = row != nullptr && row->type.find("string") != std::string_view::npos;
     if (may_be_text && value.type != TomlValue::Type::array) {
-        // What is a string in a scene needs no quotes on the command line: title=2024.
+        // A string value needs no quotes on the command line: title=2024.
         value.text = value.type == TomlValue::Type::text ? value.text : std::string(written);
         value.type = TomlValue::Type::text;
     }
@@ -119,7 +119,7 @@ Override parse_override(const std::string& given) {
     return {std::move(key), where, std::move(value)};
 }
 
-// The entry of a table, made if it is not there.
+// The entry of a table, created if missing.
 TomlEntry& entry_of(TomlValue& table, std::string_view key, const SourceLocation& where) {
     for (TomlEntry& entry : table.entries) {
         if (entry.key == key) return entry;
@@ -129,8 +129,8 @@ TomlEntry& entry_of(TomlValue& table, std::string_view key, const SourceLocation
     return table.entries.back();
 }
 
-// The item that "omega_rad_s[1]" names, of the array with the brackets off; arrays of arrays have
-// several.
+// The item that "omega_rad_s[1]" names within the array "omega_rad_s"; an item of an array of arrays
+// has several indices.
 TomlValue& item_of(TomlValue& array, std::string_view part, const SourceLocation& where) {
     TomlValue* item = &array;
     for (std::size_t bracket = part.find('['); bracket != std::string_view::npos;
@@ -154,7 +154,7 @@ void apply_override(TomlValue& root, const std::string& text) {
     TomlValue* table = &root;
     std::string_view rest = given.key;
     while (true) {
-        // Where the file has something else than a table here, reading it will say so.
+        // If the file has another type here than a table, the reader reports it later.
         if (table->type != TomlValue::Type::table) return;
         const std::size_t dot = rest.find('.');
         const std::string_view part = rest.substr(0, dot);
@@ -170,17 +170,17 @@ void apply_override(TomlValue& root, const std::string& text) {
         rest.remove_prefix(dot + 1);
         if (bracket == std::string_view::npos) continue;
 
-        // One item of an array of tables, which the file must have.
+        // One item of an array of tables, which must exist in the file.
         table = &item_of(entry.value, part, given.where);
     }
 }
 
-// Walks the document and hands every value to its row.
+// Walks through the document and passes every value to its row.
 class Reader {
  public:
     explicit Reader(SceneDraft& draft) : draft_(draft) {}
 
-    // `path` names rows ("body.masses[]"), `name` is what the user says ("body.masses[2]").
+    // `path` names rows ("body.masses[]"), `name` is what the user writes ("body.masses[2]").
     void read_table(const TomlValue& table, const std::string& path, const std::string& name,
                     std::size_t item) {
         for (const TomlEntry& entry : table.entries) {
@@ -256,7 +256,7 @@ std::string text_of_file(const fs::path& file) {
     }
     if (kind != FileKind::regular) refuse_file(file, in_words(kind));
 
-    // One byte more than is accepted tells a file that is too large from one that just fits.
+    // Reads one byte more than is accepted, to detect a file that is too large.
     std::string text = read_beginning(file, most_scene_file_bytes + 1);
     if (text.size() > most_scene_file_bytes) {
         refuse_file(file, "larger than 1 MiB; a scene is a short text file, name that one");

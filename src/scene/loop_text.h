@@ -1,4 +1,4 @@
-// What film.loop says.
+// The values of film.loop.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ struct LoopRatio {
     int periods = 1;
 };
 
-// None for what is not a ratio of positive integers up to 1000.
+// None if the text is not a ratio of positive integers up to 1000.
 std::optional<LoopRatio> loop_ratio_of(std::string_view text);
 
 // "omega_1", "omega_2", "omega_3": the start values that a loop may change, components of

@@ -1,4 +1,4 @@
-// Keys of the motion: how it starts, what torque acts, and by which method it is computed.
+// Keys of the motion: its start, torque and method.
 #include <array>
 #include <cstring>
 #include <numbers>
@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 5> torque_kinds{"none", "gravity", "const
                                                        "constant_space", "dissipation"};
 using std::numbers::pi;
 
-// Texts of values that only some scenes say.
+// Texts of values that only some scenes have.
 std::string top_text(const Scene& scene, double TopStart::*angle) {
     return scene.start.top ? toml_text((*scene.start.top).*angle) : "";
 }
@@ -34,13 +34,13 @@ std::string torque_text(const Scene& scene, Value Kind::*value) {
 std::string attitude_text(const Scene& scene) {
     const Eigen::Quaterniond& q = scene.start.space_from_body;
     const Eigen::Vector4d attitude(q.w(), q.x(), q.y(), q.z());
-    // By its bits: a component of −0 is not that of the default.
+    // Compares bits: a component of −0 differs from the default.
     constexpr std::array<double, 4> by_default{1.0, 0.0, 0.0, 0.0};
     const bool is_default = std::memcmp(attitude.data(), by_default.data(), sizeof by_default) == 0;
     return scene.start.top || is_default ? "" : toml_text(attitude);
 }
 
-// What is read of the second method; the first key of it makes it.
+// The second method; its first key creates it.
 MethodChoice& beside(SceneDraft& draft) {
     if (!draft.scene.beside) draft.scene.beside.emplace();
     return *draft.scene.beside;
@@ -52,7 +52,7 @@ std::string beside_text(const Scene& scene, std::optional<Value> MethodChoice::*
 }
 
 const SceneKey motion_rows[] = {
-    // The state at t = 0, by ω or by the Euler angles of a top.
+    // The state at t = 0, from ω or from the Euler angles of a top.
     {"start.omega_rad_s", "three numbers", "rad/s", "[0.01, 2.0, 0.01]",
      "angular velocity at t = 0, in body axes",
      [](const GivenValue& g, SceneDraft& d) { d.scene.start.omega_rad_s = g.vector(); },

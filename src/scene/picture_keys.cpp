@@ -1,4 +1,4 @@
-// Keys of what the picture is called, how it looks, and the panels that share it.
+// Keys of the picture's title, its look, and its panels.
 #include <fmt/format.h>
 
 #include <array>
@@ -30,7 +30,7 @@ std::vector<double> grid_sizes(const GivenValue& given) {
     return sizes;
 }
 
-// Units by which numbers can be shown, each of another kind of quantity.
+// The units for displayed numbers, each of a different kind of quantity.
 std::vector<std::string> shown_units(const GivenValue& given) {
     std::vector<std::string> units = given.texts();
     for (std::size_t i = 0; i < units.size(); ++i) {
@@ -193,7 +193,7 @@ const SceneKey panel_rows[] = {
          const auto& title = s.panels.at(i).title;
          return title ? toml_text(std::string_view(*title)) : "";
      }},
-    // From where one panel is seen, other than [camera] says; in body axes for body and momentum.
+    // The camera of one panel, where it differs from [camera]; in body axes for body and momentum.
     {"panels[].camera.azimuth_deg", "a number from -3600 to 3600", "degrees", "30.0",
      "as in [camera], for this panel alone; about e3 from e1 where it shows body axes",
      [](const GivenValue& g, SceneDraft& d) {

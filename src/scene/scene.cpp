@@ -15,7 +15,7 @@ std::string SourceLocation::prefix() const {
 }
 
 SourceLocation Scene::location_of(const std::string& key) const {
-    // The key itself, then what it is an item of, and each table above it.
+    // The key itself, then the array that it is an item of, then each table above it.
     std::string path = key;
     while (true) {
         const auto found = locations.find(path);

@@ -1,4 +1,4 @@
-// Everything a scene file may say, as plain values with defaults.
+// All values of a scene file, as plain data with defaults.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,11 +19,10 @@
 
 namespace poinsot {
 
-// Whether a scene may name files that lie outside of its own folder.
+// Whether a scene may name files outside its own folder.
 enum class OutsideFiles { refused, allowed };
 
-// Where a value stands. line 0: it came from --set (then `file` is "--set key=value") or is a
-// default.
+// Where a value was given. line 0: by --set (then `file` is "--set key=value"), or it is a default.
 struct SourceLocation {
     std::string file;
     int line = 0;    // from 1
@@ -32,13 +31,13 @@ struct SourceLocation {
     std::string prefix() const;
 };
 
-// One closed surface of the body, drawn in one colour.
+// A closed surface of the body in one colour.
 struct BodySurface {
     TriangleMesh mesh;                          // m, body axes, from the centre of mass
     std::optional<std::array<double, 3>> srgb;  // sRGB-encoded, 0…1; absent: the theme's
 };
 
-// [body]: how the inertia was given, and the tensor that follows from it.
+// [body]: how the inertia was given, and the resulting tensor.
 struct BodySpec {
     enum class Given { moments, tensor, solid, masses, object, mesh };
     Given given = Given::moments;
@@ -46,9 +45,9 @@ struct BodySpec {
     std::string shape;              // solid: name of the solid
     std::vector<double> size_m;     // solid
     double mass_kg = 1.0;           // solid, object, mesh, or the sum of the masses
-    std::vector<PointMass> masses;  // masses, moved so that the centre of mass is the origin
-    Eigen::Vector3d centre_of_mass_m_body = Eigen::Vector3d::Zero();  // as given, before that
-    std::vector<PointMass> masses_as_given;                           // before that
+    std::vector<PointMass> masses;  // masses, relative to the centre of mass
+    Eigen::Vector3d centre_of_mass_m_body = Eigen::Vector3d::Zero();  // of the masses as given
+    std::vector<PointMass> masses_as_given;                           // at their given places
     Eigen::Matrix3d tensor_kg_m2 = Eigen::Matrix3d::Identity();       // tensor, symmetric
     std::string object;                   // object: its name in the table of mesh/
     std::string mesh;                     // mesh: its file, as given
@@ -61,11 +60,11 @@ struct BodySpec {
 struct FacePictureSpec {
     std::string face;  // of body_faces()
     std::string file;  // as given
-    std::string up;    // of body_faces(): where its upper side points; empty: as it fits best
-    Image image;       // what is in the file
+    std::string up;    // of body_faces(): where its top points; empty: the best fit
+    Image image;       // the contents of the file
 };
 
-// [object]: what a body looks like whose moments or tensor say nothing of its form.
+// [object]: how a body looks that is given by its moments or tensor.
 struct ObjectSpec {
     std::string name;         // in the table of mesh/
     std::string mesh;         // or a file, as given
@@ -80,25 +79,25 @@ struct StartSpec {
     std::optional<TopStart> top;
 };
 
-// Length of a film whose scene does not say how long it lasts, in seconds of film.
+// Length of a film whose scene gives no length, in seconds of film.
 constexpr double default_film_s = 10.0;
 
-// [film]: which instants become video frames. Frame k shows second k/fps of the film; which instant
-// of the motion that is, see FilmClock.
+// [film]: the instants that become video frames. Frame k shows second k/fps of the film; FilmClock
+// converts that to an instant of the motion.
 struct FilmSpec {
     double start_s = 0.0;
-    std::optional<double> duration_s;  // of the motion shown; absent: what length_s shows
+    std::optional<double> duration_s;  // of the motion shown; absent: it follows from length_s
     std::optional<double> length_s;    // of the film
-    std::optional<double> still_s;     // instant of the motion that stands for it in a still
-    std::string loop;          // "p/q", "period", or empty: the film does not run into itself
-    std::string loop_changes;  // of loop_values(); empty: the one that need change least
+    std::optional<double> still_s;     // instant of the motion that a still shows
+    std::string loop;                  // "p/q", "period", or empty: not a loop
+    std::string loop_changes;          // of loop_values(); empty: the one with the smallest change
     std::int64_t fps_numerator = 30, fps_denominator = 1;
     int width_px = 1920, height_px = 1080;
-    double speed = 1.0;  // seconds of motion a second of film, until a keyframe changes it
+    double speed = 1.0;  // seconds of motion per second of film, until a keyframe changes it
     std::string quality = "lecture";
 };
 
-// [camera]: about the picture's vertical, which is −L where the plane lies below, L where above.
+// [camera]: its vertical is the picture's: −L where the plane lies below, L where above.
 struct CameraSpec {
     double azimuth_deg = -40.0;
     double elevation_deg = 14.0;
@@ -106,97 +105,98 @@ struct CameraSpec {
     double field_deg = 28.0;                // vertical
     std::optional<Eigen::Vector3d> target;  // picture axes; absent: what look_at names
     std::string look_at = "middle";         // of camera_aims()
-    std::string view;              // of camera_views(), which set what is not said otherwise
-    std::string motion = "fixed";  // fixed, co-precessing
+    std::string view;                       // of camera_views(), which give the values not set here
+    std::string motion = "fixed";           // fixed, co-precessing
     std::string projection = "perspective";  // of camera_projections()
 };
 
-// [panels.camera]: what the camera of one panel says otherwise than [camera], or than where that
-// panel is seen from by itself. Empty and absent: not said.
+// [panels.camera]: values by which the camera of one panel differs from [camera] or from that
+// panel's own view. Empty and absent: not given.
 struct PanelCameraSpec {
     std::optional<double> azimuth_deg, elevation_deg, distance, field_deg;
     std::optional<Eigen::Vector3d> target;
     std::string look_at, view, projection;
 };
 
-// [construction]: how Poinsot's construction is laid into the picture, and what runs over the film.
+// [construction]: how Poinsot's construction lies in the picture, and the quantity swept over the
+// film.
 struct ConstructionSpec {
     std::string plane = "below";  // or "above": where the invariable plane lies in the picture
-    std::string sweep;  // "axis", "energy": what the film runs through instead of the motion;
-                        // empty: nothing
+    std::string sweep;            // "axis", "energy": quantity that varies over the film in place
+                                  // of time; empty: none
 };
 
-// [trail]: how much of the paths of the contact point is shown, and how.
+// [trail]: which part of the contact point's paths is drawn, and how.
 struct TrailSpec {
     std::string polhode = "whole";       // or "history", "fading"
     std::string herpolhode = "history";  // likewise
     std::optional<double> length_s;      // of a fading trail; absent: one polhode period
-    bool direction_marks = false;        // chevrons that show which way it runs
+    bool direction_marks = false;        // chevrons that show the direction of motion
 };
 
-// [[keyframes]]: what has been reached at a second of the film. Where a keyframe does not say a
-// value, it does not bend that value's way.
+// [[keyframes]]: values at a second of the film. A keyframe without a value does not affect the
+// course of that value.
 struct KeyframeSpec {
     double at_s = 0.0;              // of the film
-    std::optional<int> panel;       // whose camera moves; absent: of all that [camera] moves
-    std::string easing = "smooth";  // how the values go here from the keyframe before
-    std::string view;               // sets what of the camera is not said otherwise
+    std::optional<int> panel;       // whose camera moves; absent: all panels that use [camera]
+    std::string easing = "smooth";  // how the values move here from the previous keyframe
+    std::string view;               // gives the camera values not set here
     std::optional<double> azimuth_deg, elevation_deg, distance, field_deg;
     std::optional<Eigen::Vector3d> target;
     std::string look_at;
     std::optional<double> speed;
 };
 
-// [[fades]]: elements, overlays or panels that come, go or grow pale.
+// [[fades]]: elements, overlays or panels that appear, disappear or change opacity.
 struct FadeSpec {
-    double at_s = 0.0;  // of the film, when it begins
+    double at_s = 0.0;  // of the film: the beginning
     double over_s = 1.0;
     std::string easing = "smooth";
     std::vector<std::string> elements;
-    double opacity = 1.0;  // in the end
+    double opacity = 1.0;  // at the end
 };
 
-// [[chapters]]: named sections of the film, each up to the next.
+// [[chapters]]: named sections of the film; each ends where the next begins.
 struct ChapterSpec {
     double at_s = 0.0;  // of the film
     std::string title;
 };
 
-// [[captions]]: text that comes and goes in the film's own seconds.
+// [[captions]]: text shown for some seconds of the film.
 struct TimedCaptionSpec {
     double at_s = 0.0;             // of the film
-    std::optional<double> over_s;  // that it stands; absent: until the next in its place
-    std::string text;              // with live numbers, as the caption
+    std::optional<double> over_s;  // duration; absent: until the next in its place
+    std::string text;              // with live numbers, like the caption
     std::string place = "bottom";  // bottom, top
 };
 
-// [symbols]: what quantities are called in labels, as formulas; empty: by their own names.
+// [symbols]: names of quantities in labels, as formulas; empty: the default names.
 struct SymbolsSpec {
     std::string omega, momentum, rho, e1, e2, e3;
 };
 
-// How one quantity or surface is drawn, where [style] says so; the rest is as the theme has it.
+// [style] of one quantity or surface; values not given are the theme's.
 struct LookSpec {
     std::optional<std::array<double, 3>> srgb;  // sRGB-encoded, 0…1
-    std::optional<double> weight;               // times the usual
+    std::optional<double> weight;               // factor on the default
     std::optional<double> opacity_percent;      // of a surface, or of the ground
-    std::string line;                           // of line_kinds(); empty: as ever
+    std::string line;                           // of line_kinds(); empty: the default
 };
 
-// [style]: what is drawn otherwise than the theme says.
+// [style]: what differs from the theme.
 struct StyleSpec {
     std::map<std::string, LookSpec, std::less<>> looks;  // by the names of style_roles()
-    // Factors on the type of each kind.
+    // Factors on the type size of each kind of text.
     std::optional<double> title_scale, caption_scale, heading_scale, label_scale, chart_scale;
 };
 
-// [[marks]]: a point of the user's own.
+// [[marks]]: a point that the user adds.
 struct MarkSpec {
     std::string on = "ellipsoid";               // of mark_places()
-    Eigen::Vector3d at{0.0, 0.0, 0.0};          // as the place has it
-    std::string name;                           // in mathematics; empty: none
-    bool trail = false;                         // whether the way that it went is shown
-    std::optional<std::array<double, 3>> srgb;  // absent: as the contact
+    Eigen::Vector3d at{0.0, 0.0, 0.0};          // in the coordinates of its place
+    std::string name;                           // as a formula; empty: none
+    bool trail = false;                         // whether its path is shown
+    std::optional<std::array<double, 3>> srgb;  // absent: the colour of the contact point
 };
 
 // [[panels]]: one view of the motion, in cells of the grid.
@@ -204,9 +204,9 @@ struct PanelSpec {
     std::string kind = "space";
     int column = 0, row = 0;           // of its upper left cell
     int columns = 1, rows = 1;         // cells that it spans
-    std::string quantity;              // of a plot, by name; empty: the one that suits the motion
-    std::optional<int> curves;         // of the body panel's families, each; absent: what fills it
-    std::optional<std::string> title;  // over the panel, "" for none; absent: the kind's own
+    std::string quantity;              // of a plot, by name; empty: chosen for the motion
+    std::optional<int> curves;         // of each family in the body panel; absent: as many as fit
+    std::optional<std::string> title;  // above the panel, "": none; absent: its kind's default
     PanelCameraSpec camera;
 };
 
@@ -220,56 +220,56 @@ struct GridSpec {
 };
 
 struct Scene {
-    std::string name = "scene";  // the file's stem
+    std::string name = "scene";  // the file name without suffix
     std::filesystem::path file;
     std::string title;
     std::string caption;
     BodySpec body;
     ObjectSpec object;
-    std::vector<BodySurface> surfaces;  // of an object or a mesh; empty: the body has another form
+    std::vector<BodySurface> surfaces;  // of an object or a mesh; empty: the body has no surfaces
     StartSpec start;
     Torque torque;
-    std::optional<double> half_life_s;  // of a dissipation given so; its rate follows
+    std::optional<double> half_life_s;  // of a dissipation given by it; determines the rate
     MethodChoice method;
-    std::optional<MethodChoice> beside;  // a second method, shown beside the first as a ghost
+    std::optional<MethodChoice> beside;  // a second method, drawn beside the first as a ghost
     FilmSpec film;
     CameraSpec camera;
     ConstructionSpec construction;
     TrailSpec trail;
     std::vector<KeyframeSpec> keyframes;     // in order of at_s
-    std::vector<FadeSpec> fades;             // likewise
-    std::vector<ChapterSpec> chapters;       // likewise
-    std::vector<TimedCaptionSpec> captions;  // likewise
+    std::vector<FadeSpec> fades;             // in order of at_s
+    std::vector<ChapterSpec> chapters;       // in order of at_s
+    std::vector<TimedCaptionSpec> captions;  // in order of at_s
     SymbolsSpec symbols;
-    std::vector<std::string> units;  // that numbers are shown in, for what they measure; else SI
+    std::vector<std::string> units;  // units for displayed numbers; SI for all other quantities
     std::string language = "en";     // of the built-in words, of languages()
-    std::optional<bool> clock;       // whether it is shown; absent: where the film has one
-    double type_scale = 1.0;         // of all type in the picture
+    std::optional<bool> clock;       // whether it is shown; absent: if the film has one
+    double type_scale = 1.0;         // of all text in the picture
     std::vector<std::string> show;  // elements by name; empty: the defaults for this kind of motion
-    bool labels = true;             // whether elements have their names beside them
-    std::vector<std::string> unlabelled;  // elements that have none
+    bool labels = true;             // whether elements are labelled
+    std::vector<std::string> unlabelled;  // elements without labels
     std::vector<MarkSpec> marks;
     GridSpec grid;
     std::vector<PanelSpec> panels;  // empty: the space panel alone
-    std::string theme = "light";    // of a file of a theme, what that extends
-    StyleSpec style;                // what that file says otherwise, and the scene above it
-    std::string hidden;     // pale, dashed, omitted: what lies behind; empty: as the theme says
-    std::string crossings;  // through, gap: where lines pass over others; likewise
+    std::string theme = "light";    // of a theme file: the theme that it extends
+    StyleSpec style;                // the changes of that file, overridden by the scene's
+    std::string hidden;             // pale, dashed, omitted: hidden lines; empty: as in the theme
+    std::string crossings;          // through, gap: where lines cross; empty: as in the theme
     double accuracy_px = 0.1;
 
-    std::vector<std::string> notes;  // what the reader changed and the user should know
+    std::vector<std::string> notes;  // for the user: what the reader changed
 
     std::map<std::string, SourceLocation>
-        locations;  // of every key that was given, by dotted path: "start.omega_rad_s"
+        locations;  // of every given key, by dotted path: "start.omega_rad_s"
 
-    // Location of a key, or of the nearest table above it that was given, or the file's beginning.
+    // Location of a key, of the nearest given table above it, or of the file's beginning.
     SourceLocation location_of(const std::string& key) const;
-    // The prefix of that: "file:line:column: ".
+    // The prefix of that location: "file:line:column: ".
     std::string where(const std::string& key) const;
 };
 
-// The mechanics' problem: inertia, start, torque, method, and the span of the film, which holds
-// t = 0.
+// The problem for mechanics/: inertia, start, torque, method, and the span of the film, which
+// contains t = 0.
 MotionProblem problem_of(const Scene& scene);
 
 // How far beyond a problem's span its curves are drawn, in s.

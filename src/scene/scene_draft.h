@@ -1,4 +1,4 @@
-// What was read so far, before the ways of giving a thing are weighed against each other.
+// The values read so far, before alternative keys are checked against each other.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 
 namespace poinsot {
 
-// Filled by the rows of the key table; values that several keys decide together wait here.
+// The rows of the key table fill it; it holds values that are determined by several keys.
 struct SceneDraft {
     Scene scene;
     OutsideFiles outside = OutsideFiles::refused;
@@ -38,8 +38,8 @@ struct SceneDraft {
     bool has(const std::string& key) const { return scene.locations.contains(key); }
 };
 
-// Weighs the draft's values against each other and makes the scene. Throws SceneError for what is
-// missing or contradictory, and for bodies that cannot be.
+// Checks the draft's values against each other and makes the scene. Throws SceneError for missing
+// or contradictory values, and for impossible bodies.
 Scene complete_scene(SceneDraft draft);
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// What is thrown for a scene that cannot be used: an InputError that knows where it stands.
+// The errors of a scene that cannot be used: an InputError with the place of the cause.
 #pragma once
 
 #include <string>
@@ -22,13 +22,13 @@ class SceneError : public InputError {
     SourceLocation where_;
 };
 
-// What is thrown where a file that a scene names cannot be used: the scene itself may be right.
+// The error of a file that a scene names and that cannot be used; the scene itself may be valid.
 class SceneFileError : public SceneError {
  public:
     using SceneError::SceneError;
 };
 
-// Calls what may throw an InputError without a place: what it refuses is wrong at this key.
+// Calls a function and turns an InputError without a place into a SceneError at this key.
 template <typename Call>
 decltype(auto) at_scene_key(const Scene& scene, const std::string& key, Call call) {
     try {
@@ -40,7 +40,7 @@ decltype(auto) at_scene_key(const Scene& scene, const std::string& key, Call cal
     }
 }
 
-// The same where a file is read that the key names.
+// The same for a function that reads the file which the key names.
 template <typename Call>
 decltype(auto) at_file_key(const Scene& scene, const std::string& key, Call call) {
     try {

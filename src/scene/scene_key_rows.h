@@ -1,4 +1,4 @@
-// The rows of the table of scene keys, section by section, and what they write values with.
+// The rows of the table of scene keys, section by section, and functions that write values.
 #pragma once
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ std::span<const SceneKey> panel_keys();
 std::span<const SceneKey> style_keys();
 std::span<const SceneKey> mark_keys();
 
-// Texts of values that only some scenes say.
+// Texts of values that only some scenes have.
 template <typename Value>
 std::string optional_text(const std::optional<Value>& value) {
     return value ? toml_text(*value) : "";
@@ -35,7 +35,7 @@ inline std::string text_unless_empty(const std::string& text) {
     return text.empty() ? "" : toml_text(std::string_view(text));
 }
 
-// The name of a row of a table, which is refused at its own place if there is none.
+// Checks the name of a table's row; an unknown name is refused at its own place.
 template <typename Find>
 std::string name_in_table(const GivenValue& given, Find find) {
     std::string name = given.text();
@@ -47,8 +47,8 @@ std::string name_in_table(const GivenValue& given, Find find) {
     return name;
 }
 
-// A point that a camera looks at. Farther than a camera may stand away, nothing of the figure would
-// be seen, and beyond a double's digits nothing at all.
+// A point that a camera looks at. Beyond the largest distance of a camera the figure would be
+// invisible, and beyond a double's digits nothing could be computed.
 inline Eigen::Vector3d target_of(const GivenValue& given) {
     constexpr double farthest = 10000.0;
     Eigen::Vector3d target = given.vector();

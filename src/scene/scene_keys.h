@@ -1,5 +1,5 @@
-// The table of scene keys: everything that a scene file may say, one row each. It drives reading,
-// writing, suggestions, `poinsot list keys` and the test that every row is covered.
+// The table of scene keys: one row for each key of a scene file. Reading, writing, suggestions,
+// `poinsot list keys` and the test that every row is covered use it.
 #pragma once
 
 #include <cstddef>
@@ -24,10 +24,12 @@ struct SceneKey {
     // Stores the value; throws SceneError for a wrong type or a number out of its domain.
     void (*read)(const GivenValue& given, SceneDraft& draft);
 
-    // The value as TOML text, or empty if the scene does not say it. `item`: index for "[]".
+    // Returns the value as TOML text, or empty if the scene does not have it. `item`: index for
+    // "[]".
     std::string (*write)(const Scene& scene, std::size_t item);
 
-    // The strings that it takes, where they are these alone and no list of the program's.
+    // The strings that it accepts, if they are a fixed list that no other table of the program
+    // holds.
     std::span<const std::string_view> names{};
 
     // "omega_rad_s"
@@ -55,15 +57,15 @@ std::span<const SceneArray> scene_arrays();
 // The row of a path, or null.
 const SceneKey* find_scene_key(std::string_view path);
 
-// What stands for an unknown path, ready to append to a message: `; did you mean "x"?`, or the keys
-// of its table. `in_file`: keys are named as they are written below their [table], otherwise by
+// Returns a suggestion for an unknown path, to be appended to a message: `; did you mean "x"?`, or
+// the keys of its table. `in_file`: keys are named as written below their [table], otherwise by
 // their whole path.
 std::string scene_key_remedy(std::string_view unknown_path, bool in_file);
 
 // The array of tables of a path, or null.
 const SceneArray* find_scene_array(std::string_view path);
 
-// A table as its header is written: "[body]", "[[body.masses]]" for "body.masses[]", or
+// Returns a table's header as it is written: "[body]", "[[body.masses]]" for "body.masses[]", or
 // "[panels.camera]" for "panels[].camera".
 std::string written_table(std::string_view path);
 

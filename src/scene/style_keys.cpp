@@ -57,7 +57,7 @@ constexpr StyleRole roles[] = {
 };
 constexpr size_t n_roles = std::size(roles);
 
-// The sixteen colours that HTML 4 names, and orange.
+// The sixteen colour names of HTML 4, and orange.
 struct NamedColour {
     std::string_view name;
     std::uint32_t rgb;
@@ -119,7 +119,7 @@ std::string_view expectation_of(StyleKind kind) {
                                  near.empty() ? fmt::format("; {}", expectation_of(kind)) : near));
 }
 
-// Whether a word says what a look of this kind has, and has not been said yet; then it is noted.
+// Takes a word as a value that a look of this kind has and that was not given yet; false otherwise.
 bool takes(LookSpec& look, std::string_view word, StyleKind kind) {
     if (const auto srgb = colour_of(word); srgb && !look.srgb) {
         look.srgb = srgb;
@@ -184,7 +184,7 @@ std::string write_role(const Scene& scene, size_t) {
     return found == looks.end() ? "" : text_of(found->second);
 }
 
-// What the row of each role points to.
+// What each role points to.
 struct RoleWords {
     std::array<std::string, n_roles> paths, summaries;
 
@@ -212,7 +212,7 @@ std::vector<SceneKey> role_rows(std::index_sequence<role...>) {
                      words.summaries[role], read_role<role>, write_role<role>}...};
 }
 
-// The factor on one kind of type.
+// Factor on the type size of one kind of text.
 template <std::optional<double> StyleSpec::*scale>
 void read_scale(const GivenValue& given, SceneDraft& draft) {
     draft.scene.style.*scale = given.number_between(0.25, 8.0);

@@ -1,4 +1,4 @@
-// The table of what [style] may name, and how a look is said: "#9a247d 1.5 dashed".
+// The table of the keys of [style], and the syntax of a look: "#9a247d 1.5 dashed".
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace poinsot {
 
-// What a role is: a line has a colour, a weight and a line style; a surface, and the ground, a
-// colour and an opacity; the others a colour alone.
+// The kinds of roles: a line has a colour, a weight and a line style; a surface, and the ground, a
+// colour and an opacity; all others have only a colour.
 enum class StyleKind { line, surface, colour };
 
 struct StyleRole {
@@ -27,7 +27,7 @@ std::span<const std::string_view> line_kinds();
 // A colour as it is written: "#9a247d".
 std::string colour_text(const std::array<double, 3>& srgb);
 
-// Where a mark of the user's own may be.
+// The places where a user's mark may lie.
 std::span<const std::string_view> mark_places();
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// Keys of the film as it is told: keyframes, fades and chapters.
+// Keys of the events of the film: keyframes, fades, captions and chapters.
 #include <array>
 #include <string>
 #include <string_view>
@@ -21,7 +21,7 @@ constexpr double most_film_s = 1e7;
 // A second of the film.
 double film_second(const GivenValue& given) { return given.number_between(0.0, most_film_s); }
 
-// The item that a value belongs to.
+// The keyframe that a value belongs to.
 KeyframeSpec& keyframe(const GivenValue& given, SceneDraft& draft) {
     return draft.scene.keyframes.at(given.item());
 }
@@ -35,7 +35,7 @@ TimedCaptionSpec& caption(const GivenValue& given, SceneDraft& draft) {
 constexpr std::array<std::string_view, 2> caption_places{"bottom", "top"};
 
 const SceneKey told_rows[] = {
-    // The film told in its own seconds: the camera's ways and the motion's speed, …
+    // Keyframes: movements of the camera and changes of the speed.
     {"keyframes[].at_s", "a number from 0 to 1e7", "s", "3.0",
      "second of the film at which this is reached",
      [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).at_s = film_second(g); },
@@ -96,7 +96,7 @@ const SceneKey told_rows[] = {
      [](const GivenValue& g, SceneDraft& d) { keyframe(g, d).speed = g.number_between(0.0, 1e12); },
      [](const Scene& s, size_t i) { return optional_text(s.keyframes.at(i).speed); }},
 
-    // … what comes and goes, …
+    // Fades.
     {"fades[].at_s", "a number from 0 to 1e7", "s", "2.0", "second of the film at which it begins",
      [](const GivenValue& g, SceneDraft& d) { fade(g, d).at_s = film_second(g); },
      [](const Scene& s, size_t i) { return toml_text(s.fades.at(i).at_s); }},
@@ -119,7 +119,7 @@ const SceneKey told_rows[] = {
      [](const GivenValue& g, SceneDraft& d) { fade(g, d).opacity = g.number_between(0.0, 1.0); },
      [](const Scene& s, size_t i) { return toml_text(s.fades.at(i).opacity); }},
 
-    // … what is said meanwhile, …
+    // Captions.
     {"captions[].at_s", "a number from 0 to 1e7", "s", "4.0",
      "second of the film at which it comes",
      [](const GivenValue& g, SceneDraft& d) { caption(g, d).at_s = film_second(g); },
@@ -143,7 +143,7 @@ const SceneKey told_rows[] = {
      },
      caption_places},
 
-    // … and what its sections are called.
+    // Chapters.
     {"chapters[].at_s", "a number from 0 to 1e7", "s", "0.0",
      "second of the film at which the section begins",
      [](const GivenValue& g, SceneDraft& d) {

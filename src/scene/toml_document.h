@@ -1,4 +1,4 @@
-// A TOML file as plain values that know where they stand. The only door to toml++.
+// A TOML file as plain values with their locations. Only this file uses toml++.
 #pragma once
 
 #include <cstdint>
@@ -34,22 +34,22 @@ struct TomlEntry {
 // "a string", "an integer", "a table", ….
 std::string_view name_of(TomlValue::Type type);
 
-// A scene's file may have so many bytes, and its text so many: what is written back of a scene, in
-// the record of a picture, says each number in full and must be read again.
+// Largest size of a scene file, and of a scene's text: the text in the record of a picture writes
+// every number in full, is therefore longer, and must be readable again.
 inline constexpr std::size_t most_scene_file_bytes = std::size_t{1} << 20;
 inline constexpr std::size_t most_scene_bytes = std::size_t{3} << 20;
 
-// The document's root table. Throws SceneError for what is not TOML, and beforehand for text that a
-// scene has no use for and parsers choke on: control characters, bytes that are not UTF-8, more
-// than most_scene_bytes, brackets nested deeper than 16, keys of more than 16 parts.
+// Returns the document's root table. Throws SceneError for text that is not TOML, and before
+// parsing for text that no scene needs and parsers fail on: control characters, bytes that are not
+// UTF-8, more than most_scene_bytes, brackets nested deeper than 16, keys of more than 16 parts.
 TomlValue parse_toml(std::string_view text, const std::string& file_name);
 
-// The value of a --set: TOML if it reads as one value, a number in another notation (".5"), or else
-// the text itself as a string.
+// Parses the value of a --set: TOML if it reads as one value, a number in another notation (".5"),
+// or otherwise the text itself as a string.
 TomlValue parse_override_value(std::string_view text, const SourceLocation& where);
 
-// The checks of parse_toml that come before parsing: first of the bytes, then of how deeply things
-// are nested. `start` is where the text begins; line 0: it is not from a file. Throw SceneError.
+// The checks of parse_toml before parsing: first of the bytes, then of the nesting depth. `start`
+// is where the text begins; line 0: it is not from a file. Throw SceneError.
 void refuse_hostile_bytes(std::string_view text, const SourceLocation& start);
 void refuse_hostile_structure(std::string_view text, const SourceLocation& start);
 

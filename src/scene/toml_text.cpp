@@ -44,7 +44,7 @@ std::string toml_text(std::string_view value) {
         } else if (character.code == '\t') {
             text += "\\t";
         } else if (character.valid && is_hidden(character.code)) {
-            // Escaped, so that records can be looked at, and stand in XML (an SVG's).
+            // Escaped, so that records can be read as text and stored in XML (SVG).
             const auto number = static_cast<std::uint32_t>(character.code);
             text += number < 0x10000 ? fmt::format("\\u{:04X}", number)
                                      : fmt::format("\\U{:08X}", number);

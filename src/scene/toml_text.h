@@ -1,4 +1,4 @@
-// Values as TOML text that reads back to the same bits.
+// Values as TOML text that reads back exactly.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,8 @@ namespace poinsot {
 
 std::string toml_text(bool value);
 std::string toml_text(int value);
-// Shortest decimal that gives the double back; always a TOML float, so that −0 keeps its sign.
+// Returns the shortest decimal that reads back as the same double; always a TOML float, so that −0
+// keeps its sign.
 std::string toml_text(double value);
 std::string toml_text(std::string_view value);
 std::string toml_text(const Eigen::Vector3d& value);

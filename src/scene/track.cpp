@@ -24,8 +24,8 @@ bool Track::is_cubic(const Key& from, const Key& to) {
     return to.easing->goes_on || from.velocity != 0.0;
 }
 
-// The velocity at a key that now has one behind it, and what follows from it. A weighted harmonic
-// mean of the slopes to either side, it is 0 where they differ in sign.
+// Sets the velocity at a key that now has a key after it, and the values that depend on it. A
+// weighted harmonic mean of the slopes to both sides, it is 0 where they differ in sign.
 void Track::pass_through(std::size_t key) {
     const bool arrives_at_rest = keys_[key + 1].easing->value(0.5) >= 0.5;
     if (key > 0 && keys_[key].easing->goes_on && arrives_at_rest) {
@@ -49,9 +49,9 @@ void Track::pass_through(std::size_t key) {
     }
 }
 
-// Of what lies over the value of `from`, from there to a share u of the way. On a cubic between the
-// velocities a and b of a way of length h the value is from + Δ(3u² − 2u³) + h(a(u − 2u² + u³) +
-// b(u³ − u²)).
+// The integral of the difference from the value of `from`, from that key to a part u of the time.
+// On a cubic between the velocities a and b over a time h the value is from + Δ(3u² − 2u³) + h(a(u
+// − 2u² + u³) + b(u³ − u²)).
 double Track::integral_of(const Key& from, const Key& to, double u) const {
     const double h = to.at_s - from.at_s;
     const double change = to.value - from.value;

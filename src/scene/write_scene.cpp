@@ -13,9 +13,9 @@ namespace poinsot {
 
 namespace {
 
-// Lines by their table, the tables in the order in which they come up. In TOML a line belongs to
-// the header above it, so whatever the order of the rows, those of `first`, which has no header
-// here, stand before all others, and each table has one header.
+// Lines grouped by table, with the tables in the order of their first row. In TOML a line belongs
+// to the header above it. Therefore, whatever the order of the rows, those of `first`, which has no
+// header here, come first, and each table has one header.
 class Tables {
  public:
     explicit Tables(std::string_view first) { tables_.emplace_back(first, ""); }
@@ -43,7 +43,7 @@ class Tables {
 std::string to_toml(const Scene& scene) {
     Tables tables("");
     for (const SceneKey& key : scene_keys()) {
-        // Arrays of tables follow below their table.
+        // Arrays of tables are written below their table.
         if (key.path.find("[]") != std::string_view::npos) continue;
         const std::string value = key.write(scene, 0);
         if (!value.empty()) tables.add(key, value);
