@@ -1,4 +1,4 @@
-// Which encoders this machine's FFmpeg has: for `poinsot doctor`.
+// The encoders that this machine's FFmpeg has, for `poinsot doctor`.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace poinsot {
 struct CodecStatus {
     std::string name;  // FFmpeg's name of the encoder
     bool available = false;
-    std::string detail;  // what it is for, or which package brings it
+    std::string detail;  // its purpose, or the package that provides it
 };
 
 std::vector<CodecStatus> codec_statuses();

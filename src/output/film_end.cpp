@@ -16,12 +16,12 @@ namespace {
 namespace fs = std::filesystem;
 using Size = std::uintmax_t;
 
-// Reads bytes anywhere in a file.
+// Reads bytes at any offset of a file.
 class Reader {
  public:
     explicit Reader(const fs::path& file) : stream_(file, std::ios::binary) {}
 
-    // False if there are not so many.
+    // False if the file ends before.
     bool read(Size at, std::span<std::uint8_t> bytes) {
         stream_.clear();
         stream_.seekg(static_cast<std::streamoff>(at));
@@ -40,9 +40,9 @@ Size number_of(std::span<const std::uint8_t> bytes) {
     return number;
 }
 
-// A film is one sequence of boxes with one index; what it plays lies in boxes of its own, so the
-// last of those ends it. Another film's file type, a second index and bytes that are no box of the
-// top level lie behind the end. Source: ISO/IEC 14496-12 §4.2, §6.2.3; QuickTime's "wide".
+// A film is one sequence of boxes with one index; its media data has its own boxes, and the last of
+// these ends the film. Another file type box, a second index and bytes that are not a top-level box
+// lie behind the end. Source: ISO/IEC 14496-12 §4.2, §6.2.3; QuickTime's "wide".
 std::optional<Size> end_of_boxes(Reader& reader) {
     constexpr std::array<std::string_view, 3> at_most_once{"ftyp", "moov", "mfra"};
     constexpr std::array<std::string_view, 3> what_is_played{"mdat", "moof", "moov"};
@@ -64,7 +64,7 @@ std::optional<Size> end_of_boxes(Reader& reader) {
             was_seen = true;
         }
         has_fragments = has_fragments || type == "moof";
-        // Only a film in fragments has its data in several boxes.
+        // Only a fragmented film has its data in several boxes.
         if (type == "mdat" && has_data && !has_fragments) break;
         has_data = has_data || type == "mdat";
         const bool ends_film = once != at_most_once.end() || is_in(what_is_played, type);
@@ -83,8 +83,8 @@ std::optional<Size> end_of_boxes(Reader& reader) {
     return end;
 }
 
-// A number of variable length: the zeros before its first bit that is set say how many bytes
-// follow. All bits set stand for an unknown size. Source: RFC 8794 §4.
+// A number of variable length: the zeros before its first set bit give the number of bytes that
+// follow. All bits set mean an unknown size. Source: RFC 8794 §4.
 std::optional<Size> variable_number(Reader& reader, Size& at) {
     std::array<std::uint8_t, 8> bytes{};
     if (!reader.read(at, std::span(bytes).first(1)) || bytes[0] == 0) return std::nullopt;
@@ -98,7 +98,7 @@ std::optional<Size> variable_number(Reader& reader, Size& at) {
     return number;
 }
 
-// Matroska and WebM: a header, and one segment that holds all else. Source: RFC 9559 §4.5.
+// Matroska and WebM: a header, and one segment with everything else. Source: RFC 9559 §4.5.
 std::optional<Size> end_of_segment(Reader& reader) {
     constexpr std::array<std::uint8_t, 4> segment{0x18, 0x53, 0x80, 0x67};
     Size at = 4;

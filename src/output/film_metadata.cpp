@@ -9,7 +9,7 @@ namespace poinsot {
 
 namespace {
 
-// Matroska and WebM give names back in capitals.
+// Matroska and WebM return names in capitals.
 bool same_name(const std::string& a, const std::string& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
         return std::tolower(x) == std::tolower(y);

@@ -1,4 +1,4 @@
-// The text that an output carries about itself, read back.
+// Reads back the metadata that an output carries.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@ namespace poinsot {
 // The name under which files carry OutputPlan::metadata.
 inline constexpr const char* metadata_name = "poinsot";
 
-// What OutputPlan::metadata was when the film was written; empty if it carries none. Throws
-// InputError if the file is missing or is no film.
+// Returns the OutputPlan::metadata with which the film was written; empty if the film carries none.
+// Throws InputError if the file is missing or is not a film.
 std::string film_metadata(const std::filesystem::path& film);
 
 }  // namespace poinsot

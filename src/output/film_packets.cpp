@@ -45,7 +45,7 @@ std::string hash_of_stream(const fs::path& film) {
     return hash.of_film();
 }
 
-// Takes a GIF apart from its beginning. Source: GIF89a specification, §17–27.
+// Parses a GIF from its beginning. Source: GIF89a specification, §17–27.
 class GifReader {
  public:
     GifReader(std::span<const std::uint8_t> file, std::string name)
@@ -99,7 +99,7 @@ class GifReader {
     static constexpr std::uint8_t extension_byte = 0x21, image_byte = 0x2c, trailer_byte = 0x3b,
                                   comment_label = 0xfe;
 
-    // Bytes of a table of colours that flags announce.
+    // Size in bytes of the colour table that the flags announce.
     static std::size_t colours_of(std::uint8_t flags) {
         return flags & 0x80 ? std::size_t{3} << ((flags & 7) + 1) : 0;
     }

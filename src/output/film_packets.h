@@ -1,6 +1,6 @@
-// The hash of a film's coded packets, by which its record and its pictures know each other without
-// being decoded. Containers and what they say besides play no part, so a film that another program
-// has put into another container still has its hash.
+// The hash of a film's coded packets: it links a film to its record and its pictures without
+// decoding. The hash does not depend on the container and its metadata, so a film that another
+// program has put into another container still has its hash.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,16 @@ namespace poinsot {
 
 // A chunk's hash is that of its packets, in the order in which they are stored: SHA-256 of the size
 // of each, eight bytes, the highest first, and its contents. A film's hash is that of the list of
-// its chunks' hashes, each on a line of its own; so the lists of a film's parts, one after the
-// other, are that of the film.
+// its chunks' hashes, each on a line of its own; the concatenated lists of a film's parts are
+// therefore the list of the film.
 class PacketHash {
  public:
     explicit PacketHash(std::int64_t n_chunk_packets) : n_chunk_packets_(n_chunk_packets) {}
 
-    // A packet, and what comes beside it (the alpha plane's).
+    // Adds a packet and its side data (the alpha plane's).
     void add(std::span<const std::uint8_t> packet, std::span<const std::uint8_t> beside = {});
 
-    std::vector<std::string> chunks();  // what was added since the last whole chunk is one
+    std::vector<std::string> chunks();  // packets since the last whole chunk count as one chunk
     std::string of_film();
 
  private:
@@ -36,15 +36,15 @@ class PacketHash {
     std::vector<std::string> chunks_;
 };
 
-// Of the film in a file. Throws InputError for what is no film.
+// Returns the hash of the film in a file. Throws InputError for a file that is not a film.
 std::string packet_hash_of(const std::filesystem::path& film);
 
-// A GIF has no packets: of its bytes without comments, a chunk a picture, up to its end or its
-// trailer. Throws InputError, with the name, for what is no GIF.
+// A GIF has no packets: hashes its bytes without comments, one chunk per picture, up to the end or
+// the trailer. Throws InputError, with the name, for a file that is not a GIF.
 PacketHash gif_packets(std::span<const std::uint8_t> file, const std::string& name);
 
-// The number of bytes up to a GIF's trailer, which is the last of them. Throws as gif_packets does,
-// for one without a trailer, too.
+// Returns the number of bytes up to and including a GIF's trailer. Throws like gif_packets, and
+// also for a GIF without a trailer.
 std::size_t end_of_gif(std::span<const std::uint8_t> file, const std::string& name);
 
 }  // namespace poinsot

@@ -11,7 +11,7 @@ namespace poinsot {
 
 namespace {
 
-// Lines "NAME LENGTH" with so many bytes after each, whatever is in them.
+// Lines "NAME LENGTH", each followed by that many bytes of any content.
 void append(std::string& text, std::string_view value) {
     text += fmt::format("{}\n{}\n", value.size(), value);
 }
@@ -34,7 +34,7 @@ FilmPart part_of_film(std::int64_t number, std::int64_t n_parts, std::int64_t n_
     part.number = number;
     part.n_parts = std::min(n_parts, n_chunks);
     part.n_film_frames = n_film_frames;
-    // Chunks are dealt out evenly: n_chunks·k/N without its product, which might not fit.
+    // Chunks are distributed evenly: n_chunks·k/N without the product, which might overflow.
     const std::int64_t each = n_chunks / part.n_parts, more = n_chunks % part.n_parts;
     const auto end_of = [&](std::int64_t k) {
         return std::min(n_film_frames, (each * k + std::min(k, more)) * n_chunk_frames);

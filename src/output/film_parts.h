@@ -1,5 +1,4 @@
-// The finished parts of a film: files that say what they are part of, and hold its frames as the
-// encoder has left them.
+// The finished parts of a film: files that describe their part and hold its frames as encoded.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +17,15 @@ namespace poinsot {
 
 class PartFile {
  public:
-    // Reads all of it once. Throws InputError for what cannot be read and for what is no part.
+    // Reads the whole file once. Throws InputError for a file that cannot be read or is not a part.
     explicit PartFile(std::filesystem::path path);
 
     const std::filesystem::path& path() const { return path_; }
     const FilmPart& part() const { return part_; }
-    const OutputPlan& plan() const { return plan_; }  // of the film, its path that of the part
+    const OutputPlan& plan() const { return plan_; }  // of the film, with the path of the part
     const std::string& settings() const { return settings_; }
     std::int64_t n_there() const { return static_cast<std::int64_t>(blocks_.size()); }
-    // Whether all of its frames are there, and nothing else.
+    // Whether all frames of the part are in the file, and nothing else.
     bool is_whole() const { return is_clean_ && n_there() == part().n_frames; }
     const std::vector<FrameBlock>& blocks() const { return blocks_; }
 
@@ -39,14 +38,14 @@ class PartFile {
     bool is_clean_ = false;  // no bytes after the last whole block
 };
 
-// Whether a file may be one: a glance at its beginning.
+// Whether a file may be a part, judged by its first bytes.
 bool looks_like_part(const std::filesystem::path& path);
 
-// The entries of parts that make a film, in its order. One file is open at a time. Reading throws
+// The entries of all parts of a film, in its order. One file is open at a time. Reading throws
 // EnvironmentError also when the run is interrupted.
 class JoinedEntries : public FrameEntries {
  public:
-    // Precondition: the parts are whole and in order, one at least.
+    // Precondition: the parts are whole and in order, and there is at least one.
     explicit JoinedEntries(const std::vector<PartFile>& parts);
 
     std::int64_t n_entries() const override { return n_entries_; }

@@ -15,7 +15,7 @@ namespace poinsot {
 void add_chapters(AVFormatContext& context, std::span<const FilmChapter> chapters,
                   const FrameRate& rate) {
     for (const FilmChapter& chapter : chapters) {
-        // FFmpeg frees what hangs on the context.
+        // FFmpeg frees the memory owned by the context.
         auto* const grown = static_cast<AVChapter**>(
             av_realloc_array(context.chapters, context.nb_chapters + 1, sizeof(AVChapter*)));
         if (grown == nullptr) throw EnvironmentError("no memory for a film's chapters");
@@ -31,8 +31,8 @@ void add_chapters(AVFormatContext& context, std::span<const FilmChapter> chapter
     }
 }
 
-// A row "KIND NUMBER … LENGTH TEXT" each, the text of that many bytes, whatever is in it. Chapters:
-// c, first and end; subtitles: s, begin, end, and whether they stand at the top.
+// One row "KIND NUMBER … LENGTH TEXT" each, with a text of LENGTH bytes of any content. Chapters:
+// c, first and end; subtitles: s, begin, end, and whether they are at the top.
 std::string texts_of(const OutputPlan& plan) {
     std::string text;
     for (const FilmChapter& chapter : plan.chapters)
@@ -46,7 +46,7 @@ std::string texts_of(const OutputPlan& plan) {
 
 namespace {
 
-// Cuts a row off the front; false for what is none.
+// Removes the first row of the text; false if it is not a row.
 bool take_row(std::string_view& text, OutputPlan& plan) {
     const bool is_chapter = text.starts_with("c ");
     if (!is_chapter && !text.starts_with("s ")) return false;
@@ -124,12 +124,12 @@ std::vector<FilmSubtitle> one_at_a_time(std::span<const FilmSubtitle> subtitles)
 
 namespace {
 
-// How text is set that says nothing of it: centred at the bottom, white, no ground. Source: 3GPP TS
-// 26.245 §5.16, the sample entry from displayFlags on.
+// Default style of subtitles: centred at the bottom, white, no background. Source: 3GPP TS 26.245
+// §5.16, the sample entry from displayFlags on.
 constexpr std::array<std::uint8_t, 47> text_sample_entry{
     0,   0,   0,   0,                            // flags
     1,   255,                                    // centred, at the bottom
-    0,   0,   0,   0,                            // ground
+    0,   0,   0,   0,                            // background
     0,   0,   0,   0,   0,   0,   0,   0,        // the whole picture
     0,   0,   0,   0,   0,   1,   0,   18,       // characters 0 to 0, font 1, plain, size 18
     255, 255, 255, 255,                          // white
@@ -140,7 +140,7 @@ constexpr std::array<std::uint8_t, 47> text_sample_entry{
 // A sample of 3GPP TS 26.245 §5.17: the text's length in 16 bits, and the text.
 std::string timed_text(std::string_view text) {
     constexpr std::size_t most = 0xffff;
-    // No character is cut in two.
+    // Truncates between characters.
     std::size_t size = std::min(text.size(), most);
     while (size < text.size() && (static_cast<unsigned char>(text[size]) & 0xc0U) == 0x80U) --size;
     std::string sample{static_cast<char>(size >> 8U), static_cast<char>(size & 0xffU)};
@@ -164,7 +164,7 @@ SubtitleTrack::SubtitleTrack(libav::Muxer& muxer, AVCodecID codec, const OutputP
     parameters.codec_type = AVMEDIA_TYPE_SUBTITLE;
     parameters.codec_id = codec;
     if (codec != AV_CODEC_ID_MOV_TEXT) return;
-    // FFmpeg frees what hangs on the parameters.
+    // FFmpeg frees the memory owned by the parameters.
     parameters.extradata = static_cast<std::uint8_t*>(
         av_mallocz(text_sample_entry.size() + AV_INPUT_BUFFER_PADDING_SIZE));
     if (parameters.extradata == nullptr) throw EnvironmentError("no memory for a film");

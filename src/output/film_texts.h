@@ -1,5 +1,5 @@
-// What a film says besides its pictures, in containers that can carry it: chapters, and captions
-// as a track of text. Included only inside output/.
+// The texts of a film in containers that support them: chapters, and captions as a text track.
+// Included only inside output/.
 #pragma once
 
 #include <cstdint>
@@ -13,34 +13,35 @@
 
 namespace poinsot {
 
-// Before the header is written. Throws EnvironmentError if memory has run out.
+// Adds chapters before the header is written. Throws EnvironmentError if memory has run out.
 void add_chapters(AVFormatContext& context, std::span<const FilmChapter> chapters,
                   const FrameRate& rate);
 
-// A plan's chapters and subtitles as a text that a film under way carries, and back into a plan;
-// what is no such text has none.
+// Converts a plan's chapters and subtitles to text stored with an unfinished film, and back into a
+// plan; other text gives none.
 std::string texts_of(const OutputPlan& plan);
 void parse_texts(std::string_view text, OutputPlan& plan);
 
-// Those of a film that ends after n_frames.
+// Returns the chapters of a film that ends after n_frames.
 std::vector<FilmChapter> first_chapters(std::span<const FilmChapter> chapters,
                                         std::int64_t n_frames);
 std::vector<FilmSubtitle> first_subtitles(std::span<const FilmSubtitle> subtitles,
                                           std::int64_t n_frames, const FrameRate& rate);
 
-// One after another, as a track of text has them: where two stand at once, both do, the upper one
-// first.
+// Returns the subtitles without overlaps, as a text track needs them: where two overlap, both are
+// shown in one, the upper one first.
 std::vector<FilmSubtitle> one_at_a_time(std::span<const FilmSubtitle> subtitles);
 
-// The subtitles of a film as a track of their own. Players show it when they are asked to: the
-// picture has the captions already. A film without them has no track.
+// The subtitles of a film as a separate track. Players show it only on request, because the picture
+// contains the captions already. A film without subtitles has no track.
 class SubtitleTrack {
  public:
-    // Before the header is written. codec: AV_CODEC_ID_MOV_TEXT or AV_CODEC_ID_WEBVTT.
+    // Adds the track before the header is written. codec: AV_CODEC_ID_MOV_TEXT or
+    // AV_CODEC_ID_WEBVTT.
     SubtitleTrack(libav::Muxer& muxer, AVCodecID codec, const OutputPlan& plan,
                   std::int64_t n_frames);
 
-    // Writes those that begin before the n-th frame of the film.
+    // Writes the subtitles that begin before the n-th frame of the film.
     void write_before(std::int64_t n);
 
  private:
@@ -49,7 +50,7 @@ class SubtitleTrack {
     libav::Muxer* muxer_;
     AVCodecID codec_;
     FrameRate rate_;
-    std::vector<FilmSubtitle> left_;  // the last of them first
+    std::vector<FilmSubtitle> left_;  // not yet written, in reverse order
     AVStream* stream_ = nullptr;
     libav::Packet packet_;
 };

@@ -1,4 +1,4 @@
-// The table of formats. A new one is one file and one row.
+// The table of formats. A new format is one file and one row.
 #include "output/formats.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 namespace poinsot {
 
-// What the rows open, one file each.
+// The functions of the rows, one file each.
 std::unique_ptr<FrameSink> open_mp4(const OutputPlan& plan);
 std::unique_ptr<FrameSink> open_webm(const OutputPlan& plan);
 std::unique_ptr<FrameSink> open_gif(const OutputPlan& plan);
@@ -34,13 +34,13 @@ void join_md5(FrameEntries& entries, const OutputPlan& plan);
 
 namespace {
 
-// Times are in hundredths of a second, and players take less than two of them for a mistake.
+// Times are in hundredths of a second, and players treat less than two of them as an error.
 constexpr double most_gif_fps = 50.0;
 
-// libvpx's threads wait for each other busily: two jobs on two cores took 1.3 times as long.
+// libvpx's threads busy-wait for each other: two jobs on two cores took 1.3 times as long.
 constexpr int cores_of_libvpx = 2;
 
-// The two PNG rows share a suffix: a file name with '#' in it asks for the first.
+// The two PNG rows share a suffix: a file name with '#' selects the first.
 constexpr OutputFormat format_table[] = {
     {.name = "mp4",
      .suffix = ".mp4",
@@ -130,7 +130,7 @@ std::string known_suffixes() {
     return list;
 }
 
-// What a suffix that is not written here has beside it, and how to come from there to it.
+// A common suffix that is not supported, a supported alternative, and how to convert.
 struct NearestWay {
     std::string_view suffix;
     std::string_view instead;
@@ -151,8 +151,8 @@ constexpr std::array<NearestWay, 13> ways = {{
     {".exr", "write .png, 16 bits a component by `still --depth 16`"},
 }};
 
-// For a suffix that is unknown: the way of one that many write, or the known one that it is a slip
-// of; empty for others.
+// Advice for an unknown suffix: the alternative to a common one, or the known one that it
+// misspells; empty for others.
 std::string nearest_way(std::string_view suffix) {
     for (const NearestWay& way : ways)
         if (way.suffix == suffix) return std::string(way.instead);
@@ -188,7 +188,7 @@ void check_rate(const OutputFormat& format, const FrameRate& rate) {
 }
 
 const OutputFormat& format_for(const std::filesystem::path& path) {
-    // A name without a suffix may be that of a format, as "null" is.
+    // A name without a suffix may be the name of a format, such as "null".
     const std::string suffix = suffix_of(path);
     const bool numbered = has_frame_number(path);
     for (const OutputFormat& format : format_table) {

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
-    if (bytes.empty()) return ~0u;  // FFmpeg reads where the bytes would be
+    if (bytes.empty()) return ~0u;  // FFmpeg dereferences the pointer
     return av_crc(av_crc_get_table(AV_CRC_32_IEEE_LE), ~0u, bytes.data(), bytes.size());
 }
 
@@ -36,8 +36,7 @@ std::uint32_t get_u32(const std::uint8_t* at) {
     return value;
 }
 
-// The plan and the settings as text: numbers, then the texts, whose lengths stand among the
-// numbers.
+// The plan and the settings as text: numbers, among them the lengths of the texts, then the texts.
 std::string film_head(const OutputPlan& plan, const std::string& settings) {
     const std::string part = plan.part ? part_text(*plan.part) : "";
     return fmt::format("{}{} {} {} {} {} {} {}\n{}{}{}",
@@ -47,7 +46,7 @@ std::string film_head(const OutputPlan& plan, const std::string& settings) {
                        plan.metadata, texts_of(plan));
 }
 
-// Of a part, what it says of itself comes first: its size, and that text.
+// The head of a part begins with the part's own text and its size.
 constexpr std::string_view part_key = "part ";
 
 bool take_part(std::string_view& head, OutputPlan& plan) {
@@ -154,7 +153,7 @@ FrameLog::~FrameLog() {
         file_.discard();
 }
 
-// Finds the blocks that are whole and returns the first one's text.
+// Finds the complete blocks and returns the first one's text.
 std::string FrameLog::scan() {
     std::string head;
     FrameBlock block;

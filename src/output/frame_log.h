@@ -1,6 +1,6 @@
-// A film under way in formats that are put together only in the end: what each frame came to,
-// aside, an entry a frame, each in the file as soon as it is written. A killed run loses none of
-// them; one that goes on begins with those that are whole.
+// The log of an unfinished film, in formats that are assembled only at the end: one entry per
+// encoded frame, in a temporary file, written at once. A killed run loses no entry; a resumed run
+// starts with the complete entries.
 #pragma once
 
 #include <cstdint>
@@ -15,22 +15,22 @@
 
 namespace poinsot {
 
-// Entries in the order of the film, wherever they lie.
+// Entries in the order of the film, from one file or several.
 class FrameEntries {
  public:
     virtual ~FrameEntries() = default;
     virtual std::int64_t n_entries() const = 0;
-    // All that they depend on besides the frames and the plan.
+    // Everything that the entries depend on besides the frames and the plan.
     virtual const std::string& settings() const = 0;
-    // Entry k, valid until the next call. Throws EnvironmentError if it is not what was written.
+    // Returns entry k, valid until the next call. Throws EnvironmentError if its checksum is wrong.
     virtual std::span<const std::uint8_t> read(std::int64_t k) = 0;
-    // An entry that is whole by its checksum and yet none of this format's: the file was made by
+    // Refuses an entry that has a valid checksum but is not of this format: the file was made by
     // another program. Throws InputError.
     [[noreturn]] virtual void refuse_entry() const = 0;
 };
 
-// A file of them is blocks: size and CRC-32 (IEEE 802.3) of the contents, four bytes each, the
-// least first, and the contents. The first says what film this is; the others are the entries.
+// The file consists of blocks: size and CRC-32 (IEEE 802.3) of the contents, four bytes each, the
+// lowest first, and the contents. The first block describes the film; the others are the entries.
 constexpr std::int64_t block_head = 8;
 
 // A block, without its head.
@@ -39,26 +39,26 @@ struct FrameBlock {
     std::uint32_t size = 0;
 };
 
-// Reads the block that begins at a place of an open file; false if there is no whole one. Throws
-// EnvironmentError, with the path.
+// Reads the block that begins at an offset of an open file; false if there is no complete one.
+// Throws EnvironmentError, with the path.
 bool read_block(int descriptor, const std::filesystem::path& path, std::int64_t at,
                 FrameBlock& block, std::vector<std::uint8_t>& contents);
 
-// Reads what the first block says back into a plan and settings; false for what is no such text.
+// Parses the first block into a plan and settings; false for any other text.
 bool read_head(std::string_view head, OutputPlan& plan, std::string& settings);
 
 class FrameLog : public FrameEntries {
  public:
-    // settings says everything that the entries depend on besides the frames and the plan. With
-    // plan.resume, the entries of an earlier log of the same plan and settings are kept: as many
-    // whole chunks of n_chunk_frames as there are. Throws EnvironmentError.
+    // settings describes everything that the entries depend on besides the frames and the plan.
+    // With plan.resume, the entries of an earlier log of the same plan and settings are kept: all
+    // complete chunks of n_chunk_frames. Throws EnvironmentError.
     FrameLog(const OutputPlan& plan, const std::string& settings, std::int64_t n_chunk_frames);
 
-    // What a killed run has left of a film, all that is whole of it; plan().n_frames says how many.
-    // Throws: InputError if there is nothing; EnvironmentError.
+    // Returns the complete entries that a killed run has left of a film; plan().n_frames is their
+    // number. Throws: InputError if there are none; EnvironmentError.
     static FrameLog left_of(const std::filesystem::path& film);
 
-    ~FrameLog() override;  // leaves the entries aside for a later run where the plan says so
+    ~FrameLog() override;  // keeps the entries for a later run if the plan resumes
     FrameLog(FrameLog&&) noexcept = default;
     FrameLog& operator=(FrameLog&&) noexcept = default;
 
@@ -67,13 +67,13 @@ class FrameLog : public FrameEntries {
     std::int64_t n_entries() const override { return static_cast<std::int64_t>(entries_.size()); }
     std::uint64_t n_bytes() const { return static_cast<std::uint64_t>(end_); }  // on disk so far
 
-    // Throws EnvironmentError.
+    // Appends an entry. Throws EnvironmentError.
     void append(std::span<const std::uint8_t> entry);
 
     std::span<const std::uint8_t> read(std::int64_t k) override;
 
-    // Under the final name stands this very file: a part of a film, whose frames all are here.
-    // Throws EnvironmentError.
+    // Renames the log itself to the final name: a part of a film with all of its frames. Throws
+    // EnvironmentError.
     void become_part() { file_.commit(); }
 
     void discard() noexcept { file_.discard(); }
@@ -90,12 +90,12 @@ class FrameLog : public FrameEntries {
     std::string settings_;
     AtomicFile file_;
     std::vector<FrameBlock> entries_;
-    std::int64_t head_end_ = 0;  // of the block that says what film this is
-    std::int64_t end_ = 0;       // of what is whole
+    std::int64_t head_end_ = 0;  // of the block that describes the film
+    std::int64_t end_ = 0;       // of the complete blocks
     std::vector<std::uint8_t> buffer_;
 };
 
-// Where the log of a film lies.
+// Returns the path of a film's log.
 std::filesystem::path frame_log_path(const std::filesystem::path& film);
 
 }  // namespace poinsot

@@ -37,7 +37,7 @@ std::vector<std::int64_t> frames_there(const std::filesystem::path& pattern) {
         std::int64_t frame = 0;
         const auto [end, failed] =
             std::from_chars(found.data() + front.size(), found.data() + found.size(), frame);
-        // Only the name that the frame would have is one.
+        // Only the exact name of that frame counts.
         if (failed == std::errc{} && frame >= 0 && frame_name(pattern, frame).filename() == found)
             frames.push_back(frame);
     }

@@ -10,11 +10,11 @@ namespace poinsot {
 // Whether the file name (not its folders) holds a run of '#'.
 bool has_frame_number(const std::filesystem::path& pattern);
 
-// The first run of '#' in the file name replaced by the number with at least that many digits.
+// Replaces the first run of '#' in the file name by the number with at least that many digits.
 // Precondition: has_frame_number(pattern), number ≥ 0.
 std::filesystem::path frame_name(const std::filesystem::path& pattern, std::int64_t number);
 
-// The numbers of the pictures of a pattern that are there, in order.
+// Returns the numbers of the existing pictures of a pattern, in ascending order.
 std::vector<std::int64_t> frames_there(const std::filesystem::path& pattern);
 
 }  // namespace poinsot

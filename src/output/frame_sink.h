@@ -1,5 +1,4 @@
-// Images → files. A sink takes video frames in order and makes one whole output, or nothing under
-// the final name.
+// Images → files. A sink takes video frames in order and writes one output atomically.
 #pragma once
 
 #include <cstdint>
@@ -25,14 +24,14 @@ struct FrameRate {
     }
 };
 
-// A named section, in frames of the output counted from its first.
+// A named section; its frames are counted from the output's first frame.
 struct FilmChapter {
     std::string title;
     std::int64_t first_frame = 0;
     std::int64_t end_frame = 0;  // one past its last
 };
 
-// Text that stands under the picture, or at its top, for a while: plain, without empty lines;
+// Text shown at the bottom or top of the picture for a time: plain, without empty lines;
 // milliseconds of the output from its first frame.
 struct FilmSubtitle {
     std::string text;
@@ -40,12 +39,12 @@ struct FilmSubtitle {
     bool at_top = false;
 };
 
-// The millisecond of the output at which frame n of it is shown, to the nearest.
+// Returns the millisecond of the output at which its frame n is shown, rounded.
 constexpr std::int64_t milliseconds_of(std::int64_t n, const FrameRate& rate) {
     return (2000 * n * rate.denominator + rate.numerator) / (2 * rate.numerator);
 }
 
-// What an output can say of itself only when it is made.
+// Metadata known only after encoding.
 struct Contents {
     std::int64_t n_frames = 0;               // of a film
     std::string packets = {};                // of a film: see output/film_packets.h
@@ -53,50 +52,51 @@ struct Contents {
     std::string pixels = {};                 // of a picture: see image/pixel_check.h
 };
 
-// The text that an output carries, from the one that its plan has.
+// Makes the text that an output carries from the plan's metadata.
 using Tell = std::function<std::string(const std::string& metadata, const Contents& contents)>;
 
-// What every output needs to know before its first frame.
+// Settings that an output needs before its first frame.
 struct OutputPlan {
     std::filesystem::path path;  // final name; "####" in a PNG name is the frame number
     int width_px = 0, height_px = 0;
     FrameRate rate;
     std::int64_t first_frame = 0;     // number of the first frame written, for sequences
-    std::int64_t n_frames = 0;        // how many will come
+    std::int64_t n_frames = 0;        // number of frames that will be written
     std::string quality = "lecture";  // a name of output/quality.h
     int encoder_threads = 0;          // 0: chosen by the sink
     std::string metadata;             // text carried in the file
-    Tell tell;                        // makes that text of it; without, it is carried as it is
-    // Of the frames that come, a film has the first so many; 0: all. Its packets are those of a
-    // film that goes on, as those of one that was recovered are.
+    Tell tell;  // makes the text from metadata; if empty, metadata is used as it is
+    // The film keeps only the first n_shown of the written frames; 0: all. Its packets are those of
+    // a longer film; a recovered film is such a film, too.
     std::int64_t n_shown = 0;
-    std::vector<FilmChapter> chapters;    // where the container can, in order
-    std::vector<FilmSubtitle> subtitles;  // likewise, two at once at most: below and at the top
-    // Go on from what an interrupted run with the same plan has left aside, and leave it aside when
-    // interrupted again. Formats that cannot start from the first frame.
+    std::vector<FilmChapter> chapters;    // in order; for containers that support them
+    std::vector<FilmSubtitle> subtitles;  // likewise; at most two at once: at the bottom and top
+    // Continue from the log that an interrupted run with the same plan has left, and keep the log
+    // when interrupted again. Formats that do not support this start from the first frame.
     bool resume = false;
-    // Of those frames, n_frames from the n_before-th on, as a part of the film; metadata, chapters
-    // and first_frame stay the film's. Formats that have parts.
+    // Only n_frames from the n_before-th on, as a part of the film; metadata, chapters and
+    // first_frame stay the film's. For formats that have parts.
     std::optional<FilmPart> part = {};
-    // Whether the film's first frame is transparent anywhere; known to a part that begins later.
+    // Whether the film's first frame has transparent pixels; a part that begins later needs to
+    // know.
     std::optional<bool> has_alpha = {};
 };
 
-// Called on the thread that writes, once a frame.
+// Called on the writing thread, once per frame.
 using WasRead = std::function<void()>;
 
-// write() in frame order, then finish(); a sink destroyed unfinished leaves nothing under the final
-// name. From one thread at a time.
+// Call write() in frame order, then finish(). Destroying an unfinished sink leaves no file under
+// the final name. One thread at a time may use a sink.
 class FrameSink {
  public:
     virtual ~FrameSink() = default;
-    // How many frames an interrupted run has left: write() starts with the one after them.
+    // The number of frames kept from an interrupted run: write() continues after them.
     virtual std::int64_t n_frames_kept() const { return 0; }
-    // Whether a frame, counted from the plan's first, is there. write() is given those that are
-    // not, in their order; of a sequence, one here and there may be missing.
+    // Whether a frame, counted from the plan's first, already exists. write() receives the missing
+    // frames in order; in a sequence, any frame may be missing.
     virtual bool has_frame(std::int64_t frame) const { return frame < n_frames_kept(); }
     virtual void write(const Image& frame) = 0;  // throws EnvironmentError
-    // The same, telling as soon as the picture is not needed any more.
+    // Like write(), and calls was_read as soon as the picture is not needed any more.
     virtual void write_telling(const Image& frame, const WasRead& was_read) {
         write(frame);
         was_read();
@@ -113,34 +113,34 @@ struct OutputFormat {
     std::string_view summary;     // for `poinsot list formats`
     bool film;                    // several frames in one file
     bool alpha;                   // keeps transparency
-    std::int64_t n_chunk_frames;  // frames of a film that are encoded without knowing of others
-    // Throws InputError for what the format cannot hold (odd sizes, rate 0), EnvironmentError for
-    // what the machine refuses. Precondition: check_rate().
+    std::int64_t n_chunk_frames;  // frames of a film that are encoded independently of others
+    // Opens a sink. Throws InputError for a plan that the format cannot hold (odd sizes, rate 0),
+    // EnvironmentError for failures of the machine. Precondition: check_rate().
     std::unique_ptr<FrameSink> (*open)(const OutputPlan& plan);
-    // As recover_film; null where nothing unfinished is left, or is whole as it is.
+    // Like recover_film; null if an unfinished run leaves nothing, or only complete files.
     std::int64_t (*recover)(const std::filesystem::path& path, const Tell& tell);
-    // Puts a film together from the entries of its parts, under the plan's name. Null where a
-    // part's frames are whole as they are, or where there are no parts.
+    // Assembles a film from the entries of its parts, under the plan's name. Null if the frames of
+    // a part are complete files, or if the format has no parts.
     void (*join)(FrameEntries& entries, const OutputPlan& plan);
     bool has_parts;
-    // Cores that a process keeps busy with its encoder, so that more of them would only wait for
-    // each other; 0: one process ends sooner, since it encodes alone.
+    // Cores that the encoder of one process keeps busy, to limit the number of processes; 0: a
+    // single process is faster, because the encoder runs on all cores.
     int n_cores_a_job;
     double most_fps = 0.0;  // 0: any rate
 };
 
-// Throws InputError for more frames a second than the format can show.
+// Throws InputError for more frames per second than the format can show.
 void check_rate(const OutputFormat& format, const FrameRate& rate);
 
 std::span<const OutputFormat> output_formats();
 
-// The format that a file name asks for: by suffix, a "####" PNG name being a sequence. Throws
-// InputError listing the known.
+// Returns the format for a file name, by suffix; a PNG name with "####" is a sequence. Throws
+// InputError that lists the known formats.
 const OutputFormat& format_for(const std::filesystem::path& path);
 
-// Makes a film of what an interrupted run has left aside, as far as it goes without a gap, under
-// the final name, and returns its number of frames. The rest aside is removed. Throws: InputError
-// if nothing was left, or for what is no film; EnvironmentError, and then leaves what was aside.
+// Makes a film under its final name from the log of an interrupted run, up to the first gap, and
+// returns its number of frames. The rest of the log is removed. Throws: InputError if there is no
+// log, or for a file that is not a film; EnvironmentError, and then keeps the log.
 std::int64_t recover_film(const std::filesystem::path& path, const Tell& tell = {});
 
 }  // namespace poinsot

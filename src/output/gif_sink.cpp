@@ -1,5 +1,5 @@
-// GIF: 255 colours chosen from all frames, so frames wait aside until the last has come. A killed
-// run loses none of them.
+// GIF: 255 colours chosen from all frames, so frames wait in a log until the last is written. A
+// killed run loses none of them.
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -22,12 +22,13 @@ namespace poinsot {
 
 namespace {
 
-// One index stays free for what is transparent or as it was in the frame before.
+// One index is reserved for transparent or unchanged pixels.
 constexpr std::uint8_t transparent_index = 255;
-// A pixel is there or not: what fades out does so into white, and ends where it is all but gone.
+// Transparency is all or nothing: a pixel that fades out blends into white, and becomes transparent
+// when almost invisible.
 constexpr std::uint8_t hole_below_alpha = 16;
 
-// What is in the file so far.
+// The bytes in the file so far.
 std::vector<std::uint8_t> contents_of(const AtomicFile& file) {
     struct stat status {};
     if (fstat(file.descriptor(), &status) != 0) throw_write_error(file.path(), errno);
@@ -88,19 +89,19 @@ void take_packets(VideoEncoder& encoder, libav::Muxer& muxer, AVPacket* packet) 
     while (encoder.receive(*packet)) muxer.write(packet, encoder.context().time_base);
 }
 
-// Frame k of a log, of the film's size.
+// Returns frame k of a log, with the film's size.
 Image frame_of(FrameEntries& log, const OutputPlan& plan, std::int64_t k) {
     Image frame = decode_png(log.read(k), plan.path.string());
     if (frame.width() != plan.width_px || frame.height() != plan.height_px) log.refuse_entry();
     return frame;
 }
 
-// The hundredth of a second, in which a GIF counts, at which frame k begins.
+// Returns the start of frame k in hundredths of a second, the unit of GIF.
 std::int64_t hundredth_of(std::int64_t k, const FrameRate& rate) {
     return (200 * k * rate.denominator + rate.numerator) / (2 * rate.numerator);
 }
 
-// Puts the film together from the frames in the log, whose colours have been counted.
+// Assembles the film from the frames in the log, whose colours have been counted.
 void write_gif(FrameEntries& log, const ColourCount& count, const OutputPlan& plan) {
     AtomicFile file(plan.path);
     const std::vector<Rgba8> palette = palette_for(count, transparent_index);
@@ -111,7 +112,7 @@ void write_gif(FrameEntries& log, const ColourCount& count, const OutputPlan& pl
                    plan.path, "stream parameters");
     muxer.stream()->time_base = encoder.context().time_base;
     libav::Options options;
-    // How long the last frame stays is a guess of the muxer's, another one from FFmpeg 7 on.
+    // The muxer guesses the duration of the last frame, and FFmpeg 7 guesses differently.
     const std::int64_t n = log.n_entries();
     options.set("final_delay",
                 std::to_string(hundredth_of(n, plan.rate) - hundredth_of(n - 1, plan.rate)));
@@ -129,7 +130,7 @@ void write_gif(FrameEntries& log, const ColourCount& count, const OutputPlan& pl
     encoder.send_end();
     take_packets(encoder, muxer, packet.get());
     muxer.write_trailer();
-    // A device or a pipe cannot be read again, nor gone back in to add a comment.
+    // A device or a pipe can neither be read again nor changed to add a comment.
     if (!plan.metadata.empty() && !file.aside().empty()) {
         Contents contents{.n_frames = n};
         contents.packets = gif_packets(contents_of(file), plan.path.string()).of_film();
@@ -157,7 +158,7 @@ class GifSink : public FrameSink {
 
     void write(const Image& frame) override {
         check_frame(frame, plan_);
-        // What is half transparent shows its colour on white.
+        // Translucent pixels show their colour on white.
         const bool opaque = is_opaque(frame);
         if (!opaque) flatten_keeping_holes(frame);
         const Image& shown = opaque ? frame : flat_;

@@ -21,16 +21,16 @@ namespace {
 
 constexpr int buffer_size = 1 << 16;
 
-// The largest piece of memory that FFmpeg asks for, while it lives.
+// Limits the size of FFmpeg's allocations during its lifetime.
 class LargestPiece {
  public:
     explicit LargestPiece(std::size_t bytes) { av_max_alloc(bytes); }
-    ~LargestPiece() { av_max_alloc(INT_MAX); }  // FFmpeg's own
+    ~LargestPiece() { av_max_alloc(INT_MAX); }  // FFmpeg's default
     LargestPiece(const LargestPiece&) = delete;
     LargestPiece& operator=(const LargestPiece&) = delete;
 };
 
-// Tables of samples take 24 bytes in memory for each of 4 in the file, and grow by half.
+// Sample tables take 24 bytes in memory for each 4 in the file, and grow by half.
 std::size_t largest_piece_of(const std::filesystem::path& film) {
     constexpr std::uintmax_t always = 64U << 20U, times = 16, most = INT_MAX;
     std::error_code ignored;

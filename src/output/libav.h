@@ -1,4 +1,4 @@
-// FFmpeg's C types as owning C++ values, and its errors as ours. Included only inside output/.
+// RAII types for FFmpeg's C types; its errors as exceptions. Included only inside output/.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace poinsot::libav {
 
-// What a muxer hands over to be written, which FFmpeg 7 promises not to change.
+// The type of bytes that a muxer passes to be written, const since FFmpeg 7.
 using PacketByte =
     std::conditional_t<(LIBAVFORMAT_VERSION_MAJOR >= 61), const std::uint8_t, std::uint8_t>;
 
@@ -38,15 +38,15 @@ Packet make_packet();
 
 std::string error_text(int averror);
 
-// A film opened to be read, its streams known. A box of it may claim any size, for which FFmpeg
-// asks the system at once: no more is given than what a film of this length can need. Throws
+// Opens a film to be read, with its streams known. A corrupt box may claim any size, and FFmpeg
+// allocates it at once: allocations are limited to the needs of a film of this length. Throws
 // InputError `FILM cannot be read as a film: REASON`.
 DemuxContext open_film(const std::filesystem::path& film);
 
 // Throws EnvironmentError `cannot write PATH: WHAT: REASON` if the result is negative.
 int checked(int result, const std::filesystem::path& path, std::string_view what);
 
-// A dictionary of options. What is left after opening was not understood.
+// A dictionary of options. Options left after opening are unknown to FFmpeg.
 class Options {
  public:
     Options() = default;
@@ -65,8 +65,8 @@ class Options {
     AVDictionary* dictionary_ = nullptr;
 };
 
-// A file descriptor that FFmpeg writes to. Errors of the system are remembered, because FFmpeg
-// reports them late or not at all. Does not own the descriptor; stays where it is built.
+// A file descriptor that FFmpeg writes to. Remembers system errors, because FFmpeg reports them
+// late or not at all. Does not own the descriptor; is not moved.
 class DescriptorIo {
  public:
     explicit DescriptorIo(int descriptor);
@@ -86,11 +86,11 @@ class DescriptorIo {
     AVIOContext* context_ = nullptr;
 };
 
-// One video stream on its way into a container on an open descriptor.
+// Writes one video stream into a container on an open descriptor.
 class Muxer {
  public:
-    // path is the output's final name, for messages; readable is a name by which the muxer may read
-    // again what it has written (for faststart).
+    // path is the output's final name, for messages; readable is a name by which the muxer can read
+    // what it has written (for faststart).
     Muxer(const char* container, int descriptor, std::filesystem::path path,
           const std::filesystem::path& readable);
 
@@ -98,11 +98,11 @@ class Muxer {
     AVStream* stream() const { return stream_; }
     const std::filesystem::path& path() const { return path_; }
 
-    // One beside the first, before the header is written. Throws EnvironmentError.
+    // Adds another stream before the header is written. Throws EnvironmentError.
     AVStream* add_stream();
 
     void write_header(Options& options);
-    // Takes over the packet's contents. Its times are in time_base.
+    // Takes ownership of the packet's contents. Its times are in time_base.
     void write(AVPacket* packet, AVRational time_base) { write(packet, time_base, *stream_); }
     void write(AVPacket* packet, AVRational time_base, const AVStream& stream);
     void write_trailer();

@@ -1,8 +1,8 @@
-// FFmpeg's functions, found when first called. FFmpeg and what it is linked with are a hundred
-// libraries, which take a fifth of the time of a still picture that has no use for them; so the
-// program is linked with none. In namespace poinsot each name below hides FFmpeg's own and calls it
-// with the type that FFmpeg's headers give it; one that is missing here does not link. Included
-// only inside output/.
+// Lazy loading of FFmpeg's functions, at their first call. FFmpeg and its dependencies are a
+// hundred libraries, whose loading takes a fifth of the time of a still picture, which does not
+// need them; therefore the program is linked with none of them. In namespace poinsot each name
+// below hides FFmpeg's function and calls it with the type of FFmpeg's headers; a function that is
+// missing here does not link. Included only inside output/.
 #pragma once
 
 extern "C" {
@@ -19,7 +19,7 @@ extern "C" {
 
 namespace poinsot::libav {
 
-// Each library as the headers' version names it, of the Debian package that ends so.
+// The file name of each library has the version number of its headers.
 #define POINSOT_LIBRARY(name, version)                                               \
     inline const SharedLibrary& name() {                                             \
         static const SharedLibrary library("lib" #name ".so." AV_STRINGIFY(version), \

@@ -1,6 +1,6 @@
-// H.264 in MP4, encoded in chunks that know nothing of each other, so that a film that was
-// interrupted and goes on from a chunk's end is the same as one that was not. The packets wait
-// aside until the last has come.
+// H.264 in MP4, encoded in independent chunks, so that a film that is interrupted and resumed at
+// the end of a chunk is byte-identical to an uninterrupted one. The packets wait in a log until the
+// last frame is written.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,8 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
 
-// x264 decides otherwise with another number of threads, so the number must not come from the
-// machine.
+// x264's output depends on the number of threads, so this number must not depend on the machine.
 constexpr int usual_threads = 3;
 
 EncoderSettings x264_settings(const OutputPlan& plan) {
@@ -59,8 +58,8 @@ void check_mp4(const OutputPlan& plan) {
             plan.height_px + plan.height_px % 2));
 }
 
-// Everything that the packets depend on, besides the frames; the parameter sets, in which the
-// encoder's version stands, come last.
+// Everything that the packets depend on, besides the frames; the parameter sets, which contain the
+// encoder's version, come last.
 constexpr std::string_view header_key = " header=";
 
 std::string description_of(const EncoderSettings& settings, const AVCodecContext& encoder) {
@@ -85,8 +84,8 @@ Bytes header_of(std::string_view description) {
     return header;
 }
 
-// H.264 in MP4 says each unit's length before it; an encoder's packets, which a muxer opened for
-// them expects, have a start code there. Source: ISO/IEC 14496-15 §5.3.3; Rec. ITU-T H.264 Annex B.
+// Each unit is preceded by its length in MP4, and by a start code in an encoder's packets, which a
+// muxer opened for MP4 expects. Source: ISO/IEC 14496-15 §5.3.3; Rec. ITU-T H.264 Annex B.
 void append_with_lengths(std::span<const std::uint8_t> packet, Bytes& out) {
     constexpr std::array<std::uint8_t, 3> start_code{0, 0, 1};
     const auto next = [&](auto from) {
@@ -95,7 +94,7 @@ void append_with_lengths(std::span<const std::uint8_t> packet, Bytes& out) {
     for (auto at = next(packet.begin()); at != packet.end();) {
         const auto begin = at + start_code.size();
         at = next(begin);
-        // A unit ends with a bit that is set; zeros after it belong to the code that follows.
+        // A unit ends with a set bit; zeros after it belong to the next start code.
         auto end = at;
         while (end != begin && *(end - 1) == 0) --end;
         const auto length = static_cast<std::uint32_t>(end - begin);
@@ -114,8 +113,8 @@ void put_start_codes(std::span<std::uint8_t> rest) {
     }
 }
 
-// A packet as an entry of the log: whether a player may begin with it, when it is shown and when it
-// is decoded, in frames, and its units with their lengths, as they stand in the film.
+// A packet as an entry of the log: whether it is a key frame, its display and decoding times in
+// frames, and its units with their lengths, as in the film.
 constexpr std::size_t entry_head = 17;
 
 void append_time(std::int64_t time, Bytes& out) {
@@ -149,14 +148,14 @@ void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::pat
     packet.duration = 1;
 }
 
-// Entry k of a log, which has a head.
+// Returns entry k of a log after checking that it has a head.
 std::span<const std::uint8_t> entry_of(FrameEntries& log, std::int64_t k) {
     const auto entry = log.read(k);
     if (entry.size() < entry_head) log.refuse_entry();
     return entry;
 }
 
-// How many first packets show exactly the frames 0 … n−1, n being the return value.
+// Returns the largest n for which the first n packets show exactly the frames 0 … n−1.
 std::int64_t n_frames_without_gap(FrameLog& log) {
     std::int64_t last_shown = -1, n_whole = 0;
     for (std::int64_t k = 0; k < log.n_entries(); ++k) {
@@ -179,7 +178,7 @@ void describe_stream(AVStream& stream, const OutputPlan& plan, const Bytes& head
     parameters.color_primaries = AVCOL_PRI_BT709;
     parameters.color_trc = AVCOL_TRC_BT709;
     parameters.chroma_location = AVCHROMA_LOC_LEFT;
-    // FFmpeg frees what hangs on the parameters.
+    // FFmpeg frees the memory owned by the parameters.
     parameters.extradata =
         static_cast<std::uint8_t*>(av_mallocz(header.size() + AV_INPUT_BUFFER_PADDING_SIZE));
     if (parameters.extradata == nullptr) throw EnvironmentError("no memory for a film");
@@ -195,7 +194,7 @@ std::string text_of_film(FrameEntries& log, const OutputPlan& plan, std::int64_t
     return text_of(plan, {.n_frames = n_frames, .packets = hash.of_film()});
 }
 
-// Puts the film together from the first entries of the log, its index in front.
+// Assembles the film from the first entries of the log, with its index at the front.
 void write_mp4(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
     const std::string text = text_of_film(log, plan, n_frames);
     AtomicFile file(plan.path);
@@ -264,7 +263,7 @@ class Mp4Sink : public FrameSink {
  private:
     void start_chunk() {
         end_chunk();
-        encoder_.reset();  // first, so that there are never two
+        encoder_.reset();  // first, so that two never coexist
         encoder_ = std::make_unique<VideoEncoder>(settings_, plan_.path);
         n_in_chunk_ = 0;
         check_room(plan_.path, log_.n_bytes(), n_written_, plan_.n_frames);
@@ -293,7 +292,7 @@ class Mp4Sink : public FrameSink {
     Image flat_;
     std::unique_ptr<VideoEncoder> encoder_;
     FrameLog log_;
-    std::int64_t n_before_;  // frames of the film before the first that comes
+    std::int64_t n_before_;  // frames of the film before the first one written here
     std::int64_t n_kept_;
     std::int64_t n_written_;
     Bytes entry_;

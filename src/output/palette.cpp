@@ -11,7 +11,7 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-// The eye's unequal sensitivity to red, green and blue, roughly.
+// Approximate sensitivity of the eye to red, green and blue.
 constexpr Colour channel_weights = {2, 4, 1.5};
 
 double distance(const Colour& a, const Colour& b) {
@@ -63,7 +63,7 @@ std::vector<Colour> split(std::vector<Point>& points, std::size_t n_colours) {
         const auto widest =
             std::max_element(boxes.begin(), boxes.end(),
                              [](const Box& a, const Box& b) { return a.variance < b.variance; });
-        // A box of one cell has no variance but that of rounding.
+        // A box of one cell has only the variance of rounding.
         if (widest->end - widest->begin < 2 || widest->variance <= 0) break;
         const Box box = *widest;
         const auto first = points.begin() + static_cast<std::ptrdiff_t>(box.begin);
@@ -102,7 +102,7 @@ void move_to_means(const std::vector<Point>& points, std::vector<Colour>& colour
             for (std::size_t c = 0; c < 3; ++c) colours[k][c] = sums[k].colour[c] / sums[k].n;
 }
 
-// Bayer's matrix by its recursion: bits of x XOR y and of y, interleaved from the lowest.
+// Bayer's matrix by its recursion: interleaved bits of x XOR y and of y, from the lowest.
 int threshold(int x, int y) {
     int value = 0;
     for (int bit = 0; bit < 3; ++bit) {
@@ -134,8 +134,8 @@ std::vector<Rgba8> palette_for(const ColourCount& count, std::size_t n_colours) 
     std::vector<Point> points;
     for (const ColourCount::Cell& cell : count.cells())
         if (cell.n > 0)
-            // Thin lines of few pixels carry the meaning, wide grounds do not: their square roots
-            // compete.
+            // Weighted by square roots: thin lines have few pixels but carry the meaning, large
+            // backgrounds do not.
             points.push_back({{cell.sum[0] / cell.n, cell.sum[1] / cell.n, cell.sum[2] / cell.n},
                               std::sqrt(cell.n)});
     if (points.empty()) return {Rgba8{}};
@@ -172,8 +172,8 @@ const Ditherer::Mix& Ditherer::mix_for(const std::uint8_t* rgb) {
     if (mix.colour == colour) return mix;
     mix.colour = colour;
     mix.first = nearest({rgb[0], rgb[1], rgb[2]});
-    // The second lies as far on the other side; how much of it is by projection on the line
-    // between.
+    // The second colour lies about as far on the other side; its share follows from the projection
+    // onto the line between them.
     const Rgba8 p = palette_[mix.first];
     mix.second = nearest({2 * rgb[0] - p.r, 2 * rgb[1] - p.g, 2 * rgb[2] - p.b});
     const Rgba8 q = palette_[mix.second];

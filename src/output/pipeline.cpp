@@ -17,7 +17,7 @@ struct FrameWorkers::Impl {
         Image frame;
     };
 
-    // Here, for it goes too when a later thread cannot be started.
+    // In this destructor, which also runs when a later thread cannot be started.
     ~Impl() {
         {
             const std::lock_guard lock(mutex);
@@ -39,13 +39,13 @@ struct FrameWorkers::Impl {
     std::mutex mutex;  // guards all below
     std::condition_variable frame_came, frame_left;
     std::deque<Job> waiting;
-    std::size_t n_unread = 0;  // of those put
+    std::size_t n_unread = 0;  // of the frames passed to put()
     std::vector<Image> spares;
     std::int64_t n_put = 0, n_done = 0;
     bool stopping = false;
     std::exception_ptr error;
 
-    std::vector<std::jthread> threads;  // joined before anything else goes
+    std::vector<std::jthread> threads;  // joined before all other members are destroyed
 };
 
 void FrameWorkers::Impl::run(std::size_t worker) {
@@ -55,7 +55,7 @@ void FrameWorkers::Impl::run(std::size_t worker) {
         if (stopping) return;
         Job job = std::move(waiting.front());
         waiting.pop_front();
-        // After a failure the rest is dropped, so that nobody waits for ever.
+        // After a failure the remaining frames are dropped, so that nobody waits forever.
         const bool dropped = static_cast<bool>(error);
         lock.unlock();
         bool is_read = false;
@@ -92,7 +92,7 @@ FrameWorkers::FrameWorkers(std::size_t n_workers, std::size_t n_pictures, Work w
     : impl_(std::make_unique<Impl>()) {
     impl_->work = std::move(work);
     impl_->n_unread_at_most = std::max<std::size_t>(n_pictures, 1);
-    // So that giving a frame back, outside of any try, asks for no memory.
+    // Reserves memory, so that returning a frame, outside any try, allocates none.
     impl_->spares.reserve(impl_->n_unread_at_most);
     for (std::size_t i = 0; i < std::max<std::size_t>(n_workers, 1); ++i)
         impl_->threads.emplace_back([impl = impl_.get(), i] { impl->run(i); });

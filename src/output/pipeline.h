@@ -1,4 +1,4 @@
-// Drawing and encoding at once: frames pass through bounded queues to threads that write them.
+// Concurrent rendering and encoding: frames pass through bounded queues to writing threads.
 #pragma once
 
 #include <cstddef>
@@ -11,25 +11,26 @@
 
 namespace poinsot {
 
-// Hands numbered frames to threads. Used from one thread.
+// Distributes numbered frames to threads. Used from one thread.
 class FrameWorkers {
  public:
-    // Called with the worker's index, the frame's number and the frame; one worker sees the frames
-    // in order, several share them. May say that the frame is read before all is done with it.
+    // Called with the worker's index, the frame's number and the frame; a single worker gets the
+    // frames in order, several workers share them. May report that the frame is read before its
+    // work ends.
     using Work = std::function<void(std::size_t worker, std::int64_t number, const Image& frame,
                                     const WasRead& was_read)>;
 
-    // At most n_pictures at a time are not read yet, that of spare() among them.
+    // At most n_pictures are unread at a time, including that of spare().
     FrameWorkers(std::size_t n_workers, std::size_t n_pictures, Work work);
-    ~FrameWorkers();  // drops what waits
+    ~FrameWorkers();  // drops waiting frames
     FrameWorkers(const FrameWorkers&) = delete;
     FrameWorkers& operator=(const FrameWorkers&) = delete;
 
-    // A picture whose memory may be used for the next frame; empty at first. Waits while there are
-    // as many as there may be. Throws what any worker threw, from then on at every call.
+    // Returns a picture whose memory may be used for the next frame; empty at first. Waits while
+    // n_pictures are unread. Rethrows a worker's exception, from then on at every call.
     Image spare();
 
-    // Waits and throws as spare does.
+    // Passes a frame on. Waits and throws as spare does.
     void put(Image&& frame);
 
     // Waits until every frame is done. Throws as put does.
@@ -40,9 +41,10 @@ class FrameWorkers {
     std::unique_ptr<Impl> impl_;
 };
 
-// A sink on a thread of its own; the same bytes as without it. Its errors arrive at the next call
-// of write() or at finish(). Destroyed unfinished, it leaves what the sink leaves. Two pictures,
-// one drawn while the other waits, do: encoders have queues of their own, and more leave the cache.
+// A sink on its own thread; its output is byte-identical to that of the sink alone. Errors of the
+// sink are thrown by the next write() or by finish(). Destroyed unfinished, it leaves the same
+// files as the sink. Two pictures suffice, one rendered while the other waits: encoders have their
+// own queues, and more pictures do not fit into the CPU cache.
 class AsyncSink : public FrameSink {
  public:
     explicit AsyncSink(std::unique_ptr<FrameSink> sink, std::size_t n_pictures = 2);
@@ -53,7 +55,7 @@ class AsyncSink : public FrameSink {
     void write(const Image& frame) override;  // copies
     void finish() override;
 
-    // Without a copy: spare(), draw into it, write_moved().
+    // Writing without a copy: call spare(), render into it, then write_moved().
     Image spare();
     void write_moved(Image&& frame);
 

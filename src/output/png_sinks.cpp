@@ -22,22 +22,22 @@ namespace poinsot {
 
 namespace {
 
-// What the picture of a frame carries: its record says which frame it is, and knows its pixels.
+// The texts of a frame's picture: its record with the frame number and the hash of its pixels.
 std::map<std::string, std::string> texts_of(const OutputPlan& plan, std::int64_t frame,
                                             const Image& image) {
     if (plan.metadata.empty()) return {};
     return {{metadata_name, text_of(plan, {.frame = frame, .pixels = pixel_check(image)})}};
 }
 
-// Parts of one sequence are written side by side.
+// Parts of one sequence may be written concurrently.
 std::filesystem::path lock_path_of(const OutputPlan& plan) {
     return aside_path_of(
         plan.path,
         plan.part ? fmt::format(".{}-of-{}.part", plan.part->number, plan.part->n_parts) : ".part");
 }
 
-// As many frames at a time as there are threads. Each is whole under its own name as soon as it is
-// there at all, so an interrupted sequence leaves good frames, from which another run may go on.
+// Writes as many frames at a time as there are threads. Each frame is written atomically, so an
+// interrupted sequence leaves complete frames, and another run can continue it.
 class PngSequenceSink : public FrameSink {
  public:
     explicit PngSequenceSink(const OutputPlan& plan)
@@ -47,7 +47,7 @@ class PngSequenceSink : public FrameSink {
           encoders_(static_cast<std::size_t>(plan.encoder_threads > 0 ? plan.encoder_threads
                                                                       : usual_threads)),
           there_(frames_that_are_there()) {
-        // A killed run may have been about to replace a frame that now stays.
+        // A killed run may have left temporary files of frames that are now kept.
         for (const std::int64_t k : there_) {
             std::error_code not_there;
             std::filesystem::remove(aside_path_of(frame_name(plan_.path, first_number_ + k)),
@@ -90,7 +90,7 @@ class PngSequenceSink : public FrameSink {
                        plan_.n_frames - static_cast<std::int64_t>(there_.size()));
     }
 
-    // The frame that is written as the n-th, counted from the plan's first.
+    // Number of the n-th written frame, counted from the plan's first.
     std::int64_t frame_of(std::int64_t n) const {
         for (const std::int64_t frame : there_) {
             if (frame > n) break;
@@ -99,7 +99,7 @@ class PngSequenceSink : public FrameSink {
         return n;
     }
 
-    // Those that an earlier run has left.
+    // The frames that an earlier run has left.
     std::vector<std::int64_t> frames_that_are_there() const {
         if (!plan_.resume || plan_.metadata.empty()) return {};
         std::vector<std::int64_t> frames = frames_there(plan_.path);
@@ -110,8 +110,8 @@ class PngSequenceSink : public FrameSink {
         return frames;
     }
 
-    // Whether a frame of an earlier run is whole, of the same plan, has the pixels that it was
-    // written with, and is where it was written.
+    // Whether a frame of an earlier run is complete, of the same plan, has its original pixels, and
+    // has its original number.
     bool is_there(std::int64_t k) const {
         try {
             PngInfo info;
@@ -125,7 +125,7 @@ class PngSequenceSink : public FrameSink {
     }
 
     OutputPlan plan_;
-    AtomicFile lock_;  // never committed: its file aside says that this sequence is being written
+    AtomicFile lock_;  // never committed: its temporary file marks this sequence as being written
     std::int64_t first_number_;
     std::vector<PngEncoder> encoders_;
     std::vector<std::int64_t> there_;  // in order, counted from the plan's first

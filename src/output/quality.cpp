@@ -7,19 +7,19 @@ namespace poinsot {
 
 namespace {
 
-// What is asked of x264 are points of the front that tests/bench/x264_search.py finds. At
-// the likeness of the preset medium at crf 18 (SSIM 0.9969, default scene, 1920×1080) and with
-// their presets' lookahead, "lecture" takes 0.46 of its CPU time and 1.11 of its size, "print" 0.67
-// and 0.99, "reference" 1.31 and 0.93. psy would add the grain that drawings lack; aq-mode 2 spends
-// a tenth more than aq-mode 1 for the same likeness. A short lookahead bounds memory and what a
-// kill can take, which stays under a second from 24 frames a second on: 10 frames instead of 20
-// make a print film 1 % smaller and its SSIM 0.00015 less. A lookahead thread of its own, before
-// which sync-lookahead frames wait (4 by default), changes no byte: with 2 a lecture film takes 6 %
-// less time and 20 MiB more, those below and above it gain nothing.
+// The settings of x264 lie on the Pareto front that tests/bench/x264_search.py finds. At the
+// similarity of the preset medium at crf 18 (SSIM 0.9969, default scene, 1920×1080) and with the
+// lookahead of their presets, "lecture" takes 0.46 of its CPU time and 1.11 of its size, "print"
+// 0.67 and 0.99, "reference" 1.31 and 0.93. psy would add grain, which drawings do not have;
+// aq-mode 2 needs a tenth more bytes than aq-mode 1 for the same similarity. A short lookahead
+// limits memory and the loss when a run is killed, which stays below a second from 24 frames a
+// second on: 10 frames instead of 20 make a print film 1 % smaller and its SSIM 0.00015 less. A
+// lookahead thread, with sync-lookahead frames waiting for it (4 by default), changes no byte: with
+// 2 a lecture film takes 6 % less time and 20 MiB more; the qualities below and above gain nothing.
 //
-// Of libvpx, speed 8 exists in its realtime mode only.
+// libvpx has speed 8 in its realtime mode only.
 //
-// The figures are the rows of `poinsot tradeoff scenes/generic.toml` that bear the names
+// The figures are the rows of the same names from `poinsot tradeoff scenes/generic.toml`
 // (2026-11-22, AMD EPYC, 2 cores, processor time); users see the times as ratios.
 constexpr Quality quality_rows[] = {
     {"draft",

@@ -1,4 +1,5 @@
-// What the names of --quality mean: for the picture, for each encoder, and what both come to.
+// The meaning of the --quality names: settings of the picture and of each encoder, and their
+// measured results.
 #pragma once
 
 #include <span>
@@ -6,8 +7,8 @@
 
 namespace poinsot {
 
-// What `poinsot tradeoff` measured for a quality: processor time, and how far from the reference
-// picture and from the frames encoded.
+// Results of `poinsot tradeoff` for a quality: processor time, and the errors relative to the
+// reference picture and to the encoded frames.
 struct QualityFigures {
     double picture_ms;  // a frame of 960 × 540
     double rms_levels;  // its error, of 255 levels
@@ -16,7 +17,7 @@ struct QualityFigures {
     double film_ssim;   // structural similarity
 };
 
-// In the encoders' own words.
+// Settings in the encoders' own terms.
 struct X264Effort {
     const char *preset, *crf, *parameters;
 };
@@ -27,7 +28,7 @@ struct Vp9Effort {
 struct Quality {
     std::string_view name;
     double curve_tolerance;  // factor on the scene's accuracy_px for the sampling of curves
-    int samples;             // the picture is drawn samples × samples times as large and averaged
+    int samples;  // the picture is rendered samples × samples times as large and averaged
     X264Effort x264;
     Vp9Effort vp9;
     std::string_view summary;
@@ -36,7 +37,7 @@ struct Quality {
 
 std::span<const Quality> qualities();
 
-// Throws InputError with the nearest name.
+// Returns a quality by name. Throws InputError with the nearest name.
 const Quality& quality_named(std::string_view name);
 
 }  // namespace poinsot

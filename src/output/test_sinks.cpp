@@ -1,4 +1,4 @@
-// Sinks that tools and tests use: nothing at all, and a hash of every frame.
+// Sinks for tools and tests: one discards all frames, one writes a hash of every frame.
 #include <fmt/format.h>
 
 #include <array>
@@ -28,7 +28,7 @@ std::string md5_of(std::span<const std::uint8_t> bytes) {
     return text;
 }
 
-// One line a frame: its number and the MD5 of its RGBA bytes.
+// One line per frame: its number and the MD5 of its RGBA bytes.
 std::string line_of(std::int64_t number, const Image& frame) {
     return fmt::format("{} {}\n", number, md5_of(frame.bytes()));
 }
@@ -49,7 +49,7 @@ class Md5Sink : public FrameSink {
     std::int64_t number_;
 };
 
-// A part of such a file: a line an entry.
+// A part of such a file: one entry per line.
 class Md5PartSink : public FrameSink {
  public:
     explicit Md5PartSink(const OutputPlan& plan)

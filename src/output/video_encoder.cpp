@@ -31,7 +31,7 @@ VideoEncoder::VideoEncoder(const EncoderSettings& settings, std::filesystem::pat
     context_->color_primaries = AVCOL_PRI_BT709;
     context_->color_trc = AVCOL_TRC_BT709;
     context_->chroma_sample_location = AVCHROMA_LOC_LEFT;
-    // Without it the stream names the library's version.
+    // Without this flag the stream contains the library's version.
     context_->flags |= AV_CODEC_FLAG_BITEXACT;
     if (settings.header_in_container) context_->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
     libav::Options options;

@@ -29,10 +29,10 @@ class VideoEncoder {
 
     const AVCodecContext& context() const { return *context_; }
 
-    // Throw EnvironmentError. The frame may be changed again after the call.
+    // Sends a frame, or the end. Throw EnvironmentError. The frame may be changed after the call.
     void send(const AVFrame& frame);
     void send_end();
-    // Whether there was a packet to receive.
+    // Receives a packet; false if none is ready.
     bool receive(AVPacket& packet);
 
  private:
@@ -40,13 +40,14 @@ class VideoEncoder {
     libav::CodecContext context_;
 };
 
-// A video frame with room for its pixels and the colour tags of BT.709, limited range, left chroma.
+// Returns a video frame with memory for its pixels and the colour tags of BT.709, limited range,
+// left chroma.
 libav::Frame make_yuv_frame(AVPixelFormat format, int width_px, int height_px);
 
-// Throw InputError for a plan that no film can hold: an empty picture, a rate that is not positive.
+// Throw InputError for a plan that no film can have: an empty picture, a rate that is not positive.
 void check_film(const OutputPlan& plan);
 
-// Throws InputError if the frame has another size than the plan says.
+// Throws InputError if the frame's size differs from the plan's.
 void check_frame(const Image& frame, const OutputPlan& plan);
 
 // Throws InputError if nothing was written: a film has at least one frame.
@@ -55,7 +56,7 @@ void check_any_frame(std::int64_t n_written, const OutputPlan& plan);
 // The rate as FFmpeg's rational.
 AVRational as_rational(const FrameRate& rate);
 
-// FFmpeg prints to stderr by itself; what it has to say arrives in our errors instead.
+// Turns off FFmpeg's own messages on stderr; our errors contain them.
 void silence_libav();
 
 }  // namespace poinsot

@@ -66,7 +66,7 @@ void VideoReader::Impl::check(int result, const char* what) const {
 
 void VideoReader::Impl::open_decoder() {
     const AVCodec* codec = avcodec_find_decoder(stream->codecpar->codec_id);
-    // FFmpeg's own VP9 decoder leaves alpha out.
+    // FFmpeg's own VP9 decoder ignores alpha.
     if (av_dict_get(stream->metadata, "alpha_mode", nullptr, 0))
         if (const AVCodec* with_alpha = avcodec_find_decoder_by_name("libvpx-vp9"))
             codec = with_alpha;
@@ -83,8 +83,8 @@ void VideoReader::Impl::open_decoder() {
     check(avcodec_open2(decoder.get(), codec, nullptr), "its decoder");
 }
 
-// Whether one of FFmpeg's names of colours is one: a file may say any number, and that is looked at
-// before it is read as what it is not.
+// Whether a value is a valid colour name of FFmpeg: a file may contain any number, which is checked
+// before it is converted to the enumeration.
 template <typename Name>
 bool is_known(const Name& stored, int n_names) {
     static_assert(sizeof(Name) == sizeof(int));

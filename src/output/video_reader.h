@@ -1,4 +1,4 @@
-// Films read back as pictures: for tests, comparison and drawing again what a film describes.
+// Reads the pictures of films: for tests, comparison and rendering again from a film's record.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace poinsot {
 
-// What a film's container and stream say of it. Names are FFmpeg's: "h264", "yuv420p", "bt709".
+// Data of a film's container and stream. Names are FFmpeg's: "h264", "yuv420p", "bt709".
 struct VideoInfo {
     int width_px = 0, height_px = 0;
     FrameRate rate;
@@ -28,7 +28,7 @@ struct VideoInfo {
 // Move-only.
 class VideoReader {
  public:
-    // Throws: InputError if the file is missing, is no film, or is larger than pictures may be.
+    // Throws: InputError if the file is missing, is not a film, or its pictures are too large.
     explicit VideoReader(const std::filesystem::path& path);
     ~VideoReader();
     VideoReader(VideoReader&&) noexcept;
@@ -36,12 +36,11 @@ class VideoReader {
 
     const VideoInfo& info() const;
 
-    // The next frame, in order of showing; false at the end. Colours are converted as the film's
-    // tags say, chroma interpolated.
-    // Throws: InputError if the film is broken here.
+    // Reads the next frame, in order of display; false at the end. Colours are converted according
+    // to the film's tags, chroma interpolated. Throws: InputError if the film is corrupt here.
     bool read(Image& frame);
 
-    // Frame k, from 0: found from the key frame before it. Leaves read() to go on with k + 1.
+    // Returns frame k, from 0, decoded from the preceding key frame. read() continues with k + 1.
     // Throws: InputError if there is no such frame.
     Image frame(std::int64_t k);
 

@@ -1,5 +1,5 @@
-// VP9 in WebM: smaller than H.264, and with transparency. Encoded in chunks that know nothing of
-// each other, as MP4 is; the packets wait aside until the last has come.
+// VP9 in WebM: smaller than H.264, and with transparency. Encoded in independent chunks, like MP4;
+// the packets wait in a log until the last frame is written.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ EncoderSettings vp9_settings(const OutputPlan& plan, bool alpha) {
     settings.height_px = plan.height_px;
     settings.rate = plan.rate;
     settings.n_threads = plan.encoder_threads > 0 ? plan.encoder_threads : usual_threads;
-    // Frames that are never shown cannot carry alpha.
+    // Frames that are not shown cannot carry alpha.
     settings.options = {{"deadline", effort.deadline},
                         {"cpu-used", effort.speed},
                         {"crf", effort.crf},
@@ -51,7 +51,8 @@ EncoderSettings vp9_settings(const OutputPlan& plan, bool alpha) {
     return settings;
 }
 
-// What the packets depend on besides the plan's size and rate, and the library that makes them.
+// Everything that the packets depend on, besides the plan's size and rate: the settings and the
+// library's version.
 std::string description_of(const EncoderSettings& settings) {
     std::string text =
         fmt::format("{} {} threads={}", settings.codec, av_version_info(), settings.n_threads);
@@ -60,8 +61,8 @@ std::string description_of(const EncoderSettings& settings) {
     return text;
 }
 
-// A packet as an entry of the log: whether a player may begin with it, the length of what comes
-// beside it (the alpha plane's packet, as FFmpeg hands it to Matroska), that, and the packet.
+// A packet as an entry of the log: whether it is a key frame, the length of its side data (the
+// alpha plane's packet, as FFmpeg passes it to Matroska), the side data, and the packet.
 constexpr std::size_t entry_head = 5;
 
 void pack(const AVPacket& packet, std::vector<std::uint8_t>& entry) {
@@ -80,7 +81,7 @@ std::size_t n_beside_of(std::span<const std::uint8_t> entry) {
     return n_beside;
 }
 
-// Entry k of a log, whose head fits what follows.
+// Returns entry k of a log after checking its head.
 std::span<const std::uint8_t> entry_of(FrameEntries& log, std::int64_t k) {
     const auto entry = log.read(k);
     if (entry.size() < entry_head || n_beside_of(entry) > entry.size() - entry_head)
@@ -134,7 +135,7 @@ std::string text_of_film(FrameEntries& log, const OutputPlan& plan, std::int64_t
     return text_of(plan, {.n_frames = n_frames, .packets = hash.of_film()});
 }
 
-// Puts the film together from the first entries of the log. VP9's packets come in the order shown.
+// Assembles the film from the first entries of the log. VP9's packets are in order of display.
 void write_webm(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
     const std::string text = text_of_film(log, plan, n_frames);
     AtomicFile file(plan.path);
@@ -144,7 +145,7 @@ void write_webm(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames
     add_chapters(*muxer.context(), first_chapters(plan.chapters, n_frames), plan.rate);
     SubtitleTrack subtitles(muxer, AV_CODEC_ID_WEBVTT, plan, n_frames);
     libav::Options options;
-    // The index in front lets players seek while they load.
+    // With the index at the front, players can seek while they load.
     options.set("cues_to_front", "1");
     muxer.write_header(options);
     const libav::Packet packet = libav::make_packet();
@@ -159,7 +160,8 @@ void write_webm(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames
     file.commit();
 }
 
-// Whether the film carries alpha is known from its first frame, which a later part is told of.
+// The film's first frame determines whether the film carries alpha; a later part receives this from
+// its plan.
 class WebmSink : public FrameSink {
  public:
     explicit WebmSink(const OutputPlan& plan)
@@ -234,7 +236,7 @@ class WebmSink : public FrameSink {
     YuvConverter converter_;
     libav::Packet packet_;
     FrameLog log_;
-    std::int64_t n_before_;  // frames of the film before the first that comes
+    std::int64_t n_before_;  // frames of the film before the first one written here
     std::int64_t n_kept_;
     bool alpha_;
     std::int64_t n_written_;

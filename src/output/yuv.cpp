@@ -10,9 +10,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "pixels are read as 16-bit halves");
 
-// Products are taken as (channel · 2^8) · (coefficient · 2^16) >> 16, which the compiler turns into
-// one 16-bit high multiplication; sums are in 1/256 of a level. Each product loses up to one unit,
-// 1/2 on average, which the constant added gives back.
+// Products are computed as (channel · 2^8) · (coefficient · 2^16) >> 16, which the compiler turns
+// into one 16-bit high multiplication; sums are in 1/256 of a level. Each product loses up to one
+// unit, 1/2 on average; the added constant compensates this.
 constexpr std::uint32_t scaled(double coefficient) {
     return (static_cast<std::uint32_t>(coefficient * (2 << 16)) + 1) / 2;
 }
@@ -30,8 +30,8 @@ inline std::uint16_t times(std::uint16_t value, std::uint32_t coefficient) {
     return static_cast<std::uint16_t>((value * coefficient) >> 16);
 }
 
-// One row: luma, and the channels apart for the chroma of two rows. Pixels are read as two 16-bit
-// halves, which unpack in fewer steps than four bytes do.
+// One row: luma, and separate channels for the chroma of two rows. Pixels are read as two 16-bit
+// halves, which takes fewer steps than reading four bytes.
 void luma_row(const std::uint8_t* __restrict rgba, std::size_t n, std::uint16_t* __restrict r,
               std::uint16_t* __restrict g, std::uint16_t* __restrict b,
               std::uint8_t* __restrict y) {
@@ -52,8 +52,8 @@ void luma_row(const std::uint8_t* __restrict rgba, std::size_t n, std::uint16_t*
     }
 }
 
-// Sums of two rows, with the left neighbour of column 0 repeated before it and the last column
-// after.
+// Sums of two rows, with the left neighbour of column 0 and the right neighbour of the last column
+// repeated.
 void add_rows(const std::uint16_t* __restrict a, const std::uint16_t* __restrict b, std::size_t n,
               std::uint16_t* __restrict sum) {
     for (std::size_t x = 0; x < n; ++x) sum[x + 1] = static_cast<std::uint16_t>(a[x] + b[x]);
@@ -69,7 +69,8 @@ inline std::uint16_t sited(const std::uint16_t* sum, std::size_t i) {
 void chroma_row(const std::uint16_t* __restrict r, const std::uint16_t* __restrict g,
                 const std::uint16_t* __restrict b, std::size_t n, std::uint8_t* __restrict cb,
                 std::uint8_t* __restrict cr) {
-    // One product adds and two subtract, so that truncation leaves +1/2 unit to take away.
+    // One product adds and two subtract, so that truncation adds 1/2 unit, which is subtracted
+    // here.
     constexpr std::uint16_t offset = 128 * 256 + 128 - 1;
     for (std::size_t i = 0; i < n; ++i) {
         const std::uint16_t red = sited(r, i), green = sited(g, i), blue = sited(b, i);
@@ -97,7 +98,7 @@ void YuvConverter::convert(const Image& image, const YuvPlanes& planes) {
     for (int y = 0; y < height; y += 2) {
         luma_row(rgba + 4 * width_ * static_cast<std::size_t>(y), width_, row[0], row[1], row[2],
                  planes.y + y * planes.y_stride);
-        // A last row without a partner is its own.
+        // A last row without a partner is used twice.
         const bool paired = y + 1 < height;
         if (paired)
             luma_row(rgba + 4 * width_ * static_cast<std::size_t>(y + 1), width_, row[3], row[4],

@@ -1,5 +1,5 @@
-// RGB → Y'CbCr as films hold it: BT.709 coefficients, limited range, 4:2:0 with chroma sited left
-// (between the rows, on the even columns), which is what players take H.264 and VP9 to mean.
+// RGB → Y'CbCr for films: BT.709 coefficients, limited range, 4:2:0 with chroma sited left (between
+// the rows, on the even columns), which is the convention for H.264 and VP9.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,14 @@
 
 namespace poinsot {
 
-// Where the planes of one video frame lie; strides in bytes. Chroma planes are (w+1)/2 × (h+1)/2.
+// The planes of one video frame; strides in bytes. Chroma planes are (w+1)/2 × (h+1)/2.
 struct YuvPlanes {
     std::uint8_t *y = nullptr, *cb = nullptr, *cr = nullptr;
     std::ptrdiff_t y_stride = 0, cb_stride = 0, cr_stride = 0;
 };
 
-// Converts pictures of one size, keeping its row buffers between calls.
-// Accuracy: Y' within 0.504 and Cb, Cr within 0.506 of the real-valued conversion, before chroma's
-// own 3×2 filter [1 2 1]/4 × [1 1]/2.
+// Converts pictures of one size and reuses its row buffers. Accuracy: Y' within 0.504 and Cb, Cr
+// within 0.506 of the real-valued conversion, before chroma's own 3×2 filter [1 2 1]/4 × [1 1]/2.
 // Source: Rec. ITU-R BT.709-6 §3; Rec. ITU-T H.264 Annex E, chroma_sample_loc_type 0.
 class YuvConverter {
  public:
@@ -30,7 +29,7 @@ class YuvConverter {
     std::vector<std::uint16_t> rows_;
 };
 
-// The alpha channel as a plane of its own.
+// Copies the alpha channel to a separate plane.
 void copy_alpha(const Image& image, std::uint8_t* plane, std::ptrdiff_t stride);
 
 }  // namespace poinsot
