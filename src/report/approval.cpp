@@ -20,15 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A picture that is to become a baseline.
+// A picture that may become a baseline.
 struct Candidate {
     std::string name;
     fs::path file;
     Baseline baseline;
 };
 
-// "turn", from "turn", "turn.png" or "turn.PNG". It stays within its folder. Of turn.png and
-// turn.PNG in one folder the second is called by all of its name, as compare_folders has it.
+// Returns the name "turn" for "turn", "turn.png" or "turn.PNG", within its folder. If turn.png and
+// turn.PNG are in one folder, the second has its full name, as in compare_folders.
 std::string picture_name(const std::string& argument, const fs::path& results) {
     fs::path path = fs::path(argument).lexically_normal();
     const bool leaves = path.empty() || path.is_absolute() || *path.begin() == "..";
@@ -42,7 +42,7 @@ std::string picture_name(const std::string& argument, const fs::path& results) {
     return path.generic_string();
 }
 
-// The file of a picture that is so called: turn.png, or turn.PNG where that is what there is.
+// The file of a picture with this name: turn.png, or turn.PNG if only that exists.
 fs::path file_of_picture(const fs::path& results, const std::string& name) {
     fs::path usual = results / (name + ".png");
     if (kind_of_file(usual) != FileKind::missing) return usual;
@@ -56,7 +56,7 @@ fs::path file_of_picture(const fs::path& results, const std::string& name) {
     return usual;
 }
 
-// The names given, or all that are not as the baselines are.
+// The given names, or all pictures that differ from the baselines.
 std::vector<std::string> names_wanted(const ApprovalRequest& request) {
     std::vector<std::string> names;
     if (request.all) {
@@ -104,8 +104,8 @@ Candidate candidate_for(const std::string& name, const ApprovalRequest& request,
     return candidate;
 }
 
-// All baselines of a folder come from one renderer, or comparing with them would tell renderers
-// apart instead of pictures.
+// All baselines of a folder come from one renderer; otherwise comparisons would show differences
+// between renderers instead of pictures.
 void check_renderer(const Candidate& candidate, const BaselineManifest& manifest,
                     const ApprovalRequest& request) {
     if (request.any_renderer) return;
@@ -120,8 +120,8 @@ void check_renderer(const Candidate& candidate, const BaselineManifest& manifest
     }
 }
 
-// Whether the manifest has a line for it or not, a picture that is there is not replaced by another
-// without a reason.
+// An existing picture is not replaced by another one without a reason, whether the manifest has a
+// line for it or not.
 void check_reason(const Candidate& candidate, const BaselineWriter& baselines) {
     if (!candidate.baseline.why.empty()) return;
     const std::string there = baselines.pixels_of(candidate.name);
@@ -142,7 +142,7 @@ void approve(const ApprovalRequest& request, const ApprovalTelling& telling) {
     for (const std::string& name : baselines.finished())
         telling.settled(name, "taken by an approval that was interrupted; its line is written now");
 
-    // Everything is checked before anything is changed.
+    // All checks come before any change.
     const BaselineManifest& manifest = baselines.manifest();
     std::vector<BaselineWriter::Change> changes;
     std::vector<std::string_view> outcomes;
@@ -154,7 +154,7 @@ void approve(const ApprovalRequest& request, const ApprovalTelling& telling) {
                 telling.settled(name, "as it was");
                 continue;
             }
-            // The picture was lost or changed; its line stays.
+            // The picture was lost or changed; its line is kept.
             candidate.baseline = before->second;
             outcomes.emplace_back("put back; what was there was not what had been approved");
         } else {

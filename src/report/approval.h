@@ -1,4 +1,4 @@
-// Pictures taken as the new baselines, with what they were made of and why.
+// Approves pictures as new baselines, and records their origin and the reason.
 #pragma once
 
 #include <filesystem>
@@ -11,20 +11,20 @@ namespace poinsot {
 
 struct ApprovalRequest {
     std::filesystem::path results, baselines;  // folders
-    std::vector<std::string> names;            // of pictures, as "turn" or "turn.png"
-    bool all = false;                          // instead: all that are new or have changed
-    std::string why;                           // kept in the manifest
-    bool any_renderer = false;                 // whatever drew them
+    std::vector<std::string> names;            // of pictures, such as "turn" or "turn.png"
+    bool all = false;                          // instead: all new or changed pictures
+    std::string why;                           // the reason, kept in the manifest
+    bool any_renderer = false;                 // accepts pictures of any renderer
 };
 
-// Who hears of what is done.
+// Progress callbacks.
 struct ApprovalTelling {
-    // What has become of a picture, in words.
+    // Reports the outcome for a picture, in words.
     std::function<void(const std::string& name, std::string_view outcome)> settled;
     std::function<void(const std::string& note)> note;
 };
 
-// Everything is checked before anything is changed. Throws InputError, EnvironmentError.
+// Approves the pictures; all checks come before any change. Throws InputError, EnvironmentError.
 void approve(const ApprovalRequest& request, const ApprovalTelling& telling);
 
 }  // namespace poinsot

@@ -19,7 +19,7 @@ constexpr std::string_view heading_lines =
     "# What each picture beside this file was made of, and why it was taken; see `poinsot approve "
     "--help`.\n";
 
-// A baseline's fields by name, in the order written.
+// A field of a baseline with its name, in the order of writing.
 struct Field {
     std::string_view name;
     std::string Baseline::*value;
@@ -48,7 +48,7 @@ std::string toml_string(std::string_view text) {
     return result + "\"";
 }
 
-// Takes one line apart, from the left. Every function says whether it found what it wants.
+// Parses one line from the left. Each function returns whether it found its text.
 class LineReader {
  public:
     explicit LineReader(std::string_view line) : rest_(line) {}
@@ -60,7 +60,7 @@ class LineReader {
         return true;
     }
 
-    // What toml_string() writes, taken back.
+    // Parses the output of toml_string().
     std::optional<std::string> string() {
         if (!skip("\"")) return std::nullopt;
         std::string text;

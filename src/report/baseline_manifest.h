@@ -1,5 +1,5 @@
-// The list beside baseline pictures that says what each was made of and why it was taken: TOML, one
-// line a picture, sorted, so that a change of one is a change of one line.
+// The manifest of a folder of baseline pictures, with the origin of each and the reason for its
+// approval: TOML, one line per picture, sorted, so that one changed picture changes one line.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace poinsot {
 
 struct Baseline {
     std::string pixels;    // hash of size and pixels; see pixel_hash
-    std::string scene;     // SHA-256 of the scene as resolved
+    std::string scene;     // SHA-256 of the complete scene
     std::string renderer;  // GL_RENDERER
     std::string mesa;      // version
     std::string version;   // of poinsot
@@ -25,27 +25,28 @@ using BaselineManifest = std::map<std::string, Baseline>;
 
 inline constexpr const char* manifest_name = "manifest.toml";
 
-// The file's text.
+// Returns the file's text.
 std::string to_text(const BaselineManifest& manifest);
 
-// Reads such a text: the lines that to_text writes, comments and empty lines. `name` stands in
+// Parses such a text: the lines that to_text writes, comments and empty lines. `name` is used in
 // messages. Throws InputError `NAME:LINE: …`.
 BaselineManifest parse_manifest(std::string_view text, const std::string& name);
 
-// The manifest of a folder of baselines; empty if there is none. Throws InputError,
+// Reads the manifest of a folder of baselines; empty if there is none. Throws InputError,
 // EnvironmentError.
 BaselineManifest read_manifest(const std::filesystem::path& folder);
 
-// Written aside and renamed. Throws EnvironmentError.
+// Writes the manifest atomically. Throws EnvironmentError.
 void write_manifest(const std::filesystem::path& folder, const BaselineManifest& manifest);
 
-// The manifest as it is to become, which lies beside it while pictures are replaced: what an
-// approval that was interrupted has left to do. Throws as the above.
+// The next manifest, a temporary file that exists while pictures are replaced: after an interrupted
+// approval it contains the remaining changes. Throw like the functions above.
 std::optional<BaselineManifest> read_next_manifest(const std::filesystem::path& folder);
 void write_next_manifest(const std::filesystem::path& folder, const BaselineManifest& manifest);
 void remove_next_manifest(const std::filesystem::path& folder);
 
-// What a run killed while it wrote one of the two has left. Precondition: nobody writes them.
+// Removes the temporary files of a run that was killed while it wrote a manifest. Precondition: no
+// process writes them.
 void remove_half_manifests(const std::filesystem::path& folder);
 
 }  // namespace poinsot

@@ -17,12 +17,12 @@ namespace fs = std::filesystem;
 
 void copy_picture(const fs::path& from, const fs::path& to) {
     const std::vector<std::uint8_t> bytes = read_bytes(from);
-    std::error_code ignored;  // the write that follows says what is wrong
+    std::error_code ignored;  // the following write reports the error
     fs::create_directories(to.parent_path(), ignored);
     write_whole(to, bytes);
 }
 
-// What a killed run has left of a picture that it was about to replace.
+// Removes the temporary file of a killed run that was about to replace a picture.
 void remove_left_aside(const fs::path& picture) {
     std::error_code not_there;
     fs::remove(aside_path_of(picture), not_there);
@@ -73,7 +73,7 @@ std::string Baselines::fault(const std::string& name, const std::string& pixels)
 
 BaselineWriter::BaselineWriter(fs::path folder, const std::function<void()>& when_held)
     : folder_(std::move(folder)) {
-    std::error_code ignored;  // the lock says what is wrong
+    std::error_code ignored;  // the lock reports the error
     made_ = fs::create_directories(folder_, ignored);
     const fs::path list = folder_ / manifest_name;
     lock_.emplace(list, aside_path_of(list, ".lock"), false, when_held);
@@ -93,7 +93,7 @@ std::string BaselineWriter::pixels_of(const std::string& name) const {
     return pixel_hash_of_file(picture_in(folder_, name));
 }
 
-// A picture that has been replaced gets its line; one that has not keeps the line it has.
+// Writes the line of each picture that was replaced; other pictures keep their lines.
 void BaselineWriter::finish_interrupted() {
     const auto next = read_next_manifest(folder_);
     if (!next) return;
@@ -112,8 +112,8 @@ void BaselineWriter::finish_interrupted() {
 void BaselineWriter::take(const std::vector<Change>& changes) {
     BaselineManifest next = manifest_;
     for (const Change& change : changes) next[change.name] = change.line;
-    // Pictures and lines cannot be renamed at once: the lines wait on disk, so that whoever comes
-    // next can tell a picture that was approved from one that was changed by hand.
+    // Pictures and lines cannot be renamed at once: the new lines are on disk first, so that the
+    // next process can tell an approved picture from one changed by hand.
     if (next != manifest_) write_next_manifest(folder_, next);
     try {
         for (const Change& change : changes)
@@ -122,7 +122,7 @@ void BaselineWriter::take(const std::vector<Change>& changes) {
         try {
             finish_interrupted();
         } catch (const Error&) {
-            // What lies aside is for the next run.
+            // The temporary files are left for the next run.
             finished_.clear();
         }
         throw;

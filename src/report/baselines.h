@@ -1,5 +1,5 @@
-// A folder of baseline pictures as a whole: the pictures, their manifest, and how each stands to
-// its line in it.
+// A folder of baseline pictures: the pictures, their manifest, and whether each picture matches its
+// line in it.
 #pragma once
 
 #include <filesystem>
@@ -13,22 +13,22 @@
 
 namespace poinsot {
 
-// The hash of a file's pixels; empty if it is no whole PNG, or not there.
+// Returns the hash of a file's pixels; empty if it is missing or not a complete PNG.
 std::string pixel_hash_of_file(const std::filesystem::path& picture);
 
-// To read from. A folder without a manifest says nothing of its pictures.
+// Reads a folder of baselines. Without a manifest nothing is known about its pictures.
 class Baselines {
  public:
-    // Throws: as read_manifest.
+    // Throws like read_manifest.
     explicit Baselines(std::filesystem::path folder);
 
-    // Or the beginnings of one, left by an approval that was interrupted.
+    // Also true for a manifest that an interrupted approval has begun.
     bool has_manifest() const { return has_manifest_; }
     const BaselineManifest& manifest() const { return manifest_; }
     std::filesystem::path picture(const std::string& name) const;
 
-    // What keeps this picture, whose pixels have a hash, from being the one that was approved, one
-    // line; empty if nothing does, or where there is no manifest.
+    // Returns the reason, in one line, why this picture, whose pixels have a hash, is not the
+    // approved one; empty if it is, or if there is no manifest.
     std::string fault(const std::string& name, const std::string& pixels) const;
 
  private:
@@ -38,31 +38,32 @@ class Baselines {
     std::optional<BaselineManifest> next_;
 };
 
-// To write to: one at a time, others wait. A run killed at any moment leaves each picture with the
-// line it had or with its new one, or what the next to write needs in order to finish.
+// Writes a folder of baselines, one process at a time; others wait. If a run is killed, each
+// picture has its old or its new line, or the folder contains the data with which the next writer
+// finishes the change.
 class BaselineWriter {
  public:
-    // Makes the folder where there is none. Calls when_held before it waits. Throws:
-    // EnvironmentError; as read_manifest.
+    // Creates the folder if it is missing. Calls when_held before it waits. Throws:
+    // EnvironmentError; like read_manifest.
     explicit BaselineWriter(
         std::filesystem::path folder, const std::function<void()>& when_held = [] {});
-    ~BaselineWriter();  // a folder that was made and is still empty goes
+    ~BaselineWriter();  // removes a folder that it created and that is still empty
     BaselineWriter(const BaselineWriter&) = delete;
     BaselineWriter& operator=(const BaselineWriter&) = delete;
 
     const BaselineManifest& manifest() const { return manifest_; }
-    // Pictures whose lines an interrupted run had not written, and that have them now.
+    // Pictures whose lines an interrupted run had not written, and which this object has written.
     const std::vector<std::string>& finished() const { return finished_; }
 
-    std::string pixels_of(const std::string& name) const;  // of the picture that is there
+    std::string pixels_of(const std::string& name) const;  // of the current picture
 
     struct Change {
         std::string name;
-        std::filesystem::path from;  // the picture that is copied
+        std::filesystem::path from;  // the picture to be copied
         Baseline line;
     };
-    // Copies the pictures and writes their lines. Throws EnvironmentError; lines of those pictures
-    // that were copied by then are written if they can be.
+    // Copies the pictures and writes their lines. Throws EnvironmentError; before that it writes,
+    // if possible, the lines of the pictures that were already copied.
     void take(const std::vector<Change>& changes);
 
  private:

@@ -70,7 +70,7 @@ std::optional<Record> record_of(const fs::path& picture) {
     try {
         return read_record(picture);
     } catch (const InputError&) {
-        return std::nullopt;  // drawn by another program
+        return std::nullopt;  // rendered by another program
     }
 }
 

@@ -1,5 +1,5 @@
-// Two pictures, or two folders of them, compared in one pass: the outcomes that reports, test
-// results and exit codes are made of.
+// Compares two pictures, or two folders of pictures, in one pass; reports, test results and exit
+// codes follow from the outcomes.
 #pragma once
 
 #include <filesystem>
@@ -19,15 +19,15 @@ namespace poinsot {
 
 // In order of severity.
 enum class Outcome {
-    unreadable,  // one of the two is no whole PNG
-    missing,     // expected, but not there
-    baseline,    // what is there to compare with is not what was approved
-    renderer,    // drawn by another kind of renderer than the baseline
-    size,        // there, in another size
-    depth,       // with another number of bits a component
-    colours,     // with samples that mean other colours
-    pixels,      // more pixels differ than may
-    unexpected,  // there, but nothing says what it should look like
+    unreadable,  // one of the two is not a complete PNG
+    missing,     // expected, but does not exist
+    baseline,    // the baseline is not the approved picture
+    renderer,    // rendered by another kind of renderer than the baseline
+    size,        // exists, in another size
+    depth,       // with another number of bits per component
+    colours,     // with samples in another colour space
+    pixels,      // more pixels differ than allowed
+    unexpected,  // exists, but has no baseline
     within_limits,
     same
 };
@@ -37,18 +37,18 @@ std::string_view name_of(Outcome outcome);
 
 struct ComparedPicture {
     std::string name;                        // path within the folder, without ".png"
-    std::filesystem::path expected, actual;  // files; empty for one that is not there
+    std::filesystem::path expected, actual;  // files; empty if missing
     Outcome outcome = Outcome::same;
-    std::string reason;   // one line; empty when the pictures are the same
-    Comparison measured;  // of pictures that both could be read
+    std::string reason;   // one line; empty if the pictures are equal
+    Comparison measured;  // of pictures that could both be read
 
     bool passes() const { return outcome == Outcome::same || outcome == Outcome::within_limits; }
 };
 
-// What may differ between a baseline and a picture by this renderer (GL_RENDERER) and version of
-// Mesa, when nobody says: no pixel where one version of one renderer drew both; between two
-// versions of llvmpipe 0.1 % of the pixels by a level, as Mesa 22 and 26 were found to round apart
-// by less; none can be told between others.
+// Returns the default limits between a baseline and a picture by this renderer (GL_RENDERER) and
+// version of Mesa: no pixel may differ with the same renderer and version; between two versions of
+// llvmpipe 0.1 % of the pixels may differ by a level, because Mesa 22 and 26 round differently in
+// fewer; none are known for other pairs.
 std::optional<CompareLimits> limits_between(const Baseline& approved, std::string_view renderer,
                                             std::string_view mesa);
 

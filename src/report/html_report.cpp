@@ -22,7 +22,7 @@ std::string data_uri(std::span<const std::uint8_t> png) {
     return "data:image/png;base64," + base64(png);
 }
 
-// The middle of expected | difference × 16 | actual.
+// The middle part of the picture "expected | difference × 16 | actual".
 Image difference_alone(const StoredPicture& expected, const StoredPicture& actual) {
     const Image sheet = difference_picture(expected, actual);
     Image middle(sheet.width() / 3, sheet.height());
@@ -41,7 +41,7 @@ std::string numbers_in_words(const ComparedPicture& picture) {
     return words;
 }
 
-// One picture's object in the page's data.
+// One picture as an object in the page's data.
 std::string object_of(const ComparedPicture& picture) {
     std::string object =
         fmt::format(R"({{"name":{},"outcome":{},"reason":{},"numbers":{})",
@@ -64,7 +64,7 @@ std::string object_of(const ComparedPicture& picture) {
     return object + "}";
 }
 
-// The template with each @WORD@ replaced, in one pass, so that what is put in is not searched.
+// Replaces each @WORD@ of the template in one pass, so that inserted text is not searched.
 std::string filled(std::string_view page, std::string_view title, std::string_view data) {
     std::string text;
     for (;;) {

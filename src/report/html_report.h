@@ -1,5 +1,5 @@
-// A page that shows compared pictures side by side, swapped, blinking, under a slider and as a
-// difference. One file: pictures are part of it, nothing comes from a network.
+// A page that shows compared pictures side by side, swapped, blinking, with a slider and as a
+// difference. It is a single file that embeds the pictures and loads nothing from a network.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace poinsot {
 
-// The page, in the order given; see sort_by_severity. Pictures of pairs that are the same are left
-// out. Throws EnvironmentError if a picture has vanished since it was compared.
+// Returns the page, in the given order; see sort_by_severity. Pictures of equal pairs are omitted.
+// Throws EnvironmentError if a picture was removed after the comparison.
 std::string html_report(const std::string& title, std::span<const ComparedPicture> pictures);
 
 }  // namespace poinsot

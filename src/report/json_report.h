@@ -1,4 +1,4 @@
-// Pictures that were compared, for programs to read.
+// Results of a comparison in JSON.
 #pragma once
 
 #include <optional>

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view dots_per_inch = "300";
 
-// The program that makes a PNG of a page, and the package that has it.
+// A program that renders a page to PNG, and the package that contains it.
 struct Rasteriser {
     std::vector<std::string> command;
     std::string_view package;

@@ -1,4 +1,4 @@
-// Pages of vectors as pictures, so that they can be compared as those are.
+// Renders vector pages to pictures, so that they can be compared.
 #pragma once
 
 #include <filesystem>
@@ -8,18 +8,18 @@ namespace poinsot {
 // Whether a file is a page: .pdf or .svg.
 bool is_page_name(const std::filesystem::path& file);
 
-// A folder for pictures of pages, gone with it.
+// A temporary folder for pictures of pages; the destructor removes it.
 class RenderedPages {
  public:
-    // Throws EnvironmentError where no folder can be made.
+    // Throws EnvironmentError if no folder can be created.
     RenderedPages();
     ~RenderedPages();
     RenderedPages(const RenderedPages&) = delete;
     RenderedPages& operator=(const RenderedPages&) = delete;
 
-    // A PNG of the page at 300 dots an inch, by pdftoppm (poppler) or rsvg-convert (librsvg); the
-    // names tell two pages apart. Throws EnvironmentError where the program is not here, InputError
-    // for a file that it cannot read.
+    // Renders a PNG of the page at 300 dots per inch, with pdftoppm (poppler) or rsvg-convert
+    // (librsvg); the PNGs of two pages have different names. Throws EnvironmentError if the program
+    // is not installed, InputError for a file that it cannot read.
     std::filesystem::path picture_of(const std::filesystem::path& page);
 
  private:

@@ -8,7 +8,7 @@ namespace poinsot {
 
 struct ReportPage {
     std::string_view name;  // file name: "report_page.html"
-    std::string_view text;  // with @TITLE@ and @DATA@ to be filled in
+    std::string_view text;  // with the placeholders @TITLE@ and @DATA@
 };
 
 // One row.
