@@ -12,7 +12,8 @@
 
 namespace poinsot {
 
-// Marks the rows that no other beats: none is as good in both cost and error and better in one.
+// Marks the rows of the Pareto front: no other row is as good in both cost and error and better in
+// one.
 template <typename Row>
 void mark_front(std::vector<Row>& rows, double Row::*cost, double Row::*error) {
     for (Row& row : rows) {
@@ -25,7 +26,7 @@ void mark_front(std::vector<Row>& rows, double Row::*cost, double Row::*error) {
 
 // One row of the motion's table: a method with one setting.
 struct MotionTrade {
-    std::string method;   // with its order where it has several: "dmv-10"
+    std::string method;   // with the order if it has several: "dmv-10"
     std::string setting;  // "step 0.01 s", "tolerance 1e-06", ""
     double ns_a_frame = 0.0;
     double evaluations_a_frame = 0.0;
@@ -37,11 +38,11 @@ struct MotionTrade {
     bool on_front = false;
 };
 
-// Methods over a ladder of settings against the truth (exact where it exists, else dopri5 at its
-// least tolerance).
+// Methods with several settings each, compared with a reference (the exact motion where it exists,
+// else dopri5 with its smallest tolerance).
 struct MotionTrades {
     std::string truth;
-    int n_runs = 0;  // fewest of any row
+    int n_runs = 0;  // smallest number of any row
     std::int64_t n_frames = 0;
     std::vector<MotionTrade> rows;
 };
@@ -50,10 +51,10 @@ MotionTrades trade_motion(const Session& session, const FilmPlan& film, double p
 // One row of the picture's table.
 struct PictureTrade {
     std::string setting;
-    std::string quality;  // the name of --quality that it is, or empty
-    int samples = 1;      // a side of a pixel
+    std::string quality;  // the name of --quality with these settings, or empty
+    int samples = 1;      // per side of a pixel
     double ms_a_frame = 0.0;
-    double rms_levels = 0.0;  // against the reference picture
+    double rms_levels = 0.0;  // relative to the reference picture
     double largest_levels = 0.0;
     bool on_front = false;
 };
@@ -61,13 +62,13 @@ struct PictureTrades {
     int width_px = 0, height_px = 0;
     int n_runs = 0;
     std::string reference;
-    double film_ms = 0.0;  // a frame of the film itself, at its size and quality
+    double film_ms = 0.0;  // per frame of the film itself, at its size and quality
     std::vector<PictureTrade> rows;
 };
 PictureTrades trade_picture(const Session& session, const ContextChoice& choice,
                             const FilmPlan& film);
 
-// One row of the film's table: a quality's encoder.
+// One row of the film's table: the encoder settings of a quality.
 struct FilmTrade {
     std::string quality;
     double ms_a_frame = 0.0;  // processor time
@@ -83,7 +84,7 @@ struct FilmTrades {
 };
 FilmTrades trade_film(const Session& session, const ContextChoice& choice, const FilmPlan& film);
 
-// All three.
+// All three tables.
 struct Tradeoff {
     MotionTrades motion;
     PictureTrades picture;

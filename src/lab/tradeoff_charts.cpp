@@ -8,7 +8,7 @@ namespace poinsot {
 
 namespace {
 
-// The exact motion is its own truth here; it is drawn at the worst that accuracy_table finds.
+// The exact motion is the reference itself; it is drawn at the largest error in accuracy_table.
 constexpr double least_error = 1.1e-15;
 
 }  // namespace
@@ -35,7 +35,7 @@ Chart picture_chart(const Tradeoff& t) {
     chart.title = "Settings of the picture against its error";
     chart.x_label = "processor time a frame / ms";
     chart.y_label = "error of the picture / levels";
-    // A line for each number of samples, along it the tolerance of curves.
+    // One line per number of samples, along which the tolerance of curves varies.
     int samples = 0;
     for (const PictureTrade& row : t.picture.rows) {
         if (row.samples != samples) {

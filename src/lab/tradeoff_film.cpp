@@ -1,4 +1,4 @@
-// Speed against likeness and size of the encoder's settings, for one scene: the same frames from
+// Speed versus similarity and size for the encoder's settings, for one scene: the same frames from
 // memory.
 #include <fmt/format.h>
 
@@ -23,8 +23,8 @@ namespace poinsot {
 
 namespace {
 
-// A folder that only this process may enter, of a name that nobody can know beforehand; gone with
-// all that is in it however the measuring ends.
+// A temporary folder with an unpredictable name that only this process may enter; the destructor
+// removes it with its contents.
 class TemporaryFolder {
  public:
     TemporaryFolder() {
@@ -52,7 +52,7 @@ class TemporaryFolder {
 }  // namespace
 
 FilmTrades trade_film(const Session& session, const ContextChoice& choice, const FilmPlan& film) {
-    // Half the film's sides and two seconds of it: enough for the presets to tell themselves apart.
+    // Half the film's sides and two seconds: enough to distinguish the presets.
     Session small = session;
     FilmTrades trades;
     const auto half_even = [](int side) { return std::max(16, side / 4 * 2); };

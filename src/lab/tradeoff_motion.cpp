@@ -1,4 +1,4 @@
-// Speed against accuracy of the methods, for one scene.
+// Speed versus accuracy of the methods, for one scene.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace poinsot {
 
 namespace {
 
-// A run of one setting may cost this much; finer settings of the same method are then left out.
+// Largest cost of a run of one setting; finer settings of the same method are then omitted.
 constexpr double longest_run_s = 0.25;
 
 MotionProblem with_method(const MotionProblem& problem, const MethodChoice& choice) {
@@ -24,7 +24,7 @@ MotionProblem with_method(const MotionProblem& problem, const MethodChoice& choi
     return changed;
 }
 
-// The truth to measure against, named.
+// The reference motion, with its name.
 std::pair<Motion, std::string> truth_of(const MotionProblem& problem) {
     if (can_solve(find_method("exact"), problem.inertia, problem.torque)) {
         return {Motion(with_method(problem, {"exact", {}, {}, {}})), "exact"};
@@ -58,7 +58,8 @@ std::vector<MethodChoice> ladder(const Method& method, double turn_s, double spa
 
 MotionTrade measure(const MotionProblem& problem, const MethodChoice& choice, const Motion& truth,
                     std::span<const double> times, double px_per_rad, int& n_runs) {
-    // The cost is that of a film: making the motion and asking for every frame in order.
+    // The cost is that of a film: constructing the motion and evaluating it at every frame in
+    // order.
     double sink = 0.0;
     const Timing timing = timed(
         [&] {
@@ -112,7 +113,7 @@ MotionTrades trade_motion(const Session& session, const FilmPlan& film, double p
         for (const MethodChoice& choice : ladder(method, turn_s, span_s)) {
             const std::string series = fmt::format("{}-{}", choice.name, choice.order.value_or(0));
             if (series == too_slow) continue;
-            // A setting that the method cannot do for this scene has no row.
+            // A setting that the method does not support for this scene has no row.
             try {
                 trades.rows.push_back(
                     measure(problem, choice, truth, times, px_per_rad, trades.n_runs));

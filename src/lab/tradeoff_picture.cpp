@@ -1,5 +1,5 @@
-// Speed against accuracy of the picture, for one scene: settings against a reference of 8 × 8
-// samples a pixel.
+// Speed versus accuracy of the picture, for one scene: settings compared with a reference of 8 × 8
+// samples per pixel.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ Difference difference_between(const Image& a, const Image& b) {
         sum += d * d;
         difference.largest = std::max(difference.largest, d);
     }
-    // Alpha is the same everywhere and does not count.
+    // Alpha is equal everywhere and does not count.
     difference.rms = std::sqrt(sum / (0.75 * static_cast<double>(a.bytes().size())));
     return difference;
 }
@@ -55,8 +55,8 @@ Difference difference_between(const Image& a, const Image& b) {
 
 PictureTrades trade_picture(const Session& session, const ContextChoice& choice,
                             const FilmPlan& film) {
-    // Half the film's sides: the errors are those of edges and lines, the same at any size, and
-    // type set at a corner stands on whole pixels however finely it is drawn.
+    // Half the film's sides: the errors are those of edges and lines, which do not depend on the
+    // size, and text at a corner stays on whole pixels for any number of samples.
     Session small = session;
     PictureTrades trades;
     trades.width_px = small.scene.film.width_px = std::max(16, session.scene.film.width_px / 2);

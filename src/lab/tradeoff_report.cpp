@@ -30,7 +30,7 @@ std::string how_measured(const Tradeoff& t) {
         t.motion.n_runs, t.picture.n_runs, machine_in_words());
 }
 
-// The cheapest row of the motion within a displacement, or null.
+// The cheapest row of the motion within a given displacement, or null.
 const MotionTrade* cheapest_within(const MotionTrades& trades, double displacement_px,
                                    bool exact_too) {
     const MotionTrade* best = nullptr;
