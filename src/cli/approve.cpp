@@ -1,4 +1,5 @@
-// poinsot approve NAME…: takes pictures as the new baselines, with what they were made of and why.
+// poinsot approve NAME…: approves pictures as new baselines, and records their origin and the
+// reason.
 #include <fmt/format.h>
 
 #include "cli/command.h"

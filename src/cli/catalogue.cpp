@@ -38,7 +38,7 @@ std::vector<CatalogueEntry> rows_of(const Rows& rows) {
     return entries;
 }
 
-// The scenes that came with the program, with their titles.
+// The scenes supplied with the program, with their titles.
 std::vector<CatalogueEntry> scene_entries() {
     std::vector<CatalogueEntry> entries;
     for (const std::filesystem::path& file : own_scenes())
@@ -72,7 +72,7 @@ std::vector<CatalogueEntry> method_entries() {
     return entries;
 }
 
-// With what each costs, over the default, and gives.
+// The qualities, with the cost relative to the default and the result.
 std::vector<CatalogueEntry> quality_entries() {
     const QualityFigures& usual = quality_named(FilmSpec{}.quality).figures;
     std::vector<CatalogueEntry> entries;
@@ -99,7 +99,7 @@ std::vector<CatalogueEntry> key_entries() {
     return entries;
 }
 
-// What the program writes of itself, with "schema", which is asked for by that name.
+// The documents that the program generates, including "schema".
 std::vector<CatalogueEntry> document_entries() {
     std::vector<CatalogueEntry> entries;
     for (const Document& document : documents())
@@ -118,7 +118,7 @@ std::vector<CatalogueEntry> column_entries() {
     return entries;
 }
 
-// With where it stands.
+// The journals, with their places.
 std::vector<CatalogueEntry> journal_entries() {
     std::vector<CatalogueEntry> entries;
     for (const Journal& journal : journals())

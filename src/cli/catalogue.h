@@ -1,4 +1,4 @@
-// The lists that `poinsot list` prints, each fed by the table that the program itself uses.
+// The lists that `poinsot list` prints, each generated from the table that the program itself uses.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// poinsot check SCENE: validates without drawing and says what the motion is and what will be
-// modelled.
+// poinsot check SCENE: validates a scene without drawing it, and prints its motion and the modelled
+// effects.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ void print_words(const Findings& findings) {
     if (findings.certificate) fmt::print("\n{}", text_of(*findings.certificate));
 }
 
-// Of the scene with the values of one point of its sweeps.
+// The findings for the scene with the values of one point of its sweeps.
 Findings findings_of(const CheckChoices& choices, const SweepPoint& point, const Telling& telling) {
     const Session session = open_session(
         scene_request_of(choices.scenes.at(0), choices.scene, overrides_of(point)), telling);
@@ -64,8 +64,8 @@ int check_alone(const CheckChoices& choices, const Telling& telling) {
     return code_of(findings);
 }
 
-// Checks every value, also after one that is refused: that one has an "error" in JSON, which is an
-// array, printed when it is whole.
+// Checks every value, also after an error; in JSON the failed one has an "error". The array is
+// printed when it is complete.
 int check_sweep(const CheckChoices& choices, const Telling& telling) {
     std::vector<std::string> answers;
     std::string_view between;

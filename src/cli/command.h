@@ -13,17 +13,17 @@
 
 namespace poinsot {
 
-// As most_arguments: CLI11's own word for it.
+// Value of most_arguments without a limit, as CLI11 defines it.
 inline constexpr int any_number = 1 << 29;
 
-// A command whose line can be read.
+// The parsed command line of one command.
 struct CommandLine {
     std::vector<std::string>* arguments = nullptr;
     std::vector<Option> options;
-    std::function<int()> run;  // once the line has been read: the exit code; throws Error
+    std::function<int()> run;  // call after parsing: the exit code; throws Error
 };
 
-// One line that a user may type, and what it does.
+// An example command line, and what it does.
 struct Example {
     std::string_view line;
     std::string_view does;
@@ -35,7 +35,7 @@ struct Command {
     int least_arguments;
     int most_arguments;
     std::string_view summary;
-    // `room` keeps the command's own choices until it has run.
+    // `room` holds the command's own options until it has run.
     CommandLine (*line)(std::any& room);
     std::array<Example, 2> examples{};  // that its help ends with
     std::string_view needs{};           // its arguments in words, where they are more than one

@@ -1,4 +1,4 @@
-// poinsot compare REF NEW: two pictures, or two folders of them.
+// poinsot compare REF NEW: compares two pictures, or two folders of pictures.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,10 +24,10 @@ namespace poinsot {
 
 namespace {
 
-// What may differ, and what is written.
+// The allowed differences, and the files to write.
 struct CompareChoices {
     std::vector<std::string> pictures;         // two
-    std::string profile;                       // empty: what drew the baselines decides
+    std::string profile;                       // empty: depends on what rendered the baselines
     std::optional<std::string> max_differing;  // a share of the pixels
     std::optional<std::string> max_over;
     std::optional<int> over_levels;
@@ -50,9 +50,9 @@ double parse_share(std::string_view option, std::string_view text) {
     return share;
 }
 
-// Within one portable profile no pixel may differ; otherwise the caps are those that tell a
-// processor's rounding from a defect, unless the command line gives its own. None where nothing was
-// said.
+// Within a portable profile no pixel may differ; otherwise the default limits separate a
+// processor's rounding from a defect, unless the command line sets others. None if no limit was
+// given.
 std::optional<CompareLimits> limits_of(const CompareChoices& choices) {
     if (!choices.profile.empty() && choices.profile != "portable" && choices.profile != "native")
         throw InputError(fmt::format("--profile {}: unknown; choose portable or native",
@@ -73,7 +73,7 @@ std::optional<CompareLimits> limits_of(const CompareChoices& choices) {
     return limits;
 }
 
-// Whether both are folders; refuses what cannot be compared with each other.
+// Whether both are folders. Throws for a file and a folder.
 bool are_folders(const fs::path& expected, const fs::path& actual) {
     const FileKind kind = kind_of_file(expected), actual_kind = kind_of_file(actual);
     if (kind == FileKind::missing)
@@ -144,7 +144,7 @@ void note_native(const std::vector<ComparedPicture>& pictures) {
             n_native == 1 ? "1 pair differs" : fmt::format("{} pairs differ", n_native)));
 }
 
-// No output replaces a picture that is compared, or another output.
+// An output must not replace a compared picture or another output.
 void refuse_overwriting(const CompareChoices& choices, const fs::path& expected,
                         const fs::path& actual, const std::vector<ComparedPicture>& pictures) {
     const std::array<std::pair<std::string_view, fs::path>, 3> outputs{

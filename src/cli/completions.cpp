@@ -1,4 +1,4 @@
-// Completions of shells, made from the tables of commands and options.
+// Shell completions, generated from the tables of commands and options.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,17 +15,17 @@ namespace {
 
 using std::string;
 
-// Text inside of single quotes, which all three shells take as it is but for quotes.
+// Quotes a text in single quotes, in which all three shells change nothing but quotes.
 string shell_quoted(std::string_view text) {
     string safe;
     for (const char c : text) safe += c == '\'' ? string("'\\''") : string(1, c);
     return "'" + safe + "'";
 }
 
-// What stands before the command's own completions: scenes are asked for when they are wanted.
+// Defined before a command's own completions: scenes are listed when they are needed.
 constexpr std::string_view list_scenes = "poinsot list scenes 2>/dev/null | sed 's/ .*//'";
 
-// The words that a value is one of. A key that is set takes its "=" along, and the first item.
+// The possible values as words. A key of --set includes its "=", and its first item.
 std::vector<string> values_of(std::string_view completes) {
     std::vector<string> words = words_of(completes);
     if (completes == "keys") {
@@ -38,7 +38,7 @@ std::vector<string> values_of(std::string_view completes) {
     return words;
 }
 
-// A case of bash for what a value or an argument is completed with; empty where nothing is known.
+// The bash case that completes a value or an argument; empty if nothing is known.
 string bash_words(std::string_view completes) {
     if (completes == "file") return "_poinsot_files";
     if (completes == "folder") return "_poinsot_files -d";
@@ -89,7 +89,7 @@ string command_names() {
     return fmt::format("{}", fmt::join(names, " "));
 }
 
-// Inside of a specification of zsh's _arguments, and of its messages.
+// Escapes a text for a specification of zsh's _arguments, and for its messages.
 string zsh_text(std::string_view text) {
     string safe;
     for (const char c : text) {

@@ -1,4 +1,4 @@
-// poinsot doctor: what this machine gives.
+// poinsot doctor: prints the capabilities of this machine.
 #include <fmt/format.h>
 
 #include "cli/command.h"
@@ -50,7 +50,7 @@ int run(const DoctorChoices& choices) {
     findings.push_back(try_backend("context EGL", Backend::egl));
     findings.push_back(try_backend("context GPU (--backend gpu)", Backend::gpu));
     const bool draws = findings[0].works || findings[1].works;
-    // One of the two is enough, and new distributions have the second alone.
+    // One of the two is enough, and new distributions have only the second.
     if (draws && !findings[0].works)
         findings[0].detail = "not needed: EGL works, and draws the same";
     if (draws && !findings[1].works) findings[1].detail += "; not needed: OSMesa works";

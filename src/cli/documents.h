@@ -1,5 +1,5 @@
-// What the program writes of itself for other programs: the schema of scene files, manual pages and
-// completions of shells, each made from the tables of commands, options and keys.
+// Documents that the program generates for other programs: the schema of scene files, manual pages
+// and shell completions, each from the tables of commands, options and keys.
 #pragma once
 
 #include <span>
@@ -10,15 +10,15 @@
 namespace poinsot {
 
 struct Document {
-    std::string name;  // "poinsot-render.1", as installed
+    std::string name;  // "poinsot-render.1", the installed name
     std::string summary;
     std::string (*text)(std::string_view name);
 };
 
-// Asked for as `poinsot list NAME`; `poinsot list documents` names them all.
+// Printed by `poinsot list NAME`; `poinsot list documents` lists them.
 std::vector<Document> documents();
 
-// JSON Schema (draft 4, which TOML editors read) of a scene file.
+// The JSON Schema of a scene file (draft 4, which TOML editors support).
 std::string scene_schema();
 
 // Manual pages in roff (man(7)): of the program, "poinsot-render.1" of a command, of scene files.

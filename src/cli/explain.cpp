@@ -1,4 +1,4 @@
-// poinsot explain FILE: how a picture or film was made, as it says itself.
+// poinsot explain FILE: prints how a picture or film was made, from its own record.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -49,7 +49,7 @@ std::string json_of(const Record& record, const std::optional<Verification>& ver
     return object.add("scene_toml", record.scene_toml).lines();
 }
 
-// The text comes from a file: nothing in it may steer the terminal.
+// The text comes from a file: control characters must not reach the terminal.
 void print_text(const Record& record) {
     const std::string& text = record.text;
     for (std::size_t from = 0; from < text.size();) {

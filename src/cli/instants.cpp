@@ -19,10 +19,10 @@ namespace poinsot {
 
 namespace {
 
-// No table holds more.
+// No table can have more.
 constexpr double most_instants = 1e8;
 
-// A finite number that is all of the text, as the nearest double and as what it says.
+// Parses a text that is a finite number, as the nearest double and as the exact decimal.
 std::optional<double> finite_decimal(std::string_view text) {
     const auto number = number_of<double>(without_plus(text));
     return number && std::isfinite(*number) ? number : std::nullopt;
@@ -57,8 +57,7 @@ void append_stepped(std::string_view item, const Rational& first, const Rational
     if (!(steps >= 0.0))
         throw_bad_range(item, "never reaches its last instant; give a step that leads there");
     check_count(item, steps);
-    // A last instant that is missed only because step was rounded before it was written is one of
-    // them.
+    // A last instant that is missed only because of the rounding of a written step is included.
     const auto n = static_cast<std::int64_t>(std::floor(steps * (1.0 + 1e-15) + 1e-12));
     append(Progression(first, step), n + 1, times);
 }
@@ -113,7 +112,7 @@ std::string all_of(const std::string& file) {
     return std::move(text).str();
 }
 
-// The instants of one line; where one stands is counted from 1.
+// Appends the instants of one line; places in the line are counted from 1.
 void append_line(std::string_view line, const std::string& file, std::size_t line_number,
                  std::vector<double>& times) {
     constexpr std::string_view between = " \t\r,";

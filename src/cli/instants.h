@@ -1,4 +1,4 @@
-// Instants of a motion as a command line or a file names them.
+// Parses instants of a motion from a command line or a file.
 #pragma once
 
 #include <string>
@@ -7,14 +7,15 @@
 
 namespace poinsot {
 
-// Between commas: an instant "T", a range "first:last:step", whose instants are first + k·step as
-// far as last, or "first:last/n", n instants evenly from first to last, both among them: first +
-// k·(last − first)/(n − 1). Each instant is the double nearest to what these decimals give exactly.
-// "-" reads standard input as instants_in does a file. Seconds. Throws InputError.
+// Parses a comma-separated list of: an instant "T"; a range "first:last:step", whose instants are
+// first + k·step up to last; "first:last/n", n evenly spaced instants from first to last, both
+// included: first + k·(last − first)/(n − 1). Each instant is the double nearest to the exact value
+// of these decimals. "-" reads standard input like a file of instants_in. Seconds. Throws
+// InputError.
 std::vector<double> parse_times(std::string_view text);
 
-// A file of instants between white space or commas, '#' beginning a comment; "-" is standard input.
-// Throws InputError with the place of what is no instant.
+// Reads a file of instants separated by white space or commas; '#' begins a comment; "-" is
+// standard input. Throws InputError with the place of a text that is not an instant.
 std::vector<double> instants_in(const std::string& file);
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// poinsot join PART… -o OUT: the film of its parts.
+// poinsot join PART… -o OUT: joins the parts of a film.
 #include "production/parts/join.h"
 
 #include "cli/command.h"

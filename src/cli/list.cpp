@@ -1,4 +1,4 @@
-// poinsot list WHAT: the tables that the program is made of.
+// poinsot list WHAT: prints the tables of the program.
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -26,7 +26,7 @@ struct ListChoices {
     bool json = false;
 };
 
-// Columns of the terminal that stdout is, or nothing where it is none: then lines stay whole.
+// Columns of the terminal on stdout; none if stdout is not a terminal: lines are then not folded.
 std::optional<std::size_t> terminal_width() {
     winsize size{};
     if (isatty(STDOUT_FILENO) == 0) return std::nullopt;
@@ -34,7 +34,7 @@ std::optional<std::size_t> terminal_width() {
     return size.ws_col;
 }
 
-// The text in lines of at most `width` characters, broken at spaces, every line but the first
+// Folds the text at spaces to lines of at most `width` characters, with all lines but the first
 // indented.
 std::string folded(std::string_view text, std::size_t width, std::size_t indent) {
     std::string lines;
@@ -56,7 +56,7 @@ std::string folded(std::string_view text, std::size_t width, std::size_t indent)
     return lines;
 }
 
-// "[camera]" of "camera.view": the table that a key stands in; empty for the scene's own.
+// The table of a key, "[camera]" for "camera.view"; empty for keys at the top of the scene.
 std::string_view group_of(std::string_view key) {
     const std::size_t dot = key.rfind('.');
     return dot == std::string_view::npos ? std::string_view{} : key.substr(0, dot);
@@ -89,7 +89,7 @@ void print_json(const std::vector<CatalogueEntry>& entries) {
     fmt::print("{}\n", json_lines(rows));
 }
 
-// The entries whose name or summary has the word, in letters of either case.
+// The entries whose name or summary contains the word, case-insensitive.
 std::vector<CatalogueEntry> holding(std::vector<CatalogueEntry> entries, const std::string& word) {
     const auto lower = [](std::string text) {
         for (char& c : text)

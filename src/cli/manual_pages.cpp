@@ -1,4 +1,4 @@
-// Manual pages, made from the tables of commands, options and keys.
+// Manual pages, generated from the tables of commands, options and keys.
 #include <fmt/format.h>
 
 #include <string>
@@ -12,7 +12,7 @@ namespace poinsot {
 
 namespace {
 
-// Text that roff sets as it is: no character of it is a command or a hyphen.
+// Escapes a text for roff, so that no character acts as a command or a hyphen.
 std::string roff(std::string_view text) {
     std::string set;
     for (const char c : text) {
@@ -40,7 +40,7 @@ std::string upper(std::string_view text) {
     return letters;
 }
 
-// Without a date: the same program writes the same page.
+// Without a date, so that the pages are reproducible.
 std::string opening(std::string_view name, int section, std::string_view summary) {
     return fmt::format(".TH {} {} \"\" \"poinsot {}\" \"{}\"\n.SH NAME\n{} \\- {}\n",
                        roff(upper(name)), section, POINSOT_VERSION,

@@ -1,4 +1,4 @@
-// One option of a command, and where its value goes.
+// One option of a command, and the variable that receives its value.
 #pragma once
 
 #include <functional>
@@ -9,13 +9,13 @@
 
 namespace poinsot {
 
-// Texts that add up when the option is given more than once.
+// Texts of an option that may be given more than once.
 struct Repeated {
     std::vector<std::string>* values;
 };
-// A text that is read when the line is; what it throws is what the user reads. No std::function by
-// itself: libstdc++ 12 takes a variant of one for never without a value, and destroys what was
-// never made where memory runs out while one is copied.
+// A text that is parsed with the command line; the user sees the exceptions of `read`. The function
+// is wrapped in a struct: libstdc++ 12 treats a variant with a bare std::function as never
+// valueless, and destroys an unconstructed one if memory runs out during a copy.
 struct ReadText {
     std::function<void(const std::string& text)> read;
 };
@@ -28,11 +28,11 @@ struct Option {
     std::string flags;  // "-o,--output"
     std::string help;
     OptionValue value;
-    std::string wanted{};  // of a number: what it is, as "millimetres", for who gave none
-    // What it takes, as shown: "WxH". Nothing: what stands before ": " in the help, or its kind.
+    std::string wanted{};  // of a number: its meaning, such as "millimetres", for messages
+    // Name of the value in the help: "WxH". Absent: the text before ": " in the help, or its kind.
     std::optional<std::string> type{};
     bool required = false;
-    // What a shell may complete it with: a list of `poinsot list`, "file", "folder", or the words
+    // What shells complete the value with: a list of `poinsot list`, "file", "folder", or the words
     // themselves, "auto|osmesa|egl".
     std::string completes{};
 };

@@ -23,7 +23,7 @@ std::vector<std::string> split(std::string_view text, char at) {
     return parts;
 }
 
-// What a value of each kind is called where the option does not say.
+// The name of a value of each kind, if the option gives none.
 struct KindName {
     std::string operator()(bool* /*value*/) const { return ""; }
     std::string operator()(int* /*value*/) const { return "N"; }
@@ -35,7 +35,7 @@ struct KindName {
     }
 };
 
-// "A-B: only these frames" says what is taken before the colon, which has no space in it.
+// In "A-B: only these frames", the value's name is the text before the colon; it has no space.
 OptionText text_of(const Option& option) {
     OptionText text{split(option.flags, ','), "", option.help, option.completes, option.required};
     std::sort(text.flags.begin(), text.flags.end(),

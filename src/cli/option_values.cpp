@@ -13,7 +13,7 @@ namespace poinsot {
 
 namespace {
 
-// A number that is all of what was typed.
+// Parses a number that is the whole text.
 template <typename Number>
 std::optional<Number> typed(std::string_view text) {
     return number_of<Number>(without_plus(text));

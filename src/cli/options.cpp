@@ -13,7 +13,7 @@ namespace poinsot {
 
 namespace {
 
-// An option that says a scene's key. A bare word becomes a TOML string; numbers stay as they are.
+// An option that sets a scene key. A bare word becomes a TOML string; numbers stay numbers.
 Option override_option(SceneOptions& scene, const char* flag, const char* key,
                        const std::string& help, const char* takes, const char* completes = "") {
     return {
@@ -28,7 +28,7 @@ Option override_option(SceneOptions& scene, const char* flag, const char* key,
         completes};
 }
 
-// "light, dark or print", of a table's rows.
+// Joins the names of a table's rows: "light, dark or print".
 template <typename Rows>
 std::string listed(const Rows& rows) {
     std::string names;

@@ -1,5 +1,5 @@
-// Options that several commands take, each with its name and its help, and the requests that
-// production/ gets from them.
+// Options that several commands share, each with its name and help, and the requests to production/
+// that are made from them.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace poinsot {
 
-// Of commands that read a scene.
+// Options of commands that read a scene.
 struct SceneOptions {
     std::vector<std::string> overrides;  // of --set, --size, --fps, --quality, --theme
     bool allow_outside = false;
@@ -28,7 +28,7 @@ SceneRequest scene_request_of(const std::string& file, const SceneOptions& optio
                               const std::vector<std::string>& more_overrides = {});
 OutsideFiles outside_files(bool allow_outside);
 
-// Of commands that draw.
+// Options of commands that draw.
 struct ContextOptions {
     std::string backend = "auto";
     bool portable = false;
@@ -41,7 +41,7 @@ Option portable_option(ContextOptions& context);
 ContextChoice context_choice_of(const ContextOptions& options);
 
 Option output_option(std::string& output, std::string_view help = "where to write");
-// One document, whatever is asked for.
+// The answer is one JSON document, also for several scenes.
 Option json_option(bool& json, std::string_view help = "answer in JSON, one document");
 Option quiet_option(bool& quiet);
 

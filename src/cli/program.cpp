@@ -28,7 +28,7 @@
 
 namespace poinsot {
 
-// What the table names, one file each.
+// The commands of the table, one file each.
 extern const Command render_command;
 extern const Command still_command;
 extern const Command check_command;
@@ -47,20 +47,20 @@ extern const Command status_command;
 
 namespace {
 
-// "--output" of "-o,--output", by which a message names the option.
+// Returns "--output" for "-o,--output", the option's name in messages.
 std::string long_name(const std::string& flags) {
     const std::size_t begin = flags.find("--");
     return flags.substr(begin, flags.find(',', begin) - begin);
 }
 
-// "REF NEW" as one name, as CLI11 wants it: "REF_NEW".
+// Converts "REF NEW" to one name, "REF_NEW", for CLI11.
 std::string argument_name(std::string_view arguments) {
     std::string name(arguments);
     std::replace(name.begin(), name.end(), ' ', '_');
     return name;
 }
 
-// How a value of each kind is read: CLI11 takes the text, and we read it.
+// Binds options by kind: CLI11 only passes on the text, which is parsed here.
 struct Binder {
     CLI::App& app;
     const Option& option;
@@ -112,14 +112,14 @@ void bind(CLI::App& app, const Option& option) {
     if (option.required) bound->required();
 }
 
-// CLI11 splits "--set a=b" rightly but has its own words for what is wrong; these are ours.
-// `command` is whose help is named, empty for the program's.
+// CLI11 parses "--set a=b" correctly, but its messages differ from ours; this throws ours.
+// `command` is the command whose help is named, empty for the program's.
 [[noreturn]] void refuse(const std::string& what, std::string_view command = {}) {
     throw InputError(fmt::format("poinsot{0}{1}: {2}; see poinsot{0}{1} --help",
                                  command.empty() ? "" : " ", command, what));
 }
 
-// "-o" and "--output" of "-o,--output", each with its option; null for what asks for help.
+// The flags "-o" and "--output" of "-o,--output", each with its option; null for help.
 std::map<std::string, const Option*> flags_of(const std::vector<Option>& options) {
     std::map<std::string, const Option*> flags{{"--help", nullptr}, {"-h", nullptr}};
     for (const Option& option : options) {
@@ -133,13 +133,13 @@ std::map<std::string, const Option*> flags_of(const std::vector<Option>& options
     return flags;
 }
 
-// Whether an argument can only be meant as an option: "-1.5" is a number, "-" a file.
+// Whether an argument can only be an option: "-1.5" is a number, "-" a file.
 bool looks_like_option(std::string_view argument) {
     return argument.size() > 1 && argument[0] == '-' &&
            std::string_view("0123456789.").find(argument[1]) == std::string_view::npos;
 }
 
-// "REF and NEW are", of the names of arguments from one on.
+// Names the arguments from one index on: "REF and NEW are".
 std::string named_arguments(std::string_view arguments, std::size_t first) {
     std::istringstream words{std::string(arguments)};
     std::vector<std::string> names{std::istream_iterator<std::string>(words), {}};
@@ -147,15 +147,15 @@ std::string named_arguments(std::string_view arguments, std::size_t first) {
     return fmt::format("{}{}", fmt::join(names, " and "), names.size() > 1 ? " are" : " is");
 }
 
-// Says what is wrong with a line before CLI11 does, which has words of its own: an option that the
-// command does not have (CLI11 counts it, with its value, among the arguments), one without its
-// value or given twice, arguments too few or too many.
+// Checks a command line before CLI11 does, for our own messages: an unknown option (CLI11 counts
+// it, with its value, among the arguments), an option without its value or given twice, too few or
+// too many arguments.
 class LineCheck {
  public:
     LineCheck(const Command& command, const std::vector<Option>& options)
         : command_(command), flags_(flags_of(options)) {}
 
-    // False where the line asks for help, of which nothing else comes.
+    // False if the line requests help, so that no error is thrown.
     bool check(std::span<const char* const> line) {
         std::vector<std::string_view> arguments;
         for (std::size_t i = 0; i < line.size(); ++i) {
@@ -171,7 +171,7 @@ class LineCheck {
             }
             const bool is_long = word.starts_with("--");
             const std::size_t equals = word.find('=');
-            // A letter may have its value behind it: "-oturn.png".
+            // A one-letter option may be joined with its value: "-oturn.png".
             const std::string flag(word.substr(0, is_long ? equals : 2));
             const Option* option = known(flag, word.substr(0, equals), is_long);
             if (option == nullptr) return false;
@@ -236,7 +236,7 @@ class LineCheck {
     std::set<const Option*> given_;
 };
 
-// Data that could not be printed must not look like success.
+// A failed write to stdout must not exit with success.
 void flush_stdout() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
         if (errno == EPIPE) throw ReaderGone("stdout is closed");
@@ -261,7 +261,7 @@ CommandToRun read_command_line(int argc, const char* const* argv) {
     app.require_subcommand(1);
     app.set_version_flag("--version", "poinsot " POINSOT_VERSION);
 
-    // A mistyped command gets the nearest name, which CLI11 does not give.
+    // Suggests the nearest command for a mistyped one, which CLI11 does not.
     const std::vector<std::string_view> names = names_of(commands());
     if (argc < 2)
         refuse(fmt::format("no command was given; choose from: {}", fmt::join(names, ", ")));
@@ -273,7 +273,7 @@ CommandToRun read_command_line(int argc, const char* const* argv) {
         refuse(fmt::format("unknown option \"{}\"; name a command first", printable(argv[1])));
     }
 
-    // Every command's choices, which CLI11 fills in and the one that was named reads.
+    // The options of all commands; CLI11 fills them in, and the chosen command reads its own.
     CommandToRun chosen;
     chosen.rooms.resize(commands().size());
     std::string_view named;
@@ -302,7 +302,7 @@ CommandToRun read_command_line(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {
-        // What was asked for is the text that is printed now.
+        // Prints the requested help or version.
         app.exit(success);
         chosen.run = [] { return 0; };
     } catch (const CLI::ParseError& error) {

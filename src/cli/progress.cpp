@@ -34,7 +34,7 @@ void Progress::at(std::int64_t done) {
     using namespace std::chrono_literals;
     if (total_ <= 0) return;
 
-    // A terminal is refreshed ten times a second, a log every five seconds.
+    // A terminal is updated ten times a second, a log every five seconds.
     const auto now = Clock::now();
     if (now - last_shown_ < (terminal_ ? Clock::duration(100ms) : Clock::duration(5s))) return;
     last_shown_ = now;

@@ -1,4 +1,4 @@
-// What a job tells, on stderr: notes, and a bar on a terminal or a line now and then in a log.
+// Prints notes and progress on stderr: a bar on a terminal, or regular lines in a log.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    // Speaks through this object, which must outlive it; says nothing if quiet.
+    // Callbacks that use this object, which must outlive them; they print nothing if quiet.
     Telling telling();
 
  private:
@@ -24,7 +24,7 @@ class Progress {
 
     void begin(const std::string& what, std::int64_t total);
     void at(std::int64_t done);
-    // Ends the bar and prints what was made.
+    // Ends the bar and prints the name of the result.
     void finish(const std::string& made);
 
     bool quiet_;

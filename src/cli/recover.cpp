@@ -1,4 +1,4 @@
-// poinsot recover FILM: what an interrupted run has drawn, as a film that can be shown now.
+// poinsot recover FILM: builds a film from the finished frames of an interrupted run.
 #include <fmt/format.h>
 
 #include "cli/command.h"

@@ -1,4 +1,4 @@
-// poinsot render SCENE -o OUT: a film or a sequence.
+// poinsot render SCENE -o OUT: renders a film or a sequence.
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -35,7 +35,7 @@ struct RenderChoices {
     bool quiet = false;
 };
 
-// Prints how well the film keeps what its method promises; whether it does.
+// Prints how accurately the film fulfils the claims of its method; returns whether it does.
 bool certified(const Session& session, const FilmPlan& film, const Telling& telling) {
     if (!can_certify(session)) {
         throw InputError(
@@ -54,7 +54,7 @@ int render(const SceneJob& job, const RenderChoices& choices, Easel& easel) {
     FilmRequest request{job.output, choices.frames};
     request.part = choices.part;
     const FilmJob film(session, request);
-    // A film that is not what its method promises is refused before it is drawn.
+    // A film that is less accurate than its method claims is refused before it is rendered.
     if (choices.certify && !certified(session, film.film(), telling)) return 1;
     if (choices.part)
         film.make(easel, telling);
@@ -63,7 +63,8 @@ int render(const SceneJob& job, const RenderChoices& choices, Easel& easel) {
     return 0;
 }
 
-// Parts of one name would replace each other: the first #### of a film's name is the part's number.
+// Parts with the same name would replace each other: the first #### of a film's name is the part's
+// number.
 std::string output_of(const RenderChoices& choices) {
     const std::filesystem::path output(choices.output);
     if (!choices.part || suffix_of(output) == ".png" || !has_frame_number(output))

@@ -1,4 +1,4 @@
-// poinsot rerender FILE -o OUT: the picture or film that a file describes, drawn again.
+// poinsot rerender FILE -o OUT: renders a picture or film again from a file's record.
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/progress.h"

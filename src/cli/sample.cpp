@@ -1,4 +1,4 @@
-// poinsot sample SCENE --times T,T,…: the motion as data.
+// poinsot sample SCENE --times T,T,…: writes the motion as data.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ std::vector<double> instants_of(const SampleChoices& choices) {
     return choices.times.empty() ? instants_in(choices.times_file) : parse_times(choices.times);
 }
 
-// The table of a scene with some of its keys set.
+// The table of a scene with overridden keys.
 SampleTable table_of(const SampleChoices& choices, const std::string& scene,
                      const std::vector<std::string>& overrides, const std::vector<double>& times_s,
                      const Telling& telling) {
@@ -79,7 +79,7 @@ double swept_number(const std::string& key, const std::string& value) {
     return *number;
 }
 
-// One table of all runs: before each row the values that it belongs to.
+// One table of all runs: each row begins with its values of the sweep.
 SampleTable table_of_sweep(const SampleChoices& choices, const std::vector<SweepPoint>& points,
                            const std::vector<double>& times_s, const Telling& telling) {
     SampleTable all;
@@ -117,14 +117,14 @@ SampleTable table_of_sweep(const SampleChoices& choices, const std::vector<Sweep
     return all;
 }
 
-// Whether an output's name tells the runs of a sweep apart.
+// Whether an output's name is distinct for each run of a sweep.
 bool names_each(const std::string& output) {
     return output.find('{') != std::string::npos || has_frame_number(output);
 }
 
 int run(const SampleChoices& choices) {
     const std::vector<double> times_s = instants_of(choices);
-    // What cannot be written is refused before anything is computed.
+    // An output that cannot be written is refused before the computation.
     const std::filesystem::path output = choices.output;
     const TableFormat& format = output.empty() ? table_formats().front() : table_format_for(output);
     const std::vector<SweepPoint> points = points_of(choices.sweeps);
@@ -138,7 +138,7 @@ int run(const SampleChoices& choices) {
                             job.output);
                 return 0;
             });
-    // Written when all of it is known: an instant that cannot be had leaves no half a table.
+    // Written when the table is complete, so that an instant with an error leaves no partial table.
     const SampleTable table = choices.sweeps.empty()
                                   ? table_of(choices, choices.scenes.at(0), {}, times_s, telling)
                                   : table_of_sweep(choices, points, times_s, telling);
@@ -170,7 +170,7 @@ CommandLine sample_line(std::any& room) {
               "T,T,…: instants in seconds, or ranges first:last:step, first:last/n; - reads them "
               "from standard input",
               ReadText{[&c](const std::string& text) {
-                  // What is wrong with it is said before anything is read.
+                  // Errors in it are reported before the scene is read.
                   if (text != "-") parse_times(text);
                   c.times = text;
               }}},

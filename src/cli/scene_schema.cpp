@@ -1,4 +1,4 @@
-// The schema of scene files, made from the table of keys: what a key takes is read off its row.
+// The JSON Schema of scene files, generated from the table of keys: each key's row gives its type.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -18,7 +18,7 @@ namespace poinsot {
 
 namespace {
 
-// Cuts `words` off the front of a phrase; whether it was there.
+// Removes `words` from the beginning of a phrase; returns whether they were there.
 bool take(std::string_view& phrase, std::string_view words) {
     if (!phrase.starts_with(words)) return false;
     phrase.remove_prefix(words.size());
@@ -33,14 +33,14 @@ std::string strings(const std::vector<std::string>& names) {
     return fmt::format(R"("enum": [{}])", fmt::join(quoted, ", "));
 }
 
-// A number, or one with a unit in a string where the key has a unit. `bounds`: further members.
+// The schema of a number; with a unit it may also be a string. `bounds`: further members.
 std::string number(const std::string& bounds, bool has_unit) {
     std::string bare = R"("type": "number")" + bounds;
     if (!has_unit) return bare;
     return R"("anyOf": [{)" + bare + R"(}, {"type": "string", "pattern": "[0-9].*[A-Za-z°]"}])";
 }
 
-// Cuts "from -90 to 90" off the end of a phrase: what it says, as members that follow others.
+// Removes "from -90 to 90" from the end of a phrase and returns it as members.
 std::string bounds_of(std::string_view& phrase) {
     constexpr std::string_view from = " from ", to = " to ";
     const std::size_t least = phrase.find(from);
@@ -52,8 +52,8 @@ std::string bounds_of(std::string_view& phrase) {
                        both.substr(most + to.size()));
 }
 
-// What the phrase of a row's type allows, as members of a schema: "three rows of three numbers".
-// A phrase that is not known allows anything, and a test names it.
+// The schema members for the type phrase of a row, such as "three rows of three numbers". An
+// unknown phrase allows any value, and a test reports it.
 std::string members_of(std::string_view phrase, const std::vector<std::string>& names,
                        bool has_unit) {
     if (phrase == "true or false") return R"("type": "boolean")";
@@ -77,7 +77,7 @@ std::string members_of(std::string_view phrase, const std::vector<std::string>& 
     for (std::size_t n = 1; n < counts.size(); ++n) {
         if (!take(phrase, counts[n])) continue;
         take(phrase, "rows of ");
-        // "four numbers w, x, y, z" also says what they are.
+        // "four numbers w, x, y, z" also names the numbers.
         const std::string_view item = phrase.starts_with("numbers ") ? "numbers" : phrase;
         return fmt::format(R"("type": "array", "items": {{{}}}, "minItems": {}, "maxItems": {})",
                            members_of(item, names, has_unit), n, n);
@@ -85,7 +85,7 @@ std::string members_of(std::string_view phrase, const std::vector<std::string>& 
     return "";
 }
 
-// The names that a key takes: its own, or those of the list that its summary sends to.
+// The names that a key accepts: its own, or those of the list that its summary refers to.
 std::vector<std::string> names_of(const SceneKey& key) {
     if (!key.names.empty()) return {key.names.begin(), key.names.end()};
     constexpr std::string_view sends = "see `poinsot list ";
@@ -94,13 +94,13 @@ std::vector<std::string> names_of(const SceneKey& key) {
     const std::string_view rest = key.summary.substr(at + sends.size());
     const std::string_view list = rest.substr(0, rest.find('`'));
     std::vector<std::string> names = words_of(list);
-    // What is drawn over the picture is shown by its name, too.
+    // `show` also accepts the names of overlays.
     if (list == "elements")
         for (const OverlayName& overlay : overlays()) names.emplace_back(overlay.name);
     return names;
 }
 
-// A table of the file and what may stand in it, or a key.
+// A table of the file with its contents, or a key.
 struct Node {
     std::string name;
     const SceneKey* key = nullptr;

@@ -22,7 +22,7 @@ namespace poinsot {
 
 namespace {
 
-// The name that a scene will have, known before it is read.
+// The name of a scene, known before the file is read.
 std::string scene_name(const std::string& file) {
     return std::filesystem::path(file).stem().string();
 }
@@ -38,7 +38,7 @@ bool counts_scenes(std::size_t n_scenes, const std::filesystem::path& output, Ou
     return has_frame_number(output) && !(is_sequence(output, kind) && told_apart);
 }
 
-// What tells a job from another: its scene, or else the values that it sweeps.
+// The difference between a job and another one: its scene, or else its values of the sweep.
 std::string difference(const SceneJob& job, const SceneJob& other) {
     if (job.scene != other.scene) return job.scene;
     std::string values;
@@ -49,7 +49,7 @@ std::string difference(const SceneJob& job, const SceneJob& other) {
     return values;
 }
 
-// One output would replace the other without a word.
+// Two jobs with the same output are refused, because one would silently replace the other.
 void refuse_one_name(const std::vector<SceneJob>& jobs, OutputKind kind) {
     std::map<std::filesystem::path, const SceneJob*> taken;
     for (const SceneJob& job : jobs) {
@@ -73,7 +73,7 @@ void refuse_one_name(const std::vector<SceneJob>& jobs, OutputKind kind) {
     }
 }
 
-// A message without what differs from run to run of a sweep: the values that are swept, and every
+// A message without the parts that vary between runs of a sweep: the swept values, and every
 // number.
 std::string reason_of(const SceneJob& job, std::string message) {
     for (const std::string& given : job.overrides)
@@ -86,7 +86,7 @@ std::string reason_of(const SceneJob& job, std::string message) {
     return job.scene + reason;
 }
 
-// Beside an installed program, or in the checkout that a build stands in.
+// Next to an installed program, or in the source folder of a build.
 std::filesystem::path scenes_folder() {
     namespace fs = std::filesystem;
     std::error_code ignored;
@@ -124,13 +124,13 @@ std::string scene_file(const std::string& given) {
             known.push_back(file.stem().string());
         }
     } catch (const EnvironmentError&) {
-        // Said of the name below.
+        // Reported below as an unknown name.
     }
     const std::string near =
         fs::exists(given + ".toml", ignored)
             ? fmt::format("; did you mean \"{}.toml\"?", printable(given, any_length))
             : did_you_mean(given, std::vector<std::string_view>(known.begin(), known.end()));
-    if (near.empty()) return given;  // which is then said not to be there
+    if (near.empty()) return given;  // load_scene reports that it does not exist
     throw InputError(fmt::format("{}: no such file, and no scene of that name{}",
                                  printable(given, any_length), near));
 }
@@ -151,7 +151,7 @@ std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std:
 
 std::vector<SceneJob> named_jobs(std::vector<SceneJob> jobs, const std::string& output,
                                  OutputKind kind) {
-    // Outputs that differ without a number need none.
+    // Outputs that are distinct without a number need none.
     const bool told_apart = std::any_of(jobs.begin(), jobs.end(), [&](const SceneJob& job) {
         return job.output != jobs.front().output;
     });

@@ -1,4 +1,4 @@
-// One command over several scenes: each by itself, and one that is refused stops no other.
+// Runs one command for several scenes, separately: an error in one scene does not stop the others.
 #pragma once
 
 #include <filesystem>
@@ -9,41 +9,43 @@
 
 namespace poinsot {
 
-// The scenes that came with the program, beside an installed one or in the checkout that a build
-// stands in, by name. Throws EnvironmentError.
+// Returns the scenes supplied with the program, next to an installed program or in the source
+// folder of a build, by name. Throws EnvironmentError.
 std::vector<std::filesystem::path> own_scenes();
 
-// The file of a scene as a user names it: "generic" is one that came with the program, where no
-// such file is here. Throws InputError with the nearest for a mere name that is neither.
+// Returns the file of a scene as a user names it: "generic" is a supplied scene if there is no such
+// file in the current folder. Throws InputError with the nearest name for a bare name that is
+// neither.
 std::string scene_file(const std::string& given);
 
 struct SceneJob {
     std::string scene;
     std::string output;                  // empty: named after the scene
-    std::vector<std::string> overrides;  // see load_scene; after those of the command line
+    std::vector<std::string> overrides;  // see load_scene; applied after those of the command line
 };
 
-// What a command makes of a scene. In the name of a film of pictures, #### may number its frames.
+// The output of a command. In the name of a film made of pictures, #### may number its frames.
 enum class OutputKind { picture, film };
 
-// One for each scene. In the output, {scene} becomes the scene's name and the first #### counts the
-// scenes from 0; that of a PNG sequence is left to its frames where one scene, or its name, needs
-// no count. Throws InputError if two scenes would be written to one name.
+// Returns one job for each scene. In the output, {scene} is replaced by the scene's name and the
+// first #### by the scene's number from 0; the #### of a PNG sequence numbers its frames if there
+// is one scene or the scene's name makes the outputs distinct. Throws InputError if two scenes
+// would have the same output.
 std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std::string& output,
                               OutputKind kind);
 
-// The same of jobs whose outputs are still names to be filled in; `output` is what the user said.
+// Does the same for jobs whose output names are not filled in yet; `output` is the user's text.
 std::vector<SceneJob> named_jobs(std::vector<SceneJob> jobs, const std::string& output,
                                  OutputKind kind);
 
-// What is said of several jobs that are refused: of a sweep's runs each reason once, and in the end
-// which others it holds for.
+// Prints the errors of several jobs: for a sweep each reason once, and at the end the other runs
+// that failed for the same reason.
 class Refusals {
  public:
-    // The exit code of a job: one that is refused counts as 2.
+    // Returns the exit code of a job; an error counts as 2.
     int code_of(const SceneJob& job, const std::function<int()>& run);
 
-    // Says for which jobs nothing was said.
+    // Prints the jobs whose errors were not printed.
     void say_others() const;
 
  private:
@@ -51,8 +53,8 @@ class Refusals {
     std::vector<std::string> likewise_;
 };
 
-// `run` is called for each job in turn. Returns the largest exit code. Throws what it throws of a
-// scene alone.
+// Calls `run` for each job in turn. Returns the largest exit code. With a single scene, exceptions
+// pass through.
 int for_each_scene(const std::vector<SceneJob>& jobs,
                    const std::function<int(const SceneJob&)>& run);
 

@@ -1,4 +1,4 @@
-// poinsot status FOLDER: what of a submission is done, running, failed.
+// poinsot status FOLDER: prints which parts of a submission are done, running or failed.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// poinsot still SCENE -o OUT.png: one picture.
+// poinsot still SCENE -o OUT.png: renders one picture.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ struct StillChoices {
     bool quiet = false;
 };
 
-// All scenes at all points of the sweep in one picture.
+// Renders all scenes at all points of the sweep in one picture.
 int draw_sheet_of(const StillChoices& choices) {
     const PrintChoices& print = choices.print;
     struct Unfit {
@@ -89,13 +89,13 @@ std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choi
     request.print = choices.print;
     if (!choices.print.journal.empty()) {
         set_journal(journal_named(choices.print.journal), request.print);
-        // On paper, unless the command line says otherwise.
+        // The theme is print, unless the command line gives another one.
         const bool has_theme = std::any_of(
             request.overrides.begin(), request.overrides.end(),
             [](const std::string& given) { return assignment_of(given).starts_with("theme"); });
         if (!has_theme) request.overrides.emplace_back("--journal theme=print");
     }
-    // Vectors lie on paper, whether or not the command line speaks of it.
+    // Vector output is for paper, with or without a print option.
     if (is_vector_name(job.output) && !request.print.dpi) request.print.dpi = default_dpi;
     if (choices.time_s) request.times_s = {*choices.time_s};
     return std::make_unique<StillJob>(open_session(request, telling),
@@ -103,15 +103,16 @@ std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choi
                                                    choices.bit_depth, choices.vectors});
 }
 
-// Each scene is read and staged while the one before it is drawn.
+// Each scene is read and prepared while the previous one is drawn.
 int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Easel& easel,
              StillWriter& writer, const Telling& telling) {
-    // Where no thread can be had, it is made when asked for.
+    // If no thread can be started, the scene is prepared when it is needed.
     const auto begin = [&](std::size_t k) {
         return std::async(
             [&job = jobs[k], &choices, &telling] { return still_of(job, choices, telling); });
     };
-    // Opened before there is another thread: it changes the environment that libraries read.
+    // Opened before another thread starts, because it changes environment variables that libraries
+    // read.
     const auto opens_context = [&choices](const SceneJob& job) {
         return !is_vector_name(job.output) || choices.vectors.shading == "picture";
     };
@@ -153,7 +154,7 @@ int run(const StillChoices& choices) {
         draw_alone(jobs.front(), choices, *easel, writer, telling);
     else
         code = draw_all(jobs, choices, *easel, writer, telling);
-    easel.reset();  // which takes as long as compressing half a picture
+    easel.reset();  // as slow as compressing half a picture
     writer.finish();
     return code;
 }

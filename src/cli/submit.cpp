@@ -1,4 +1,4 @@
-// poinsot submit SCENE… -o OUT --parts N: films in parts on a Slurm cluster.
+// poinsot submit SCENE… -o OUT --parts N: renders films in parts on a Slurm cluster.
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -49,8 +49,8 @@ void check(const SubmitChoices& choices) {
     context_choice_of(choices.context);
 }
 
-// What --set says of an override in a task, which runs in another folder: a theme in a file that is
-// found from here is named in full.
+// The --set of an override in a task, which runs in another folder: the path of a theme file in the
+// current folder is made absolute.
 std::string for_a_task(const std::string& override_text) {
     constexpr std::string_view theme = "theme=";
     const std::string given(assignment_of(override_text));
@@ -61,7 +61,7 @@ std::string for_a_task(const std::string& override_text) {
     return fmt::format("{}{}", theme, std::filesystem::absolute(file).string());
 }
 
-// The options that every render of the submission gets.
+// The options of every render command of the submission.
 std::vector<std::string> render_options(const SubmitChoices& choices) {
     std::vector<std::string> options;
     if (!choices.native) options.emplace_back("--portable");
@@ -76,7 +76,7 @@ std::vector<std::string> render_options(const SubmitChoices& choices) {
     return options;
 }
 
-// Each scene is read here, so that what no task could draw is refused before any is submitted.
+// Reads each scene here, so that errors are found before any task is submitted.
 std::vector<FilmToSubmit> films_of(const SubmitChoices& choices, const Telling& telling) {
     std::vector<FilmToSubmit> films;
     for (const SceneJob& job :

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t most_runs = 100000;
 
-// Pieces between separators that stand in no brackets and no quotes.
+// Splits at separators outside brackets and quotes.
 std::vector<std::string> pieces_of(std::string_view text, char separator) {
     std::vector<std::string> pieces(1);
     int depth = 0;
@@ -42,7 +42,7 @@ std::vector<std::string> pieces_of(std::string_view text, char separator) {
     return pieces;
 }
 
-// The values of from:to:n; empty for what is not written so.
+// The values of from:to:n; empty for any other text.
 std::vector<std::string> range_of(std::string_view text) {
     const std::vector<std::string> pieces = pieces_of(text, ':');
     if (pieces.size() != 3) return {};
@@ -61,7 +61,7 @@ std::vector<std::string> range_of(std::string_view text) {
 }
 
 void replace_all(std::string& text, const std::string& what, std::string with) {
-    // A value is no folder, and counts nothing.
+    // In a value, '/' is not a folder and '#' not a number.
     std::replace_if(
         with.begin(), with.end(), [](char c) { return c == '/' || c == '#'; }, '_');
     for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())

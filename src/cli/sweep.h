@@ -12,36 +12,38 @@
 namespace poinsot {
 
 struct Sweep {
-    std::string key;                  // as --set has it: "start.omega_rad_s[1]"
-    std::vector<std::string> values;  // as --set has them
+    std::string key;                  // as in --set: "start.omega_rad_s[1]"
+    std::vector<std::string> values;  // as in --set
 };
 
-// Texts of sweeps, to be read when all are there.
+// Collects the texts of sweeps, which are parsed together.
 Option sweep_option(std::vector<std::string>& sweeps);
 
-// Reads one. Commas within brackets and quotes part no values; from:to:n gives the n doubles
-// nearest to from + k·(to − from)/(n − 1). Throws InputError.
+// Parses one sweep. Commas within brackets and quotes do not separate values; from:to:n gives the n
+// doubles nearest to from + k·(to − from)/(n − 1). Throws InputError.
 Sweep parse_sweep(std::string_view text);
 
-// A value for each key, the last key's changing fastest. One empty point without sweeps. Throws
-// InputError for a key that is swept twice and for more runs than anyone waits for.
+// Returns the points of the product, each with a value for each key; the last key changes fastest.
+// Without sweeps, one empty point. Throws InputError for a key that is swept twice and for too many
+// runs.
 using SweepPoint = std::vector<std::pair<std::string, std::string>>;
 std::vector<SweepPoint> points_of(const std::vector<std::string>& sweeps);
 
-// As --set takes them: "start.omega_rad_s[1]=2".
+// Returns the point as arguments of --set: "start.omega_rad_s[1]=2".
 std::vector<std::string> overrides_of(const SweepPoint& point);
 
 // "start.omega_rad_s[1] = 2, fps = 30"
 std::string in_words(const SweepPoint& point);
 
-// The same for a picture's caption: of each key its last name alone, "omega_rad_s[1] = 2".
+// Returns the text for a picture's caption, with only the last part of each key: "omega_rad_s[1] =
+// 2".
 std::string caption_of(const SweepPoint& point);
 
-// "CxR" of columns and rows. Throws InputError.
+// Parses "CxR", columns and rows. Throws InputError.
 std::pair<int, int> parse_sheet(std::string_view text);
 
-// As jobs_of of cli/scenes.h, for each scene a job for each point. In the output {KEY} becomes its
-// value, {key} that of a single sweep, and #### counts all jobs.
+// Like jobs_of in cli/scenes.h, with a job for each scene and point. In the output {KEY} is
+// replaced by its value, {key} by that of a single sweep, and #### by the number of the job.
 std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std::string& output,
                               OutputKind kind, const std::vector<std::string>& sweeps);
 
