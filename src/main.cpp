@@ -1,4 +1,4 @@
-// Entry: hands over to the command line; what nothing else catches, and the exit codes.
+// Runs the command line, handles uncaught exceptions and sets the exit code.
 #include <malloc.h>
 #include <unistd.h>
 
@@ -15,8 +15,8 @@
 
 namespace {
 
-// A message may quote names and texts from anywhere; a terminal must not obey them. It is the last
-// chance to be heard: where the stream fails, the file below it is tried.
+// Prints a message, in which texts from anywhere may be quoted, without control characters for the
+// terminal. If the stream fails, the message is written to its file descriptor.
 void say(const char* message) {
     const std::string line = poinsot::printable(message, poinsot::most_of_a_message) + "\n";
     if (std::fputs(line.c_str(), stderr) == EOF &&
@@ -24,7 +24,7 @@ void say(const char* message) {
         std::perror("poinsot");
 }
 
-// As the tools do that know nothing of signals: `poinsot sample … | head` ends by SIGPIPE.
+// Like tools that do not handle signals, `poinsot sample … | head` ends by SIGPIPE.
 int end_with_the_reader() {
     std::signal(SIGPIPE, SIG_DFL);
     std::raise(SIGPIPE);
@@ -34,11 +34,12 @@ int end_with_the_reader() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // A closed pipe and a limit on file sizes are errors of a write, with a sentence, not deaths.
+    // A closed pipe and a file size limit become write errors with a message, instead of signals
+    // that end the process.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    // Large buffers go back to the system when they are freed: a film's encoder is made anew every
-    // few seconds, and memory must not grow with the film. What a frame frees, the next one takes.
+    // Freed large buffers are returned to the system: a film creates a new encoder every few
+    // seconds, and memory must not grow with the film. The next frame reuses the memory of a frame.
     mallopt(M_MMAP_THRESHOLD, 1 << 20);
     mallopt(M_TRIM_THRESHOLD, 32 << 20);
     try {
@@ -55,7 +56,7 @@ int main(int argc, char** argv) {
         std::fputs("out of memory; ask for a smaller picture or a shorter film\n", stderr);
         return 3;
     } catch (const std::system_error& error) {
-        // Only printing on stdout leaves by it with this number.
+        // Only printing on stdout throws this error code.
         if (error.code() == std::errc::broken_pipe) return end_with_the_reader();
         say(("poinsot: " + std::string(error.what())).c_str());
         return 3;

@@ -1,5 +1,6 @@
-# Puts a bundle together and packs it. Variables: BUILD, the build folder; NAME of the bundle; PROGRAM, linked for it; OPENED, names of the
-# libraries that are opened at run time. Written for Debian, whose dpkg knows which package a library is from.
+# Builds and packs a bundle. Variables: BUILD, the build folder; NAME of the bundle; PROGRAM, linked
+# for it; OPENED, names of the libraries that are opened at run time. Written for Debian, whose dpkg
+# finds the package of a library.
 cmake_minimum_required(VERSION 3.25)
 
 set(bundle ${BUILD}/bundle/${NAME})
@@ -9,7 +10,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${bundle} O
 file(COPY_FILE ${PROGRAM} ${bundle}/bin/poinsot)
 execute_process(COMMAND strip ${bundle}/bin/poinsot COMMAND_ERROR_IS_FATAL ANY)
 
-# Libraries, by the names that they are loaded by.
+# Libraries, by the names in the linker's cache.
 execute_process(COMMAND /sbin/ldconfig -p OUTPUT_VARIABLE known COMMAND_ERROR_IS_FATAL ANY)
 set(opened "")
 foreach(name IN LISTS OPENED)
@@ -19,7 +20,7 @@ foreach(name IN LISTS OPENED)
     endif()
     list(APPEND opened ${CMAKE_MATCH_1})
 endforeach()
-# glibc's own are the machine's: the rest must not bring another version of them.
+# glibc comes from the machine; the bundle must not contain another version of it.
 set(glibc "/(ld-linux.*|libc|libm|libmvec|libpthread|libdl|librt|libresolv|libutil|libanl)\\.so(\\.[0-9]+)*$")
 file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${PROGRAM} LIBRARIES ${opened} RESOLVED_DEPENDENCIES_VAR needed
     UNRESOLVED_DEPENDENCIES_VAR unresolved POST_EXCLUDE_REGEXES ${glibc})
@@ -36,7 +37,7 @@ foreach(library IN LISTS needed)
     list(APPEND files ${file})
 endforeach()
 
-# Fonts, where the program looks first.
+# Fonts, in the folder that the program searches first.
 execute_process(COMMAND dpkg-query -L fonts-lmodern OUTPUT_VARIABLE fonts COMMAND_ERROR_IS_FATAL ANY)
 foreach(name latinmodern-math lmsans10-regular lmsans10-bold lmsans10-oblique lmroman10-regular lmroman10-bold lmroman10-italic)
     if(NOT fonts MATCHES "([^\n]+/${name}\\.otf)")
@@ -45,7 +46,8 @@ foreach(name latinmodern-math lmsans10-regular lmsans10-bold lmsans10-oblique lm
     file(COPY ${CMAKE_MATCH_1} DESTINATION ${bundle}/share/poinsot/fonts)
 endforeach()
 
-# Licences: of each library's package; of what is compiled into the program from headers; and the texts that they refer to.
+# Licences: of each library's package; of the headers compiled into the program; and the texts that
+# these refer to.
 set(packages fonts-lmodern libboost-dev libcli11-dev libeigen3-dev libglm-dev libtomlplusplus-dev python3-glad)
 foreach(file IN LISTS files)
     string(REGEX REPLACE "^/usr/lib/" "/lib/" other ${file})
@@ -64,7 +66,7 @@ file(COPY /usr/share/common-licenses DESTINATION ${bundle}/share/doc/poinsot/lic
 list(LENGTH needed n_libraries)
 list(LENGTH packages n_packages)
 
-# The same files in the same order, of nobody and of no time.
+# Reproducible: files in fixed order, without owner and time.
 execute_process(COMMAND tar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner -cf ${bundle}.tar -C ${BUILD}/bundle ${NAME}
     COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND xz --force --x86 --lzma2=preset=8,dict=128MiB ${bundle}.tar COMMAND_ERROR_IS_FATAL ANY)

@@ -1,4 +1,4 @@
-# --target docs: the pages and the schema that are made from the program's tables and the scene files.
+# --target docs: the pages and the schema, generated from the program's tables and the scene files.
 add_custom_target(docs
     COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tests/docs/scene_reference.py write $<TARGET_FILE:poinsot>
     COMMAND $<TARGET_FILE:poinsot> list schema > ${CMAKE_SOURCE_DIR}/scenes/scene.schema.json

@@ -1,8 +1,8 @@
-# One CMake target a folder: every .cpp of the folder and its rooms, nothing to register by hand.
+# One CMake target per folder: every .cpp of the folder and its subfolders, without a list of files.
 
-# poinsot_folder(NAME [FUZZED] [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from ./**.cpp.
-# FUZZED: it reads what others wrote, and the fuzzers are told which of its branches they reached. Telling slows pictures threefold,
-# so that the rest does without.
+# poinsot_folder(NAME [FUZZED] [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from
+# ./**.cpp. FUZZED: it reads untrusted input and is instrumented for coverage in fuzzing builds. The
+# instrumentation slows rendering by a factor of three, so other folders do without.
 function(poinsot_folder name)
     cmake_parse_arguments(arg "FUZZED" "" "PUBLIC;PRIVATE" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -37,12 +37,13 @@ function(poinsot_tests name)
     endif()
     add_executable(test_${name} ${sources} ${CMAKE_SOURCE_DIR}/tests/places.cpp)
     target_link_libraries(test_${name} PRIVATE poinsot_options ${ARGN} GTest::gtest GTest::gtest_main)
-    # One file alone knows where the repository lies, so that a compiler cache serves every copy.
+    # Only this file contains the repository's path, so that a compiler cache serves every checkout.
     set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/places.cpp PROPERTIES
         COMPILE_DEFINITIONS "POINSOT_SOURCE_DIR=\"${CMAKE_SOURCE_DIR}\"")
     target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
     if(POINSOT_SANITIZE)
-        # A process a claim would spend more on its start than on most claims: every eighth claim is in one.
+        # One process per test would spend more time on starting than most tests take: each process
+        # runs every eighth test.
         foreach(part RANGE 7)
             add_test(NAME ${name}.part_${part} COMMAND test_${name})
             set_tests_properties(${name}.part_${part} PROPERTIES TIMEOUT 1800

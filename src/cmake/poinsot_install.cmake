@@ -1,15 +1,17 @@
-# What is installed, to any prefix: the program, its scenes with their schema, manual pages, completions, documents.
+# Installed files, for any prefix: the program, its scenes with their schema, manual pages,
+# completions, documents.
 include(GNUInstallDirs)
 
 install(TARGETS poinsot RUNTIME)
-# What the program writes of itself is written when it is installed: it is never older than the program.
+# The documents that the program generates are written during installation, so that they match the
+# program.
 set(own_documents ${CMAKE_BINARY_DIR}/share)
 install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" -DPROGRAM=$<TARGET_FILE:poinsot> -DFOLDER=${own_documents}
     -P \"${CMAKE_SOURCE_DIR}/src/cmake/write_documents.cmake\" COMMAND_ERROR_IS_FATAL ANY)")
 foreach(below poinsot bash-completion fish man)
     install(DIRECTORY ${own_documents}/${below} DESTINATION ${CMAKE_INSTALL_DATADIR})
 endforeach()
-# Debian's zsh looks for packages' completions in a folder of its own.
+# Debian's zsh searches completions of packages in its own folder.
 set(zsh_folder zsh/site-functions)
 if(EXISTS /etc/debian_version)
     set(zsh_folder zsh/vendor-completions)
@@ -21,7 +23,7 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${CMAKE_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-# As Debian wants it.
+# Required by Debian.
 file(WRITE ${CMAKE_BINARY_DIR}/changelog "poinsot (${PROJECT_VERSION}) unstable; urgency=medium\n\n  * See CHANGELOG.md.\n\n"
     " -- the poinsot authors <poinsot@example.org>  Sun, 22 Nov 2026 00:00:00 +0000\n")
 install(CODE "execute_process(COMMAND gzip -9nc \"${CMAKE_BINARY_DIR}/changelog\"

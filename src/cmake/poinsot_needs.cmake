@@ -1,10 +1,11 @@
-# What the program is built with: a library that is missing or too old stops CMake with its name, its least version and
-# the Debian package that has it. Every one that is wanting is named at once.
+# Libraries required by the build: if one is missing or too old, CMake stops with its name, its
+# minimum version and its Debian package. All missing libraries are named at once.
 
 set(poinsot_wanting "")
 
-# poinsot_needs(NAME VERSION PACKAGE [find_package's other words]) finds a library by its own CMake files. The version is
-# compared here: a file that calls every later major version incompatible, as Eigen 5's does, is asked for none.
+# poinsot_needs(NAME VERSION PACKAGE [further arguments of find_package]) finds a library by its own
+# CMake files. The version is compared here, not by find_package: files that treat every later major
+# version as incompatible, such as Eigen 5's, would refuse it.
 macro(poinsot_needs name version package)
     find_package(${name} QUIET ${ARGN})
     if(NOT ${name}_FOUND)
@@ -23,7 +24,7 @@ macro(poinsot_needs_modules prefix package)
     endif()
 endmacro()
 
-# Stops where something was wanting.
+# Stops if a library is missing.
 function(poinsot_needs_met)
     if(poinsot_wanting)
         string(REPLACE ";" "\n" lines "${poinsot_wanting}")

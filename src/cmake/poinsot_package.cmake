@@ -1,6 +1,6 @@
 # --target package: a .deb for the distribution that it is built on.
 
-# The package that has a library which is opened at run time, where dpkg knows it.
+# The package of a library that is opened at run time, if dpkg knows it.
 function(package_of_library name to)
     execute_process(COMMAND dpkg-query -S "*/${name}" OUTPUT_VARIABLE found ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
     string(REGEX MATCH "^[^:,\n]+" package "${found}")
@@ -10,7 +10,8 @@ function(package_of_library name to)
     endif()
 endfunction()
 
-# FFmpeg by the versions that it was compiled for; OSMesa where there is one, EGL with Mesa's software renderer always.
+# FFmpeg in the versions of the build; OSMesa if available, and always EGL with Mesa's software
+# renderer.
 set(opened "")
 foreach(library avutil avcodec avformat swscale)
     string(REGEX MATCH "^[0-9]+" major "${LIBAV_lib${library}_VERSION}")

@@ -1,4 +1,5 @@
-# Libraries that the tests and benchmarks use. Sets poinsot_missing_test_packages to the Debian packages of those that are not installed.
+# Libraries of the tests and benchmarks. Sets poinsot_missing_test_packages to the Debian packages
+# of those that are not installed.
 
 set(poinsot_missing_test_packages "")
 
@@ -21,6 +22,6 @@ foreach(library gmp mpfr)
     find_library(POINSOT_TEST_${library} ${library})
     poinsot_test_library(POINSOT_TEST_${library} lib${library}-dev)
 endforeach()
-# libpng-dev, which the program needs, brings it along.
+# A dependency of libpng-dev, which the program needs.
 find_package(ZLIB QUIET REQUIRED)
 list(JOIN poinsot_missing_test_packages ", " poinsot_missing_test_packages)

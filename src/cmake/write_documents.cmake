@@ -1,4 +1,4 @@
-# What the program writes of itself, as it is installed: manual pages, completions, the schema of scene files.
+# Writes the documents that are installed: manual pages, completions, the schema of scene files.
 # Usage: cmake -DPROGRAM=… -DFOLDER=… -P write_documents.cmake
 
 function(write_document name to)
@@ -14,7 +14,7 @@ write_document(completion.zsh zsh/_poinsot)
 write_document(completion.fish fish/vendor_completions.d/poinsot.fish)
 write_document(schema poinsot/scenes/scene.schema.json)
 
-# A page a command, and that of scene files. Compressed without a date, as Debian keeps them.
+# One page per command, and one for scene files. Compressed without a date, as required by Debian.
 execute_process(COMMAND ${PROGRAM} list documents OUTPUT_VARIABLE documents COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "poinsot[a-z-]*\\.[15]" pages "${documents}")
 foreach(page IN LISTS pages)
