@@ -1,4 +1,4 @@
-// Certificates tell good motions from bad ones.
+// Certificates hold for exact motions and fail for inaccurate ones.
 #include "construction/certificate.h"
 
 #include <gtest/gtest.h>
@@ -40,8 +40,8 @@ TEST(Certificate, HoldsForTheExactMotion) {
     EXPECT_EQ(certificate.n_instants, 300);
 }
 
-// Where the contact point stands still or nearly so, the certificate asks for no more than doubles
-// can show.
+// Where the contact point is at rest or nearly so, the certificate requires only the accuracy of
+// doubles.
 TEST(Certificate, HoldsForSteadySpinsSmallWobblesAndNeedles) {
     const std::vector<double> times{0.0, 0.4, 1.7, 5.0, 9.3, 20.0};
     for (const Eigen::Vector3d& omega :
@@ -71,9 +71,9 @@ TEST(Certificate, HoldsForSteadySpinsSmallWobblesAndNeedles) {
     EXPECT_TRUE(certify(Motion(sphere), times, exact_residual_bound).holds());
 }
 
-// An hour, a month, 1e15 s: the exact motion is never said to be wrong, and where no difference in
-// time can be formed the claim is neither kept nor broken.
-TEST(Certificate, HoldsAtAnyTimeOrDoesNotSay) {
+// After an hour, a month, 1e15 s: the certificate of the exact motion does not fail; where no
+// difference in time can be formed, the claim is not tested.
+TEST(Certificate, HoldsAtAnyTimeOrIsNotTested) {
     MotionProblem problem;
     problem.inertia = InertiaTensor::from_principal_moments({3.0, 2.0, 1.5});
     problem.start.omega_body = {3.0, 12.0, 5.0};
@@ -96,8 +96,8 @@ TEST(Certificate, HoldsAtAnyTimeOrDoesNotSay) {
     }
 }
 
-// A claim that is measured can fail: the speeds of a motion that slips are told apart.
-TEST(Certificate, MeasuresSpeedsWhereTheyDiffer) {
+// A tested claim can fail: the certificate detects the different speeds of a motion that slips.
+TEST(Certificate, DetectsDifferentSpeeds) {
     MotionProblem problem = generic_problem("euler");
     problem.method.step_s = 0.01;
     const Certificate certificate = certify(Motion(problem), frames(), exact_residual_bound);
@@ -107,8 +107,8 @@ TEST(Certificate, MeasuresSpeedsWhereTheyDiffer) {
     EXPECT_TRUE(speeds.fails()) << speeds.worst;
 }
 
-// Neither the least moments nor the slowest turn hide what is measured.
-TEST(Certificate, HoldsForTheLeastNumbers) {
+// The certificate is also exact for the smallest moments and the slowest rotation.
+TEST(Certificate, HoldsForTheSmallestNumbers) {
     const std::vector<double> instants{0.0, 0.4, 1.7, 5.0, 9.3, 20.0};
     for (const double unit : {1e-300, 1e-307, 1e-310, 1e-315, 1e-320}) {
         MotionProblem problem;

@@ -1,4 +1,4 @@
-// A loop's start closes the herpolhode and the attitude, changes one value, and that by the least.
+// The start of a loop closes the herpolhode and the attitude by the smallest change of one value.
 #include "construction/closed_herpolhode.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ RotationState start_at(const Eigen::Vector3d& omega_body) {
     return start;
 }
 
-TEST(ClosedHerpolhode, BringsTheWholeBodyBack) {
+TEST(ClosedHerpolhode, ReturnsTheBodyToItsInitialState) {
     for (const Closure closure : {Closure{5, 3}, Closure{7, 4}, Closure{2, 1}, Closure{16, 9}}) {
         const ClosedStart closed = close_herpolhode(body, spin, closure);
         const FreeRotation motion(body, start_at(closed.omega_body));
@@ -31,7 +31,8 @@ TEST(ClosedHerpolhode, BringsTheWholeBodyBack) {
             const Quantities all{.attitude = true, .herpolhode = true, .euler_angles = false};
             const MotionSample before = motion.sample(t, all);
             const MotionSample after = motion.sample(t + loop_s, all);
-            // The root is good to 1e-15 of a turn a period, and the motion to 1e-15: measured 1e-14
+            // The root is accurate to 1e-15 of a turn per period, and the motion to 1e-15: measured
+            // 1e-14
             EXPECT_LT(before.state.space_from_body.angularDistance(after.state.space_from_body),
                       2e-12);
             EXPECT_LT((before.state.omega_body - after.state.omega_body).norm(), 2e-12);
@@ -41,7 +42,7 @@ TEST(ClosedHerpolhode, BringsTheWholeBodyBack) {
     }
 }
 
-TEST(ClosedHerpolhode, DoesNotCloseAnyEarlier) {
+TEST(ClosedHerpolhode, DoesNotCloseEarlier) {
     const Closure closure{5, 3};
     const ClosedStart closed = close_herpolhode(body, spin, closure);
     const FreeRotation motion(body, start_at(closed.omega_body));
@@ -51,7 +52,7 @@ TEST(ClosedHerpolhode, DoesNotCloseAnyEarlier) {
     }
 }
 
-TEST(ClosedHerpolhode, ChangesOneComponentAndThatTheLeast) {
+TEST(ClosedHerpolhode, MakesTheSmallestChangeOfOneComponent) {
     const Closure closure{5, 3};
     const ClosedStart closed = close_herpolhode(body, spin, closure);
     ASSERT_TRUE(closed.changed);
@@ -60,7 +61,7 @@ TEST(ClosedHerpolhode, ChangesOneComponentAndThatTheLeast) {
         if (i != *closed.changed) {
             EXPECT_EQ(closed.omega_body[i], spin[i]);
         }
-        // No smaller change of any one component reaches the ratio: the advance stays on one side.
+        // No smaller change of any component gives the ratio: the advance stays on one side of it.
         const double excess = [&] {
             return *FreeRotation(body, start_at(spin)).constants().advance_per_period_rad;
         }() / (2.0 * M_PI) - 5.0 / 3.0;
@@ -75,7 +76,7 @@ TEST(ClosedHerpolhode, ChangesOneComponentAndThatTheLeast) {
     }
 }
 
-TEST(ClosedHerpolhode, ChangesTheComponentNamed) {
+TEST(ClosedHerpolhode, ChangesTheNamedComponent) {
     for (int i = 0; i < 3; ++i) {
         const ClosedStart closed = close_herpolhode(body, spin, {9, 5}, i);
         EXPECT_EQ(closed.changed, i);
@@ -87,7 +88,7 @@ TEST(ClosedHerpolhode, ChangesTheComponentNamed) {
     }
 }
 
-TEST(ClosedHerpolhode, LeavesWhatClosesAlone) {
+TEST(ClosedHerpolhode, KeepsClosedMotions) {
     const ClosedStart once = close_herpolhode(body, spin, {5, 3});
     const ClosedStart again = close_herpolhode(body, once.omega_body, {5, 3});
     EXPECT_FALSE(again.changed);
@@ -95,15 +96,15 @@ TEST(ClosedHerpolhode, LeavesWhatClosesAlone) {
 }
 
 TEST(ClosedHerpolhode, FindsManyTurnsNearTheSeparatrix) {
-    // The advance grows without bound towards the separatrix, so that any number of turns is found.
+    // The advance grows without bound towards the separatrix, so that every number of turns occurs.
     const ClosedStart closed = close_herpolhode(body, {0.3, 1.5, 0.2}, {9, 1});
     EXPECT_NEAR(closed.advance_turns, 9.0, 1e-9);
 }
 
-TEST(ClosedHerpolhode, WorksForSymmetricBodies) {
+TEST(ClosedHerpolhode, ClosesMotionsOfSymmetricBodies) {
     const InertiaTensor symmetric = InertiaTensor::from_principal_moments({2.0, 2.0, 1.0});
     const ClosedStart closed = close_herpolhode(symmetric, {0.5, 0.0, 1.0}, {2, 1});
-    // L/I₁ over Ω = (I₃ − I₁) ω₃/I₁: turns a period, by hand.
+    // L/I₁ over Ω = (I₃ − I₁) ω₃/I₁: turns per period, by hand.
     const Eigen::Vector3d L(2.0 * closed.omega_body[0], 2.0 * closed.omega_body[1],
                             closed.omega_body[2]);
     EXPECT_NEAR(L.norm() / 2.0 / (0.5 * std::abs(closed.omega_body[2])), 2.0, 1e-12);
@@ -120,7 +121,7 @@ std::string refusal(const InertiaTensor& inertia, const Eigen::Vector3d& omega,
     return "";
 }
 
-TEST(ClosedHerpolhode, SaysTheNearestWhereNoneIsNearBy) {
+TEST(ClosedHerpolhode, NamesTheNearestPossibleRatio) {
     const std::string message = refusal(body, spin, {1, 100});
     EXPECT_NE(message.find("no start near by closes after 100 polhode periods with 1 turn:"),
               std::string::npos)
@@ -130,7 +131,7 @@ TEST(ClosedHerpolhode, SaysTheNearestWhereNoneIsNearBy) {
     int turns = 0;
     int periods = 0;
     ASSERT_EQ(std::sscanf(message.c_str() + at, "the nearest is \"%d/%d\"", &turns, &periods), 2);
-    // And that one is possible.
+    // The named ratio is possible.
     EXPECT_NEAR(close_herpolhode(body, spin, {turns, periods}).advance_turns, 1.0 * turns / periods,
                 1e-12);
 }

@@ -1,4 +1,4 @@
-// The polhode as a curve: its tangents, and the circle that a symmetric body's is.
+// The polhode as a curve: its tangents, and the circle of a symmetric body.
 #include "construction/polhode.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 namespace poinsot {
 namespace {
 
-// Against differences of the positions, extrapolated to h = 0 (Richardson): their error is of the
-// order of h⁴ and of 1e-16/h.
+// Compared with differences of the positions, extrapolated to h = 0 (Richardson): their error is of
+// the order of h⁴ and of 1e-16/h.
 TEST(Polhode, TangentIsTheDerivative) {
     for (const Eigen::Vector3d& omega :
          {Eigen::Vector3d(0.2, 0.3, 1.0), Eigen::Vector3d(1.0, 0.3, 0.2),
@@ -38,9 +38,9 @@ TEST(Polhode, TangentIsFiniteAtTheEndsOfTheSeparatrix) {
         EXPECT_TRUE(polhode.tangent(chi).allFinite());
 }
 
-// Where L² = 2T·I₂ holds exactly, whatever a moment's quotient by another rounds to; and not
-// beside.
-TEST(Polhode, IsTheSeparatrixWhereTheMotionIs) {
+// L² = 2T·I₂ holds exactly, whatever the rounding of quotients of moments; the neighbouring doubles
+// are not on the separatrix.
+TEST(Polhode, IsTheSeparatrixExactlyWhereTheMotionIs) {
     struct Case {
         Eigen::Vector3d moments, omega;
     };
@@ -62,7 +62,7 @@ TEST(Polhode, IsTheSeparatrixWhereTheMotionIs) {
     }
 }
 
-TEST(Polhode, OfASymmetricBodyIsACircleByItsAxes) {
+TEST(Polhode, OfASymmetricBodyIsACircle) {
     const Polhode polhode(InertiaTensor::from_principal_moments({1.0, 1.0, 2.0}), {0.3, 0.4, 1.0});
     const auto circle = polhode.circle();
     ASSERT_TRUE(circle);

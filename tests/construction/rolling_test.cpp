@@ -1,5 +1,5 @@
-// What makes it Poinsot's: contact, tangency, rolling without slipping, equal speeds, a herpolhode
-// without inflection.
+// Properties of Poinsot's construction: contact, tangency, rolling without slipping, equal speeds,
+// a herpolhode without inflection.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,8 +55,8 @@ std::vector<Body> bodies() {
     return all;
 }
 
-// The herpolhode's point as films draw it, in the plane: space axes, measured from the plane's
-// point on L.
+// The herpolhode's point as films draw it, in the plane: space axes, relative to the plane's point
+// on L.
 Eigen::Vector3d herpolhode_point(const PoinsotConstruction& construction, const Motion& motion,
                                  double time_s) {
     const MotionSample sample =
@@ -116,7 +116,7 @@ TEST(PoinsotConstruction, NormalAtContactIsAlongMomentum) {
 }
 
 TEST(PoinsotConstruction, RollsWithoutSlipping) {
-    // The point of tangency is found from the attitude alone; its material velocity, from the
+    // The point of tangency follows from the attitude alone; its material velocity, from the
     // difference of two attitudes, vanishes to second order in the time step.
     constexpr double h = 1e-5;
     for (const Body& body : bodies()) {
@@ -164,7 +164,7 @@ TEST(PoinsotConstruction, RefusesABodyAtRest) {
                  InputError);
 }
 
-TEST(PoinsotConstruction, ScalingBodyAndSpinChangesNoAngleAndNoRatio) {
+TEST(PoinsotConstruction, AnglesAndRatiosDoNotDependOnScale) {
     const Eigen::Vector3d omega{0.3, -0.8, 0.5};
     const Eigen::Vector3d moments{1.0, 2.0, 2.5};
     RotationState start;
@@ -204,7 +204,7 @@ TEST(Polhode, LiesOnEllipsoidAndPassesThroughTheMotion) {
     }
 }
 
-TEST(Polhode, AnnulusBoundsTheHerpolhodeAndIsReached) {
+TEST(Polhode, AnnulusIsTheRangeOfTheHerpolhode) {
     for (const Body& body : bodies()) {
         const Motion motion(problem_of(body));
         const PoinsotConstruction construction(motion.problem().inertia, motion.problem().start);
@@ -221,16 +221,16 @@ TEST(Polhode, AnnulusBoundsTheHerpolhodeAndIsReached) {
         EXPECT_LE(most, annulus.outer + 1e-14) << body.name;
         if (motion.regime() == Regime::elliptic_about_highest ||
             motion.regime() == Regime::elliptic_about_lowest) {
-            // Sampling a smooth extreme at steps of 0.01 s misses it by the square of the step.
+            // Samples in steps of 0.01 s miss a smooth extreme by the square of the step.
             EXPECT_LT(most, annulus.outer * (1.0 + 1e-2)) << body.name;
             EXPECT_GT(most, annulus.outer * (1.0 - 1e-2)) << body.name;
         }
     }
 }
 
-TEST(Polhode, KeepsTheRadiusOfTheSmallestWobble) {
+TEST(Polhode, AnnulusIsAccurateForTheSmallestWobble) {
     // ω ⟂ L of a wobble of size ε about the highest axis is proportional to ε: down to 1e-300,
-    // where its square is no number.
+    // whose square underflows.
     const InertiaTensor body = InertiaTensor::from_principal_moments({1.0, 2.0, 2.5});
     const auto annulus = [&body](double size) {
         return Polhode(body, {size, 2.0 * size, 1.0}).annulus();
@@ -242,7 +242,7 @@ TEST(Polhode, KeepsTheRadiusOfTheSmallestWobble) {
 }
 
 TEST(Herpolhode, IsThePathOfTheContactPoint) {
-    // By ω perpendicular to L, and by ω carried into space by the attitude.
+    // From ω perpendicular to L, and from ω transformed to space by the attitude.
     for (const Body& body : bodies()) {
         const Motion motion(problem_of(body));
         const PoinsotConstruction construction(motion.problem().inertia, motion.problem().start);
@@ -255,8 +255,8 @@ TEST(Herpolhode, IsThePathOfTheContactPoint) {
     }
 }
 
-TEST(Herpolhode, NeverInflects) {
-    // The signed curvature keeps its sign for a real body (Landau & Lifshitz §37; Poinsot 1834).
+TEST(Herpolhode, HasNoInflection) {
+    // For a real body the signed curvature keeps its sign (Landau & Lifshitz §37; Poinsot 1834).
     for (const Body& body : bodies()) {
         const Polhode polhode(InertiaTensor::from_principal_moments(body.moments), body.omega);
         if (polhode.kind() == Polhode::Kind::point) continue;
@@ -279,7 +279,7 @@ TEST(Herpolhode, NeverInflects) {
     }
 }
 
-TEST(Herpolhode, SampledWithinToleranceAndFindsItsInstants) {
+TEST(Herpolhode, SamplesAreWithinToleranceAtTheirInstants) {
     const Body body{"generic", {1.0, 2.0, 2.9}, {1.678, 0.0, 0.639}};
     const Motion motion(problem_of(body));
     const PoinsotConstruction construction(motion.problem().inertia, motion.problem().start);
@@ -292,15 +292,15 @@ TEST(Herpolhode, SampledWithinToleranceAndFindsItsInstants) {
         const double f = index - static_cast<double>(i);
         const Eigen::Vector3d drawn = curve.points[i] + f * (curve.points[i + 1] - curve.points[i]);
         const Eigen::Vector3d truth = herpolhode_point(construction, motion, t);
-        // Off the chord by at most the tolerance; along it by less than the curve's change of speed
-        // in one piece.
+        // The distance from the chord is at most the tolerance; along the chord, it is less than
+        // the curve's change of speed in one piece.
         EXPECT_LT((drawn - truth).norm(), 10.0 * tolerance) << t;
     }
     EXPECT_EQ(curve.index_at(-1.0), 0.0);
     EXPECT_EQ(curve.index_at(1e9), static_cast<double>(curve.points.size() - 1));
 }
 
-TEST(Herpolhode, ShorterStretchIsAPartOfALongerOne) {
+TEST(Herpolhode, ShorterIntervalIsPartOfALongerOne) {
     const Body body{"generic", {1.0, 2.0, 2.9}, {1.678, 0.0, 0.639}};
     const Motion motion(problem_of(body));
     const PoinsotConstruction construction(motion.problem().inertia, motion.problem().start);
@@ -312,13 +312,13 @@ TEST(Herpolhode, ShorterStretchIsAPartOfALongerOne) {
             EXPECT_EQ(part.times_s[i], whole.times_s[i]);
             EXPECT_EQ(part.points[i], whole.points[i]);
         }
-        // It reaches the last instant and hardly goes on beyond it.
+        // It reaches the last instant and continues only a little beyond it.
         EXPECT_GE(part.times_s.back(), last);
         EXPECT_LE(part.times_s.back(), last + 0.35);
     }
 }
 
-TEST(RollingCones, AnglesAndRatesAreTheTextbooks) {
+TEST(RollingCones, AnglesAndRatesMatchTheTextbook) {
     // I = (2, 2, 3), ω = (0.5, 0.3, 1): tan α_body = ω⊥/ω₃, tan β = I₁ω⊥/(I₃ω₃) between L and e₃.
     const Eigen::Vector3d omega{0.5, 0.3, 1.0};
     const auto cones = rolling_cones(InertiaTensor::from_principal_moments({2.0, 2.0, 3.0}), omega);
@@ -337,7 +337,7 @@ TEST(RollingCones, AnglesAndRatesAreTheTextbooks) {
 }
 
 TEST(RollingCones, TouchAlongOmega) {
-    // The axes' angle is the sum (prolate) or difference (oblate) of the half-angles.
+    // The angle between the axes is the sum (prolate) or difference (oblate) of the half-angles.
     for (const Eigen::Vector3d& moments :
          {Eigen::Vector3d{2.0, 2.0, 3.0}, Eigen::Vector3d{3.0, 3.0, 1.0}}) {
         const Eigen::Vector3d omega{0.5, 0.3, 1.0};
@@ -352,7 +352,7 @@ TEST(RollingCones, TouchAlongOmega) {
     }
 }
 
-TEST(Separatrices, LieOnEllipsoidAndHoldTheMiddleRatio) {
+TEST(Separatrices, LieOnTheEllipsoidWithTheMiddleRatio) {
     const Eigen::Vector3d moments{2.25, 1.0, 2.0};
     const auto curves = separatrices(InertiaTensor::from_principal_moments(moments), 1e-3);
     ASSERT_EQ(curves.size(), 2u);

@@ -1,7 +1,7 @@
-// accuracy_table [BODIES [NAME]]: the worst residuals of the exact free motion in every family of
-// bodies, against an oracle of hundreds of digits, and of the heavy top in every family of tops
-// (as many) against a Taylor integration; with NAME, only the families whose name holds it. Exit
-// code 1 if one is out of bounds.
+// accuracy_table [BODIES [NAME]]: prints the largest residuals of the exact free motion in every
+// family of bodies, relative to an oracle with hundreds of digits, and of the heavy top in every
+// family of tops (as many), relative to a Taylor integration; with NAME, only of families whose
+// name contains it. Exit code 1 if one is out of bounds.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -19,7 +19,7 @@ Quaterniond attitude_of(const EulerAngles& angles) {
            AngleAxisd(angles.psi_rad, Vector3d::UnitZ());
 }
 
-TEST(EulerAngles, TurnBackIntoTheAttitude) {
+TEST(EulerAngles, ReproduceTheAttitude) {
     std::mt19937_64 random(7);
     std::normal_distribution<double> component;
     for (int k = 0; k < 10'000; ++k) {
@@ -33,8 +33,9 @@ TEST(EulerAngles, TurnBackIntoTheAttitude) {
     }
 }
 
-TEST(EulerAngles, HaveNoAngleOfNothing) {
-    // Upright and upside down one of the two sums is free, whatever sign its zeros have.
+TEST(EulerAngles, AreZeroWhereUndetermined) {
+    // For an upright or inverted axis one of the two sums is undetermined, whatever the signs of
+    // zeros.
     for (const double zero : {0.0, -0.0}) {
         const EulerAngles upright = euler_angles_of({1.0, zero, zero, 0.0});
         EXPECT_EQ(upright.theta_rad, 0.0);

@@ -1,5 +1,5 @@
-// The extremes of the free motion, one claim a row: what is right at each, against the oracle or by
-// a law.
+// Extremes of the free motion, one property per test, compared with the oracle or a conservation
+// law.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -106,14 +106,14 @@ TEST(Extremes, NegativeTimeIsTheReversedMotion) {
     }
 }
 
-TEST(Extremes, ABillionPeriodsCostNoDigit) {
+TEST(Extremes, LosesNoAccuracyInABillionPeriods) {
     const Vector3d moments(1.0, 2.0, 3.0);
     const double period = *motion_of(moments, {0.3, 1.0, 0.2}).constants().polhode_period_s;
     EXPECT_LE(error_at(moments, {0.3, 1.0, 0.2}, {1e9 * period, -1e9 * period, 1e15, -1e15}),
               bound);
 }
 
-TEST(Extremes, InstantsAloneEqualInstantsInARow) {
+TEST(Extremes, InstantsDoNotDependOnEarlierEvaluations) {
     const FreeRotation motion = motion_of({1.0, 2.0, 3.0}, {0.3, 1.0, 0.2});
     std::vector<Quaterniond> film;
     film.reserve(300);
@@ -125,14 +125,15 @@ TEST(Extremes, InstantsAloneEqualInstantsInARow) {
     }
 }
 
-TEST(Extremes, FlipsAboutTheMiddleAxisComeAtTheRightTimes) {
+TEST(Extremes, FlipsAboutTheMiddleAxisHaveCorrectTimes) {
     for (const double size : {1e-8, 1e-150}) {
         const Vector3d moments(1.0, 2.0, 3.0);
         const Vector3d omega(size, 1.0, size == 1e-8 ? -size : size);
         const FreeRotation motion = motion_of(moments, omega);
         const oracle::FreeMotion truth(moments, omega);
         const double half_period = 0.5 * *motion.constants().polhode_period_s;
-        // Between two passages of the middle axis ω₂ changes sign once; bisection finds when.
+        // Between two passages of the middle axis ω₂ changes sign once; the instant is found by
+        // bisection.
         double before = 0.0;
         double after = half_period;
         ASSERT_GT(motion.at(before).omega_body[1], 0.0);
@@ -163,7 +164,7 @@ TEST(Extremes, SeparatrixIsRecognisedOnAllFourBranches) {
             EXPECT_EQ(motion.constants().complementary_modulus, 0.0);
             EXPECT_EQ(motion.constants().least_herpolhode_radius_rad_s, 0.0);
             EXPECT_LE(error_at(moments, omega, {0.5, 2.0, 10.0, 30.0, -3.0, -30.0}), bound);
-            // In the end the body spins about the middle axis, for ever.
+            // Finally the body spins about the middle axis permanently.
             const RotationState late = motion.at(1e6);
             EXPECT_EQ(late.omega_body[0], 0.0);
             EXPECT_EQ(late.omega_body[2], 0.0);
@@ -182,7 +183,8 @@ TEST(Extremes, OneUlpFromTheSeparatrixLieOppositeFamilies) {
     EXPECT_EQ(motion_of(moments, below).regime(), Regime::elliptic_about_lowest);
     EXPECT_LE(error_at(moments, above, {0.0, 2.0, 30.0, 100.0, 1e9}), bound);
     EXPECT_LE(error_at(moments, below, {0.0, 2.0, 30.0, 100.0, 1e9}), bound);
-    // Until the first return they are where the separatrix is, to the difference of the starts.
+    // Until the first return they agree with the separatrix, except for the difference of the
+    // starts.
     const FreeRotation between = motion_of(moments, {0.75, 0.5, 1.0});
     for (const double t : {0.0, 1.0, 3.0}) {
         const RotationState middle = between.at(t);
@@ -246,7 +248,7 @@ TEST(Extremes, SteadySpinIsAPointOnBothCurves) {
     }
 }
 
-TEST(Extremes, WobblesKeepTheHerpolhodesRelativeAccuracy) {
+TEST(Extremes, WobblesKeepRelativeAccuracyOfTheHerpolhode) {
     for (const double size : {1e-8, 1e-150, 1e-300}) {
         EXPECT_LE(error_at({1.0, 2.0, 3.0}, {size, 2.0 * size, 1.0}, {0.0, 1.0, 100.0, 1e9}),
                   bound);
@@ -272,7 +274,7 @@ TEST(Extremes, SubnormalComponentsStayFinite) {
     }
 }
 
-TEST(Extremes, NeedlesAreAsAccurateAsTheRest) {
+TEST(Extremes, NeedlesAreAsAccurateAsOtherBodies) {
     for (const Vector3d& moments : {Vector3d(1e-12, 1.0, 1.0), Vector3d(1e-12, 1.0, 1.0 + 5e-13),
                                     Vector3d(1e-6, 1.0, 1.0000003)}) {
         for (const Vector3d& omega :
@@ -282,13 +284,13 @@ TEST(Extremes, NeedlesAreAsAccurateAsTheRest) {
     }
 }
 
-TEST(Extremes, ALaminaMovesAsTheRest) {
+TEST(Extremes, ALaminaIsAsAccurateAsOtherBodies) {
     EXPECT_LE(error_at({1.25, 2.75, 4.0}, {0.7, 0.9, -0.35}, {0.0, 1.0, 8.0, 40.0}), bound);
     const double short_of_it = 4.0 - 4.0 * 4.0 * epsilon;
     EXPECT_LE(error_at({1.25, 2.75, short_of_it}, {0.7, 0.9, -0.35}, {0.0, 1.0, 8.0}), bound);
 }
 
-TEST(Extremes, UnphysicalMomentsKeepTheirMathematics) {
+TEST(Extremes, UnphysicalMomentsAreComputedWhenAllowed) {
     EXPECT_NE(refusal([] { InertiaTensor::from_principal_moments({1.0, 2.0, 3.5}); }), "");
     EXPECT_LE(error_at({1.0, 2.0, 3.5}, {0.3, 0.5, -0.2}, {0.0, 1.0, 30.0}), bound);
     EXPECT_LE(error_at({1e-12, 1.0, 1e12}, {0.3, 0.5, -0.2}, {0.0, 1e-17, 1e-16, 1.0}), bound);
@@ -305,7 +307,7 @@ TEST(Extremes, AngularVelocityMustBeFinite) {
               std::string::npos);
 }
 
-TEST(Extremes, ABodyAtRestStaysAsItIs) {
+TEST(Extremes, ABodyAtRestStaysAtRest) {
     RotationState start;
     start.space_from_body = Quaterniond(0.5, 0.5, 0.5, 0.5);
     const FreeRotation motion(InertiaTensor::from_principal_moments({1.0, 2.0, 3.0}), start);
@@ -318,7 +320,7 @@ TEST(Extremes, ABodyAtRestStaysAsItIs) {
     }
 }
 
-TEST(Extremes, PowersOfTwoScaleTheMotionBitForBit) {
+TEST(Extremes, PowersOfTwoScaleTheMotionExactly) {
     for (const Vector3d& omega : {Vector3d(0.3, 1.0, 0.2), Vector3d(0.1, 0.2, 1.0),
                                   Vector3d(0.75, 0.5, 1.0), Vector3d(0.0, 0.0, 1.0)}) {
         const Vector3d moments(1.0, 2.0, 2.25);
@@ -349,7 +351,7 @@ TEST(Extremes, PowersOfTwoScaleTheMotionBitForBit) {
     EXPECT_LE(error_at({1.0, 2.0, 3.0}, {3e149, 1e150, 2e149}, {0.0, 1e-150, 2e-149}), bound);
 }
 
-TEST(Extremes, OverflowIsRefusedAndNothingElse) {
+TEST(Extremes, OnlyOverflowIsRefused) {
     EXPECT_NE(refusal([] {
                   motion_of({1e300, 2e300, 3e300}, {1e150, 0.0, 1e150});
               }).find("overflows"),
@@ -358,7 +360,7 @@ TEST(Extremes, OverflowIsRefusedAndNothingElse) {
     EXPECT_NE(refusal([&] { fast.at(1e200); }).find("overflows"), std::string::npos);
     EXPECT_NE(refusal([&] { fast.at(infinity); }), "");
     EXPECT_NE(refusal([&] { fast.at(std::nan("")); }), "");
-    // Beyond every digit, but no overflow: still a rotation.
+    // The phase has no accurate digit, but does not overflow: the result is still a rotation.
     for (const FreeRotation& motion :
          {motion_of({1.0, 2.0, 3.0}, {0.3, 1.0, 0.2}), motion_of({1.0, 2.0, 3.0}, {0.1, 0.2, 1.0}),
           motion_of({1.0, 2.0, 2.25}, {0.75, 0.5, 1.0}),

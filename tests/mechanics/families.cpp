@@ -54,7 +54,7 @@ std::array<int, 3> ranks(const Vector3d& I) {
     std::sort(order.begin(), order.end(), [&](int i, int j) { return I[i] < I[j]; });
     return order;
 }
-// The same body with its axes named in another order.
+// The same body with its axes in another order.
 Body shuffled(const Body& body, Random& random) {
     std::array<int, 3> order{0, 1, 2};
     std::shuffle(order.begin(), order.end(), random);
@@ -68,7 +68,7 @@ Body shuffled(const Body& body, Random& random) {
 
 Body generic(Random& random) { return {physical_moments(random), spin(random)}; }
 
-// ω_h on the separatrix but for rounding: I_h ω_h²(I_h − I_m) = I_l ω_l²(I_m − I_l).
+// ω_h on the separatrix, except for rounding: I_h ω_h²(I_h − I_m) = I_l ω_l²(I_m − I_l).
 double on_separatrix_omega_high(const Body& body) {
     const auto [l, m, h] = ranks(body.moments);
     const Vector3d& I = body.moments;
@@ -85,7 +85,7 @@ Body near_separatrix(Random& random, double side) {
     const int h = ranks(body.moments)[2];
     const int bits = integer(random, 1, 60);
     double& w = body.omega[h];
-    // From half of it down to one unit in the last place.
+    // From half of it down to one ulp.
     w = bits <= 50 ? w * (1.0 + side * std::ldexp(1.0, -bits))
                    : ulps_away(w, static_cast<int>(side * std::copysign(1.0, w)) * (bits - 50));
     return body;
@@ -93,7 +93,7 @@ Body near_separatrix(Random& random, double side) {
 Body above_separatrix(Random& random) { return near_separatrix(random, 1.0); }
 Body below_separatrix(Random& random) { return near_separatrix(random, -1.0); }
 
-// k′ within 1e-15 to 1e-3 of ½, where one series takes over from the other.
+// k′ within 1e-15 to 1e-3 of ½, where the series changes.
 Body change_of_series(Random& random) {
     Body body = generic(random);
     const int h = ranks(body.moments)[2];
@@ -105,7 +105,7 @@ Body change_of_series(Random& random) {
             .constants()
             .complementary_modulus;
     };
-    // k′ rises from 0 on the separatrix to 1 with ω_h; bisection finds where it is ½.
+    // k′ rises from 0 on the separatrix to 1 with ω_h; bisection finds k′ = ½.
     double low = std::abs(on_separatrix_omega_high(body));
     double high = 1e3 * low;
     for (int i = 0; i < 60; ++i) {
@@ -123,7 +123,7 @@ Body principal_plane(Random& random) {
     return body;
 }
 
-// Whole numbers for which the two sides of the separatrix's equation are equal exactly.
+// Integers for which the two sides of the separatrix's equation are exactly equal.
 struct ExactSeparatrix {
     int low;
     int mid;
@@ -210,7 +210,7 @@ Body lamina(Random& random) {
 Body needle(Random& random) {
     const double thin = decade(random, -12.0, -1.0);
     Body body{{thin, 1.0, 1.0 + thin * uniform(random, 0.0, 1.0)}, spin(random)};
-    // Spun up about its length as often as not.
+    // In half of the cases it spins fast about its length.
     if (integer(random, 0, 1) == 0) body.omega[0] *= decade(random, 0.0, 8.0);
     return shuffled(body, random);
 }
@@ -308,7 +308,7 @@ void compare(const Body& body, const oracle::Answer& truth, const MotionSample& 
     const LongVector h_true = wide(truth.herpolhode);
     note(worst.herpolhode, (h - h_true).norm() / std::max(h_true.norm(), 1e-300L));
 
-    // What is conserved needs no oracle.
+    // Conserved quantities need no oracle.
     const LongVector I = body.moments.cast<long double>();
     const LongVector omega_0 = body.omega.cast<long double>();
     const long double energy = omega.dot(I.cwiseProduct(omega));
@@ -322,7 +322,7 @@ void compare(const Body& body, const oracle::Answer& truth, const MotionSample& 
 
 std::vector<double> instants(const Family& family, const FreeRotation& motion, const Body& body,
                              Random& random) {
-    // Where there is no period, ten turns stand for it.
+    // Without a period, ten turns are used.
     const double turn = 2.0 * std::numbers::pi / body.omega.stableNorm();
     const double period = motion.constants().polhode_period_s.value_or(10.0 * turn);
     if (family.instants == Instants::eighths) {
@@ -333,7 +333,7 @@ std::vector<double> instants(const Family& family, const FreeRotation& motion, c
         }
         return times;
     }
-    // The phases are held in two words: enough for 1e15 rad of turning.
+    // The phases are in double-double: enough for 1e15 rad of turning.
     const double span = std::min(family.periods * period, 1e15 / body.omega.stableNorm());
     return {uniform(random, 0.0, span), uniform(random, -span, 0.0),
             uniform(random, -0.5, 0.5) * std::min(period, span)};

@@ -1,4 +1,4 @@
-// Families of bodies at the extremes, drawn from seeds, and how far the motion is from the
+// Families of extreme bodies, generated from seeds, and the difference of their motion from the
 // oracle's.
 #pragma once
 
@@ -20,11 +20,12 @@ struct Body {
     Eigen::Vector3d omega{0.0, 0.0, 1.0};
 };
 
-// When a motion is looked at: at three instants within the family's periods, or next to the eighths
-// of a period, where sn and cn vanish or the series' reduced arguments change sides.
+// Instants at which a motion is tested: three within the family's periods, or next to the eighths
+// of a period, where sn and cn vanish or the reduced arguments of the series change sides.
 enum class Instants { within, eighths };
 
-// A family: how a body is drawn, and within how many polhode periods of the start it is looked at.
+// A family: a generator of bodies, and the number of polhode periods from the start that are
+// tested.
 struct Family {
     std::string_view name;
     Body (*draw)(Random& random);
@@ -37,14 +38,14 @@ struct Family {
 
 std::span<const Family> all();
 
-// A family's name stands for it in the names of tests.
+// Prints a family's name, for the names of tests.
 void PrintTo(const Family& family, std::ostream* out);
 
-// The worst over a family's bodies and instants.
+// The largest residuals over a family's bodies and instants.
 struct Residuals {
     double omega = 0.0;  // |error| over |ω|
     double attitude_rad = 0.0;
-    double herpolhode = 0.0;       // |error| over |h|, or over 1e-300 where h is below
+    double herpolhode = 0.0;       // |error| over |h|, or over 1e-300 for smaller h
     double energy = 0.0;           // |T(t) − T|/T
     double momentum = 0.0;         // |L(t) − L|/|L|, as vectors in space
     double unit_quaternion = 0.0;  // | |q| − 1 |
@@ -52,10 +53,10 @@ struct Residuals {
     int n_instants = 0;
 };
 
-// Bodies first … last−1 of the family, each from its own seed.
+// Tests bodies first … last−1 of the family, each from its own seed.
 Residuals measure(const Family& family, int first, int last);
 
-// The worse of two, term by term.
+// Returns the larger of two, term by term.
 Residuals worse(const Residuals& a, const Residuals& b);
 
 // True if every residual is within the family's bounds and everything is finite.

@@ -1,5 +1,5 @@
-// The exact free motion stays within its bounds in every family of extremes; accuracy_table does
-// the same over 10,000 bodies a family and prints what it finds.
+// The exact free motion stays within its bounds in every family of extremes; accuracy_table tests
+// 10,000 bodies per family and prints the results.
 #include "mechanics/families.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ class FreeRotationFamily : public testing::TestWithParam<Family> {};
 TEST_P(FreeRotationFamily, StaysWithinBounds) {
     const Residuals r = measure(GetParam(), 0, n_bodies);
     EXPECT_EQ(r.n_not_finite, 0);
-    // Measured over 10,000 bodies of all families: see the table that accuracy_table prints.
+    // Measured over 10,000 bodies of all families: see the output of accuracy_table.
     EXPECT_LE(r.omega, GetParam().omega_bound);
     EXPECT_LE(r.attitude_rad, GetParam().attitude_bound);
     EXPECT_LE(r.herpolhode, GetParam().herpolhode_bound);

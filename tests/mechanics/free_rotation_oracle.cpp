@@ -31,12 +31,12 @@ Matrix transposed_times(const Matrix& x, const Matrix& y) {
     return r;
 }
 
-// Convergence of the integrals: an angle of 1e18 rad would still be good to 1e-20.
+// Convergence of the integrals: an angle of 1e18 rad would still be accurate to 1e-20.
 const int integral_digits = 44;
 
 Real tolerance_root(int order) { return pow(Real(10), Real(-integral_digits) / order); }
 
-// Carlson's R_F by duplication; the truncated series errs by the sixth power (DLMF 19.36.1).
+// Carlson's R_F by duplication; the error of the truncated series is of sixth order (DLMF 19.36.1).
 Real carlson_rf(Real x, Real y, Real z) {
     const Real tolerance = tolerance_root(6);
     while (true) {
@@ -112,7 +112,7 @@ struct Jacobi {
     Real dn;
 };
 
-// Descending Landen transformations (DLMF 22.7.1–3) until k is nothing, then sines.
+// Descending Landen transformations (DLMF 22.7.1–3) until k is negligible, then sines.
 template <unsigned digits>
 Jacobi landen(const Real& given_u, const Real& k_complement) {
     using Number = Digits<digits>;
@@ -141,7 +141,7 @@ Jacobi landen(const Real& given_u, const Real& k_complement) {
     return {Real(sn), Real(cn), Real(dn)};
 }
 
-// Near u = K, dn falls to k′ by cancellation: three digits for each decade of 1/k′ pay for it.
+// Near u = K, dn falls to k′ by cancellation: each decade of 1/k′ needs three more digits.
 Jacobi jacobi(const Real& u, const Real& k_complement) {
     if (k_complement == 0) {
         const Real e = exp(-abs(u));
@@ -194,7 +194,7 @@ struct FreeMotion::Constants {
     Real angle_0;
     Matrix frame_0;
 
-    // Integral of the precession's rate from u = 0: half periods, and the rest by R_J.
+    // Integral of the precession's rate from u = 0: half periods, and the remainder by R_J.
     Real precession(const Real& u) const {
         Real half_periods = 0;
         Real r = u;
@@ -318,7 +318,7 @@ Answer FreeMotion::at(double time_s) const {
         return answer;
     }
     const Real u = k.u0 + k.lambda * time_s;
-    // Whole periods come off first, for Landen's sines.
+    // Whole periods are subtracted before Landen's sines.
     const Real r = k.K > 0 ? Real(u - 4 * k.K * round(u / (4 * k.K))) : u;
     const Vector m = k.momentum(r);
     const Real angle = k.precession(u) - k.angle_0;
@@ -328,7 +328,8 @@ Answer FreeMotion::at(double time_s) const {
         turned[0][j] = cos(angle) * now[0][j] - sin(angle) * now[1][j];
         turned[1][j] = sin(angle) * now[0][j] + cos(angle) * now[1][j];
     }
-    // turned takes principal axes to (x, y, L); frame_0 does so at the start, where space is body.
+    // turned maps principal axes to (x, y, L); so does frame_0 at the start, where space and body
+    // axes coincide.
     const Matrix space_from_body = transposed_times(k.frame_0, turned);
     answer.attitude = quaternion(space_from_body);
     Vector h;

@@ -1,5 +1,5 @@
-// Jacobi's solution against the reference motions, computed to 40 digits by Taylor series, and the
-// laws that every torque-free motion obeys.
+// Jacobi's solution compared with reference motions, computed to 40 digits by Taylor series, and
+// with the laws of every torque-free motion.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ TEST(FreeRotation, AgreesWithReferenceCases) {
     ASSERT_EQ(file["cases"].size(), 34U);
     for (const Json& c : file["cases"]) {
         const Motion motion = reference_motion(c);
-        // A subnormal component of ω has fewer digits to keep.
+        // A subnormal component of ω has fewer digits.
         const bool subnormal = c["name"].get<std::string>() == "denormal_component";
         for (const Json& sample : c["samples"]) {
             const std::string where =
@@ -113,7 +113,7 @@ const std::array<Named, 6> regimes{{
     {Regime::separatrix, {1.0, 2.0, 2.25}, {0.75, 0.5, 1.0}},
 }};
 
-TEST(FreeRotation, ChoosesTheRegimeOnce) {
+TEST(FreeRotation, ChoosesTheRegimeAtConstruction) {
     for (const Named& c : regimes) {
         EXPECT_EQ(free_rotation(c.moments, c.omega).regime(), c.regime) << name_of(c.regime);
     }
@@ -121,7 +121,7 @@ TEST(FreeRotation, ChoosesTheRegimeOnce) {
     EXPECT_EQ(free_rotation({2.0, 2.0, 2.0}, {1.0, 2.0, 3.0}).regime(), Regime::permanent);
 }
 
-TEST(FreeRotation, StartsWhereItIsTold) {
+TEST(FreeRotation, StartsInTheGivenState) {
     const Quaterniond attitude = Quaterniond(0.3, -0.5, 0.7, 0.1).normalized();
     for (const Named& c : regimes) {
         const FreeRotation plain = free_rotation(c.moments, c.omega);
@@ -135,7 +135,7 @@ TEST(FreeRotation, StartsWhereItIsTold) {
         for (const double t : {-7.5, 0.25, 40.0}) {
             const MotionSample a = plain.sample(t, everything);
             const MotionSample b = moved.sample(t + 3.25, everything);
-            // t + 3.25 is exact, so that only the evaluations' own errors are left.
+            // t + 3.25 is exact, so that only the evaluations' own errors remain.
             EXPECT_LE((a.state.omega_body - b.state.omega_body).norm(), 2e-15 * c.omega.norm());
             EXPECT_LE(angle(attitude * a.state.space_from_body, b.state.space_from_body), 2e-15);
             EXPECT_LE((attitude * a.herpolhode_space - b.herpolhode_space).norm(), 2e-15);
@@ -149,7 +149,8 @@ TEST(FreeRotation, AnyStateOfTheMotionStartsTheSameMotion) {
         const FreeRotation motion = free_rotation(c.moments, c.omega);
         const FreeRotation resumed(inertia, motion.at(2.0));
         for (const double t : {0.0, 5.0}) {
-            // The resumed start carries roundings of 1e-16 that the motion amplifies.
+            // The start of the resumed motion has rounding errors of 1e-16, which the motion
+            // amplifies.
             EXPECT_LE(angle(motion.at(t).space_from_body, resumed.at(t).space_from_body), 2e-14);
         }
     }
@@ -174,7 +175,7 @@ TEST(FreeRotation, BodyAxesNeedNotBePrincipal) {
     }
 }
 
-TEST(FreeRotation, HerpolhodeIsOmegaAcrossMomentum) {
+TEST(FreeRotation, HerpolhodeIsOmegaPerpendicularToMomentum) {
     for (const Named& c : regimes) {
         const FreeRotation motion = free_rotation(c.moments, c.omega);
         const Vector3d L = motion.constants().momentum_space;
@@ -196,7 +197,7 @@ TEST(FreeRotation, ConstantsDescribeTheMotion) {
         EXPECT_DOUBLE_EQ(k.kinetic_energy_J, 0.5 * c.omega.dot(L));
         EXPECT_DOUBLE_EQ(k.momentum_kg_m2_s, L.norm());
         EXPECT_EQ(k.momentum_space, L);
-        // The encircled axis is the one along which ω never changes sign.
+        // The encircled axis is the one along which ω does not change sign.
         double least_radius = 1e300;
         double greatest_radius = 0.0;
         const double span = k.polhode_period_s.value_or(40.0);
@@ -226,7 +227,7 @@ TEST(FreeRotation, PolhodeClosesAndHerpolhodeAdvancesInOnePeriod) {
         const double period = *k.polhode_period_s;
         EXPECT_LE((motion.at(period).omega_body - c.omega).norm(), 1e-14);
         const Vector3d axis = k.momentum_space.normalized();
-        // The herpolhode's angle about L, followed in small steps.
+        // The herpolhode's angle about L, tracked in small steps.
         double followed = 0.0;
         Vector3d last = motion.sample(0.0, everything).herpolhode_space;
         constexpr int n_steps = 1000;
@@ -240,7 +241,7 @@ TEST(FreeRotation, PolhodeClosesAndHerpolhodeAdvancesInOnePeriod) {
     }
 }
 
-TEST(FreeRotation, SymmetricBodyPrecessesAsTheTextbookSays) {
+TEST(FreeRotation, SymmetricBodyPrecessesAsInTheTextbook) {
     // L/I₁ about L, (I₃ − I₁)ω₃/I₁ in body axes (Landau & Lifshitz, Mechanics §35, §36).
     const FreeRotation motion = free_rotation({2.0, 2.0, 3.0}, {0.5, 0.3, 1.0});
     const FreeRotationConstants& k = motion.constants();
@@ -265,14 +266,14 @@ void expect_smooth(const FreeRotation& motion, double omega_norm) {
     }
 }
 
-TEST(FreeRotation, ContinuesSmoothlyThroughEveryInstant) {
-    // Steps far smaller than the motion: a jump anywhere would stand out from ω·step.
+TEST(FreeRotation, IsContinuousInTime) {
+    // Steps much smaller than the motion: a jump would be large against ω·step.
     for (const Named& c : regimes) {
         expect_smooth(free_rotation(c.moments, c.omega), c.omega.norm());
     }
 }
 
-TEST(FreeRotation, ComputesOnlyWhatIsAskedFor) {
+TEST(FreeRotation, ComputesOnlyRequestedQuantities) {
     for (const Named& c : regimes) {
         const FreeRotation motion = free_rotation(c.moments, c.omega);
         const MotionSample full = motion.sample(3.0, everything);
@@ -288,7 +289,7 @@ TEST(FreeRotation, ComputesOnlyWhatIsAskedFor) {
     }
 }
 
-TEST(FreeRotation, EulerAnglesGiveBackTheAttitude) {
+TEST(FreeRotation, EulerAnglesReproduceTheAttitude) {
     for (const Named& c : regimes) {
         const FreeRotation motion = free_rotation(c.moments, c.omega);
         for (const double t : {0.0, 0.4, 9.0}) {
@@ -302,7 +303,7 @@ TEST(FreeRotation, EulerAnglesGiveBackTheAttitude) {
     }
 }
 
-TEST(FreeRotation, GivesItsStartBackExactlyAndWithoutAJump) {
+TEST(FreeRotation, ReturnsItsStartExactlyWithoutAJump) {
     const Quaterniond attitude(0.5, -0.5, 0.5, 0.5);
     for (const Named& c : regimes) {
         for (const double start_s : {0.0, 2.5}) {
@@ -314,7 +315,7 @@ TEST(FreeRotation, GivesItsStartBackExactlyAndWithoutAJump) {
             const RotationState given = motion.at(start_s);
             EXPECT_EQ(given.omega_body, c.omega);
             EXPECT_EQ(given.space_from_body.coeffs(), attitude.coeffs());
-            // The instants beside it come from the series.
+            // At neighbouring instants the series are evaluated.
             for (const double beside : {-1e-300, 1e-300}) {
                 const double t =
                     start_s == 0.0 ? beside : std::nextafter(start_s, start_s + beside * 1e308);

@@ -1,4 +1,5 @@
-// The friction of a half-life, against the closed form of symmetric bodies and against the motion.
+// The friction for a half-life, compared with the closed form of symmetric bodies and with the
+// motion.
 #include "mechanics/half_life.h"
 
 #include <gtest/gtest.h>
@@ -33,8 +34,8 @@ double share_left(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, 
 }
 
 // With two equal moments tan²θ = tan²θ₀ exp(∓2κ|1/I1 − 1/I3| t), θ the tilt of L from e3: the
-// excess goes as sin²θ for an oblate body and as cos²θ for a prolate one.
-TEST(HalfLife, IsTheClosedFormsOfSymmetricBodies) {
+// excess is proportional to sin²θ for an oblate body and to cos²θ for a prolate one.
+TEST(HalfLife, MatchesTheClosedFormsOfSymmetricBodies) {
     for (const Eigen::Vector3d& I :
          {Eigen::Vector3d(1.0, 1.0, 1.7), Eigen::Vector3d(1.25, 1.25, 0.16)}) {
         for (const double half_life_s : {0.3, 4.0, 60.0}) {
@@ -56,19 +57,20 @@ TEST(HalfLife, IsTheClosedFormsOfSymmetricBodies) {
     }
 }
 
-TEST(HalfLife, HoldsForAnyBodyFromAnyStart) {
+TEST(HalfLife, HoldsForAnyBodyAndStart) {
     const Eigen::Vector3d I(3.0, 2.0, 1.0);
     for (const Eigen::Vector3d& omega :
          {Eigen::Vector3d(0.05, 0.02, 2.0), Eigen::Vector3d(0.01, 2.0, 0.01),
           Eigen::Vector3d(1.0, 0.7, -0.4), Eigen::Vector3d(2.0, 0.1, 0.0)})
         for (const double half_life_s : {0.5, 12.0, 150.0})
-            // The step's tolerance lets T drift. Measured 3e-8.
+            // T drifts within the tolerance of the steps. Measured 3e-8.
             EXPECT_NEAR(share_left(I, omega, half_life_s, half_life_s), 0.5, 1e-6)
                 << omega.transpose() << " " << half_life_s;
 }
 
-// Where stepping ends, the mean of each polhode takes over: κ times the half-life stays.
-TEST(HalfLife, OfThousandsOfTurnsGoesByTheMean) {
+// For long half-lives the mean over each polhode replaces stepping: κ times the half-life is
+// constant.
+TEST(HalfLife, OfThousandsOfTurnsUsesTheMean) {
     const auto inertia = InertiaTensor::from_principal_moments({3.0, 2.0, 1.0});
     const Eigen::Vector3d omega(0.05, 0.02, 2.0);
     const auto product = [&](double turns) {
@@ -85,7 +87,7 @@ TEST(HalfLife, ScalesWithBodyAndSpin) {
     const Eigen::Vector3d omega(0.4, 1.0, -0.3);
     const double rate =
         dissipation_rate_of_half_life(InertiaTensor::from_principal_moments(I), omega, 5.0);
-    // A body a thousand times as heavy, and one that spins and burns a hundred times as fast.
+    // A body a thousand times as heavy, and one that spins and dissipates a hundred times as fast.
     EXPECT_NEAR(
         dissipation_rate_of_half_life(InertiaTensor::from_principal_moments(1e3 * I), omega, 5.0),
         rate, 1e-12 * rate);
@@ -94,8 +96,8 @@ TEST(HalfLife, ScalesWithBodyAndSpin) {
         1e2 * rate, 1e-10 * rate);
 }
 
-// ⟨|L × ω|²⟩/L² over a polhode, by following one round.
-TEST(HalfLife, MeanBurningIsThatOfTheMotion) {
+// ⟨|L × ω|²⟩/L² over a polhode, from samples of one period.
+TEST(HalfLife, MeanDissipationIsThatOfTheMotion) {
     for (const Eigen::Vector3d& omega :
          {Eigen::Vector3d(0.3, 0.4, 2.0), Eigen::Vector3d(2.0, 0.4, 0.3)}) {
         const Eigen::Vector3d I(3.0, 2.0, 1.0);
@@ -174,7 +176,7 @@ TEST(HalfLife, IsRefusedOnAPrincipalAxis) {
          {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(1.0, 0.0, 0.0),
           Eigen::Vector3d(0.0, -2.0, 0.0), Eigen::Vector3d(0.0, 0.0, 3.0)})
         EXPECT_THROW(dissipation_rate_of_half_life(inertia, omega, 1.0), InputError);
-    // In the plane of two equal moments ω stays as well.
+    // In the plane of two equal moments ω is constant, too.
     const auto disc = InertiaTensor::from_principal_moments({1.0, 1.0, 2.0});
     EXPECT_THROW(dissipation_rate_of_half_life(disc, {0.3, 0.4, 0.0}, 1.0), InputError);
     EXPECT_THROW(dissipation_rate_of_half_life(

@@ -1,4 +1,4 @@
-// An independent answer for Lagrange's top: Taylor's method for Euler's equations.
+// An independent reference for Lagrange's top: Taylor's method for Euler's equations.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,9 @@
 
 namespace poinsot::tops {
 
-// How far a top's state is from (q, ω) in long double: the largest component of the quaternion's
-// difference (q and −q alike) and of ω's, the latter relative to its norm if that exceeds one.
+// The difference of a top's state from (q, ω) in long double: the largest component of the
+// quaternion's difference (q and −q are equal) and of ω's, the latter relative to its norm if that
+// exceeds one.
 struct Difference {
     double attitude = 0.0;
     double omega = 0.0;
@@ -41,7 +42,7 @@ inline Difference difference(const RotationState& state, const std::array<Wide, 
     return {static_cast<double>(std::min(same, opposite)), static_cast<double>(worst / norm)};
 }
 
-// Kinds of arithmetic: from 113 bits, to a double, and the sum of products that convolutions need.
+// Arithmetic for a number type: conversions from 113 bits and to double, and the convolutions.
 template <typename Real>
 struct Arithmetic {
     static constexpr int order = std::numeric_limits<Real>::digits > 100 ? 42 : 28;
@@ -55,7 +56,7 @@ struct Arithmetic {
     }
 };
 
-// Pairs of doubles take a twentieth of the time of 113 bits in software.
+// DoubleDouble takes a twentieth of the time of 113 bits in software.
 template <>
 struct Arithmetic<DoubleDouble> {
     static constexpr int order = 42;
@@ -64,8 +65,8 @@ struct Arithmetic<DoubleDouble> {
         return {hi, static_cast<double>(x - hi)};
     }
     static Wide wide(DoubleDouble x) { return Wide(x.hi) + Wide(x.lo); }
-    // The dot product of Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, with the second
-    // words' products: exact to 1e-31 of the sum of the terms' sizes.
+    // The dot product of Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, including the
+    // products of the second words: accurate to 1e-31 of the sum of the terms' magnitudes.
     static DoubleDouble convolution(const DoubleDouble* a, const DoubleDouble* b, int n) {
         DoubleDouble sum;
         for (int k = 0; k <= n; ++k) {
@@ -79,9 +80,10 @@ struct Arithmetic<DoubleDouble> {
     }
 };
 
-// Taylor's method for Euler's equations of the top: an independent answer, regular through the
-// vertical, with an error of about the arithmetic's. Long double serves where the motion does not
-// amplify its 1e-19; DoubleDouble's 106 bits where it does, and Quad's 113 to check those.
+// Taylor's method for Euler's equations of the top: an independent reference, regular through the
+// vertical, with an error near that of the arithmetic. Long double is used where the motion does
+// not amplify its error of 1e-19, DoubleDouble's 106 bits where it does, and Quad's 113 bits to
+// check DoubleDouble.
 template <typename Real>
 class TaylorTop {
  public:

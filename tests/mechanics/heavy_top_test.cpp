@@ -1,4 +1,4 @@
-// Lagrange's top against 40-digit references, an independent Taylor integration of Euler's
+// Lagrange's top compared with 40-digit references, an independent Taylor integration of Euler's
 // equations in long double, closed forms and its own invariants.
 #include "mechanics/top/heavy_top.h"
 
@@ -113,7 +113,7 @@ TEST_F(HeavyTopReference, AgreesInEulerAngles) {
     for_each_sample([](const HeavyTopProblem& problem, const Json& sample) {
         const HeavyTop top(problem);
         const EulerAngles angles = top.euler_angles(reference::number(sample["t"]));
-        // Half an ulp of the angle is the most that a double can give: ψ reaches 609 rad.
+        // Half an ulp of the angle is the smallest error of a double: ψ reaches 609 rad.
         const auto within = [](double angle, Wide reference) {
             return static_cast<double>(std::abs(angle - reference) /
                                        std::max(Wide(1), std::abs(reference)));
@@ -125,7 +125,7 @@ TEST_F(HeavyTopReference, AgreesInEulerAngles) {
 }
 
 TEST_F(HeavyTopReference, AgreesWhenStartedFromRoundedStates) {
-    // A scene gives a RotationState, whose quaternion and ω are already rounded.
+    // A scene gives a RotationState, whose quaternion and ω are rounded.
     for_each_sample([](const HeavyTopProblem& p, const Json& sample) {
         const InertiaTensor inertia = InertiaTensor::from_principal_moments(
             {p.moment_transverse_kg_m2, p.moment_transverse_kg_m2, p.moment_axial_kg_m2});
@@ -165,8 +165,8 @@ std::string test_name(const testing::TestParamInfo<tops::Family>& info) {
 INSTANTIATE_TEST_SUITE_P(Extremes, HeavyTopFamily,
                          testing::ValuesIn(tops::all().begin(), tops::all().end()), test_name);
 
-// The oracle's pairs of doubles are enough: 113 bits say the same where the motion amplifies most.
-TEST(HeavyTopOracle, SaysInPairsOfDoublesWhatItSaysIn113Bits) {
+// DoubleDouble is sufficient for the oracle: 113 bits agree where the motion amplifies most.
+TEST(HeavyTopOracle, DoubleDoubleAgreesWith113Bits) {
     for (const tops::Family& family : tops::all()) {
         if (!family.amplifies) continue;
         for (const unsigned seed : {1U, 2U}) {
@@ -177,7 +177,7 @@ TEST(HeavyTopOracle, SaysInPairsOfDoublesWhatItSaysIn113Bits) {
             TaylorTop<Quad> quad(problem);
             pairs.advance(family.duration_s);
             quad.advance(family.duration_s);
-            // Both round to the same long doubles, or to neighbours: an ulp below 1 is 5.4e-20.
+            // Both round to the same long doubles or to neighbours: an ulp below 1 is 5.4e-20.
             for (std::size_t i = 0; i < 4; ++i) {
                 EXPECT_LE(std::abs(pairs.quaternion()[i] - quad.quaternion()[i]), 6e-20L);
             }
@@ -185,7 +185,7 @@ TEST(HeavyTopOracle, SaysInPairsOfDoublesWhatItSaysIn113Bits) {
     }
 }
 
-TEST(HeavyTop, KeepsItsInvariantsFromTheFirstInstantToTheFarthest) {
+TEST(HeavyTop, ConservesItsInvariantsAtAllTimes) {
     std::mt19937_64 random(9);
     double worst = 0.0;
     for (int i = 0; i < 300; ++i) {
@@ -198,7 +198,7 @@ TEST(HeavyTop, KeepsItsInvariantsFromTheFirstInstantToTheFarthest) {
     EXPECT_LE(worst, 4e-15);  // measured 8.6e-16
 }
 
-TEST(HeavyTop, IsFiniteAndConservesAtWildScales) {
+TEST(HeavyTop, IsFiniteAndConservesAtExtremeScales) {
     std::mt19937_64 random(10);
     double worst = 0.0;
     for (int i = 0; i < 1500; ++i) {
@@ -228,9 +228,9 @@ TEST(HeavyTop, IsFiniteAndConservesAtWildScales) {
     EXPECT_LE(worst, 5e-15);  // measured 1.1e-15
 }
 
-// Where no digit of the phase is left, the state is still one of the motion: here of a pendulum
-// that stands near the vertical for 130 units of phase, at instants 10^100 periods away.
-TEST(HeavyTop, ConservesWhereItsPhaseHasNoDigits) {
+// Where the phase has no accurate digit, the result is still a state of the motion: here of a
+// pendulum that stays near the vertical for 130 units of phase, at instants 10^100 periods away.
+TEST(HeavyTop, ConservesWherePhaseHasNoDigits) {
     HeavyTopProblem p;
     p.moment_transverse_kg_m2 = 2e-19;
     p.moment_axial_kg_m2 = 1e-23;
@@ -247,7 +247,7 @@ TEST(HeavyTop, ConservesWhereItsPhaseHasNoDigits) {
 }
 
 // The nutation's period and the precession over it, by the trapezoidal rule in 50 digits: the
-// integrands are periodic and analytic, so that it converges geometrically.
+// integrands are periodic and analytic, so the rule converges geometrically.
 struct Quadrature {
     using Real = boost::multiprecision::cpp_bin_float_50;
     Real period;
@@ -304,7 +304,7 @@ TEST(HeavyTop, IsAsAccurateAfterABillionPeriodsAsInTheFirst) {
         const HeavyTop top(p);
         const Quadrature exact(p);
         EXPECT_NEAR(top.nutation().period_s / static_cast<double>(exact.period), 1.0, 3e-16);
-        // t is a double; the instant of the first period that it repeats follows in 50 digits.
+        // t is a double; the equivalent instant of the first period is computed in 50 digits.
         const double t = 1e9 * top.nutation().period_s;
         const Quadrature::Real n = floor(Quadrature::Real(t) / exact.period);
         const auto early = static_cast<double>(t - n * exact.period);
@@ -338,7 +338,7 @@ TEST(HeavyTop, GrowsFromTheVerticalAsTheLinearSolutionDoes) {
 }
 
 TEST(HeavyTop, FollowsThePendulumsSeparatrix) {
-    // From straight below at twice the small-swing frequency: θ = 4 atan e^{−|t|}.
+    // From the lowest position at twice the small-swing frequency: θ = 4 atan e^{−|t|}.
     const InertiaTensor inertia = InertiaTensor::from_principal_moments({1.0, 1.0, 0.5});
     RotationState start;
     start.space_from_body = Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
@@ -353,8 +353,8 @@ TEST(HeavyTop, FollowsThePendulumsSeparatrix) {
     EXPECT_EQ(top.euler_angles(1e6).theta_rad, 0.0);
 }
 
-TEST(HeavyTop, BeginsFromUnroundedAnglesWhereTheyAreGiven) {
-    // Near the separatrix one ulp of the start moves the next swing by far more than 1e-13.
+TEST(HeavyTop, UsesUnroundedStartAnglesIfGiven) {
+    // Near the separatrix one ulp of the start changes the next swing by far more than 1e-13.
     const TopStart given{.theta_rad = 2.0, .theta_dot_rad_s = -2.0 * std::sin(1.0) + 1e-9};
     const HeavyTopProblem angles{.moment_axial_kg_m2 = 0.5,
                                  .mgl_N_m = 1.0,
@@ -489,8 +489,8 @@ TEST(HeavyTop, NamesItsRegimes) {
     EXPECT_EQ(names.size(), 12U);
 }
 
-TEST(HeavyTop, TakesAnySymmetryAxisOfTheBody) {
-    // The lecture's top with its axis along e1, e2 or −e3, and turned within a sphere.
+TEST(HeavyTop, AcceptsAnySymmetryAxisOfTheBody) {
+    // The lecture's top with its axis along e1, e2 or −e3, and rotated for three equal moments.
     const HeavyTopProblem p = lecture_top();
     const RotationState start = start_of(p);
     const HeavyTop plain(p);
@@ -521,7 +521,7 @@ TEST(HeavyTop, TakesAnySymmetryAxisOfTheBody) {
             HeavyTop(sphere), start_of(sphere));
 }
 
-TEST(HeavyTop, RefusesWhatHasNoExactSolutionOrNoNumber) {
+TEST(HeavyTop, RefusesProblemsWithoutAnExactSolution) {
     const InertiaTensor asymmetric = InertiaTensor::from_principal_moments({1.0, 2.0, 2.5});
     const InertiaTensor symmetric = InertiaTensor::from_principal_moments({1.0, 1.0, 0.5});
     const GravityTorque upright{.mgl_N_m = 1.0};

@@ -1,4 +1,4 @@
-// Inertia tensors: what is accepted, what is refused and why, and which axes come out.
+// Inertia tensors: accepted and refused input, and the resulting principal axes.
 #include "mechanics/inertia.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// The message of the InputError that is thrown, or empty.
+// Returns the message of the InputError, or an empty text.
 std::string refusal(const std::function<void()>& make) {
     try {
         make();
@@ -44,7 +44,7 @@ Matrix3d turned(const Vector3d& moments, const Matrix3d& rotation) {
     return 0.5 * (full + full.transpose());
 }
 
-TEST(InertiaTensor, KeepsPrincipalMomentsBitForBitAndInOrder) {
+TEST(InertiaTensor, KeepsPrincipalMomentsExactlyAndInOrder) {
     const Vector3d given(0.3, 0.1, 0.25);
     const InertiaTensor inertia = InertiaTensor::from_principal_moments(given);
     EXPECT_EQ(inertia.moments_kg_m2(), given);
@@ -61,19 +61,19 @@ TEST(InertiaTensor, RefusesMomentsByNameAndRule) {
     EXPECT_NE(refusal_of_moments({1.0, infinity, 1.0}).find("finite"), std::string::npos);
 }
 
-TEST(InertiaTensor, TeachesTheTriangleInequality) {
+TEST(InertiaTensor, ExplainsTheTriangleInequality) {
     const std::string message = refusal_of_moments({1.0, 2.0, 3.5});
     EXPECT_NE(message.find("I1 + I2 - I3 = 2 times the integral of x3^2 dm"), std::string::npos)
         << message;
     EXPECT_NE(message.find("at most 3"), std::string::npos) << message;
     EXPECT_NE(refusal_of_moments({3.5, 1.0, 2.0}).find("I2 + I3 - I1"), std::string::npos);
     EXPECT_NE(refusal_of_moments({1e-12, 1.0, 1e12}), "");
-    // Sums that would overflow are judged as well.
+    // The check also works where sums overflow.
     EXPECT_EQ(refusal_of_moments({1.2e308, 1.2e308, 1.7e308}), "");
     EXPECT_NE(refusal_of_moments({0.1e308, 0.2e308, 1.7e308}), "");
 }
 
-TEST(InertiaTensor, KeepsTheMathematicsOfUnphysicalMoments) {
+TEST(InertiaTensor, AcceptsUnphysicalMomentsWhenAllowed) {
     const Vector3d given(1e-12, 1.0, 1e12);
     const InertiaTensor inertia = InertiaTensor::from_principal_moments(given, Physicality::waived);
     EXPECT_EQ(inertia.moments_kg_m2(), given);
@@ -84,7 +84,7 @@ TEST(InertiaTensor, KeepsTheMathematicsOfUnphysicalMoments) {
               "");
 }
 
-TEST(InertiaTensor, CallsALaminaPlanarToFourUlp) {
+TEST(InertiaTensor, TreatsALaminaAsPlanarToFourUlp) {
     const auto planar = [](double high) {
         return InertiaTensor::from_principal_moments({1.25, 2.5, high}).planar();
     };
@@ -100,7 +100,7 @@ TEST(InertiaTensor, CallsALaminaPlanarToFourUlp) {
     EXPECT_FALSE(planar(3.0));
 }
 
-TEST(InertiaTensor, ReturnsADiagonalTensorBitForBit) {
+TEST(InertiaTensor, KeepsADiagonalTensorExactly) {
     const Vector3d moments(0.7, 0.30000000000000004, 0.5);
     const InertiaTensor inertia = InertiaTensor::from_matrix(moments.asDiagonal());
     EXPECT_EQ(inertia.moments_kg_m2(), moments);
@@ -113,7 +113,7 @@ TEST(InertiaTensor, FindsPrincipalAxesNearestTheBodyAxes) {
     std::normal_distribution<double> normal;
     for (int n = 0; n < 500; ++n) {
         const Vector3d moments(1.0 + 0.5 * std::abs(std::sin(n)), 1.7, 2.2);
-        // Turned by at most 0.35 rad, so that the nearest axes are the body's own.
+        // Rotated by at most 0.35 rad, so that the nearest axes are the body's own.
         const Vector3d axis = Vector3d(normal(random), normal(random), normal(random)).normalized();
         const Matrix3d rotation =
             Eigen::AngleAxisd(0.35 * std::sin(3.0 * n), axis).toRotationMatrix();
@@ -129,9 +129,10 @@ TEST(InertiaTensor, FindsPrincipalAxesNearestTheBodyAxes) {
     }
 }
 
-TEST(InertiaTensor, KeepsTheSmallestMomentOfANeedleTurnedAway) {
-    // The tensor is taken as exact: its doubles have this smallest eigenvalue to 60 digits.
-    // Dyadic entries: e = (3, 4, 0)/5 would round, so a rotation of 45° about e3 is used instead.
+TEST(InertiaTensor, KeepsTheSmallestMomentOfARotatedNeedle) {
+    // The tensor is taken as exact: its doubles have this smallest eigenvalue to 60 digits. The
+    // entries must be dyadic: e = (3, 4, 0)/5 would be rounded, so a rotation of 45° about e3 is
+    // used.
     const double thin = 0x1p-36;
     const Matrix3d tensor{{0.5 * (thin + 1.0), 0.5 * (thin - 1.0), 0.0},
                           {0.5 * (thin - 1.0), 0.5 * (thin + 1.0), 0.0},
@@ -140,7 +141,7 @@ TEST(InertiaTensor, KeepsTheSmallestMomentOfANeedleTurnedAway) {
     EXPECT_DOUBLE_EQ(inertia.moments_kg_m2().minCoeff(), thin);
 }
 
-TEST(InertiaTensor, RepeatedMomentsGiveAxesNearestTheBodys) {
+TEST(InertiaTensor, RepeatedMomentsGiveAxesNearestTheBodyAxes) {
     // A sphere's tensor with rounding noise off the diagonal.
     Matrix3d sphere = 2.0 * Matrix3d::Identity();
     sphere(0, 1) = sphere(1, 0) = 2e-16;
@@ -148,8 +149,8 @@ TEST(InertiaTensor, RepeatedMomentsGiveAxesNearestTheBodys) {
     EXPECT_EQ(ball.body_from_principal(), Matrix3d::Identity());
     EXPECT_EQ(ball.moments_kg_m2(), Vector3d::Constant(2.0));
 
-    // A symmetric body whose axis is turned from e3 by 0.3 rad about e1: the nearest axes are
-    // turned by that and nothing else.
+    // A symmetric body whose axis is rotated from e3 by 0.3 rad about e1: the nearest axes have
+    // only this rotation.
     const Matrix3d rotation = Eigen::AngleAxisd(0.3, Vector3d::UnitX()).toRotationMatrix();
     const InertiaTensor spindle = InertiaTensor::from_matrix(turned({2.0, 2.0, 1.0}, rotation));
     EXPECT_LE((spindle.body_from_principal() - rotation).cwiseAbs().maxCoeff(), 4e-16);
@@ -167,7 +168,7 @@ TEST(InertiaTensor, AveragesASmallAsymmetryAndRefusesALargeOne) {
     Matrix3d gross = tensor;
     gross(0, 1) += 16.0 * ulp;
     EXPECT_NE(refusal_of_tensor(gross).find("[0][1]"), std::string::npos);
-    // Noise below the diagonal's own rounding has no meaningful ratio.
+    // Noise smaller than the rounding of the diagonal has no meaningful ratio.
     Matrix3d noisy = Vector3d(1.0, 2.0, 2.5).asDiagonal();
     noisy(0, 1) = 1e-17;
     noisy(1, 0) = -3e-17;
@@ -185,7 +186,7 @@ TEST(InertiaTensor, RefusesAnIndefiniteTensorWithItsEigenvalues) {
     EXPECT_NE(refusal_of_tensor(Matrix3d::Zero()), "");
 }
 
-TEST(InertiaTensor, AcceptsALaminaTurnedAway) {
+TEST(InertiaTensor, AcceptsARotatedLamina) {
     std::mt19937_64 random(11);
     std::normal_distribution<double> normal;
     for (int n = 0; n < 2000; ++n) {
@@ -200,12 +201,12 @@ TEST(InertiaTensor, AcceptsALaminaTurnedAway) {
     EXPECT_NE(refusal_of_tensor(broken).find("allow_unphysical"), std::string::npos);
 }
 
-TEST(InertiaTensor, NamesTheTensorWhereOneWasGiven) {
+TEST(InertiaTensor, NamesTheTensorInMessages) {
     const Matrix3d tensor = Vector3d(1.0, 2.0, 3.5).asDiagonal();
     EXPECT_EQ(refusal_of_tensor(tensor).find("tensor_kg_m2: no distribution of mass"), 0U);
 }
 
-TEST(InertiaTensor, AxesOfTheUserMustBeARotation) {
+TEST(InertiaTensor, GivenAxesMustBeARotation) {
     EXPECT_NE(refusal([] {
                   InertiaTensor::from_principal_axes({1.0, 2.0, 2.5}, -Matrix3d::Identity());
               }),

@@ -1,4 +1,5 @@
-// The stepping methods: measured orders, what each conserves, torques, spans and refusals.
+// The stepping methods: measured orders, conserved quantities, torques, time spans and refused
+// input.
 #include "mechanics/methods.h"
 
 #include <gtest/gtest.h>
@@ -86,7 +87,7 @@ Drift drift_of(const MotionProblem& problem) {
 
 // ---------------------------------------------------------------------------------------------
 
-TEST(Methods, HaveEachNameOnceWithASourceAndAnOrder) {
+TEST(Methods, HaveUniqueNamesSourcesAndOrders) {
     std::set<std::string_view> names;
     for (const Method& method : methods()) {
         names.insert(method.name);
@@ -103,7 +104,7 @@ TEST(Methods, HaveEachNameOnceWithASourceAndAnOrder) {
 }
 
 TEST(Methods, ConvergeWithTheirOrder) {
-    // Halving the step divides the error by 2^order; each starting step leaves the errors between
+    // Halving the step divides the error by 2^order; for each first step the errors lie between
     // rounding and saturation.
     const std::map<std::string, double> first_step{
         {"euler", 1e-3}, {"rk4", 0.05}, {"midpoint", 0.02}, {"splitting", 0.02}, {"rkmk4", 0.05},
@@ -132,14 +133,14 @@ TEST(Methods, Dopri5FollowsItsTolerance) {
         MotionProblem problem = tumbling("dopri5", 20.0);
         problem.method.tolerance = tolerance;
         const double error = error_at_end(problem);
-        // Measured 12 times the tolerance at 1e-4, less below, and 1.2e-13 at the least.
+        // Measured 12 times the tolerance at 1e-4, less below, and 1.2e-13 at the smallest.
         EXPECT_LE(error, 40.0 * tolerance + 5e-13) << tolerance;
         EXPECT_LT(error, last);
         last = error;
     }
 }
 
-TEST(Methods, KeepWhatTheirRowSays) {
+TEST(Methods, ConserveTheQuantitiesOfTheirRow) {
     // 100 periods of some 6.6 s; midpoint, dmv: T and L; splitting, rkmk4: L.
     const auto drift = [](const std::string& method, double step_s, double last_time_s) {
         MotionProblem problem = tumbling(method, last_time_s);
@@ -153,7 +154,7 @@ TEST(Methods, KeepWhatTheirRowSays) {
         // Measured 1.9e-14, after 13,200 steps; splitting 3.4e-4, rkmk4 2.3e-7.
         EXPECT_LE(d.energy, keeps_energy ? 1e-13 : 1e-3) << method;
     }
-    // The splitting's energy error is bounded: ten times the time does not make it larger.
+    // The splitting's energy error is bounded: it is not larger after ten times the time.
     const double early = drift("splitting", 0.05, 660.0).energy;
     const double late = drift("splitting", 0.05, 6600.0).energy;
     EXPECT_LE(late, 1.1 * early);
@@ -174,7 +175,7 @@ TEST(Methods, KeepWhatTheirRowSays) {
     }
 }
 
-TEST(Methods, PreprocessAsHairerAndVilmartPrint) {
+TEST(Methods, PreprocessAsPrintedByHairerAndVilmart) {
     // s3 and d3 of the paper's theorem, in T and C = L²/2.
     for (const Eigen::Vector3d& moments :
          {Eigen::Vector3d(1.0, 2.0, 2.5), Eigen::Vector3d(2.5, 1.0, 2.0),
@@ -221,7 +222,7 @@ TEST(Methods, FollowTheHeavyTopWithTheirOrder) {
 }
 
 TEST(Methods, KeepTheEnergyOfAnAsymmetricTop) {
-    // Not integrable, but E and the vertical component of L stay.
+    // Not integrable, but E and the vertical component of L are conserved.
     for (const Method& method : methods()) {
         MotionProblem problem = tumbling(std::string(method.name), 200.0);
         problem.torque =
@@ -247,21 +248,22 @@ TEST(Methods, KeepTheEnergyOfAnAsymmetricTop) {
             vertical_drift = std::max(
                 vertical_drift, std::abs(momentum_space(problem.inertia, now).z() - vertical));
         }
-        // The splitting oscillates with the square of its step and has no drift to fear.
-        // Measured 1.4e-4 for it, at most 1.4e-9 for the others; L_z 1e-13 and 7e-10.
+        // The energy error of the splitting oscillates with the square of its step and does not
+        // drift. Measured 1.4e-4 for the splitting, at most 1.4e-9 for the others; L_z 1e-13 and
+        // 7e-10.
         const double bound = method.name == "splitting" ? 5e-4 : 1e-8;
         EXPECT_LE(energy_drift, bound) << method.name;
         EXPECT_LE(vertical_drift, method.name == "splitting" ? 1e-12 : 1e-8) << method.name;
     }
 }
 
-TEST(Methods, TurnMomentumBySpaceTorqueAndSpinBySphereTorque) {
+TEST(Methods, FollowClosedFormsOfConstantTorques) {
     for (const Method& method : methods()) {
         MotionProblem problem = tumbling(std::string(method.name), 5.0);
         const Eigen::Vector3d torque(0.3, -0.2, 0.5);
         problem.torque = ConstantSpaceTorque{torque};
         if (!can_solve(method, problem.inertia, problem.torque)) continue;
-        // L = L0 + N t in space, whatever the body.
+        // L = L0 + N t in space, for every body.
         if (method.takes_step) problem.method.step_s = method.name == "euler" ? 1e-4 : 1e-2;
         // Measured 3e-4 and at most 6e-9.
         const double tolerance = method.name == "euler" ? 1e-3 : 3e-8;
@@ -271,7 +273,7 @@ TEST(Methods, TurnMomentumBySpaceTorqueAndSpinBySphereTorque) {
         EXPECT_LE((momentum_space(problem.inertia, end) - expected).norm(), tolerance)
             << method.name;
 
-        // ω = ω0 + N t/I in the body of a sphere: linear, so that a method that steps in the body
+        // ω = ω0 + N t/I in the body of a sphere: linear, so that a method that steps in body axes
         // is exact; measured 2e-12, rkmk4 7e-11.
         problem.inertia = InertiaTensor::from_principal_moments({2.0, 2.0, 2.0});
         problem.torque = ConstantBodyTorque{torque};
@@ -284,7 +286,7 @@ TEST(Methods, TurnMomentumBySpaceTorqueAndSpinBySphereTorque) {
 TEST(Methods, DissipationKeepsMomentumAndEndsInTheMajorAxis) {
     for (const std::string name : {"rk4", "dopri5", "rkmk4"}) {
         MotionProblem problem = tumbling(name, 150.0);
-        // Spinning almost about the axis of the lowest moment, e2.
+        // Spins almost about the axis of the lowest moment, e2.
         problem.start.omega_body = {0.05, 1.0, -0.02};
         problem.torque = DissipationTorque{0.5};
         const IntegratedRotation stepped(problem);
@@ -339,9 +341,9 @@ TEST(IntegratedRotation, GivesTheSameStateForTheSameInstant) {
     }
 }
 
-TEST(IntegratedRotation, ReachesEveryInstantAccuratelyBetweenItsSteps) {
-    // With the default step: what a lecturer sees who names only the method.
-    // Measured 0.38, 1.5e-8, 2e-9, 2.5e-3, 6.4e-4, 8.6e-14, 2.6e-8.
+TEST(IntegratedRotation, IsAccurateBetweenItsSteps) {
+    // With the default step, which is used if a scene only names the method. Measured 0.38, 1.5e-8,
+    // 2e-9, 2.5e-3, 6.4e-4, 8.6e-14, 2.6e-8.
     const std::map<std::string_view, double> bound{
         {"euler", 1.0},      {"rk4", 1e-7},  {"dopri5", 1e-8}, {"midpoint", 1e-2},
         {"splitting", 2e-3}, {"dmv", 5e-13}, {"rkmk4", 1e-7}};
@@ -361,8 +363,8 @@ TEST(IntegratedRotation, ReachesEveryInstantAccuratelyBetweenItsSteps) {
     }
 }
 
-TEST(IntegratedRotation, KeepsAtMostItsShareOfMemory) {
-    // 200,000 steps leave every eighth state or so; those between are stepped to again.
+TEST(IntegratedRotation, LimitsItsMemory) {
+    // About every eighth of 200,000 states is kept; those between are computed again by steps.
     MotionProblem problem = tumbling("rk4", 200.0);
     problem.method.step_s = 1e-3;
     const IntegratedRotation all(problem);
@@ -387,7 +389,7 @@ TEST(IntegratedRotation, KeepsAtMostItsShareOfMemory) {
 }
 
 TEST(IntegratedRotation, WorksInTheUsersBodyAxes) {
-    // The same body given by a full tensor in turned axes.
+    // The same body given by a full tensor in rotated axes.
     const Eigen::Quaterniond turned = Eigen::Quaterniond(0.9, 0.1, -0.3, 0.2).normalized();
     const Eigen::Matrix3d R = turned.toRotationMatrix();
     for (const std::string name : {"rk4", "dopri5", "midpoint", "splitting", "dmv", "rkmk4"}) {
@@ -400,7 +402,7 @@ TEST(IntegratedRotation, WorksInTheUsersBodyAxes) {
         MotionSample a = IntegratedRotation(plain).sample(4.3, {.herpolhode = true});
         const MotionSample b = IntegratedRotation(other).sample(4.3, {.herpolhode = true});
         a.state.space_from_body = a.state.space_from_body * turned.conjugate();
-        // The axes of the tensor may be numbered otherwise, which the splitting sees.
+        // The principal axes may have another order, which affects the splitting.
         const double tolerance = name == "splitting" ? 2e-2 : name == "dopri5" ? 1e-7 : 1e-11;
         EXPECT_LE(attitude_error(a.state, b.state), tolerance) << name;
         EXPECT_LE((turned * a.state.omega_body - b.state.omega_body).norm(), tolerance) << name;
@@ -408,7 +410,7 @@ TEST(IntegratedRotation, WorksInTheUsersBodyAxes) {
     }
 }
 
-TEST(IntegratedRotation, GivesTheEulerAnglesOfItsAttitude) {
+TEST(IntegratedRotation, ReturnsTheEulerAnglesOfItsAttitude) {
     const HeavyTopProblem top{.moment_axial_kg_m2 = 0.5,
                               .mgl_N_m = 1.0,
                               .theta_rad = 0.7,
@@ -451,7 +453,7 @@ TEST(RotationDynamics, BoundsTheFreeAngularVelocity) {
     }
 }
 
-// What is refused, and what the line must say.
+// A refused problem, and text that its message must contain.
 std::string message_of(const MotionProblem& problem) {
     try {
         const Motion motion(problem);
@@ -465,7 +467,7 @@ void expect_in(const std::string& part, const std::string& whole) {
     EXPECT_NE(whole.find(part), std::string::npos) << "\"" << part << "\" is not in: " << whole;
 }
 
-TEST(Methods, RefuseInOneLineThatSaysWhatToDo) {
+TEST(Methods, RefuseInvalidInputWithOneLine) {
     expect_in("did you mean \"rk4\"", message_of(tumbling("rk5", 1.0)));
     MotionProblem problem = tumbling("rk4", 1.0);
     for (const double step : {0.0, -0.1, std::nan(""), std::numeric_limits<double>::infinity()}) {
@@ -514,7 +516,7 @@ TEST(Methods, RefuseInOneLineThatSaysWhatToDo) {
     problem = tumbling("dmv", 100.0);
     problem.method.step_s = 20.0;
     expect_in("shorter step_s", message_of(problem));
-    // Euler's method runs away: refused, never a NaN.
+    // Euler's method diverges: it is refused and does not return NaN.
     problem = tumbling("euler", 1e4);
     problem.method.step_s = 5.0;
     expect_in("overflows", message_of(problem));
@@ -536,7 +538,7 @@ TEST(Methods, RefuseInOneLineThatSaysWhatToDo) {
     EXPECT_THROW(stepped.at(std::nan("")), InputError);
 }
 
-TEST(Methods, ExactTakesGravityThatVanishesAsNone) {
+TEST(Methods, ExactAcceptsZeroGravityAsNoTorque) {
     MotionProblem problem = tumbling("exact", 1.0);
     const RotationState free = Motion(problem).at(3.0);
     problem.torque = GravityTorque{.mgl_N_m = 0.0};

@@ -1,4 +1,4 @@
-// Errors are measured rightly, and steps are chosen to reach what is asked.
+// Measured errors are correct, and chosen steps reach the requested accuracy.
 #include "mechanics/motion_errors.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(MotionErrors, AngleIsThatOfTheRotationBetween) {
     }
 }
 
-TEST(StepChoice, ReachesWhatIsAskedAndNotMuchMore) {
+TEST(StepChoice, ReachesTheToleranceWithoutWaste) {
     for (const std::string method : {"rk4", "rkmk4", "splitting", "dopri5"}) {
         for (const double tolerance : {1e-3, 1e-5}) {
             const MotionProblem problem = generic_problem(method);
@@ -51,7 +51,7 @@ TEST(StepChoice, ReachesWhatIsAskedAndNotMuchMore) {
                     .attitude_rad;
             EXPECT_LT(error, 1.1 * tolerance) << method;
 
-            // Twice the step (ten times the tolerance) would not do.
+            // Twice the step (ten times the tolerance) would not suffice.
             if (choice.method.step_s) {
                 chosen.method.step_s = 2.0 * *choice.method.step_s;
                 const double coarser =
@@ -63,14 +63,14 @@ TEST(StepChoice, ReachesWhatIsAskedAndNotMuchMore) {
     }
 }
 
-TEST(StepChoice, LeavesAGivenStepAlone) {
+TEST(StepChoice, KeepsAGivenStep) {
     MotionProblem problem = generic_problem("rk4");
     problem.method.step_s = 0.125;
     EXPECT_EQ(choose_step(problem, 1e-9).method.step_s, 0.125);
     EXPECT_FALSE(choose_step(generic_problem("exact"), 1e-9).method.step_s);
 }
 
-TEST(StepChoice, SaysWhenItCannotBeReached) {
+TEST(StepChoice, ReportsAnUnreachableTolerance) {
     const StepChoice choice = choose_step(generic_problem("euler"), 1e-9, 2e4);
     EXPECT_FALSE(choice.reached);
     EXPECT_GT(choice.attitude_rad, 1e-9);
@@ -82,8 +82,9 @@ MotionProblem damped_problem(const std::string& method) {
     return problem;
 }
 
-// How many steps a tolerance needs is only known once they are taken; a clock in their place would
-// choose otherwise on a slower machine, and parts of one film would not be of one motion.
+// The number of steps for a tolerance is known only after the integration; a clock instead of a
+// count would choose differently on a slower machine, and the parts of one film could have
+// different motions.
 TEST(StepChoice, CountsTheStepsOfATolerance) {
     for (const MotionProblem& problem : {generic_problem("dopri5"), damped_problem("dopri5")}) {
         const StepChoice choice = choose_step(problem, 1e-14, 100.0);
@@ -92,12 +93,12 @@ TEST(StepChoice, CountsTheStepsOfATolerance) {
         chosen.method = choice.method;
         const std::int64_t n_steps = Motion(chosen).integrated()->counters().n_steps;
         EXPECT_GT(n_steps, 100);
-        EXPECT_LT(n_steps, 250);  // fifth order: a tenth of the tolerance takes 1.6 times the steps
+        EXPECT_LT(n_steps, 250);  // fifth order: a tenth of the tolerance needs 1.6 times the steps
     }
 }
 
-// Where not even the coarsest step is within the number, it is measured all the same.
-TEST(StepChoice, MeasuresTheCoarsestStepWhereThereIsNoOther) {
+// If even the coarsest step exceeds the number of steps, its error is measured all the same.
+TEST(StepChoice, MeasuresTheCoarsestStepIfThereIsNoOther) {
     const MotionProblem problem = damped_problem("rkmk4");
     const StepChoice choice = choose_step(problem, 1e-14, 1.0);
     EXPECT_FALSE(choice.reached);

@@ -13,7 +13,7 @@ namespace poinsot::reference {
 
 using Json = nlohmann::json;
 
-// The files write every number as a string, so that none of its digits is lost to a reader.
+// The files contain numbers as strings, so that JSON readers do not round them.
 inline long double long_number(const Json& json) {
     return std::strtold(json.get_ref<const std::string&>().c_str(), nullptr);
 }

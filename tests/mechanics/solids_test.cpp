@@ -1,4 +1,4 @@
-// Solids against the integral of their mass, and point masses against hand-made bodies.
+// Solids compared with integrals over their mass, and point masses with bodies calculated by hand.
 #include "mechanics/solids.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ Vector3d moments_of(std::string_view name, std::vector<double> sizes, double mas
     return inertia_of_solid(name, sizes, mass).moments_kg_m2();
 }
 
-// ∫f over [a, b] by Gauss's rule of ten points on pieces: exact for the polynomials met here.
+// ∫f over [a, b] by Gauss's rule of ten points on pieces: exact for the polynomials used here.
 double integral(double a, double b, const std::function<double(double)>& f) {
     static constexpr std::array<double, 5> x{0.1488743389816312, 0.4333953941292472,
                                              0.6794095682990244, 0.8650633666889845,
@@ -68,7 +68,7 @@ Vector3d of_revolution(double z0, double z1, const std::function<double(double)>
     return {0.5 * radial + height, 0.5 * radial + height, radial};
 }
 
-// The rule for the integrals is good to 2e-14 as measured.
+// The rule for the integrals is accurate to 2e-14, measured.
 void expect_near(const Vector3d& got, const Vector3d& expected, double tolerance) {
     EXPECT_LE((got - expected).cwiseAbs().maxCoeff(), tolerance * expected.maxCoeff())
         << got.transpose() << " instead of " << expected.transpose();
@@ -88,7 +88,8 @@ TEST(Solids, OfRevolutionAgreeWithTheIntegralOfTheirMass) {
                 of_revolution(-1.1, 1.1, none,
                               [](double z) { return 0.7 * std::sqrt(1.0 - z * z / 1.21); }),
                 1e-13);
-    // The torus' annuli meet in a square root at top and bottom: the rule converges slowly there.
+    // The radii of the torus' annuli are square roots that meet at top and bottom: the rule
+    // converges slowly there.
     const auto reach = [](double z) { return std::sqrt(std::max(0.0, 0.09 - z * z)); };
     expect_near(moments_of("torus", {1.0, 0.3}),
                 of_revolution(
@@ -109,7 +110,7 @@ TEST(Solids, BoxIsASumOfItsEdges) {
     expect_near(moments_of("ellipsoid", {1.0, 2.0, 3.0}, 5.0), {13.0, 10.0, 5.0}, 1e-15);
 }
 
-TEST(Solids, ThinBodiesAreLimitsOfThickOnes) {
+TEST(Solids, ThinBodiesAreLimitsOfThickBodies) {
     expect_near(moments_of("disc", {0.7}), moments_of("cylinder", {0.7, 1e-9}), 1e-15);
     expect_near(moments_of("plate", {0.7, 1.1}), moments_of("box", {0.7, 1.1, 1e-9}), 1e-15);
     expect_near(moments_of("ring", {0.7}), moments_of("torus", {0.7, 1e-9}), 1e-15);
@@ -118,14 +119,14 @@ TEST(Solids, ThinBodiesAreLimitsOfThickOnes) {
     EXPECT_TRUE(inertia_of_solid("disc", std::array{0.7}, 1.3).planar());
 }
 
-TEST(Solids, EveryRowMakesABodyAtEveryScale) {
+TEST(Solids, EveryRowIsValidAtEveryScale) {
     for (const Solid& solid : solids()) {
         const std::array<double, 3> sizes{0.3, 0.7, 1.1};
         const std::span<const double> used(sizes.data(), static_cast<std::size_t>(solid.n_sizes));
         const Vector3d moments = inertia_of_solid(solid.name, used, 2.0).moments_kg_m2();
         EXPECT_GT(moments.minCoeff(), 0.0) << solid.name;
         EXPECT_EQ(InertiaTensor::from_principal_moments(moments).moments_kg_m2(), moments);
-        // Sizes near the ends of the exponent range: squares alone would vanish or overflow.
+        // Sizes near the ends of the exponent range: squares alone would underflow or overflow.
         std::array<double, 3> tiny{};
         for (std::size_t i = 0; i < 3; ++i) tiny[i] = std::ldexp(sizes[i], -550);
         const Vector3d small =
@@ -136,7 +137,7 @@ TEST(Solids, EveryRowMakesABodyAtEveryScale) {
     }
 }
 
-TEST(Solids, RefuseWhatMakesNoBody) {
+TEST(Solids, RefuseInvalidSizesAndMasses) {
     EXPECT_NE(refusal([] {
                   moments_of("cyllinder", {1.0, 1.0});
               }).find("\"cylinder\""),
@@ -156,7 +157,7 @@ TEST(Solids, RefuseWhatMakesNoBody) {
               std::string::npos);
 }
 
-TEST(PointMasses, GiveTheTextbooksTensorAboutTheirCentre) {
+TEST(PointMasses, MatchTheTextbookTensorAboutTheirCentre) {
     // Masses at ±1, ±2, ±3 along the axes, moved off the origin.
     std::vector<PointMass> masses;
     const Vector3d offset(5.0, -7.0, 11.0);
@@ -192,7 +193,7 @@ TEST(PointMasses, KeepEveryDigitFarFromTheOrigin) {
     EXPECT_EQ(here.body_from_principal(), there.body_from_principal());
 }
 
-TEST(PointMasses, CoplanarOnesAreALamina) {
+TEST(PointMasses, CoplanarMassesAreALamina) {
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;
     for (int n = 0; n < 200; ++n) {
@@ -214,7 +215,7 @@ TEST(PointMasses, NameTheMissingExtent) {
               std::string::npos);
     EXPECT_NE(message({{1.0, {0.1, 0.2, 0.3}}, {2.0, {0.3, 0.6, 0.9}}}).find("on one line"),
               std::string::npos);
-    // Collinear but for the rounding of their coordinates.
+    // Collinear except for the rounding of the coordinates.
     EXPECT_NE(message({{1.0, {1e8, 1e8, 1e8}},
                        {2.0, {1e8 + 0.1, 1e8 + 0.2, 1e8 + 0.3}},
                        {2.0, {1e8 + 0.7, 1e8 + 1.4, 1e8 + 2.1}}})

@@ -61,7 +61,7 @@ HeavyTopProblem near_steady(Random& random) {
     return p;
 }
 
-// A pendulum-like top whose energy is that of the upright position but for 1e-1 … 1e-15.
+// A pendulum-like top whose energy is that of the upright position to 1e-1 … 1e-15.
 HeavyTopProblem near_separatrix(Random& random) {
     HeavyTopProblem p = generic_top(random);
     p.mgl_N_m = uniform(random, 0.5, 2.0);

@@ -1,4 +1,4 @@
-// Families of heavy tops at the extremes, drawn from seeds, and how far the exact motion is from
+// Families of extreme heavy tops, generated from seeds, and the difference of the exact motion from
 // the Taylor integration.
 #pragma once
 
@@ -14,14 +14,14 @@ using Random = std::mt19937_64;
 
 double uniform(Random& random, double low, double high);
 
-// A top of ordinary size, either sign of Mgl, anywhere.
+// A top of ordinary size, with either sign of Mgl, in any position.
 HeavyTopProblem generic_top(Random& random);
 
 struct Family {
     std::string_view name;
     HeavyTopProblem (*draw)(Random& random);
     double duration_s;
-    bool amplifies;  // so much that the oracle needs more than long double's 64 bits
+    bool amplifies;  // so strongly that long double's 64 bits do not suffice
 };
 
 std::span<const Family> all();
@@ -34,7 +34,7 @@ struct Residuals {
 };
 Residuals measure(const Family& family, int first, int last);
 
-// What every family stays within.
+// Bounds for every family.
 inline constexpr Residuals bounds{2e-15, 3e-15};
 
 }  // namespace poinsot::tops
