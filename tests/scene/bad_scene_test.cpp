@@ -1,4 +1,4 @@
-// What is wrong with a scene is said in one line: where, what, and what to do.
+// An error in a scene gives a message of one line with its place, cause and remedy.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -27,7 +27,7 @@ TEST(BadScene, KeyWithoutItsUnitIsRecognised) {
               "\"duration_s\"?");
 }
 
-TEST(BadScene, KeyOfAnotherTableIsSentThere) {
+TEST(BadScene, KeyOfAnotherTableIsPointedThere) {
     EXPECT_EQ(refusal("omega_rad_s = [1, 2, 3]\n"),
               "scenes/a.toml:1:1: unknown key \"omega_rad_s\"; \"omega_rad_s\" belongs in [start]");
     EXPECT_EQ(refusal("[film]\ncaption = \"x\"\n"),
@@ -35,7 +35,7 @@ TEST(BadScene, KeyOfAnotherTableIsSentThere) {
               "first [table]");
 }
 
-TEST(BadScene, UnknownKeyWithNothingNearGetsTheList) {
+TEST(BadScene, UnknownKeyWithoutANearOneGetsTheList) {
     EXPECT_EQ(refusal(a_scene + "\n[grid]\nqwertyuiop = 1\n"),
               "scenes/a.toml:8:1: unknown key \"qwertyuiop\" in [grid]; [grid] has: columns, rows");
 }
@@ -45,13 +45,13 @@ TEST(BadScene, UnknownTableGetsTheNearestOne) {
               "scenes/a.toml:1:2: unknown table \"boddy\"; did you mean \"body\"?");
 }
 
-TEST(BadScene, DotWithinQuotesIsNoPath) {
+TEST(BadScene, DotWithinQuotesIsNotAPath) {
     EXPECT_EQ(refusal("\"body.moments_kg_m2\" = [3, 2, 1]\n")
                   .rfind("scenes/a.toml:1:1: unknown key \"body.moments_kg_m2\";", 0),
               0u);
 }
 
-TEST(BadScene, WrongTypeSaysWhatIsExpected) {
+TEST(BadScene, WrongTypeNamesTheExpectedOne) {
     EXPECT_EQ(
         refusal("[body]\nmoments_kg_m2 = \"big\"\n"),
         "scenes/a.toml:2:17: body.moments_kg_m2 is a string; it must be three positive numbers "
@@ -76,7 +76,7 @@ TEST(BadScene, WrongTypeSaysWhatIsExpected) {
               "start_s = 0.0");
 }
 
-TEST(BadScene, WrongCountSaysHowMany) {
+TEST(BadScene, WrongCountNamesTheExpectedOne) {
     EXPECT_EQ(refusal("[body]\nmoments_kg_m2 = [3.0]\n"),
               "scenes/a.toml:2:17: body.moments_kg_m2 has 1 entry; it must be three positive "
               "numbers in kg m², as in moments_kg_m2 = [3.0, 2.0, 1.0]");
@@ -85,7 +85,7 @@ TEST(BadScene, WrongCountSaysHowMany) {
               "z, as in attitude = [0.5, 0.5, 0.5, 0.5]");
 }
 
-TEST(BadScene, MomentsOutOfTheirDomainAreRefusedAtTheirOwnPlace) {
+TEST(BadScene, MomentsOutOfRangeAreRefusedAtTheirPlace) {
     EXPECT_EQ(refusal("[body]\nmoments_kg_m2 = [3.0, 0.0, 1.0]\n"),
               "scenes/a.toml:2:23: body.moments_kg_m2[1] is 0; give a number greater than 0");
     EXPECT_EQ(refusal("[body]\nmoments_kg_m2 = [3.0, 2.0, -1.0]\n"),
@@ -213,7 +213,7 @@ TEST(BadScene, StartGivenTwiceNamesBothPlaces) {
               "tilt at t = 0, as in theta_rad = 0.7");
 }
 
-TEST(BadScene, AttitudeThatIsNoRotationIsRefused) {
+TEST(BadScene, ImproperRotationMatrixIsRefused) {
     EXPECT_EQ(refusal(a_scene + "attitude = [0, 0, 0, 0]\n"),
               "scenes/a.toml:6:1: start.attitude is zero; give one that has a direction");
     EXPECT_EQ(refusal(a_scene + "attitude_matrix = [[1, 0, 0], [0, 1, 0], [0, 0, -1]]\n"),
@@ -244,7 +244,7 @@ TEST(BadScene, TorqueKeysBelongToTheirKind) {
               "scenes/a.toml:9:1: torque.arm_body is zero; give one that has a direction");
 }
 
-TEST(BadScene, MethodThatIsUnknownGetsTheNearest) {
+TEST(BadScene, UnknownMethodGetsTheNearest) {
     const std::string message = refusal(a_scene + "[motion]\nmethod = \"exakt\"\n");
     EXPECT_EQ(
         message.rfind("scenes/a.toml:7:1: unknown method \"exakt\"; did you mean \"exact\"?", 0),
@@ -274,7 +274,7 @@ TEST(BadScene, MethodOptionsAreRefusedAtTheirOwnPlace) {
     const auto beginning = [](const std::string& lines) {
         return refusal(a_scene + "[motion]\n" + lines).substr(0, 20);
     };
-    EXPECT_EQ(beginning("step_s = 0.5\n"), "scenes/a.toml:7:1: m");  // exact takes none
+    EXPECT_EQ(beginning("step_s = 0.5\n"), "scenes/a.toml:7:1: m");  // exact accepts none
     EXPECT_EQ(beginning("method = \"rk4\"\nstep_s = 0.0\n"), "scenes/a.toml:8:10: ");
     EXPECT_EQ(beginning("method = \"rk4\"\nstep_s = -0.5\n"), "scenes/a.toml:8:10: ");
     EXPECT_EQ(beginning("method = \"rk4\"\norder = 3\n"), "scenes/a.toml:8:1: m");
@@ -282,7 +282,7 @@ TEST(BadScene, MethodOptionsAreRefusedAtTheirOwnPlace) {
     EXPECT_EQ(beginning("method = \"dopri5\"\ntolerance = 0\n"), "scenes/a.toml:8:13: ");
 }
 
-TEST(BadScene, FrameRateOutOfItsDomainIsRefused) {
+TEST(BadScene, FrameRateOutOfRangeIsRefused) {
     const std::string rule =
         "; give video frames a second from 0.001 to 1000, as 30, 29.97 or \"30000/1001\"";
     EXPECT_EQ(refusal(a_scene + "[film]\nfps = 0\n"), "scenes/a.toml:7:7: film.fps is 0" + rule);
@@ -294,7 +294,7 @@ TEST(BadScene, FrameRateOutOfItsDomainIsRefused) {
               "scenes/a.toml:7:7: film.fps is nan; give a finite number");
 }
 
-TEST(BadScene, SizeOutOfItsDomainIsRefused) {
+TEST(BadScene, SizeOutOfRangeIsRefused) {
     const std::string rule = "; give a width and a height from 1 to 65536 pixels";
     EXPECT_EQ(refusal(a_scene + "[film]\nsize = [0, 1080]\n"),
               "scenes/a.toml:7:8: film.size is 0x1080" + rule);
@@ -318,7 +318,7 @@ TEST(BadScene, PanelsThatDoNotFitAreRefused) {
     EXPECT_EQ(refusal(a_scene + "[grid]\ncolumns = [1, 1]\n[[panels]]\ncolumn = 2\n"),
               "scenes/a.toml:8:1: panels[0] reaches to cell 3 of grid.columns, which has 2; move "
               "it or extend the grid");
-    // No grid that is given has so many cells, so the one that is chosen could not be written.
+    // No given grid may have so many cells, so the automatic one could not be written.
     EXPECT_EQ(refusal(a_scene + "[[panels]]\ncolumn = 60\ncolumns = 5\n"),
               "scenes/a.toml:6:1: panels[0] reaches to cell 65 of grid.columns, and a grid has at "
               "most 64; move it or let it span fewer");
@@ -369,7 +369,7 @@ TEST(BadScene, ErrorCarriesItsLocation) {
     }
 }
 
-// A file of its own for each test, removed at its end.
+// A separate file for each test, removed at its end.
 class SceneFile {
  public:
     SceneFile(const std::string& name, const std::string& content)
@@ -395,7 +395,7 @@ std::string file_refusal(const std::filesystem::path& path) {
     return "";
 }
 
-TEST(BadSceneFile, MissingFileIsSaidWithTheNearestName) {
+TEST(BadSceneFile, MissingFileIsReportedWithTheNearestName) {
     EXPECT_EQ(file_refusal("nosuchfolder/a.toml"),
               "nosuchfolder/a.toml: no such file; name a scene file, see `poinsot list scenes`");
     const SceneFile near("poinsot_racket.toml", a_scene);
@@ -405,7 +405,7 @@ TEST(BadSceneFile, MissingFileIsSaidWithTheNearestName) {
               missing + ": no such file; did you mean \"" + near.path().string() + "\"?");
 }
 
-TEST(BadSceneFile, EmptyFileIsSaid) {
+TEST(BadSceneFile, EmptyFileIsReported) {
     for (const char* const content : {"", "\n \t\r\n"}) {
         const SceneFile file("poinsot_empty.toml", content);
         EXPECT_EQ(file_refusal(file.path()),
@@ -414,7 +414,7 @@ TEST(BadSceneFile, EmptyFileIsSaid) {
     }
 }
 
-TEST(BadSceneFile, FolderIsSaid) {
+TEST(BadSceneFile, FolderIsReported) {
     const std::filesystem::path folder =
         std::filesystem::path(testing::TempDir()) / "poinsot_folder";
     std::filesystem::create_directory(folder);
@@ -423,7 +423,7 @@ TEST(BadSceneFile, FolderIsSaid) {
     std::filesystem::remove(folder);
 }
 
-TEST(BadSceneFile, BinaryContentIsSaid) {
+TEST(BadSceneFile, BinaryContentIsReported) {
     const SceneFile nul("poinsot_nul.toml", std::string("title = 1\n\0\1", 12));
     EXPECT_EQ(file_refusal(nul.path()),
               nul.path().string() +

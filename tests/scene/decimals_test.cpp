@@ -1,4 +1,4 @@
-// Numbers of scene files and of --set, held to MPFR.
+// Numbers of scene files and of --set, compared with MPFR.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ TEST(SceneNumbers, AreTheNearestDoubles) {
         const double right = read_by_mpfr(text);
         if (!std::isfinite(right)) continue;
         ASSERT_EQ(parse_override_value(text, {}).number, right) << text;
-        // toml++ takes whole numbers of 64 bits, and 128 characters.
+        // toml++ accepts integers of 64 bits, and 128 characters.
         if (text.find_first_of(".e") == std::string::npos || text.size() > 120) continue;
         ++n_in_files;
         ASSERT_EQ(parse_toml("value = " + text, "a.toml").entries.at(0).value.number, right)

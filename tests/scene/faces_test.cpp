@@ -1,4 +1,4 @@
-// Marked faces and pictures on faces: what is read, and what is said about those that cannot be.
+// Marked faces and pictures on faces: valid input, and messages about invalid input.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -53,13 +53,13 @@ TEST(Faces, ThatAreNotFlatAreRefused) {
               std::string::npos);
 }
 
-// The refusal of a box with a picture, after its place.
+// Returns the message about a box with a picture, without its place.
 std::string said(const std::string& keys) {
     const std::string all = refusal("[body]\nmoments_kg_m2 = [3, 2, 1]\n" + a_start + keys);
     return all.substr(all.find(": ") + 2);
 }
 
-TEST(Faces, WhatIsWrongWithAPictureIsSaidWhereItIsNamed) {
+TEST(Faces, PictureErrorsAreReportedAtTheirKey) {
     const MeshFolder folder;
     const std::string box = "[body]\nmoments_kg_m2 = [3, 2, 1]\n" + a_start;
     const std::string at = "scenes/a.toml:8:1: ";

@@ -1,4 +1,4 @@
-// The film's clock is the integral of its speed, at any second, however many frames came before.
+// The film's clock is the integral of its speed at any second, independent of the frames before.
 #include "scene/film_clock.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 Scene film(const std::string& text) { return scene_of(a_scene + text); }
 
-// ∫ f over [from, to] by Simpson's rule on n pieces: an answer that knows nothing of closed forms.
+// ∫ f over [from, to] by Simpson's rule on n pieces: independent of the closed forms.
 template <typename Function>
 double integrated(const Function& f, double from, double to, int n) {
     const double h = (to - from) / n;
@@ -27,20 +27,21 @@ double integrated(const Function& f, double from, double to, int n) {
     return sum;
 }
 
-TEST(Easings, GoFromZeroToOneAndKnowTheirIntegral) {
+TEST(Easings, GoFromZeroToOneAndMatchTheirIntegral) {
     for (const Easing& easing : easings()) {
         EXPECT_EQ(easing.value(0.0), 0.0) << easing.name;
         EXPECT_EQ(easing.value(1.0), 1.0) << easing.name;
         EXPECT_EQ(easing.integral(0.0), 0.0) << easing.name;
         for (const double u : {0.1, 0.25, 0.5, 0.9, 0.999}) {
-            // Simpson's error falls with the fourth power: 4e-10 on 64 pieces, so 7e-15 on 1024.
+            // Simpson's error decreases with the fourth power: 4e-10 on 64 pieces, so 7e-15 on
+            // 1024.
             EXPECT_NEAR(easing.integral(u), integrated(easing.value, 0.0, u, 1024), 1e-13)
                 << easing.name << " at " << u;
         }
     }
 }
 
-TEST(FilmClock, OfOneSpeedIsTheProductItself) {
+TEST(FilmClock, OfConstantSpeedIsTheExactProduct) {
     const FilmClock clock(film("[film]\nstart_s = 3\nspeed = 0.1\nduration_s = 2\n"));
     std::mt19937_64 random(1);
     for (int k = 0; k < 1000; ++k) {
@@ -66,7 +67,7 @@ TEST(FilmClock, IsTheIntegralOfItsSpeed) {
     for (int i = 0; i < 7; ++i) {
         for (const double share : {0.3, 1.0}) {
             const double to = keys[i] + share * (keys[i + 1] - keys[i]);
-            // Just before a jump, which "hold" makes at its end.
+            // Just before a jump, which "hold" causes at its end.
             const double until = std::nexttoward(to, 0.0);
             const double here = sum_s + integrated([&](double s) { return clock.speed_at(s); },
                                                    keys[i], until, 256);
@@ -89,21 +90,23 @@ TEST(FilmClock, NeverGoesBackAndItsInverseIsTheFirstSecond) {
     for (const double film_s : {0.0, 1.0, 4.0, 5.0, 7.7, 11.6, 15.0, 20.0, 25.0, 100.0}) {
         const auto found = clock.film_second_of(clock.time_at(film_s));
         ASSERT_TRUE(found);
-        // Where the speed is v, an ulp of the time is an ulp/v of the second; measured 4e-14
+        // With speed v, an ulp of the time is an ulp/v of the second; measured 4e-14
         EXPECT_NEAR(*found, film_s, 1e-12 * (1.0 + film_s) / std::min(1.0, clock.speed_at(film_s)))
             << film_s;
     }
-    // While the motion rests every second shows one instant: the first of them counts.
+    // While the motion is stopped, every second shows one instant: the inverse is the first of
+    // them.
     const auto rest = clock.film_second_of(clock.time_at(10.0));
     ASSERT_TRUE(rest);
     EXPECT_LE(*rest, 9.0 + 1e-9);
-    // out of "out" at rest: the time is within an ulp of its last from 3·(0.1·(1−u)³/3) < 1e-15 on.
+    // End of "out": the time is within an ulp of its last value as soon as 3·(0.1·(1−u)³/3) <
+    // 1e-15.
     EXPECT_GE(*rest, 9.0 - 1e-3);
 }
 
 TEST(FilmClock, LastsUntilItsDurationHasPassed) {
     const std::string slowing = "[[keyframes]]\nat_s = 4\nspeed = 0.5\neasing = \"linear\"\n";
-    // ∫ = 0.75·4 = 3 until 4 s, then 0.5 a second.
+    // ∫ = 0.75·4 = 3 until 4 s, then 0.5 per second.
     EXPECT_NEAR(*FilmClock(film("[film]\nduration_s = 5\n" + slowing)).length_s(), 8.0, 1e-14);
     EXPECT_EQ(*FilmClock(film("[film]\nlength_s = 6\n" + slowing)).length_s(), 6.0);
     EXPECT_EQ(film_end_time_s(film("[film]\nlength_s = 6\n" + slowing)), 4.0);

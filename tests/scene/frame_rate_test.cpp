@@ -24,7 +24,7 @@ TEST(FrameRate, OtherDecimalsAreExact) {
     EXPECT_EQ(rate_of_decimal(1000.0), RateRatio(1000, 1));
 }
 
-TEST(FrameRate, WhatIsNoRateIsNone) {
+TEST(FrameRate, InvalidRatesGiveNone) {
     for (const double bad : {0.0, -30.0, 0.0001, 1000.5, 1e300, std::nan(""), HUGE_VAL, 29.97001}) {
         EXPECT_FALSE(rate_of_decimal(bad)) << bad;
     }
@@ -42,7 +42,7 @@ TEST(FrameRate, RatiosAreReduced) {
     EXPECT_EQ(rate_of_text("29.97"), RateRatio(30000, 1001));
 }
 
-TEST(FrameRate, TextGivesTheRatioBack) {
+TEST(FrameRate, TextIsReadBack) {
     EXPECT_TRUE(rc::check([] {
         const std::int64_t denominator = *rc::gen::inRange<std::int64_t>(1, 2000);
         const std::int64_t numerator =

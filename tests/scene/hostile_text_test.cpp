@@ -1,4 +1,4 @@
-// Text made to break a parser or a terminal is refused, or echoed harmlessly.
+// Text made to break a parser or a terminal is refused, or printed harmlessly.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -30,7 +30,7 @@ TEST(HostileText, ControlCharactersAreRefusedWithTheirPlace) {
               "scenes/a.toml:1:6: control character U+000D; a scene is plain text, remove it");
 }
 
-TEST(HostileText, WindowsLineEndsAndTabsAreText) {
+TEST(HostileText, WindowsLineEndsAndTabsAreAccepted) {
     const Scene scene = scene_of(
         "title\t= \"x\"\r\n[body]\r\nmoments_kg_m2 = [3,2,1]\r\n[start]\r\n"
         "omega_rad_s = [1, 2, 3]\r\n");
@@ -45,7 +45,7 @@ TEST(HostileText, EscapedControlCharactersInStringsAreRefused) {
               "scenes/a.toml:2:11: film.quality contains the control character U+009B; remove it");
 }
 
-TEST(HostileText, EchoedKeysCannotSteerTheTerminal) {
+TEST(HostileText, PrintedKeysContainNoControlCharacters) {
     const std::string message = refusal("\"\\u001b[31m\\u009b\" = 1\n");
     EXPECT_EQ(message.rfind("scenes/a.toml:1:1: unknown key \"\\u001b[31m\\u009b\"", 0), 0u)
         << message;
@@ -60,7 +60,7 @@ TEST(HostileText, EchoedKeysCannotSteerTheTerminal) {
               0u);
 }
 
-TEST(HostileText, LongTextIsCutShortInMessages) {
+TEST(HostileText, LongTextIsShortenedInMessages) {
     const std::string message = refusal(repeated("x", 100000) + " = 1\n");
     EXPECT_LT(message.size(), 1000u);
     EXPECT_NE(message.find("xxx…xxx"), std::string::npos);
@@ -88,13 +88,13 @@ TEST(HostileText, BracketsAndDotsInStringsAndCommentsAreText) {
         "caption = '''[[[[[[[[[[[[[[[[[[[[\n ''[[[[[[ ................... '''\n" +
         a_scene;
     EXPECT_NO_THROW(scene_of(text));
-    // A closing quote that is escaped does not hide what follows the real one.
+    // An escaped closing quote does not hide the text after the real one.
     EXPECT_EQ(refusal("title = \"\\\\\"\na = " + repeated("[", 17)).rfind("scenes/a.toml:2:21:", 0),
               0u);
 }
 
 TEST(HostileText, LettersOutsideOfQuotesAreRefusedBeforeParsing) {
-    // toml++ 3.3 runs into undefined behaviour over some of them.
+    // toml++ 3.3 has undefined behaviour for some of them.
     EXPECT_EQ(refusal("[moments1.\u00b2 "),
               "scenes/a.toml:1:11: \"\u00b2\" stands outside of quotes; put text in quotes");
     EXPECT_EQ(refusal("[film]\n\u00a0fps = 30\n"),
@@ -123,8 +123,8 @@ TEST(HostileText, InputsThatBrokeTheParserAreRefused) {
     }
 }
 
-TEST(HostileText, CharactersAreDecodedByTheStandard) {
-    // Unicode 15, table 3-7: first and last of each length, and what is ill-formed.
+TEST(HostileText, CharactersAreDecodedByTheUnicodeStandard) {
+    // Unicode 15, table 3-7: first and last of each length, and ill-formed sequences.
     EXPECT_EQ(first_character("\x7f").code, 0x7fu);
     EXPECT_EQ(first_character("\xc2\x80").code, 0x80u);
     EXPECT_EQ(first_character("\xdf\xbf").code, 0x7ffu);

@@ -1,4 +1,4 @@
-// The scenes of the lecture are what their titles and captions say.
+// The scenes of the lecture fulfil their titles and captions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ TEST(LectureScenes, EachHasTitleCaptionAndAFilmOfASuitableLength) {
         EXPECT_FALSE(scene.caption.empty()) << entry.path();
         const double film_s = FilmClock(scene).length_s().value_or(0.0);
         EXPECT_GE(film_s, 10.0) << entry.path();
-        // One that is told in chapters takes its time.
+        // A film with chapters may be longer.
         EXPECT_LE(film_s, scene.chapters.empty() ? 20.0 : 60.0) << entry.path();
         EXPECT_TRUE(scene.notes.empty()) << entry.path();
     }
@@ -48,15 +48,15 @@ TEST(LectureScenes, EachMovesAsItsNameSays) {
     EXPECT_EQ(regime_of("generic"), Regime::elliptic_about_lowest);
 }
 
-TEST(LectureScenes, SeparatrixIsExactlyOnIt) {
-    // All of these are exact in binary, so equality is exact, too.
+TEST(LectureScenes, SeparatrixIsExact) {
+    // All of these numbers are exact in binary, so equality is exact, too.
     const Scene scene = lecture("separatrix");
     const Eigen::Vector3d I = scene.body.inertia.moments_kg_m2();
     const Eigen::Vector3d L = I.cwiseProduct(scene.start.omega_rad_s);
     EXPECT_EQ(L.squaredNorm(), L.dot(scene.start.omega_rad_s) * I[1]);
 }
 
-TEST(LectureScenes, TennisRacketTurnsOverMoreThanOnceInItsFilm) {
+TEST(LectureScenes, TennisRacketTurnsOverMoreThanOnce) {
     const Scene scene = lecture("tennis_racket");
     const Motion motion = motion_of(scene);
     int n_flips = 0;
@@ -100,7 +100,7 @@ TEST(LectureScenes, SteadyTopKeepsItsTilt) {
     const Motion motion = motion_of(lecture("heavy_top_steady"));
     const TopNutation& nutation = motion.heavy_top()->nutation();
     EXPECT_LT(nutation.theta_max_rad - nutation.theta_min_rad, 1e-15);
-    EXPECT_NEAR(nutation.precession_rate_rad_s, 0.4666, 5e-5);  // as the caption rounds it
+    EXPECT_NEAR(nutation.precession_rate_rad_s, 0.4666, 5e-5);  // as rounded in the caption
 }
 
 TEST(LectureScenes, TensorIsOffItsPrincipalAxes) {
@@ -109,7 +109,7 @@ TEST(LectureScenes, TensorIsOffItsPrincipalAxes) {
     EXPECT_GT(std::abs(scene.body.tensor_kg_m2(0, 1)), 0.1);
 }
 
-TEST(LectureScenes, PointMassesAreMovedToTheirCentre) {
+TEST(LectureScenes, PointMassesAreMovedToTheirCentreOfMass) {
     const Scene scene = lecture("point_masses");
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
     for (const PointMass& mass : scene.body.masses) moment += mass.mass_kg * mass.at_m;
@@ -122,15 +122,16 @@ FreeRotationConstants constants_of(const std::string& name) {
     return FreeRotation(problem.inertia, problem.start).constants();
 }
 
-// Rate of a symmetric body's axis about L over its spin ω₃: I₃/(I₁ cos θ), cos θ = I₃ω₃/L.
+// Precession of a symmetric body's axis about L per turn of its spin ω₃: I₃/(I₁ cos θ), cos θ =
+// I₃ω₃/L.
 double wobbles_a_spin(const std::string& name) {
     const Scene scene = lecture(name);
     return constants_of(name).momentum_kg_m2_s / scene.body.inertia.moments_kg_m2()[0] /
            scene.start.omega_rad_s[2];
 }
 
-TEST(LectureScenes, RealBodiesAreWhatTheirCaptionsSay) {
-    // As the captions round them.
+TEST(LectureScenes, RealBodiesMatchTheirCaptions) {
+    // As rounded in the captions.
     EXPECT_NEAR(wobbles_a_spin("feynman_plate"), 2.00, 0.005);
     EXPECT_NEAR(wobbles_a_spin("football"), 0.64, 0.005);
     const Scene earth = lecture("earth_wobble");
@@ -141,7 +142,7 @@ TEST(LectureScenes, RealBodiesAreWhatTheirCaptionsSay) {
     EXPECT_NEAR(period_s / 86400.0, 303.5, 0.05);
 }
 
-TEST(LectureScenes, ToutatisHasThePeriodsThatWereObserved) {
+TEST(LectureScenes, ToutatisHasTheObservedPeriods) {
     // Hudson & Ostro: 5.41 d about the long axis, 7.35 d of the long axis about L, on average.
     const Scene scene = lecture("toutatis");
     const double period_s = *constants_of("toutatis").polhode_period_s;
@@ -152,7 +153,7 @@ TEST(LectureScenes, ToutatisHasThePeriodsThatWereObserved) {
     const Eigen::Vector3d right = vertical.unitOrthogonal();
     double turned = 0.0;
     double before = 0.0;
-    constexpr int n = 200;  // a hundred and fifty steps a turn
+    constexpr int n = 200;  // a hundred and fifty steps per turn
     for (int k = 0; k <= n; ++k) {
         const Eigen::Vector3d axis =
             motion.at(period_s * k / n).space_from_body * Eigen::Vector3d::UnitZ();
@@ -164,7 +165,7 @@ TEST(LectureScenes, ToutatisHasThePeriodsThatWereObserved) {
 }
 
 TEST(LectureScenes, ThrownRacketTurnsItsFaceOverInOneTurn) {
-    // e1, across the face, comes to stand the other way as the handle comes round.
+    // e1, perpendicular to the face, is reversed when the handle has turned once.
     const Scene scene = lecture("racket_thrown");
     const Motion motion = motion_of(scene);
     double handle_turned = 0.0;

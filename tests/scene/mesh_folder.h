@@ -1,5 +1,4 @@
-// A folder to work in, with scenes/wedge.obj and scenes/cover.png in it: scenes of the tests that
-// name files find it.
+// A working folder with scenes/wedge.obj and scenes/cover.png, for test scenes that name files.
 #pragma once
 
 #include <unistd.h>
@@ -13,12 +12,12 @@
 
 namespace poinsot {
 
-// A right triangular prism, legs and height of one unit, a corner in the origin.
+// A right triangular prism, legs and height of one unit, with a corner at the origin.
 inline const std::string wedge_obj =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\n"
     "f 1 3 2\nf 4 5 6\nf 1 2 5 4\nf 2 3 6 5\nf 3 1 4 6\n";
 
-// The current folder while it lives; removed afterwards.
+// The current folder during its lifetime; removed afterwards.
 class MeshFolder {
  public:
     MeshFolder() : before_(std::filesystem::current_path()) {

@@ -1,4 +1,4 @@
-// Bodies given by a real thing or by a mesh, and what is said about those that cannot be.
+// Bodies given by an object or a mesh, and messages about invalid ones.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 const std::string wedge = "[body]\nmesh = \"wedge.obj\"\n";
 
-// Mass properties of what will be drawn, at unit density.
+// Mass properties of the drawn surfaces, at unit density.
 MassProperties drawn(const Scene& scene) { return mass_properties(scene.surfaces.at(0).mesh); }
 
 TEST(ObjectScene, MeshHasTheInertiaOfItsPrism) {
@@ -32,7 +32,7 @@ TEST(ObjectScene, MeshHasTheInertiaOfItsPrism) {
     EXPECT_FALSE(scene.body.inertia.body_axes_are_principal());
 }
 
-TEST(ObjectScene, WhatIsDrawnStandsOnItsCentreOfMassInMetres) {
+TEST(ObjectScene, DrawnSurfacesAreInMetresFromTheCentreOfMass) {
     const MeshFolder folder;
     const Scene scene = scene_of(wedge + "mass_kg = 2\nscale = 0.5\n" + a_start);
     EXPECT_LT(drawn(scene).centre_of_mass_m.norm(), 1e-16);
@@ -40,12 +40,13 @@ TEST(ObjectScene, WhatIsDrawnStandsOnItsCentreOfMassInMetres) {
     EXPECT_EQ(scene.body.mass_kg, 2.0);
 }
 
-TEST(ObjectScene, ObjectsScaleAsTheirLengthsAndMass) {
+TEST(ObjectScene, ObjectsScaleWithTheirLengthsAndMass) {
     const Scene once = scene_of("[body]\nobject = \"book\"\n" + a_start);
     const Scene twice = scene_of("[body]\nobject = \"book\"\nscale = 2\n" + a_start);
     const Scene heavy = scene_of("[body]\nobject = \"book\"\nmass_kg = 3\n" + a_start);
     EXPECT_EQ(twice.body.mass_kg, 8.0 * once.body.mass_kg);
-    // Inertia as the fifth power of the length at one density; products of powers of two are exact.
+    // At constant density inertia grows with the fifth power of length; products of powers of two
+    // are exact.
     EXPECT_EQ(twice.body.inertia.moments_kg_m2(), 32.0 * once.body.inertia.moments_kg_m2());
     EXPECT_LT((heavy.body.inertia.moments_kg_m2() / 3.0 -
                once.body.inertia.moments_kg_m2() / once.body.mass_kg)
@@ -53,7 +54,7 @@ TEST(ObjectScene, ObjectsScaleAsTheirLengthsAndMass) {
               1e-17);
 }
 
-TEST(ObjectScene, EveryObjectMakesABodyThatComesBack) {
+TEST(ObjectScene, EveryObjectIsReadBack) {
     for (const NamedObject& object : named_objects()) {
         const Scene scene =
             scene_of("[body]\nobject = \"" + std::string(object.name) + "\"\n" + a_start);
@@ -64,20 +65,21 @@ TEST(ObjectScene, EveryObjectMakesABodyThatComesBack) {
     }
 }
 
-TEST(ObjectScene, LookFollowsTheOrderOfTheMoments) {
-    // The racket's own axes: largest moment about x, least about z. This body has them reversed.
+TEST(ObjectScene, AppearanceFollowsTheOrderOfTheMoments) {
+    // The racket's own axes: largest moment about x, smallest about z. This body has the reverse
+    // order.
     const Scene scene = scene_of("[body]\nmoments_kg_m2 = [1.0, 2.0, 2.5]\n" + a_start +
                                  "[object]\nname = \"racket\"\n");
     Eigen::Vector3d reach = Eigen::Vector3d::Zero();
     for (const BodySurface& surface : scene.surfaces) {
         for (const Eigen::Vector3d& v : surface.mesh.vertices) reach = reach.cwiseMax(v.cwiseAbs());
     }
-    EXPECT_GT(reach.x(), reach.y());  // the handle lies along the axis of the least moment
-    EXPECT_GT(reach.y(), reach.z());  // and the face stands across that of the largest
+    EXPECT_GT(reach.x(), reach.y());  // the handle lies along the axis of the smallest moment
+    EXPECT_GT(reach.y(), reach.z());  // and the face is perpendicular to that of the largest
     EXPECT_EQ(scene.body.inertia.moments_kg_m2(), Eigen::Vector3d(1.0, 2.0, 2.5));
 }
 
-TEST(ObjectScene, FilesOutsideOfTheFolderNeedLeave) {
+TEST(ObjectScene, FilesOutsideTheFolderNeedPermission) {
     const MeshFolder folder;
     folder.write("outside.obj", wedge_obj);
     std::filesystem::create_symlink(folder.path() / "outside.obj",
@@ -93,11 +95,11 @@ TEST(ObjectScene, FilesOutsideOfTheFolderNeedLeave) {
         const Scene scene = parse_scene(text, "scenes/a.toml", {}, OutsideFiles::allowed);
         EXPECT_EQ(scene.body.mass_kg, 1.0) << name;
     }
-    // A way around that ends within the folder is none.
+    // A path that leaves the folder and returns to it is allowed.
     EXPECT_NO_THROW(scene_of("[body]\nmesh = \"../scenes/wedge.obj\"\nmass_kg = 1\n" + a_start));
 }
 
-TEST(ObjectScene, BadMeshesAreRefusedWhereTheyAreNamed) {
+TEST(ObjectScene, BadMeshesAreRefusedAtTheirKey) {
     const MeshFolder folder;
     const std::string at = "scenes/a.toml:2:1: scenes/";
     const auto said = [](const std::string& name) {
@@ -142,8 +144,9 @@ TEST(ObjectScene, ContradictionsAreNamed) {
               "scenes/a.toml:8:1: object.mesh contradicts object.name; give one of them");
 }
 
-// A book of one's own: the numbers are the box's, the looks those of the thing, at the box's sizes.
-TEST(ObjectScene, AThingsSkinFitsOnesOwnSizes) {
+// A book with the user's dimensions: the inertia is the box's, the shape the object's, stretched to
+// the box.
+TEST(ObjectScene, AnObjectsShapeFitsTheBox) {
     const Scene scene = scene_of(
         "[body]\nshape = \"box\"\nsize_m = [\"24 cm\", \"17 cm\", \"3 cm\"]\nmass_kg = \"800 "
         "g\"\n" +

@@ -1,5 +1,5 @@
-// Random scenes that use every key come back from what is written of them, which is what the
-// record of a picture holds.
+// Random scenes with every key are read back from their written text, which the record of a picture
+// contains.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ class Dice {
         const double part = static_cast<double>(engine_() >> 11) * 0x1p-53;
         return std::clamp(least + part * (most - least), least, most);
     }
-    // Any finite double, by its bits: subnormal ones and −0, too.
+    // Any finite double, by its bits, including subnormal ones and −0.
     double any() {
         if (one_in(8)) return one_in(2) ? 0.0 : -0.0;
         const double value = std::bit_cast<double>(engine_());
@@ -59,8 +59,8 @@ class Dice {
     auto one_of(const List& list) {
         return list[static_cast<std::size_t>(below(static_cast<int>(std::size(list))))];
     }
-    // What scenes may hold and TOML must keep: quotes, backslashes, line ends, what looks like
-    // TOML, letters of two to four bytes, characters that cannot be seen.
+    // Text that scenes may contain and TOML must preserve: quotes, backslashes, line ends, TOML
+    // syntax, characters of two to four bytes, invisible characters.
     std::string text() {
         static const std::vector<std::string> parts{"a",         "Z",
                                                     "7",         " ",
@@ -88,7 +88,7 @@ class Dice {
     std::mt19937_64 engine_;
 };
 
-// A scene as text, key by key. Tables may come in any order, as a user writes them.
+// A scene as text, key by key. Tables may be in any order, as users write them.
 class Text {
  public:
     void set(const std::string& path, const std::string& value) { values_[path] = value; }
@@ -109,7 +109,7 @@ class Text {
             (table.empty() ? top : tables[table]) +=
                 fmt::format("{} = {}\n", path.substr(dot + 1), value);
         }
-        // An item without keys of its own is there before its tables.
+        // An item without own keys precedes its tables.
         for (const auto& [path, value] : values_)
             if (const std::size_t end = path.find(']'); end != std::string::npos)
                 tables[path.substr(0, end + 1)];
@@ -173,7 +173,8 @@ void write_picture(Dice& dice, Text& text) {
     if (dice.one_in(2)) text.set("units", list_text({dice.one_of(units)}));
 }
 
-// What of a row its own words say: names, true or false, and what lies between bounds is drawn.
+// The rows whose type gives the values: names, true or false, and numbers between bounds are
+// random.
 void write_rows_with_names(Dice& dice, Text& text) {
     for (const SceneKey& key : scene_keys()) {
         const bool in_array = key.path.find("[]") != std::string_view::npos;
@@ -208,7 +209,7 @@ void write_body(Dice& dice, Text& text) {
     } else if (way == 2) {
         const Solid& solid = dice.one_of(solids());
         std::vector<double> sizes;
-        // Ascending: a tube's outer radius is its second.
+        // Ascending, because a tube's outer radius is its second size.
         for (int k = 0; k < solid.n_sizes; ++k) sizes.push_back(dice.between(0.1, 0.2) * (k + 1));
         if (solid.name == "torus") std::reverse(sizes.begin(), sizes.end());
         text.set_text("body.shape", std::string(solid.name));
@@ -225,7 +226,7 @@ void write_body(Dice& dice, Text& text) {
                      vector_text(x, corner.y() + dice.between(-0.3, 0.3), corner.z()));
         }
     } else if (way == 4) {
-        // The others have so many triangles that a thousand scenes would take long.
+        // The other objects have too many triangles for a thousand scenes.
         constexpr std::array few_triangles{"box", "book", "coin", "t-handle"};
         text.set_text("body.object", dice.one_of(few_triangles));
         if (dice.one_in(2)) text.set_number("body.mass_kg", scale);
@@ -242,7 +243,7 @@ void write_body(Dice& dice, Text& text) {
             text.set_text("object.mesh", "wedge.obj");
     }
     if (way > 1 || text.has("object.mesh") || text.has("object.name")) return;
-    // A box, whose faces are flat.
+    // A box has flat faces.
     const int face = dice.below(6);
     if (dice.one_in(2)) text.set_text("object.marked_face", std::string(body_faces()[face]));
     for (int k = 0, n = dice.below(3); k < n; ++k) {
@@ -319,7 +320,7 @@ void write_film(Dice& dice, Text& text) {
         text.set("film.size",
                  fmt::format("[{}, {}]", 1 + dice.below(16384), 1 + dice.below(16384)));
     if (dice.one_in(2)) text.set_text("film.quality", "draft");
-    // Loops and turning cameras belong to free bodies.
+    // Loops and turning cameras need a free body.
     if (text.values().at("torque.kind") != "\"none\"") return;
     const int loop = dice.below(4);
     if (loop == 1)
@@ -377,7 +378,7 @@ void write_cameras_and_panels(Dice& dice, Text& text) {
     }
 }
 
-// Within the eight seconds that the shortest film lasts.
+// Within eight seconds, the length of the shortest film.
 void write_what_is_told(Dice& dice, Text& text) {
     const int n_panels = static_cast<int>(
         std::count_if(text.values().begin(), text.values().end(), [](const auto& value) {
@@ -464,7 +465,7 @@ std::optional<Scene> scene_if_any(const std::string& text) {
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
-// Bit for bit; integers and the numbers that they are count as one.
+// Exact comparison; an integer equals the same number as a float.
 bool same(const TomlValue& a, const TomlValue& b) {
     using Type = TomlValue::Type;
     const auto is_number = [](const TomlValue& value) {
@@ -477,7 +478,7 @@ bool same(const TomlValue& a, const TomlValue& b) {
     return a.boolean == b.boolean && a.text == b.text;
 }
 
-// The values of a document by their paths: "panels[2].camera.view".
+// The values of a document with their paths: "panels[2].camera.view".
 void flatten(const TomlValue& value, const std::string& path,
              std::map<std::string, TomlValue>& values) {
     const bool is_array_of_tables = value.type == TomlValue::Type::array && !value.items.empty() &&
@@ -504,7 +505,7 @@ std::string row_of(const std::string& path) {
     return open == std::string::npos ? path : path.substr(0, open + 1) + path.substr(close);
 }
 
-// What a row writes of a scene that says nothing.
+// The text that a row writes for a default scene.
 std::string text_by_default(const SceneKey& key) {
     static const Scene plain = [] {
         Scene scene;
@@ -521,7 +522,7 @@ std::string text_by_default(const SceneKey& key) {
     return key.write(plain, 0);
 }
 
-// Values that are not written, since the scene is the same without them.
+// Values that are not written because the scene is the same without them.
 bool goes_without_saying(const std::string& row, const std::string& value) {
     static const std::map<std::string, std::string> defaults{
         {"labels", "true"},
@@ -536,12 +537,12 @@ bool goes_without_saying(const std::string& row, const std::string& value) {
     return found != defaults.end() && found->second == value;
 }
 
-// Attitudes and arms are made unit vectors, and a matrix becomes a quaternion.
+// Attitudes and arms are normalised, and a matrix becomes a quaternion.
 bool is_normalised(const std::string& row) {
     return row == "start.attitude" || row == "start.attitude_matrix" || row == "torque.arm_body";
 }
 
-// Everything that a scene was computed from and that is not a text of its own.
+// All data that a scene is computed from and that have no text of their own.
 void expect_same_state(const Scene& a, const Scene& b, const std::string& text) {
     for (int i = 0; i < 4; ++i)
         EXPECT_EQ(bits(a.start.space_from_body.coeffs()[i]),
@@ -562,15 +563,15 @@ void expect_same_state(const Scene& a, const Scene& b, const std::string& text) 
     EXPECT_EQ(a.object.pictures.size(), b.object.pictures.size()) << text;
 }
 
-TEST(RandomScenes, OfEveryKeyComeBackFromWhatIsWrittenOfThem) {
+TEST(RandomScenes, OfEveryKeyAreReadBack) {
     const MeshFolder folder;
     Dice dice(20260301);
-    std::set<std::string> said;  // rows that said something else than their default
+    std::set<std::string> said;  // rows with a value other than their default
     constexpr int n_scenes = 500;
     int n_read = 0;
     for (int n = 0; n < n_scenes && !HasFailure(); ++n) {
         const Text text = random_scene(dice);
-        // Some contradict themselves; they are no scenes.
+        // Some contradict themselves and are not valid scenes.
         const std::optional<Scene> scene = scene_if_any(text.toml());
         if (!scene) continue;
         ++n_read;
@@ -581,7 +582,7 @@ TEST(RandomScenes, OfEveryKeyComeBackFromWhatIsWrittenOfThem) {
         expect_same_state(*scene, *again, text.toml());
         EXPECT_EQ(again->notes, std::vector<std::string>{}) << written;
 
-        // Whatever was given stands there, or goes without saying.
+        // Every given value is written, or implied.
         const auto given = values_of(text.toml());
         const auto found = values_of(written);
         for (const auto& [path, value] : given) {

@@ -1,4 +1,4 @@
-// A scene written out and read again is the same scene, bit for bit.
+// A scene that is written and read again is exactly the same scene.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -25,7 +25,7 @@ const bool seeded = ::setenv("RC_PARAMS", "seed=4179 max_success=300", 1) == 0;
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
-// Any finite double, by its bits: subnormal ones and −0 too.
+// Any finite double, by its bits, including subnormal ones and −0.
 double any_double() {
     const double value = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
     return std::isfinite(value) ? value : -0.0;
@@ -45,7 +45,7 @@ Vector any_vector() {
 }
 
 std::string any_text() {
-    // Quotes, backslashes, line ends, tabs, letters of two to four bytes.
+    // Quotes, backslashes, line ends, tabs, characters of two to four bytes.
     std::string text;
     for (int n = *rc::gen::inRange(0, 12); n > 0; --n) {
         text += *rc::gen::elementOf(std::vector<std::string>{"a", "\"", "\\", "'", "\n", "\t", "ω",
@@ -54,7 +54,7 @@ std::string any_text() {
     return text;
 }
 
-// Equal in every value that a scene file may say; each of them has a text of its own.
+// Equal in every value of a scene file; each of them has its own text.
 void expect_same(const Scene& a, const Scene& b) {
     RC_ASSERT(to_toml(a) == to_toml(b));
     for (int i = 0; i < 3; ++i) {
@@ -73,7 +73,7 @@ void expect_same(const Scene& a, const Scene& b) {
     RC_ASSERT(b.notes.empty());
 }
 
-TEST(RoundTrip, EveryDoubleComesBack) {
+TEST(RoundTrip, EveryDoubleIsReadBack) {
     ASSERT_TRUE(seeded);
     for (const double value : {0.0, -0.0, 1.0, 1e20, 1e21, 5e-324, -1.7976931348623157e308,
                                2.2250738585072014e-308, 0.1, 1e-5}) {
@@ -87,7 +87,7 @@ TEST(RoundTrip, EveryDoubleComesBack) {
     }));
 }
 
-TEST(RoundTrip, EveryTextComesBack) {
+TEST(RoundTrip, EveryTextIsReadBack) {
     EXPECT_TRUE(rc::check([] {
         const std::string text = any_text();
         RC_ASSERT(scene_of("title = " + toml_text(std::string_view(text)) + "\n" + a_scene).title ==
@@ -95,7 +95,7 @@ TEST(RoundTrip, EveryTextComesBack) {
     }));
 }
 
-TEST(RoundTrip, MomentsAndFilmComeBack) {
+TEST(RoundTrip, MomentsAndFilmAreReadBack) {
     EXPECT_TRUE(rc::check([] {
         std::string text = "title = " + toml_text(std::string_view(any_text())) + "\n";
         const double I1 = number_from(1.0, 2.0);
@@ -114,7 +114,7 @@ TEST(RoundTrip, MomentsAndFilmComeBack) {
     }));
 }
 
-TEST(RoundTrip, AttitudesComeBackAfterTheyAreNormalised) {
+TEST(RoundTrip, NormalisedAttitudesAreReadBack) {
     EXPECT_TRUE(rc::check([] {
         Eigen::Vector4d q;
         for (double& entry : q.reshaped()) entry = number_from(-1.0, 1.0);
@@ -128,7 +128,7 @@ TEST(RoundTrip, AttitudesComeBackAfterTheyAreNormalised) {
     }));
 }
 
-TEST(RoundTrip, TensorsComeBack) {
+TEST(RoundTrip, TensorsAreReadBack) {
     EXPECT_TRUE(rc::check([] {
         // Diagonally dominant, moments within a factor of two: physical.
         Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
@@ -145,7 +145,7 @@ TEST(RoundTrip, TensorsComeBack) {
     }));
 }
 
-TEST(RoundTrip, MassesComeBack) {
+TEST(RoundTrip, MassesAreReadBack) {
     EXPECT_TRUE(rc::check([] {
         // Around the corners of a tetrahedron, so that the body has extent in every direction.
         std::string text;
@@ -162,7 +162,7 @@ TEST(RoundTrip, MassesComeBack) {
     }));
 }
 
-TEST(RoundTrip, TopsComeBack) {
+TEST(RoundTrip, TopsAreReadBack) {
     EXPECT_TRUE(rc::check([] {
         const Scene scene = scene_of(
             "[body]\nmoments_kg_m2 = [1.0, 1.0, 0.5]\n[start]\ntheta_rad = " +
@@ -177,7 +177,7 @@ TEST(RoundTrip, TopsComeBack) {
 }
 
 // In TOML a line belongs to the header above it.
-TEST(RoundTrip, KeysOfNoTableAreWrittenBeforeAllTables) {
+TEST(RoundTrip, KeysWithoutATableAreWrittenFirst) {
     const std::string given =
         "show = [\"plane\"]\nlabels = false\nunlabelled = [\"omega\"]\n"
         "[symbols]\nomega = \"w\"\n" +
@@ -194,8 +194,8 @@ TEST(RoundTrip, KeysOfNoTableAreWrittenBeforeAllTables) {
     EXPECT_EQ(again.symbols.omega, "w");
 }
 
-// A view's aim is not written beside a target, which contradicts it.
-TEST(RoundTrip, TargetsBesideAViewComeBack) {
+// A view's aim is not written together with a target, which contradicts it.
+TEST(RoundTrip, TargetsWithAViewAreReadBack) {
     for (const CameraView& view : camera_views()) {
         const Scene scene = scene_of(a_scene + "[camera]\nview = \"" + std::string(view.name) +
                                      "\"\ntarget = [1.0, 2.0, 3.0]\n");
@@ -205,8 +205,8 @@ TEST(RoundTrip, TargetsBesideAViewComeBack) {
     }
 }
 
-TEST(RoundTrip, NegativeZerosOfAnAttitudeComeBack) {
-    // That of −1, 0, 0, 0, too, whose sign is turned.
+TEST(RoundTrip, NegativeZerosOfAnAttitudeAreReadBack) {
+    // Also for −1, 0, 0, 0, whose sign is changed.
     for (const char* attitude : {"[1.0, -0.0, 0.0, 0.0]", "[-1.0, 0.0, 0.0, 0.0]"}) {
         const Scene scene = scene_of(a_scene + "attitude = " + attitude + "\n");
         const Scene again = scene_of(to_toml(scene));
@@ -217,15 +217,15 @@ TEST(RoundTrip, NegativeZerosOfAnAttitudeComeBack) {
     }
 }
 
-TEST(RoundTrip, LeastElementsOfATensorComeBack) {
+TEST(RoundTrip, SmallestElementsOfATensorAreReadBack) {
     const Scene scene =
         scene_of("[body]\ntensor_kg_m2 = [[2, 5e-324, 0], [5e-324, 2, 0], [0, 0, 3]]\n" + a_start);
     EXPECT_EQ(scene.body.tensor_kg_m2(0, 1), 5e-324);
     EXPECT_EQ(scene_of(to_toml(scene)).body.tensor_kg_m2, scene.body.tensor_kg_m2);
 }
 
-// A still on paper has as many pixels as its inches and dots make.
-TEST(RoundTrip, LargestStillsComeBack) {
+// A printed still has as many pixels as its size in inches times its dots per inch.
+TEST(RoundTrip, LargestStillsAreReadBack) {
     Scene scene = scene_of(a_scene);
     scene.film.width_px = 65536;
     scene.film.height_px = 16385;
@@ -234,7 +234,7 @@ TEST(RoundTrip, LargestStillsComeBack) {
     EXPECT_EQ(again.film.height_px, 16385);
 }
 
-TEST(RoundTrip, EverySceneOfTheLectureComesBack) {
+TEST(RoundTrip, EverySceneOfTheLectureIsReadBack) {
     int n_scenes = 0;
     for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes")) {
         if (entry.path().extension() != ".toml") continue;

@@ -1,4 +1,4 @@
-// Every row of the key table is read into the scene, refused when wrong, and written back.
+// Every row of the key table is read, refused when invalid, and written back.
 #include "scene/scene_keys.h"
 
 #include <fmt/format.h>
@@ -36,10 +36,10 @@ const std::string a_wedge =
 
 const std::string a_picture = "[[object.pictures]]\nface = \"-e3\"\nfile = \"cover.png\"\n";
 
-// Where the wedge and the cover are found.
+// The folder with the wedge and the cover.
 const MeshFolder folder;
 
-// A scene that gives the key, and what must then stand in it.
+// A scene that gives the key, and a check of the scene's value.
 struct Claim {
     std::string text;
     std::function<bool(const Scene&)> holds;
@@ -528,7 +528,7 @@ const std::map<std::string, Claim> claims_of_rows{
       [](const Scene& s) { return s.panels.at(0).title == "" && !s.panels.at(1).title; }}},
 };
 
-// The rows of [style] are those of a table: a colour for each, and what else its kind takes.
+// The rows of [style] come from a table: a colour for each, and the other values of its kind.
 template <std::size_t role>
 Claim style_claim() {
     const StyleRole& claimed = style_roles()[role];
@@ -579,8 +579,7 @@ TEST(SceneKeys, EveryRowIsWrittenBack) {
     }
 }
 
-// The lines that open the table of a key; one of an item, as [panels.camera], stands below its
-// item.
+// The header lines of a key's table; one of an item, such as [panels.camera], is below its item.
 std::string header_of(const SceneKey& key) {
     if (key.table().empty()) return "";
     const std::string table(key.table());
@@ -589,14 +588,15 @@ std::string header_of(const SceneKey& key) {
            written_table(table) + "\n";
 }
 
-// The line of the example, in the table that it belongs to.
+// The line of the example, in its table.
 std::string example_of(const SceneKey& key, const std::string& value) {
     return fmt::format("{}{} = {}\n", header_of(key), key.leaf(), value);
 }
 
-TEST(SceneKeys, EveryExampleIsOfTheRightTypeAndInItsDomain) {
+TEST(SceneKeys, EveryExampleIsValid) {
     for (const SceneKey& key : scene_keys()) {
-        // The example alone makes no scene, but nothing is wrong where it stands (line 2, or 1).
+        // The example alone is not a complete scene, but has no error at its own place (line 2, or
+        // 1).
         try {
             scene_of(example_of(key, std::string(key.example)));
         } catch (const SceneError& error) {
@@ -618,7 +618,7 @@ TEST(SceneKeys, EveryRowRefusesAWrongTypeWithItsExample) {
     }
 }
 
-TEST(SceneKeys, NoNumberMayBeNanOrInfinite) {
+TEST(SceneKeys, NumbersMustBeFinite) {
     // Each number of the example in turn is replaced.
     for (const SceneKey& key : scene_keys()) {
         const std::string example(key.example);
@@ -640,12 +640,12 @@ TEST(SceneKeys, NoNumberMayBeNanOrInfinite) {
     }
 }
 
-TEST(SceneKeys, EveryMistypedKeyFindsItsRow) {
-    // A letter lost at the end of the name.
+TEST(SceneKeys, EveryMistypedKeySuggestsItsRow) {
+    // The last letter of the name is missing.
     for (const SceneKey& key : scene_keys()) {
         std::string name(key.leaf());
         name.pop_back();
-        if (name.size() < 2) continue;  // what is left of e1 is that of e2
+        if (name.size() < 2) continue;  // e1 and e2 have the same remainder
         if (find_scene_key(
                 fmt::format("{}{}{}", key.table(), key.table().empty() ? "" : ".", name))) {
             continue;
@@ -668,7 +668,7 @@ TEST(SceneKeys, EveryRowMayBeSetOnTheCommandLine) {
     for (const auto& [path, claim] : claims) {
         const SceneKey* key = find_scene_key(path);
         if (path.find("[]") != std::string::npos) continue;
-        // Its own example, on a scene that already gives the key.
+        // The row's own example, for a scene that already gives the key.
         const Scene scene = scene_of(claim.text, {fmt::format("{}={}", path, key->example)});
         EXPECT_EQ(scene.locations.at(path).line, 0) << path;
         EXPECT_EQ(scene.where(path), fmt::format("--set {}={}: ", path, key->example));

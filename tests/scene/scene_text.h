@@ -11,7 +11,7 @@
 
 namespace poinsot {
 
-// A scene that lacks nothing; lines 1 to 5 of the file "scenes/a.toml".
+// A complete scene; lines 1 to 5 of the file "scenes/a.toml".
 inline const std::string a_body = "[body]\nmoments_kg_m2 = [3.0, 2.0, 1.0]\n";
 inline const std::string a_start = "\n[start]\nomega_rad_s = [0.5, 2.0, 0.25]\n";
 inline const std::string a_scene = a_body + a_start;
@@ -20,7 +20,7 @@ inline Scene scene_of(const std::string& text, const std::vector<std::string>& o
     return parse_scene(text, "scenes/a.toml", overrides);
 }
 
-// What is said about a scene that is refused.
+// Returns the message about a scene that is refused.
 inline std::string refusal(const std::string& text,
                            const std::vector<std::string>& overrides = {}) {
     try {

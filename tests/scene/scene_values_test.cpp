@@ -1,4 +1,4 @@
-// What a scene says arrives in the mechanics' problem, in the right axes.
+// The values of a scene reach the mechanics' problem, in the correct axes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,7 +55,7 @@ TEST(SceneValues, AttitudeIsNormalisedWithANote) {
     EXPECT_EQ(scene.notes[0], "start.attitude has length 2 and was scaled to 1");
 }
 
-TEST(SceneValues, AttitudeOfUnitLengthIsKeptBitForBit) {
+TEST(SceneValues, AttitudeOfUnitLengthIsKeptExactly) {
     const Scene scene = scene_of(a_scene +
                                  "attitude = [0.7071067811865476, 0, "
                                  "0.7071067811865475, 0]\n");
@@ -64,13 +64,13 @@ TEST(SceneValues, AttitudeOfUnitLengthIsKeptBitForBit) {
     EXPECT_TRUE(scene.notes.empty());
 }
 
-TEST(SceneValues, OfTwoQuaternionsOfOneAttitudeTheOneWithPositiveWIsTaken) {
+TEST(SceneValues, OfTwoEqualQuaternionsTheOneWithPositiveWIsUsed) {
     const Scene scene = scene_of(a_scene + "attitude = [-0.5, 0.5, -0.5, 0.5]\n");
     EXPECT_EQ(scene.start.space_from_body.coeffs(),
               Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5).coeffs());
 }
 
-TEST(SceneValues, MatrixThatIsNearlyARotationIsNoted) {
+TEST(SceneValues, NearlyOrthogonalMatrixIsNoted) {
     const Scene scene =
         scene_of(a_scene + "attitude_matrix = [[0.8, -0.6, 0], [0.6, 0.80000001, 0], [0, 0, 1]]\n");
     ASSERT_EQ(scene.notes.size(), 1u);
@@ -88,7 +88,7 @@ TEST(SceneValues, AsymmetryOfRoundingIsNoted) {
     EXPECT_EQ(scene.body.tensor_kg_m2, scene.body.tensor_kg_m2.transpose());
 }
 
-TEST(SceneValues, SpanOfTheProblemHoldsTheFilmAndTheStart) {
+TEST(SceneValues, SpanOfTheProblemContainsTheFilmAndTheStart) {
     const MotionProblem later =
         problem_of(scene_of(a_scene + "[film]\nstart_s = 3\nduration_s = 4\n"));
     EXPECT_EQ(later.first_time_s, 0.0);

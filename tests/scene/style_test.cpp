@@ -1,4 +1,4 @@
-// [style], and themes in files of one's own.
+// [style], and theme files of the user.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 const std::array<double, 3> red{1.0, 0.0, 0.0};
 
-TEST(Style, TakesColoursByNameAndByNumber) {
+TEST(Style, AcceptsColoursByNameAndByNumber) {
     for (const char* const colour : {"red", "#f00", "#ff0000", "#FF0000"})
         EXPECT_EQ(scene_of(a_scene + fmt::format("[style]\nomega = \"{}\"\n", colour))
                       .style.looks.at("omega")
@@ -24,7 +24,7 @@ TEST(Style, TakesColoursByNameAndByNumber) {
             << colour;
 }
 
-TEST(Style, RefusesWhatItDoesNotKnowAtItsPlace) {
+TEST(Style, RefusesUnknownWordsAtTheirPlace) {
     const auto said = [](const std::string& line) {
         return refusal(a_scene + "[style]\n" + line + "\n");
     };
@@ -43,7 +43,7 @@ TEST(Style, RefusesWhatItDoesNotKnowAtItsPlace) {
               "scenes/a.toml:7:1: unknown key \"omga\" in [style]; did you mean \"omega\"?");
 }
 
-TEST(ThemeFile, LiesUnderWhatTheSceneSays) {
+TEST(ThemeFile, IsOverriddenByTheScene) {
     const MeshFolder folder;
     folder.write(
         "scenes/mine.toml",
@@ -57,7 +57,7 @@ TEST(ThemeFile, LiesUnderWhatTheSceneSays) {
     EXPECT_EQ(scene.style.label_scale, 1.5);
     EXPECT_EQ(scene.where("style.polhode"), "scenes/mine.toml:3:1: ");
 
-    // What is written, as in the record of a picture, needs no file.
+    // The written scene, as in the record of a picture, does not need the file.
     const std::string text = to_toml(scene);
     std::filesystem::remove("scenes/mine.toml");
     const Scene again = scene_of(text);
@@ -66,13 +66,13 @@ TEST(ThemeFile, LiesUnderWhatTheSceneSays) {
     EXPECT_EQ(to_toml(again), text);
 }
 
-TEST(ThemeFile, ExtendsTheLightOneUnlessItSaysSo) {
+TEST(ThemeFile, ExtendsTheLightThemeByDefault) {
     const MeshFolder folder;
     folder.write("scenes/mine.toml", "omega = \"red\"\n");
     EXPECT_EQ(scene_of("theme = \"mine.toml\"\n" + a_scene).theme, "light");
 }
 
-TEST(ThemeFile, OfTheCommandLineLiesWhereThatIsGiven) {
+TEST(ThemeFile, OnTheCommandLineIsFoundInTheCurrentOrScenesFolder) {
     const MeshFolder folder;
     folder.write("here.toml", "omega = \"red\"\n");
     EXPECT_EQ(scene_of(a_scene, {"theme=here.toml"}).style.looks.at("omega").srgb, red);

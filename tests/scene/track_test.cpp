@@ -1,5 +1,4 @@
-// Ways through keyframes: velocities that do not jump, values that do not overshoot, and integrals
-// that are those of the values.
+// Tracks of keyframes: continuous velocities, values that do not overshoot, and correct integrals.
 #include "scene/track.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +24,7 @@ Track through(const std::vector<std::pair<double, double>>& keys) {
     return track;
 }
 
-TEST(Track, GoesThroughItsKeysWithoutAHalt) {
+TEST(Track, PassesKeysWithoutStopping) {
     const Track track = through({{0.0, 0.0}, {2.0, 30.0}, {3.0, 50.0}, {6.0, 80.0}, {8.0, 120.0}});
     EXPECT_EQ(track.at(2.0), 30.0);
     EXPECT_EQ(track.at(3.0), 50.0);
@@ -37,23 +36,23 @@ TEST(Track, GoesThroughItsKeysWithoutAHalt) {
         const double before = velocity(track, key_s - 1e-4);
         const double after = velocity(track, key_s + 1e-4);
         EXPECT_NEAR(before, after, 0.02) << key_s;  // the curvature times 2e-4
-        EXPECT_GT(before, 5.0) << key_s;            // no halt: 15 a second in the mean
+        EXPECT_GT(before, 5.0) << key_s;            // does not stop: 15 per second on average
     }
-    // The one that halts, beside it.
+    // A track that stops, for comparison.
     Track halting(0.0);
     halting.add(2.0, 30.0, easing_named("smooth"));
     halting.add(3.0, 50.0, easing_named("smooth"));
     EXPECT_NEAR(velocity(halting, 2.0), 0.0, 1e-2);
 }
 
-// A straight way at an even pace stays one between its first and last keys.
-TEST(Track, KeepsAnEvenPace) {
+// A uniform motion stays uniform between its first and last keys.
+TEST(Track, KeepsUniformMotion) {
     const Track track = through({{0.0, 0.0}, {1.0, 3.0}, {2.0, 6.0}, {3.0, 9.0}, {4.0, 12.0}});
     for (double film_s = 1.0; film_s <= 3.0; film_s += 0.125)
         EXPECT_NEAR(track.at(film_s), 3.0 * film_s, 1e-12);
 }
 
-TEST(Track, StaysBetweenTheValuesOfItsKeysAndHasTheIntegralOfItsValues) {
+TEST(Track, StaysBetweenItsKeysAndIntegratesItsValues) {
     std::mt19937 random(16);
     std::uniform_real_distribution<double> value(-10.0, 10.0);
     std::uniform_real_distribution<double> step(0.2, 3.0);
