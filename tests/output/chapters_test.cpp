@@ -1,4 +1,4 @@
-// Named sections come back from the containers that carry them.
+// Chapters are read back from the containers that support them.
 #include <gtest/gtest.h>
 
 #include "output/films.h"
@@ -7,8 +7,8 @@
 namespace poinsot {
 namespace {
 
-TEST(Chapters, ComeBackFromTheFilm) {
-    // WebM counts in milliseconds and MP4's chapters likewise: at these rates they name frames.
+TEST(Chapters, AreReadBackFromTheFilm) {
+    // WebM and MP4 store chapters in milliseconds: at these rates these identify frames.
     for (const char* name : {"a.mp4", "a.webm"}) {
         for (const FrameRate rate : {FrameRate{30, 1}, FrameRate{30000, 1001}}) {
             const TemporaryFolder folder;
@@ -28,7 +28,7 @@ TEST(Chapters, ComeBackFromTheFilm) {
     }
 }
 
-TEST(Chapters, AreNoneWhereThereAreNone) {
+TEST(Chapters, AreNoneWithoutChapters) {
     for (const char* name : {"a.mp4", "a.webm"}) {
         const TemporaryFolder folder;
         const OutputPlan plan = small_plan(folder / name, 3);

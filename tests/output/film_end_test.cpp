@@ -1,4 +1,4 @@
-// Where a film ends, by its container's own account.
+// The end of a film, from its container's structure.
 #include "output/film_end.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace poinsot {
 namespace {
 
-// A number of so many bytes, the highest first.
+// A number of n_bytes bytes, the highest first.
 std::string high_first(std::uint64_t number, std::size_t n_bytes) {
     std::string text(n_bytes, '\0');
     for (std::size_t k = n_bytes; k > 0; number >>= 8) text[--k] = static_cast<char>(number & 0xff);
@@ -33,7 +33,7 @@ std::optional<std::uintmax_t> end_of_bytes(const std::string& bytes) {
 
 class FilmEnd : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(FilmEnd, IsThatOfTheFileAndStaysWhereMoreFollows) {
+TEST_P(FilmEnd, IsTheFilesAndDoesNotMoveWhenDataFollows) {
     const TemporaryFolder folder;
     OutputPlan plan = small_plan(folder / GetParam(), 7);
     plan.chapters = {{"One", 0, 3}, {"Two", 3, 7}};
@@ -50,7 +50,7 @@ TEST_P(FilmEnd, IsThatOfTheFileAndStaysWhereMoreFollows) {
 INSTANTIATE_TEST_SUITE_P(Formats, FilmEnd, ::testing::Values("a.mp4", "a.webm", "a.gif"),
                          [](const auto& tested) { return std::string(tested.param).substr(2); });
 
-TEST(FilmEnd, IsFoundInWhatOtherProgramsMakeOfAFilm) {
+TEST(FilmEnd, IsFoundInFilmsOfOtherPrograms) {
     for (const std::string& film :
          {box("ftyp") + box("wide", 0) + box("mdat") + box("moov"),
           box("ftyp") + box("free") + long_box("mdat") + box("moov"),
@@ -59,15 +59,15 @@ TEST(FilmEnd, IsFoundInWhatOtherProgramsMakeOfAFilm) {
         EXPECT_EQ(end_of_bytes(film), film.size());
         EXPECT_EQ(end_of_bytes(film + film), film.size());
         EXPECT_EQ(end_of_bytes(film + "junk"), film.size());
-        // A box that is longer than the file ends where it says.
+        // A box that is longer than the file ends at its stated size.
         EXPECT_EQ(end_of_bytes(film.substr(0, film.size() - 1)), film.size());
     }
 }
 
-TEST(FilmEnd, IsNotKnownWhereNothingSaysIt) {
+TEST(FilmEnd, IsUnknownIfTheContainerDoesNotStoreIt) {
     const std::string header = "\x1a\x45\xdf\xa3\x81x", segment = "\x18\x53\x80\x67";
     EXPECT_EQ(end_of_bytes(header + segment + "\x82xx"), 13u);
-    // A size that was not known when it was written, and data up to the end of the file.
+    // A size that was unknown when it was written, and data up to the end of the file.
     EXPECT_EQ(end_of_bytes(header + segment + "\xffxx"), std::nullopt);
     EXPECT_EQ(end_of_bytes(header + segment + "\x01\xff\xff\xff\xff\xff\xff\xffxx"), std::nullopt);
     EXPECT_EQ(end_of_bytes(box("ftyp") + box("moov") + high_first(0, 4) + "mdatxxx"), std::nullopt);

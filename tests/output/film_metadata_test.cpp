@@ -1,4 +1,4 @@
-// Text carried by outputs comes back from every format that carries it.
+// The metadata of outputs is read back from every format that supports it.
 #include "output/film_metadata.h"
 
 #include <gtest/gtest.h>
@@ -8,9 +8,10 @@
 namespace poinsot {
 namespace {
 
-TEST(FilmMetadata, ComesBackFromEveryFormat) {
+TEST(FilmMetadata, IsReadBackFromEveryFormat) {
     for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
-        // As long as a resolved scene, with the letters that formats escape, and of several lines.
+        // As long as a complete scene, with the characters that formats escape, and of several
+        // lines.
         for (const std::string& text :
              {std::string("title = \"L'ω\"\n[body]\nmoments = [3, 2, 1] # = ; \\ é\n"),
               std::string(20000, 'x') + "end", std::string("1")}) {
@@ -23,7 +24,7 @@ TEST(FilmMetadata, ComesBackFromEveryFormat) {
     }
 }
 
-TEST(FilmMetadata, IsEmptyWhereThereIsNone) {
+TEST(FilmMetadata, IsEmptyWithoutMetadata) {
     for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
         const TemporaryFolder folder;
         OutputPlan plan = small_plan(folder / name, 1);
@@ -33,7 +34,7 @@ TEST(FilmMetadata, IsEmptyWhereThereIsNone) {
     }
 }
 
-TEST(FilmMetadata, OfNoFileIsRefused) {
+TEST(FilmMetadata, OfAMissingFileIsRefused) {
     const TemporaryFolder folder;
     EXPECT_NE(input_error_of([&] { film_metadata(folder / "a.mp4"); }), "");
 }

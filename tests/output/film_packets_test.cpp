@@ -1,4 +1,5 @@
-// The hash of a film's packets: the same while writing and from the file, and nothing else's.
+// The hash of a film's packets: the same while writing and from the file, and different for a
+// changed film.
 #include "output/film_packets.h"
 
 #include <gtest/gtest.h>
@@ -12,16 +13,16 @@ std::span<const std::uint8_t> bytes_of_text(std::string_view text) {
     return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-// python3: each chunk hashlib.sha256 of struct.pack(">Q", len(p)) + p of its packets p; the film's
-// of their hexadecimal digits, "\n" after each.
-TEST(PacketHash, IsThatOfTheListOfChunks) {
+// Computed in python3: each chunk hashlib.sha256 of struct.pack(">Q", len(p)) + p of its packets p;
+// the film's of their hexadecimal digits, "\n" after each.
+TEST(PacketHash, IsTheHashOfTheListOfChunks) {
     PacketHash hash(2);
     for (const char* packet : {"ab", "c", "def"}) hash.add(bytes_of_text(packet));
     EXPECT_EQ(hash.of_film(), "b6eb336aa2ca2d91bbe548696c467bbe2e33c4cf6d183787e00c094386321e83");
 }
 
-// Parts that end with their chunks are joined without looking at their packets again.
-TEST(PacketHash, OfAFilmIsMadeOfThoseOfItsParts) {
+// Parts that end at chunks are joined without hashing their packets again.
+TEST(PacketHash, OfAFilmFollowsFromThoseOfItsParts) {
     PacketHash film(3), first(3), second(3);
     for (int k = 0; k < 8; ++k) {
         const std::string packet(static_cast<std::size_t>(k), 'x');
@@ -35,7 +36,7 @@ TEST(PacketHash, OfAFilmIsMadeOfThoseOfItsParts) {
 
 class FilmPackets : public ::testing::TestWithParam<const char*> {
  protected:
-    // Writes the film and returns the hash that it was told while it was written.
+    // Writes the film and returns the hash that was passed to its metadata.
     std::string write(OutputPlan plan) const {
         std::string told;
         plan.tell = [&told](const std::string& metadata, const Contents& contents) {
@@ -54,14 +55,14 @@ TEST_P(FilmPackets, AreReadBackFromTheFile) {
     const std::string told = write(plan_);
     EXPECT_EQ(packet_hash_of(plan_.path), told);
     EXPECT_EQ(VideoReader(plan_.path).info().n_frames, 130);
-    // What a film says of itself plays no part.
+    // The hash does not depend on the metadata.
     OutputPlan other = plan_;
     other.metadata = std::string(3000, 'y');
     EXPECT_EQ(write(other), told);
     EXPECT_EQ(packet_hash_of(other.path), told);
 }
 
-TEST_P(FilmPackets, AreOthersWhereABitIsChanged) {
+TEST_P(FilmPackets, DifferWhereABitIsChanged) {
     const std::string told = write(plan_);
     const std::string film = bytes_of(plan_.path);
     for (const double share : {0.6, 0.8, 0.9}) {
@@ -73,7 +74,7 @@ TEST_P(FilmPackets, AreOthersWhereABitIsChanged) {
         try {
             found = packet_hash_of(plan_.path);
         } catch (const InputError&) {
-            // What is broken so that it cannot be read is found out, too.
+            // An unreadable film is detected, too.
             EXPECT_EQ(found, "refused");
         }
         EXPECT_NE(found, told) << share;
@@ -101,7 +102,7 @@ TEST(FilmPackets, WithTransparencyAreReadBack) {
     EXPECT_EQ(packet_hash_of(plan.path), told);
 }
 
-TEST(FilmPackets, OfWhatIsNoFilmAreRefused) {
+TEST(FilmPackets, OfOtherFilesAreRefused) {
     const TemporaryFolder folder;
     for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
         std::ofstream(folder / name) << "GIF no film";

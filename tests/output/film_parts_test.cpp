@@ -1,4 +1,4 @@
-// Films in parts: whatever the number of parts, they are joined to the bytes of one run.
+// Films in parts: for any number of parts, the joined film is byte-identical to a single run.
 #include "output/film_parts.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ OutputPlan film_plan(const fs::path& path) {
     return plan;
 }
 
-// The plan of part K of N, in a file of its own.
+// The plan of part K of N, with its own file.
 OutputPlan part_plan(const OutputPlan& film, std::int64_t number, std::int64_t n_parts) {
     OutputPlan plan = film;
     const OutputFormat& format = format_for(film.path);
@@ -54,7 +54,7 @@ class FilmInParts : public ::testing::TestWithParam<const char*> {
     OutputPlan plan_ = film_plan(folder_ / GetParam());
 };
 
-TEST_P(FilmInParts, HasTheBytesOfOneRun) {
+TEST_P(FilmInParts, IsByteIdenticalToASingleRun) {
     write_film(plan_);
     const std::string whole = bytes_of(plan_.path);
     const std::int64_t chunk = format_for(plan_.path).n_chunk_frames;
@@ -70,7 +70,7 @@ TEST_P(FilmInParts, HasTheBytesOfOneRun) {
     }
 }
 
-TEST_P(FilmInParts, GoesOnWithAPartThatWasInterrupted) {
+TEST_P(FilmInParts, ContinuesAnInterruptedPart) {
     write_film(plan_);
     const std::string whole = bytes_of(plan_.path);
     std::mt19937 random(5);
@@ -87,8 +87,8 @@ TEST_P(FilmInParts, GoesOnWithAPartThatWasInterrupted) {
     EXPECT_TRUE(bytes_of(plan_.path) == whole);
 }
 
-// Wherever a part is cut, and whichever bit of it changes, it is not taken for whole.
-TEST_P(FilmInParts, KnowsAPartThatWasCutOrChanged) {
+// A part that is truncated anywhere or has any changed bit is not accepted as complete.
+TEST_P(FilmInParts, DetectsTruncatedAndChangedParts) {
     const OutputPlan plan = part_plan(plan_, 2, 3);
     write_part(plan, plan.n_frames);
     const std::string right = bytes_of(plan.path);
@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, FilmInParts,
                          ::testing::Values("a.mp4", "a.webm", "a.gif", "a.md5"),
                          [](const auto& format) { return std::string(format.param + 2); });
 
-TEST(FilmPart, CoversEveryFrameOnceWithSeamsOnChunks) {
+TEST(FilmPart, CoversEveryFrameOnceWithSeamsAtChunks) {
     std::mt19937 random(3);
     for (int i = 0; i < 2000; ++i) {
         const auto dice = [&](std::int64_t most) {
@@ -145,7 +145,7 @@ TEST(FilmPart, CoversEveryFrameOnceWithSeamsOnChunks) {
     }
 }
 
-TEST(FilmPart, ComesBackFromItsText) {
+TEST(FilmPart, IsReadBackFromItsText) {
     FilmPart part = part_of_film(3, 8, 12345, 120);
     part.format = "webm";
     part.chapters = "{\n  \"chapters\": [\"ω 12\"]\n}\n";

@@ -1,4 +1,4 @@
-// Films decoded again by libavformat: what was asked for is what a player finds.
+// Films decoded by libavformat: players get the planned properties and pictures.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ struct Rate {
     std::int64_t n_frames;
 };
 
-TEST(Mp4, HasTheFramesSizeRateAndTagsAskedFor) {
-    // 250 frames pass two ends of chunks.
+TEST(Mp4, HasThePlannedFramesSizeRateAndTags) {
+    // 250 frames contain two ends of chunks.
     for (const auto& [rate, n_frames] :
          {Rate{{30, 1}, 250}, {{30000, 1001}, 125}, {{24, 1}, 1}, {{60, 1}, 2}, {{1, 2}, 3}}) {
         const TemporaryFolder folder;
@@ -34,7 +34,7 @@ TEST(Mp4, HasTheFramesSizeRateAndTagsAskedFor) {
         EXPECT_EQ(info.rate.numerator, rate.numerator);
         EXPECT_EQ(info.rate.denominator, rate.denominator);
         EXPECT_EQ(info.n_frames, n_frames);
-        // The container counts in thousandths of a second.
+        // The container stores thousandths of a second.
         EXPECT_NEAR(info.duration_s, static_cast<double>(n_frames) / rate.per_second(), 1e-3);
         EXPECT_EQ(info.range, "tv");
         EXPECT_EQ(info.matrix, "bt709");
@@ -46,7 +46,7 @@ TEST(Mp4, HasTheFramesSizeRateAndTagsAskedFor) {
     }
 }
 
-// Eight cells that spell the frame's number in black and white.
+// Eight cells that show the frame's number in binary, in black and white.
 Image spelled(int number) {
     Image image(64, 48);
     for (int y = 0; y < 48; ++y)
@@ -78,7 +78,7 @@ TEST(Films, EveryFrameShowsItsOwnPicture) {
     }
 }
 
-// What a viewer of the first frame sees against what was drawn, at the quality of a lecture.
+// The first frame as decoded compared with the rendered picture, at the quality of a lecture.
 TEST(Films, FirstFrameIsCloseToItsPicture) {
     for (const char* name : {"a.mp4", "a.webm"}) {
         const TemporaryFolder folder;
@@ -93,9 +93,9 @@ TEST(Films, FirstFrameIsCloseToItsPicture) {
     }
 }
 
-// A flat colour has nothing to lose but rounding, so any error of range or matrix would show: a
-// confusion of BT.601 with BT.709 moves these colours by 8 to 20 levels.
-TEST(Mp4, ColoursComeBack) {
+// A uniform colour has only rounding errors, so any error of range or matrix would be visible: a
+// confusion of BT.601 with BT.709 changes these colours by 8 to 20 levels.
+TEST(Mp4, PreservesColours) {
     const std::vector<Rgba8> colours = {
         {255, 0, 0, 255}, {0, 255, 0, 255},     {0, 0, 255, 255},   {255, 255, 255, 255},
         {0, 0, 0, 255},   {128, 128, 128, 255}, {200, 60, 30, 255}, {245, 245, 242, 255}};
@@ -111,7 +111,7 @@ TEST(Mp4, ColoursComeBack) {
             sink->write(flat);
             sink->finish();
             const Rgba8 shown = frames_of(plan.path)[0].at(32, 24);
-            // Half a level of Y', Cb and Cr each, through the inverse matrix, and as much of the
+            // Half a level each of Y', Cb and Cr, through the inverse matrix, and as much from the
             // encoder: measured 1.
             EXPECT_NEAR(shown.r, colour.r, 2) << name;
             EXPECT_NEAR(shown.g, colour.g, 2) << name;
@@ -120,7 +120,7 @@ TEST(Mp4, ColoursComeBack) {
     }
 }
 
-TEST(Mp4, TransparentPicturesAreLaidOnWhite) {
+TEST(Mp4, TransparentPicturesAreBlendedWithWhite) {
     const TemporaryFolder folder;
     const OutputPlan plan = small_plan(folder / "a.mp4", 1);
     const auto sink = format_for(plan.path).open(plan);
@@ -133,7 +133,7 @@ TEST(Mp4, TransparentPicturesAreLaidOnWhite) {
     EXPECT_GE(shown.b, 253);
 }
 
-TEST(Mp4, HasItsIndexInFront) {
+TEST(Mp4, HasItsIndexAtTheFront) {
     const TemporaryFolder folder;
     const OutputPlan plan = small_plan(folder / "a.mp4");
     write_film(plan);
@@ -142,7 +142,7 @@ TEST(Mp4, HasItsIndexInFront) {
     EXPECT_EQ(bytes.find("moof"), std::string::npos);
 }
 
-TEST(Films, TwoRunsWriteTheSameBytes) {
+TEST(Films, AreReproducible) {
     std::vector<Image> pictures;
     for (int k = 0; k < 20; ++k) pictures.push_back(synthetic_frame(320, 180, k));
     for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
@@ -164,7 +164,7 @@ TEST(Films, TwoRunsWriteTheSameBytes) {
     }
 }
 
-TEST(Films, CarryNoNameOfThePlaceTheyWereMadeIn) {
+TEST(Films, DoNotContainTheirPath) {
     for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
         const TemporaryFolder folder;
         const OutputPlan plan = small_plan(folder / name);
@@ -193,7 +193,7 @@ TEST(Webm, KeepsTransparency) {
     }
 }
 
-TEST(Webm, TakesOddSizes) {
+TEST(Webm, AcceptsOddSizes) {
     const TemporaryFolder folder;
     OutputPlan plan = small_plan(folder / "a.webm", 3);
     plan.width_px = 65;
@@ -205,7 +205,7 @@ TEST(Webm, TakesOddSizes) {
     EXPECT_EQ(frames[0].height(), 47);
 }
 
-TEST(Webm, HasTheFramesSizeRateAndTagsAskedFor) {
+TEST(Webm, HasThePlannedFramesSizeRateAndTags) {
     const TemporaryFolder folder;
     OutputPlan plan = small_plan(folder / "a.webm", 50);
     plan.rate = {25, 1};
@@ -244,7 +244,7 @@ TEST(Gif, KeepsFewColoursExactly) {
     for (std::size_t k = 0; k < 3; ++k) EXPECT_TRUE(frames[k] == pictures[k]) << k;
 }
 
-TEST(Gif, ComesCloseToSmoothPictures) {
+TEST(Gif, ApproximatesSmoothPictures) {
     const TemporaryFolder folder;
     OutputPlan plan = small_plan(folder / "a.gif", 10);
     plan.width_px = 320;
@@ -281,7 +281,7 @@ TEST(Gif, EveryFrameStaysUntilTheNextAndTheLastUntilTheEnd) {
     }
 }
 
-TEST(Gif, KeepsHolesAndClearsThemBehindWhatMoves) {
+TEST(Gif, ClearsTransparentPixelsBehindMovingObjects) {
     const TemporaryFolder folder;
     const OutputPlan plan = small_plan(folder / "a.gif", 4);
     const auto sink = format_for(plan.path).open(plan);
@@ -319,7 +319,7 @@ TEST(VideoReader, FindsAnyFrame) {
     }
 }
 
-TEST(VideoReader, RefusesWhatIsNoFilm) {
+TEST(VideoReader, RefusesOtherFiles) {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.mp4") << "not a film";
     std::ofstream(folder / "empty.mp4") << "";

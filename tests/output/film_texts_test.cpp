@@ -1,4 +1,4 @@
-// Captions as a track of text, read back packet by packet.
+// Captions as a text track, read back packet by packet.
 #include "output/film_texts.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ const std::vector<FilmSubtitle> told{
 struct Read {
     AVCodecID codec = AV_CODEC_ID_NONE;
     int n_streams = 0;
-    std::vector<FilmSubtitle> subtitles;  // at_top: as the packet's settings say
+    std::vector<FilmSubtitle> subtitles;  // at_top: from the packet's settings
 };
 
 Read read_track(const std::filesystem::path& film) {
@@ -71,7 +71,7 @@ void expect(const FilmSubtitle& found, const FilmSubtitle& wanted) {
     EXPECT_EQ(found.at_top, wanted.at_top) << wanted.text;
 }
 
-// Where two stand at once, both do; the last ends with the film, which is 1.5 s long.
+// Where two captions overlap, both are shown; the last ends with the film, which lasts 1.5 s.
 TEST(SubtitleTrack, OfWebmHasTheTextsAtTheirTimes) {
     const TemporaryFolder folder;
     const OutputPlan plan = told_plan(folder / "a.webm");
@@ -86,8 +86,8 @@ TEST(SubtitleTrack, OfWebmHasTheTextsAtTheirTimes) {
     expect(read.subtitles[3], {"the end", 1000, 1500, true});
 }
 
-// A sample is 16 bits of its text's length, and the text; between texts stand samples without one.
-TEST(SubtitleTrack, OfMp4HasTheTextsAtTheirTimesAndNothingBetween) {
+// A sample is its text's length in 16 bits, and the text; samples without text fill the gaps.
+TEST(SubtitleTrack, OfMp4HasTheTextsAtTheirTimesAndEmptyGaps) {
     const TemporaryFolder folder;
     const OutputPlan plan = told_plan(folder / "a.mp4");
     write_film(plan);
@@ -112,8 +112,8 @@ TEST(SubtitleTrack, OfMp4HasTheTextsAtTheirTimesAndNothingBetween) {
     expect(texts[3], {"the end", 1000, 1500, false});
 }
 
-// The pictures know nothing of it, and a film without captions has one stream.
-TEST(SubtitleTrack, ChangesNoPictureAndIsNotThereWithoutTexts) {
+// The track does not change the pictures, and a film without captions has one stream.
+TEST(SubtitleTrack, ChangesNoPictureAndIsOmittedWithoutTexts) {
     const TemporaryFolder folder;
     for (const char* suffix : {"mp4", "webm"}) {
         const OutputPlan with = told_plan(folder / (std::string("with.") + suffix));
@@ -129,7 +129,7 @@ TEST(SubtitleTrack, ChangesNoPictureAndIsNotThereWithoutTexts) {
     }
 }
 
-TEST(FilmTexts, ComeBackFromTheirText) {
+TEST(FilmTexts, AreReadBackFromTheirText) {
     OutputPlan plan;
     plan.chapters = {{"one\n2 c 3", 0, 10}, {"", 10, 20}};
     plan.subtitles = told;
@@ -142,7 +142,7 @@ TEST(FilmTexts, ComeBackFromTheirText) {
     EXPECT_EQ(again.chapters[1].end_frame, 20);
     for (std::size_t k = 0; k < 3; ++k) expect(again.subtitles[k], told[k]);
     EXPECT_EQ(texts_of(again), text);
-    // What was cut has all or nothing of what is left.
+    // Truncated text gives either nothing or the complete rows that remain.
     for (std::size_t n = 0; n < text.size(); ++n) {
         parse_texts(std::string_view(text).substr(0, n), again);
         EXPECT_TRUE(text.starts_with(texts_of(again)));

@@ -1,4 +1,4 @@
-// What the tests of all film formats share: making a small film, and reading a file's bytes.
+// Functions for the tests of all film formats: making a small film, and reading a file's bytes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ inline std::vector<Image> frames_of(const std::filesystem::path& path) {
     return frames;
 }
 
-// Mean difference in levels over R, G and B; where both are transparent, colour does not count.
+// Mean difference in levels over R, G and B; pixels that are transparent in both are skipped.
 inline double mean_difference(const Image& a, const Image& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.bytes().size(); ++i)

@@ -1,4 +1,4 @@
-// The table of formats: which file name asks for which, and what each refuses.
+// The table of formats: the format of a file name, and the plans that each format refuses.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 namespace poinsot {
 namespace {
 
-TEST(Formats, NamesAskForTheirFormat) {
+TEST(Formats, FileNamesSelectTheirFormat) {
     EXPECT_EQ(format_for("a/b.mp4").name, "mp4");
     EXPECT_EQ(format_for("b.webm").name, "webm");
     EXPECT_EQ(format_for("b.gif").name, "gif");
@@ -34,7 +34,7 @@ TEST(Formats, UnknownSuffixListsTheKnown) {
     EXPECT_NE(input_error_of([] { format_for("b_####.mp4"); }).find("####"), std::string::npos);
 }
 
-TEST(FrameName, NumbersHaveAtLeastTheDigitsAskedFor) {
+TEST(FrameName, NumbersHaveAtLeastTheGivenDigits) {
     EXPECT_EQ(frame_name("out/f_####.png", 7), "out/f_0007.png");
     EXPECT_EQ(frame_name("f##_#.png", 123), "f123_#.png");
     EXPECT_EQ(frame_name("#.png", 0), "0.png");
@@ -42,7 +42,7 @@ TEST(FrameName, NumbersHaveAtLeastTheDigitsAskedFor) {
     EXPECT_FALSE(has_frame_number("#/a.png"));
 }
 
-// Every row writes a whole output of two frames (a still: one) and leaves nothing else.
+// Every row writes a complete output of two frames (a still: one) and leaves no other file.
 TEST(Formats, EveryRowWritesItsOutput) {
     for (const OutputFormat& format : output_formats()) {
         const TemporaryFolder folder;
@@ -59,7 +59,7 @@ TEST(Formats, EveryRowWritesItsOutput) {
     }
 }
 
-TEST(Formats, EveryRowDestroyedUnfinishedLeavesNoPartOfAFile) {
+TEST(Formats, UnfinishedSinksLeaveNoFile) {
     for (const OutputFormat& format : output_formats()) {
         const TemporaryFolder folder;
         const std::string stem = format.name == "png-sequence" ? "f_#" : "f";
@@ -72,7 +72,7 @@ TEST(Formats, EveryRowDestroyedUnfinishedLeavesNoPartOfAFile) {
     }
 }
 
-TEST(Formats, FilmsRefuseWhatTheyCannotHold) {
+TEST(Formats, FilmsRefuseUnsupportedPlans) {
     const TemporaryFolder folder;
     for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
         OutputPlan plan = small_plan(folder / name);
@@ -130,7 +130,7 @@ TEST(Formats, GifRefusesRatesThatPlayersSlowDown) {
     check_rate(format_for("a.mp4"), {240, 1});
 }
 
-TEST(Formats, MissingFolderIsNamedByEveryRow) {
+TEST(Formats, EveryRowNamesAMissingFolder) {
     const TemporaryFolder folder;
     for (const OutputFormat& format : output_formats()) {
         if (format.name == "null") continue;
@@ -150,7 +150,7 @@ TEST(Md5Sink, HashesTheBytesOfEveryFrame) {
     picture.set(0, 0, {'a', 'b', 'c', 'd'});
     sink->write(picture);
     sink->finish();
-    // MD5 of "abcd", as md5sum gives it.
+    // MD5 of "abcd", from md5sum.
     EXPECT_EQ(bytes_of(plan.path), "41 e2fc714c4727ee9395f324cd2e7f331f\n");
 }
 
@@ -176,7 +176,7 @@ TEST(PngSequence, CarriesPixelsNumbersAndText) {
     }
 }
 
-TEST(PngSequence, GoesOnAfterWholeFramesOfTheSamePlan) {
+TEST(PngSequence, ContinuesAfterCompleteFramesOfTheSamePlan) {
     const TemporaryFolder folder;
     OutputPlan plan = small_plan(folder / "f_#.png", 6);
     write_film(plan);
@@ -194,8 +194,8 @@ TEST(PngSequence, GoesOnAfterWholeFramesOfTheSamePlan) {
     EXPECT_TRUE(read_png(folder / "f_3.png") == frame_of(plan, 3));
 }
 
-// A frame's text knows its number and its pixels.
-TEST(PngSequence, DrawsFramesAgainThatAreNotWhatTheySay) {
+// A frame's text contains its number and the hash of its pixels.
+TEST(PngSequence, RendersFramesAgainThatDoNotMatchTheirText) {
     const TemporaryFolder folder;
     OutputPlan plan = small_plan(folder / "f_#.png", 6);
     plan.resume = true;
@@ -214,7 +214,7 @@ TEST(PngSequence, DrawsFramesAgainThatAreNotWhatTheySay) {
     std::filesystem::copy_file(folder / "f_1.png", folder / "f_2.png",
                                std::filesystem::copy_options::overwrite_existing);
     EXPECT_EQ(n_kept(), 2);
-    // Those between and after are as they should be, and stay.
+    // The frames between and after are correct and are kept.
     const auto inode_of = [&](std::int64_t k) {
         struct stat status {};
         EXPECT_EQ(stat(frame_name(plan.path, k).c_str(), &status), 0);
@@ -231,8 +231,8 @@ TEST(PngSequence, DrawsFramesAgainThatAreNotWhatTheySay) {
         EXPECT_TRUE(read_png(frame_name(plan.path, k)) == frame_of(plan, k)) << k;
 }
 
-// Any of a run's frames may be gone or changed: those are drawn, at whatever place they are.
-TEST(PngSequence, DrawsOnlyWhatIsMissing) {
+// Any frame of a run may be missing or changed: these are rendered again, wherever they are.
+TEST(PngSequence, RendersOnlyMissingFrames) {
     const TemporaryFolder folder;
     for (unsigned missing = 1; missing < 128; missing += 5) {
         OutputPlan plan = small_plan(folder / "f_#.png", 7);
@@ -256,7 +256,7 @@ TEST(PngSequence, DrawsOnlyWhatIsMissing) {
     }
 }
 
-TEST(FrameNames, AreFoundAgain) {
+TEST(FrameNames, AreFoundInAFolder) {
     const TemporaryFolder folder;
     for (const char* name : {"f_03.png", "f_12.png", "f_111.png", "f_7.png", "f_003.png",
                              "f_05.txt", "g_04.png", "f_.png", "f_0x.png", "f_-1.png"})

@@ -1,4 +1,4 @@
-// Frames through threads: the same bytes, errors reported, nothing lost or left waiting.
+// Frames through threads: byte-identical output, reported errors, no lost frames and no deadlock.
 #include "output/pipeline.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace poinsot {
 namespace {
 
-// Remembers the red of the first pixel of every frame; fails at a frame if asked to.
+// Records the red of the first pixel of every frame; fails at a frame if requested.
 struct Record {
     std::vector<int> frames;
     bool finished = false;
@@ -44,7 +44,7 @@ Image numbered(int number) {
     return image;
 }
 
-TEST(AsyncSink, WritesTheSameBytesAsWithoutIt) {
+TEST(AsyncSink, IsByteIdenticalToTheSinkAlone) {
     for (const char* name : {"a.mp4", "a.webm", "a.md5"}) {
         const TemporaryFolder folder;
         const OutputPlan plan = small_plan(folder / name, 30);
@@ -65,7 +65,7 @@ TEST(AsyncSink, WritesTheSameBytesAsWithoutIt) {
     }
 }
 
-TEST(AsyncSink, KeepsTheOrderHoweverSlowTheSinkIs) {
+TEST(AsyncSink, KeepsTheOrderForSlowSinks) {
     Record record;
     record.pause = std::chrono::milliseconds(1);
     AsyncSink sink(std::make_unique<RecordingSink>(record), 2);
@@ -76,7 +76,7 @@ TEST(AsyncSink, KeepsTheOrderHoweverSlowTheSinkIs) {
     EXPECT_TRUE(record.finished);
 }
 
-TEST(AsyncSink, GivesMemoryBack) {
+TEST(AsyncSink, ReturnsMemory) {
     Record record;
     AsyncSink sink(std::make_unique<RecordingSink>(record), 2);
     EXPECT_TRUE(sink.spare().empty());
@@ -85,7 +85,7 @@ TEST(AsyncSink, GivesMemoryBack) {
     sink.finish();
 }
 
-TEST(AsyncSink, ErrorsOfTheSinkArriveAndStopIt) {
+TEST(AsyncSink, ErrorsOfTheSinkAreThrownAndStopIt) {
     Record record;
     record.fails_at = 5;
     AsyncSink sink(std::make_unique<RecordingSink>(record), 2);
@@ -98,7 +98,7 @@ TEST(AsyncSink, ErrorsOfTheSinkArriveAndStopIt) {
     EXPECT_EQ(record.frames.size(), 5u);
 }
 
-TEST(AsyncSink, AnErrorOfTheLastFrameArrivesAtFinish) {
+TEST(AsyncSink, AnErrorOfTheLastFrameIsThrownByFinish) {
     Record record;
     record.fails_at = 0;
     AsyncSink sink(std::make_unique<RecordingSink>(record), 2);
@@ -110,7 +110,7 @@ TEST(AsyncSink, AnErrorOfTheLastFrameArrivesAtFinish) {
     EXPECT_FALSE(record.finished);
 }
 
-TEST(AsyncSink, DestroyedUnfinishedLeavesNothing) {
+TEST(AsyncSink, UnfinishedLeavesNoFile) {
     const TemporaryFolder folder;
     const OutputPlan plan = small_plan(folder / "a.mp4", 30);
     {
@@ -120,7 +120,7 @@ TEST(AsyncSink, DestroyedUnfinishedLeavesNothing) {
     EXPECT_TRUE(folder.contents().empty());
 }
 
-TEST(FrameWorkers, ShareTheFramesAndMissNone) {
+TEST(FrameWorkers, ShareAllFrames) {
     std::vector<std::atomic<int>> seen(200);
     FrameWorkers workers(
         3, 4, [&](std::size_t worker, std::int64_t number, const Image& frame, const WasRead&) {
@@ -133,7 +133,7 @@ TEST(FrameWorkers, ShareTheFramesAndMissNone) {
     for (const auto& n : seen) EXPECT_EQ(n, 1);
 }
 
-TEST(FrameWorkers, HoldNoMoreThanTheyMay) {
+TEST(FrameWorkers, LimitTheNumberOfPictures) {
     std::atomic<int> n_put = 0, n_done = 0, most = 0;
     FrameWorkers workers(2, 3, [&](std::size_t, std::int64_t, const Image&, const WasRead&) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -145,12 +145,12 @@ TEST(FrameWorkers, HoldNoMoreThanTheyMay) {
         most = std::max(most.load(), n_put - n_done);
     }
     workers.drain();
-    // Three wait or are in work; a count may lag behind by the two that are ending.
+    // Three are waiting or in work; a count may be late by the two that are ending.
     EXPECT_LE(most, 5);
 }
 
-TEST(FrameWorkers, TakeTheNextFrameOnceOneIsReadThoughNotDone) {
-    // One picture at a time; the first is done only when the second has been put.
+TEST(FrameWorkers, AcceptTheNextFrameOnceOneIsRead) {
+    // One picture at a time; the work on the first ends only after the second is put.
     std::mutex mutex;
     std::condition_variable was_put;
     bool second_was_put = false, waited_in_vain = false;
@@ -175,7 +175,7 @@ TEST(FrameWorkers, TakeTheNextFrameOnceOneIsReadThoughNotDone) {
     EXPECT_FALSE(waited_in_vain);
 }
 
-TEST(FilmSinks, ReadAPictureBeforeItIsEncodedAndTellOnce) {
+TEST(FilmSinks, ReadAPictureBeforeEncodingAndReportOnce) {
     for (const char* name : {"a.mp4", "a.webm", "a.gif", "####.png", "a.md5"}) {
         const TemporaryFolder folder;
         const OutputPlan plan = small_plan(folder / name, 3);
@@ -185,7 +185,7 @@ TEST(FilmSinks, ReadAPictureBeforeItIsEncodedAndTellOnce) {
         for (std::int64_t k = 0; k < 3; ++k) {
             Image frame = frame_of(plan, k);
             int n_told = 0;
-            // What is drawn next into the same memory must not show.
+            // The next rendering into the same memory must not be visible.
             sink->write_telling(frame, [&] {
                 ++n_told;
                 std::fill(frame.bytes().begin(), frame.bytes().end(), std::uint8_t{0});

@@ -1,4 +1,4 @@
-// Films that were interrupted: killed, cut, out of room; then recovered or gone on with.
+// Interrupted films: killed, truncated, out of disk space; then recovered or resumed.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <zlib.h>
@@ -22,10 +22,10 @@ OutputPlan film_plan(const fs::path& path) {
     return plan;
 }
 
-// Where a film under way lies.
+// Path of the log of an unfinished film.
 fs::path part_of(const OutputPlan& plan) { return frame_log_path(plan.path); }
 
-// Writes the film in a child process and kills it when the part aside has grown to a size.
+// Writes the film in a child process and kills it when the log has reached a size.
 void write_and_kill(const OutputPlan& plan, std::uintmax_t n_bytes) {
     const pid_t child = fork();
     if (child == 0) {
@@ -50,7 +50,7 @@ void write_and_kill(const OutputPlan& plan, std::uintmax_t n_bytes) {
     }
 }
 
-// Leaves a film aside of which so many frames have come.
+// Leaves the log of a film with this many frames.
 void write_unfinished(const OutputPlan& plan, std::int64_t n_frames) {
     const auto sink = format_for(plan.path).open(plan);
     for (std::int64_t k = sink->n_frames_kept(); k < n_frames; ++k) sink->write(frame_of(plan, k));
@@ -58,7 +58,7 @@ void write_unfinished(const OutputPlan& plan, std::int64_t n_frames) {
 
 struct Film {
     const char* name;
-    std::int64_t n_chunk_frames;  // frames are kept in so many at a time
+    std::int64_t n_chunk_frames;  // kept frames are a multiple of this
 };
 class InterruptedFilm : public ::testing::TestWithParam<Film> {
  protected:
@@ -66,7 +66,7 @@ class InterruptedFilm : public ::testing::TestWithParam<Film> {
     OutputPlan plan_ = film_plan(folder_ / GetParam().name);
 };
 
-TEST_P(InterruptedFilm, GoesOnToTheSameBytes) {
+TEST_P(InterruptedFilm, IsResumedByteIdentically) {
     write_film(plan_);
     const std::string whole = bytes_of(plan_.path);
     fs::remove(plan_.path);
@@ -77,7 +77,7 @@ TEST_P(InterruptedFilm, GoesOnToTheSameBytes) {
     for (int i = 0; i < 7; ++i) {
         write_and_kill(plan_,
                        std::uniform_int_distribution<std::uintmax_t>(0, n_part_bytes)(random));
-        // Under the final name there is the whole film or nothing.
+        // Under the final name there is the complete film or no file.
         if (fs::exists(plan_.path)) {
             EXPECT_TRUE(bytes_of(plan_.path) == whole);
             fs::remove(plan_.path);
@@ -99,8 +99,9 @@ TEST_P(InterruptedFilm, GoesOnToTheSameBytes) {
     EXPECT_GT(n_resumed, 2);
 }
 
-// One changed bit aside takes what was drawn after it, and none that is wrong reaches the film.
-TEST_P(InterruptedFilm, WithAChangedBitEndsInTheSameBytes) {
+// After a changed bit in the log, later frames are rendered again; the film contains no wrong
+// frame.
+TEST_P(InterruptedFilm, WithAChangedBitIsResumedByteIdentically) {
     write_film(plan_);
     const std::string whole = bytes_of(plan_.path);
     std::mt19937 random(13);
@@ -116,8 +117,8 @@ TEST_P(InterruptedFilm, WithAChangedBitEndsInTheSameBytes) {
     }
 }
 
-// Its packets know of frames that it does not show, so those are drawn, too.
-TEST_P(InterruptedFilm, RecoveredIsDrawnAgainToTheSameBytes) {
+// Its packets depend on frames that it does not show, so these are rendered, too.
+TEST_P(InterruptedFilm, RecoveredIsRerenderedByteIdentically) {
     for (const std::int64_t n_drawn : {100, 130, 290, 400}) {
         write_unfinished(plan_, n_drawn);
         OutputPlan again = plan_;
@@ -133,8 +134,9 @@ TEST_P(InterruptedFilm, RecoveredIsDrawnAgainToTheSameBytes) {
     }
 }
 
-// The frames of a GIF depend on all that it shows; those of the others are the whole film's.
-TEST_P(InterruptedFilm, IsRecoveredAsFarAsItGoes) {
+// The frames of a GIF depend on all frames shown; those of other formats are those of the whole
+// film.
+TEST_P(InterruptedFilm, IsRecoveredUpToTheInterruption) {
     write_film(plan_);
     const std::vector<Image> whole = frames_of(plan_.path);
     fs::remove(plan_.path);
@@ -144,7 +146,7 @@ TEST_P(InterruptedFilm, IsRecoveredAsFarAsItGoes) {
     const bool is_gif = plan_.path.extension() == ".gif";
     std::mt19937 random(11);
     for (int i = 0; i < 20; ++i) {
-        // Cut anywhere, as a kill or a crash of the machine may.
+        // Truncated anywhere, as after a kill or a crash of the machine.
         const std::size_t size =
             i == 0 ? part.size()
                    : std::uniform_int_distribution<std::size_t>(0, part.size())(random);
@@ -167,7 +169,7 @@ TEST_P(InterruptedFilm, IsRecoveredAsFarAsItGoes) {
     }
 }
 
-TEST_P(InterruptedFilm, KeepsItsChaptersAsFarAsItGoes) {
+TEST_P(InterruptedFilm, RecoveredKeepsItsChapters) {
     if (plan_.path.extension() == ".gif") GTEST_SKIP() << "a GIF has no chapters";
     write_unfinished(plan_, 200);
     const std::int64_t n_frames = recover_film(plan_.path);
@@ -181,8 +183,8 @@ TEST_P(InterruptedFilm, KeepsItsChaptersAsFarAsItGoes) {
     EXPECT_EQ(info.chapters[1].end_frame, n_frames);
 }
 
-// A second of film, at the rate of the cinema, less what the queue before the encoder holds and the
-// frame being drawn.
+// One second of film, at the rate of the cinema, minus the frames in the queue before the encoder
+// and the frame being rendered.
 TEST_P(InterruptedFilm, LosesLessThanItsLastSecond) {
     constexpr std::int64_t n_in_queue = 5;
     for (const char* quality : {"draft", "lecture", "print", "reference"}) {
@@ -197,8 +199,8 @@ TEST_P(InterruptedFilm, LosesLessThanItsLastSecond) {
     }
 }
 
-// What is left aside outlives a second failure.
-TEST_P(InterruptedFilm, StaysAsideWhenItCannotBePutTogether) {
+// The log remains after a second failure.
+TEST_P(InterruptedFilm, KeepsTheLogIfItCannotBeAssembled) {
     write_unfinished(plan_, 300);
     const std::string outcome = outcome_in_child([&] {
         limit_file_size(1000);
@@ -209,7 +211,7 @@ TEST_P(InterruptedFilm, StaysAsideWhenItCannotBePutTogether) {
     EXPECT_GT(recover_film(plan_.path), 270);
 }
 
-TEST_P(InterruptedFilm, OfAnotherPlanIsNotGoneOnWith) {
+TEST_P(InterruptedFilm, WithAnotherPlanIsNotResumed) {
     const auto n_kept_by = [&](const OutputPlan& plan) {
         write_unfinished(plan_, 250);
         return format_for(plan.path).open(plan)->n_frames_kept();
@@ -221,7 +223,7 @@ TEST_P(InterruptedFilm, OfAnotherPlanIsNotGoneOnWith) {
     EXPECT_EQ(n_kept_by(plan), 0);
     plan = plan_;
     plan.quality = "lecture";
-    // A GIF has no qualities.
+    // A GIF does not depend on the quality.
     EXPECT_EQ(n_kept_by(plan), plan.path.extension() == ".gif" ? n_kept : 0);
     plan = plan_;
     plan.rate = {25, 1};
@@ -234,7 +236,7 @@ TEST_P(InterruptedFilm, OfAnotherPlanIsNotGoneOnWith) {
     EXPECT_EQ(n_kept_by(plan), 0);
 }
 
-TEST_P(InterruptedFilm, OfGarbageStartsAgain) {
+TEST_P(InterruptedFilm, WithACorruptLogStartsAgain) {
     std::ofstream(part_of(plan_)) << std::string(5000, 'x');
     EXPECT_EQ(input_error_of([&] { recover_film(plan_.path); }),
               "no frame of " + plan_.path.string() + " had been finished");
@@ -242,7 +244,7 @@ TEST_P(InterruptedFilm, OfGarbageStartsAgain) {
     EXPECT_EQ(frames_of(plan_.path).size(), 400u);
 }
 
-// Whole by its checksums, and yet by no run: entries of a byte, and pictures of another size.
+// Valid checksums, but no run of poinsot: entries of one byte, and pictures of another size.
 TEST_P(InterruptedFilm, OfAnotherProgramIsRefused) {
     const std::string log = frame_log_path(plan_.path).string();
     std::vector<std::string> contents{"x"};
@@ -252,7 +254,7 @@ TEST_P(InterruptedFilm, OfAnotherProgramIsRefused) {
     }
     for (const std::string& content : contents) {
         write_unfinished(plan_, 130);
-        // The head of the film, and then this as its one entry.
+        // The head of the film, followed by this text as its only entry.
         const std::string whole = bytes_of(log);
         std::uint32_t n_head = 0;
         std::memcpy(&n_head, whole.data(), 4);
@@ -270,8 +272,8 @@ TEST_P(InterruptedFilm, OfAnotherProgramIsRefused) {
     }
 }
 
-// As a file system may leave a file that was growing when the machine failed.
-TEST_P(InterruptedFilm, OfZeroesStartsAgain) {
+// As some file systems leave a growing file when the machine crashes.
+TEST_P(InterruptedFilm, WithALogOfZeroesStartsAgain) {
     for (const std::size_t size : {8u, 4096u}) {
         std::ofstream(part_of(plan_), std::ios::binary) << std::string(size, '\0');
         EXPECT_EQ(input_error_of([&] { recover_film(plan_.path); }),
@@ -279,7 +281,7 @@ TEST_P(InterruptedFilm, OfZeroesStartsAgain) {
     }
 }
 
-TEST_P(InterruptedFilm, IsNotThereWithoutOne) {
+TEST_P(InterruptedFilm, IsNotFoundWithoutALog) {
     EXPECT_EQ(input_error_of([&] { recover_film(plan_.path); }),
               "there is no unfinished film of " + plan_.path.string());
     EXPECT_TRUE(folder_.contents().empty());
@@ -292,7 +294,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, InterruptedFilm,
                              return fs::path(tested.param.name).extension().string().substr(1);
                          });
 
-TEST(InterruptedWebm, GoesOnWithItsTransparency) {
+TEST(InterruptedWebm, IsResumedWithTransparency) {
     const TemporaryFolder folder;
     const OutputPlan plan = film_plan(folder / "a.webm");
     const auto frame = [&](std::int64_t k) {
@@ -314,15 +316,15 @@ TEST(InterruptedWebm, GoesOnWithItsTransparency) {
     EXPECT_TRUE(bytes_of(plan.path) == whole);
 }
 
-TEST(InterruptedMp4, WithoutAWholePacketLeavesNothing) {
+TEST(InterruptedMp4, WithoutACompletePacketLeavesNothing) {
     const TemporaryFolder folder;
     const OutputPlan plan = film_plan(folder / "a.mp4");
     format_for(plan.path).open(plan)->write(frame_of(plan, 0));
     EXPECT_TRUE(folder.contents().empty());
 }
 
-// One changed byte of what lies aside takes the frames from there on, and none that is wrong stays.
-TEST(FrameLog, KeepsWhatComesBeforeAChangedByte) {
+// After a changed byte of the log, the frames from there on are dropped; the others are kept.
+TEST(FrameLog, KeepsEntriesBeforeAChangedByte) {
     const TemporaryFolder folder;
     const OutputPlan plan = film_plan(folder / "a.gif");
     write_unfinished(plan, 40);
@@ -336,12 +338,12 @@ TEST(FrameLog, KeepsWhatComesBeforeAChangedByte) {
         std::ofstream(frame_log_path(plan.path), std::ios::binary) << changed;
         const auto n_kept = format_for(plan.path).open(plan)->n_frames_kept();
         EXPECT_LT(n_kept, 40);
-        // Entries are of nearly one size: those before the byte are there.
+        // Entries are of nearly one size: those before the byte are kept.
         EXPECT_GE(n_kept, static_cast<std::int64_t>(40 * at / log.size()) - 3) << at;
     }
 }
 
-TEST(Recover, IsForFilms) {
+TEST(Recover, AcceptsOnlyFilms) {
     const TemporaryFolder folder;
     EXPECT_NE(input_error_of([&] { recover_film(folder / "a_#.png"); }).find("is no film"),
               std::string::npos);
@@ -364,7 +366,7 @@ struct Fault {
     const char* reason;
 };
 
-// Every format under every fault: one line naming the path and the reason, and nothing left.
+// Every format with every fault: one line with the path and the reason, and no file left.
 TEST(Films, FaultsAreReportedAndLeaveNothing) {
     const std::vector<Fault> faults = {
         {"limited file size", [](const fs::path&) { limit_file_size(2000); }, "File too large"},
@@ -424,8 +426,8 @@ TEST(Films, VanishedFolderIsReported) {
     }
 }
 
-// Half of what is needed by the first chunk's measure would be free on no disk.
-TEST(Films, WantOfRoomIsReportedAfterTheFirstFrames) {
+// No disk has half of the space that the first chunk predicts for the film.
+TEST(Films, LackOfDiskSpaceIsReportedAfterTheFirstFrames) {
     const TemporaryFolder folder;
     for (const char* name : {"a.mp4", "a.webm", "a.gif", "a_#.png"}) {
         OutputPlan plan = small_plan(folder / name, 130);

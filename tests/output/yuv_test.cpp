@@ -1,4 +1,4 @@
-// Colours as films hold them, against the formulas of BT.709 and against swscale.
+// Colours of films, compared with the formulas of BT.709 and with swscale.
 #include "output/yuv.h"
 
 #include <gtest/gtest.h>
@@ -51,8 +51,8 @@ Exact exact(double r, double g, double b) {
             128 + 224 * (r / 255 - luma) / 1.5748};
 }
 
-// Rounded values of BT.709 for 100 % bars, limited range, as in every table of them.
-TEST(Yuv, PureColoursAreThoseOfTheTables) {
+// Rounded values of BT.709 for 100 % bars, limited range, from the usual tables.
+TEST(Yuv, PureColoursMatchTheTables) {
     const auto check = [](Rgba8 colour, int y, int cb, int cr) {
         const Planes planes = converted(filled(4, 4, colour));
         EXPECT_EQ(planes.y[5], y);
@@ -123,8 +123,8 @@ TEST(Yuv, OddSizesRepeatTheLastColumnAndRow) {
     }
 }
 
-// swscale, at its most accurate, told where chroma lies. It takes four rows into account where two
-// are enough, so the rows are made equal.
+// swscale, with its most accurate settings and the same position of chroma. It uses four rows where
+// two are enough, so the rows are made equal.
 TEST(Yuv, AgreesWithSwscale) {
     const Image picture = synthetic_frame(320, 180, 4);
     Image image(320, 180);
