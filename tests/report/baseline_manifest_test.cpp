@@ -1,4 +1,4 @@
-// The list of baselines: what is written is what is read, and nothing else is.
+// The manifest of baselines reads back as written; other text is refused.
 #include "report/baseline_manifest.h"
 
 #include <gtest/gtest.h>
@@ -25,14 +25,14 @@ std::string message_of(const std::string& text) {
     return "";
 }
 
-TEST(BaselineManifest, ComesBackWhateverItsNames) {
+TEST(BaselineManifest, IsReadBackWithAnyNames) {
     EXPECT_EQ(parse_manifest(to_text(two_baselines), "list.toml"), two_baselines);
     EXPECT_TRUE(parse_manifest("", "list.toml").empty());
     EXPECT_TRUE(parse_manifest("# a comment\n\n", "list.toml").empty());
 }
 
-// One line each, sorted: a change of one picture is a change of one line.
-TEST(BaselineManifest, HasALineForEach) {
+// One line per picture, sorted: a changed picture changes one line.
+TEST(BaselineManifest, HasOneSortedLinePerPicture) {
     const std::string before = to_text(two_baselines);
     BaselineManifest changed = two_baselines;
     changed["turn"].why = "later";
@@ -46,7 +46,7 @@ TEST(BaselineManifest, RefusesOtherLinesByNumber) {
     const std::string line = to_text({{"turn", two_baselines.at("turn")}});
     const std::string good = line.substr(line.find('\n') + 1);
     EXPECT_EQ(message_of(good + good).rfind("list.toml:2: this picture stands", 0), 0u);
-    // A line that is cut anywhere, or goes on, is none.
+    // A truncated or extended line is invalid.
     for (std::size_t n = 1; n + 1 < good.size(); ++n)
         EXPECT_EQ(message_of("\n" + good.substr(0, n)).rfind("list.toml:2: not a line", 0), 0u)
             << good.substr(0, n);
@@ -54,7 +54,7 @@ TEST(BaselineManifest, RefusesOtherLinesByNumber) {
     EXPECT_NE(message_of("\"a\" = { pixels = \"\\u0100\" }\n"), "");
 }
 
-TEST(BaselineManifest, IsAFileBesideThePictures) {
+TEST(BaselineManifest, IsAFileNextToThePictures) {
     const TemporaryFolder folder;
     EXPECT_TRUE(read_manifest(folder.path()).empty());
     write_manifest(folder.path(), two_baselines);

@@ -1,4 +1,4 @@
-// A folder of baselines: whatever happens to it, each picture is as approved or is found out.
+// A folder of baselines: after any change, each picture is the approved one or is reported.
 #include "report/baselines.h"
 
 #include <gtest/gtest.h>
@@ -55,28 +55,28 @@ class BaselineFolder : public ::testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(BaselineFolder, AsApprovedIsTheSame) {
+TEST_F(BaselineFolder, ApprovedPictureIsTheSame) {
     EXPECT_EQ(compared(),
               (std::map<std::string, Outcome>{{"a", Outcome::same}, {"b", Outcome::same}}));
     EXPECT_EQ(TemporaryFolder::contents_of(folder_ / "ref"),
               (std::vector<std::string>{"a.png", "b.png", manifest_name}));
 }
 
-// Both were swapped for the same other picture, so pixels alone would say nothing.
-TEST_F(BaselineFolder, SwappedBehindItsManifestIsFound) {
+// Both pictures were replaced by the same other picture, so that a comparison of pixels would pass.
+TEST_F(BaselineFolder, ReplacedPictureIsReported) {
     draw("ref/a", 7), draw("new/a", 7);
     EXPECT_EQ(compared().at("a"), Outcome::baseline);
     EXPECT_TRUE(says("a", "is not the picture that was approved")) << reason("a");
     EXPECT_EQ(compared().at("b"), Outcome::same);
 }
 
-TEST_F(BaselineFolder, WithoutALineIsFound) {
+TEST_F(BaselineFolder, PictureWithoutALineIsReported) {
     draw("ref/c", 3), draw("new/c", 3);
     EXPECT_EQ(compared().at("c"), Outcome::baseline);
     EXPECT_TRUE(says("c", "has no line")) << reason("c");
 }
 
-TEST_F(BaselineFolder, GoneIsFoundWhetherOrNotThereIsAResult) {
+TEST_F(BaselineFolder, MissingPictureIsReportedWithOrWithoutAResult) {
     fs::remove(folder_ / "ref/a.png");
     EXPECT_EQ(compared().at("a"), Outcome::baseline);
     EXPECT_TRUE(says("a", "the picture is gone")) << reason("a");
@@ -84,8 +84,8 @@ TEST_F(BaselineFolder, GoneIsFoundWhetherOrNotThereIsAResult) {
     EXPECT_EQ(compared().at("a"), Outcome::baseline);
 }
 
-// What take() leaves when it is killed after any number of pictures.
-TEST_F(BaselineFolder, InterruptedIsFoundAndFinished) {
+// The state that take() leaves when it is killed after any number of pictures.
+TEST_F(BaselineFolder, InterruptedApprovalIsReportedAndFinished) {
     draw("new/a", 11), draw("new/b", 12);
     BaselineManifest next = read_manifest(folder_ / "ref");
     const Baseline before_b = next.at("b");
@@ -103,8 +103,9 @@ TEST_F(BaselineFolder, InterruptedIsFoundAndFinished) {
               (std::map<std::string, Outcome>{{"a", Outcome::same}, {"b", Outcome::pixels}}));
 }
 
-// Whenever it is killed, the next run leaves every picture with a line that fits, and nothing else.
-TEST_F(BaselineFolder, KilledAtAnyMomentIsFinished) {
+// After a kill at any moment, the next run leaves every picture with a matching line, and no other
+// file.
+TEST_F(BaselineFolder, ApprovalKilledAtAnyMomentIsFinished) {
     for (int round = 0; round < 30; ++round) {
         draw("new/a", 20 + 2 * round), draw("new/b", 21 + 2 * round);
         const pid_t child = fork();
@@ -126,7 +127,7 @@ TEST_F(BaselineFolder, KilledAtAnyMomentIsFinished) {
     }
 }
 
-TEST_F(BaselineFolder, WritesLinesOfWhatWasCopiedWhenTheRestCannotBe) {
+TEST_F(BaselineFolder, WritesTheLinesOfCopiedPicturesAfterAnError) {
     draw("new/a", 31);
     BaselineWriter::Change lost = change("b");
     lost.from = folder_ / "new/none.png";
@@ -136,8 +137,8 @@ TEST_F(BaselineFolder, WritesLinesOfWhatWasCopiedWhenTheRestCannotBe) {
     EXPECT_EQ(TemporaryFolder::contents_of(folder_ / "ref").size(), 3u);
 }
 
-// Eight at once, a picture each: none of their lines is lost.
-TEST_F(BaselineFolder, TakesWhatSeveralBringAtOnce) {
+// Eight processes at once, one picture each: none of their lines is lost.
+TEST_F(BaselineFolder, AcceptsConcurrentWriters) {
     std::vector<pid_t> children;
     for (int k = 0; k < 8; ++k) {
         draw("new/c" + std::to_string(k), 40 + k);
@@ -156,11 +157,11 @@ TEST_F(BaselineFolder, TakesWhatSeveralBringAtOnce) {
     EXPECT_EQ(compared().size(), 10u);
 }
 
-// Whoever waits says so first; nobody waits in vain.
-TEST_F(BaselineFolder, IsWaitedForWithAWord) {
+// A waiting writer reports it first, and then gets the lock.
+TEST_F(BaselineFolder, WaitingIsReported) {
     std::optional<BaselineWriter> first(std::in_place, folder_ / "ref");
     int n_words = 0;
-    // The first is done as soon as the second begins to wait.
+    // The first writer ends as soon as the second begins to wait.
     const BaselineWriter second(folder_ / "ref", [&] {
         ++n_words;
         first.reset();
@@ -168,7 +169,7 @@ TEST_F(BaselineFolder, IsWaitedForWithAWord) {
     EXPECT_EQ(n_words, 1);
 }
 
-TEST(Baselines, LeaveNoFolderThatStaysEmpty) {
+TEST(Baselines, LeaveNoEmptyFolder) {
     const TemporaryFolder folder;
     { const BaselineWriter writer(folder / "ref"); }
     EXPECT_FALSE(fs::exists(folder / "ref"));

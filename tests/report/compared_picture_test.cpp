@@ -1,4 +1,4 @@
-// Folders of pictures compared in one pass, and what reports make of the outcomes.
+// Folders of pictures compared in one pass, and reports of the outcomes.
 #include "report/compared_picture.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A name that would be markup, and a script's end, if it were not escaped.
+// A name that would be markup and the end of a script if it were not escaped.
 const std::string hostile_name = "a<b> & \"c\" 'd' </script>\x1b[31m";
 const std::string hostile_file = "a<b> & \"c\" 'd' <script>\x1b[31m";
 
@@ -37,7 +37,7 @@ class Folders : public ::testing::Test {
         put("new/extra", 0);
         put("ref/broken", 0);
         std::ofstream(folder_ / "new/broken.png") << "no PNG";
-        // What is hidden or of another kind is left alone.
+        // Hidden files and other file types are ignored.
         put("ref/.hidden", 0);
         std::ofstream(folder_ / "ref/notes.txt") << "text";
     }
@@ -56,8 +56,8 @@ class Folders : public ::testing::Test {
     TemporaryFolder folder_;
 };
 
-// Limits by what drew both: none, a level between two versions of llvmpipe, none that could be
-// told.
+// Limits from the renderers of both: none may differ, a level between two versions of llvmpipe, no
+// known limits.
 TEST(LimitsBetween, FollowTheRenderers) {
     Baseline approved;
     approved.renderer = "llvmpipe (LLVM 15.0.6, 128 bits)";
@@ -94,7 +94,7 @@ TEST_F(Folders, AreSortedBySeverity) {
     sort_by_severity(pictures);
     EXPECT_EQ(names_of(pictures), (std::vector<std::string>{"broken", "gone", "sub/wide", "a_lot",
                                                             "a_little", "extra", "same"}));
-    // The order does not depend on that found.
+    // The order does not depend on the order of comparison.
     std::reverse(pictures.begin(), pictures.end());
     sort_by_severity(pictures);
     EXPECT_EQ(names_of(pictures).front(), "broken");
@@ -187,7 +187,7 @@ TEST_F(Folders, WithoutPicturesAreRefused) {
     EXPECT_THROW(compare_folders(empty / "none", folder_ / "new", {}), InputError);
 }
 
-TEST_F(Folders, BecomeTestResults) {
+TEST_F(Folders, GiveJUnitTestResults) {
     auto pictures = compared();
     sort_by_severity(pictures);
     const std::string xml = junit_xml("new <compared>", pictures);
@@ -199,7 +199,7 @@ TEST_F(Folders, BecomeTestResults) {
     EXPECT_NE(xml.find(R"(name="same"/>)"), std::string::npos);
 }
 
-TEST_F(Folders, NamesOfAnyKindStayText) {
+TEST_F(Folders, NamesOfAnyKindAreEscaped) {
     put("ref/" + hostile_file, 0), put("new/" + hostile_file, 3);
     ComparedPicture picture = compare_files(
         hostile_name, folder_ / ("ref/" + hostile_file + ".png"),
@@ -213,7 +213,7 @@ TEST_F(Folders, NamesOfAnyKindStayText) {
         EXPECT_EQ(text->find("<b>"), std::string::npos);
         EXPECT_EQ(text->find('\x1b'), std::string::npos);
     }
-    // As many elements of each kind as a page without pictures has.
+    // The page has as many elements of each kind as a page without pictures.
     const auto count = [](const std::string& text, const std::string& part) {
         int n = 0;
         for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++n;
@@ -223,8 +223,8 @@ TEST_F(Folders, NamesOfAnyKindStayText) {
         EXPECT_EQ(count(page, tag), count(bare, tag)) << tag;
 }
 
-// The page asks nothing of a network: pictures are part of it, of those alone that are shown.
-TEST_F(Folders, BecomeAPageThatIsWhole) {
+// The page loads nothing from a network: it embeds the displayed pictures, and no others.
+TEST_F(Folders, GiveASelfContainedPage) {
     auto pictures = compared();
     const std::string page = html_report("title", pictures);
     // Expected and actual of a_little, a_lot and wide, and their differences; gone, extra, and

@@ -14,7 +14,7 @@ import tempfile
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 
-# Runs in the page after its own script. Each claim is a name and whether it holds.
+# Runs in the page after its own script. Each claim is a name and its result.
 DRIVER = r"""
 <pre id="claims"></pre>
 <script>
@@ -135,7 +135,7 @@ def main():
     if browser is None:
         print("skipped: no Chromium (Debian: chromium)")
         return 77
-    # The browser may still write to its profile when the page has been shown.
+    # The browser may still write to its profile after the page was shown.
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as scratch:
         folder = pathlib.Path(scratch)
         (folder / "expected").mkdir()
@@ -156,7 +156,7 @@ def main():
             found = re.search(r'<pre id="claims">(.+?)</pre>', shown, re.DOTALL)
             if found:
                 break
-            # A browser that does not start says nothing about the page.
+            # A browser that does not start is no test of the page.
             print(f"start {start + 1}: the browser did not run the page to its end")
     claims = json.loads(html.unescape(found.group(1))) if found else []
     for name, holds in claims:
