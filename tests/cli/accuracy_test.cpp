@@ -1,4 +1,4 @@
-// What the program says of its accuracy: the plan, the bound in pixels, the certificate.
+// The program's statements about its accuracy: the plan, the bound in pixels, the certificate.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,14 +29,14 @@ std::string output_of(const std::string& scene, const std::string& arguments) {
     return run.out;
 }
 
-// The number after `key` in the JSON of check.
+// Returns the number after `key` in the JSON of check.
 double number_of(const std::string& json, const std::string& key) {
     const std::size_t at = json.find("\"" + key + "\": ");
     EXPECT_NE(at, std::string::npos) << key << " in " << json;
     return at == std::string::npos ? -1.0 : std::stod(json.substr(at + key.size() + 4));
 }
 
-// The line of the plan that begins so.
+// Returns the line of the plan with this beginning.
 std::string plan_line(const std::string& out, const std::string& what) {
     std::stringstream lines(out);
     for (std::string line; std::getline(lines, line);) {
@@ -45,7 +45,7 @@ std::string plan_line(const std::string& out, const std::string& what) {
     return "";
 }
 
-TEST(Plan, HasAReasonForEveryLine) {
+TEST(Plan, GivesAReasonInEveryLine) {
     const std::string out = output_of(generic, "check scene.toml --plan");
     for (const char* what :
          {"motion", "torque", "angular velocity", "attitude", "herpolhode's point",
@@ -76,8 +76,8 @@ TEST(Plan, FollowsTheScene) {
     EXPECT_NE(plan_line(heavy, "torque").find("evaluated 4000 times"), std::string::npos) << heavy;
 }
 
-// The numbers of `sample` are the same whatever a picture would allow.
-TEST(Plan, DoesNotTouchNumbers) {
+// The numbers of `sample` do not depend on the accuracy of the picture.
+TEST(Plan, DoesNotChangeNumbers) {
     const std::string arguments = "sample scene.toml --times 12345.678";
     EXPECT_EQ(output_of(generic, arguments),
               output_of(generic, arguments + " --set accuracy_px=1e-6"));
@@ -91,13 +91,13 @@ TEST(Bound, IsPrintedByCheckAndAddsUp) {
                 number_of(json, "motion_error_px") + number_of(json, "curve_error_px"), 1e-15);
     const std::string draft = output_of(generic, "check scene.toml --json --quality draft");
     EXPECT_GT(number_of(draft, "curve_error_px"), 0.1);
-    // A bad step is said, not hidden.
+    // A bad step is reported.
     const std::string bad = output_of(generic + "[motion]\nmethod = \"rk4\"\nstep_s = 1.0\n",
                                       "check scene.toml --json --set accuracy_px=100");
     EXPECT_GT(number_of(bad, "motion_error_px"), 0.1);
 }
 
-TEST(Bound, StandsInTheRecordAndOnStderr) {
+TEST(Bound, IsInTheRecordAndOnStderr) {
     const ScratchFolder folder;
     folder.write("scene.toml", generic);
     const ProgramRun still = run_program_in(folder, "still scene.toml -o a.png");
@@ -129,7 +129,7 @@ TEST(Certificate, HoldsForTheExactMotion) {
 }
 
 // ωt is 4.8e4 rad after an hour, and 1.3e16 rad after 1e15 s, where no step in time is fine enough.
-TEST(Certificate, IsNoFalseNoHoweverLateTheFilm) {
+TEST(Certificate, HoldsHoweverLateTheFilm) {
     const ScratchFolder folder;
     folder.write(
         "scene.toml",
@@ -147,7 +147,7 @@ TEST(Certificate, IsNoFalseNoHoweverLateTheFilm) {
     const ProgramRun json =
         run_program_in(folder, "check scene.toml --json --set film.start_s=1e15");
     EXPECT_NE(json.out.find("\"worst_speed_difference\": null"), std::string::npos) << json.out;
-    // A slow turn is checked as it is drawn.
+    // A slow rotation is checked in the form in which it is drawn.
     for (const char* omega : {"1e-100", "1e-170", "1e-300"}) {
         const ProgramRun slow =
             run_program_in(folder, std::string("check scene.toml --set start.omega_rad_s=[0.0,") +
@@ -159,7 +159,7 @@ TEST(Certificate, IsNoFalseNoHoweverLateTheFilm) {
     EXPECT_EQ(light.out.find("inf"), std::string::npos) << light.out << light.err;
 }
 
-TEST(Certificate, RefusesWhatTheMethodDoesNotKeep) {
+TEST(Certificate, RefusesInaccurateMotions) {
     const ScratchFolder folder;
     folder.write("scene.toml", generic + "[motion]\nmethod = \"euler\"\nstep_s = 0.1\n");
     const ProgramRun check = run_program_in(folder, "check scene.toml");
@@ -168,11 +168,11 @@ TEST(Certificate, RefusesWhatTheMethodDoesNotKeep) {
     const ProgramRun film = run_program_in(folder, "render scene.toml -o a.mp4 --certify");
     EXPECT_EQ(film.code, 1) << film.err;
     EXPECT_EQ(folder.listing().find("a.mp4"), std::string::npos);
-    // The same step is fine where it was not asked for.
+    // Without --certify, the same step is accepted.
     EXPECT_EQ(run_program_in(folder, "render scene.toml -o a.mp4 --frames 0-1").code, 0);
 }
 
-TEST(Qualities, SayWhatTheyCostAndGive) {
+TEST(Qualities, ListTheirCostAndResult) {
     const ScratchFolder folder;
     const ProgramRun run = run_program_in(folder, "list qualities");
     ASSERT_EQ(run.code, 0);
@@ -185,7 +185,7 @@ TEST(Qualities, SayWhatTheyCostAndGive) {
         }
     }
     EXPECT_EQ(n_lines, 4);
-    // No machine's times and no day: `tradeoff` measures those of the machine at hand.
+    // Without times of a machine and without dates: `tradeoff` measures this machine.
     for (const char* dated : {" ms", " ns", "2026", "EPYC"})
         EXPECT_EQ((run.out + run.err).find(dated), std::string::npos) << run.out << run.err;
 }
@@ -195,8 +195,8 @@ const std::string pushed =
     "[torque]\nkind = \"constant_body\"\ntorque_body_N_m = [0.01, 0.0, 0.0]\n"
     "[film]\nsize = [64, 36]\nduration_s = 10.0\n";
 
-// What would take minutes is refused before it is begun, with what it would take.
-TEST(Stepping, ThatWouldTakeTooLongIsRefusedAtOnce) {
+// A computation of minutes is refused before it begins, with an estimate of its time.
+TEST(Stepping, IsRefusedAtOnceIfItTakesTooLong) {
     const ScratchFolder folder;
     folder.write("fine.toml", pushed + "[motion]\nmethod = \"rkmk4\"\nstep_s = 3e-9\n");
     folder.write("long.toml", pushed + "[motion]\nmethod = \"dopri5\"\n");
@@ -211,11 +211,11 @@ TEST(Stepping, ThatWouldTakeTooLongIsRefusedAtOnce) {
     }
 }
 
-TEST(Stepping, IsSaidAfterASecondAndEndsWithCtrlC) {
+TEST(Stepping, IsReportedAfterASecondAndStopsOnCtrlC) {
     const ScratchFolder folder;
     folder.write("short.toml", pushed + "[motion]\nmethod = \"rk4\"\nstep_s = 0.01\n");
     folder.write("long.toml", pushed + "[motion]\nmethod = \"rk4\"\nstep_s = 4e-7\n");
-    // The second of two: the first has begun to watch for Ctrl-C.
+    // The second of two scenes: Ctrl-C is handled since the first.
     folder.write("run.sh",
                  "set -m\n'" + program_path() +
                      "' render short.toml long.toml --frames 0 -o '##.md5' 2>said & pid=$!\n"

@@ -1,4 +1,4 @@
-// Bad input: one clear line on stderr, the right exit code, nothing written.
+// Bad input: one clear line on stderr, the correct exit code, no output file.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -26,14 +26,14 @@ struct Case {
     std::string scene;      // text of scene.toml; empty text is an empty file
     std::string arguments;  // of the command line, in the scratch folder
     int code;
-    std::string says;  // part of the one line
+    std::string says;  // part of the message
 };
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class BadInput : public ::testing::TestWithParam<Case> {};
 
-TEST_P(BadInput, IsOneClearLineAndNothingWritten) {
+TEST_P(BadInput, GivesOneClearLineAndNoOutput) {
     const Case& c = GetParam();
     const ScratchFolder folder;
     folder.write("scene.toml", c.scene);
@@ -165,7 +165,7 @@ Case value(const std::string& name, const std::string& arguments, const std::str
     return {name, good, arguments, 2, says};
 }
 
-// What begins like a value is none; an empty one is most often a variable that was not set.
+// Invalid values with a valid beginning, and empty values, which are usually unset variables.
 INSTANTIATE_TEST_SUITE_P(
     Values, BadInput,
     ::testing::Values(
@@ -213,8 +213,8 @@ INSTANTIATE_TEST_SUITE_P(
         value("scene_empty", "still '' -o a.png", "no such file")),
     [](const auto& tested) { return tested.param.name; });
 
-// A title, a key or a name may hold what a terminal would obey; no command gives it back raw.
-TEST(TerminalEscapes, AreNotEchoed) {
+// Titles, keys and names may contain control characters for a terminal; no command prints them raw.
+TEST(TerminalEscapes, AreNotPrinted) {
     const ScratchFolder folder;
     folder.write("title.toml", "title = \"a\\u001b]0;owned\\u0007\\u009b31m\"\n" + good);
     folder.write("key.toml", good + "\"\\u001b[31m\" = 1\n");
@@ -238,7 +238,7 @@ TEST(TerminalEscapes, AreNotEchoed) {
     }
 }
 
-// What the mechanics cannot do is refused at the key that asks for it.
+// A motion that cannot be computed is refused at the key that causes it.
 TEST(Extremes, AreRefusedWithFileLineAndKey) {
     const ScratchFolder folder;
     const std::string scene = "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.5]\n[start]\nomega_rad_s = ";
@@ -265,7 +265,7 @@ TEST(Extremes, AreRefusedWithFileLineAndKey) {
     const ProgramRun times = run_program_in(folder, "sample scene.toml --times 0,1e308");
     EXPECT_EQ(times.code, 2);
     EXPECT_EQ(times.err.find("--times 1e+308: "), 0u) << times.err;
-    // The least numbers are numbers.
+    // The smallest doubles are accepted.
     folder.write("least.toml", scene + "[5e-324, 0.0, 5e-324]\n[film]\nsize = [64, 36]\n");
     for (const char* command :
          {"check", "still -o a.png", "sample --times 0", "render -o a.md5 --frames 0"})
@@ -286,8 +286,8 @@ TEST(Extremes, OfTheCameraAreRefused) {
     }
 }
 
-// A scene just below the limit is written out in full, and is read again.
-TEST(LargeScene, IsDrawnAgainFromItsRecord) {
+// A scene just below the size limit is written in full, and is read again.
+TEST(LargeScene, IsRerenderedFromItsRecord) {
     const ScratchFolder folder;
     std::string masses = "[start]\nomega_rad_s=[0,0,1]\n[film]\nsize=[64,36]\n";
     for (int k = 0; masses.size() + 100 < (1 << 20); ++k)
@@ -300,8 +300,8 @@ TEST(LargeScene, IsDrawnAgainFromItsRecord) {
     EXPECT_EQ(again.code, 0) << again.err;
 }
 
-// A pipe without a writer would be waited for, a device has no end.
-TEST(BadFile, IsRefusedAtOnceWhereverItIsNamed) {
+// Without a check, a pipe without a writer would block, and a device has no end.
+TEST(BadFile, IsRefusedAtOnceInEveryOption) {
     const ScratchFolder folder;
     folder.write("scene.toml", good);
     for (const char* name : {"pipe.toml", "pipe.png", "pipe.mp4", "pipe.obj"})
@@ -331,8 +331,8 @@ TEST(BadFile, IsRefusedAtOnceWhereverItIsNamed) {
     }
 }
 
-// The same of files that a command finds by itself, beside what it was given.
-TEST(BadFile, IsNotWaitedForWhereACommandFindsItItself) {
+// The same for files that a command finds next to its input.
+TEST(BadFile, DoesNotBlockWhenACommandFindsItItself) {
     const ScratchFolder folder;
     folder.write("scene.toml", good);
     const auto pipe = [&folder](const std::string& name) {
@@ -385,7 +385,7 @@ TEST(BadFile, IsNotWaitedForWhereACommandFindsItItself) {
         EXPECT_NE(run.err.find(refusal.says), std::string::npos)
             << refusal.command << ": " << run.err;
     }
-    // What is only looked at in passing is left alone.
+    // A file that is only tested for existence is left unchanged.
     pipe("f.chapters.json");
     pipe("f.vtt");
     const ProgramRun made = run_program_in(folder, film + "f.mp4", "timeout 60");
@@ -393,9 +393,9 @@ TEST(BadFile, IsNotWaitedForWhereACommandFindsItItself) {
     EXPECT_TRUE(std::filesystem::is_fifo(folder.path() / "f.vtt"));
 }
 
-// Of a sequence, whose pictures are written by threads: a signal ends the wait for a reader. After
-// another minute `timeout` would kill it, which is 137.
-TEST(OutputPipe, WithoutAReaderIsGivenUpWhenInterrupted) {
+// For a sequence, whose pictures are written by threads: a signal ends the wait for a reader. After
+// another minute `timeout` would kill the program, with exit code 137.
+TEST(OutputPipe, WithoutAReaderEndsWhenInterrupted) {
     const ScratchFolder folder;
     folder.write("scene.toml", good);
     ASSERT_EQ(mkfifo((folder.path() / "a_0000.png").c_str(), 0600), 0);
@@ -405,7 +405,7 @@ TEST(OutputPipe, WithoutAReaderIsGivenUpWhenInterrupted) {
     EXPECT_EQ(run.code, 124) << run.err;
 }
 
-// A pipe of instants is a use: what a program prints goes on into this one.
+// A pipe of instants is valid input: the output of a program can be passed on to this one.
 TEST(TimesFile, MayBeAPipe) {
     const ScratchFolder folder;
     folder.write("scene.toml", good);
@@ -415,7 +415,7 @@ TEST(TimesFile, MayBeAPipe) {
     EXPECT_NE(run.out.find("\n1,"), std::string::npos) << run.out;
 }
 
-TEST(BadFile, InAFolderOfPicturesIsUnreadableAndTheOthersAreCompared) {
+TEST(BadFile, InAFolderIsUnreadableAndOtherPicturesAreCompared) {
     const ScratchFolder folder;
     folder.write("scene.toml", good);
     for (const char* name : {"old", "new"}) {
@@ -434,8 +434,8 @@ TEST(BadFile, InAFolderOfPicturesIsUnreadableAndTheOthersAreCompared) {
     EXPECT_NE(run.out.find("3 compared, 2 failed, 1 the same"), std::string::npos) << run.out;
 }
 
-// Names that are no UTF-8, that turn the direction of writing or hide a character, and long ones.
-TEST(TerminalEscapes, AreNotTheOnlyThingsThatAreNotEchoed) {
+// Names that are not UTF-8, change the direction of writing or hide a character, and long names.
+TEST(TerminalEscapes, AndOtherUnsafeNamesAreNotPrinted) {
     const ScratchFolder folder;
     folder.write("scene.toml", good);
     const std::string hostile = "a\xff\u202egpj\u200b\u2066";
@@ -491,8 +491,8 @@ TEST(TerminalEscapes, AreNotTheOnlyThingsThatAreNotEchoed) {
     }
 }
 
-// The film is there: that is what was asked for.
-TEST(FullDisk, OfTheMessagesLeavesTheFilmDone) {
+// The film exists: the command has succeeded.
+TEST(FullDisk, ForMessagesDoesNotAffectTheFilm) {
     const ScratchFolder folder;
     folder.write("scene.toml", good);
     for (const std::string end : {"2>/dev/full", "2>&-"})
@@ -508,8 +508,8 @@ TEST(FullDisk, OfTheMessagesLeavesTheFilmDone) {
         EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
 }
 
-// As `yes | head -1` does.
-TEST(ClosedPipe, EndsWithoutAWord) {
+// Like `yes | head -1`.
+TEST(ClosedPipe, EndsTheProgramSilently) {
     const ScratchFolder folder;
     folder.write("scene.toml", good);
     std::string times = "0";
@@ -529,7 +529,7 @@ TEST(ClosedPipe, EndsWithoutAWord) {
     }
 }
 
-TEST(FullDisk, StdoutIsReported) {
+TEST(FullDisk, ForStdoutIsReported) {
     const ScratchFolder folder;
     folder.write("scene.toml", good);
     const ProgramRun run =

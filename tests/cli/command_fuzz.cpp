@@ -1,6 +1,6 @@
-// Any bytes as a command line, an argument a line: read, or refused with a sentence of a length
-// that can be read, and nothing else. Nothing is run; the values that commands read later are
-// read here, and a scene is changed by --set.
+// Any bytes as a command line, one argument per line: the line must be parsed, or refused with a
+// short message. No command is run; values that commands parse later are parsed here, and a scene
+// is changed by --set.
 #include <unistd.h>
 
 #include <cstddef>
@@ -24,7 +24,7 @@ namespace {
 constexpr const char* a_scene =
     "[body]\nmoments_kg_m2 = [3.0, 2.0, 1.0]\n[start]\nomega_rad_s = [0.01, 2.0, 0.01]\n";
 
-// Calls what may refuse.
+// Calls a function that may throw an InputError.
 template <typename Call>
 void refusable(const Call& call) {
     try {
@@ -37,7 +37,7 @@ void refusable(const Call& call) {
 }  // namespace
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
-    // Help is printed where it is asked for.
+    // Help is printed when it is requested.
     if (std::freopen("/dev/null", "w", stdout) == nullptr) std::abort();
     return 0;
 }
@@ -47,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::string_view rest(reinterpret_cast<const char*>(data), size);
     while (!rest.empty()) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
-        // The shell cuts an argument at a zero.
+        // The shell ends an argument at a zero byte.
         words.emplace_back(std::string(rest.substr(0, end)).c_str());
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }

@@ -1,4 +1,4 @@
-// What each command promises, on small pictures.
+// The behaviour of each command, with small pictures.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ std::vector<double> numbers_of(const std::string& line) {
     return numbers;
 }
 
-TEST(Sample, PrintsTheFixedColumnsAndGivesEachDoubleBack) {
+TEST(Sample, PrintsTheFixedColumnsAndExactDoubles) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);
     const ProgramRun run = run_program_in(folder, "sample scene.toml --times 0,0.1");
@@ -50,7 +50,7 @@ TEST(Sample, PrintsTheFixedColumnsAndGivesEachDoubleBack) {
               "herpolhode_x,herpolhode_y,herpolhode_z");
     const auto at_0 = numbers_of(first);
     ASSERT_EQ(at_0.size(), 11u);
-    // The start comes back digit for digit.
+    // The start is printed exactly.
     const std::vector<double> start(at_0.begin(), at_0.begin() + 8);
     EXPECT_EQ(start, (std::vector<double>{0.0, 0.01, 2.0, 0.01, 1.0, 0.0, 0.0, 0.0}));
     EXPECT_EQ(numbers_of(second)[0], 0.1);
@@ -75,7 +75,7 @@ TEST(Check, NamesRegimeAndConstants) {
     EXPECT_EQ(number("n_frames"), 30.0);
 }
 
-TEST(Still, MakesAPictureOfTheSizeAsked) {
+TEST(Still, HasTheRequestedSize) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);
     const ProgramRun run =
@@ -87,7 +87,7 @@ TEST(Still, MakesAPictureOfTheSizeAsked) {
     EXPECT_EQ(image.height(), 120);
 }
 
-TEST(Still, TwoRunsGiveTheSameBytes) {
+TEST(Still, IsReproducible) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);
     ASSERT_EQ(run_program_in(folder, "still scene.toml -o a.png").code, 0);
@@ -95,9 +95,9 @@ TEST(Still, TwoRunsGiveTheSameBytes) {
     EXPECT_EQ(text_of(folder.path() / "a.png"), text_of(folder.path() / "b.png"));
 }
 
-// The title of a scene that gives none is its file's name, whatever that is.
-// The dynamic loader names every library that it opens.
-TEST(Still, OpensNothingOfFFmpegAsAFilmDoes) {
+// The default title of a scene is its file's name, whatever characters that has. The dynamic loader
+// logs every library that it opens.
+TEST(Still, DoesNotLoadFFmpeg) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);
     const std::string loader = "LD_DEBUG=files";
@@ -112,7 +112,7 @@ TEST(Still, OpensNothingOfFFmpegAsAFilmDoes) {
     EXPECT_NE(film.err.find("libavcodec"), std::string::npos);
 }
 
-TEST(Still, IsMadeOfASceneOfAnyName) {
+TEST(Still, AcceptsAnySceneName) {
     const ScratchFolder folder;
     std::string untitled = racket;
     untitled.erase(untitled.find("title"), std::string("title = \"Racket\"\n").size());
@@ -127,19 +127,19 @@ TEST(Still, IsMadeOfASceneOfAnyName) {
         EXPECT_EQ(run_program_in(folder, "check -q " + file).code, 0) << name;
         const ProgramRun again = run_program_in(folder, "rerender -q a.png -o b.png");
         EXPECT_EQ(again.code, 0) << name << ": " << again.err;
-        // What stood in for a letter is in the record, or its absence has been said.
+        // Replaced letters are in the record, and missing ones were reported.
         const bool plain = name.find_first_not_of("a$bc{x\\_^-5~`'%&#") == std::string::npos;
         const std::string record = run_program_in(folder, "explain a.png").out;
         const bool recorded = record.find("\nfonts: ") != std::string::npos;
         const bool said = still.err.find("drawn as boxes") != std::string::npos;
         EXPECT_EQ(recorded || said, !plain) << name << still.err << record.substr(0, 600);
     }
-    // A title of the scene's own is markup as ever.
+    // A title in the scene is markup as usual.
     folder.write("own.toml", "title = \"a$b\"\n" + untitled);
     EXPECT_EQ(run_program_in(folder, "still own.toml -o c.png").code, 2);
 }
 
-TEST(Render, FrameAloneIsTheFrameOfTheSequence) {
+TEST(Render, SingleFrameEqualsTheFrameOfTheSequence) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);
     ASSERT_EQ(run_program_in(folder, "render scene.toml -o all-####.png --frames 0-12 -q").code, 0);
@@ -166,8 +166,8 @@ TEST(Render, FilmHasItsFramesSizeRateAndColours) {
     EXPECT_EQ(reader.info().matrix, "bt709");
     EXPECT_EQ(reader.info().range, "tv");
 
-    // The first frame is the still of the same instant, within what 4:2:0 and quantisation lose on
-    // average.
+    // The first frame is the still of the same instant, within the average loss by 4:2:0 and
+    // quantisation.
     ASSERT_EQ(
         run_program_in(folder, "still scene.toml --time 0 --set film.quality=print -o first.png")
             .code,
@@ -199,15 +199,16 @@ TEST(Render, InterruptedLeavesNothingUnderTheFinalName) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.mp4"));
 }
 
-// What the interrupted film had drawn is the beginning of the whole one, and the same command goes
-// on to the same bytes.
-TEST(Recover, GivesTheFramesThatWereDrawnAndRenderGoesOn) {
+// The finished frames of an interrupted film are the beginning of the complete one, and repeating
+// the command gives a byte-identical film.
+TEST(Recover, GivesTheFinishedFramesAndRenderContinues) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);
     const std::string film = " --size 96x54 --set film.duration_s=60 --frames 0-899 -q";
     ASSERT_EQ(run_program_in(folder, "recover a.mp4").code, 2);
     ASSERT_EQ(run_program_in(folder, "render scene.toml -o whole.mp4" + film).code, 0);
-    // Killed once more than a chunk of 120 frames lies aside; the whole film has three times that.
+    // Killed when the log has more than a chunk of 120 frames; the complete film has three times as
+    // many.
     const auto n_bytes = std::filesystem::file_size(folder.path() / "whole.mp4") / 3;
     const std::string script = "cd '" + folder.path().string() + "' || exit 1\n'" + program_path() +
                                "' render scene.toml -o a.mp4" + film +
@@ -232,7 +233,7 @@ TEST(Recover, GivesTheFramesThatWereDrawnAndRenderGoesOn) {
     EXPECT_NE(says.out.find("frames: 0-" + std::to_string(n_frames - 1) + "\nrun: 0-899\n"),
               std::string::npos)
         << says.out;
-    // What is recovered can be made again, as whatever is made here can.
+    // A recovered film can be rendered again, like every output.
     ASSERT_EQ(run_program_in(folder, "rerender -q b.mp4 -o again.mp4").code, 0);
     EXPECT_TRUE(text_of(folder.path() / "again.mp4") == text_of(folder.path() / "b.mp4"));
     const ProgramRun gone_on = run_program_in(folder, "render scene.toml -o a.mp4" + film);
@@ -240,7 +241,7 @@ TEST(Recover, GivesTheFramesThatWereDrawnAndRenderGoesOn) {
     EXPECT_EQ(text_of(folder.path() / "a.mp4"), text_of(folder.path() / "whole.mp4"));
 }
 
-// Draws a film of a minute by one process until some 40 kB lie aside, and interrupts that.
+// Renders a film of a minute in one process and interrupts it when the log has some 40 kB.
 void interrupt_render(const ScratchFolder& folder, const std::string& scene,
                       const std::string& film) {
     const std::string script =
@@ -252,16 +253,16 @@ void interrupt_render(const ScratchFolder& folder, const std::string& scene,
     ASSERT_NE(std::system(script.c_str()), 0);
 }
 
-// They come from the scene in the film's record, which is read again: here one with symbols and
-// with keys of no table, whose rows stand behind those.
-TEST(Recover, WritesTheChaptersThatAreThere) {
+// The chapters come from the scene in the film's record, which is read again: here a scene with
+// symbols and with keys without a table, whose rows come later.
+TEST(Recover, WritesTheFinishedChapters) {
     const ScratchFolder folder;
     folder.write("scene.toml", "labels = false\nunlabelled = [\"omega\"]\n" + racket +
                                    "[symbols]\nomega = \"w\"\n"
                                    "[[chapters]]\nat_s = 0\ntitle = \"One\"\n"
                                    "[[chapters]]\nat_s = 3\ntitle = \"Two\"\n"
                                    "[[chapters]]\nat_s = 50\ntitle = \"Three\"\n");
-    // Interrupted when some 250 frames lie aside: the second chapter has begun with frame 90.
+    // Interrupted when the log has some 250 frames: the second chapter has begun with frame 90.
     interrupt_render(folder, "scene.toml", "a.webm");
     ASSERT_EQ(run_program_in(folder, "recover a.webm").code, 0);
     const VideoInfo info = VideoReader(folder.path() / "a.webm").info();
@@ -275,8 +276,8 @@ TEST(Recover, WritesTheChaptersThatAreThere) {
     EXPECT_EQ(beside.find("Three"), std::string::npos);
 }
 
-// What stands beside a film is that film's.
-TEST(Recover, LeavesTheChaptersOfNoOtherFilm) {
+// Recovering a film without chapters removes the chapters file of the film that it replaces.
+TEST(Recover, RemovesTheChaptersOfAReplacedFilm) {
     const ScratchFolder folder;
     folder.write("told.toml", racket + "[[chapters]]\nat_s = 0.0\ntitle = \"Start\"\n");
     folder.write("plain.toml", racket);
@@ -287,8 +288,8 @@ TEST(Recover, LeavesTheChaptersOfNoOtherFilm) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.chapters.json"));
 }
 
-// What stands beside a film is that film's.
-TEST(Render, LeavesTheChaptersOfNoOtherFilm) {
+// A chapters file belongs to one film: only a film that replaces it removes the file.
+TEST(Render, RemovesOnlyTheChaptersOfAReplacedFilm) {
     const ScratchFolder folder;
     folder.write("plain.toml", racket);
     folder.write("told.toml", racket + "[[chapters]]\nat_s = 0.0\ntitle = \"Start\"\n");
@@ -304,7 +305,7 @@ TEST(Render, LeavesTheChaptersOfNoOtherFilm) {
     EXPECT_NE(text_of(folder.path() / "g.chapters.json").find("\"g.mp4\""), std::string::npos);
     EXPECT_NE(text_of(folder.path() / "g.webm.chapters.json").find("\"g.webm\""),
               std::string::npos);
-    // A film without chapters takes its own with it, and no other file.
+    // A film without chapters removes its own file of chapters, and no other file.
     folder.write("h.chapters.json", "[]\n");
     render("plain.toml -o g.mp4");
     render("plain.toml -o h.mp4");
@@ -328,7 +329,7 @@ TEST(List, EveryListHasRows) {
     EXPECT_NE(lists.out.find("quantities\n"), std::string::npos);
 }
 
-// The scenes are found beside the program, not where it was built.
+// The scenes are found next to the program, not in the source folder.
 TEST(List, FindsTheScenesOfAnInstalledProgram) {
     const ScratchFolder folder;
     std::filesystem::create_directories(folder.path() / "bin");
@@ -346,14 +347,14 @@ TEST(List, FindsTheScenesOfAnInstalledProgram) {
     EXPECT_EQ(list(), 3);
     const std::string err = text_of(folder.path() / "err");
     EXPECT_EQ(err.find("/scenes"), std::string::npos) << err;
-    // Nothing in the program names the folder that it was built from.
+    // The program does not contain the path of its source folder.
     const std::string program = text_of(program_path());
     const std::string checkout = (source_folder() / "scenes").string();
     EXPECT_EQ(program.find(checkout), std::string::npos);
 }
 
-// Of some two hundred rows those that no other beats, unless all are asked for; the files have all.
-TEST(Tradeoff, PrintsTheFrontAndLeavesNothingBehind) {
+// About two hundred rows: by default only the Pareto front is printed; the files have all rows.
+TEST(Tradeoff, PrintsTheFrontAndLeavesNoTemporaryFiles) {
     const ScratchFolder folder, temporary;
     folder.write("scene.toml", racket);
     const std::string arguments =
@@ -371,7 +372,7 @@ TEST(Tradeoff, PrintsTheFrontAndLeavesNothingBehind) {
     EXPECT_EQ(count(front.out, "\n* "), count(csv, ",true\n"));
     EXPECT_EQ(count(front.out, "\n  euler "), 0);
     EXPECT_GT(count(csv, ",false\n"), 20);
-    // What a frame of the film costs is that film's, at its size and quality.
+    // The cost of a frame is measured at the film's own size and quality.
     EXPECT_NE(front.out.find("at 64x36 and quality lecture"), std::string::npos) << front.out;
     const ProgramRun all = run_program_in(folder, arguments + " --all", runner);
     ASSERT_EQ(all.code, 0) << all.err;
@@ -385,8 +386,8 @@ TEST(Doctor, FindsAContextHere) {
     EXPECT_NE(run.out.find("context OSMesa"), std::string::npos);
 }
 
-// A library that cannot be opened stands in for one that is not there.
-TEST(Doctor, AdvisesWhatCanBeHad) {
+// A file that is not a library simulates a missing library.
+TEST(Doctor, AdvisesAvailablePackages) {
     const ScratchFolder folder;
     std::filesystem::create_directory(folder.path() / "lib");
     folder.write("lib/libOSMesa.so.8", "no library");
@@ -396,7 +397,7 @@ TEST(Doctor, AdvisesWhatCanBeHad) {
     const std::string line = run.out.substr(at, run.out.find('\n', at) - at);
     EXPECT_NE(line.find("not needed: EGL works"), std::string::npos) << line;
     EXPECT_EQ(run.out.find("libosmesa6"), std::string::npos) << run.out;
-    // Neither: what to install on a distribution that has it no more, too.
+    // Both are missing: the advice also covers distributions without the first.
     folder.write("lib/libEGL.so.1", "no library");
     const ProgramRun none = run_program_in(folder, "doctor", "LD_LIBRARY_PATH=$PWD/lib");
     EXPECT_EQ(none.code, 1) << none.out << none.err;
@@ -428,7 +429,7 @@ TEST(Environment, OfTheRendererChangesNoPicture) {
     }
 }
 
-TEST(Environment, ThatAsksForAnotherDriverIsRefusedInASentence) {
+TEST(Environment, WithAnotherDriverIsRefusedInASentence) {
     const ScratchFolder folder;
     const std::string scene = "'" + (source_folder() / "scenes/generic.toml").string() + "'";
     for (const std::string driver : {"bogus", "zink", "swr", "d3d12", "virpipe", "a b"})
@@ -445,7 +446,7 @@ TEST(Environment, ThatAsksForAnotherDriverIsRefusedInASentence) {
     EXPECT_EQ(run_program_in(folder, "doctor", "GALLIUM_DRIVER=bogus").code, 1);
 }
 
-TEST(Program, SaysItsVersionAndHelpsOnStdout) {
+TEST(Program, PrintsVersionAndHelpOnStdout) {
     const ScratchFolder folder;
     const ProgramRun version = run_program_in(folder, "--version");
     EXPECT_EQ(version.code, 0);
@@ -455,7 +456,7 @@ TEST(Program, SaysItsVersionAndHelpsOnStdout) {
     EXPECT_NE(help.out.find("--frames"), std::string::npos);
 }
 
-// Every scene that comes with the program draws, and its picture is not one colour.
+// Every supplied scene can be drawn, and its picture has more than one colour.
 class EveryScene : public ::testing::TestWithParam<std::string> {};
 
 std::vector<std::string> scene_files() {
@@ -466,7 +467,7 @@ std::vector<std::string> scene_files() {
     return files;
 }
 
-TEST_P(EveryScene, HoldsWhatItClaims) {
+TEST_P(EveryScene, FulfilsItsClaims) {
     const ScratchFolder folder;
     const ProgramRun check = run_program_in(folder, "check '" + GetParam() + "'");
     EXPECT_EQ(check.code, 0) << check.err;
@@ -478,7 +479,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, ::testing::ValuesIn(scene_files()),
                              return std::filesystem::path(tested.param).stem().string();
                          });
 
-// The pixels that are far from the ground's colour.
+// The share of pixels that differ clearly from the background colour.
 double share_unlike_corner(const Image& image) {
     std::size_t n_unlike = 0;
     for (int y = 0; y < image.height(); ++y) {

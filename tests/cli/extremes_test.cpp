@@ -1,5 +1,5 @@
-// The extremes as a user meets them: every row of the list is a case by name, and says what is
-// right. How accurate the motion is at each is the mechanics' own test (mechanics/extremes_test).
+// The extremes on the command line: every row of the list is a named case with its expected result.
+// The accuracy of each motion is tested in mechanics/extremes_test.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,14 +53,14 @@ struct Extreme {
     std::string scene;
     std::string command;  // "check", or "sample" with its times
     int code;
-    std::string says;  // part of what is printed, on either stream
+    std::string says;  // part of the output, on either stream
 };
 
 void PrintTo(const Extreme& extreme, std::ostream* out) { *out << extreme.name; }
 
 class ExtremeInput : public ::testing::TestWithParam<Extreme> {};
 
-TEST_P(ExtremeInput, IsRightOrRefusedByName) {
+TEST_P(ExtremeInput, IsCorrectOrRefusedByName) {
     const Extreme& extreme = GetParam();
     const ScratchFolder folder;
     folder.write("scene.toml", extreme.scene);
@@ -235,7 +235,7 @@ INSTANTIATE_TEST_SUITE_P(
                               "check", 2, "set motion.method to one of euler, rk4"}),
     [](const auto& tested) { return tested.param.name; });
 
-// No extreme takes the camera with it: a picture of each has a body in it.
+// The camera is valid at every extreme: each picture contains a body.
 class ExtremePicture : public ::testing::TestWithParam<Extreme> {};
 
 TEST_P(ExtremePicture, ShowsABody) {
@@ -268,8 +268,8 @@ INSTANTIATE_TEST_SUITE_P(
         Extreme{"separatrix", body("[1.0, 2.0, 2.25]", "[0.75, 0.5, 1.0]"), "", 0, ""}),
     [](const auto& tested) { return tested.param.name; });
 
-// Frame k of a film at 29.97/s is the instant k·1001/30000 s: its record says the frames, and the
-// picture is the still of that instant.
+// Frame k of a film at 29.97/s is the instant k·1001/30000 s: its record contains the frames, and
+// the picture is the still of that instant.
 TEST(ExtremeInput, FrameTimesAreRatiosAt2997) {
     const ScratchFolder folder;
     folder.write("scene.toml", body("[1.0, 2.0, 2.5]", "[0.3, 1.0, 0.2]"));

@@ -1,5 +1,5 @@
-// Films in parts and by several processes, as a user makes them: the bytes of one run, or a
-// sentence.
+// Films in parts and by several processes, on the command line: byte-identical to a single run, or
+// refused with a message.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ at_s = 4.0
 text = '$\mathbf{L}$ stays'
 )";
 
-// Lasts until a signal comes.
+// A film that takes until a signal ends it.
 const std::string large_size =
     sanitized ? " --set film.size=[160,90] " : " --set film.size=[640,360] ";
 
@@ -52,7 +52,7 @@ class Parts : public ::testing::Test {
         EXPECT_EQ(done.code, 0) << arguments << ": " << done.err;
     }
     std::string bytes(const std::string& name) { return text_of(folder_.path() / name); }
-    // The sentence of a refusal.
+    // Returns the message of a refused command.
     std::string refusal(const std::string& arguments, int code = 2) {
         const ProgramRun done = run(arguments);
         EXPECT_EQ(done.code, code) << arguments << ": " << done.err;
@@ -74,7 +74,7 @@ class Parts : public ::testing::Test {
     ScratchFolder folder_;
 };
 
-TEST_F(Parts, AreJoinedToTheBytesOfOneRun) {
+TEST_F(Parts, JoinedAreByteIdenticalToASingleRun) {
     for (const std::string kind : {".mp4", ".webm", ".gif", ".md5"}) {
         // Two chunks and a short one.
         const std::string render = "render a.toml -q --set film.fps=20 -o ";
@@ -85,11 +85,11 @@ TEST_F(Parts, AreJoinedToTheBytesOfOneRun) {
              "'");
         EXPECT_TRUE(bytes("a" + kind) == bytes("one" + kind)) << kind;
     }
-    // Chapters lie beside as one run leaves them, the film's name apart.
+    // The sidecar of chapters is that of a single run, except for the film's name.
     std::string beside = bytes("one.chapters.json");
     beside.replace(beside.find("one.mp4"), 7, "a.mp4");
     EXPECT_EQ(bytes("a.chapters.json"), beside);
-    // So do captions: they stand from 4 s to the end.
+    // So are the captions: they are shown from 4 s to the end.
     for (const std::string name : {"a.mp4", "a.webm"}) {
         const std::string text = name == "a.mp4" ? bytes("a.vtt") : bytes("a.webm.vtt");
         EXPECT_EQ(text, "WEBVTT\n\nNOTE poinsot: " + name +
@@ -133,7 +133,7 @@ TEST_F(Parts, ThatDoNotBelongTogetherAreRefusedInASentence) {
     expect_refusal("join p1.mp4 native.mp4 p3.mp4 -o f.mp4", "their profiles differ");
     make("render a.toml -q -o other.mp4 --part 2/2 --portable");
     expect_refusal("join p1.mp4 other.mp4 -o f.mp4", "one is of 3 parts, the other of 2");
-    // One byte less: the last frame is not whole.
+    // One byte less: the last frame is incomplete.
     const fs::path cut = folder_.path() / "p2.mp4";
     fs::resize_file(cut, fs::file_size(cut) - 1);
     expect_refusal("join p1.mp4 p2.mp4 p3.mp4 -o f.mp4", "unfinished or was cut");
@@ -141,22 +141,22 @@ TEST_F(Parts, ThatDoNotBelongTogetherAreRefusedInASentence) {
     EXPECT_FALSE(fs::exists(folder_.path() / "f.chapters.json"));
 }
 
-// Who reads a native film's record knows what the processor could do; a portable one needs not.
-TEST_F(Parts, SayWhatTheProcessorCanDoUnlessPortable) {
+// The record of a native film lists the processor's features; a portable film does not need them.
+TEST_F(Parts, RecordTheProcessorUnlessPortable) {
     make("render a.toml -q -o p1.md5 --part 1/2");
     EXPECT_NE(bytes("p1.md5").find("\nprocessor: "), std::string::npos);
     make("render a.toml -q -o p2.md5 --part 1/2 --portable");
     EXPECT_EQ(bytes("p2.md5").find("\nprocessor: "), std::string::npos);
 }
 
-TEST_F(Parts, ThatCannotBeAreRefused) {
+TEST_F(Parts, WithInvalidNumbersAreRefused) {
     for (const char* part : {"0/4", "5/4", "1", "x/2", "1/2/3", "-1/2", "1/0"})
         expect_refusal("render a.toml -o p.mp4 --part " + std::string(part), "--part ");
     expect_refusal("render a.toml -o p.png --part 1/2", "one picture has no parts");
     expect_refusal("render a.toml -o null --part 1/2", "has no parts");
     expect_refusal("render a.toml -o p.mp4 --jobs 0", "--jobs 0");
     expect_refusal("render a.toml -o p.mp4 --jobs 2 --part 1/2", "--part is drawn by one process");
-    // A name without room for the parts would let one replace the other, or the film.
+    // If the name has no part number, the parts would replace each other or the film.
     make("render a.toml -q -o p.mp4 --part 1/2");
     expect_refusal("render a.toml -q -o p.mp4 --part 2/2", "holds part 1 of this film");
     folder_.write("film.mp4", "a film");
@@ -165,7 +165,7 @@ TEST_F(Parts, ThatCannotBeAreRefused) {
     expect_refusal("recover p.mp4", "no unfinished film");
 }
 
-TEST_F(Parts, MoreThanTheChunksAreFewer) {
+TEST_F(Parts, AreNotMoreThanTheChunks) {
     make("render a.toml -q -o one.mp4");
     for (int k = 1; k <= 6; ++k) {
         const ProgramRun done = run("render a.toml -o p" + std::to_string(k) + ".mp4 --part " +
@@ -176,12 +176,12 @@ TEST_F(Parts, MoreThanTheChunksAreFewer) {
     }
     make("join p1.mp4 p2.mp4 p3.mp4 p4.mp4 -q -o a.mp4");
     EXPECT_TRUE(bytes("a.mp4") == bytes("one.mp4"));
-    // What is there is not drawn again.
+    // A finished part is not rendered again.
     const ProgramRun again = run("render a.toml -o p2.mp4 --part 2/6");
     EXPECT_NE(again.err.find("part 2 of 4 is there"), std::string::npos) << again.err;
 }
 
-TEST_F(Parts, OfManyJobsAreTheBytesOfOne) {
+TEST_F(Parts, OfManyJobsAreByteIdenticalToOne) {
     for (const std::string kind : {"a.mp4", "a.webm", "a.gif", "a.md5"}) {
         make("render a.toml -q --set film.fps=20 --jobs 1 -o one_" + kind);
         make("render a.toml -q --set film.fps=20 --jobs 3 -o " + kind);
@@ -200,8 +200,8 @@ ProgramRun run_shell(const ScratchFolder& folder, const std::string& script) {
     return run_program_in(folder, "", "bash script");
 }
 
-// What hangs on the whole film: a loop's changed start, and whether any of it is seen through.
-TEST_F(Parts, OfLoopsAndOfNoGroundAreTheBytesOfOne) {
+// Values of the whole film: a loop's changed start, and whether any frame is transparent.
+TEST_F(Parts, OfLoopsAndTransparentFilmsAreByteIdentical) {
     for (const std::string film :
          {"a.mp4 --set 'film.loop=\"period\"' --set 'camera.motion=\"co-precessing\"'",
           "a.webm --theme transparent", "a.gif --theme transparent"}) {
@@ -212,8 +212,8 @@ TEST_F(Parts, OfLoopsAndOfNoGroundAreTheBytesOfOne) {
     }
 }
 
-// A second run on what processes draw side by side is refused, as beside one process.
-TEST_F(Parts, AreDrawnByOneRunAtATime) {
+// A second run on the output of several processes is refused, as for a single process.
+TEST_F(Parts, AreRenderedByOneRunAtATime) {
     for (const std::string output : {"a.mp4", "a_####.png"}) {
         const std::string held = output == "a.mp4" ? ".a.mp4.part.frames" : ".a_####.png.part";
         const ProgramRun done = run_shell(
@@ -228,7 +228,7 @@ TEST_F(Parts, AreDrawnByOneRunAtATime) {
     }
 }
 
-// The processes that a shell's child has started, by their command.
+// Renders in two jobs, runs the commands `how`, which stop some of the processes, and waits.
 std::string kill_one_of(const ScratchFolder& folder, const std::string& how) {
     return "(\"$1\" render a.toml -o k.mp4 --jobs 2" + large_size +
            "-q; echo $? >code) & "
@@ -236,10 +236,10 @@ std::string kill_one_of(const ScratchFolder& folder, const std::string& how) {
            how + " wait $parent; cd '" + folder.path().string() + "'";
 }
 
-TEST_F(Parts, OfAKilledJobAreGoneOnWith) {
+TEST_F(Parts, OfAKilledJobAreResumed) {
     const std::string big = "render a.toml -q" + large_size;
     make(big + "-o one.mp4 --jobs 1");
-    // Until both children are drawing, then one of them or their parent.
+    // Waits until both children are rendering, then kills one of them or their parent.
     const std::string started =
         "for i in $(seq 3000); do program=$(pgrep -P $parent); [ -n \"$program\" ] && "
         "children=$(pgrep -P $program) && [ $(echo \"$children\" | wc -l) = 2 ] && break; "
@@ -248,7 +248,7 @@ TEST_F(Parts, OfAKilledJobAreGoneOnWith) {
          {std::pair<std::string, std::string>{"kill -9 $(echo \"$children\" | tail -1);", "3"},
           {"kill -INT $program;", "3"},
           {"kill -TERM $program;", "3"}}) {
-        // From the start, or the one before may have left work for less than two.
+        // From the start, because the previous run may have left work for less than two processes.
         for (const std::string& name : names())
             if (name.front() == '.') fs::remove_all(folder_.path() / name);
         const ProgramRun done = run_shell(folder_, kill_one_of(folder_, started + kill));
@@ -261,8 +261,8 @@ TEST_F(Parts, OfAKilledJobAreGoneOnWith) {
     for (const std::string& name : names()) EXPECT_NE(name.front(), '.') << name;
 }
 
-// A child that is stopped takes no other signal: its end does not wait for anything that it does.
-TEST_F(Parts, EndWithTheProcessThatDrawsThem) {
+// A stopped child receives no other signal: the end of the run does not wait for it.
+TEST_F(Parts, EndWithTheirParentProcess) {
     const ProgramRun done = run_shell(
         folder_,
         kill_one_of(folder_,
@@ -270,7 +270,7 @@ TEST_F(Parts, EndWithTheProcessThatDrawsThem) {
                     "children=$(pgrep -P $program) && [ $(echo \"$children\" | wc -l) = 2 ] && "
                     "break; sleep 0.02; done; "
                     "kill -STOP $children; kill -9 $program; "
-                    // One that has ended is gone, or a zombie until somebody asks for it.
+                    // A process that has ended is gone, or a zombie until its parent waits for it.
                     "for i in $(seq 3000); do left=$(ps -o stat= -p $(echo $children | tr ' ' ,) | "
                     "grep -vc Z); [ $left = 0 ] && break; sleep 0.02; done; "
                     "echo $left; kill -9 $children 2>/dev/null;"));
@@ -280,16 +280,16 @@ TEST_F(Parts, EndWithTheProcessThatDrawsThem) {
     make("explain --verify k.mp4");
 }
 
-// What several processes have left of a film: recover makes a film of it as far as it goes, and one
-// process goes on with it.
+// The logs that several processes have left of a film: recover makes a film up to the first gap,
+// and one process continues it.
 TEST_F(Parts, OfAnInterruptedJobAreRecovered) {
     const std::string big = "render a.toml -q" + large_size;
     make(big + "-o one.mp4 --jobs 1");
-    // The first part has two of the four chunks, of which more than one must be there.
+    // The first part has two of the four chunks; more than one must be finished.
     const std::string enough =
         std::to_string(fs::file_size(folder_.path() / "one.mp4") * 240 / 372 * 7 / 10);
     const auto interrupted = [&] {
-        // Until the first part has frames of its own in the file, then all of them.
+        // Waits until the first part's log has enough frames, then interrupts all processes.
         const ProgramRun done = run_shell(
             folder_, kill_one_of(folder_,
                                  "for i in $(seq 6000); do [ $(stat -c %s "
@@ -307,31 +307,31 @@ TEST_F(Parts, OfAnInterruptedJobAreRecovered) {
     make("explain --verify k.mp4");
     const std::string record = run("explain k.mp4").out;
     EXPECT_NE(record.find("\nrun: 0-371\n"), std::string::npos) << record;
-    // Drawn again by one process it has the same bytes.
+    // Rendered again by one process it is byte-identical.
     make("rerender k.mp4 -o again.mp4");
     EXPECT_TRUE(bytes("again.mp4") == bytes("k.mp4"));
-    // What the second part has is not lost: it is said, and the film goes on with it.
+    // The frames of the second part are kept: this is reported, and the next run uses them.
     const bool has_more = recovered.err.find("later frames come after a gap") != std::string::npos;
     EXPECT_EQ(has_more, fs::exists(folder_.path() / ".k.mp4.parts")) << recovered.err;
     make("render a.toml" + large_size + "-q -o k.mp4");
     EXPECT_TRUE(bytes("k.mp4") == bytes("one.mp4"));
     for (const std::string& name : names()) EXPECT_NE(name.front(), '.') << name;
     fs::remove(folder_.path() / "k.mp4");
-    // Whoever says nothing goes on with as many processes as there were.
+    // By default, the next run continues with the same number of processes.
     interrupted();
     const bool first_is_whole = fs::exists(folder_.path() / ".k.mp4.parts" / "1-of-2.mp4");
     const ProgramRun done = run("render a.toml" + large_size + "-o k.mp4");
     EXPECT_EQ(done.code, 0) << done.err;
-    // Where the others had the processors meanwhile, the first part was done when the signal came.
+    // If the other processes used the processors, the first part was complete when the signal came.
     const char* said = first_is_whole ? "part 1 of 2 is there" : "going on with frame";
     EXPECT_NE(done.err.find(said), std::string::npos) << done.err;
     EXPECT_TRUE(bytes("k.mp4") == bytes("one.mp4"));
     for (const std::string& name : names()) EXPECT_NE(name.front(), '.') << name;
 }
 
-// The default draws what one process does, whatever it chooses; several scenes share one process
-// once it has drawn.
-TEST_F(Parts, OfAnyNumberThatPaysAreTheBytesOfOne) {
+// The default number of processes gives the same film as one process, whatever the number; several
+// scenes share one process once it has rendered.
+TEST_F(Parts, OfTheDefaultJobsAreByteIdenticalToOne) {
     folder_.write("b.toml", a_scene);
     const std::string big = large_size + "-q ";
     make("render b.toml a.toml --jobs 1 -o 'one_{scene}.mp4'" + big);
@@ -341,7 +341,7 @@ TEST_F(Parts, OfAnyNumberThatPaysAreTheBytesOfOne) {
     EXPECT_NE(run("check a.toml --plan").out.find("\njobs: "), std::string::npos);
 }
 
-TEST_F(Parts, AreNothingThatAPictureHas) {
+TEST_F(Parts, AreNotForPictures) {
     expect_refusal("still a.toml -o a.png --part 1/2", "--part");
     expect_refusal("render a.toml -o null --jobs 2", "has no parts that --jobs could share out");
     expect_refusal("render a.toml -o p.mp4 --jobs -3", "--jobs -3");

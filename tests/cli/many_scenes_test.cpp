@@ -28,7 +28,7 @@ Image image_of(const ScratchFolder& folder, const std::string& name) {
     return read_png(folder.path() / name);
 }
 
-TEST(ManyScenes, AreNumberedInTheirOrderAndDrawnAsEachAlone) {
+TEST(ManyScenes, AreNumberedInOrderAndDrawnAsEachAlone) {
     const ScratchFolder folder;
     for (const char* name : {"a", "b", "c"}) folder.write(name + std::string(".toml"), scene(name));
     const ProgramRun run = run_program_in(folder, "still *.toml -q -o '##.png'");
@@ -42,8 +42,7 @@ TEST(ManyScenes, AreNumberedInTheirOrderAndDrawnAsEachAlone) {
     EXPECT_NE(image_of(folder, "00.png"), image_of(folder, "01.png"));
 }
 
-// Down to the least size there is: type that has no room is left out, and nothing is refused for
-// it.
+// Down to the smallest size: text that does not fit is omitted, and no scene is refused for it.
 TEST(ManyScenes, AreDrawnHoweverSmall) {
     const ScratchFolder folder;
     const std::string scenes = "'" + (source_folder() / "scenes").string() + "'/*.toml";
@@ -57,7 +56,7 @@ TEST(ManyScenes, AreDrawnHoweverSmall) {
     EXPECT_EQ(run_program_in(folder, "still " + generic + " -q -o one.png --size 16x16").code, 0);
 }
 
-TEST(ManyScenes, ABadOneIsSaidAndTheOthersAreMade) {
+TEST(ManyScenes, AnErrorInOneDoesNotStopTheOthers) {
     const ScratchFolder folder;
     folder.write("a.toml", scene("a"));
     folder.write("b.toml", "titel = \"b\"\n");
@@ -70,8 +69,8 @@ TEST(ManyScenes, ABadOneIsSaidAndTheOthersAreMade) {
     EXPECT_FALSE(image_of(folder, "0002.png").empty());
 }
 
-// One is written while the next is drawn.
-TEST(ManyScenes, AreSaidInTheirOrderEachOnceItIsThere) {
+// One picture is written while the next one is drawn.
+TEST(ManyScenes, AreReportedInOrderAsSoonAsEachIsWritten) {
     const ScratchFolder folder;
     for (const char* name : {"a", "b", "c"}) folder.write(name + std::string(".toml"), scene(name));
     const ProgramRun run = run_program_in(folder, "still a.toml b.toml c.toml -o '####.png'");
@@ -83,7 +82,7 @@ TEST(ManyScenes, AreSaidInTheirOrderEachOnceItIsThere) {
     }
 }
 
-TEST(ManyScenes, OneThatCannotBeWrittenEndsThemAllAndIsSaidOnce) {
+TEST(ManyScenes, AWriteErrorStopsAllAndIsReportedOnce) {
     for (const char* taken : {"0001.png", "0002.png"}) {
         const ScratchFolder folder;
         for (const char* name : {"a", "b", "c"})
@@ -101,7 +100,7 @@ TEST(ManyScenes, OneThatCannotBeWrittenEndsThemAllAndIsSaidOnce) {
     }
 }
 
-TEST(ManyScenes, WithoutANameLieInAFolderMadeForThem) {
+TEST(ManyScenes, WithoutANameAreWrittenToANewFolder) {
     for (const std::string command : {"still a.toml", "still a.toml b.toml"}) {
         const ScratchFolder folder;
         for (const char* name : {"a", "b"}) folder.write(name + std::string(".toml"), scene(name));
@@ -123,8 +122,8 @@ TEST(ManyScenes, FilmsAreNumberedToo) {
     EXPECT_NE(text_of(folder.path() / "film_00.md5"), text_of(folder.path() / "film_01.md5"));
 }
 
-// Two folders may each hold a scene of one name; neither picture is lost without a word.
-TEST(ManyScenes, OfOneNameAreRefusedBeforeAnythingIsDrawn) {
+// Two folders may contain scenes of the same name; neither picture silently replaces the other.
+TEST(ManyScenes, OfTheSameNameAreRefusedBeforeDrawing) {
     for (const char* command :
          {"still one/a.toml two/a.toml", "render one/a.toml two/a.toml --frames 0",
           "still b.toml one/a.toml two/a.toml -o '{scene}.png'", "still b.toml ./b.toml",
@@ -158,8 +157,8 @@ TEST(ManyScenes, AreNamedInTheirOutputs) {
             << name << " in " << folder.listing();
 }
 
-// A list of one is numbered as one of two is.
-TEST(ManyScenes, NumberOneAsTheFirst) {
+// A single scene has the same number as the first of two.
+TEST(ManyScenes, NumberASingleSceneLikeTheFirst) {
     const ScratchFolder folder;
     folder.write("a.toml", scene("a"));
     for (const char* command :
@@ -175,7 +174,7 @@ TEST(ManyScenes, NumberOneAsTheFirst) {
     EXPECT_EQ(run_program_in(folder, "rerender 0000.png -o ./0000.png").code, 2);
 }
 
-TEST(ManyScenes, AreNotWrittenOverEachOther) {
+TEST(ManyScenes, DoNotReplaceEachOther) {
     const ScratchFolder folder;
     folder.write("a.toml", scene("a"));
     folder.write("b.toml", scene("b"));

@@ -1,4 +1,4 @@
-// What a user is told who mistypes, asks for what is not there, or gives another name than meant.
+// Messages for mistyped words, missing files and wrong names.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -47,7 +47,7 @@ class Messages : public ::testing::Test {
     ScratchFolder folder_;
 };
 
-TEST_F(Messages, AnUnknownOptionIsCalledSoWithTheNearest) {
+TEST_F(Messages, AnUnknownOptionIsReportedWithTheNearest) {
     refuses("compare a b --max-difering 1", 2,
             {"unknown option \"--max-difering\"", "did you mean \"--max-differing\"?",
              "see poinsot compare --help"});
@@ -60,8 +60,8 @@ TEST_F(Messages, AnUnknownOptionIsCalledSoWithTheNearest) {
     refuses("check a.toml b.toml", 2, {"SCENE", "poinsot check --help"});
 }
 
-// What stands behind an option that takes a value is that value, whatever it looks like.
-TEST_F(Messages, AValueThatLooksLikeAnOptionIsNone) {
+// The argument after an option with a value is its value, whatever it looks like.
+TEST_F(Messages, AValueThatLooksLikeAnOptionIsAValue) {
     EXPECT_EQ(run("still scene.toml --time -0.1 -o a.png").code, 0);
     EXPECT_EQ(run("still scene.toml -ob.png").code, 0);
     EXPECT_EQ(run("still scene.toml --time=-0.1 -o ./-c.png").code, 0);
@@ -71,13 +71,13 @@ TEST_F(Messages, AValueThatLooksLikeAnOptionIsNone) {
         EXPECT_TRUE(fs::exists(folder_.path() / name)) << name;
 }
 
-TEST_F(Messages, ABaselineThatDiffersIsNotReplacedWithoutAReason) {
+TEST_F(Messages, ADifferentBaselineIsNotReplacedWithoutAReason) {
     fs::create_directory(folder_.path() / "new");
     fs::create_directory(folder_.path() / "ref");
     ASSERT_EQ(run("still scene.toml --portable -o new/a.png").code, 0);
     ASSERT_EQ(run("still scene.toml --portable --time 0 -o ref/a.png").code, 0);
     const std::string before = text_of(folder_.path() / "ref/a.png");
-    // The manifest knows nothing of it.
+    // The manifest has no line for it.
     for (const char* what : {"a", "--all"}) {
         const ProgramRun refused =
             run(std::string("approve ") + what + " --results new --baselines ref");
@@ -87,12 +87,12 @@ TEST_F(Messages, ABaselineThatDiffersIsNotReplacedWithoutAReason) {
     }
     EXPECT_EQ(run("approve a --results new --baselines ref --why 'the other end'").code, 0);
     EXPECT_EQ(text_of(folder_.path() / "ref/a.png"), text_of(folder_.path() / "new/a.png"));
-    // One that is the same, or new, needs none.
+    // An equal picture or a new one needs no reason.
     fs::copy(folder_.path() / "new/a.png", folder_.path() / "new/b.png");
     EXPECT_EQ(run("approve --all --results new --baselines ref").code, 0);
 }
 
-TEST_F(Messages, TransparencyThatIsLostIsSaid) {
+TEST_F(Messages, LostTransparencyIsReported) {
     const auto said = [this](const std::string& theme, const std::string& output) {
         const ProgramRun made =
             run("render scene.toml --frames 0-0 --theme " + theme + " -o " + output);
@@ -111,18 +111,18 @@ TEST_F(Messages, TransparencyThatIsLostIsSaid) {
     EXPECT_EQ(said("light", "a.mp4").find("transparen"), std::string::npos);
 }
 
-TEST_F(Messages, AFolderThatCannotBeWrittenIsCalledThat) {
+TEST_F(Messages, AFolderWithoutWritePermissionIsReported) {
     for (const char* command :
          {"still scene.toml -o /proc/a.png", "render scene.toml --frames 0-0 -o /proc/a.webm",
           "sample scene.toml --times 0 -o /proc/a.csv"})
         refuses(command, 3, {"the folder /proc cannot be written", "name another"});
-    if (geteuid() == 0) return;  // who may write everywhere
+    if (geteuid() == 0) return;  // root may write everywhere
     fs::create_directory(folder_.path() / "kept");
     fs::permissions(folder_.path() / "kept", fs::perms::owner_read | fs::perms::owner_exec);
     refuses("still scene.toml -o kept/a.png", 3, {"the folder kept cannot be written"});
 }
 
-TEST_F(Messages, ASuffixInCapitalsIsTheSame) {
+TEST_F(Messages, SuffixesAreCaseInsensitive) {
     ASSERT_EQ(run("render scene.toml --frames 0-1 -o a.mp4").code, 0);
     ASSERT_EQ(run("render scene.toml --frames 0-1 -o B.MP4").code, 0);
     EXPECT_EQ(text_of(folder_.path() / "a.mp4"), text_of(folder_.path() / "B.MP4"));
@@ -136,12 +136,12 @@ TEST_F(Messages, ASuffixInCapitalsIsTheSame) {
     EXPECT_EQ(text_of(folder_.path() / "f_2.PNG"), text_of(folder_.path() / "g_2.PNG"));
 }
 
-TEST_F(Messages, ARateThatAFormatCannotShowIsCalledThat) {
+TEST_F(Messages, AnUnsupportedRateIsReported) {
     refuses("render scene.toml --fps 60 -o a.gif", 2, {"--fps 60: ", "at most 50 frames a second"});
 }
 
-// A pipe cannot be gone back in: what is written there is whole without that.
-TEST_F(Messages, AGifGoesThroughAPipe) {
+// A pipe has no random access: the file is complete without it.
+TEST_F(Messages, AGifCanBeWrittenToAPipe) {
     const ProgramRun done =
         run_program_in(folder_, "render scene.toml -q -o p.gif && wait && cat got.gif | head -c 6",
                        "mkfifo p.gif && (cat p.gif >got.gif &) &&");
@@ -149,7 +149,7 @@ TEST_F(Messages, AGifGoesThroughAPipe) {
     EXPECT_EQ(done.out, "GIF89a");
 }
 
-TEST_F(Messages, ASuffixThatIsNotWrittenNamesTheNearestWay) {
+TEST_F(Messages, AnUnsupportedSuffixGetsTheNearestAlternative) {
     refuses("render scene.toml --size 20000x100 -o a.mp4", 2,
             {"film.size is 20000x100", "at most 16384 pixels a side"});
     refuses("render scene.toml -o a.mov", 2, {"\".mov\"", "write .mp4", "ffmpeg -i film.mp4"});
@@ -159,7 +159,7 @@ TEST_F(Messages, ASuffixThatIsNotWrittenNamesTheNearestWay) {
     refuses("render scene.toml -o a.xyzzy", 2, {"the known are .mp4, .webm, .gif"});
 }
 
-// A mere name is that of a scene which came with the program, or nearly one.
+// A bare name means a supplied scene, or nearly one.
 TEST_F(Messages, AMistypedSceneGetsTheNearestName) {
     refuses("check genric", 2, {"genric: no such file, and no scene", "did you mean \"generic\"?"});
     refuses("check scene", 2, {"did you mean \"scene.toml\"?"});
@@ -168,7 +168,7 @@ TEST_F(Messages, AMistypedSceneGetsTheNearestName) {
     EXPECT_EQ(run("check generic").code, 0);
 }
 
-TEST_F(Messages, ASizeAndAQuantityHaveTheirPlace) {
+TEST_F(Messages, ErrorsOfSizesAndQuantitiesHaveAPlace) {
     folder_.write("odd.toml",
                   "film.size = [1, 2]\n[body]\nmoments_kg_m2 = [1.0, 2.0, 2.5]\n"
                   "[start]\nomega_rad_s = [0.3, 1.0, 0.2]\n");
@@ -181,7 +181,7 @@ TEST_F(Messages, ASizeAndAQuantityHaveTheirPlace) {
             {"plot.toml:14:3: unknown quantity \"omeg\"; did you mean \"omega\"?"});
 }
 
-TEST_F(Messages, AStillGoesToStandardOutput) {
+TEST_F(Messages, AStillIsWrittenToStandardOutput) {
     ASSERT_EQ(run("still scene.toml -o a.png").code, 0);
     const ProgramRun printed = run("still scene.toml -o -");
     ASSERT_EQ(printed.code, 0) << printed.err;
@@ -196,7 +196,7 @@ TEST_F(Messages, AStillGoesToStandardOutput) {
 
 TEST_F(Messages, ListsAreGroupedFilteredAndFolded) {
     const std::string all = run("list keys").out;
-    // Tables stand apart: as many gaps as there are changes of table.
+    // Blank lines separate tables: one for each change of table.
     EXPECT_NE(all.find("\n\nbody."), std::string::npos);
     const ProgramRun camera = run("list keys CAMERA");
     ASSERT_EQ(camera.code, 0) << camera.err;
@@ -208,7 +208,7 @@ TEST_F(Messages, ListsAreGroupedFilteredAndFolded) {
     for (const char* name : {"title", "caption", "clock"})
         EXPECT_NE(overlays.find(name), std::string::npos);
 
-    // On a terminal of 60 columns no line is longer; script makes one.
+    // On a terminal of 60 columns no line is longer; script provides a terminal.
     if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "no script(1)";
     const std::string typescript = (folder_.path() / "typescript").string();
     const std::string command = "script -qec \"stty cols 60; '" + program_path() +
@@ -225,7 +225,7 @@ TEST_F(Messages, ListsAreGroupedFilteredAndFolded) {
     EXPECT_GT(n_lines, 100u);
 }
 
-// A camera that no panel takes is said, not swallowed.
+// A camera key that no panel uses is reported.
 TEST_F(Messages, ACameraKeyWithoutEffectIsNoted) {
     folder_.write("body.toml", scene + "[[panels]]\nkind = \"body\"\n");
     const ProgramRun idle = run("still body.toml --set camera.azimuth_deg=30 -o a.png");
@@ -236,8 +236,8 @@ TEST_F(Messages, ACameraKeyWithoutEffectIsNoted) {
               std::string::npos);
 }
 
-// In the words of a sentence, not of the library that splits the line.
-TEST_F(Messages, ALineThatCannotBeReadSaysWhatToChange) {
+// The messages are sentences, not those of the library that parses the line.
+TEST_F(Messages, AnInvalidCommandLineGetsAdvice) {
     for (const char* twice :
          {"still scene.toml -o a.png --output b.png", "still scene.toml --time 1 --time 2",
           "still scene.toml --theme light --theme=dark", "still scene.toml --dpi 9 --dpi 9",
@@ -257,12 +257,12 @@ TEST_F(Messages, ALineThatCannotBeReadSaysWhatToChange) {
     refuses("doctor please", 2, {"\"please\" is one argument too many; doctor takes none"});
     refuses("", 2, {"no command was given; choose from: render, still, check"});
     refuses("--size 3", 2, {"unknown option \"--size\""});
-    // What may be repeated, and a switch that is on twice.
+    // Options that may be repeated, and a switch that is given twice.
     EXPECT_EQ(run("check scene.toml --set film.fps=3 --set film.fps=4 -q -q").code, 0);
     EXPECT_EQ(run("check --help scene.toml b.toml").code, 0);
 }
 
-// A message begins with what was typed, not with the key that the option stands for.
+// A message begins with the typed option, not with the key that it sets.
 TEST_F(Messages, AnOptionIsNamedAsItWasTyped) {
     for (const std::string typed : {"--size 5", "--fps x", "--quality drift", "--theme drak",
                                     "--set film.fps=x", "--sweep film.fps=x"}) {
@@ -273,8 +273,8 @@ TEST_F(Messages, AnOptionIsNamedAsItWasTyped) {
     }
 }
 
-// Such a value is refused where it is used, which is not where the file is read.
-TEST_F(Messages, WhatSetSaysIsNotBlamedOnTheFile) {
+// Such a value is refused where it is used, not where the file is read.
+TEST_F(Messages, ErrorsOfSetNameSetNotTheFile) {
     for (const std::string given :
          {"panels=[{kind=\"foo\"}]", "panels=[{kind=\"space\"},{kind=\"foo\"}]",
           "panels=[{kind=\"plot\",quantity=\"foo\"}]", "show=[\"foo\"]",

@@ -21,7 +21,7 @@ std::string scene(const std::string& name) {
     return (source_folder() / "scenes" / (name + ".toml")).string();
 }
 
-TEST(PrintedStill, HasItsDensityAndItsLinesTheirWidthOnPaper) {
+TEST(PrintedStill, HasItsDensityAndLineWidthsOnPaper) {
     const ScratchFolder folder;
     for (const int dpi : {150, 300}) {
         const ProgramRun run = run_program_in(
@@ -34,8 +34,8 @@ TEST(PrintedStill, HasItsDensityAndItsLinesTheirWidthOnPaper) {
         EXPECT_EQ(image.width(), std::lround(85.0 / 25.4 * dpi));
         EXPECT_EQ(info.pixels_per_metre, std::lround(dpi / 0.0254));
 
-        // L's shaft is 1.15 pt wide: the least coverage of the rows that it crosses, above its head
-        // and its name.
+        // L's shaft is 1.15 pt wide: the smallest coverage of the rows that it crosses, above its
+        // head and its name.
         std::vector<double> widths;
         for (int y = 0; y < image.height(); ++y) {
             double width = 0.0;
@@ -47,13 +47,13 @@ TEST(PrintedStill, HasItsDensityAndItsLinesTheirWidthOnPaper) {
             return widths.begin() + std::lround(share * static_cast<double>(widths.size()));
         };
         const double least = *std::min_element(row(0.1), row(0.5));
-        // A cylinder seen in perspective is as wide as asked at the camera's target, to a tenth.
+        // In perspective a cylinder has its nominal width at the camera's target, to a tenth.
         EXPECT_NEAR(least * 72.0 / dpi, 1.15, 0.12) << dpi;
     }
 }
 
-// One still drawn with 8 and with 16 bits, the latter rounded to 8: nowhere more than a level
-// apart.
+// Compares a still rendered with 8 bits with one of 16 bits rounded to 8: they differ by at most a
+// level.
 void expect_same_to_a_level(const ScratchFolder& folder, const std::string& common) {
     ASSERT_EQ(run_program_in(folder, common + "-o shallow.png").code, 0);
     const ProgramRun run = run_program_in(folder, common + "--depth 16 -o deep.png");
@@ -68,14 +68,14 @@ void expect_same_to_a_level(const ScratchFolder& folder, const std::string& comm
     EXPECT_LE(largest, 1);
 }
 
-TEST(PrintedStill, InBandsIsThePictureDrawnAtOnce) {
-    // 16 bits are drawn in bands, here two of them; rounded to 8 they are the other picture, within
-    // its dither of less than a level (measured 0.91).
+TEST(PrintedStill, InBandsEqualsThePictureDrawnAtOnce) {
+    // Pictures of 16 bits are rendered in bands, here two of them; rounded to 8 bits it equals the
+    // other picture within the dither of less than a level (measured 0.91).
     const ScratchFolder folder;
     const std::string common =
         "still '" + scene("generic") + "' --time 3 --width-mm 60 --dpi 1200 --theme print ";
     expect_same_to_a_level(folder, common);
-    // IHDR's depth.
+    // The bit depth in IHDR.
     EXPECT_EQ(text_of(folder.path() / "deep.png").at(24), 16);
 }
 
@@ -87,8 +87,9 @@ TEST(PrintedStill, OfSixteenBitsIsAveragedLikeOneOfEight) {
     expect_same_to_a_level(folder, common);
 }
 
-TEST(PrintedStill, FigureKeepsItsShapeBesideTypeThatHasItsPoints) {
-    // Title and caption take more of a narrow page than of a screen: the page grows by that much.
+TEST(PrintedStill, FigureKeepsItsShapeWithLargeText) {
+    // Title and caption take a larger part of a narrow page than of a screen: the page grows by the
+    // difference.
     const ScratchFolder folder;
     const auto rows = [&](const std::string& more) {
         const ProgramRun run =
@@ -98,24 +99,24 @@ TEST(PrintedStill, FigureKeepsItsShapeBesideTypeThatHasItsPoints) {
         return read_png(folder.path() / "a.png").height();
     };
     const int bare = rows("--set 'title=\"\"' --set 'caption=\"\"'");
-    EXPECT_NEAR(bare, 85.0 / 25.4 * 150.0 * 9.0 / 16.0, 30.0);  // the clock's own row is left
-    // A title of 10 pt, and at 85 mm two lines of caption for one.
+    EXPECT_NEAR(bare, 85.0 / 25.4 * 150.0 * 9.0 / 16.0, 30.0);  // the row of the clock remains
+    // A title of 10 pt, and at 85 mm two lines of caption instead of one.
     const double pt_px = 150.0 / 72.0;
     EXPECT_GT(rows(""), bare + 10.0 * pt_px);
     EXPECT_LT(rows(""), bare + 60.0 * pt_px);
     EXPECT_NEAR(rows("--height-mm 50"), 50.0 / 25.4 * 150.0, 1.0);
 }
 
-// The numbers that stand as text of their own in a figure: those of axes.
+// The numbers that are separate texts in a figure: those of axes.
 int numbers_in(const std::string& svg) {
     static const std::regex number(">-?[0-9]+(\\.[0-9]+)?</text>");
     return static_cast<int>(
         std::distance(std::sregex_iterator(svg.begin(), svg.end(), number), {}));
 }
 
-TEST(PrintedStill, ChartsOnAColumnHaveTheirNumbersAndNames) {
-    // Beside each height at least two numbers, below each time or angle three: four charts and two
-    // such axes in the tops, two of each with Explorer 1, one in the others.
+TEST(PrintedStill, ChartsInAColumnHaveNumbersAndNames) {
+    // Every vertical axis has at least two numbers, every time or angle axis three: four charts and
+    // two such axes in the tops, two of each with Explorer 1, one in the others.
     const ScratchFolder folder;
     for (const auto& [name, n_heights, n_feet] :
          {std::tuple("heavy_top_cusp", 4, 2), std::tuple("heavy_top_conserved", 4, 2),
@@ -132,7 +133,7 @@ TEST(PrintedStill, ChartsOnAColumnHaveTheirNumbersAndNames) {
               0);
     EXPECT_NE(text_of(folder.path() / "a.svg").find(">\U0001d449</text>"), std::string::npos)
         << "no name of V";
-    // A page of a stated height is left as it is.
+    // A page with a given height keeps it.
     ASSERT_EQ(run_program_in(folder, "still '" + scene("four_views") +
                                          "' --width-mm 85 --height-mm 50 --dpi 150 -q -o a.png")
                   .code,
@@ -140,7 +141,7 @@ TEST(PrintedStill, ChartsOnAColumnHaveTheirNumbersAndNames) {
     EXPECT_EQ(read_png(folder.path() / "a.png").height(), std::lround(50.0 / 25.4 * 150.0));
 }
 
-TEST(PrintedStill, IsDrawnAgainFromItsRecord) {
+TEST(PrintedStill, IsRerenderedFromItsRecord) {
     const ScratchFolder folder;
     const ProgramRun run = run_program_in(
         folder, "still '" + scene("generic") +
@@ -151,7 +152,7 @@ TEST(PrintedStill, IsDrawnAgainFromItsRecord) {
     EXPECT_EQ(text_of(folder.path() / "a.png"), text_of(folder.path() / "b.png"));
 }
 
-TEST(PrintedStill, RefusalsAreOneLineAndLeaveNothing) {
+TEST(PrintedStill, ErrorsAreOneLineAndLeaveNoFile) {
     const ScratchFolder folder;
     const std::string still = "still '" + scene("generic") + "' -o a.png ";
     for (const char* wrong : {"--width-mm 85 --size 100x100", "--depth 12",

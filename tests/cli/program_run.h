@@ -1,4 +1,4 @@
-// Runs the program as a user does and keeps what it said.
+// Runs the program as users do and keeps its output.
 #pragma once
 
 #include <sys/wait.h>
@@ -12,7 +12,7 @@
 
 namespace poinsot::testing {
 
-// Where the program that the tests run lies.
+// Path of the program under test.
 const std::string& program_path();
 
 struct ProgramRun {
@@ -21,7 +21,7 @@ struct ProgramRun {
     std::string err;
 };
 
-// A folder of its own for each test, removed at the end.
+// A separate folder for each test, removed at its end.
 class ScratchFolder {
  public:
     ScratchFolder() {
@@ -44,7 +44,7 @@ class ScratchFolder {
         return file.string();
     }
 
-    // Names of everything in the folder.
+    // Names of all files in the folder.
     std::string listing() const {
         std::string names;
         for (const auto& entry : std::filesystem::directory_iterator(path_)) {
@@ -64,7 +64,7 @@ inline std::string text_of(const std::filesystem::path& file) {
     return text.str();
 }
 
-// `arguments` as a shell reads them; run inside `folder`, by another program if one is named.
+// `arguments` in shell syntax; run inside `folder`, with another program if one is given.
 inline ProgramRun run_program_in(const ScratchFolder& folder, const std::string& arguments,
                                  const std::string& runner = "") {
     const ScratchFolder logs;

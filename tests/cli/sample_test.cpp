@@ -1,4 +1,4 @@
-// What sample takes and gives: ranges and files of instants, columns by name, and three formats.
+// The input and output of sample: ranges and files of instants, columns by name, and three formats.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -58,14 +58,14 @@ std::vector<std::vector<double>> rows_of(const std::string& csv) {
     return rows;
 }
 
-TEST(SampleTimes, ARangeGivesTheDoublesThatItsDecimalsName) {
+TEST(SampleTimes, ARangeGivesTheDoublesOfItsDecimals) {
     EXPECT_EQ(parse_times("0:1:0.1"),
               (std::vector<double>{0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0}));
     EXPECT_EQ(parse_times("0:1/11"), parse_times("0:1:0.1"));
     EXPECT_EQ(parse_times("5:-1:-2,7"), (std::vector<double>{5.0, 3.0, 1.0, -1.0, 7.0}));
     EXPECT_EQ(parse_times("0:1:0.4"), (std::vector<double>{0.0, 0.4, 0.8}));
     EXPECT_EQ(parse_times("2:2:1"), std::vector<double>{2.0});
-    // The ends of a division are what was written, whatever lies between.
+    // The ends of a division are the given numbers, whatever lies between.
     const std::vector<double> thirds = parse_times("-0.7:1e9/1000");
     ASSERT_EQ(thirds.size(), 1000u);
     EXPECT_EQ(thirds.front(), -0.7);
@@ -78,7 +78,7 @@ TEST(SampleTimes, ARangeGivesTheDoublesThatItsDecimalsName) {
 }
 
 TEST(SampleTimes, AreRoundedOnce) {
-    // Rounded to 64 bits first, it becomes the double above.
+    // Rounded to 64 bits first, it would become the next double.
     EXPECT_EQ(parse_times("4.155289061186346"), std::vector<double>{4.155289061186346});
     EXPECT_EQ(parse_times("+4.155289061186346,1e-400"),
               (std::vector<double>{4.155289061186346, 0.0}));
@@ -93,7 +93,7 @@ TEST(SampleTimes, AreRoundedOnce) {
     }
 }
 
-// Against GMP's rationals: first + k·step, and first + k·(last − first)/(n − 1).
+// Compared with GMP's rationals: first + k·step, and first + k·(last − first)/(n − 1).
 TEST(SampleTimes, OfARangeAreRoundedOnce) {
     using testing::Exact;
     testing::RandomDecimals random(38);
@@ -112,7 +112,8 @@ TEST(SampleTimes, OfARangeAreRoundedOnce) {
             ASSERT_EQ(testing::read_by_mpfr(sweep.values[static_cast<std::size_t>(k)]), right)
                 << range << ":" << n;
         }
-        // 40 steps of as many digits, unless the last instant's rounding is a tenth of a step.
+        // 40 steps with the same number of digits, except where the last instant's rounding is a
+        // tenth of a step.
         const std::string step = random.any(0);
         const Exact s = Exact::of_decimal(step);
         const double end = (a + s * Exact(40)).nearest();
@@ -139,7 +140,7 @@ TEST(SampleTimes, ABadRangeIsRefusedByName) {
     }
 }
 
-TEST(SampleTimes, AFileAndStandardInputNameInstants) {
+TEST(SampleTimes, AreReadFromAFileAndStandardInput) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);
     folder.write("times.txt", "# seconds\n0, 0.5\r\n\n1e0 2 # and the last\n");
@@ -167,8 +168,8 @@ TEST(SampleTimes, AFileAndStandardInputNameInstants) {
     EXPECT_EQ(run_program_in(folder, "sample scene.toml --times 0 --times-file times.txt").code, 2);
 }
 
-// T, L, ρ and the rotation are found again from the plain columns, with other formulas.
-TEST(SampleColumns, AgreeWithWhatThePlainColumnsSay) {
+// T, L, ρ and the rotation are computed again from the plain columns, by other formulas.
+TEST(SampleColumns, AgreeWithThePlainColumns) {
     const ScratchFolder folder;
     folder.write("scene.toml", tilted);
     const ProgramRun run = run_program_in(
@@ -216,12 +217,12 @@ TEST(SampleColumns, AgreeWithWhatThePlainColumnsSay) {
             EXPECT_NEAR(v[12 + i], momentum, 2e-14);
             EXPECT_NEAR(v[15 + i], omega / std::sqrt(twice_T), 5e-15);
         }
-        // R = Rz(φ) Rx(θ) Rz(ψ): its last column and row hold θ, φ and ψ.
+        // R = Rz(φ) Rx(θ) Rz(ψ): its last column and row contain θ, φ and ψ.
         EXPECT_NEAR(std::cos(v[18]), R[2][2], 5e-15);
         EXPECT_NEAR(std::sin(v[18]) * std::sin(v[19]), R[0][2], 5e-15);
         EXPECT_NEAR(std::sin(v[18]) * std::sin(v[20]), R[2][0], 5e-15);
     }
-    // L stays, and every residual is a rounding.
+    // L is constant, and every residual is a rounding error.
     for (std::size_t i = 12; i < 15; ++i) EXPECT_NEAR(rows.back()[i], rows.front()[i], 1e-13);
     const auto residuals = rows_of(
         run_program_in(folder, "sample scene.toml --times 0:20/41 --columns residuals").out);
@@ -242,7 +243,7 @@ TEST(SampleColumns, OneColumnIsNamedWithOrWithoutItsUnit) {
                     .out.starts_with("omega_body_2_rad_s,time_s\n2,0\n"));
 }
 
-TEST(SampleColumns, TheLecturesSymbolsNameThemToo) {
+TEST(SampleColumns, MayBeNamedByTheLecturesSymbols) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);
     const std::string run = "sample scene.toml --times 0:1:0.5 --columns ";
@@ -253,7 +254,7 @@ TEST(SampleColumns, TheLecturesSymbolsNameThemToo) {
               run_program_in(folder, run + "kinetic_energy,momentum,omega_body,contact_body").out);
 }
 
-TEST(SampleColumns, WhatIsUnknownTwiceOrNotThereIsRefused) {
+TEST(SampleColumns, UnknownDuplicateOrMissingColumnsAreRefused) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);
     folder.write("driven.toml", std::string(racket) + "[torque]\nkind = \"constant-space\"\n");
@@ -269,7 +270,7 @@ TEST(SampleColumns, WhatIsUnknownTwiceOrNotThereIsRefused) {
     said("time,", "nothing called \"\"");
 }
 
-TEST(SampleFiles, AllFormatsHoldTheSameNumbers) {
+TEST(SampleFiles, AllFormatsContainTheSameNumbers) {
     const ScratchFolder folder;
     folder.write("scene.toml", tilted);
     const std::string run = "sample scene.toml --times=-3:1e6/77";
@@ -279,7 +280,7 @@ TEST(SampleFiles, AllFormatsHoldTheSameNumbers) {
         ASSERT_EQ(run_program_in(folder, run + " -o " + file).code, 0) << file;
     EXPECT_EQ(text_of(folder.path() / "a.csv"), printed.out);
 
-    // Every line of JSON gives the names and decimals of the CSV.
+    // Every line of JSON contains the names and decimals of the CSV.
     const std::vector<std::string> csv = split(printed.out, '\n');
     const std::vector<std::string> json = split(text_of(folder.path() / "a.jsonl"), '\n');
     const std::vector<std::string> names = split(csv[0], ',');
@@ -313,8 +314,8 @@ TEST(SampleFiles, AllFormatsHoldTheSameNumbers) {
             EXPECT_EQ(stored[i * names.size() + k], rows[i][k]);
 }
 
-// What the construction in the pixels is worked out from, in tests/production.
-TEST(SampleFiles, OmegaAndAttitudeAreTheMotionsToTheLastDigit) {
+// tests/production computes the construction in the pixels from these numbers.
+TEST(SampleFiles, OmegaAndAttitudeAreExactlyThoseOfTheMotion) {
     const ScratchFolder folder;
     folder.write("scene.toml", tilted);
     const auto rows = rows_of(run_program_in(folder, "sample scene.toml --times 0.3,3.7,90").out);
@@ -335,7 +336,7 @@ TEST(SampleFiles, OmegaAndAttitudeAreTheMotionsToTheLastDigit) {
     }
 }
 
-TEST(SampleFiles, AnotherSuffixAndAFailureLeaveNothing) {
+TEST(SampleFiles, AnotherSuffixOrAnErrorLeavesNoFile) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);
     const ProgramRun suffix = run_program_in(folder, "sample scene.toml --times 0 -o a.xlsx");
@@ -348,7 +349,7 @@ TEST(SampleFiles, AnotherSuffixAndAFailureLeaveNothing) {
 }
 
 #ifdef NDEBUG
-// The processor's seconds outside the kernel, of this process or of the programs that it has run.
+// Processor time in user mode, of this process or of the programs that it has run.
 double user_s(int whose) {
     rusage usage{};
     getrusage(whose, &usage);
@@ -356,8 +357,8 @@ double user_s(int whose) {
            1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
 }
 
-TEST(SampleFiles, AMillionInstantsAsTextCostLessThanPrintingThemAndAsArrayAThird) {
-    // What the C library takes to print a million doubles in full; a row has eleven.
+TEST(SampleFiles, AMillionInstantsAsTextCostLessThanPrintfAndAsArrayAThird) {
+    // The time of the C library to print a million doubles in full; a row has eleven.
     const double idle_s = user_s(RUSAGE_SELF);
     std::array<char, 32> digits{};
     for (int k = 1; k <= 1'000'000; ++k)

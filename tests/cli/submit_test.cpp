@@ -1,4 +1,4 @@
-// submit and status without a cluster: a stand-in for sbatch keeps what it was called with.
+// submit and status without a cluster: a fake sbatch records its arguments.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ class Submit : public ::testing::Test {
         fs::create_directory(folder_.path() / "bin");
         fs::create_directory(folder_.path() / "config");
     }
-    // A stand-in that is found before any other.
+    // A fake program that is found before the real one.
     void stand_in(const std::string& name, const std::string& script) {
         const std::string file = folder_.write("bin/" + name, "#!/bin/sh\n" + script);
         fs::permissions(file, fs::perms::owner_all);
@@ -49,10 +49,10 @@ class Submit : public ::testing::Test {
     ScratchFolder folder_;
 };
 
-// Numbers its answers from 100, and keeps its words a line a call.
+// Numbers its jobs from 100, and records its arguments, one line per call.
 constexpr const char* accepting_sbatch = "echo \"$@\" >>calls\necho $((99 + $(wc -l <calls)))\n";
 
-TEST_F(Submit, HandsOverAnArrayAndTheJoinsAfterIt) {
+TEST_F(Submit, SubmitsAnArrayFollowedByTheJoins) {
     stand_in("sbatch", accepting_sbatch);
     stand_in("scontrol", "echo 'MaxArraySize            = 6'\n");
     folder_.write("config/x", "");
@@ -61,7 +61,7 @@ TEST_F(Submit, HandsOverAnArrayAndTheJoinsAfterIt) {
     const ProgramRun done =
         run("submit a.toml b.toml -o '{scene}.mp4' --parts 8 --slurm '--partition=short'");
     ASSERT_EQ(done.code, 0) << done.err;
-    // Three chunks each: six tasks, of which five fit into an array.
+    // Three chunks each: six tasks, of which an array may have five.
     const std::string calls = text("calls");
     EXPECT_EQ(n_lines("calls"), 3) << calls;
     EXPECT_NE(calls.find("--array=1-5 "), std::string::npos) << calls;
@@ -74,8 +74,8 @@ TEST_F(Submit, HandsOverAnArrayAndTheJoinsAfterIt) {
     EXPECT_NE(text("scene.mp4.job/tasks").find("--portable"), std::string::npos);
 }
 
-// The tasks are what an array would run, here one after the other.
-TEST_F(Submit, EndsInTheBytesOfOneRun) {
+// Runs the tasks of the array one after the other.
+TEST_F(Submit, IsByteIdenticalToASingleRun) {
     stand_in("sbatch", accepting_sbatch);
     const ProgramRun written = run("submit a.toml -o a.mp4 --parts 2 --dry-run");
     ASSERT_EQ(written.code, 0) << written.err;
@@ -94,15 +94,15 @@ TEST_F(Submit, EndsInTheBytesOfOneRun) {
     ASSERT_EQ(run("render a.toml -q --portable -o one.mp4").code, 0);
     EXPECT_TRUE(text("a.mp4") == text("one.mp4"));
     EXPECT_TRUE(fs::is_empty(folder_.path() / "a.mp4.job/parts"));
-    // Nothing is left to be submitted.
+    // No work is left to be submitted.
     const ProgramRun again = run("submit a.toml -o a.mp4 --parts 2");
     EXPECT_EQ(again.code, 0) << again.err;
     EXPECT_NE(again.err.find("all of it is done"), std::string::npos) << again.err;
     EXPECT_FALSE(fs::exists(folder_.path() / "calls"));
 }
 
-// A task names the file of a scene that came with the program.
-TEST_F(Submit, DrawsScenesThatCameWithTheProgram) {
+// A task gets the path of a supplied scene.
+TEST_F(Submit, RendersSuppliedScenes) {
     const ProgramRun written =
         run("submit generic -o g.mp4 --parts 1 --dry-run -q --set film.size=[64,36]"
             " --set film.duration_s=0.5 --quality draft");
@@ -113,8 +113,8 @@ TEST_F(Submit, DrawsScenesThatCameWithTheProgram) {
     EXPECT_NE(over.out.find("1 done; join waiting"), std::string::npos) << over.out;
 }
 
-// What a file says decides, not when it was written.
-TEST_F(Submit, DrawsAgainWhatHasChangedAndNothingElse) {
+// The content of a file decides, not its time.
+TEST_F(Submit, RendersOnlyChangedFilmsAgain) {
     const std::string submit = "submit a.toml b.toml -o '{scene}.mp4' --parts 2 --dry-run";
     ASSERT_EQ(run(submit).code, 0);
     folder_.write("go",
@@ -139,7 +139,7 @@ TEST_F(Submit, DrawsAgainWhatHasChangedAndNothingElse) {
 }
 
 // The tasks run in another folder than the one in which the theme was named.
-TEST_F(Submit, KeepsAThemeOfOnesOwn) {
+TEST_F(Submit, KeepsAUsersTheme) {
     folder_.write("mine.toml", "extends = \"dark\"\nomega = \"#ff5050 1.5 dashed\"\n");
     fs::create_directory(folder_.path() / "scenes");
     fs::rename(folder_.path() / "a.toml", folder_.path() / "scenes/a.toml");
@@ -158,7 +158,7 @@ TEST_F(Submit, KeepsAThemeOfOnesOwn) {
     EXPECT_FALSE(text("a.mp4") == text("plain.mp4"));
 }
 
-TEST_F(Submit, SaysWhatFailed) {
+TEST_F(Submit, ReportsFailedTasks) {
     ASSERT_EQ(run("submit a.toml -o a.mp4 --parts 2 --dry-run -q").code, 0);
     fs::remove(folder_.path() / "a.toml");
     folder_.write("go", "cd \"$(dirname \"$0\")\"\nsh a.mp4.job/task.sh tasks 2\n");
@@ -169,7 +169,7 @@ TEST_F(Submit, SaysWhatFailed) {
     EXPECT_NE(run("status a.mp4.job --json").out.find("\"state\": \"failed\""), std::string::npos);
 }
 
-TEST_F(Submit, TakesOptionsOfSbatchOneByOne) {
+TEST_F(Submit, PassesOptionsToSbatchSeparately) {
     stand_in("sbatch", accepting_sbatch);
     const ProgramRun done = run(
         "submit a.toml -o a.mp4 --parts 2 --slurm --partition=short --slurm '--time=10 --qos=b'");
@@ -178,8 +178,8 @@ TEST_F(Submit, TakesOptionsOfSbatchOneByOne) {
         << text("calls");
 }
 
-// The tasks know nothing of the options that stand for keys here.
-TEST_F(Submit, HandsShortOptionsOnAsKeys) {
+// The tasks get keys in place of the options that set them.
+TEST_F(Submit, PassesShortOptionsAsKeys) {
     folder_.write("mine.toml", "extends = \"dark\"\n");
     ASSERT_EQ(run("submit a.toml -o a.mp4 --parts 2 --dry-run --theme mine.toml --fps 20 "
                   "--sweep 'start.omega_rad_s[0]=0.3'")
@@ -206,7 +206,7 @@ TEST_F(Submit, IsRefusedInASentence) {
     expect("submit none.toml -o a.mp4 --parts 2", 2, "none.toml");
     expect("submit a.toml -o no/a.mp4 --parts 2", 3, "there is no folder no");
     expect("status .", 2, "no folder of a submission");
-    // Refused at the second call: the first is cancelled.
+    // The second call fails: the first job is cancelled.
     stand_in("scontrol", "echo 'MaxArraySize = 3'\n");
     stand_in("sbatch",
              "echo \"$@\" >>calls\n[ $(wc -l <calls) = 1 ] && echo 7 && exit\n"

@@ -1,4 +1,4 @@
-// Captions of a film as subtitles beside it.
+// Captions of a film as a subtitle file next to it.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -28,7 +28,7 @@ text = 't = {time_s:.1f} s'
 place = "top"
 )";
 
-TEST(Subtitles, LieBesideTheFilmWithTheTimesOfItsCaptions) {
+TEST(Subtitles, HaveTheTimesOfTheFilmsCaptions) {
     const ScratchFolder folder;
     folder.write("told.toml", told);
     ASSERT_EQ(run_program_in(folder, "render told.toml -q -o film.mp4").code, 0);
@@ -36,7 +36,7 @@ TEST(Subtitles, LieBesideTheFilmWithTheTimesOfItsCaptions) {
               "WEBVTT\n\nNOTE poinsot: film.mp4\n"
               "\n00:00:00.500 --> 00:00:01.750\nL &amp; ω₁ &lt; 2\n"
               "\n00:00:02.000 --> 00:00:04.000 line:0\nt = 2.0 s\n");
-    // A part of the film has the times of that part.
+    // A part of the film has subtitles with the times of that part.
     ASSERT_EQ(run_program_in(folder, "render told.toml -q --frames 10-29 -o part.webm").code, 0);
     EXPECT_EQ(text_of(folder.path() / "part.webm.vtt"),
               "WEBVTT\n\nNOTE poinsot: part.webm\n"
@@ -44,7 +44,7 @@ TEST(Subtitles, LieBesideTheFilmWithTheTimesOfItsCaptions) {
               "\n00:00:01.000 --> 00:00:02.000 line:0\nt = 2.0 s\n");
 }
 
-TEST(Subtitles, GoWithAFilmThatHasNone) {
+TEST(Subtitles, AreRemovedForAFilmWithoutCaptions) {
     const ScratchFolder folder;
     folder.write("told.toml", told);
     folder.write("mute.toml", told.substr(0, told.find("[[captions]]")));
@@ -52,7 +52,7 @@ TEST(Subtitles, GoWithAFilmThatHasNone) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "film.vtt"));
     ASSERT_EQ(run_program_in(folder, "render mute.toml -q --frames 0-9 -o film.mp4").code, 0);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "film.vtt"));
-    // A file of someone else's stays.
+    // A file of another origin is kept.
     folder.write("film.vtt", "WEBVTT\n\nmine\n");
     ASSERT_EQ(run_program_in(folder, "render mute.toml -q --frames 0-9 -o film.mp4").code, 0);
     EXPECT_EQ(text_of(folder.path() / "film.vtt"), "WEBVTT\n\nmine\n");

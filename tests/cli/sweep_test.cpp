@@ -1,4 +1,4 @@
-// --sweep and --sheet: many scenes from one.
+// --sweep and --sheet: several runs of one scene.
 #include "cli/sweep.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(Sweep, ReadsListsAndRanges) {
     EXPECT_EQ(parse_sweep("a.b=1,2.5,x").values, (Values{"1", "2.5", "x"}));
     EXPECT_EQ(parse_sweep("a=0:1:5").values, (Values{"0", "0.25", "0.5", "0.75", "1"}));
     EXPECT_EQ(parse_sweep("a=0:0.3:4").values, (Values{"0", "0.1", "0.2", "0.3"}));
-    // Each is the double nearest to its exact value, written as short as it can be.
+    // Each value is the double nearest to the exact one, in its shortest form.
     EXPECT_EQ(parse_sweep("a=0:1:4").values,
               (Values{"0", "0.3333333333333333", "0.6666666666666666", "1"}));
     EXPECT_EQ(parse_sweep("a=4.155289061186346:4.155289061186346:2").values,
@@ -60,7 +60,7 @@ class Swept : public ::testing::Test {
     ScratchFolder folder_;
 };
 
-TEST_F(Swept, IsDrawnAsEachValueSetAlone) {
+TEST_F(Swept, EqualsEachValueSetAlone) {
     const std::string key = "start.omega_rad_s[1]";
     ASSERT_EQ(
         run("still a.toml -q -o '{scene}_{" + key + "}.png' --sweep '" + key + "=1:2:3'").code, 0);
@@ -73,7 +73,7 @@ TEST_F(Swept, IsDrawnAsEachValueSetAlone) {
         EXPECT_EQ(text_of(folder_.path() / ("a_" + value + ".png")), right);
         EXPECT_EQ(text_of(folder_.path() / ("k" + value + ".png")), right);
         EXPECT_EQ(text_of(folder_.path() / ("0" + std::to_string(number++) + ".png")), right);
-        // The item alone is set, the others stay as the scene has them.
+        // Only this item is set; the others keep the scene's values.
         ASSERT_EQ(
             run("still a.toml -q -o all.png --set 'start.omega_rad_s=[0.3, " + value + ", 0.1]'")
                 .code,
@@ -104,7 +104,7 @@ TEST_F(Swept, IsCheckedValueByValue) {
     EXPECT_NE(words.out.find("\n\nstart.omega_rad_s[0] = 0.6:\n"), std::string::npos) << words.out;
 }
 
-// JSON's punctuation outside of strings, so that whole documents can be counted: "[{:,:},{}]".
+// JSON's punctuation outside strings, to count complete documents: "[{:,:},{}]".
 std::string skeleton(const std::string& json) {
     std::string punctuation;
     bool in_string = false;
@@ -119,7 +119,7 @@ std::string skeleton(const std::string& json) {
     return in_string ? "a string without an end" : punctuation;
 }
 
-// Whether all brackets close, the last one as the text's only document.
+// Whether all brackets close, the last one at the end of the text.
 bool is_one_document(const std::string& json) {
     const std::string punctuation = skeleton(json);
     int depth = 0;
@@ -130,14 +130,14 @@ bool is_one_document(const std::string& json) {
     return false;
 }
 
-TEST_F(Swept, IsOneDocumentInJSONWhateverIsRefused) {
+TEST_F(Swept, IsOneJsonDocumentWhateverIsRefused) {
     const std::string sweep = "check a.toml -q --json --sweep 'start.omega_rad_s[0]=0.3,";
     const ProgramRun json = run(sweep + "0.6'");
     EXPECT_EQ(json.code, 0) << json.err;
     EXPECT_TRUE(json.out.starts_with("[\n")) << json.out;
     EXPECT_TRUE(is_one_document(json.out)) << json.out;
     EXPECT_NE(json.out.find("\"start.omega_rad_s[0]\": \"0.6\""), std::string::npos) << json.out;
-    // A value that is refused, first, last or between, takes nothing from the others.
+    // A refused value, first, last or in the middle, does not affect the others.
     const ProgramRun partly = run(sweep + "none,0.6,1e400'");
     EXPECT_EQ(partly.code, 2);
     EXPECT_TRUE(is_one_document(partly.out)) << partly.out;
@@ -157,7 +157,7 @@ TEST_F(Swept, IsOneDocumentInJSONWhateverIsRefused) {
     const ProgramRun refused = run("check a.toml -q --json --set fps=0");
     EXPECT_EQ(refused.code, 2);
     EXPECT_EQ(refused.out, "");
-    // What can be listed is listed in JSON, too; a manual page is no JSON.
+    // Every list is available in JSON; a manual page is not.
     const ProgramRun lists = run("list --json");
     EXPECT_TRUE(is_one_document(lists.out)) << lists.out;
     EXPECT_NE(lists.out.find("\"schema\""), std::string::npos) << lists.out;
@@ -167,8 +167,8 @@ TEST_F(Swept, IsOneDocumentInJSONWhateverIsRefused) {
     EXPECT_FALSE(is_one_document("[\n{}\n"));
 }
 
-// Ten moments, of which a body can have the last three: said once, with the key that is swept and
-// what it must be at least.
+// Ten moments, of which only the last three are possible: one message, with the swept key and its
+// least value.
 TEST_F(Swept, IsRefusedOnceForOneReason) {
     const ProgramRun done =
         run("still a.toml -q -o 'm_{key}.png' --sweep 'body.moments_kg_m2[2]=0.1:1.2:12'");
@@ -184,7 +184,7 @@ TEST_F(Swept, IsRefusedOnceForOneReason) {
     EXPECT_NE(done.err.find("=0.6; and 3 more\n"), std::string::npos) << done.err;
     EXPECT_TRUE(fs::exists(folder_.path() / "m_1.2.png"));
     EXPECT_FALSE(fs::exists(folder_.path() / "m_0.9.png"));
-    // Reasons that differ are said each.
+    // Different reasons are reported separately.
     const ProgramRun two = run("still a.toml -q -o 'n_{key}.png' --sweep film.fps=x,0,-1,30");
     EXPECT_EQ(two.code, 2);
     EXPECT_GE(std::count(two.err.begin(), two.err.end(), '\n'), 2) << two.err;
@@ -216,8 +216,8 @@ TEST_F(Swept, IsRefusedInASentence) {
     EXPECT_FALSE(fs::exists(folder_.path() / "one.png"));
 }
 
-// Each picture stands in its place as it is alone, and has something written below it.
-TEST_F(Swept, IsLaidOutInASheet) {
+// Each picture of a sheet equals the single picture, with a caption below it.
+TEST_F(Swept, IsArrangedInASheet) {
     const std::string key = "start.omega_rad_s[1]";
     const ProgramRun done =
         run("still a.toml -q -o sheet.png --sheet 2x2 --sweep '" + key + "=1,1.5,2'");
@@ -245,7 +245,7 @@ TEST_F(Swept, IsLaidOutInASheet) {
     for (int x = 192; x < 384; ++x) EXPECT_TRUE(sheet.at(x, row + 50) == sheet.at(0, 0));
 }
 
-// One table with the values before each row, or a file for each value.
+// One table with the values in each row, or a file for each value.
 TEST_F(Swept, IsSampledValueByValue) {
     const std::string key = "start.omega_rad_s[1]";
     const std::string what = "sample a.toml --times 0,1 --columns omega_body ";
@@ -272,7 +272,7 @@ TEST_F(Swept, IsSampledValueByValue) {
     EXPECT_EQ(words.out, "");
 }
 
-// A sheet says what it is, and that it cannot be drawn again from that.
+// A sheet has a record, which states that the sheet cannot be rendered again from it.
 TEST_F(Swept, SheetCarriesARecord) {
     ASSERT_EQ(run("still a.toml -q -o sheet.png --sheet 2x1 --sweep film.fps=10,20").code, 0);
     const ProgramRun said = run("explain --verify sheet.png");

@@ -1,4 +1,4 @@
-// Pictures that regress are caught and those that do not are not: records, comparing, baselines.
+// Records, comparison and baselines detect changed pictures and accept unchanged ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ bool is_one_line(const std::string& text) {
     return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1;
 }
 
-// What a file says of itself under a key.
+// Returns the value of a key in the record of a file.
 std::string said(const std::string& explained, const std::string& key) {
     const std::size_t at = explained.find("\n" + key + ": ");
     if (at == std::string::npos) return "";
@@ -57,7 +57,7 @@ class Pictures : public ::testing::Test {
     ProgramRun run(const std::string& arguments) const {
         return run_program_in(folder_, arguments);
     }
-    // A picture of the scene, from its record the same again.
+    // Renders a picture of the scene, and the same again from its record.
     void draw(const std::string& file, const std::string& options) const {
         const ProgramRun drawn = run("still scene.toml -q -o " + file + " " + options);
         ASSERT_EQ(drawn.code, 0) << drawn.err;
@@ -69,7 +69,7 @@ class Pictures : public ::testing::Test {
     ScratchFolder folder_;
 };
 
-TEST_F(Pictures, EveryOutputSaysHowItWasMadeAndIsMadeAgain) {
+TEST_F(Pictures, HaveRecordsAndAreRerendered) {
     struct Case {
         std::string name, command, profile;
     };
@@ -98,8 +98,8 @@ TEST_F(Pictures, EveryOutputSaysHowItWasMadeAndIsMadeAgain) {
     }
 }
 
-// A theme in a file is needed once: the record holds what it said.
-TEST_F(Pictures, OfAThemeOfOnesOwnAreMadeAgainWithoutItsFile) {
+// A theme file is read once: the record contains its values.
+TEST_F(Pictures, WithAUsersThemeAreRerenderedWithoutItsFile) {
     folder_.write("mine.toml", "extends = \"dark\"\nomega = \"#ff5050 1.5 dashed\"\n");
     ASSERT_EQ(run("still scene.toml -q --theme mine.toml -o a.png").code, 0);
     ASSERT_EQ(run("render scene.toml -q --theme mine.toml --jobs 2 -o a.mp4").code, 0);
@@ -115,8 +115,9 @@ TEST_F(Pictures, OfAThemeOfOnesOwnAreMadeAgainWithoutItsFile) {
     }
 }
 
-// A picture on a face is part of the picture: with another in its file nothing is drawn again.
-TEST_F(Pictures, OfAFaceWithAPictureAreMadeAgainFromThatPictureAlone) {
+// A picture on a face belongs to the scene: if its file has changed, the output is not rendered
+// again.
+TEST_F(Pictures, WithAPictureOnAFaceNeedTheSamePictureToBeRerendered) {
     const auto cover = [this](std::uint8_t green) {
         Image image(2, 2);
         for (const int k : {0, 1, 2, 3}) image.set(k / 2, k % 2, {200, green, 40, 255});
@@ -141,7 +142,7 @@ TEST_F(Pictures, OfAFaceWithAPictureAreMadeAgainFromThatPictureAlone) {
     EXPECT_EQ(run("rerender -q a.png -o b.png").code, 0);
 }
 
-// The words in a file replaced by as many others.
+// Replaces words in a file by words of the same length.
 void replace_in(const fs::path& file, const std::string& words, const std::string& others) {
     std::string bytes = text_of(file);
     const std::size_t at = bytes.find(words);
@@ -150,7 +151,7 @@ void replace_in(const fs::path& file, const std::string& words, const std::strin
     std::ofstream(file, std::ios::binary) << bytes.replace(at, words.size(), others);
 }
 
-// A PNG's text replaced as by a program that writes PNGs properly.
+// Replaces the text of a PNG with correct checksums.
 void retell(const fs::path& file, const std::function<void(std::string& text)>& change) {
     const StoredPicture picture = read_stored_png(file);
     PngOptions options;
@@ -165,8 +166,8 @@ void replace(std::string& text, const std::string& words, const std::string& oth
     text.replace(at, words.size(), others);
 }
 
-// Nothing that a record says can be changed by mistake.
-TEST_F(Pictures, RefuseARecordThatWasChanged) {
+// Any accidental change of a record is detected.
+TEST_F(Pictures, RefuseAChangedRecord) {
     draw("a.png", "--time 0.3");
     for (const auto& [words, others] : {std::pair{"size: 128x72", "size: 128x73"},
                                         {"profile: native", "profile: portable"},
@@ -194,7 +195,7 @@ TEST_F(Pictures, RefuseARecordThatWasChanged) {
     }
 }
 
-TEST_F(Pictures, SayWhetherTheyAreThoseThatWereDrawn) {
+TEST_F(Pictures, VerifyTheirPixels) {
     draw("new/a.png", "--portable --time 0.3");
     draw("deep.png", "--time 0.3 --depth 16");
     for (const char* file : {"new/a.png", "deep.png"}) {
@@ -203,7 +204,7 @@ TEST_F(Pictures, SayWhetherTheyAreThoseThatWereDrawn) {
         EXPECT_TRUE(is_one_line(verified.err) && contains(verified.err, "as it was written"));
         EXPECT_EQ(run(std::string("explain ") + file).err, "");
     }
-    // One pixel another, the record as it was.
+    // One pixel is changed, the record is not.
     StoredPicture picture = read_stored_png(folder_.path() / "new/a.png");
     picture.image.set(5, 5, {1, 2, 3, 255});
     PngOptions options;
@@ -216,7 +217,7 @@ TEST_F(Pictures, SayWhetherTheyAreThoseThatWereDrawn) {
             << changed.err;
     }
     EXPECT_TRUE(contains(run("explain --json new/a.png").out, "\"verified\": \"no\""));
-    // Whatever a record says, its JSON says, too.
+    // The JSON contains all values of the record.
     ASSERT_EQ(run("still scene.toml -q --shading none --text paths -o a.pdf").code, 0);
     for (const char* file : {"deep.png", "a.pdf"}) {
         const std::string told = run(std::string("explain ") + file).out;
@@ -243,8 +244,8 @@ TEST_F(Pictures, SayWhetherTheyAreThoseThatWereDrawn) {
     EXPECT_EQ(run("explain a.mp4").code, 1);
 }
 
-// What players, browsers and demuxers pass over is seen.
-TEST_F(Pictures, WithBytesBehindTheirEndAreNotAsTheyWereWritten) {
+// Data that players, browsers and demuxers ignore is detected.
+TEST_F(Pictures, WithBytesAppendedAreNotVerified) {
     for (const std::string name : {"a.png", "a.pdf", "a.svg", "a.mp4", "a.webm", "a.gif"}) {
         const bool is_still = name == "a.png" || name == "a.pdf" || name == "a.svg";
         ASSERT_EQ(
@@ -268,7 +269,7 @@ TEST_F(Pictures, WithBytesBehindTheirEndAreNotAsTheyWereWritten) {
         folder_.write(name, whole);
         EXPECT_EQ(run("explain --verify " + name).code, 0) << name;
     }
-    // Such a picture is no baseline, and no frame that another run goes on from.
+    // Such a picture is neither accepted as a baseline nor kept as a frame by another run.
     draw("new/a.png", "--portable --time 0.3");
     std::ofstream(folder_.path() / "new/a.png", std::ios::binary | std::ios::app) << "junk";
     EXPECT_EQ(approve("a").code, 2);
@@ -301,8 +302,8 @@ at_s = 0.2
 title = "Second"
 )";
 
-// Symbols are a table, and keys of no table were once written behind them.
-TEST_F(Pictures, OfScenesWithSymbolsAreMadeAgain) {
+// Symbols are a table, and keys without a table were once written after them.
+TEST_F(Pictures, OfScenesWithSymbolsAreRerendered) {
     folder_.write("scene.toml", with_symbols);
     for (const std::string name : {"a.png", "a.pdf", "a.svg", "a.mp4", "a_##.png"}) {
         const bool is_film = name == "a.mp4" || name == "a_##.png";
@@ -320,7 +321,7 @@ TEST_F(Pictures, OfScenesWithSymbolsAreMadeAgain) {
     }
 }
 
-// A record with another scene and hashes that fit, as a program with that fault would write it.
+// Writes a record with another scene and matching hashes, as a program with that defect would.
 void write_with_scene(const fs::path& file, const std::string& words, const std::string& others) {
     retell(file, [&](std::string& text) {
         replace(text, words, others);
@@ -336,8 +337,8 @@ void write_with_scene(const fs::path& file, const std::string& words, const std:
     });
 }
 
-// What nothing can be drawn again from is said, and is no baseline.
-TEST_F(Pictures, SayWhyTheyCannotBeDrawnAgain) {
+// A record from which nothing can be rendered is reported, and its picture is no baseline.
+TEST_F(Pictures, ReportWhyTheyCannotBeRerendered) {
     struct Case {
         std::string words, others, why;
         bool is_scene;
@@ -366,8 +367,8 @@ TEST_F(Pictures, SayWhyTheyCannotBeDrawnAgain) {
     EXPECT_TRUE(contains(run("explain --json --verify new/a.png").out, "\"why_not\": "));
 }
 
-// A scene's files belong to it.
-TEST_F(Pictures, SayThatAFileOfTheirSceneIsMissing) {
+// The files of a scene belong to it.
+TEST_F(Pictures, ReportAMissingFileOfTheirScene) {
     folder_.write("wedge.obj",
                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 3 2\n"
                   "f 4 5 6\nf 1 2 5 4\nf 2 3 6 5\nf 3 1 4 6\n");
@@ -380,7 +381,7 @@ TEST_F(Pictures, SayThatAFileOfTheirSceneIsMissing) {
     const ProgramRun missing = run("explain --verify new/a.png");
     EXPECT_EQ(missing.code, 1);
     EXPECT_TRUE(is_one_line(missing.err) && contains(missing.err, "wedge.obj")) << missing.err;
-    // The picture itself is as good as before.
+    // The picture itself is unchanged.
     EXPECT_EQ(approve("a").code, 0);
     folder_.write("wedge.obj",
                   "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 1\nv 2 0 1\nv 0 1 1\nf 1 3 2\n"
@@ -390,8 +391,8 @@ TEST_F(Pictures, SayThatAFileOfTheirSceneIsMissing) {
     EXPECT_TRUE(contains(other.err, "wedge.obj is not what it was drawn with")) << other.err;
 }
 
-// A picture of an older poinsot is still explained and drawn again; it cannot be verified, which is
-// neither yes nor no.
+// A picture of an older poinsot is explained and rendered again; verification is impossible, which
+// is neither success nor failure.
 TEST_F(Pictures, WithoutAHashCannotBeVerified) {
     draw("new/a.png", "--portable --time 0.3");
     retell(folder_.path() / "new/a.png", [](std::string& text) {
@@ -410,8 +411,8 @@ TEST_F(Pictures, WithoutAHashCannotBeVerified) {
     EXPECT_TRUE(is_one_line(approved.err) && contains(approved.err, "cannot be verified"));
 }
 
-// A record whose numbers cannot be is refused whoever wrote it; a field of a later version is not.
-TEST_F(Pictures, RefuseRecordsOfFramesThatCannotBe) {
+// A record with impossible numbers is always refused; a field of a later version is accepted.
+TEST_F(Pictures, RefuseRecordsWithImpossibleFrames) {
     ASSERT_EQ(run("render scene.toml -q --frames 2-9 -o f_##.png").code, 0);
     const auto with = [this](const std::string& lines) {
         fs::copy_file(folder_.path() / "f_03.png", folder_.path() / "x.png",
@@ -435,7 +436,7 @@ TEST_F(Pictures, RefuseRecordsOfFramesThatCannotBe) {
     EXPECT_EQ(said(later.out, "mood"), "good");
 }
 
-TEST_F(Pictures, OfASequenceKnowTheirPlaces) {
+TEST_F(Pictures, OfASequenceRecordTheirFrameNumbers) {
     ASSERT_EQ(run("render scene.toml -q --frames 2-9 -o f_##.png").code, 0);
     const std::string third = text_of(folder_.path() / "f_03.png");
     fs::rename(folder_.path() / "f_03.png", folder_.path() / "x.png");
@@ -444,7 +445,7 @@ TEST_F(Pictures, OfASequenceKnowTheirPlaces) {
     const ProgramRun renamed = run("explain f_03.png");
     EXPECT_EQ(said(renamed.out, "frame"), "4");
     EXPECT_TRUE(is_one_line(renamed.err) && contains(renamed.err, "is frame 4")) << renamed.err;
-    // It is drawn again as what it is.
+    // Rendered again as a frame.
     ASSERT_EQ(run("rerender -q f_04.png -o again.png").code, 0);
     EXPECT_TRUE(text_of(folder_.path() / "again.png") == third);
     ASSERT_EQ(run("render scene.toml -q --frames 2-9 -o f_##.png").code, 0);
@@ -456,7 +457,7 @@ TEST_F(Pictures, OfASequenceKnowTheirPlaces) {
         << shorter.err;
 }
 
-TEST_F(Pictures, ComparedSayWhyTheyDiffer) {
+TEST_F(Pictures, ComparedReportTheirDifferences) {
     draw("a.png", "--portable --time 0.1");
     draw("b.png", "--portable --time 0.11");
     draw("c.png", "--portable --time 0.1 --size 130x72");
@@ -479,7 +480,7 @@ TEST_F(Pictures, ComparedSayWhyTheyDiffer) {
     EXPECT_TRUE(is_one_line(broken.err)) << broken.err;
 }
 
-TEST_F(Pictures, ComparedAreNotWrittenOver) {
+TEST_F(Pictures, ComparedAreNotOverwritten) {
     draw("a.png", "--portable --time 0.1");
     draw("b.png", "--portable --time 0.11");
     fs::create_symlink("a.png", folder_.path() / "link.png");
@@ -495,8 +496,8 @@ TEST_F(Pictures, ComparedAreNotWrittenOver) {
     }
 }
 
-// Suffixes in capitals are suffixes.
-TEST_F(Pictures, NamedInCapitalsAreCompared) {
+// File suffixes are case-insensitive.
+TEST_F(Pictures, WithSuffixesInCapitalsAreCompared) {
     draw("ref/a.png", "--portable --time 0.1");
     fs::rename(folder_.path() / "ref/a.png", folder_.path() / "ref/a.PNG");
     draw("new/a.png", "--portable --time 0.3");
@@ -507,7 +508,7 @@ TEST_F(Pictures, NamedInCapitalsAreCompared) {
     EXPECT_TRUE(contains(compared.out, "unexpected: b: ")) << compared.out;
 }
 
-TEST_F(Pictures, NamedInCapitalsAreMadeAndReadByEveryCommand) {
+TEST_F(Pictures, WithSuffixesInCapitalsWorkInEveryCommand) {
     draw("ref/a.PNG", "--portable --time 0.1");
     draw("new/a.PNG", "--portable --time 0.1");
     EXPECT_EQ(run("compare ref/a.PNG new/a.PNG").code, 0);
@@ -544,7 +545,7 @@ TEST_F(Pictures, InFoldersAreComparedInOnePass) {
     draw("new/turned.png", "--portable --time 0.3");
     const ProgramRun compared = run("compare ref new --json --report page.html --junit tests.xml");
     EXPECT_EQ(compared.code, 1);
-    // Worst first, in the JSON, the page and the test results.
+    // The worst is first, in the JSON, the page and the test results.
     for (const std::string& text : {compared.out, text_of(folder_.path() / "page.html"),
                                     text_of(folder_.path() / "tests.xml")})
         EXPECT_LT(text.find("gone"), text.find("turned"));
@@ -600,7 +601,7 @@ TEST_F(Pictures, AreBaselinesOnlyIfPortable) {
     EXPECT_TRUE(fs::exists(folder_.path() / "ref/a.png"));
 }
 
-TEST_F(Pictures, AreTakenWithHashesRendererAndReason) {
+TEST_F(Pictures, AreApprovedWithHashesRendererAndReason) {
     draw("new/a.png", "--portable --time 0.1");
     ASSERT_EQ(approve("a").code, 0);
     const std::string manifest = text_of(folder_.path() / "ref/manifest.toml");
@@ -611,7 +612,7 @@ TEST_F(Pictures, AreTakenWithHashesRendererAndReason) {
     EXPECT_TRUE(text_of(folder_.path() / "ref/a.png") == text_of(folder_.path() / "new/a.png"));
     EXPECT_EQ(approve("a").out, "a: as it was\n");
 
-    // Another picture needs a reason; nothing is touched without one.
+    // A changed picture needs a reason; without one, no file is changed.
     draw("new/a.png", "--portable --time 0.2");
     const ProgramRun why = approve("a");
     EXPECT_EQ(why.code, 2);
@@ -622,7 +623,7 @@ TEST_F(Pictures, AreTakenWithHashesRendererAndReason) {
     EXPECT_EQ(run("compare ref new").code, 0);
 }
 
-TEST_F(Pictures, OfAnotherRendererAreRefusedUnlessTold) {
+TEST_F(Pictures, OfAnotherRendererNeedAnOption) {
     draw("new/a.png", "--portable --time 0.1");
     draw("new/b.png", "--portable --time 0.2");
     ASSERT_EQ(approve("a").code, 0);
@@ -636,8 +637,8 @@ TEST_F(Pictures, OfAnotherRendererAreRefusedUnlessTold) {
     EXPECT_EQ(approve("b --any-renderer").code, 0);
 }
 
-// Two pictures whose 16 bits differ and whose 8 bits do not.
-TEST_F(Pictures, OfSixteenBitsAreComparedByAllOfThem) {
+// Two pictures that differ with 16 bits and are equal with 8 bits.
+TEST_F(Pictures, OfSixteenBitsAreComparedExactly) {
     draw("new/a.png", "--portable --time 0.1 --depth 16");
     ASSERT_EQ(approve("a").code, 0);
     StoredPicture picture = read_stored_png(folder_.path() / "new/a.png");
@@ -661,8 +662,8 @@ TEST_F(Pictures, OfSixteenBitsAreComparedByAllOfThem) {
     EXPECT_TRUE(contains(shallow.out, "depth: a: 16 bits")) << shallow.out;
 }
 
-// A baseline that is not what was approved is said by compare, and put back by approve.
-TEST_F(Pictures, ChangedBehindTheManifestAreFoundOut) {
+// compare reports a baseline that is not the approved picture, and approve restores it.
+TEST_F(Pictures, ThatDoNotMatchTheManifestAreReported) {
     draw("new/a.png", "--portable --time 0.1");
     ASSERT_EQ(approve("a").code, 0);
     draw("ref/a.png", "--portable --time 0.2");
@@ -678,7 +679,7 @@ TEST_F(Pictures, ChangedBehindTheManifestAreFoundOut) {
     EXPECT_EQ(approve("a").out, "a: as it was\n");
 }
 
-TEST_F(Pictures, ApprovedByTwoAtOnceAllHaveTheirLines) {
+TEST_F(Pictures, ApprovedConcurrentlyAllHaveTheirLines) {
     for (const char* name : {"a", "b", "c", "d"})
         draw(std::string("new/") + name + ".png", "--portable --time 0.1");
     const std::string approve =
@@ -699,15 +700,15 @@ TEST_F(Pictures, StayInTheirFolder) {
     EXPECT_FALSE(fs::exists(folder_.path() / "ref/manifest.toml"));
 }
 
-// A tetrahedron; its first corner may stick out further.
+// A tetrahedron whose first corner has a variable distance.
 std::string tetrahedron(double x_m) {
     return "v " + std::to_string(x_m) +
            " 0 0\nv 0 1 0\nv 0 0 2\nv 0 0 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n";
 }
 
-// What a scene says is the same when a mesh that it names has another content; what it means is
-// not.
-TEST_F(Pictures, NoticeAMeshThatHasChanged) {
+// The scene's text does not change when the content of its mesh file does; the meaning of the scene
+// does.
+TEST_F(Pictures, DetectAChangedMesh) {
     folder_.write("part.obj", tetrahedron(1.0));
     folder_.write("scene.toml",
                   "title = \"Part\"\n[body]\nmesh = \"part.obj\"\nmass_kg = 1.0\n[start]\n"
@@ -727,7 +728,7 @@ TEST_F(Pictures, NoticeAMeshThatHasChanged) {
     EXPECT_FALSE(fs::exists(folder_.path() / "c.png"));
     draw("a.png", "--portable --time 0.1");
     EXPECT_NE(said(run("explain a.png").out, "scene-sha256"), hash);
-    // A sequence that is there is not gone on with, but drawn anew.
+    // An existing sequence is not continued, but rendered again.
     ASSERT_EQ(run(film).code, 0);
     EXPECT_FALSE(text_of(folder_.path() / "f_03.png") == frame);
 }
@@ -739,7 +740,7 @@ TEST_F(Pictures, RefusedLeaveNoEmptyFolder) {
     }
     EXPECT_EQ(run("still scene.toml --depth 9").code, 2);
     EXPECT_FALSE(fs::exists(folder_.path() / "output"));
-    // One that was there stays.
+    // An existing folder is kept.
     fs::create_directory(folder_.path() / "output");
     EXPECT_EQ(run("render scene.toml --size 65x49").code, 2);
     EXPECT_TRUE(fs::exists(folder_.path() / "output"));

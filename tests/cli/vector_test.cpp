@@ -1,4 +1,4 @@
-// Stills as vectors: sound files with real type, their records, and what is refused.
+// Stills as vector files: valid files with text, their records, and errors.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ bool is_one_line(const std::string& text) {
     return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1;
 }
 
-// What another program says, both streams; its exit code in front if that is not 0.
+// Output of another program, both streams; preceded by its exit code if that is not 0.
 std::string said(const ScratchFolder& folder, const std::string& command) {
     std::string out;
     FILE* pipe =
@@ -50,14 +50,14 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-TEST(VectorStill, APdfIsSoundSmallAndHasNoPicture) {
+TEST(VectorStill, PdfIsValidSmallAndHasNoRaster) {
     const ScratchFolder folder;
     const ProgramRun run = run_program_in(folder, "still '" + scene("generic") + "' -o g.pdf");
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_FALSE(contains(said(folder, "qpdf --check g.pdf"), "failed"))
         << said(folder, "qpdf --check g.pdf");
     EXPECT_EQ(lines_of(said(folder, "pdfimages -list g.pdf")).size(), 2u);
-    // Every font is embedded, as a subset, with what its glyphs mean.
+    // Every font is embedded, as a subset, with the characters of its glyphs.
     const auto fonts = lines_of(said(folder, "pdffonts g.pdf"));
     ASSERT_GT(fonts.size(), 3u);
     for (std::size_t k = 2; k < fonts.size(); ++k)
@@ -83,7 +83,7 @@ TEST(VectorStill, NoSceneTakesOver150Kilobytes) {
     }
 }
 
-TEST(VectorStill, ItsTypeIsFoundByWhatItSays) {
+TEST(VectorStill, ItsTextCanBeSearched) {
     const ScratchFolder folder;
     ASSERT_EQ(run_program_in(folder, "still '" + scene("invariable_plane") + "' -o i.pdf").code, 0);
     const std::string text = said(folder, "pdftotext i.pdf -");
@@ -97,7 +97,7 @@ TEST(VectorStill, ItsTypeIsFoundByWhatItSays) {
     EXPECT_EQ(said(folder, "xmllint --noout i.svg"), "");
 }
 
-TEST(VectorStill, HasTheSizeThatIsAskedFor) {
+TEST(VectorStill, HasTheRequestedSize) {
     const ScratchFolder folder;
     const std::string command = "still '" + scene("generic") + "' --width-mm 85 -o ";
     ASSERT_EQ(run_program_in(folder, command + "a.pdf").code, 0);
@@ -109,7 +109,7 @@ TEST(VectorStill, HasTheSizeThatIsAskedFor) {
     EXPECT_TRUE(contains(text_of(folder.path() / "a.svg"), "width=\"85"));
 }
 
-TEST(VectorStill, SaysHowItWasMadeAndIsMadeAgainToTheByte) {
+TEST(VectorStill, HasARecordAndIsRerenderedByteIdentically) {
     const ScratchFolder folder;
     for (const std::string kind : {"pdf", "svg"}) {
         const std::string name = "a." + kind;
@@ -125,7 +125,7 @@ TEST(VectorStill, SaysHowItWasMadeAndIsMadeAgainToTheByte) {
         ASSERT_EQ(again.code, 0) << again.err;
         EXPECT_EQ(text_of(folder.path() / name), text_of(folder.path() / ("b." + kind)));
 
-        // One byte of what it shows.
+        // Changes one visible byte.
         std::string bytes = text_of(folder.path() / name);
         bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
         folder.write("c." + kind, bytes);
@@ -135,8 +135,9 @@ TEST(VectorStill, SaysHowItWasMadeAndIsMadeAgainToTheByte) {
     }
 }
 
-// On paper a side may have more pixels than a frame of a film, which the record's scene says.
-TEST(VectorStill, AsLargeAsAPosterIsMadeAgain) {
+// On paper a side may have more pixels than a frame of a film; the record's scene contains this
+// size.
+TEST(VectorStill, AsLargeAsAPosterIsRerendered) {
     const ScratchFolder folder;
     ASSERT_EQ(run_program_in(folder, "still '" + scene("generic") +
                                          "' -q --shading none --width-mm 1500 -o a.pdf")
@@ -148,15 +149,15 @@ TEST(VectorStill, AsLargeAsAPosterIsMadeAgain) {
     EXPECT_TRUE(text_of(folder.path() / "a.pdf") == text_of(folder.path() / "b.pdf"));
 }
 
-// Characters that XML or LaTeX cannot hold, that have no picture, or that no font of ours has:
-// noncharacters, a variation selector, what is zero wide, a soft hyphen, tags, directions of
-// writing, and letters of other scripts; as TOML writes them.
+// Characters that XML or LaTeX cannot contain, that are invisible, or that no font of ours has:
+// noncharacters, a variation selector, zero-width characters, a soft hyphen, tags, directional
+// marks, and letters of other scripts; in TOML notation.
 constexpr std::array<const char*, 16> odd_characters{
     "\\uFFFE",     "\\uFFFF", "\\U0001FFFE", "\\U0010FFFF", "\\uFDD0", "\\uFE0F",
     "\\u200B",     "\\u00AD", "\\U000E0041", "\\u202E",     "\\uFEFF", "\\u4E2D",
     "\\U0001F600", "\\u00AB", "\\u0416",     "\\uFFFD"};
 
-// A scene that has this text wherever type comes from.
+// A scene with this text in every place that is set as text.
 std::string scene_saying(const std::string& text) {
     return "title = \"Title " + text + "\"\ncaption = \"Caption " + text +
            "\"\n[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [1.5, 0.3, "
@@ -164,7 +165,7 @@ std::string scene_saying(const std::string& text) {
            text + "}\"\n[[marks]]\nat = [1, 0, 0]\nname = \"\\\\text{M" + text + "}\"\n";
 }
 
-TEST(VectorStill, HoldsAnyCharacterSoThatEveryReaderOpensIt) {
+TEST(VectorStill, WithAnyCharacterIsReadable) {
     const ScratchFolder folder;
     std::string all;
     for (const char* character : odd_characters) all += std::string(" ") + character;
@@ -176,7 +177,7 @@ TEST(VectorStill, HoldsAnyCharacterSoThatEveryReaderOpensIt) {
         const ProgramRun pdf = run_program_in(folder, "still all.toml -o a.pdf" + options);
         ASSERT_EQ(pdf.code, 0) << pdf.err;
         EXPECT_TRUE(contains(said(folder, "qpdf --check a.pdf"), "No syntax or stream encoding"));
-        // Shown as in pixels, a box for what no font has, which is said.
+        // Rendered as in pixels, with a box for characters without a glyph, which are reported.
         EXPECT_TRUE(contains(svg.err, "no font here has")) << svg.err;
         for (const std::string name : {"a.svg", "a.pdf"}) {
             EXPECT_EQ(run_program_in(folder, "explain --verify " + name).code, 0) << name;
@@ -186,7 +187,7 @@ TEST(VectorStill, HoldsAnyCharacterSoThatEveryReaderOpensIt) {
             EXPECT_TRUE(text_of(folder.path() / name) == text_of(folder.path() / again)) << name;
         }
     }
-    // Each by itself, too: one may hide what another does.
+    // Also one by one, because one may hide the effect of another.
     for (const char* character : odd_characters) {
         folder.write("one.toml", scene_saying(character));
         ASSERT_EQ(run_program_in(folder, "still one.toml -o a.svg").code, 0) << character;
@@ -194,8 +195,8 @@ TEST(VectorStill, HoldsAnyCharacterSoThatEveryReaderOpensIt) {
     }
 }
 
-// The file's name is the title that a reader of the page sees.
-TEST(VectorStill, HoldsAnyNameOfAScene) {
+// The file's name is the title of the page.
+TEST(VectorStill, AcceptsAnySceneName) {
     const ScratchFolder folder;
     const std::string name = "a\xff\x01\uffff<&>\u200b";
     folder.write(name + ".toml", scene_saying(""));
@@ -209,8 +210,8 @@ TEST(VectorStill, HoldsAnyNameOfAScene) {
     EXPECT_TRUE(contains(said(folder, "qpdf --check a.pdf"), "No syntax or stream encoding"));
 }
 
-// What LaTeX cannot set is left out of the .tex, and said.
-TEST(VectorStill, SetByLatexCompilesWhateverItsTextSays) {
+// Characters that LaTeX cannot set are omitted from the .tex, and reported.
+TEST(VectorStill, InLatexCompilesWithAnyText) {
     const ScratchFolder folder;
     std::string all;
     for (const char* character : odd_characters) all += character;
@@ -237,7 +238,7 @@ TEST(VectorStill, SetByLatexCompilesWhateverItsTextSays) {
         }
 }
 
-TEST(VectorStill, RefusesWhatItCannotBeInOneLine) {
+TEST(VectorStill, ErrorsAreOneLine) {
     const ScratchFolder folder;
     const std::string still = "still '" + scene("generic") + "' ";
     for (const std::string& options :
@@ -254,8 +255,8 @@ TEST(VectorStill, RefusesWhatItCannotBeInOneLine) {
                          "did you mean \"tone\"?"));
 }
 
-// Readers drop the space that a text begins with, and some then put its next letter there.
-TEST(VectorStill, NoTextOfAnSvgBeginsWithASpace) {
+// Readers drop a space at the beginning of a text, and some then misplace the next letter.
+TEST(VectorStill, NoSvgTextBeginsWithASpace) {
     const ScratchFolder folder;
     ASSERT_EQ(run_program_in(folder, "still '" + scene("generic") + "' -q -o a.svg").code, 0);
     const std::string svg = text_of(folder.path() / "a.svg");
@@ -268,7 +269,7 @@ TEST(VectorStill, NoTextOfAnSvgBeginsWithASpace) {
     EXPECT_GT(n_texts, 10);
 }
 
-TEST(VectorStill, PathsAreTypeWithoutFonts) {
+TEST(VectorStill, TextAsPathsNeedsNoFonts) {
     const ScratchFolder folder;
     const std::string page = "still '" + scene("generic") + "' --width-mm 110 ";
     const std::string still = page + "--text paths -o ";
@@ -277,18 +278,18 @@ TEST(VectorStill, PathsAreTypeWithoutFonts) {
     ASSERT_EQ(run_program_in(folder, still + "a.svg").code, 0);
     EXPECT_FALSE(contains(text_of(folder.path() / "a.svg"), "<text"));
     EXPECT_FALSE(contains(text_of(folder.path() / "a.svg"), "@font-face"));
-    // The record says so, and it is made again.
+    // The record contains the option, and the still is rendered again.
     EXPECT_TRUE(contains(run_program_in(folder, "explain a.pdf").out, "type-as: paths"));
     ASSERT_EQ(run_program_in(folder, "rerender a.pdf -o b.pdf").code, 0);
     EXPECT_EQ(text_of(folder.path() / "a.pdf"), text_of(folder.path() / "b.pdf"));
-    // As letters and as outlines it is one picture, but for how small letters are smoothed.
+    // Text and outlines give the same picture, except for the smoothing of small letters.
     ASSERT_EQ(run_program_in(folder, page + "-o font.pdf").code, 0);
     const ProgramRun same = run_program_in(
         folder, "compare font.pdf a.pdf --max-differing 5% --max-over 1% --over-levels 64");
     EXPECT_EQ(same.code, 0) << same.out << same.err;
 }
 
-TEST(VectorStill, LatexSetsTheTypeOfAFigureWithoutAny) {
+TEST(VectorStill, LatexSetsTheTextOfAFigureWithoutAny) {
     const ScratchFolder folder;
     const std::string still = "still '" + scene("invariable_plane") + "' --text latex -o ";
     const ProgramRun run = run_program_in(folder, still + "fig.pdf");
@@ -299,7 +300,7 @@ TEST(VectorStill, LatexSetsTheTypeOfAFigureWithoutAny) {
     for (const char* part : {"\\includegraphics[width=\\unitlength]{fig.pdf}", "\\begin{picture}",
                              "The invariable plane", "\\rho", "\\sqrt{2T}"})
         EXPECT_TRUE(contains(tex, part)) << part;
-    // Again over its own file, but not over another's.
+    // It may replace its own file, but not another's.
     EXPECT_EQ(run_program_in(folder, still + "fig.pdf").code, 0);
     folder.write("paper.tex", "\\documentclass{article}\n");
     for (const char* name : {"paper.pdf", "a.svg", "100%.pdf", "a.png"}) {
@@ -310,7 +311,7 @@ TEST(VectorStill, LatexSetsTheTypeOfAFigureWithoutAny) {
     EXPECT_EQ(text_of(folder.path() / "paper.tex"), "\\documentclass{article}\n");
 }
 
-TEST(VectorStill, AJournalHasItsWidthAndLeastSizes) {
+TEST(VectorStill, AJournalDeterminesWidthAndSmallestSizes) {
     const ScratchFolder folder;
     const std::string still = "still '" + scene("generic") + "' ";
     ASSERT_EQ(run_program_in(folder, still + "--journal aip -o a.pdf").code, 0);
@@ -321,10 +322,10 @@ TEST(VectorStill, AJournalHasItsWidthAndLeastSizes) {
     EXPECT_TRUE(contains(run_program_in(folder, "explain a.pdf").out, "journal: aip"));
     ASSERT_EQ(run_program_in(folder, "rerender a.pdf -o b.pdf").code, 0);
     EXPECT_EQ(text_of(folder.path() / "a.pdf"), text_of(folder.path() / "b.pdf"));
-    // No letter is under 8 pt, no script under 6, no line under half a point.
+    // No letter is smaller than 8 pt, no script than 6, no line thinner than half a point.
     ASSERT_EQ(run_program_in(folder, still + "--journal aip -o a.svg").code, 0);
     const std::string svg = text_of(folder.path() / "a.svg");
-    // The least of a number that stands in elements of a kind.
+    // The smallest number in elements of a kind.
     const auto least = [&svg](const std::string& element, const std::string& name) {
         double found = 1e9;
         for (std::size_t at = svg.find(element); at != std::string::npos;
@@ -336,7 +337,7 @@ TEST(VectorStill, AJournalHasItsWidthAndLeastSizes) {
         }
         return found;
     };
-    // Of the file, 256 units are a point.
+    // In the file, 256 units are a point.
     EXPECT_GE(least("<text ", "font-size") / 256.0, 5.999);
     EXPECT_LT(least("<text ", "font-size") / 256.0, 8.0);  // a subscript
     EXPECT_TRUE(contains(svg, ".l{fill:none;stroke-linejoin:round;stroke-width:128}"));
@@ -348,7 +349,7 @@ TEST(VectorStill, AJournalHasItsWidthAndLeastSizes) {
         EXPECT_EQ(refused.code, 2) << options;
         EXPECT_TRUE(is_one_line(refused.err)) << options << ": " << refused.err;
     }
-    // Three panels' names on so little would cover each other.
+    // The titles of three panels do not fit into this size without overlap.
     const ProgramRun small =
         run_program_in(folder, "still '" + scene("football") + "' --width-mm 50 -o d.pdf");
     EXPECT_EQ(small.code, 2);
@@ -356,14 +357,14 @@ TEST(VectorStill, AJournalHasItsWidthAndLeastSizes) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "d.pdf"));
 }
 
-TEST(VectorStill, PicturesStandBetweenTheLinesWhereAskedFor) {
+TEST(VectorStill, PicturesCanBePlacedBetweenTheLines) {
     const ScratchFolder folder;
     const ProgramRun run =
         run_program_in(folder, "still '" + scene("generic") +
                                    "' --width-mm 40 --shading picture --portable -o a.pdf");
     ASSERT_EQ(run.code, 0) << run.err;
     const auto images = lines_of(said(folder, "pdfimages -list a.pdf"));
-    ASSERT_GE(images.size(), 4u);  // two of heading, the ground, the ellipsoid
+    ASSERT_GE(images.size(), 4u);  // two of headings, the background, the ellipsoid
     EXPECT_FALSE(contains(said(folder, "qpdf --check a.pdf"), "failed"));
     ASSERT_EQ(run_program_in(folder, "rerender a.pdf -o b.pdf").code, 0);
     EXPECT_EQ(text_of(folder.path() / "a.pdf"), text_of(folder.path() / "b.pdf"));
