@@ -1,5 +1,5 @@
-// Any bytes as what a killed run has left aside of a film: recovered as far as it goes, or refused
-// with a sentence, and nothing else.
+// Any bytes as the log of a killed run: the film must be recovered up to the first defect, or
+// refused with a message.
 #include <zlib.h>
 
 #include <cstddef>
@@ -32,8 +32,8 @@ void require_a_sentence(const poinsot::Error& error) {
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
-// A changed byte makes a block's checksum wrong, and the reader would look no further: mutations
-// are made first, and then sizes and checksums put right, in three cases of four.
+// A changed byte makes a block's checksum wrong, and the reader would stop there: in three of four
+// cases, sizes and checksums are corrected after a mutation.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned seed) {
     size = LLVMFuzzerMutate(data, size, most);
@@ -45,7 +45,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
             for (std::size_t i = 0; i < 4; ++i)
                 data[at + i] = static_cast<std::uint8_t>(length >> 8 * i);
         }
-        // FFmpeg's CRC-32 is zlib's before its bits are turned round.
+        // FFmpeg's CRC-32 is zlib's before the final inversion of bits.
         const uLong sum = ~crc32(0, data + at + block_head, static_cast<uInt>(length));
         for (std::size_t i = 0; i < 4; ++i)
             data[at + 4 + i] = static_cast<std::uint8_t>(sum >> 8 * i);
@@ -55,7 +55,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    // The first byte says by what name the film would go.
+    // The first byte selects the suffix of the film's name.
     if (size == 0) return 0;
     const char* const name = data[0] % 3 == 0 ? "a.mp4" : data[0] % 3 == 1 ? "a.webm" : "a.gif";
     const std::filesystem::path film = poinsot::fuzz::scratch_folder() / name;

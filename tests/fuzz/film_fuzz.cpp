@@ -1,5 +1,5 @@
-// Any bytes as a film: its record is read, and held against its packets, or refused with a
-// sentence, and nothing else. What FFmpeg makes of the container is FFmpeg's.
+// Any bytes as a film: its record must be read and compared with its packets, or be refused with a
+// message. Defects of FFmpeg's demuxers are outside its scope.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -11,7 +11,7 @@
 #include "production/record.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    // The first byte says by what name the rest goes.
+    // The first byte selects the file name of the rest.
     if (size == 0) return 0;
     const char* const name = data[0] % 3 == 0 ? "a.mp4" : data[0] % 3 == 1 ? "a.webm" : "a.gif";
     const auto film = poinsot::fuzz::scratch_file(name, data + 1, size - 1);

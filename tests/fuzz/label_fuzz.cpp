@@ -1,4 +1,4 @@
-// Any bytes as a label and as a caption: set, or refused with an InputError, and nothing else.
+// Any bytes as a label and as a caption: they must be set, or refused with an InputError.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         try {
             typesetter.set(text, style);
         } catch (const poinsot::InputError&) {
-            // Refused with a sentence: what a bad label deserves.
+            // A bad label is refused with a message.
         }
     }
     return 0;

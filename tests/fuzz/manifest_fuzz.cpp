@@ -1,5 +1,5 @@
-// Any bytes as the manifest of a folder of baselines: one that is written out and read back the
-// same, or a refusal with its line, and nothing else.
+// Any bytes as the manifest of a folder of baselines: it must read back equal after writing, or be
+// refused with its line.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// libFuzzer: any bytes as OBJ and as STL, through the check of the solid to its mass properties and
-// shading. A mesh comes out sound, or an InputError; nothing else may happen.
+// Any bytes as OBJ and as STL, through the check of the solid to its mass properties and shading:
+// the result must be a valid mesh or an InputError.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

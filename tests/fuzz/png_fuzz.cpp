@@ -1,5 +1,4 @@
-// Any bytes as a PNG: a picture that is written out and read back the same, or a refusal with a
-// sentence, and nothing else.
+// Any bytes as a PNG: the picture must read back equal after writing, or be refused with a message.
 #include <zlib.h>
 
 #include <cstddef>
@@ -23,8 +22,8 @@ constexpr std::size_t signature_bytes = 8;
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
-// A changed byte makes a chunk's checksum wrong, and the reader would look no further: mutations
-// are made first, and then the checksums put right, in three cases of four (PNG, 3rd ed., §5.3).
+// A changed byte makes a chunk's checksum wrong, and the reader would stop there: in three of four
+// cases, the checksums are corrected after a mutation (PNG, 3rd ed., §5.3).
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned seed) {
     size = LLVMFuzzerMutate(data, size, most);
@@ -50,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();
         return 0;
     }
-    // With every bit that is stored it is the same picture.
+    // With all stored bits it is the same picture.
     if (!(poinsot::decode_stored_png({data, size}, "fuzz.png").image == image)) std::abort();
     poinsot::PngOptions options;
     options.deflate_level = 1;

@@ -1,5 +1,5 @@
-// Any bytes as the record of a picture or a film: one that is written out and read back the same,
-// also out of a PNG, or a refusal with a sentence, and nothing else.
+// Any bytes as the record of a picture or a film: it must read back equal after writing, also from
+// a PNG, or be refused with a message.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -22,7 +22,7 @@ void require(bool condition) {
 constexpr std::string_view scene_line = "\nscene-sha256: ";
 constexpr std::string_view mesh_line = "\nmesh-sha256: ";
 
-// The value of the line that begins with a key, or an empty view.
+// Returns the value in the line that begins with a key, or an empty view.
 std::string_view value_of(std::string_view text, std::string_view key) {
     const std::size_t at = text.find(key);
     if (at == std::string_view::npos) return {};
@@ -34,8 +34,8 @@ std::string_view value_of(std::string_view text, std::string_view key) {
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
-// A changed byte makes a hash wrong, and the reader would look no further: mutations are made
-// first, and then the scene's hash put right and the seal taken off, in three cases of four.
+// A changed byte makes a hash wrong, and the reader would stop there: in three of four cases, the
+// scene's hash is corrected and the seal removed after a mutation.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned seed) {
     size = LLVMFuzzerMutate(data, size, most);

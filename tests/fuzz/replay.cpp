@@ -1,5 +1,5 @@
-// Runs a fuzzer's corpus through it once, without libFuzzer. A defect aborts; so does a corpus
-// without files.
+// Runs a fuzzer once on its corpus, without libFuzzer. A defect aborts; so does a corpus without
+// files.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -10,7 +10,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
-// What custom mutators call; nothing is mutated here.
+// Called by custom mutators; here it changes nothing.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t*, std::size_t size, std::size_t) {
     return size;
 }

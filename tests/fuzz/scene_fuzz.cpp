@@ -1,5 +1,5 @@
-// Any bytes as a scene file: a scene that is written out and read back the same, or a refusal with
-// a place, and nothing else.
+// Any bytes as a scene file: the scene must read back equal after writing, or be refused with a
+// place.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::string written = poinsot::to_toml(scene);
         if (poinsot::to_toml(poinsot::parse_scene(written, "fuzz.toml")) != written) std::abort();
     } catch (const poinsot::SceneError&) {
-        // Refused with a sentence: what a bad scene deserves.
+        // A bad scene is refused with a message.
     }
     return 0;
 }

@@ -1,5 +1,5 @@
-// Bytes as a file that has a name, for what reads by names: it lies in memory, and is replaced by
-// the next.
+// Bytes as a named file, for functions that read files: it is in memory, and the next one replaces
+// it.
 #pragma once
 
 #include <unistd.h>
@@ -13,7 +13,7 @@
 
 namespace poinsot::fuzz {
 
-// A folder of this process, in memory where the machine has such a place.
+// A folder for this process, in memory if the machine has a memory file system.
 inline const std::filesystem::path& scratch_folder() {
     static const std::filesystem::path folder = [] {
         const std::filesystem::path memory = "/dev/shm";
