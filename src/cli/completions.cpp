@@ -22,7 +22,7 @@ string shell_quoted(std::string_view text) {
     return "'" + safe + "'";
 }
 
-// Defined before a command's own completions: scenes are listed when they are needed.
+// Lists the scenes when a shell completes one; precedes a command's own completions.
 constexpr std::string_view list_scenes = "poinsot list scenes 2>/dev/null | sed 's/ .*//'";
 
 // The possible values as words. A key of --set includes its "=", and its first item.

@@ -67,7 +67,7 @@ struct OutputPlan {
     std::string metadata;             // text carried in the file
     Tell tell;  // makes the text from metadata; if empty, metadata is used as it is
     // The film keeps only the first n_shown of the written frames; 0: all. Its packets are those of
-    // a longer film; a recovered film is such a film, too.
+    // the longer film, as in a recovered film.
     std::int64_t n_shown = 0;
     std::vector<FilmChapter> chapters;    // in order; for containers that support them
     std::vector<FilmSubtitle> subtitles;  // likewise; at most two at once: at the bottom and top
@@ -124,7 +124,7 @@ struct OutputFormat {
     void (*join)(FrameEntries& entries, const OutputPlan& plan);
     bool has_parts;
     // Cores that the encoder of one process keeps busy, to limit the number of processes; 0: a
-    // single process is faster, because the encoder runs on all cores.
+    // single process is faster, because only one process encodes.
     int n_cores_a_job;
     double most_fps = 0.0;  // 0: any rate
 };

@@ -53,7 +53,7 @@ std::optional<double> FilmClock::length_s() const {
 
 FilmMoment moment_of_time(const FilmClock& clock, double time_s) {
     if (const auto film_s = clock.film_second_of(time_s)) return {time_s, *film_s};
-    // Outside the film the speed is 0.
+    // Not in the film: before its first frame, or after the speed has fallen to 0.
     const bool before = time_s < clock.time_at(0.0);
     return {time_s, before ? -1.0 : clock.length_s().value_or(default_film_s)};
 }

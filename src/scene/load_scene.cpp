@@ -129,8 +129,8 @@ TomlEntry& entry_of(TomlValue& table, std::string_view key, const SourceLocation
     return table.entries.back();
 }
 
-// The item that "omega_rad_s[1]" names within the array "omega_rad_s"; an item of an array of arrays
-// has several indices.
+// The item that "omega_rad_s[1]" names within the array "omega_rad_s"; an item of an array of
+// arrays has several indices.
 TomlValue& item_of(TomlValue& array, std::string_view part, const SourceLocation& where) {
     TomlValue* item = &array;
     for (std::size_t bracket = part.find('['); bracket != std::string_view::npos;

@@ -184,7 +184,7 @@ std::string write_role(const Scene& scene, size_t) {
     return found == looks.end() ? "" : text_of(found->second);
 }
 
-// What each role points to.
+// The texts to which the string views in the roles' keys refer.
 struct RoleWords {
     std::array<std::string, n_roles> paths, summaries;
 

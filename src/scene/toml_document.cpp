@@ -135,7 +135,7 @@ TomlValue parse_override_value(std::string_view text, const SourceLocation& wher
     } catch (const toml::parse_error&) {
         // A bare word, such as draft or 1920x1080, or a number in a notation that TOML lacks: .5
     }
-    // The quotes themselves are not part of the value.
+    // Quotes around such a text are a mistake: they would be part of the value.
     const bool is_quoted = text.size() > 1 && (text.front() == '"' || text.front() == '\'') &&
                            text.find(text.front(), 1) == text.size() - 1;
     if (is_quoted)
