@@ -92,9 +92,7 @@ std::vector<CatalogueEntry> quality_entries() {
 std::vector<CatalogueEntry> key_entries() {
     std::vector<CatalogueEntry> entries;
     for (const SceneKey& key : scene_keys()) {
-        entries.push_back({std::string(key.path),
-                           fmt::format("{}{}{}; {}", key.type, key.unit.empty() ? "" : " in ",
-                                       key.unit, key.summary)});
+        entries.push_back({std::string(key.path), key.explanation()});
     }
     return entries;
 }

@@ -130,8 +130,7 @@ std::string scene_manual() {
                                   : fmt::format(".SH \"{}\"\n", roff(written_table(table)));
         }
         text += paragraph(bold(fmt::format("{} = {}", key.leaf(), key.example)),
-                          roff(fmt::format("{}{}{}; {}", key.type, key.unit.empty() ? "" : " in ",
-                                           key.unit, key.summary)));
+                          roff(key.explanation()));
     }
     return text + see_also(bold("poinsot") + "(1)");
 }

@@ -1,9 +1,8 @@
-// The JSON Schema of scene files, generated from the table of keys: each key's row gives its type.
+// The schema of scene files, made from the table of keys.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -18,86 +17,62 @@ namespace poinsot {
 
 namespace {
 
-// Removes `words` from the beginning of a phrase; returns whether they were there.
-bool take(std::string_view& phrase, std::string_view words) {
-    if (!phrase.starts_with(words)) return false;
-    phrase.remove_prefix(words.size());
-    return true;
+// The names that a text may be: its own, or those of the list that the key refers to.
+std::vector<std::string> names_of(const ValueType& type) {
+    if (!type.names.empty()) return {type.names.begin(), type.names.end()};
+    if (type.list.empty()) return {};
+    std::vector<std::string> names = words_of(type.list);
+    // What is drawn over the picture is shown by its name, too.
+    if (type.list == "elements")
+        for (const OverlayName& overlay : overlays()) names.emplace_back(overlay.name);
+    return names;
 }
 
-std::string strings(const std::vector<std::string>& names) {
-    if (names.empty()) return R"("type": "string")";
+std::string text_members(const ValueType& type) {
     std::vector<std::string> quoted;
-    quoted.reserve(names.size());
-    for (const std::string& name : names) quoted.push_back(json_string(name));
+    for (const std::string& name : names_of(type)) quoted.push_back(json_string(name));
+    if (quoted.empty()) return R"("type": "string")";
     return fmt::format(R"("enum": [{}])", fmt::join(quoted, ", "));
 }
 
-// The schema of a number; with a unit it may also be a string. `bounds`: further members.
-std::string number(const std::string& bounds, bool has_unit) {
-    std::string bare = R"("type": "number")" + bounds;
-    if (!has_unit) return bare;
-    return R"("anyOf": [{)" + bare + R"(}, {"type": "string", "pattern": "[0-9].*[A-Za-z°]"}])";
+std::string bounds_members(const Bounds& bounds) {
+    std::string members;
+    if (bounds.least) members += fmt::format(R"(, "minimum": {})", bound_text(*bounds.least));
+    if (bounds.without_least) members += R"(, "exclusiveMinimum": true)";
+    if (bounds.most) members += fmt::format(R"(, "maximum": {})", bound_text(*bounds.most));
+    return members;
 }
 
-// Removes "from -90 to 90" from the end of a phrase and returns it as members.
-std::string bounds_of(std::string_view& phrase) {
-    constexpr std::string_view from = " from ", to = " to ";
-    const std::size_t least = phrase.find(from);
-    if (least == std::string_view::npos) return "";
-    const std::string_view both = phrase.substr(least + from.size());
-    phrase = phrase.substr(0, least);
-    const std::size_t most = both.find(to);
-    return fmt::format(R"(, "minimum": {}, "maximum": {})", both.substr(0, most),
-                       both.substr(most + to.size()));
+// One value, or one of a list, as members of a schema.
+std::string value_members(const ValueType& type) {
+    if (type.kind == ValueType::Kind::boolean) return R"("type": "boolean")";
+    if (type.kind == ValueType::Kind::text) return text_members(type);
+    if (type.kind == ValueType::Kind::integer)
+        return R"("type": "integer")" + bounds_members(type.bounds);
+    std::string number = R"("type": "number")" + bounds_members(type.bounds);
+    // A string may hold a number with a unit, but for those that mean something else.
+    if (!unit_named(type.unit) || !type.or_text.empty()) return number;
+    return fmt::format(R"("anyOf": [{{{}}}, {{"type": "string", "pattern": "[0-9].*[A-Za-z°]"}}])",
+                       number);
 }
 
-// The schema members for the type phrase of a row, such as "three rows of three numbers". An
-// unknown phrase allows any value, and a test reports it.
-std::string members_of(std::string_view phrase, const std::vector<std::string>& names,
-                       bool has_unit) {
-    if (phrase == "true or false") return R"("type": "boolean")";
-    if (const std::size_t either = phrase.find(" or "); either != std::string_view::npos)
-        return fmt::format(R"("anyOf": [{{{}}}, {{{}}}])",
-                           members_of(phrase.substr(0, either), names, has_unit),
-                           members_of(phrase.substr(either + 4), names, has_unit));
-    if (phrase == "a string" || phrase == "a ratio in a string" || phrase == "strings")
-        return strings(names);
-    if (phrase == "a file's name") return R"("type": "string", "pattern": "\\.toml$")";
-    const std::string bounds = bounds_of(phrase);
-    if (phrase == "a number" || phrase == "numbers") return number(bounds, has_unit);
-    if (phrase == "a positive number" || phrase == "positive numbers")
-        return number(R"(, "minimum": 0, "exclusiveMinimum": true)", has_unit);
-    if (phrase == "an integer" || phrase == "integers") return R"("type": "integer")" + bounds;
-    if (take(phrase, "a list of "))
-        return fmt::format(R"("type": "array", "items": {{{}}})",
-                           members_of(phrase, names, has_unit));
-    constexpr std::array<std::string_view, 7> counts{"",      "one ",  "two ", "three ",
-                                                     "four ", "five ", "six "};
-    for (std::size_t n = 1; n < counts.size(); ++n) {
-        if (!take(phrase, counts[n])) continue;
-        take(phrase, "rows of ");
-        // "four numbers w, x, y, z" also names the numbers.
-        const std::string_view item = phrase.starts_with("numbers ") ? "numbers" : phrase;
-        return fmt::format(R"("type": "array", "items": {{{}}}, "minItems": {}, "maxItems": {})",
-                           members_of(item, names, has_unit), n, n);
-    }
-    return "";
+std::string list_of(const std::string& items, const ValueType::Size& size) {
+    std::string members = fmt::format(R"("type": "array", "items": {{{}}})", items);
+    if (size.least > 0) members += fmt::format(R"(, "minItems": {})", size.least);
+    if (size.most != ValueType::Size{}.most)
+        members += fmt::format(R"(, "maxItems": {})", size.most);
+    return members;
 }
 
-// The names that a key accepts: its own, or those of the list that its summary refers to.
-std::vector<std::string> names_of(const SceneKey& key) {
-    if (!key.names.empty()) return {key.names.begin(), key.names.end()};
-    constexpr std::string_view sends = "see `poinsot list ";
-    const std::size_t at = key.summary.find(sends);
-    if (at == std::string_view::npos) return {};
-    const std::string_view rest = key.summary.substr(at + sends.size());
-    const std::string_view list = rest.substr(0, rest.find('`'));
-    std::vector<std::string> names = words_of(list);
-    // `show` also accepts the names of overlays.
-    if (list == "elements")
-        for (const OverlayName& overlay : overlays()) names.emplace_back(overlay.name);
-    return names;
+std::string members_of(const ValueType& type) {
+    std::string members = value_members(type);
+    if (type.size) members = list_of(members, *type.size);
+    if (type.n_rows > 0) members = list_of(members, {type.n_rows, type.n_rows});
+    if (!type.or_text.empty())
+        members = fmt::format(R"("anyOf": [{{{}}}, {{"type": "string", "pattern": {}}}])", members,
+                              json_string(type.or_pattern));
+    if (!type.unit.empty()) members += fmt::format(R"(, "x-unit": {})", json_string(type.unit));
+    return members;
 }
 
 // A table of the file with its contents, or a key.
@@ -130,14 +105,11 @@ Node tree_of_keys() {
     return root;
 }
 
+// TOML writes the values that are defaults as JSON does.
 std::string schema_of_key(const SceneKey& key) {
-    const std::string members =
-        members_of(key.type, names_of(key), unit_named(key.unit).has_value());
-    return fmt::format(
-        R"({{"description": {}{}{}}})",
-        json_string(fmt::format("{}{}{}; {}", key.type, key.unit.empty() ? "" : " in ", key.unit,
-                                key.summary)),
-        members.empty() ? "" : ", ", members);
+    const std::string_view initial = key.default_text();
+    return fmt::format(R"({{"description": {}, {}{}{}}})", json_string(key.explanation()),
+                       members_of(key.type), initial.empty() ? "" : R"(, "default": )", initial);
 }
 
 std::string members_of_table(const Node& table, const std::string& indent) {

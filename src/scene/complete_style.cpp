@@ -7,7 +7,7 @@
 #include "scene/draft_checks.h"
 #include "scene/given_value.h"
 #include "scene/load_scene.h"
-#include "scene/scene_keys.h"
+#include "scene/scene_key_rows.h"
 #include "scene/toml_document.h"
 #include "text/printable.h"
 
@@ -27,14 +27,8 @@ fs::path theme_file(const SceneDraft& draft) {
 
 // Passes every entry of the file to its row of [style], except `extends`.
 void read_theme(const TomlValue& root, SceneDraft& theme) {
-    static const SceneKey extends{
-        "extends",
-        "a string",
-        "",
-        R"("dark")",
-        "the theme that it changes; default light",
-        [](const GivenValue& g, SceneDraft& d) { d.scene.theme = g.text(); },
-        nullptr};
+    static const SceneKey extends =
+        key_rows::text("extends", &Scene::theme, R"("dark")", "the theme that it changes");
     for (const TomlEntry& entry : root.entries) {
         if (entry.key == "style")
             throw SceneError(entry.where,

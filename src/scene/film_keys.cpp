@@ -6,20 +6,16 @@
 #include <string>
 
 #include "scene/frame_rate.h"
-#include "scene/given_value.h"
 #include "scene/loop_text.h"
-#include "scene/scene_draft.h"
-#include "scene/scene_error.h"
 #include "scene/scene_key_rows.h"
-#include "scene/toml_text.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
 namespace {
 
-using std::size_t;
-
-constexpr int most_pixels = 65536;  // of the largest still, which is rendered in bands
+constexpr int most_pixels = 65536;  // of the largest still, which is drawn in bands
+constexpr Bounds sides = within(1, most_pixels);
 
 void read_loop(const GivenValue& given, SceneDraft& draft) {
     draft.scene.film.loop = given.text();
@@ -59,81 +55,82 @@ void read_size(const GivenValue& given, SceneDraft& draft) {
         }
     } else {
         if (value.type != TomlValue::Type::array || value.items.size() != 2) given.refuse_type();
-        for (size_t i = 0; i < 2; ++i) {
+        for (std::size_t i = 0; i < 2; ++i) {
             if (value.items[i].type != TomlValue::Type::integer) given.refuse_type();
             size[i] = value.items[i].integer;
         }
         written = fmt::format("{}x{}", size[0], size[1]);
     }
     for (const std::int64_t n_pixels : size) {
-        if (n_pixels < 1 || n_pixels > most_pixels) {
-            given.refuse(written,
-                         fmt::format("give a width and a height from 1 to {} pixels", most_pixels));
+        if (!sides.hold(static_cast<double>(n_pixels))) {
+            given.refuse(written, fmt::format("give a width and a height{} pixels", sides.words()));
         }
     }
     draft.scene.film.width_px = static_cast<int>(size[0]);
     draft.scene.film.height_px = static_cast<int>(size[1]);
 }
 
-const SceneKey film_rows[] = {
-    // The instants that become video frames.
-    {"film.start_s", "a number", "s", "0.0",
-     "instant of the motion that the film begins with; default 0",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.film.start_s = g.number(); },
-     [](const Scene& s, size_t) { return toml_text(s.film.start_s); }},
-    {"film.duration_s", "a positive number", "s", "12.0",
-     "stretch of the motion that is shown; default: ten seconds of film",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.film.duration_s = g.positive(); },
-     [](const Scene& s, size_t) { return optional_text(s.film.duration_s); }},
-    {"film.length_s", "a positive number", "s", "20.0",
-     "length of the film instead, in seconds of film: keyframes and fades count those",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.film.length_s = g.positive(); },
-     [](const Scene& s, size_t) { return optional_text(s.film.length_s); }},
-    {"film.still_s", "a number", "s", "9.5",
-     "instant of the motion that `still` draws if --time does not say; default: the film's last",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.film.still_s = g.number(); },
-     [](const Scene& s, size_t) { return optional_text(s.film.still_s); }},
-    {"film.loop", "a string", "", R"("5/3")",
-     "\"p/q\": start so that the herpolhode closes after q polhode periods with p turns about L, "
-     "and show that; \"period\": one polhode period, for a co-precessing camera; default: no loop",
-     read_loop,
-     [](const Scene& s, size_t) {
-         return s.film.loop.empty() ? "" : toml_text(std::string_view(s.film.loop));
-     }},
-    {"film.loop_changes", "a string", "", R"("omega_2")",
-     "component of start.omega_rad_s that the loop may change; default: the one that has to change "
-     "least",
-     [](const GivenValue& g, SceneDraft& d) {
-         d.scene.film.loop_changes = g.one_of(loop_values());
-     },
-     [](const Scene& s, size_t) {
-         return s.film.loop_changes.empty() ? "" : toml_text(std::string_view(s.film.loop_changes));
-     },
-     loop_values()},
-    {"film.fps", "a number or a ratio in a string", "1/s", R"("30000/1001")",
-     "video frames a second; 29.97 means 30000/1001; default 30", read_fps,
-     [](const Scene& s, size_t) {
-         const std::string rate = text_of_rate({s.film.fps_numerator, s.film.fps_denominator});
-         return s.film.fps_denominator == 1 ? rate : toml_text(std::string_view(rate));
-     }},
-    {"film.size", "two integers or a string", "pixels", "[1920, 1080]",
-     "width and height of the picture, from 1 to 65536 (a film: 16384), also \"1920x1080\"; "
-     "default 1920x1080",
-     read_size,
-     [](const Scene& s, size_t) {
-         return fmt::format("[{}, {}]", s.film.width_px, s.film.height_px);
-     }},
-    {"film.speed", "a positive number", "", "1.0", "seconds of motion a second of film; default 1",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.film.speed = g.positive(); },
-     [](const Scene& s, size_t) { return toml_text(s.film.speed); }},
-    {"film.quality", "a string", "", R"("lecture")",
-     "how finely drawn and encoded, see `poinsot list qualities`; default lecture",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.film.quality = g.text(); },
-     [](const Scene& s, size_t) { return toml_text(std::string_view(s.film.quality)); }},
-};
+std::string rate_text(const Scene& scene, std::size_t) {
+    const FilmSpec& film = scene.film;
+    const std::string rate = text_of_rate({film.fps_numerator, film.fps_denominator});
+    return film.fps_denominator == 1 ? rate : toml_text(std::string_view(rate));
+}
+
+std::string size_text(const Scene& scene, std::size_t) {
+    return fmt::format("[{}, {}]", scene.film.width_px, scene.film.height_px);
+}
+
+template <typename Value>
+constexpr auto film(Value FilmSpec::*member) {
+    return in(&Scene::film, member);
+}
 
 }  // namespace
 
-std::span<const SceneKey> film_keys() { return film_rows; }
+std::span<const SceneKey> film_keys() {
+    using namespace key_rows;
+    constexpr ValueType rate{
+        .kind = ValueType::Kind::number, .bounds = within(0.001, 1000.0), .unit = "1/s"};
+    constexpr ValueType width_and_height{.kind = ValueType::Kind::integer,
+                                         .bounds = sides,
+                                         .unit = "pixels",
+                                         .size = ValueType::Size{2, 2}};
+    static const SceneKey rows[] = {
+        // Which instants become video frames.
+        number("film.start_s", film(&FilmSpec::start_s), no_bounds, "s", "0.0",
+               "instant of the motion that the film begins with"),
+        number("film.duration_s", film(&FilmSpec::duration_s), positive, "s", "12.0",
+               "stretch of the motion that is shown")
+            .default_is("ten seconds of film"),
+        number("film.length_s", film(&FilmSpec::length_s), positive, "s", "20.0",
+               "length of the film instead, in seconds of film: keyframes and fades count those"),
+        number("film.still_s", film(&FilmSpec::still_s), no_bounds, "s", "9.5",
+               "instant of the motion that `still` draws if --time does not say")
+            .default_is("the film's last"),
+        text("film.loop", film(&FilmSpec::loop), R"("5/3")",
+             "\"p/q\": start so that the herpolhode closes after q polhode periods with p turns "
+             "about L, and show that; \"period\": one polhode period, for a co-precessing camera")
+            .default_is("no loop")
+            .read_by(read_loop),
+        one_of("film.loop_changes", film(&FilmSpec::loop_changes), loop_values(), R"("omega_2")",
+               "component of start.omega_rad_s that the loop may change")
+            .default_is("the one that has to change least"),
+        row("film.fps", rate, R"("30000/1001")", "video frames a second; 29.97 means 30000/1001")
+            .or_text("a ratio in a string", "[0-9]")
+            .read_by(read_fps)
+            .written_by(rate_text),
+        row("film.size", width_and_height, "[1920, 1080]",
+            "width and height of the picture (a film: at most 16384), also \"1920x1080\"")
+            .or_text("a string", "^[0-9]+x[0-9]+$")
+            .read_by(read_size)
+            .written_by(size_text),
+        number("film.speed", film(&FilmSpec::speed), positive, "", "1.0",
+               "seconds of motion a second of film"),
+        text("film.quality", film(&FilmSpec::quality), R"("lecture")",
+             "how finely drawn and encoded")
+            .from_list("qualities"),
+    };
+    return rows;
+}
 
 }  // namespace poinsot

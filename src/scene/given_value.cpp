@@ -42,7 +42,7 @@ void GivenValue::refuse_type(const TomlValue& value, const std::string& name) co
 
 // Converts a string of a number with a unit to the key's unit.
 double GivenValue::measured_number(const TomlValue& value, const std::string& name) const {
-    const auto unit = unit_named(key_.unit);
+    const auto unit = unit_named(key_.type.unit);
     if (!unit) refuse_type(value, name);
     const std::string given = text(value, name);
     if (given.find_first_of("0123456789") == std::string::npos) refuse_type(value, name);
@@ -56,12 +56,22 @@ double GivenValue::measured_number(const TomlValue& value, const std::string& na
                      fmt::format("{} is \"{}\", {}; give {}, or a string with another unit of "
                                  "the same, as in \"{}\"",
                                  name, printable(given),
-                                 other ? fmt::format("and that is no measure in {}", key_.unit)
+                                 other ? fmt::format("and that is no measure in {}", key_.type.unit)
                                        : "which is no number with a unit",
-                                 key_.expectation(), measured_example(key_.unit)));
+                                 key_.expectation(), measured_example(key_.type.unit)));
 }
 
 double GivenValue::number(const TomlValue& value, const std::string& name) const {
+    const double number = finite_number(value, name);
+    const Bounds& bounds = key_.type.bounds;
+    if (!bounds.hold(number)) {
+        throw SceneError(value.where,
+                         fmt::format("{} is {}; give a number{}", name, number, bounds.words()));
+    }
+    return number;
+}
+
+double GivenValue::finite_number(const TomlValue& value, const std::string& name) const {
     if (value.type == TomlValue::Type::text) return measured_number(value, name);
     if (value.type != TomlValue::Type::integer && value.type != TomlValue::Type::number) {
         refuse_type(value, name);
@@ -73,28 +83,11 @@ double GivenValue::number(const TomlValue& value, const std::string& name) const
     return value.number;
 }
 
-double GivenValue::positive(const TomlValue& value, const std::string& name) const {
-    const double given = number(value, name);
-    if (!(given > 0.0)) {
-        throw SceneError(value.where,
-                         fmt::format("{} is {}; give a number greater than 0", name, given));
-    }
-    return given;
-}
-
-double GivenValue::number_between(double least, double most) const {
-    const double given = number();
-    if (given < least || given > most) {
-        refuse(fmt::format("{}", given), fmt::format("give a number from {} to {}", least, most));
-    }
-    return given;
-}
-
-int GivenValue::integer_between(int least, int most) const {
+int GivenValue::integer() const {
     if (value_.type != TomlValue::Type::integer) refuse_type();
-    if (value_.integer < least || value_.integer > most) {
-        refuse(fmt::format("{}", value_.integer),
-               fmt::format("give an integer from {} to {}", least, most));
+    const Bounds& bounds = key_.type.bounds;
+    if (!bounds.hold(value_.number)) {
+        refuse(fmt::format("{}", value_.integer), fmt::format("give an integer{}", bounds.words()));
     }
     return static_cast<int>(value_.integer);
 }
@@ -122,66 +115,41 @@ std::string GivenValue::text(const TomlValue& value, const std::string& name) co
     return value.text;
 }
 
-std::string GivenValue::one_of(std::span<const std::string_view> names) const {
-    std::string given = text();
-    if (std::find(names.begin(), names.end(), given) != names.end()) return given;
+std::string GivenValue::text() const {
+    std::string given = text(value_, name_);
+    const auto names = key_.type.names;
+    if (names.empty() || std::find(names.begin(), names.end(), given) != names.end()) return given;
     throw SceneError(value_.where, fmt::format("{} is \"{}\"{}", name_, printable(given),
                                                choose_instead(given, names)));
 }
 
-const std::vector<TomlValue>& GivenValue::items(const TomlValue& value, const std::string& name,
-                                                std::size_t n) const {
+const std::vector<TomlValue>& GivenValue::items(const TomlValue& value,
+                                                const std::string& name) const {
     if (value.type != TomlValue::Type::array) refuse_type(value, name);
-    if (value.items.size() != n) {
-        throw SceneError(
-            value.where,
-            fmt::format("{} has {} {}; it must be {}", name, value.items.size(),
-                        value.items.size() == 1 ? "entry" : "entries", key_.expectation()));
+    const std::size_t n = value.items.size();
+    const ValueType::Size size = key_.type.size.value_or(ValueType::Size{});
+    if (n < size.least || n > size.most) {
+        throw SceneError(value.where,
+                         fmt::format("{} has {} {}; it must be {}", name, n,
+                                     n == 1 ? "entry" : "entries", key_.expectation()));
     }
     return value.items;
 }
 
-std::vector<double> GivenValue::positive_numbers() const {
-    if (value_.type != TomlValue::Type::array) refuse_type();
+std::vector<double> GivenValue::numbers(const TomlValue& value, const std::string& name) const {
     std::vector<double> numbers;
-    for (const TomlValue& item : value_.items) {
-        numbers.push_back(positive(item, fmt::format("{}[{}]", name_, numbers.size())));
-    }
+    for (const TomlValue& item : items(value, name))
+        numbers.push_back(number(item, fmt::format("{}[{}]", name, numbers.size())));
     return numbers;
 }
 
-Eigen::Vector3d GivenValue::vector(const TomlValue& value, const std::string& name) const {
-    const auto& entries = items(value, name, 3);
-    Eigen::Vector3d vector;
-    for (int i = 0; i < 3; ++i) {
-        vector[i] = number(entries[static_cast<std::size_t>(i)], fmt::format("{}[{}]", name, i));
-    }
-    return vector;
-}
-
-Eigen::Vector3d GivenValue::positive_vector() const {
-    const auto& entries = items(value_, name_, 3);
-    Eigen::Vector3d vector;
-    for (int i = 0; i < 3; ++i) {
-        vector[i] = positive(entries[static_cast<std::size_t>(i)], fmt::format("{}[{}]", name_, i));
-    }
-    return vector;
-}
-
-Eigen::Vector4d GivenValue::four_numbers() const {
-    const auto& entries = items(value_, name_, 4);
-    Eigen::Vector4d four;
-    for (int i = 0; i < 4; ++i) {
-        four[i] = number(entries[static_cast<std::size_t>(i)], fmt::format("{}[{}]", name_, i));
-    }
-    return four;
-}
-
 Eigen::Matrix3d GivenValue::matrix() const {
-    const auto& rows = items(value_, name_, 3);
+    const auto& rows = items(value_, name_);
     Eigen::Matrix3d matrix;
     for (int i = 0; i < 3; ++i) {
-        matrix.row(i) = vector(rows[static_cast<std::size_t>(i)], fmt::format("{}[{}]", name_, i));
+        const std::vector<double> row =
+            numbers(rows[static_cast<std::size_t>(i)], fmt::format("{}[{}]", name_, i));
+        matrix.row(i) = Eigen::Map<const Eigen::RowVector3d>(row.data());
     }
     return matrix;
 }

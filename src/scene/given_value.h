@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,9 +11,10 @@
 
 namespace poinsot {
 
-// Every function that reads the value throws SceneError at the value's own place: `film.fps is a
-// string; it must be …`. Numbers are finite; an integer is accepted as a number, and so is a string
-// of a number with a unit of the key's quantity ("24 cm").
+// Every reader throws SceneError at the value's own place for what the key does not take, as its
+// type says: `film.fps is a boolean; it must be …`, `film.speed is 0; give a number greater than
+// 0`. Numbers are finite; integers count as numbers, and so does a string that holds a number with
+// a unit of what the key measures ("24 cm").
 class GivenValue {
  public:
     // `name` is the path as the user writes it: "body.masses[2].mass_kg".
@@ -22,18 +22,11 @@ class GivenValue {
         : key_(key), name_(std::move(name)), item_(item), value_(value) {}
 
     double number() const { return number(value_, name_); }
-    double positive() const { return positive(value_, name_); }
-    // In [least, most].
-    double number_between(double least, double most) const;
-    int integer_between(int least, int most) const;
+    int integer() const;
     bool boolean() const;
-    // Without control characters except line ends and tabs.
-    std::string text() const { return text(value_, name_); }
-    std::string one_of(std::span<const std::string_view> names) const;
-    std::vector<double> positive_numbers() const;  // any number of them
-    Eigen::Vector3d vector() const { return vector(value_, name_); }
-    Eigen::Vector3d positive_vector() const;
-    Eigen::Vector4d four_numbers() const;
+    // Without control characters, but for line ends and tabs.
+    std::string text() const;
+    std::vector<double> numbers() const { return numbers(value_, name_); }
     Eigen::Matrix3d matrix() const;  // rows
     // From the command line, "a,b" also stands for ["a", "b"].
     std::vector<std::string> texts() const;
@@ -50,13 +43,13 @@ class GivenValue {
 
  private:
     [[noreturn]] void refuse_type(const TomlValue& value, const std::string& name) const;
-    const std::vector<TomlValue>& items(const TomlValue& value, const std::string& name,
-                                        std::size_t n) const;
+    // The items of a list that has as many as the key takes.
+    const std::vector<TomlValue>& items(const TomlValue& value, const std::string& name) const;
     double number(const TomlValue& value, const std::string& name) const;
+    double finite_number(const TomlValue& value, const std::string& name) const;
     double measured_number(const TomlValue& value, const std::string& name) const;
-    double positive(const TomlValue& value, const std::string& name) const;
     std::string text(const TomlValue& value, const std::string& name) const;
-    Eigen::Vector3d vector(const TomlValue& value, const std::string& name) const;
+    std::vector<double> numbers(const TomlValue& value, const std::string& name) const;
 
     const SceneKey& key_;
     std::string name_;

@@ -5,33 +5,36 @@
 #include <string_view>
 #include <variant>
 
-#include "scene/given_value.h"
-#include "scene/scene_draft.h"
 #include "scene/scene_key_rows.h"
-#include "scene/toml_text.h"
 
 namespace poinsot {
 
 namespace {
 
-using std::size_t;
-
 constexpr std::array<std::string_view, 5> torque_kinds{"none", "gravity", "constant_body",
                                                        "constant_space", "dissipation"};
 using std::numbers::pi;
 
-// Texts of values that only some scenes have.
-std::string top_text(const Scene& scene, double TopStart::*angle) {
-    return scene.start.top ? toml_text((*scene.start.top).*angle) : "";
+constexpr auto top(double TopStart::*member) { return in(&SceneDraft::top, member); }
+auto top_text(double TopStart::*member) {
+    return key_rows::from(in(&Scene::start, &StartSpec::top, member));
 }
+bool has_no_top(const Scene& scene) { return !scene.start.top; }
 
+// A value of one kind of torque, where it is that kind.
 template <typename Kind, typename Value>
-std::string torque_text(const Scene& scene, Value Kind::*value) {
-    const auto* torque = std::get_if<Kind>(&scene.torque);
-    return torque != nullptr ? toml_text(torque->*value) : "";
+auto torque_text(Value Kind::*value) {
+    return [value](const Scene& scene, std::size_t) {
+        const auto* torque = std::get_if<Kind>(&scene.torque);
+        return torque != nullptr ? toml_text(torque->*value) : "";
+    };
 }
 
-std::string attitude_text(const Scene& scene) {
+std::string torque_kind_text(const Scene& scene, std::size_t) {
+    return toml_text(torque_kinds.at(scene.torque.index()));
+}
+
+std::string attitude_text(const Scene& scene, std::size_t) {
     const Eigen::Quaterniond& q = scene.start.space_from_body;
     const Eigen::Vector4d attitude(q.w(), q.x(), q.y(), q.z());
     // Compares bits: a component of −0 differs from the default.
@@ -40,128 +43,113 @@ std::string attitude_text(const Scene& scene) {
     return scene.start.top || is_default ? "" : toml_text(attitude);
 }
 
-// The second method; its first key creates it.
-MethodChoice& beside(SceneDraft& draft) {
-    if (!draft.scene.beside) draft.scene.beside.emplace();
-    return *draft.scene.beside;
-}
-
 template <typename Value>
-std::string beside_text(const Scene& scene, std::optional<Value> MethodChoice::*value) {
-    return scene.beside ? optional_text((*scene.beside).*value) : "";
+constexpr auto method(Value MethodChoice::*member) {
+    return in(&Scene::method, member);
 }
-
-const SceneKey motion_rows[] = {
-    // The state at t = 0, from ω or from the Euler angles of a top.
-    {"start.omega_rad_s", "three numbers", "rad/s", "[0.01, 2.0, 0.01]",
-     "angular velocity at t = 0, in body axes",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.start.omega_rad_s = g.vector(); },
-     [](const Scene& s, size_t) { return s.start.top ? "" : toml_text(s.start.omega_rad_s); }},
-    {"start.attitude", "four numbers w, x, y, z", "", "[0.5, 0.5, 0.5, 0.5]",
-     "space_from_body at t = 0 as a quaternion; default: body and space axes coincide",
-     [](const GivenValue& g, SceneDraft& d) { d.attitude = g.four_numbers(); },
-     [](const Scene& s, size_t) { return attitude_text(s); }},
-    {"start.attitude_matrix", "three rows of three numbers", "",
-     "[[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]",
-     "space_from_body at t = 0 as a rotation matrix",
-     [](const GivenValue& g, SceneDraft& d) { d.attitude_matrix = g.matrix(); },
-     [](const Scene&, size_t) { return std::string(); }},  // written as start.attitude
-    {"start.theta_rad", "a number from 0 to 3.141592653589793", "rad", "0.7",
-     "a top's tilt at t = 0: angle of e3 from the vertical (φ = ψ = 0)",
-     [](const GivenValue& g, SceneDraft& d) { d.top.theta_rad = g.number_between(0.0, pi); },
-     [](const Scene& s, size_t) { return top_text(s, &TopStart::theta_rad); }},
-    {"start.theta_dot_rad_s", "a number", "rad/s", "0.0", "its rate; default 0",
-     [](const GivenValue& g, SceneDraft& d) { d.top.theta_dot_rad_s = g.number(); },
-     [](const Scene& s, size_t) { return top_text(s, &TopStart::theta_dot_rad_s); }},
-    {"start.phi_dot_rad_s", "a number", "rad/s", "0.35",
-     "the top's rate of precession at t = 0; default 0",
-     [](const GivenValue& g, SceneDraft& d) { d.top.phi_dot_rad_s = g.number(); },
-     [](const Scene& s, size_t) { return top_text(s, &TopStart::phi_dot_rad_s); }},
-    {"start.omega3_rad_s", "a number", "rad/s", "8.0",
-     "the top's spin: component of ω along e3; default 0",
-     [](const GivenValue& g, SceneDraft& d) { d.top.omega3_rad_s = g.number(); },
-     [](const Scene& s, size_t) { return top_text(s, &TopStart::omega3_rad_s); }},
-
-    // The torque, one kind with its own keys.
-    {"torque.kind", "a string", "", R"("gravity")",
-     "none, gravity, constant_body, constant_space or dissipation; default none",
-     [](const GivenValue& g, SceneDraft& d) { d.torque_kind = g.one_of(torque_kinds); },
-     [](const Scene& s, size_t) {
-         return s.torque.index() == 0 ? "" : toml_text(torque_kinds.at(s.torque.index()));
-     },
-     torque_kinds},
-    {"torque.mgl_N_m", "a number", "N m", "1.0",
-     "gravity: weight times distance of the centre of mass from the fixed point",
-     [](const GivenValue& g, SceneDraft& d) { d.gravity.mgl_N_m = g.number(); },
-     [](const Scene& s, size_t) { return torque_text(s, &GravityTorque::mgl_N_m); }},
-    {"torque.arm_body", "three numbers", "", "[0.0, 0.0, 1.0]",
-     "gravity: direction from the fixed point to the centre of mass, body axes; default e3",
-     [](const GivenValue& g, SceneDraft& d) { d.gravity.arm_body = g.vector(); },
-     [](const Scene& s, size_t) { return torque_text(s, &GravityTorque::arm_body); }},
-    {"torque.torque_body_N_m", "three numbers", "N m", "[0.0, 0.0, 0.1]",
-     "constant_body: the torque in body axes",
-     [](const GivenValue& g, SceneDraft& d) { d.constant_body.torque_body_N_m = g.vector(); },
-     [](const Scene& s, size_t) { return torque_text(s, &ConstantBodyTorque::torque_body_N_m); }},
-    {"torque.torque_space_N_m", "three numbers", "N m", "[0.0, 0.0, 0.1]",
-     "constant_space: the torque in space axes",
-     [](const GivenValue& g, SceneDraft& d) { d.constant_space.torque_space_N_m = g.vector(); },
-     [](const Scene& s, size_t) { return torque_text(s, &ConstantSpaceTorque::torque_space_N_m); }},
-    {"torque.half_life_s", "a positive number", "s", "8.0",
-     "dissipation: time until half of the energy is gone that friction inside the body can take, "
-     "T − L²/(2 I_max); L is kept",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.half_life_s = g.positive(); },
-     [](const Scene& s, size_t) { return optional_text(s.half_life_s); }},
-    {"torque.rate_1_s", "a positive number", "1/s", "0.05",
-     "dissipation, instead: the friction constant κ over a third of the trace of the moments; how "
-     "fast T then falls depends on the start, see half_life_s",
-     [](const GivenValue& g, SceneDraft& d) { d.dissipation.rate_1_s = g.positive(); },
-     [](const Scene& s, size_t) {
-         return s.half_life_s ? "" : torque_text(s, &DissipationTorque::rate_1_s);
-     }},
-
-    // How the motion is computed.
-    {"motion.method", "a string", "", R"("exact")",
-     "how the motion is computed, see `poinsot list methods`; default exact",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.method.name = g.text(); },
-     [](const Scene& s, size_t) { return toml_text(std::string_view(s.method.name)); }},
-    {"motion.step_s", "a positive number", "s", "0.01",
-     "step of a stepping method; default: chosen from accuracy_px",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.method.step_s = g.positive(); },
-     [](const Scene& s, size_t) { return optional_text(s.method.step_s); }},
-    {"motion.tolerance", "a number from 1e-300 to 1", "", "1e-9",
-     "relative error of an adaptive method; default: chosen from accuracy_px",
-     [](const GivenValue& g, SceneDraft& d) {
-         d.scene.method.tolerance = g.number_between(1e-300, 1.0);
-     },
-     [](const Scene& s, size_t) { return optional_text(s.method.tolerance); }},
-    {"motion.order", "an integer from 1 to 20", "", "4", "order of a method that comes in several",
-     [](const GivenValue& g, SceneDraft& d) { d.scene.method.order = g.integer_between(1, 20); },
-     [](const Scene& s, size_t) { return optional_text(s.method.order); }},
-
-    // The same motion by a second method, as a ghost.
-    {"beside.method", "a string", "", R"("euler")",
-     "a second method whose motion is drawn beside the first as a ghost; default: none",
-     [](const GivenValue& g, SceneDraft& d) { beside(d).name = g.text(); },
-     [](const Scene& s, size_t) {
-         return s.beside ? toml_text(std::string_view(s.beside->name)) : "";
-     }},
-    {"beside.step_s", "a positive number", "s", "0.05",
-     "its step; default: a 200th of the shortest turn",
-     [](const GivenValue& g, SceneDraft& d) { beside(d).step_s = g.positive(); },
-     [](const Scene& s, size_t) { return beside_text(s, &MethodChoice::step_s); }},
-    {"beside.tolerance", "a number from 1e-300 to 1", "", "1e-4",
-     "its relative error if it is adaptive; default 1e-9",
-     [](const GivenValue& g, SceneDraft& d) {
-         beside(d).tolerance = g.number_between(1e-300, 1.0);
-     },
-     [](const Scene& s, size_t) { return beside_text(s, &MethodChoice::tolerance); }},
-    {"beside.order", "an integer from 1 to 20", "", "4", "its order if it comes in several",
-     [](const GivenValue& g, SceneDraft& d) { beside(d).order = g.integer_between(1, 20); },
-     [](const Scene& s, size_t) { return beside_text(s, &MethodChoice::order); }},
-};
+// The first key of the second method makes it.
+template <typename Value>
+constexpr auto beside(Value MethodChoice::*member) {
+    return in(&Scene::beside, member);
+}
 
 }  // namespace
 
-std::span<const SceneKey> motion_keys() { return motion_rows; }
+std::span<const SceneKey> motion_keys() {
+    using namespace key_rows;
+    constexpr Bounds tolerances = within(1e-300, 1.0), orders = within(1, 20);
+    static const SceneKey rows[] = {
+        // The state at t = 0, by ω or by the Euler angles of a top.
+        numbers("start.omega_rad_s", in(&Scene::start, &StartSpec::omega_rad_s), no_bounds, "rad/s",
+                "[0.01, 2.0, 0.01]", "angular velocity at t = 0, in body axes")
+            .without_default()
+            .written_if(has_no_top),
+        numbers("start.attitude", &SceneDraft::attitude, no_bounds, "", "[0.5, 0.5, 0.5, 0.5]",
+                "space_from_body at t = 0 as a quaternion")
+            .values_named("w, x, y, z")
+            .default_is("body and space axes coincide")
+            .written_by(attitude_text),
+        numbers("start.attitude_matrix", &SceneDraft::attitude_matrix, no_bounds, "",
+                "[[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]",
+                "space_from_body at t = 0 as a rotation matrix")
+            .written_by([](const Scene&, std::size_t) { return ""; }),  // but as start.attitude
+        number("start.theta_rad", top(&TopStart::theta_rad), within(0.0, pi), "rad", "0.7",
+               "a top's tilt at t = 0: angle of e3 from the vertical (φ = ψ = 0)")
+            .without_default()
+            .written_by(top_text(&TopStart::theta_rad)),
+        number("start.theta_dot_rad_s", top(&TopStart::theta_dot_rad_s), no_bounds, "rad/s", "0.0",
+               "its rate")
+            .written_by(top_text(&TopStart::theta_dot_rad_s)),
+        number("start.phi_dot_rad_s", top(&TopStart::phi_dot_rad_s), no_bounds, "rad/s", "0.35",
+               "the top's rate of precession at t = 0")
+            .written_by(top_text(&TopStart::phi_dot_rad_s)),
+        number("start.omega3_rad_s", top(&TopStart::omega3_rad_s), no_bounds, "rad/s", "8.0",
+               "the top's spin: component of ω along e3")
+            .written_by(top_text(&TopStart::omega3_rad_s)),
+
+        // The torque, one kind with its own keys.
+        one_of("torque.kind", &SceneDraft::torque_kind, torque_kinds, R"("gravity")",
+               "what acts on the body")
+            .written_by(torque_kind_text)
+            .unsaid_by_default(),
+        number("torque.mgl_N_m", in(&SceneDraft::gravity, &GravityTorque::mgl_N_m), no_bounds,
+               "N m", "1.0",
+               "gravity: weight times distance of the centre of mass from the fixed point")
+            .without_default()
+            .written_by(torque_text(&GravityTorque::mgl_N_m)),
+        numbers("torque.arm_body", in(&SceneDraft::gravity, &GravityTorque::arm_body), no_bounds,
+                "", "[0.0, 0.0, 1.0]",
+                "gravity: direction from the fixed point to the centre of mass, body axes")
+            .default_is("e3")
+            .written_by(torque_text(&GravityTorque::arm_body)),
+        numbers("torque.torque_body_N_m",
+                in(&SceneDraft::constant_body, &ConstantBodyTorque::torque_body_N_m), no_bounds,
+                "N m", "[0.0, 0.0, 0.1]", "constant_body: the torque in body axes")
+            .without_default()
+            .written_by(torque_text(&ConstantBodyTorque::torque_body_N_m)),
+        numbers("torque.torque_space_N_m",
+                in(&SceneDraft::constant_space, &ConstantSpaceTorque::torque_space_N_m), no_bounds,
+                "N m", "[0.0, 0.0, 0.1]", "constant_space: the torque in space axes")
+            .without_default()
+            .written_by(torque_text(&ConstantSpaceTorque::torque_space_N_m)),
+        number("torque.half_life_s", &Scene::half_life_s, positive, "s", "8.0",
+               "dissipation: time until half of the energy is gone that friction inside the body "
+               "can take, T − L²/(2 I_max); L is kept"),
+        number("torque.rate_1_s", in(&SceneDraft::dissipation, &DissipationTorque::rate_1_s),
+               positive, "1/s", "0.05",
+               "dissipation, instead: the friction constant κ over a third of the trace of the "
+               "moments; how fast T then falls depends on the start, see half_life_s")
+            .without_default()
+            .written_by(torque_text(&DissipationTorque::rate_1_s))
+            .written_if([](const Scene& scene) { return !scene.half_life_s; }),
+
+        // How the motion is computed.
+        text("motion.method", method(&MethodChoice::name), R"("exact")",
+             "how the motion is computed")
+            .from_list("methods"),
+        number("motion.step_s", method(&MethodChoice::step_s), positive, "s", "0.01",
+               "step of a stepping method")
+            .default_is("chosen from accuracy_px"),
+        number("motion.tolerance", method(&MethodChoice::tolerance), tolerances, "", "1e-9",
+               "relative error of an adaptive method")
+            .default_is("chosen from accuracy_px"),
+        integer("motion.order", method(&MethodChoice::order), orders, "4",
+                "order of a method that comes in several"),
+
+        // The same motion by a second method, as a ghost.
+        text("beside.method", beside(&MethodChoice::name), R"("euler")",
+             "a second method whose motion is drawn beside the first as a ghost")
+            .from_list("methods")
+            .default_is("none"),
+        number("beside.step_s", beside(&MethodChoice::step_s), positive, "s", "0.05", "its step")
+            .default_is("a 200th of the shortest turn"),
+        number("beside.tolerance", beside(&MethodChoice::tolerance), tolerances, "", "1e-4",
+               "its relative error if it is adaptive")
+            .default_is("1e-9"),
+        integer("beside.order", beside(&MethodChoice::order), orders, "4",
+                "its order if it comes in several"),
+    };
+    return rows;
+}
 
 }  // namespace poinsot

@@ -1,14 +1,20 @@
-// The rows of the table of scene keys, section by section, and functions that write values.
+// What the tables of scene keys are written with: a row says where the value lies in a scene and
+// what it takes, and how it is read and written follows.
 #pragma once
 
-#include <fmt/format.h>
-
+#include <Eigen/Core>
+#include <concepts>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "scene/given_value.h"
-#include "scene/scene_error.h"
+#include "scene/scene_draft.h"
 #include "scene/scene_keys.h"
 #include "scene/toml_text.h"
 
@@ -25,37 +31,220 @@ std::span<const SceneKey> panel_keys();
 std::span<const SceneKey> style_keys();
 std::span<const SceneKey> mark_keys();
 
-// Texts of values that only some scenes have.
-template <typename Value>
-std::string optional_text(const std::optional<Value>& value) {
-    return value ? toml_text(*value) : "";
-}
+// The draft of a scene that says nothing, with one item in every array of tables.
+const SceneDraft& draft_by_default();
 
-inline std::string text_unless_empty(const std::string& text) {
-    return text.empty() ? "" : toml_text(std::string_view(text));
-}
+// A point that a camera looks at lies within this of the centre, in each coordinate. Farther than a
+// camera may stand away, nothing of the figure would be seen, and beyond a double's digits nothing
+// at all.
+inline constexpr Bounds of_a_target = within(-10000.0, 10000.0);
 
-// Checks the name of a table's row; an unknown name is refused at its own place.
-template <typename Find>
-std::string name_in_table(const GivenValue& given, Find find) {
-    std::string name = given.text();
-    try {
-        find(name);
-    } catch (const InputError& error) {
-        throw SceneError(given.value().where, error.what());
+// A scene's value by the members that lead to it, from a Scene or a SceneDraft. Where one is an
+// array of tables, its item is meant.
+template <typename Root, typename... Members>
+class Place {
+ public:
+    explicit constexpr Place(Members... members) : members_(members...) {}
+
+    // Makes what is optional on the way.
+    auto& in(SceneDraft& draft, std::size_t item) const {
+        return std::apply(
+            [&](auto... members) -> auto& {
+                if constexpr (std::is_same_v<Root, Scene>)
+                    return made(draft.scene, item, members...);
+                else
+                    return made(draft, item, members...);
+            },
+            members_);
     }
-    return name;
+    // Null where something on the way is absent.
+    const auto* in(const Root& root, std::size_t item) const {
+        return std::apply([&](auto... members) { return found(root, item, members...); }, members_);
+    }
+
+ private:
+    template <typename Whole, typename Member, typename... Rest>
+    static auto& made(Whole& whole, std::size_t item, Member member, Rest... rest) {
+        if constexpr (requires { whole.at(item).*member; })
+            return made(whole.at(item).*member, item, rest...);
+        else if constexpr (requires { (*whole).*member; }) {
+            if (!whole) whole.emplace();
+            return made((*whole).*member, item, rest...);
+        } else
+            return made(whole.*member, item, rest...);
+    }
+    template <typename Value>
+    static auto& made(Value& value, std::size_t) {
+        return value;
+    }
+
+    template <typename Whole, typename Member, typename... Rest>
+    static const auto* found(const Whole& whole, std::size_t item, Member member, Rest... rest) {
+        if constexpr (requires { whole.at(item).*member; })
+            return found(whole.at(item).*member, item, rest...);
+        else if constexpr (requires { (*whole).*member; }) {
+            using Found = decltype(found((*whole).*member, item, rest...));
+            return whole ? found((*whole).*member, item, rest...) : Found{nullptr};
+        } else
+            return found(whole.*member, item, rest...);
+    }
+    template <typename Value>
+    static const Value* found(const Value& value, std::size_t) {
+        return &value;
+    }
+
+    std::tuple<Members...> members_;
+};
+
+template <typename Root, typename Value, typename... Members>
+constexpr auto in(Value Root::*first, Members... members) {
+    return Place<Root, Value Root::*, Members...>(first, members...);
 }
 
-// A point that a camera looks at. Beyond the largest distance of a camera the figure would be
-// invisible, and beyond a double's digits nothing could be computed.
-inline Eigen::Vector3d target_of(const GivenValue& given) {
-    constexpr double farthest = 10000.0;
-    Eigen::Vector3d target = given.vector();
-    if (target.cwiseAbs().maxCoeff() > farthest)
-        given.refuse(fmt::format("[{}, {}, {}]", target.x(), target.y(), target.z()),
-                     fmt::format("give a point within {} of the centre", farthest));
-    return target;
+namespace key_rows {
+
+template <typename Root, typename... Members>
+constexpr auto place_of(const Place<Root, Members...>& place) {
+    return place;
 }
+template <typename Root, typename Value>
+constexpr auto place_of(Value Root::*member) {
+    return in(member);
+}
+
+// A value read as what the row takes.
+inline void take(const GivenValue& given, bool& value) { value = given.boolean(); }
+inline void take(const GivenValue& given, double& value) { value = given.number(); }
+inline void take(const GivenValue& given, int& value) { value = given.integer(); }
+inline void take(const GivenValue& given, std::string& value) { value = given.text(); }
+inline void take(const GivenValue& given, std::vector<std::string>& value) {
+    value = given.texts();
+}
+inline void take(const GivenValue& given, std::vector<double>& value) { value = given.numbers(); }
+inline void take(const GivenValue& given, Eigen::Matrix3d& value) { value = given.matrix(); }
+template <int n>
+void take(const GivenValue& given, Eigen::Matrix<double, n, 1>& value) {
+    value = Eigen::Map<const Eigen::Matrix<double, n, 1>>(given.numbers().data());
+}
+template <typename Value>
+void take(const GivenValue& given, std::optional<Value>& value) {
+    Value taken{};
+    take(given, taken);
+    value = std::move(taken);
+}
+
+// A value as TOML text.
+template <typename Value>
+std::string text_of(const Value& value) {
+    if constexpr (std::is_same_v<Value, std::string>)
+        return toml_text(std::string_view(value));
+    else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
+        return toml_text(std::span<const std::string>(value));
+    else if constexpr (std::is_same_v<Value, std::vector<double>>)
+        return toml_text(std::span<const double>(value));
+    else
+        return toml_text(value);
+}
+template <typename Value>
+std::string text_of(const std::optional<Value>& value) {
+    return value ? text_of(*value) : "";
+}
+
+// What writes the value that lies in a place of a scene.
+template <typename Where>
+auto from(Where where) {
+    return [place = place_of(where)](const Scene& scene, std::size_t item) {
+        const auto* value = place.in(scene, item);
+        return value != nullptr ? text_of(*value) : "";
+    };
+}
+
+// A row of any type.
+template <typename Where>
+SceneKey row(std::string_view path, Where where, const ValueType& type, std::string_view example,
+             std::string_view summary) {
+    const auto place = place_of(where);
+    SceneKey key{path, type, example, summary};
+    key.read = [place](const GivenValue& given, SceneDraft& draft) {
+        take(given, place.in(draft, given.item()));
+    };
+    const auto initial = [&place](const auto& root) {
+        const auto* value = place.in(root, 0);
+        return value != nullptr ? text_of(*value) : "";
+    };
+    if constexpr (requires(const Scene& scene) { place.in(scene, 0); }) {
+        key.value = from(place);
+        key.initial = initial(draft_by_default().scene);
+    } else
+        key.initial = initial(draft_by_default());
+    key.initial_goes_unsaid = key.initial == "\"\"" || key.initial == "[]";
+    return key;
+}
+
+// A row that is read and written by functions of its own: read_by, written_by.
+inline SceneKey row(std::string_view path, const ValueType& type, std::string_view example,
+                    std::string_view summary) {
+    return {path, type, example, summary};
+}
+
+template <typename Where>
+SceneKey boolean(std::string_view path, Where where, std::string_view example,
+                 std::string_view summary) {
+    return row(path, where, {.kind = ValueType::Kind::boolean}, example, summary);
+}
+
+template <typename Where>
+SceneKey number(std::string_view path, Where where, Bounds bounds, std::string_view unit,
+                std::string_view example, std::string_view summary) {
+    return row(path, where, {.kind = ValueType::Kind::number, .bounds = bounds, .unit = unit},
+               example, summary);
+}
+
+template <typename Where>
+SceneKey integer(std::string_view path, Where where, Bounds bounds, std::string_view example,
+                 std::string_view summary) {
+    return row(path, where, {.kind = ValueType::Kind::integer, .bounds = bounds}, example, summary);
+}
+
+template <typename Where>
+SceneKey text(std::string_view path, Where where, std::string_view example,
+              std::string_view summary) {
+    return row(path, where, {.kind = ValueType::Kind::text}, example, summary);
+}
+
+template <typename Where>
+SceneKey one_of(std::string_view path, Where where, std::span<const std::string_view> names,
+                std::string_view example, std::string_view summary) {
+    return row(path, where, {.kind = ValueType::Kind::text, .names = names}, example, summary);
+}
+
+template <typename Where>
+SceneKey texts(std::string_view path, Where where, std::string_view example,
+               std::string_view summary) {
+    return row(path, where, {.kind = ValueType::Kind::text, .size = ValueType::Size{}}, example,
+               summary);
+}
+
+// How many numbers, and in how many rows, follows from the value's type.
+template <typename Where>
+SceneKey numbers(std::string_view path, Where where, Bounds bounds, std::string_view unit,
+                 std::string_view example, std::string_view summary) {
+    using Value = std::remove_cvref_t<decltype(place_of(where).in(std::declval<SceneDraft&>(), 0))>;
+    const auto count = [](auto is) {
+        using Is = typename decltype(is)::type;
+        return std::is_same_v<Value, Is> || std::is_same_v<Value, std::optional<Is>>;
+    };
+    ValueType type{.kind = ValueType::Kind::number, .bounds = bounds, .unit = unit};
+    type.size = ValueType::Size{};
+    if (count(std::type_identity<Eigen::Vector3d>())) type.size = {3, 3};
+    if (count(std::type_identity<Eigen::Vector4d>())) type.size = {4, 4};
+    if (count(std::type_identity<Eigen::Matrix3d>())) {
+        type.size = {3, 3};
+        type.n_rows = 3;
+    }
+    return row(path, where, type, example, summary);
+}
+
+}  // namespace key_rows
 
 }  // namespace poinsot

@@ -21,6 +21,13 @@ std::vector<SceneKey> all_sections() {
     return keys;
 }
 
+// A value as it stands in a sentence: a string without its quotes, "1.0" as 1.
+std::string_view plain(std::string_view value) {
+    if (value.starts_with('"')) return value.substr(1, value.size() - 2);
+    if (value.ends_with(".0")) value.remove_suffix(2);
+    return value;
+}
+
 const SceneArray arrays[] = {
     {"body.masses", [](SceneDraft& d) { d.masses.emplace_back(); },
      [](const Scene& s) { return s.body.masses_as_given.size(); }},
@@ -43,8 +50,24 @@ const SceneArray arrays[] = {
 }  // namespace
 
 std::string SceneKey::expectation() const {
-    return fmt::format("{}{}{}, as in {} = {}", type, unit.empty() ? "" : " in ", unit, leaf(),
-                       example);
+    return fmt::format("{}, as in {} = {}", type.words(), leaf(), example);
+}
+
+std::string_view SceneKey::default_text() const {
+    const bool says_nothing = initial == "\"\"" || initial == "[]";
+    return has_no_default || says_nothing || !otherwise.empty() ? std::string_view() : initial;
+}
+
+std::string SceneKey::explanation() const {
+    std::string text = fmt::format("{}; {}", type.words(), summary);
+    if (!otherwise.empty()) return fmt::format("{}; default: {}", text, otherwise);
+    if (default_text().empty()) return text;
+    return fmt::format("{}; default {}", text, plain(default_text()));
+}
+
+std::string SceneKey::write(const Scene& scene, std::size_t item) const {
+    std::string text = value(scene, item);
+    return initial_goes_unsaid && text == initial ? std::string() : text;
 }
 
 std::span<const SceneKey> scene_keys() {

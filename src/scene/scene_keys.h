@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include "scene/value_type.h"
 
 namespace poinsot {
 
@@ -16,21 +19,43 @@ struct SceneDraft;
 // One key. In a path, "[]" stands for the index in an array of tables: "body.masses[].mass_kg".
 struct SceneKey {
     std::string_view path;     // "start.omega_rad_s"
-    std::string_view type;     // "three numbers"
-    std::string_view unit;     // "rad/s", or empty
+    ValueType type;            // what it takes
     std::string_view example;  // a value as TOML text
-    std::string_view summary;  // what it means, and the default where there is one
+    std::string_view summary;  // what it means
 
-    // Stores the value; throws SceneError for a wrong type or a number out of its domain.
-    void (*read)(const GivenValue& given, SceneDraft& draft);
+    // Stores the value; throws SceneError for what the type does not take.
+    std::function<void(const GivenValue& given, SceneDraft& draft)> read{};
 
-    // Returns the value as TOML text, or empty if the scene does not have it. `item`: index for
-    // "[]".
-    std::string (*write)(const Scene& scene, std::size_t item);
+    // The value as TOML text, or empty if the scene has none. `item`: index for "[]".
+    std::function<std::string(const Scene& scene, std::size_t item)> value{};
 
-    // The strings that it accepts, if they are a fixed list that no other table of the program
-    // holds.
-    std::span<const std::string_view> names{};
+    // The value of a scene that says nothing, as TOML text; empty: it then has none.
+    std::string initial{};
+    // What holds where a scene does not say it, in words, where no value says that.
+    std::string_view otherwise{};
+    // Whether there is nothing to go by where it is left out.
+    bool has_no_default = false;
+    // Whether the initial value is left out when a scene is written.
+    bool initial_goes_unsaid = false;
+
+    // How a row is told further, in the tables of keys.
+    SceneKey&& without_default() &&;
+    SceneKey&& default_is(std::string_view words) &&;
+    SceneKey&& said_if_empty() &&;
+    SceneKey&& unsaid_by_default() &&;
+    SceneKey&& or_text(std::string_view words, std::string_view pattern) &&;
+    SceneKey&& from_list(std::string_view list) &&;
+    SceneKey&& values_named(std::string_view names) &&;
+    SceneKey&& with_size(std::size_t least, std::size_t most) &&;
+    SceneKey&& read_by(std::function<void(const GivenValue& given, SceneDraft& draft)> reader) &&;
+    // Throws InputError for a value that cannot be; it is then refused at its own place.
+    SceneKey&& checked_by(std::function<void(const std::string& text)> check) &&;
+    SceneKey&& written_by(
+        std::function<std::string(const Scene& scene, std::size_t item)> writer) &&;
+    SceneKey&& written_if(bool (*says)(const Scene& scene)) &&;
+
+    // The value as TOML text for a scene's file, or empty if it goes without saying.
+    std::string write(const Scene& scene, std::size_t item) const;
 
     // "omega_rad_s"
     std::string_view leaf() const { return path.substr(path.rfind('.') + 1); }
@@ -41,6 +66,10 @@ struct SceneKey {
     }
     // "three numbers in rad/s, as in omega_rad_s = [0.01, 2.0, 0.01]"
     std::string expectation() const;
+    // The default as TOML text, or empty if there is none, or only one in words.
+    std::string_view default_text() const;
+    // "a number from 0.25 to 8; factor on all type in the picture; default 1"
+    std::string explanation() const;
 };
 
 std::span<const SceneKey> scene_keys();

@@ -7,11 +7,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <optional>
-#include <utility>
 #include <vector>
 
-#include "scene/scene_draft.h"
+#include "scene/scene_error.h"
 #include "scene/scene_key_rows.h"
 #include "text/nearest.h"
 #include "text/numbers.h"
@@ -55,7 +55,6 @@ constexpr StyleRole roles[] = {
     {"ghost", StyleKind::line, "the motion beside"},
     {"rule", StyleKind::line, "the axes of charts"},
 };
-constexpr size_t n_roles = std::size(roles);
 
 // The sixteen colour names of HTML 4, and orange.
 struct NamedColour {
@@ -172,107 +171,48 @@ std::string text_of(const LookSpec& look) {
     return toml_text(std::string_view(fmt::format("{}", fmt::join(words, " "))));
 }
 
-template <size_t role>
-void read_role(const GivenValue& given, SceneDraft& draft) {
-    draft.scene.style.looks.insert_or_assign(std::string(roles[role].name),
-                                             look_of(given, roles[role].kind));
-}
-template <size_t role>
-std::string write_role(const Scene& scene, size_t) {
-    const auto& looks = scene.style.looks;
-    const auto found = looks.find(roles[role].name);
-    return found == looks.end() ? "" : text_of(found->second);
-}
-
-// The texts to which the string views in the roles' keys refer.
-struct RoleWords {
-    std::array<std::string, n_roles> paths, summaries;
-
-    RoleWords() {
-        for (size_t i = 0; i < n_roles; ++i) {
-            paths[i] = fmt::format("style.{}", roles[i].name);
-            const std::string_view of = roles[i].kind == StyleKind::line ? "colour, weight and line"
-                                        : roles[i].kind == StyleKind::surface ? "colour and opacity"
-                                                                              : "colour";
-            summaries[i] = fmt::format("{} of {}", of, roles[i].what);
-        }
-    }
-};
-
-std::string_view example_of(StyleKind kind) {
-    return kind == StyleKind::line      ? R"("#9a247d 1.5 dashed")"
-           : kind == StyleKind::surface ? R"("#e8b56a 66%")"
-                                        : R"("#9a247d")";
+// The row of a role. Its path and summary stay where they are.
+SceneKey role_row(const StyleRole& role) {
+    static std::deque<std::string> words;
+    const bool is_line = role.kind == StyleKind::line, is_surface = role.kind == StyleKind::surface;
+    const std::string_view path = words.emplace_back(fmt::format("style.{}", role.name));
+    const std::string_view of = is_line      ? "colour, weight and line"
+                                : is_surface ? "colour and opacity"
+                                             : "colour";
+    const std::string_view example = is_line      ? R"("#9a247d 1.5 dashed")"
+                                     : is_surface ? R"("#e8b56a 66%")"
+                                                  : R"("#9a247d")";
+    return key_rows::row(path, {.kind = ValueType::Kind::text}, example,
+                         words.emplace_back(fmt::format("{} of {}", of, role.what)))
+        .read_by([&role](const GivenValue& given, SceneDraft& draft) {
+            draft.scene.style.looks.insert_or_assign(std::string(role.name),
+                                                     look_of(given, role.kind));
+        })
+        .written_by([&role](const Scene& scene, size_t) {
+            const auto found = scene.style.looks.find(role.name);
+            return found == scene.style.looks.end() ? "" : text_of(found->second);
+        });
 }
 
-template <size_t... role>
-std::vector<SceneKey> role_rows(std::index_sequence<role...>) {
-    static const RoleWords words;
-    return {SceneKey{words.paths[role], "a string", "", example_of(roles[role].kind),
-                     words.summaries[role], read_role<role>, write_role<role>}...};
+// The factor on one kind of type.
+SceneKey scale_row(std::string_view path, std::optional<double> StyleSpec::*scale,
+                   std::string_view summary) {
+    return key_rows::number(path, in(&Scene::style, scale), within(0.25, 8.0), "", "1.25", summary)
+        .default_is("1");
 }
 
-// Factor on the type size of one kind of text.
-template <std::optional<double> StyleSpec::*scale>
-void read_scale(const GivenValue& given, SceneDraft& draft) {
-    draft.scene.style.*scale = given.number_between(0.25, 8.0);
-}
-template <std::optional<double> StyleSpec::*scale>
-std::string write_scale(const Scene& scene, size_t) {
-    return optional_text(scene.style.*scale);
+template <typename Value>
+constexpr auto mark(Value MarkSpec::*member) {
+    return in(&Scene::marks, member);
 }
 
-const SceneKey scale_rows[] = {
-    {"style.title_scale", "a number from 0.25 to 8", "", "1.25",
-     "factor on the size of the title; default 1", read_scale<&StyleSpec::title_scale>,
-     write_scale<&StyleSpec::title_scale>},
-    {"style.caption_scale", "a number from 0.25 to 8", "", "1.25",
-     "factor on the size of captions and the clock; default 1",
-     read_scale<&StyleSpec::caption_scale>, write_scale<&StyleSpec::caption_scale>},
-    {"style.heading_scale", "a number from 0.25 to 8", "", "1.25",
-     "factor on the size of panels' headings; default 1", read_scale<&StyleSpec::heading_scale>,
-     write_scale<&StyleSpec::heading_scale>},
-    {"style.label_scale", "a number from 0.25 to 8", "", "1.25",
-     "factor on the size of the names beside arrows and angles; default 1",
-     read_scale<&StyleSpec::label_scale>, write_scale<&StyleSpec::label_scale>},
-    {"style.chart_scale", "a number from 0.25 to 8", "", "1.25",
-     "factor on all type of charts; default 1", read_scale<&StyleSpec::chart_scale>,
-     write_scale<&StyleSpec::chart_scale>},
-};
-
-MarkSpec& mark(const GivenValue& given, SceneDraft& draft) {
-    return draft.scene.marks.at(given.item());
+void read_mark_colour(const GivenValue& given, SceneDraft& draft) {
+    draft.scene.marks.at(given.item()).srgb = look_of(given, StyleKind::colour).srgb;
 }
-
-const SceneKey mark_rows[] = {
-    {"marks[].at", "three numbers", "", "[1.0, 0.0, 0.0]",
-     "where it is: on the ellipsoid, in this direction of the body's axes; on the body, at this "
-     "point of its axes in m; in space, at this point as [camera] target",
-     [](const GivenValue& g, SceneDraft& d) { mark(g, d).at = target_of(g); },
-     [](const Scene& s, size_t i) { return toml_text(s.marks.at(i).at); }},
-    {"marks[].on", "a string", "", R"("body")",
-     "what it goes with: ellipsoid (the default), body or space",
-     [](const GivenValue& g, SceneDraft& d) { mark(g, d).on = g.one_of(mark_places()); },
-     [](const Scene& s, size_t i) { return toml_text(std::string_view(s.marks.at(i).on)); },
-     mark_places()},
-    {"marks[].name", "a string", "", R"("P_1")",
-     "what stands beside it, as a formula; default: "
-     "nothing",
-     [](const GivenValue& g, SceneDraft& d) { mark(g, d).name = g.text(); },
-     [](const Scene& s, size_t i) { return text_unless_empty(s.marks.at(i).name); }},
-    {"marks[].trail", "true or false", "", "true",
-     "whether the way that it went is shown; default false",
-     [](const GivenValue& g, SceneDraft& d) { mark(g, d).trail = g.boolean(); },
-     [](const Scene& s, size_t i) { return s.marks.at(i).trail ? toml_text(true) : ""; }},
-    {"marks[].colour", "a string", "", R"("#cf4a12")", "its colour; default: that of the contact",
-     [](const GivenValue& g, SceneDraft& d) {
-         mark(g, d).srgb = look_of(g, StyleKind::colour).srgb;
-     },
-     [](const Scene& s, size_t i) {
-         const auto& srgb = s.marks.at(i).srgb;
-         return srgb ? toml_text(std::string_view(colour_text(*srgb))) : "";
-     }},
-};
+std::string mark_colour_text(const Scene& scene, size_t item) {
+    const auto& srgb = scene.marks.at(item).srgb;
+    return srgb ? toml_text(std::string_view(colour_text(*srgb))) : "";
+}
 
 }  // namespace
 
@@ -295,13 +235,43 @@ std::string colour_text(const std::array<double, 3>& srgb) {
 
 std::span<const SceneKey> style_keys() {
     static const std::vector<SceneKey> rows = [] {
-        std::vector<SceneKey> all = role_rows(std::make_index_sequence<n_roles>());
-        all.insert(all.end(), std::begin(scale_rows), std::end(scale_rows));
+        std::vector<SceneKey> all;
+        for (const StyleRole& role : roles) all.push_back(role_row(role));
+        all.push_back(scale_row("style.title_scale", &StyleSpec::title_scale,
+                                "factor on the size of the title"));
+        all.push_back(scale_row("style.caption_scale", &StyleSpec::caption_scale,
+                                "factor on the size of captions and the clock"));
+        all.push_back(scale_row("style.heading_scale", &StyleSpec::heading_scale,
+                                "factor on the size of panels' headings"));
+        all.push_back(scale_row("style.label_scale", &StyleSpec::label_scale,
+                                "factor on the size of the names beside arrows and angles"));
+        all.push_back(scale_row("style.chart_scale", &StyleSpec::chart_scale,
+                                "factor on all type of charts"));
         return all;
     }();
     return rows;
 }
 
-std::span<const SceneKey> mark_keys() { return mark_rows; }
+std::span<const SceneKey> mark_keys() {
+    using namespace key_rows;
+    static const SceneKey rows[] = {
+        numbers("marks[].at", mark(&MarkSpec::at), of_a_target, "", "[1.0, 0.0, 0.0]",
+                "where it is: on the ellipsoid, in this direction of the body's axes; on the body, "
+                "at this point of its axes in m; in space, at this point as [camera] target")
+            .without_default(),
+        one_of("marks[].on", mark(&MarkSpec::on), mark_places(), R"("body")", "what it goes with"),
+        text("marks[].name", mark(&MarkSpec::name), R"("P_1")",
+             "what stands beside it, as a formula")
+            .default_is("nothing"),
+        boolean("marks[].trail", mark(&MarkSpec::trail), "true",
+                "whether the way that it went is shown")
+            .unsaid_by_default(),
+        row("marks[].colour", {.kind = ValueType::Kind::text}, R"("#cf4a12")", "its colour")
+            .default_is("that of the contact")
+            .read_by(read_mark_colour)
+            .written_by(mark_colour_text),
+    };
+    return rows;
+}
 
 }  // namespace poinsot

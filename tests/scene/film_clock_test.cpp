@@ -138,7 +138,7 @@ TEST(BadFilm, IsRefusedInOneLine) {
     EXPECT_EQ(refusal(a_scene + keys + "at_s = 3\nview = \"tip\"\n").substr(0, 47),
               "scenes/a.toml:11:8: unknown camera view \"tip\"; ");
     EXPECT_EQ(refusal(a_scene + keys + "at_s = -3\n"),
-              "scenes/a.toml:10:8: keyframes[1].at_s is -3; give a number from 0 to 10000000");
+              "scenes/a.toml:10:8: keyframes[1].at_s is -3; give a number from 0 to 1e7");
     EXPECT_EQ(refusal(a_scene + "[[fades]]\nat_s = 2\nelements = [\"plane\"]\nopacity = 1.5\n"),
               "scenes/a.toml:9:11: fades[0].opacity is 1.5; give a number from 0 to 1");
     EXPECT_EQ(refusal(a_scene + "[[fades]]\nat_s = 2\nelements = [\"plane\"]\n"

@@ -178,12 +178,12 @@ void write_picture(Dice& dice, Text& text) {
 void write_rows_with_names(Dice& dice, Text& text) {
     for (const SceneKey& key : scene_keys()) {
         const bool in_array = key.path.find("[]") != std::string_view::npos;
-        if (key.names.empty() || in_array || key.path == "torque.kind" ||
+        if (key.type.names.empty() || in_array || key.path == "torque.kind" ||
             key.path == "object.marked_face" || key.path == "camera.look_at" ||
             key.path == "film.loop_changes" || key.path == "camera.motion")
             continue;
         if (dice.one_in(2))
-            text.set_text(std::string(key.path), std::string(dice.one_of(key.names)));
+            text.set_text(std::string(key.path), std::string(dice.one_of(key.type.names)));
     }
 }
 
@@ -278,7 +278,7 @@ void write_motion(Dice& dice, Text& text) {
                      toml_text(Eigen::Matrix3d(q.normalized().toRotationMatrix())));
         }
     }
-    const std::string kind(dice.one_of(find_scene_key("torque.kind")->names));
+    const std::string kind(dice.one_of(find_scene_key("torque.kind")->type.names));
     text.set_text("torque.kind", kind);
     if (kind == "gravity") {
         text.set_number("torque.mgl_N_m", dice.any());

@@ -622,7 +622,7 @@ TEST(SceneKeys, NumbersMustBeFinite) {
     // Each number of the example in turn is replaced.
     for (const SceneKey& key : scene_keys()) {
         const std::string example(key.example);
-        if (key.type.find("integer") != std::string_view::npos || example.front() == '"') continue;
+        if (key.type.kind == ValueType::Kind::integer || example.front() == '"') continue;
         for (std::size_t i = 0; i < example.size();) {
             const std::size_t from = example.find_first_of("-0123456789", i);
             if (from == std::string::npos) break;
@@ -659,7 +659,6 @@ TEST(SceneKeys, EveryMistypedKeySuggestsItsRow) {
 TEST(SceneKeys, EveryRowIsExplained) {
     for (const SceneKey& key : scene_keys()) {
         EXPECT_FALSE(key.summary.empty()) << key.path;
-        EXPECT_FALSE(key.type.empty()) << key.path;
         EXPECT_FALSE(key.example.empty()) << key.path;
     }
 }

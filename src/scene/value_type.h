@@ -1,0 +1,62 @@
+// What a key of a scene takes, described once. Reading and its messages, `poinsot list keys`, the
+// scene reference and the JSON schema all follow from the description.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace poinsot {
+
+// The numbers that a key takes. An absent bound is none.
+struct Bounds {
+    std::optional<double> least{}, most{};
+    bool without_least = false;  // numbers must be greater than `least`
+
+    bool hold(double number) const {
+        const bool is_low = least && (without_least ? !(number > *least) : number < *least);
+        return !is_low && !(most && number > *most);
+    }
+    // " from 1e-6 to 100", " greater than 0", or empty.
+    std::string words() const;
+};
+
+inline constexpr Bounds no_bounds{};
+inline constexpr Bounds positive{0.0, std::nullopt, true};
+constexpr Bounds within(double least, double most) { return {least, most, false}; }
+
+// A bound as people write it: "1e-6", "1e7", "0.25".
+std::string bound_text(double bound);
+
+struct ValueType {
+    enum class Kind { boolean, number, integer, text };
+    // How many values a list has.
+    struct Size {
+        std::size_t least = 0, most = std::numeric_limits<std::size_t>::max();
+    };
+
+    Kind kind = Kind::text;
+    Bounds bounds{};          // of each number
+    std::string_view unit{};  // "rad/s", or words such as "pixels"; empty: none
+
+    // The texts that are taken, or the `poinsot list` that names them. Both empty: any text.
+    std::span<const std::string_view> names{};
+    std::string_view list{};
+
+    std::optional<Size> size{};          // absent: one value and not a list
+    std::size_t n_rows = 0;              // so many lists of that size, in a list; 0: a single one
+    std::string_view names_of_values{};  // "w, x, y, z"
+
+    // What a string may hold in place of the value ("a ratio in a string"), and the regular
+    // expression that such strings match.
+    std::string_view or_text{}, or_pattern{};
+
+    bool may_be_text() const { return kind == Kind::text || !or_text.empty(); }
+    // "three positive numbers in kg m²"
+    std::string words() const;
+};
+
+}  // namespace poinsot
