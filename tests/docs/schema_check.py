@@ -2,10 +2,11 @@
 """Checks the program's schema with an independent JSON Schema validator.
 
 Usage: schema_check.py POINSOT
-Every scene in scenes/ is valid and names the schema for editors; the schema in scenes/ is the one that the program prints; every
-key has a type; 44 invalid scenes are rejected at the same key as by the program; and for every numeric key, the schema has the
-bounds that the program states in its error message, rejects 0 where the program requires a positive number, and accepts what the
-program accepts.
+Every scene of scenes/ is valid and names the schema for editors; what stands in scenes/ is what the program prints; every key has a
+type; 44 broken scenes are refused at the right key, as the program itself refuses them; and of every key that takes numbers the schema
+has the bounds that the program names when a number is outside of them, refuses 0 where the program asks for one greater than 0, and
+takes what the program takes. Every default is valid for its own key, every key whose name ends in a unit has that unit, and every key that takes
+certain names refuses another, as the program does.
 """
 import json
 import pathlib
@@ -76,6 +77,11 @@ BROKEN = [
     ("", '[[panels]]\nkind = "spaces"', "kind"),
     ("", '[[keyframes]]\nat_s = 0.0\neasing = "bumpy"', "easing"),
 ]
+# What the end of a key's name says of its unit; longer endings first.
+UNITS = {
+    "_kg_m2": "kg m²", "_kg_m3": "kg/m³", "_rad_s": "rad/s", "_N_m": "N m", "_1_s": "1/s", "_deg": "degrees", "_rad": "rad", "_kg": "kg",
+    "_px": "pixels", "_m": "m", "_s": "s",
+}
 
 
 def key_of(error):
@@ -132,9 +138,13 @@ def disagreements(program, schema):
         if refused != ("greater than 0" in said or bounded is not None):
             yield f"{key} = {zero}: the schema {'refuses' if refused else 'takes'} it, the program says {said.strip()!r}"
         if "items" in leaf:
-            continue
+            number = next((one for one in leaf["items"].get("anyOf", [leaf["items"]]) if "type" in one), {})
         for value in (-10**9, 10**15):
-            said = said_of(program, scene.format(value if number.get("type") == "integer" else f"{value}.0"))
+            if "items" in leaf:
+                written = [value if number.get("type") == "integer" else float(value)] * max(leaf.get("minItems", 1), 1)
+                said = said_of(program, scene.format(written))
+            else:
+                said = said_of(program, scene.format(value if number.get("type") == "integer" else f"{value}.0"))
             bounded = re.search(r"give an? \w+ from (\S+) to (\S+)$", said.strip())
             told = tuple(map(float, bounded.groups())) if bounded else (None, None)
             has = (number.get("minimum"), number.get("maximum")) if "exclusiveMinimum" not in number else (None, None)
@@ -143,6 +153,40 @@ def disagreements(program, schema):
                 yield f"{key}: the schema has {has}, the program says {said.strip()!r}"
     if n_positive < 10 or n_bounded < 60:
         yield f"only {n_positive} keys refuse 0, and {n_bounded} values were out of bounds"
+
+
+def enumerations(schema, header=""):
+    """Of every key that takes certain names, but for arrays of tables in tables: its name, what it takes, and a scene that gives it a value."""
+    for name, leaf in schema["properties"].items():
+        items = leaf.get("items", {})
+        if "properties" in leaf:
+            yield from enumerations(leaf, f"[{name}]")
+        elif "properties" in items:
+            yield from enumerations(items, f"[[{header[1:-1] + '.' if header else ''}{name}]]")
+        elif "enum" in leaf:
+            yield f"{header}{name}", leaf, f"{header}\n{name} = {{}}\n"
+
+
+def wrong_descriptions(program, schema):
+    n_defaults = n_units = n_enumerations = 0
+    for path, leaf in leaves(schema):
+        if "default" in leaf:
+            n_defaults += 1
+            for error in jsonschema.Draft4Validator(leaf).iter_errors(leaf["default"]):
+                yield f"{path}: its default is not valid: {error.message}"
+        n_units += "x-unit" in leaf
+        by_name = next((unit for ending, unit in UNITS.items() if path.endswith(ending)), leaf.get("x-unit"))
+        if leaf.get("x-unit") != by_name:
+            yield f"{path}: the unit is {leaf.get('x-unit')}, the name says {by_name}"
+    for key, leaf, scene in enumerations(schema):
+        n_enumerations += 1
+        if jsonschema.Draft4Validator(leaf).is_valid("no such name"):
+            yield f"{key}: the schema takes a name that there is not"
+        # The names of lists are looked up when all of a scene is read.
+        if "in `poinsot list" not in leaf["description"] and "no such name" not in said_of(program, scene.format('"no such name"')):
+            yield f"{key}: the program takes a name that there is not"
+    if n_defaults < 40 or n_units < 40 or n_enumerations < 25:
+        yield f"only {n_defaults} defaults, {n_units} units and {n_enumerations} keys that take certain names"
 
 
 def findings(program):
@@ -164,6 +208,7 @@ def findings(program):
             yield f"{scene.name}: {error.message}"
 
     yield from disagreements(program, schema)
+    yield from wrong_descriptions(program, schema)
     good = tomllib.loads(GOOD)
     yield from (f"the good scene: {error.message}" for error in validator.iter_errors(good))
     for old, new, key in BROKEN:

@@ -2,11 +2,14 @@
 #include "scene/scene_keys.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -16,7 +19,9 @@
 
 #include "mesh_folder.h"
 #include "scene/camera_views.h"
+#include "scene/scene_key_rows.h"
 #include "scene/style_keys.h"
+#include "scene/toml_document.h"
 #include "scene/write_scene.h"
 #include "scene_text.h"
 
@@ -660,6 +665,156 @@ TEST(SceneKeys, EveryRowIsExplained) {
     for (const SceneKey& key : scene_keys()) {
         EXPECT_FALSE(key.summary.empty()) << key.path;
         EXPECT_FALSE(key.example.empty()) << key.path;
+    }
+}
+
+// What is wrong with a value of a key, by its row alone; empty: nothing. The draft then has it.
+std::string said_of(const SceneKey& key, const std::string& text, SceneDraft& draft) {
+    const TomlValue document = parse_toml("value = " + text, "scenes/a.toml");
+    try {
+        key.read(GivenValue(key, std::string(key.path), 0, document.entries.at(0).value), draft);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "";
+}
+std::string said_of(const SceneKey& key, const std::string& text) {
+    SceneDraft draft = draft_by_default();
+    return said_of(key, text, draft);
+}
+
+// A number as TOML text, or a list that has it in every place.
+std::string numbers_text(const ValueType& type, double number) {
+    const std::string one = type.kind == ValueType::Kind::integer
+                                ? toml_text(static_cast<int>(number))
+                                : toml_text(number);
+    if (!type.size) return one;
+    std::vector<std::string> all(std::max<std::size_t>(type.size->least, 1), one);
+    const std::string row = fmt::format("[{}]", fmt::join(all, ", "));
+    return type.n_rows == 0 ? row : fmt::format("[{}, {}, {}]", row, row, row);
+}
+
+TEST(SceneKeys, EveryBoundHoldsExactlyAtItsEdges) {
+    int n_edges = 0;
+    for (const SceneKey& key : scene_keys()) {
+        const ValueType& type = key.type;
+        if (type.kind != ValueType::Kind::number && type.kind != ValueType::Kind::integer) continue;
+        const bool whole = type.kind == ValueType::Kind::integer;
+        const double infinity = std::numeric_limits<double>::infinity();
+        const auto expect_edge = [&](double inside, double outside) {
+            ++n_edges;
+            EXPECT_EQ(said_of(key, numbers_text(type, inside)), "") << key.path;
+            const std::string said = said_of(key, numbers_text(type, outside));
+            EXPECT_NE(said.find(type.bounds.words()), std::string::npos)
+                << key.path << ": " << said;
+            EXPECT_NE(said.find("give a"), std::string::npos) << key.path << ": " << said;
+        };
+        const Bounds& bounds = type.bounds;
+        if (bounds.least && bounds.without_least)
+            expect_edge(std::nextafter(*bounds.least, infinity), *bounds.least);
+        else if (bounds.least)
+            expect_edge(*bounds.least,
+                        whole ? *bounds.least - 1 : std::nextafter(*bounds.least, -infinity));
+        if (bounds.most)
+            expect_edge(*bounds.most,
+                        whole ? *bounds.most + 1 : std::nextafter(*bounds.most, infinity));
+        if (bounds.least || bounds.most) continue;
+        for (const double extreme : {1.0, -1.0}) {
+            const double largest = extreme * std::numeric_limits<double>::max();
+            EXPECT_EQ(said_of(key, numbers_text(type, largest)), "") << key.path;
+        }
+    }
+    EXPECT_GT(n_edges, 80);
+}
+
+TEST(SceneKeys, EveryListHasAsManyValuesAsItsRowSays) {
+    int n_lists = 0;
+    for (const SceneKey& key : scene_keys()) {
+        const ValueType& type = key.type;
+        if (!type.size || type.kind == ValueType::Kind::text) continue;
+        const auto list_of = [&](std::size_t n) {
+            const std::vector<std::string> ones(n, "1");
+            const std::string row = fmt::format("[{}]", fmt::join(ones, ", "));
+            return type.n_rows == 0 ? row : fmt::format("[{}, {}, {}]", row, row, row);
+        };
+        const bool is_limited = type.size->most != ValueType::Size{}.most;
+        ++n_lists;
+        EXPECT_EQ(said_of(key, list_of(type.size->least)), "") << key.path;
+        EXPECT_EQ(said_of(key, list_of(is_limited ? type.size->most : 100)), "") << key.path;
+        if (type.size->least > 0) {
+            EXPECT_NE(said_of(key, list_of(type.size->least - 1)), "") << key.path;
+        }
+        if (is_limited) {
+            EXPECT_NE(said_of(key, list_of(type.size->most + 1)), "") << key.path;
+        }
+        if (type.n_rows > 0) {
+            EXPECT_NE(said_of(key, "[[1, 1, 1], [1, 1, 1]]"), "") << key.path;
+        }
+    }
+    EXPECT_GT(n_lists, 12);
+}
+
+TEST(SceneKeys, EveryNameOfAnEnumerationIsReadAndNoOther) {
+    int n_names = 0;
+    for (const SceneKey& key : scene_keys()) {
+        for (const std::string_view name : key.type.names) {
+            ++n_names;
+            SceneDraft draft = draft_by_default();
+            EXPECT_EQ(said_of(key, toml_text(name), draft), "") << key.path;
+            // What acts on the body is put into the scene once all of it is read.
+            const std::string kept = key.path == "torque.kind"
+                                         ? toml_text(std::string_view(draft.torque_kind))
+                                         : key.value(draft.scene, 0);
+            EXPECT_EQ(kept, toml_text(name)) << key.path;
+        }
+        if (key.type.names.empty()) continue;
+        EXPECT_NE(said_of(key, "\"no such name\"").find("; choose from: "), std::string::npos)
+            << key.path;
+        EXPECT_NE(said_of(key, "\"\""), "") << key.path;
+    }
+    EXPECT_GT(n_names, 60);
+}
+
+TEST(SceneKeys, EveryDefaultIsWhatASceneHasThatDoesNotSayIt) {
+    // Scenes that say what they must and no more, with an item in every array of tables.
+    const std::string items =
+        a_picture +
+        "[[panels]]\n[[marks]]\nat = [1, 2, 3]\n[[keyframes]]\nat_s = 1\nspeed = 2\n"
+        "[[fades]]\nat_s = 1\nelements = [\"plane\"]\n[[captions]]\nat_s = 1\ntext = \"a\"\n"
+        "[[chapters]]\nat_s = 1\ntitle = \"b\"\n";
+    const std::array scenes{scene_of(a_scene + items), scene_of(a_top + gravity)};
+    int n_defaults = 0;
+    for (const SceneKey& key : scene_keys()) {
+        if (key.default_text().empty()) continue;
+        ++n_defaults;
+        EXPECT_EQ(said_of(key, std::string(key.default_text())), "") << key.path;
+        const bool is_of_item = key.path.find("[]") != std::string_view::npos;
+        bool is_there = false;
+        for (const Scene& scene : scenes) {
+            const bool has_items = !scene.panels.empty();
+            const std::string value = is_of_item && !has_items ? "" : key.value(scene, 0);
+            if (value.empty() || scene.locations.contains(std::string(key.path))) continue;
+            is_there = true;
+            EXPECT_EQ(value, key.default_text()) << key.path;
+        }
+        EXPECT_TRUE(is_there) << key.path;
+    }
+    EXPECT_GE(n_defaults, 40);
+}
+
+TEST(SceneKeys, AValueThatGoesWithoutSayingIsNotWritten) {
+    // The initial values of these rows, said in a scene, are left out of what is written of it.
+    for (const SceneKey& key : scene_keys()) {
+        SceneDraft draft = draft_by_default();
+        if (!key.initial_goes_unsaid || key.path == "torque.kind") continue;
+        EXPECT_EQ(key.write(draft.scene, 0), "") << key.path;
+        const std::string other = key.type.kind == ValueType::Kind::boolean
+                                      ? (key.initial == "true" ? "false" : "true")
+                                      : std::string(key.example);
+        ASSERT_EQ(said_of(key, other, draft), "") << key.path;
+        EXPECT_NE(key.value(draft.scene, 0), key.initial) << key.path;
+        const bool says = key.path != "body.shape";  // it is written of a solid alone
+        EXPECT_EQ(key.write(draft.scene, 0), says ? key.value(draft.scene, 0) : "") << key.path;
     }
 }
 
