@@ -42,7 +42,11 @@ std::string did_you_mean(std::string_view given, std::span<const std::string_vie
     const std::size_t most = n_letters < 5 ? 1 : std::max<std::size_t>(2, n_letters / 3);
     std::size_t least = most + 1;
     for (const std::string_view name : known) {
-        const std::size_t distance = edit_distance(given, name);
+        // A name that lacks only its unit, as "time" for "time_s", is as near as one mistyped
+        // letter.
+        const bool lacks_unit = given.size() > 2 && name.starts_with(given) &&
+                                name.substr(given.size()).starts_with('_');
+        const std::size_t distance = lacks_unit ? 1 : edit_distance(given, name);
         if (distance < least) {
             least = distance;
             best = name;

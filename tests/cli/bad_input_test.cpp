@@ -278,7 +278,7 @@ TEST(Extremes, OfTheCameraAreRefused) {
     folder.write("scene.toml", good + "[camera]\ntarget = [1e308, 0.0, 0.0]\n");
     folder.write("told.toml", good + "[[keyframes]]\nat_s = 1.0\ntarget = [0.0, -1e9, 0.0]\n");
     for (const char* name :
-         {"scene.toml:7:10: camera.target", "told.toml:8:10: keyframes[0].target"}) {
+         {"scene.toml:7:11: camera.target[0]", "told.toml:8:16: keyframes[0].target[1]"}) {
         const std::string file = std::string(name).substr(0, std::string(name).find(':'));
         const ProgramRun run = run_program_in(folder, "still " + file + " -o a.png");
         EXPECT_EQ(run.code, 2);

@@ -415,7 +415,7 @@ TEST(PlanPanel, HerpolhodeStaysBetweenItsCirclesAndEndsAtTheContact) {
                 const double radius = curve.placement.linear().col(0).norm();
                 inner = radius < 1.0 ? radius : inner;
                 outer = std::max(outer, radius);
-            } else if (curve.geometry->points.size() > 2) {
+            } else if (curve.geometry->points.size() > 1) {
                 path = &curve;
             }
         }

@@ -36,7 +36,8 @@ const std::map<std::string, std::set<std::string>> allowed{
       "typeset", "shapes"}},
     // Renderers of shapes do not depend on the code that makes shapes.
     {"render", {"error", "colour", "text", "system", "image", "shapes"}},
-    {"vector", {"error", "colour", "text", "numerics", "shapes"}},
+    // shaders/light.glsl is written in the common subset of GLSL and C++.
+    {"vector", {"error", "colour", "text", "numerics", "shapes", "shaders"}},
     {"output", {"error", "text", "system", "image"}},
     {"production",
      {"error", "text", "system", "mesh", "mechanics", "scene", "construction", "typeset", "shapes",
@@ -80,8 +81,8 @@ const std::map<std::string, std::set<std::string>> library_owners{
     {"toml", {"scene"}},           {"CLI/", {"cli"}},
     {"png.h", {"image"}},          {"libdeflate.h", {"image"}},
     {"cairo", {"vector"}},         {"ft2build.h", {"typeset", "vector"}},
-    {"hb", {"typeset", "vector"}}, {"boost/", {"numerics", "mechanics"}},
-    {"sleef.h", {"libm"}},
+    {"hb", {"typeset", "vector"}}, {"boost/", {"text", "numerics", "mechanics"}},
+    {"sleef.h", {"libm"}},         {"xxhash.h", {"image"}},
 };
 
 struct Include {
