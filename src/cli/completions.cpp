@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/documents.h"
 #include "cli/option_texts.h"
+#include "scene/scene_keys.h"
 
 namespace poinsot {
 
@@ -25,15 +26,16 @@ string shell_quoted(std::string_view text) {
 // Lists the scenes when a shell completes one; precedes a command's own completions.
 constexpr std::string_view list_scenes = "poinsot list scenes 2>/dev/null | sed 's/ .*//'";
 
-// The possible values as words. A key of --set includes its "=", and its first item.
-std::vector<string> values_of(std::string_view completes) {
-    std::vector<string> words = words_of(completes);
-    if (completes == "keys") {
-        for (string& word : words) {
-            if (const std::size_t item = word.find("[]"); item != string::npos)
-                word.insert(item + 1, "0");
-            word += "=";
-        }
+// Each key of --set with its "=", and with each word that it accepts; in an array of tables, for
+// the first item.
+std::vector<string> settings() {
+    std::vector<string> words;
+    for (const SceneKey& key : scene_keys()) {
+        string start = fmt::format("{}=", key.path);
+        if (const std::size_t item = start.find("[]"); item != string::npos)
+            start.insert(item + 1, "0");
+        words.push_back(start);
+        for (const string& word : words_of(key.type)) words.push_back(start + word);
     }
     return words;
 }
@@ -43,10 +45,10 @@ string bash_words(std::string_view completes) {
     if (completes == "file") return "_poinsot_files";
     if (completes == "folder") return "_poinsot_files -d";
     if (completes == "scenes") return "_poinsot_scenes";
-    const std::vector<string> words = values_of(completes);
+    if (completes == "keys") return "_poinsot_keys";
+    const std::vector<string> words = words_of(completes);
     if (words.empty()) return ":";
-    return fmt::format("{} {}", completes == "keys" ? "_poinsot_keys" : "_poinsot_words",
-                       shell_quoted(fmt::format("{}", fmt::join(words, " "))));
+    return fmt::format("_poinsot_words {}", shell_quoted(fmt::format("{}", fmt::join(words, " "))));
 }
 
 constexpr std::string_view bash_functions =
@@ -63,9 +65,11 @@ _poinsot_scenes() {
     COMPREPLY=($(compgen -W "$(poinsot list scenes 2>/dev/null | sed 's/ .*//')" -- "$cur")
         $(compgen -f -X '!*.toml' -- "$cur") $(compgen -d -- "$cur"))
 }
+# Bash splits words at "=": only the part after it is completed.
 _poinsot_keys() {
-    compopt -o nospace 2>/dev/null
-    _poinsot_words "$1"
+    cur=${key:+$key=}$cur
+    _poinsot_words "$_poinsot_settings"
+    if [[ $key ]]; then COMPREPLY=("${COMPREPLY[@]#"$key="}"); else compopt -o nospace 2>/dev/null; fi
 }
 )bash";
 
@@ -103,7 +107,7 @@ string zsh_action(std::string_view completes) {
     if (completes == "file") return "_files";
     if (completes == "folder") return "_files -/";
     if (completes == "scenes" || completes == "keys") return fmt::format("_poinsot_{}", completes);
-    const std::vector<string> words = values_of(completes);
+    const std::vector<string> words = words_of(completes);
     if (words.empty()) return " ";
     return fmt::format("({})", fmt::join(words, " "));
 }
@@ -132,7 +136,8 @@ string zsh_case(const Command& command) {
 string fish_values(std::string_view completes) {
     if (completes == "file") return " -r -F";
     if (completes == "folder") return " -x -a '(__fish_complete_directories)'";
-    const std::vector<string> words = values_of(completes);
+    if (completes == "keys") return " -x -a '$__poinsot_settings'";
+    const std::vector<string> words = words_of(completes);
     if (words.empty()) return " -x";
     return fmt::format(" -x -a {}", shell_quoted(fmt::format("{}", fmt::join(words, " "))));
 }
@@ -157,7 +162,7 @@ string fish_lines(const Command& command) {
         text += fmt::format("{} -F\n", start);
     else if (!completes.empty())
         text += fmt::format("{} -a {}\n", start,
-                            shell_quoted(fmt::format("{}", fmt::join(values_of(completes), " "))));
+                            shell_quoted(fmt::format("{}", fmt::join(words_of(completes), " "))));
     return text;
 }
 
@@ -165,9 +170,13 @@ string fish_lines(const Command& command) {
 
 string bash_completion() {
     string text(bash_functions);
-    text +=
-        "_poinsot() {\n    local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]}\n"
-        "    COMPREPLY=()\n";
+    text += fmt::format("_poinsot_settings='{}'\n", fmt::join(settings(), " "));
+    text += R"bash(_poinsot() {
+    local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} key=
+    COMPREPLY=()
+    if [[ $cur == = ]]; then cur='' key=$prev prev=${COMP_WORDS[COMP_CWORD-2]}
+    elif [[ $prev == = ]]; then key=${COMP_WORDS[COMP_CWORD-2]} prev=${COMP_WORDS[COMP_CWORD-3]}; fi
+)bash";
     text += fmt::format(
         "    if [[ $COMP_CWORD == 1 ]]; then _poinsot_words {}; return; fi\n"
         "    case ${{COMP_WORDS[1]}} in\n",
@@ -184,7 +193,7 @@ string zsh_completion() {
         "    _alternative 'scenes:scene:compadd -a scenes' 'files:file:_files -g \"*.toml\"'\n}}\n"
         "_poinsot_keys() {{\n    local -a keys=('{}')\n    compadd -S '' -a keys\n}}\n"
         "_poinsot() {{\n    if (( CURRENT == 2 )); then\n        local -a commands=(\n",
-        list_scenes, fmt::join(values_of("keys"), "' '"));
+        list_scenes, fmt::join(settings(), "' '"));
     for (const Command& command : commands())
         text += fmt::format(
             "            {}\n",
@@ -199,8 +208,9 @@ string zsh_completion() {
 string fish_completion() {
     string text =
         "# Completions of poinsot for fish, made by `poinsot list completion.fish`.\n"
-        "complete -c poinsot -f\n"
-        "complete -c poinsot -n __fish_use_subcommand -l version -d 'print the version'\n";
+        "complete -c poinsot -f\n";
+    text += fmt::format("set -g __poinsot_settings '{}'\n", fmt::join(settings(), "' '"));
+    text += "complete -c poinsot -n __fish_use_subcommand -l version -d 'print the version'\n";
     for (const Command& command : commands())
         text += fmt::format("complete -c poinsot -n __fish_use_subcommand -a {} -d {}\n",
                             command.name, shell_quoted(command.summary));

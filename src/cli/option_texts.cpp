@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "cli/catalogue.h"
+#include "drawing/type/overlay.h"
 
 namespace poinsot {
 
@@ -108,6 +109,17 @@ std::vector<std::string> words_of(std::string_view completes) {
         for (const CatalogueEntry& entry : catalogue.entries()) words.push_back(entry.name);
     }
     return words;
+}
+
+std::vector<std::string> words_of(const ValueType& type) {
+    if (type.kind == ValueType::Kind::boolean) return {"true", "false"};
+    if (!type.names.empty()) return {type.names.begin(), type.names.end()};
+    if (type.list.empty()) return {};
+    std::vector<std::string> names = words_of(type.list);
+    // `show` also accepts the names of overlays.
+    if (type.list == "elements")
+        for (const OverlayName& overlay : overlays()) names.emplace_back(overlay.name);
+    return names;
 }
 
 }  // namespace poinsot

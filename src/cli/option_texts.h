@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "scene/value_type.h"
 
 namespace poinsot {
 
@@ -35,5 +36,8 @@ std::string_view completes_arguments(const Command& command);
 // Returns the words that `completes` means: the names of a list, or the words themselves. Empty for
 // files and folders, and for scenes, whose names the completions request when needed.
 std::vector<std::string> words_of(std::string_view completes);
+
+// Returns the words that a scene key accepts, singly or in a list; empty if these are not fixed.
+std::vector<std::string> words_of(const ValueType& type);
 
 }  // namespace poinsot

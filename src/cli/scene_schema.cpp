@@ -1,4 +1,4 @@
-// The schema of scene files, made from the table of keys.
+// The JSON Schema of scene files, generated from the table of keys: each key's row gives its type.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,7 +8,6 @@
 
 #include "cli/documents.h"
 #include "cli/option_texts.h"
-#include "drawing/type/overlay.h"
 #include "scene/scene_keys.h"
 #include "text/json_text.h"
 #include "text/units.h"
@@ -17,20 +16,9 @@ namespace poinsot {
 
 namespace {
 
-// The names that a text may be: its own, or those of the list that the key refers to.
-std::vector<std::string> names_of(const ValueType& type) {
-    if (!type.names.empty()) return {type.names.begin(), type.names.end()};
-    if (type.list.empty()) return {};
-    std::vector<std::string> names = words_of(type.list);
-    // What is drawn over the picture is shown by its name, too.
-    if (type.list == "elements")
-        for (const OverlayName& overlay : overlays()) names.emplace_back(overlay.name);
-    return names;
-}
-
 std::string text_members(const ValueType& type) {
     std::vector<std::string> quoted;
-    for (const std::string& name : names_of(type)) quoted.push_back(json_string(name));
+    for (const std::string& name : words_of(type)) quoted.push_back(json_string(name));
     if (quoted.empty()) return R"("type": "string")";
     return fmt::format(R"("enum": [{}])", fmt::join(quoted, ", "));
 }
@@ -43,14 +31,14 @@ std::string bounds_members(const Bounds& bounds) {
     return members;
 }
 
-// One value, or one of a list, as members of a schema.
+// The schema members for a single value.
 std::string value_members(const ValueType& type) {
     if (type.kind == ValueType::Kind::boolean) return R"("type": "boolean")";
     if (type.kind == ValueType::Kind::text) return text_members(type);
     if (type.kind == ValueType::Kind::integer)
         return R"("type": "integer")" + bounds_members(type.bounds);
     std::string number = R"("type": "number")" + bounds_members(type.bounds);
-    // A string may hold a number with a unit, but for those that mean something else.
+    // A string may hold a number with a unit, unless strings of this key mean something else.
     if (!unit_named(type.unit) || !type.or_text.empty()) return number;
     return fmt::format(R"("anyOf": [{{{}}}, {{"type": "string", "pattern": "[0-9].*[A-Za-z°]"}}])",
                        number);
@@ -105,7 +93,7 @@ Node tree_of_keys() {
     return root;
 }
 
-// TOML writes the values that are defaults as JSON does.
+// The TOML text of a default is also its JSON text.
 std::string schema_of_key(const SceneKey& key) {
     const std::string_view initial = key.default_text();
     return fmt::format(R"({{"description": {}, {}{}{}}})", json_string(key.explanation()),

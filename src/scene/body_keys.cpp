@@ -29,7 +29,7 @@ constexpr auto object(std::string ObjectSpec::*member) { return in(&Scene::objec
 constexpr auto picture(std::string FacePictureSpec::*member) {
     return in(&Scene::object, &ObjectSpec::pictures, member);
 }
-// Points are written as they were given, before the centre of mass was found.
+// Writes points as they were given, before they were moved to the centre of mass.
 template <typename Value>
 auto as_given(Value PointMass::*member) {
     return key_rows::from(in(&Scene::body, &BodySpec::masses_as_given, member));
@@ -76,12 +76,12 @@ std::span<const SceneKey> body_keys() {
              "its axes; the centre of mass is found"),
         number("body.scale", body(&BodySpec::scale), within(1e-12, 1e12), "m", "0.001",
                "one unit of a mesh's lengths, or the factor on an object's")
-            .unsaid_by_default(),
+            .omitted_if_default(),
         number("body.density_kg_m3", body(&BodySpec::density_kg_m3), positive, "kg/m³", "2700.0",
                "density of a mesh, instead of its mass"),
         boolean("body.allow_unphysical", body(&BodySpec::allow_unphysical), "true",
                 "keep the mathematics where no real body has these moments")
-            .unsaid_by_default(),
+            .omitted_if_default(),
         number("body.masses[].mass_kg", in(&SceneDraft::masses, &PointMass::mass_kg), positive,
                "kg", "1.0", "mass of one point")
             .without_default()
@@ -92,7 +92,7 @@ std::span<const SceneKey> body_keys() {
             .without_default()
             .written_by(as_given(&PointMass::at_m)),
 
-        // What a body given by its moments or its tensor looks like.
+        // The appearance of a body given by its moments or its tensor.
         text("object.name", object(&ObjectSpec::name), R"("toutatis")",
              "the object panel shows this thing in place of a box; its axes follow the order of "
              "the moments")

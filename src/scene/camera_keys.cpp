@@ -28,18 +28,18 @@ constexpr auto trail(Value TrailSpec::*member) {
 std::span<const SceneKey> camera_keys() {
     using namespace key_rows;
     static const SceneKey rows[] = {
-        // Where it is seen from; the picture's vertical is the normal of the invariable plane.
+        // The camera; the picture's vertical is the normal of the invariable plane.
         number("camera.azimuth_deg", camera(&CameraSpec::azimuth_deg), within(-3600.0, 3600.0),
                "degrees", "-40.0", "direction of the camera about the vertical"),
-        number("camera.elevation_deg", camera(&CameraSpec::elevation_deg), within(-90.0, 90.0),
+        number("camera.elevation_deg", camera(&CameraSpec::elevation_deg), elevations_deg,
                "degrees", "14.0", "its height above the plane"),
-        number("camera.distance", camera(&CameraSpec::distance), within(0.01, 10000.0),
-               "largest half-axes", "5.2",
+        number("camera.distance", camera(&CameraSpec::distance), distances, "largest half-axes",
+               "5.2",
                "its distance from the target; more where the figure would not fit, unless target "
                "is given"),
-        number("camera.field_deg", camera(&CameraSpec::field_deg), within(0.1, 150.0), "degrees",
-               "28.0", "its vertical field of view"),
-        numbers("camera.target", camera(&CameraSpec::target), of_a_target, "largest half-axes",
+        number("camera.field_deg", camera(&CameraSpec::field_deg), fields_deg, "degrees", "28.0",
+               "its vertical field of view"),
+        numbers("camera.target", camera(&CameraSpec::target), coordinates, "largest half-axes",
                 "[0.0, 0.0, -0.2]", "the point it looks at, in picture axes")
             .default_is("what look_at names"),
         one_of("camera.look_at", camera(&CameraSpec::look_at), camera_aims(), R"("foot")",
@@ -55,7 +55,7 @@ std::span<const SceneKey> camera_keys() {
                R"("orthographic")",
                "perspective, or orthographic: along parallel lines, so that what is parallel stays "
                "so and equal lengths are equal wherever they lie")
-            .unsaid_by_default(),
+            .omitted_if_default(),
 
         // How the construction lies in the picture.
         one_of("construction.plane", in(&Scene::construction, &ConstructionSpec::plane),
@@ -69,7 +69,7 @@ std::span<const SceneKey> camera_keys() {
                "that the body has")
             .default_is("none"),
 
-        // How much of the contact point's paths is shown.
+        // Which part of the contact point's paths is shown.
         one_of("trail.polhode", trail(&TrailSpec::polhode), trail_kinds, R"("fading")",
                "whole, history (since the film began) or fading (what trail.length_s holds)"),
         one_of("trail.herpolhode", trail(&TrailSpec::herpolhode), trail_kinds, R"("fading")",

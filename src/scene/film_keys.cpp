@@ -96,7 +96,7 @@ std::span<const SceneKey> film_keys() {
                                          .unit = "pixels",
                                          .size = ValueType::Size{2, 2}};
     static const SceneKey rows[] = {
-        // Which instants become video frames.
+        // The instants that become video frames.
         number("film.start_s", film(&FilmSpec::start_s), no_bounds, "s", "0.0",
                "instant of the motion that the film begins with"),
         number("film.duration_s", film(&FilmSpec::duration_s), positive, "s", "12.0",

@@ -11,10 +11,10 @@
 
 namespace poinsot {
 
-// Every reader throws SceneError at the value's own place for what the key does not take, as its
-// type says: `film.fps is a boolean; it must be …`, `film.speed is 0; give a number greater than
-// 0`. Numbers are finite; integers count as numbers, and so does a string that holds a number with
-// a unit of what the key measures ("24 cm").
+// Every function that reads the value throws SceneError at the value's own place for a value that
+// the key's type does not accept: `film.fps is a boolean; it must be …`, `film.speed is 0; give a
+// number greater than 0`. Numbers are finite; an integer is accepted as a number, and so is a
+// string of a number with a unit of the key's quantity ("24 cm").
 class GivenValue {
  public:
     // `name` is the path as the user writes it: "body.masses[2].mass_kg".
@@ -24,7 +24,7 @@ class GivenValue {
     double number() const { return number(value_, name_); }
     int integer() const;
     bool boolean() const;
-    // Without control characters, but for line ends and tabs.
+    // Without control characters except line ends and tabs.
     std::string text() const;
     std::vector<double> numbers() const { return numbers(value_, name_); }
     Eigen::Matrix3d matrix() const;  // rows
@@ -43,7 +43,7 @@ class GivenValue {
 
  private:
     [[noreturn]] void refuse_type(const TomlValue& value, const std::string& name) const;
-    // The items of a list that has as many as the key takes.
+    // The items of a list, whose number the type accepts.
     const std::vector<TomlValue>& items(const TomlValue& value, const std::string& name) const;
     double number(const TomlValue& value, const std::string& name) const;
     double finite_number(const TomlValue& value, const std::string& name) const;

@@ -21,7 +21,7 @@ auto top_text(double TopStart::*member) {
 }
 bool has_no_top(const Scene& scene) { return !scene.start.top; }
 
-// A value of one kind of torque, where it is that kind.
+// Writes a value of one kind of torque if the torque is of that kind.
 template <typename Kind, typename Value>
 auto torque_text(Value Kind::*value) {
     return [value](const Scene& scene, std::size_t) {
@@ -47,7 +47,7 @@ template <typename Value>
 constexpr auto method(Value MethodChoice::*member) {
     return in(&Scene::method, member);
 }
-// The first key of the second method makes it.
+// The second method; its first key creates it.
 template <typename Value>
 constexpr auto beside(Value MethodChoice::*member) {
     return in(&Scene::beside, member);
@@ -59,7 +59,7 @@ std::span<const SceneKey> motion_keys() {
     using namespace key_rows;
     constexpr Bounds tolerances = within(1e-300, 1.0), orders = within(1, 20);
     static const SceneKey rows[] = {
-        // The state at t = 0, by ω or by the Euler angles of a top.
+        // The state at t = 0, from ω or from the Euler angles of a top.
         numbers("start.omega_rad_s", in(&Scene::start, &StartSpec::omega_rad_s), no_bounds, "rad/s",
                 "[0.01, 2.0, 0.01]", "angular velocity at t = 0, in body axes")
             .without_default()
@@ -91,7 +91,7 @@ std::span<const SceneKey> motion_keys() {
         one_of("torque.kind", &SceneDraft::torque_kind, torque_kinds, R"("gravity")",
                "what acts on the body")
             .written_by(torque_kind_text)
-            .unsaid_by_default(),
+            .omitted_if_default(),
         number("torque.mgl_N_m", in(&SceneDraft::gravity, &GravityTorque::mgl_N_m), no_bounds,
                "N m", "1.0",
                "gravity: weight times distance of the centre of mass from the fixed point")

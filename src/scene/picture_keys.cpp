@@ -15,7 +15,7 @@ namespace poinsot {
 
 namespace {
 
-// Units by which numbers can be shown, each of another kind of quantity.
+// The units for displayed numbers, each of a different kind of quantity.
 void read_units(const GivenValue& given, SceneDraft& draft) {
     std::vector<std::string> units = given.texts();
     for (std::size_t i = 0; i < units.size(); ++i) {
@@ -53,10 +53,10 @@ std::span<const SceneKey> picture_keys() {
     static const SceneKey rows[] = {
         text("title", &Scene::title, R"("Tennis racket")", "heading of the picture")
             .default_is("the file's name")
-            .said_if_empty(),
+            .written_if_empty(),
         text("caption", &Scene::caption, R"("I = (3, 2, 1) kg m²")", "text below the picture")
             .default_is("none")
-            .said_if_empty(),
+            .written_if_empty(),
         number("accuracy_px", &Scene::accuracy_px, within(1e-6, 100.0), "pixels", "0.1",
                "largest distance of the motion from the truth, and half of it of curves"),
         text("theme", &Scene::theme, R"("light")",
@@ -74,10 +74,10 @@ std::span<const SceneKey> picture_keys() {
             .default_is("yes, but for films that loop"),
         number("type_scale", &Scene::type_scale, within(0.25, 8.0), "", "1.25",
                "factor on all type in the picture, as for a hall")
-            .unsaid_by_default(),
+            .omitted_if_default(),
         one_of("language", &Scene::language, languages(), R"("de")",
                "of the words that are not the scene's own")
-            .unsaid_by_default(),
+            .omitted_if_default(),
         texts("units", &Scene::units, R"(["rpm", "deg", "g cm²"])",
               "units in which charts and live numbers are shown, each for what it measures")
             .default_is("SI")
@@ -98,7 +98,7 @@ std::span<const SceneKey> picture_keys() {
             .from_list("elements")
             .default_is("those that suit the motion"),
         boolean("labels", &Scene::labels, "false", "whether elements have their names beside them")
-            .unsaid_by_default(),
+            .omitted_if_default(),
         texts("unlabelled", &Scene::unlabelled, R"(["omega", "momentum"])",
               "elements, or kinds of panels, that stay without their names")
             .default_is("none"),
@@ -113,11 +113,11 @@ std::span<const SceneKey> panel_keys() {
         // Several views of one motion, in the cells of a grid.
         numbers("grid.columns", in(&Scene::grid, &GridSpec::columns), positive, "", "[2.0, 1.0]",
                 "relative widths of the columns that panels stand in")
-            .with_size(1, most_cells)
+            .with_size({1, most_cells})
             .default_is("equal ones"),
         numbers("grid.rows", in(&Scene::grid, &GridSpec::rows), positive, "", "[1.0, 1.0]",
                 "relative heights of the rows that panels stand in")
-            .with_size(1, most_cells)
+            .with_size({1, most_cells})
             .default_is("equal ones"),
         text("panels[].kind", panel(&PanelSpec::kind), R"("space")", "what the panel shows")
             .from_list("panels"),
@@ -139,20 +139,19 @@ std::span<const SceneKey> panel_keys() {
         text("panels[].title", panel(&PanelSpec::title), R"("Body axes")",
              "heading of the panel, \"\" for none")
             .default_is("that of its kind"),
-        // From where one panel is seen, other than [camera] says; in body axes for body and
+        // The camera of one panel, where it differs from [camera]; in body axes for body and
         // momentum.
         number("panels[].camera.azimuth_deg", camera_of_panel(&PanelCameraSpec::azimuth_deg),
                within(-3600.0, 3600.0), "degrees", "30.0",
                "as in [camera], for this panel alone; about e3 from e1 where it shows body axes"),
         number("panels[].camera.elevation_deg", camera_of_panel(&PanelCameraSpec::elevation_deg),
-               within(-90.0, 90.0), "degrees", "20.0",
+               elevations_deg, "degrees", "20.0",
                "likewise; from the plane of e1 and e2 towards e3 where it shows body axes"),
-        number("panels[].camera.distance", camera_of_panel(&PanelCameraSpec::distance),
-               within(0.01, 10000.0), "largest half-axes", "4.0",
-               "likewise; of space alone, the others are framed"),
+        number("panels[].camera.distance", camera_of_panel(&PanelCameraSpec::distance), distances,
+               "largest half-axes", "4.0", "likewise; of space alone, the others are framed"),
         number("panels[].camera.field_deg", camera_of_panel(&PanelCameraSpec::field_deg),
-               within(0.1, 150.0), "degrees", "20.0", "as in [camera]"),
-        numbers("panels[].camera.target", camera_of_panel(&PanelCameraSpec::target), of_a_target,
+               fields_deg, "degrees", "20.0", "as in [camera]"),
+        numbers("panels[].camera.target", camera_of_panel(&PanelCameraSpec::target), coordinates,
                 "largest half-axes", "[0.0, 0.0, 0.5]", "as in [camera]; of space alone"),
         one_of("panels[].camera.look_at", camera_of_panel(&PanelCameraSpec::look_at), camera_aims(),
                R"("centre")", "as in [camera]; of space alone"),

@@ -1,5 +1,5 @@
-// What the tables of scene keys are written with: a row says where the value lies in a scene and
-// what it takes, and how it is read and written follows.
+// The rows of the table of scene keys, section by section, and the functions that make rows. A row
+// names the member that holds the value and the type; reading and writing follow from these.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,22 +31,24 @@ std::span<const SceneKey> panel_keys();
 std::span<const SceneKey> style_keys();
 std::span<const SceneKey> mark_keys();
 
-// The draft of a scene that says nothing, with one item in every array of tables.
+// A default-constructed draft with one item in every array of tables.
 const SceneDraft& draft_by_default();
 
-// A point that a camera looks at lies within this of the centre, in each coordinate. Farther than a
-// camera may stand away, nothing of the figure would be seen, and beyond a double's digits nothing
-// at all.
-inline constexpr Bounds of_a_target = within(-10000.0, 10000.0);
+// The ranges of every camera. Beyond the largest distance of a camera the figure would be
+// invisible, and with a target beyond a double's digits nothing could be computed.
+inline constexpr Bounds elevations_deg = within(-90.0, 90.0);
+inline constexpr Bounds distances = within(0.01, 10000.0);
+inline constexpr Bounds fields_deg = within(0.1, 150.0);
+inline constexpr Bounds coordinates = within(-10000.0, 10000.0);  // of the target
 
-// A scene's value by the members that lead to it, from a Scene or a SceneDraft. Where one is an
-// array of tables, its item is meant.
+// The path of members from a Scene or a SceneDraft to a value. At an array of tables the path goes
+// through the item with the given index.
 template <typename Root, typename... Members>
 class Place {
  public:
     explicit constexpr Place(Members... members) : members_(members...) {}
 
-    // Makes what is optional on the way.
+    // Creates optional members on the path.
     auto& in(SceneDraft& draft, std::size_t item) const {
         return std::apply(
             [&](auto... members) -> auto& {
@@ -57,7 +59,7 @@ class Place {
             },
             members_);
     }
-    // Null where something on the way is absent.
+    // Null if an optional member on the path is absent.
     const auto* in(const Root& root, std::size_t item) const {
         return std::apply([&](auto... members) { return found(root, item, members...); }, members_);
     }
@@ -112,7 +114,7 @@ constexpr auto place_of(Value Root::*member) {
     return in(member);
 }
 
-// A value read as what the row takes.
+// Reads a value of the row's type.
 inline void take(const GivenValue& given, bool& value) { value = given.boolean(); }
 inline void take(const GivenValue& given, double& value) { value = given.number(); }
 inline void take(const GivenValue& given, int& value) { value = given.integer(); }
@@ -133,7 +135,7 @@ void take(const GivenValue& given, std::optional<Value>& value) {
     value = std::move(taken);
 }
 
-// A value as TOML text.
+// Returns a value as TOML text.
 template <typename Value>
 std::string text_of(const Value& value) {
     if constexpr (std::is_same_v<Value, std::string>)
@@ -150,7 +152,7 @@ std::string text_of(const std::optional<Value>& value) {
     return value ? text_of(*value) : "";
 }
 
-// What writes the value that lies in a place of a scene.
+// Returns a function that writes the value at this place.
 template <typename Where>
 auto from(Where where) {
     return [place = place_of(where)](const Scene& scene, std::size_t item) {
@@ -177,11 +179,11 @@ SceneKey row(std::string_view path, Where where, const ValueType& type, std::str
         key.initial = initial(draft_by_default().scene);
     } else
         key.initial = initial(draft_by_default());
-    key.initial_goes_unsaid = key.initial == "\"\"" || key.initial == "[]";
+    key.omits_initial = key.initial == "\"\"" || key.initial == "[]";
     return key;
 }
 
-// A row that is read and written by functions of its own: read_by, written_by.
+// A row without a member, for read_by and written_by.
 inline SceneKey row(std::string_view path, const ValueType& type, std::string_view example,
                     std::string_view summary) {
     return {path, type, example, summary};
@@ -225,7 +227,7 @@ SceneKey texts(std::string_view path, Where where, std::string_view example,
                summary);
 }
 
-// How many numbers, and in how many rows, follows from the value's type.
+// The member's C++ type gives the number of values: a vector, a matrix or a list of any size.
 template <typename Where>
 SceneKey numbers(std::string_view path, Where where, Bounds bounds, std::string_view unit,
                  std::string_view example, std::string_view summary) {

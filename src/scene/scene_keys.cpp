@@ -21,7 +21,7 @@ std::vector<SceneKey> all_sections() {
     return keys;
 }
 
-// A value as it stands in a sentence: a string without its quotes, "1.0" as 1.
+// A TOML value for use in a sentence: a string without its quotes, 1.0 as 1.
 std::string_view plain(std::string_view value) {
     if (value.starts_with('"')) return value.substr(1, value.size() - 2);
     if (value.ends_with(".0")) value.remove_suffix(2);
@@ -55,19 +55,19 @@ std::string SceneKey::expectation() const {
 
 std::string_view SceneKey::default_text() const {
     const bool says_nothing = initial == "\"\"" || initial == "[]";
-    return has_no_default || says_nothing || !otherwise.empty() ? std::string_view() : initial;
+    return has_no_default || says_nothing || !default_words.empty() ? std::string_view() : initial;
 }
 
 std::string SceneKey::explanation() const {
     std::string text = fmt::format("{}; {}", type.words(), summary);
-    if (!otherwise.empty()) return fmt::format("{}; default: {}", text, otherwise);
+    if (!default_words.empty()) return fmt::format("{}; default: {}", text, default_words);
     if (default_text().empty()) return text;
     return fmt::format("{}; default {}", text, plain(default_text()));
 }
 
 std::string SceneKey::write(const Scene& scene, std::size_t item) const {
     std::string text = value(scene, item);
-    return initial_goes_unsaid && text == initial ? std::string() : text;
+    return omits_initial && text == initial ? std::string() : text;
 }
 
 std::span<const SceneKey> scene_keys() {

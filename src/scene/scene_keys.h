@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "scene/value_type.h"
 
@@ -18,43 +19,42 @@ struct SceneDraft;
 
 // One key. In a path, "[]" stands for the index in an array of tables: "body.masses[].mass_kg".
 struct SceneKey {
+    using Reader = std::function<void(const GivenValue& given, SceneDraft& draft)>;
+    using Writer = std::function<std::string(const Scene& scene, std::size_t item)>;
+
     std::string_view path;     // "start.omega_rad_s"
     ValueType type;            // what it takes
     std::string_view example;  // a value as TOML text
     std::string_view summary;  // what it means
 
-    // Stores the value; throws SceneError for what the type does not take.
-    std::function<void(const GivenValue& given, SceneDraft& draft)> read{};
+    // Stores the value; throws SceneError for a value that the type does not accept.
+    Reader read{};
+    // Returns the value as TOML text, or empty if the scene has none. `item`: index for "[]".
+    Writer value{};
 
-    // The value as TOML text, or empty if the scene has none. `item`: index for "[]".
-    std::function<std::string(const Scene& scene, std::size_t item)> value{};
-
-    // The value of a scene that says nothing, as TOML text; empty: it then has none.
+    // The value in a default-constructed scene, as TOML text; empty: it has none.
     std::string initial{};
-    // What holds where a scene does not say it, in words, where no value says that.
-    std::string_view otherwise{};
-    // Whether there is nothing to go by where it is left out.
-    bool has_no_default = false;
-    // Whether the initial value is left out when a scene is written.
-    bool initial_goes_unsaid = false;
+    // The default in words, if it is not a fixed value.
+    std::string_view default_words{};
+    bool has_no_default = false;  // the initial value is not a default
+    bool omits_initial = false;   // the writer leaves the initial value out
 
-    // How a row is told further, in the tables of keys.
-    SceneKey&& without_default() &&;
-    SceneKey&& default_is(std::string_view words) &&;
-    SceneKey&& said_if_empty() &&;
-    SceneKey&& unsaid_by_default() &&;
+    // Further properties of a row, set in the tables of keys.
+    SceneKey&& from_list(std::string_view list) && { return with(type.list, list); }
+    SceneKey&& values_named(std::string_view names) && { return with(type.names_of_values, names); }
+    SceneKey&& with_size(ValueType::Size size) && { return with(type.size, size); }
     SceneKey&& or_text(std::string_view words, std::string_view pattern) &&;
-    SceneKey&& from_list(std::string_view list) &&;
-    SceneKey&& values_named(std::string_view names) &&;
-    SceneKey&& with_size(std::size_t least, std::size_t most) &&;
-    SceneKey&& read_by(std::function<void(const GivenValue& given, SceneDraft& draft)> reader) &&;
-    // Throws InputError for a value that cannot be; it is then refused at its own place.
+    SceneKey&& default_is(std::string_view words) && { return with(default_words, words); }
+    SceneKey&& without_default() &&;
+    SceneKey&& omitted_if_default() && { return with(omits_initial, true); }
+    SceneKey&& written_if_empty() && { return with(omits_initial, false); }
+    SceneKey&& read_by(Reader reader) && { return with(read, std::move(reader)); }
+    // `check` throws InputError for an unknown name, which is then refused at its own place.
     SceneKey&& checked_by(std::function<void(const std::string& text)> check) &&;
-    SceneKey&& written_by(
-        std::function<std::string(const Scene& scene, std::size_t item)> writer) &&;
+    SceneKey&& written_by(Writer writer) &&;
     SceneKey&& written_if(bool (*says)(const Scene& scene)) &&;
 
-    // The value as TOML text for a scene's file, or empty if it goes without saying.
+    // Returns the value as TOML text, or empty if it is to be left out of the file.
     std::string write(const Scene& scene, std::size_t item) const;
 
     // "omega_rad_s"
@@ -66,10 +66,17 @@ struct SceneKey {
     }
     // "three numbers in rad/s, as in omega_rad_s = [0.01, 2.0, 0.01]"
     std::string expectation() const;
-    // The default as TOML text, or empty if there is none, or only one in words.
+    // The default as TOML text; empty if there is none, or one in words only.
     std::string_view default_text() const;
     // "a number from 0.25 to 8; factor on all type in the picture; default 1"
     std::string explanation() const;
+
+ private:
+    template <typename Field, typename Value>
+    SceneKey&& with(Field& field, Value value) {
+        field = std::move(value);
+        return std::move(*this);
+    }
 };
 
 std::span<const SceneKey> scene_keys();
@@ -87,7 +94,7 @@ std::span<const SceneArray> scene_arrays();
 const SceneKey* find_scene_key(std::string_view path);
 
 // Returns a suggestion for an unknown path, to be appended to a message: `; did you mean "x"?`, or
-// the keys of its table. `in_file`: keys are named as written below their [table], otherwise by
+// the keys of its table. `in_file`: keys are named as written below their [table], default_words by
 // their whole path.
 std::string scene_key_remedy(std::string_view unknown_path, bool in_file);
 

@@ -171,7 +171,7 @@ std::string text_of(const LookSpec& look) {
     return toml_text(std::string_view(fmt::format("{}", fmt::join(words, " "))));
 }
 
-// The row of a role. Its path and summary stay where they are.
+// The key of a role. The deque holds the texts to which its string views refer.
 SceneKey role_row(const StyleRole& role) {
     static std::deque<std::string> words;
     const bool is_line = role.kind == StyleKind::line, is_surface = role.kind == StyleKind::surface;
@@ -194,7 +194,7 @@ SceneKey role_row(const StyleRole& role) {
         });
 }
 
-// The factor on one kind of type.
+// Factor on the type size of one kind of text.
 SceneKey scale_row(std::string_view path, std::optional<double> StyleSpec::*scale,
                    std::string_view summary) {
     return key_rows::number(path, in(&Scene::style, scale), within(0.25, 8.0), "", "1.25", summary)
@@ -255,7 +255,7 @@ std::span<const SceneKey> style_keys() {
 std::span<const SceneKey> mark_keys() {
     using namespace key_rows;
     static const SceneKey rows[] = {
-        numbers("marks[].at", mark(&MarkSpec::at), of_a_target, "", "[1.0, 0.0, 0.0]",
+        numbers("marks[].at", mark(&MarkSpec::at), coordinates, "", "[1.0, 0.0, 0.0]",
                 "where it is: on the ellipsoid, in this direction of the body's axes; on the body, "
                 "at this point of its axes in m; in space, at this point as [camera] target")
             .without_default(),
@@ -265,7 +265,7 @@ std::span<const SceneKey> mark_keys() {
             .default_is("nothing"),
         boolean("marks[].trail", mark(&MarkSpec::trail), "true",
                 "whether the way that it went is shown")
-            .unsaid_by_default(),
+            .omitted_if_default(),
         row("marks[].colour", {.kind = ValueType::Kind::text}, R"("#cf4a12")", "its colour")
             .default_is("that of the contact")
             .read_by(read_mark_colour)

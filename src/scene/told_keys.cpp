@@ -33,7 +33,7 @@ constexpr auto timed_caption(Value TimedCaptionSpec::*member) {
 std::span<const SceneKey> told_keys() {
     using namespace key_rows;
     static const SceneKey rows[] = {
-        // The film told in its own seconds: the camera's ways and the motion's speed, …
+        // Keyframes: movements of the camera and changes of the speed.
         number("keyframes[].at_s", keyframe(&KeyframeSpec::at_s), film_seconds, "s", "3.0",
                "second of the film at which this is reached")
             .without_default(),
@@ -50,20 +50,20 @@ std::span<const SceneKey> told_keys() {
             .default_is("all that are seen as [camera] says, with no camera of their own"),
         number("keyframes[].azimuth_deg", keyframe(&KeyframeSpec::azimuth_deg),
                within(-36000.0, 36000.0), "degrees", "30.0", "as in [camera]; it may go past 360"),
-        number("keyframes[].elevation_deg", keyframe(&KeyframeSpec::elevation_deg),
-               within(-90.0, 90.0), "degrees", "35.0", "as in [camera]"),
-        number("keyframes[].distance", keyframe(&KeyframeSpec::distance), within(0.01, 10000.0),
+        number("keyframes[].elevation_deg", keyframe(&KeyframeSpec::elevation_deg), elevations_deg,
+               "degrees", "35.0", "as in [camera]"),
+        number("keyframes[].distance", keyframe(&KeyframeSpec::distance), distances,
                "largest half-axes", "4.0", "as in [camera]"),
-        number("keyframes[].field_deg", keyframe(&KeyframeSpec::field_deg), within(0.1, 150.0),
-               "degrees", "20.0", "as in [camera]"),
-        numbers("keyframes[].target", keyframe(&KeyframeSpec::target), of_a_target,
+        number("keyframes[].field_deg", keyframe(&KeyframeSpec::field_deg), fields_deg, "degrees",
+               "20.0", "as in [camera]"),
+        numbers("keyframes[].target", keyframe(&KeyframeSpec::target), coordinates,
                 "largest half-axes", "[0.0, 0.0, 0.5]", "as in [camera]"),
         one_of("keyframes[].look_at", keyframe(&KeyframeSpec::look_at), camera_aims(),
                R"("centre")", "as in [camera]"),
         number("keyframes[].speed", keyframe(&KeyframeSpec::speed), within(0.0, 1e12), "", "0.2",
                "seconds of motion a second of film; 0 stops the motion"),
 
-        // … what comes and goes, …
+        // Fades.
         number("fades[].at_s", fade(&FadeSpec::at_s), film_seconds, "s", "2.0",
                "second of the film at which it begins")
             .without_default(),
@@ -78,7 +78,7 @@ std::span<const SceneKey> told_keys() {
         number("fades[].opacity", fade(&FadeSpec::opacity), within(0.0, 1.0), "", "1.0",
                "in the end: 1 to come in, 0 to go, less than 1 to grow pale"),
 
-        // … what is said meanwhile, …
+        // Captions.
         number("captions[].at_s", timed_caption(&TimedCaptionSpec::at_s), film_seconds, "s", "4.0",
                "second of the film at which it comes")
             .without_default(),
@@ -90,9 +90,9 @@ std::span<const SceneKey> told_keys() {
             .without_default(),
         one_of("captions[].place", timed_caption(&TimedCaptionSpec::place), caption_places,
                R"("top")", "bottom (over the scene's caption) or top (under its title)")
-            .unsaid_by_default(),
+            .omitted_if_default(),
 
-        // … and what its sections are called.
+        // Chapters.
         number("chapters[].at_s", in(&Scene::chapters, &ChapterSpec::at_s), film_seconds, "s",
                "0.0", "second of the film at which the section begins")
             .without_default(),

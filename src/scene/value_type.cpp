@@ -8,7 +8,7 @@ namespace poinsot {
 
 namespace {
 
-// "pale", "dashed" or "omitted", each in quotes.
+// "pale", "dashed" or "omitted", with the quotes.
 std::string choice_of(std::span<const std::string_view> names) {
     std::string text;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -32,7 +32,7 @@ std::string_view noun(const ValueType& type) {
     return type.list.empty() ? "string" : "name";
 }
 
-// "positive numbers from 0 to 1", with the list that has the names.
+// "positive numbers", "integers from 0 to 64", "names in `poinsot list views`".
 std::string values(const ValueType& type, std::string_view ending) {
     const bool is_positive = type.bounds.least == 0.0 && type.bounds.without_least;
     return fmt::format("{}{}{}{}{}", is_positive ? "positive " : "", noun(type), ending,
@@ -69,7 +69,7 @@ std::string value_words(const ValueType& type) {
 
 std::string bound_text(double bound) {
     std::string text = fmt::format("{}", bound);
-    // Powers of ten by their exponent, from 1e5 on, and exponents without a leading zero.
+    // Powers of ten from 1e5 on as such; exponents without a leading zero.
     const std::size_t n_zeros = text.size() - 1;
     if (n_zeros >= 5 && text[0] == '1' && text.find_first_not_of('0', 1) == std::string::npos)
         return fmt::format("1e{}", n_zeros);

@@ -1,5 +1,5 @@
-// What a key of a scene takes, described once. Reading and its messages, `poinsot list keys`, the
-// scene reference and the JSON schema all follow from the description.
+// The type of a scene key's values. Reading, error messages, `poinsot list keys`, the scene
+// reference and the JSON schema are all derived from it.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace poinsot {
 
-// The numbers that a key takes. An absent bound is none.
+// The range of a number.
 struct Bounds {
     std::optional<double> least{}, most{};
     bool without_least = false;  // numbers must be greater than `least`
@@ -28,12 +28,12 @@ inline constexpr Bounds no_bounds{};
 inline constexpr Bounds positive{0.0, std::nullopt, true};
 constexpr Bounds within(double least, double most) { return {least, most, false}; }
 
-// A bound as people write it: "1e-6", "1e7", "0.25".
+// A bound in its usual notation: "1e-6", "1e7", "0.25".
 std::string bound_text(double bound);
 
 struct ValueType {
     enum class Kind { boolean, number, integer, text };
-    // How many values a list has.
+    // The number of values in a list.
     struct Size {
         std::size_t least = 0, most = std::numeric_limits<std::size_t>::max();
     };
@@ -42,16 +42,16 @@ struct ValueType {
     Bounds bounds{};          // of each number
     std::string_view unit{};  // "rad/s", or words such as "pixels"; empty: none
 
-    // The texts that are taken, or the `poinsot list` that names them. Both empty: any text.
+    // The texts that are accepted, or the `poinsot list` that names them. Both empty: any text.
     std::span<const std::string_view> names{};
     std::string_view list{};
 
-    std::optional<Size> size{};          // absent: one value and not a list
-    std::size_t n_rows = 0;              // so many lists of that size, in a list; 0: a single one
+    std::optional<Size> size{};          // absent: a single value
+    std::size_t n_rows = 0;              // of a matrix; 0: not a matrix
     std::string_view names_of_values{};  // "w, x, y, z"
 
-    // What a string may hold in place of the value ("a ratio in a string"), and the regular
-    // expression that such strings match.
+    // A string that is accepted instead of the value, in words ("a ratio in a string") and as a
+    // regular expression.
     std::string_view or_text{}, or_pattern{};
 
     bool may_be_text() const { return kind == Kind::text || !or_text.empty(); }

@@ -2,11 +2,11 @@
 """Checks the program's schema with an independent JSON Schema validator.
 
 Usage: schema_check.py POINSOT
-Every scene of scenes/ is valid and names the schema for editors; what stands in scenes/ is what the program prints; every key has a
-type; 44 broken scenes are refused at the right key, as the program itself refuses them; and of every key that takes numbers the schema
-has the bounds that the program names when a number is outside of them, refuses 0 where the program asks for one greater than 0, and
-takes what the program takes. Every default is valid for its own key, every key whose name ends in a unit has that unit, and every key that takes
-certain names refuses another, as the program does.
+Every scene in scenes/ is valid and names the schema for editors; the schema in scenes/ is the one that the program prints; every
+key has a type; 44 invalid scenes are rejected at the same key as by the program; and for every numeric key, the schema has the
+bounds that the program states in its error message, rejects 0 where the program requires a positive number, and accepts what the
+program accepts. Every default is valid for its own key, every key whose name ends in a unit has that unit, and every key with a fixed
+list of names rejects another name, as the program does.
 """
 import json
 import pathlib
@@ -77,7 +77,7 @@ BROKEN = [
     ("", '[[panels]]\nkind = "spaces"', "kind"),
     ("", '[[keyframes]]\nat_s = 0.0\neasing = "bumpy"', "easing"),
 ]
-# What the end of a key's name says of its unit; longer endings first.
+# The unit of a key by the end of its name; longer ends first.
 UNITS = {
     "_kg_m2": "kg m²", "_kg_m3": "kg/m³", "_rad_s": "rad/s", "_N_m": "N m", "_1_s": "1/s", "_deg": "degrees", "_rad": "rad", "_kg": "kg",
     "_px": "pixels", "_m": "m", "_s": "s",
@@ -156,7 +156,7 @@ def disagreements(program, schema):
 
 
 def enumerations(schema, header=""):
-    """Of every key that takes certain names, but for arrays of tables in tables: its name, what it takes, and a scene that gives it a value."""
+    """Yields every key with a fixed list of names: its name, its schema, and a scene that sets it, with a place for the value."""
     for name, leaf in schema["properties"].items():
         items = leaf.get("items", {})
         if "properties" in leaf:
@@ -181,12 +181,12 @@ def wrong_descriptions(program, schema):
     for key, leaf, scene in enumerations(schema):
         n_enumerations += 1
         if jsonschema.Draft4Validator(leaf).is_valid("no such name"):
-            yield f"{key}: the schema takes a name that there is not"
-        # The names of lists are looked up when all of a scene is read.
+            yield f"{key}: the schema accepts an unknown name"
+        # The program looks up the names of `poinsot list` only in complete scenes.
         if "in `poinsot list" not in leaf["description"] and "no such name" not in said_of(program, scene.format('"no such name"')):
-            yield f"{key}: the program takes a name that there is not"
+            yield f"{key}: the program accepts an unknown name"
     if n_defaults < 40 or n_units < 40 or n_enumerations < 25:
-        yield f"only {n_defaults} defaults, {n_units} units and {n_enumerations} keys that take certain names"
+        yield f"only {n_defaults} defaults, {n_units} units and {n_enumerations} keys with a fixed list of names"
 
 
 def findings(program):

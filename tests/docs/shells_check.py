@@ -21,6 +21,8 @@ TYPED = [
     ("poinsot render --quality dr", ["draft"]),
     ("poinsot still --backend os", ["osmesa"]),
     ("poinsot still --set film.qual", ["film.quality="]),
+    ("poinsot still --set film.quality=dr", ["film.quality=draft"]),
+    ("poinsot still --set hidden=om", ["hidden=omitted"]),
     ("poinsot check tennis_r", ["tennis_racket"]),
     ("poinsot check my_own", ["my_own_scene.toml"]),
     ("poinsot list easi", ["easings"]),

@@ -668,7 +668,8 @@ TEST(SceneKeys, EveryRowIsExplained) {
     }
 }
 
-// What is wrong with a value of a key, by its row alone; empty: nothing. The draft then has it.
+// The error message for a value of a key, read by its row alone. Empty: the value is then in the
+// draft.
 std::string said_of(const SceneKey& key, const std::string& text, SceneDraft& draft) {
     const TomlValue document = parse_toml("value = " + text, "scenes/a.toml");
     try {
@@ -683,7 +684,7 @@ std::string said_of(const SceneKey& key, const std::string& text) {
     return said_of(key, text, draft);
 }
 
-// A number as TOML text, or a list that has it in every place.
+// A number as TOML text, or a list of equal numbers.
 std::string numbers_text(const ValueType& type, double number) {
     const std::string one = type.kind == ValueType::Kind::integer
                                 ? toml_text(static_cast<int>(number))
@@ -754,14 +755,14 @@ TEST(SceneKeys, EveryListHasAsManyValuesAsItsRowSays) {
     EXPECT_GT(n_lists, 12);
 }
 
-TEST(SceneKeys, EveryNameOfAnEnumerationIsReadAndNoOther) {
+TEST(SceneKeys, EveryNameOfAFixedListIsReadAndNoOther) {
     int n_names = 0;
     for (const SceneKey& key : scene_keys()) {
         for (const std::string_view name : key.type.names) {
             ++n_names;
             SceneDraft draft = draft_by_default();
             EXPECT_EQ(said_of(key, toml_text(name), draft), "") << key.path;
-            // What acts on the body is put into the scene once all of it is read.
+            // The scene has no torque before all of its keys are read.
             const std::string kept = key.path == "torque.kind"
                                          ? toml_text(std::string_view(draft.torque_kind))
                                          : key.value(draft.scene, 0);
@@ -775,8 +776,8 @@ TEST(SceneKeys, EveryNameOfAnEnumerationIsReadAndNoOther) {
     EXPECT_GT(n_names, 60);
 }
 
-TEST(SceneKeys, EveryDefaultIsWhatASceneHasThatDoesNotSayIt) {
-    // Scenes that say what they must and no more, with an item in every array of tables.
+TEST(SceneKeys, EveryDefaultIsTheValueOfASceneWithoutTheKey) {
+    // Scenes with the required keys only, and an item in every array of tables.
     const std::string items =
         a_picture +
         "[[panels]]\n[[marks]]\nat = [1, 2, 3]\n[[keyframes]]\nat_s = 1\nspeed = 2\n"
@@ -802,18 +803,17 @@ TEST(SceneKeys, EveryDefaultIsWhatASceneHasThatDoesNotSayIt) {
     EXPECT_GE(n_defaults, 40);
 }
 
-TEST(SceneKeys, AValueThatGoesWithoutSayingIsNotWritten) {
-    // The initial values of these rows, said in a scene, are left out of what is written of it.
+TEST(SceneKeys, AnOmittedDefaultIsNotWritten) {
     for (const SceneKey& key : scene_keys()) {
         SceneDraft draft = draft_by_default();
-        if (!key.initial_goes_unsaid || key.path == "torque.kind") continue;
+        if (!key.omits_initial || key.path == "torque.kind") continue;
         EXPECT_EQ(key.write(draft.scene, 0), "") << key.path;
         const std::string other = key.type.kind == ValueType::Kind::boolean
                                       ? (key.initial == "true" ? "false" : "true")
                                       : std::string(key.example);
         ASSERT_EQ(said_of(key, other, draft), "") << key.path;
         EXPECT_NE(key.value(draft.scene, 0), key.initial) << key.path;
-        const bool says = key.path != "body.shape";  // it is written of a solid alone
+        const bool says = key.path != "body.shape";  // written for a solid only
         EXPECT_EQ(key.write(draft.scene, 0), says ? key.value(draft.scene, 0) : "") << key.path;
     }
 }
