@@ -1,6 +1,5 @@
 // Keys of the motion: its start, torque and method.
 #include <array>
-#include <cstring>
 #include <numbers>
 #include <string_view>
 #include <variant>
@@ -36,11 +35,9 @@ std::string torque_kind_text(const Scene& scene, std::size_t) {
 
 std::string attitude_text(const Scene& scene, std::size_t) {
     const Eigen::Quaterniond& q = scene.start.space_from_body;
-    const Eigen::Vector4d attitude(q.w(), q.x(), q.y(), q.z());
-    // Compares bits: a component of −0 differs from the default.
-    constexpr std::array<double, 4> by_default{1.0, 0.0, 0.0, 0.0};
-    const bool is_default = std::memcmp(attitude.data(), by_default.data(), sizeof by_default) == 0;
-    return scene.start.top || is_default ? "" : toml_text(attitude);
+    // As text, a component of −0 differs from the default.
+    const std::string text = toml_text(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()));
+    return scene.start.top || text == "[1.0, 0.0, 0.0, 0.0]" ? "" : text;
 }
 
 template <typename Value>

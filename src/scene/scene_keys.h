@@ -72,9 +72,9 @@ struct SceneKey {
     std::string explanation() const;
 
  private:
-    template <typename Field, typename Value>
-    SceneKey&& with(Field& field, Value value) {
-        field = std::move(value);
+    template <typename Field, typename Set>
+    SceneKey&& with(Field& field, Set set) {
+        field = std::move(set);
         return std::move(*this);
     }
 };
