@@ -155,7 +155,7 @@ TEST_F(Parts, ThatCannotBeAreRefused) {
     expect_refusal("render a.toml -o p.png --part 1/2", "one picture has no parts");
     expect_refusal("render a.toml -o null --part 1/2", "has no parts");
     expect_refusal("render a.toml -o p.mp4 --jobs 0", "--jobs 0");
-    expect_refusal("render a.toml -o p.mp4 --jobs 2 --part 1/2", "--part is drawn by one process");
+    expect_refusal("render a.toml -o p.mp4 --jobs 2 --part 1/2", "one process draws a --part");
     // A name without room for the parts would let one replace the other, or the film.
     make("render a.toml -q -o p.mp4 --part 1/2");
     expect_refusal("render a.toml -q -o p.mp4 --part 2/2", "holds part 1 of this film");

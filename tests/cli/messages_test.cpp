@@ -188,7 +188,7 @@ TEST_F(Messages, AStillGoesToStandardOutput) {
     EXPECT_EQ(printed.out, text_of(folder_.path() / "a.png"));
     ASSERT_EQ(run("still scene.toml --depth 16 -o b.png").code, 0);
     EXPECT_EQ(run("still scene.toml --depth 16 -o -").out, text_of(folder_.path() / "b.png"));
-    refuses("still scene.toml scene.toml -o -", 2, {"cannot go to one name"});
+    refuses("still scene.toml scene.toml -o -", 2, {"2 scenes need as many output names"});
     const std::string full = "cd '" + folder_.path().string() + "' && '" + program_path() +
                              "' still scene.toml -q -o - >/dev/full 2>/dev/null";
     EXPECT_EQ(WEXITSTATUS(std::system(full.c_str())), 3);
@@ -203,7 +203,7 @@ TEST_F(Messages, ListsAreGroupedFilteredAndFolded) {
     EXPECT_NE(camera.out.find("camera.azimuth_deg"), std::string::npos);
     EXPECT_EQ(camera.out.find("motion.step_s"), std::string::npos);
     EXPECT_LT(camera.out.size(), all.size() / 2);
-    refuses("list keys xyzzy", 2, {"nothing there has \"xyzzy\"", "poinsot list keys"});
+    refuses("list keys xyzzy", 2, {"no entry contains \"xyzzy\"", "poinsot list keys"});
     const std::string overlays = run("list overlays").out;
     for (const char* name : {"title", "caption", "clock"})
         EXPECT_NE(overlays.find(name), std::string::npos);

@@ -152,7 +152,8 @@ TEST(SampleTimes, AFileAndStandardInputNameInstants) {
     folder.write("bad.txt", "0\n 1 two\n");
     const ProgramRun bad = run_program_in(folder, "sample scene.toml --times-file bad.txt");
     EXPECT_EQ(bad.code, 2);
-    EXPECT_EQ(bad.err, "bad.txt:2:4: \"two\" is not a time in seconds; write one instant a line\n");
+    EXPECT_EQ(bad.err,
+              "bad.txt:2:4: \"two\" is not a time in seconds; write one instant per line\n");
     folder.write("empty.txt", "# nothing\n");
     for (const char* file : {"empty.txt", "missing.txt", "."}) {
         const ProgramRun run =

@@ -268,7 +268,7 @@ TEST_F(Swept, IsSampledValueByValue) {
     EXPECT_EQ(text_of(folder_.path() / "all.csv"), right);
     const ProgramRun words = run(what + "--sweep theme=light,dark");
     EXPECT_EQ(words.code, 2);
-    EXPECT_NE(words.err.find("light is no number"), std::string::npos) << words.err;
+    EXPECT_NE(words.err.find("light is not a number"), std::string::npos) << words.err;
     EXPECT_EQ(words.out, "");
 }
 
