@@ -53,11 +53,11 @@ double GivenValue::measured_number(const TomlValue& value, const std::string& na
     }
     const auto other = measured(given);
     throw SceneError(value.where,
-                     fmt::format("{} is \"{}\", {}; give {}, or a string with another unit of "
-                                 "the same, as in \"{}\"",
+                     fmt::format("{} is \"{}\", {}; give {}, or a string with another unit of the "
+                                 "same kind, as in \"{}\"",
                                  name, printable(given),
-                                 other ? fmt::format("and that is no measure in {}", key_.unit)
-                                       : "which is no number with a unit",
+                                 other ? fmt::format("which cannot be converted to {}", key_.unit)
+                                       : "which is not a number with a unit",
                                  key_.expectation(), measured_example(key_.unit)));
 }
 

@@ -100,10 +100,10 @@ TEST_F(Messages, TransparencyThatIsLostIsSaid) {
         return made.err;
     };
     for (const char* theme : {"transparent", "transparent-dark"}) {
-        EXPECT_NE(said(theme, "a.mp4").find(".mp4 keeps no transparency"), std::string::npos);
-        EXPECT_NE(said(theme, "a.mp4").find(".webm and a .png sequence keep it"),
+        EXPECT_NE(said(theme, "a.mp4").find(".mp4 has no transparency"), std::string::npos);
+        EXPECT_NE(said(theme, "a.mp4").find(".webm and a .png sequence keep transparency"),
                   std::string::npos);
-        EXPECT_NE(said(theme, "a.gif").find("a GIF's pixels are seen through or not"),
+        EXPECT_NE(said(theme, "a.gif").find("a pixel of a GIF is either transparent or opaque"),
                   std::string::npos);
         EXPECT_EQ(said(theme, "a.webm").find("note"), std::string::npos);
         EXPECT_EQ(said(theme, "'a_####.png'").find("transparency"), std::string::npos);
@@ -151,12 +151,12 @@ TEST_F(Messages, AGifGoesThroughAPipe) {
 
 TEST_F(Messages, ASuffixThatIsNotWrittenNamesTheNearestWay) {
     refuses("render scene.toml --size 20000x100 -o a.mp4", 2,
-            {"film.size is 20000x100", "at most 16384 pixels a side"});
+            {"film.size is 20000x100", "at most 16384 pixels per side"});
     refuses("render scene.toml -o a.mov", 2, {"\".mov\"", "write .mp4", "ffmpeg -i film.mp4"});
     refuses("render scene.toml -o a.mpg4", 2, {"did you mean \".mp4\"?"});
     refuses("render scene.toml -o a.avi", 2, {"write .mp4"});
     refuses("render scene.toml -o a.jpg", 2, {"write .png"});
-    refuses("render scene.toml -o a.xyzzy", 2, {"the known are .mp4, .webm, .gif"});
+    refuses("render scene.toml -o a.xyzzy", 2, {"the formats are .mp4, .webm, .gif"});
 }
 
 // A mere name is that of a scene which came with the program, or nearly one.
@@ -301,8 +301,8 @@ TEST_F(Messages, APictureWithoutARecordIsNamedSo) {
     fs::create_directories(folder_.path() / "results");
     write_png(folder_.path() / "results/other.png", Image(4, 4));
     refuses("approve other --any-renderer --results results --baselines base", 2,
-            {"results/other.png: carries no record of how it was made", "draw it with poinsot"});
-    refuses("explain results/other.png", 2, {"carries no record of how it was made"});
+            {"results/other.png: has no record of how it was made", "draw it with poinsot"});
+    refuses("explain results/other.png", 2, {"has no record of how it was made"});
 }
 
 // A billion seconds on, the herpolhode is a ring, said so and within the bound; a chart is refused.

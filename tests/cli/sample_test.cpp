@@ -266,8 +266,8 @@ TEST(SampleColumns, WhatIsUnknownTwiceOrNotThereIsRefused) {
         EXPECT_EQ(answer.out, "");
     };
     said("omega_bdy", "did you mean \"omega_body\"");
-    said("omega_body,omega_body_1", "named twice");
-    said("time,", "nothing called \"\"");
+    said("omega_body,omega_body_1", "given twice");
+    said("time,", "no column is called \"\"");
 }
 
 TEST(SampleFiles, AllFormatsHoldTheSameNumbers) {

@@ -206,7 +206,7 @@ TEST_F(Submit, IsRefusedInASentence) {
     expect("submit a.toml -o a.png --parts 2", 2, "has no parts");
     expect("submit none.toml -o a.mp4 --parts 2", 2, "none.toml");
     expect("submit a.toml -o no/a.mp4 --parts 2", 3, "there is no folder no");
-    expect("status .", 2, "no folder of a submission");
+    expect("status .", 2, "is not the folder of a submission");
     // Refused at the second call: the first is cancelled.
     stand_in("scontrol", "echo 'MaxArraySize = 3'\n");
     stand_in("sbatch",
@@ -223,7 +223,8 @@ TEST_F(Submit, NeedsSbatch) {
     const ProgramRun done =
         run_program_in(folder_, "submit a.toml -q -o a.mp4 --parts 2", "PATH=\"$PWD/bin\"");
     EXPECT_EQ(done.code, 3);
-    EXPECT_NE(done.err.find("sbatch: there is no such program"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("sbatch: this machine has no such program"), std::string::npos)
+        << done.err;
 }
 
 }  // namespace

@@ -281,7 +281,7 @@ TEST_P(InterruptedFilm, OfZeroesStartsAgain) {
 
 TEST_P(InterruptedFilm, IsNotThereWithoutOne) {
     EXPECT_EQ(input_error_of([&] { recover_film(plan_.path); }),
-              "there is no unfinished film of " + plan_.path.string());
+              "there is no unfinished film " + plan_.path.string());
     EXPECT_TRUE(folder_.contents().empty());
 }
 
@@ -343,7 +343,7 @@ TEST(FrameLog, KeepsWhatComesBeforeAChangedByte) {
 
 TEST(Recover, IsForFilms) {
     const TemporaryFolder folder;
-    EXPECT_NE(input_error_of([&] { recover_film(folder / "a_#.png"); }).find("is no film"),
+    EXPECT_NE(input_error_of([&] { recover_film(folder / "a_#.png"); }).find("is not a film"),
               std::string::npos);
 }
 
@@ -434,7 +434,7 @@ TEST(Films, WantOfRoomIsReportedAfterTheFirstFrames) {
         const std::string message = environment_error_of([&] {
             for (std::int64_t k = 0; k < 130; ++k) sink->write(frame_of(plan, k));
         });
-        EXPECT_NE(message.find("frames to come need about"), std::string::npos) << name;
+        EXPECT_NE(message.find("remaining frames need about"), std::string::npos) << name;
     }
 }
 
