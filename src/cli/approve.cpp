@@ -25,7 +25,8 @@ struct ApproveChoices {
 int run(const ApproveChoices& choices) {
     if (choices.results.empty() || choices.baselines.empty())
         throw InputError(
-            "poinsot approve: say with --results and --baselines from which folder to which");
+            "poinsot approve: give both folders, the new pictures with --results and the baselines "
+            "with --baselines");
     approve({.results = choices.results,
              .baselines = choices.baselines,
              .names = choices.names,
@@ -51,8 +52,8 @@ CommandLine approve_line(std::any& room) {
          {"--baselines", "folder of the baselines and their manifest", &c.baselines, "", "FOLDER",
           false, "folder"},
          {"--why", "the reason for the change, kept in the manifest", &c.why, "", "REASON"},
-         {"--any-renderer", "take pictures of another renderer or profile, too", &c.any_renderer},
-         {"--all", "take every picture that is new or has changed", &c.all},
+         {"--any-renderer", "also accept pictures of another renderer or profile", &c.any_renderer},
+         {"--all", "approve every picture that is new or has changed", &c.all},
          quiet_option(c.quiet)},
         [&c] { return run(c); }};
 }
@@ -64,11 +65,11 @@ extern const Command approve_command{
     "NAME",
     0,
     1000000,
-    "take pictures as the new baselines, and record why",
+    "make new pictures the baselines of later comparisons",
     approve_line,
     {{{"poinsot approve generic --results results --baselines baselines --why \"thicker axes\"",
-       "one new baseline"},
+       "makes one picture a baseline"},
       {"poinsot approve --all --results results --baselines baselines --why \"new theme\"",
-       "all that changed"}}}};
+       "approves every new or changed picture"}}}};
 
 }  // namespace poinsot

@@ -80,9 +80,9 @@ std::vector<CatalogueEntry> quality_entries() {
         const QualityFigures& f = quality.figures;
         entries.push_back(
             {std::string(quality.name),
-             fmt::format("{}; a picture costs {:.2g} times {}'s and is {:g} of 255 levels (rms) "
-                         "off, a film frame of 960×540 costs {:.2g} times its and has {:g} kB, "
-                         "SSIM {:g}",
+             fmt::format("{}; a picture takes {:.2g} times as long as with {} and has an rms error "
+                         "of {:g} of 255 levels; a film frame of 960×540 takes {:.2g} times as "
+                         "long and has {:g} kB, SSIM {:g}",
                          quality.summary, f.picture_ms / usual.picture_ms, FilmSpec{}.quality,
                          f.rms_levels, f.film_ms / usual.film_ms, f.film_kB, f.film_ssim)});
     }

@@ -108,9 +108,9 @@ CommandLine check_line(std::any& room) {
              fps_option(c.scene),
              quality_option(c.scene),
              json_option(c.json,
-                         "answer in JSON: an object, with --sweep an array of one for each value"),
+                         "print JSON: one object, with --sweep an array of one object per value"),
              quiet_option(c.quiet),
-             {"--plan", "what will be modelled, and why", &c.plan},
+             {"--plan", "explain what is modelled and why", &c.plan},
              allow_outside_option(c.scene.allow_outside)},
             [&c] { return run(c); }};
 }
@@ -122,9 +122,9 @@ extern const Command check_command{
     "SCENE",
     1,
     1,
-    "validate a scene and say what its motion is",
+    "validate a scene and print its accuracy, regime, constants and periods",
     check_line,
-    {{{"poinsot check my_scene.toml", "is it a scene, and what is its motion?"},
-      {"poinsot check generic --plan", "what a film of it models, and why"}}}};
+    {{{"poinsot check my_scene.toml", "validates the scene and describes its motion"},
+      {"poinsot check generic --plan", "also explains what a film of the scene models and why"}}}};
 
 }  // namespace poinsot

@@ -45,8 +45,8 @@ double parse_share(std::string_view option, std::string_view text) {
     const double share = value ? nearest_double(*value / (percent ? 100 : 1)) : -1.0;
     if (!(share >= 0 && share <= 1))
         throw InputError(fmt::format(
-            "{} {}: not a share of the pixels; give one from 0 to 1, or from 0% to 100%", option,
-            printable(text)));
+            "{} {}: not a share of the pixels; give a share from 0 to 1, or from 0% to 100%",
+            option, printable(text)));
     return share;
 }
 
@@ -67,8 +67,8 @@ std::optional<CompareLimits> limits_of(const CompareChoices& choices) {
     if (choices.over_levels) {
         limits.level = *choices.over_levels;
         if (limits.level < 0 || limits.level > 255)
-            throw InputError(
-                fmt::format("--over-levels {}: a level is one of 0 to 255", *choices.over_levels));
+            throw InputError(fmt::format(
+                "--over-levels {}: not a level; give a level from 0 to 255", *choices.over_levels));
     }
     return limits;
 }
@@ -77,10 +77,9 @@ std::optional<CompareLimits> limits_of(const CompareChoices& choices) {
 bool are_folders(const fs::path& expected, const fs::path& actual) {
     const FileKind kind = kind_of_file(expected), actual_kind = kind_of_file(actual);
     if (kind == FileKind::missing)
-        throw InputError(
-            fmt::format("{}: no such file or folder; the first is what the second is "
-                        "compared with",
-                        printable(expected.string())));
+        throw InputError(fmt::format(
+            "{}: no such file or folder; give the reference first, then the new picture or folder",
+            printable(expected.string())));
     const bool folder = kind == FileKind::folder;
     if (actual_kind != FileKind::missing && (actual_kind == FileKind::folder) != folder)
         throw InputError(
@@ -139,8 +138,8 @@ void note_native(const std::vector<ComparedPicture>& pictures) {
     const auto n_native = std::count_if(pictures.begin(), pictures.end(), may_be_rounding);
     if (n_native > 0)
         say(fmt::format(
-            "note: {} no more than processors round apart, and not drawn with --portable; draw "
-            "them so, or compare with --profile native",
+            "note: {} by no more than the rounding of two processors; draw both pictures with "
+            "--portable, or compare with --profile native",
             n_native == 1 ? "1 pair differs" : fmt::format("{} pairs differ", n_native)));
 }
 
@@ -162,7 +161,7 @@ void refuse_overwriting(const CompareChoices& choices, const fs::path& expected,
         const auto& [option, path] = outputs[i];
         for (std::size_t k = 0; k < i; ++k)
             if (same(path, outputs[k].second))
-                refuse(option, path, fmt::format("is what {} writes", outputs[k].first));
+                refuse(option, path, fmt::format("is also the output of {}", outputs[k].first));
         if (same(path, expected) || same(path, actual))
             refuse(option, path, "is one of the files compared");
         for (const ComparedPicture& picture : pictures)
@@ -177,7 +176,7 @@ int run(const CompareChoices& choices) {
     if (choices.measures) request.likeness = likeness_of;
     const bool folders = are_folders(expected, actual);
     if (folders && !choices.diff.empty())
-        throw InputError("--diff shows one pair of pictures; for folders take --report FILE.html");
+        throw InputError("--diff shows one pair of pictures; for folders use --report FILE.html");
     if (!choices.diff.empty() && suffix_of(choices.diff) != ".png")
         throw InputError(fmt::format("--diff {}: the picture is a PNG; end its name in .png",
                                      printable(choices.diff)));
@@ -218,39 +217,40 @@ int run(const CompareChoices& choices) {
 
 CommandLine compare_line(std::any& room) {
     auto& c = room.emplace<CompareChoices>();
-    return {&c.pictures,
-            {{"--profile",
-              "portable: no pixel may differ; native: as much as processors round apart; not "
-              "given: by what the baselines' manifest says drew them, else portable",
-              &c.profile, "", "NAME", false, "portable|native"},
-             {"--max-differing", "share of the pixels that may differ at all, as 0.001 or 0.1%",
-              &c.max_differing, "", "SHARE"},
-             {"--max-over", "share of the pixels that may differ by more than --over-levels",
-              &c.max_over, "", "SHARE"},
-             {"--over-levels", "levels of 255 that --max-over counts from; 2 if not given",
-              &c.over_levels, "a level of 0 to 255"},
-             {"--measures",
-              "measure how unlike differing pictures look (SSIM, FLIP), for --json, --report and "
-              "the order; seconds a pair",
-              &c.measures},
-             json_option(c.json),
-             {"--report",
-              "FILE.html: write a page that shows the pictures",
-              &c.report,
-              "",
-              {},
-              false,
-              "file"},
-             {"--junit", "FILE.xml: write test results", &c.junit, "", {}, false, "file"},
-             {"--diff",
-              "FILE.png: write expected | difference × 16 | actual",
-              &c.diff,
-              "",
-              {},
-              false,
-              "file"},
-             quiet_option(c.quiet)},
-            [&c] { return run(c); }};
+    return {
+        &c.pictures,
+        {{"--profile",
+          "portable: no pixel may differ; native: pixels may differ by rounding; default: chosen "
+          "by the renderer that the baselines' manifest names, portable without a manifest",
+          &c.profile, "", "NAME", false, "portable|native"},
+         {"--max-differing", "share of the pixels that may differ, as 0.001 or 0.1%",
+          &c.max_differing, "", "SHARE"},
+         {"--max-over", "share of the pixels that may differ by more than --over-levels",
+          &c.max_over, "", "SHARE"},
+         {"--over-levels", "threshold of --max-over in levels of 255; default 2", &c.over_levels,
+          "a level of 0 to 255"},
+         {"--measures",
+          "also measure SSIM and FLIP of pictures that differ, for --json, --report and the order "
+          "of the results; takes seconds per pair",
+          &c.measures},
+         json_option(c.json),
+         {"--report",
+          "FILE.html: write a report that shows the pictures",
+          &c.report,
+          "",
+          {},
+          false,
+          "file"},
+         {"--junit", "FILE.xml: write test results (JUnit)", &c.junit, "", {}, false, "file"},
+         {"--diff",
+          "FILE.png: write expected | difference × 16 | actual",
+          &c.diff,
+          "",
+          {},
+          false,
+          "file"},
+         quiet_option(c.quiet)},
+        [&c] { return run(c); }};
 }
 
 }  // namespace
@@ -260,11 +260,11 @@ extern const Command compare_command{
     "REF NEW",
     2,
     2,
-    "compare two pictures, two pages of vectors, or two folders of pictures",
+    "compare two pictures, vector figures or folders exactly, or within limits that you set",
     compare_line,
     {{{"poinsot compare expected.png new.png", "exit code 0: no pixel differs; 1: some do"},
       {"poinsot compare baselines/ results/ --report report.html",
-       "two folders, with a page that shows them"}}},
+       "compares two folders and writes a report that shows the pictures"}}},
     "two pictures or two folders"};
 
 }  // namespace poinsot

@@ -136,7 +136,7 @@ string zsh_case(const Command& command) {
 string fish_values(std::string_view completes) {
     if (completes == "file") return " -r -F";
     if (completes == "folder") return " -x -a '(__fish_complete_directories)'";
-    if (completes == "keys") return " -x -a '$__poinsot_settings'";
+    if (completes == "keys") return " -x -a '$poinsot_settings'";
     const std::vector<string> words = words_of(completes);
     if (words.empty()) return " -x";
     return fmt::format(" -x -a {}", shell_quoted(fmt::format("{}", fmt::join(words, " "))));
@@ -209,7 +209,7 @@ string fish_completion() {
     string text =
         "# Completions of poinsot for fish, made by `poinsot list completion.fish`.\n"
         "complete -c poinsot -f\n";
-    text += fmt::format("set -g __poinsot_settings '{}'\n", fmt::join(settings(), "' '"));
+    text += fmt::format("set -g poinsot_settings '{}'\n", fmt::join(settings(), "' '"));
     text += "complete -c poinsot -n __fish_use_subcommand -l version -d 'print the version'\n";
     for (const Command& command : commands())
         text += fmt::format("complete -c poinsot -n __fish_use_subcommand -a {} -d {}\n",

@@ -29,7 +29,7 @@ Finding try_backend(const char* name, Backend backend) {
         const OffscreenContext context(backend);
         const ContextInfo& info = context.info();
         return {name, true,
-                fmt::format("{}; {}; pictures to {} px; device: {}", info.renderer, info.version,
+                fmt::format("{}; {}; pictures up to {} px; device: {}", info.renderer, info.version,
                             info.largest_picture_px, info.device)};
     } catch (const Error& error) {
         return {name, false, error.what()};
@@ -52,7 +52,7 @@ int run(const DoctorChoices& choices) {
     const bool draws = findings[0].works || findings[1].works;
     // One of the two is enough, and new distributions have only the second.
     if (draws && !findings[0].works)
-        findings[0].detail = "not needed: EGL works, and draws the same";
+        findings[0].detail = "not needed: EGL works and draws the same pictures";
     if (draws && !findings[1].works) findings[1].detail += "; not needed: OSMesa works";
 
     bool encodes = true;
@@ -98,9 +98,9 @@ extern const Command doctor_command{
     "",
     0,
     0,
-    "say what this machine gives: contexts, codecs, fonts",
+    "report which OpenGL backends, codecs and fonts this machine has",
     doctor_line,
-    {{{"poinsot doctor", "what draws, encodes and sets type here"},
-      {"poinsot doctor --json", "the same for a program to read"}}}};
+    {{{"poinsot doctor", "tests every OpenGL backend, codec and font"},
+      {"poinsot doctor --json", "the same as JSON"}}}};
 
 }  // namespace poinsot

@@ -81,7 +81,7 @@ int run(const ExplainChoices& choices) {
         print_text(record);
     const auto named = frame_of_name(file);
     if (record.frame && named && *named != *record.frame)
-        say(fmt::format("note: {}: is frame {} of its sequence, whatever its name says",
+        say(fmt::format("note: {}: its record says frame {}, its name gives another number",
                         printable(file.string()), *record.frame));
     if (!verification) return 0;
     const bool says_no = verification->verified == Verified::no;
@@ -98,8 +98,8 @@ CommandLine explain_line(std::any& room) {
     return {&c.files,
             {json_option(c.json),
              {"--verify",
-              "read all of the file: is it as it was written, and can it be drawn again here? exit "
-              "code 0 if both; tells mistakes, not forgeries",
+              "read the whole file and check that it is unchanged and can be drawn again here; "
+              "exit code 0 if both hold; detects accidents, not forgery",
               &c.verify},
              allow_outside_option(c.allow_outside)},
             [&c] { return run(c); }};
@@ -112,10 +112,11 @@ extern const Command explain_command{
     "FILE",
     1,
     1,
-    "print how a picture or film was made",
+    "show how a picture or film was made",
     explain_line,
-    {{{"poinsot explain generic.png", "scene, options and versions that made it"},
+    {{{"poinsot explain generic.png",
+       "prints the scene, options and versions that made the picture"},
       {"poinsot explain generic.mp4 --verify",
-       "is it as it was written, and can it be drawn again?"}}}};
+       "checks that the film is unchanged and can be drawn again"}}}};
 
 }  // namespace poinsot

@@ -44,7 +44,7 @@ std::optional<Rational> exact_decimal(std::string_view text) {
 
 void check_count(std::string_view item, double count) {
     if (count > most_instants)
-        throw_bad_range(item, "is more than 100000000 instants; ask for them in several");
+        throw_bad_range(item, "has more than 100000000 instants; split it into several runs");
 }
 
 void append(const Progression& instants, std::int64_t n, std::vector<double>& times) {
@@ -55,7 +55,7 @@ void append_stepped(std::string_view item, const Rational& first, const Rational
                     const Rational& step, std::vector<double>& times) {
     const double steps = step.is_zero() ? -1.0 : nearest_double((last - first) / step);
     if (!(steps >= 0.0))
-        throw_bad_range(item, "never reaches its last instant; give a step that leads there");
+        throw_bad_range(item, "never reaches its last instant; give a step towards it");
     check_count(item, steps);
     // A last instant that is missed only because of the rounding of a written step is included.
     const auto n = static_cast<std::int64_t>(std::floor(steps * (1.0 + 1e-15) + 1e-12));
@@ -123,7 +123,7 @@ void append_line(std::string_view line, const std::string& file, std::size_t lin
         const auto time = finite_decimal(item);
         if (!time)
             throw InputError(
-                fmt::format("{}:{}:{}: \"{}\" is not a time in seconds; write one instant a line",
+                fmt::format("{}:{}:{}: \"{}\" is not a time in seconds; write one instant per line",
                             file == "-" ? "standard input" : printable(file), line_number,
                             begin + 1, printable(item)));
         times.push_back(*time);
@@ -155,7 +155,7 @@ std::vector<double> instants_in(const std::string& file) {
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     if (times.empty())
-        throw InputError(fmt::format("{}: no instant stands in it; write one a line, in seconds",
+        throw InputError(fmt::format("{}: contains no instants; write one per line, in seconds",
                                      file == "-" ? "standard input" : printable(file)));
     return times;
 }

@@ -18,7 +18,7 @@ struct JoinChoices {
 
 int run(const JoinChoices& choices) {
     if (choices.output.empty())
-        throw InputError("poinsot join: say with -o where the film is to go");
+        throw InputError("poinsot join: no output; name the film with -o FILE");
     Progress progress(choices.quiet);
     const Telling telling = progress.telling();
     telling.say(join(choices.parts, choices.output, telling));
@@ -37,9 +37,10 @@ extern const Command join_command{
     "PART",
     1,
     any_number,
-    "make a film of its parts, with the bytes of one run",
+    "join the parts of a film; the result is byte-identical to a single run",
     join_line,
-    {{{"poinsot join part1.mp4 part2.mp4 -o film.mp4", "the film of its parts, in any order"},
-      {"poinsot join 'f_####.png' -o 'f_####.png'", "whether all of a sequence are there"}}}};
+    {{{"poinsot join part1.mp4 part2.mp4 -o film.mp4", "joins the parts, given in any order"},
+      {"poinsot join 'f_####.png' -o 'f_####.png'",
+       "checks that no frame of a sequence is missing"}}}};
 
 }  // namespace poinsot

@@ -124,7 +124,7 @@ int run(const ListChoices& choices) {
         if (document.name != what) continue;
         if (choices.json && document.name != "schema")
             throw InputError(
-                fmt::format("poinsot list {}: is a text and not a list; leave --json out", what));
+                fmt::format("poinsot list {}: is a text, not a list; leave --json out", what));
         fmt::print("{}", document.text(document.name));
         return 0;
     }
@@ -134,10 +134,9 @@ int run(const ListChoices& choices) {
         if (choices.what.size() > 1) {
             entries = holding(std::move(entries), choices.what[1]);
             if (entries.empty())
-                throw InputError(
-                    fmt::format("poinsot list {}: nothing there has \"{}\"; poinsot list {} shows "
-                                "all",
-                                what, printable(choices.what[1]), what));
+                throw InputError(fmt::format(
+                    "poinsot list {}: no entry contains \"{}\"; poinsot list {} shows all", what,
+                    printable(choices.what[1]), what));
         }
         if (choices.json) {
             print_json(entries);
@@ -146,13 +145,13 @@ int run(const ListChoices& choices) {
         }
         return 0;
     }
-    throw InputError(fmt::format("poinsot list: nothing called \"{}\"{}", printable(what),
+    throw InputError(fmt::format("poinsot list: there is no list \"{}\"{}", printable(what),
                                  choose_instead(what, names)));
 }
 
 CommandLine list_line(std::any& room) {
     auto& c = room.emplace<ListChoices>();
-    return {&c.what, {json_option(c.json, "answer in JSON: an array")}, [&c] { return run(c); }};
+    return {&c.what, {json_option(c.json, "print a JSON array")}, [&c] { return run(c); }};
 }
 
 }  // namespace
@@ -162,9 +161,9 @@ extern const Command list_command{
     "WHAT WORD",
     0,
     2,
-    "list scenes, keys, methods, elements, panels, objects, …",
+    "list every name that a scene or an option accepts",
     list_line,
-    {{{"poinsot list", "what can be listed"},
-      {"poinsot list keys camera", "every key of a scene file that has the word"}}}};
+    {{{"poinsot list", "prints the names of the lists"},
+      {"poinsot list keys camera", "lists the scene keys that contain the word"}}}};
 
 }  // namespace poinsot

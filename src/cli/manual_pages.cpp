@@ -59,11 +59,9 @@ std::string examples_of(const Command& command) {
 }
 
 const char* const exit_status =
-    ".SH EXIT STATUS\n"
-    ".TP\n0\ndone\n"
-    ".TP\n1\nthe answer is no: pictures differ, a limit was exceeded\n"
-    ".TP\n2\na bad command line or scene\n"
-    ".TP\n3\nit could not be carried out: no context, a full disk, an encoder\n";
+    ".SH EXIT STATUS\n.TP\n0\nsuccess\n.TP\n1\nthe check failed: pictures differ, a limit is "
+    "exceeded\n.TP\n2\nwrong command line or scene\n.TP\n3\nthe program could not do it: no "
+    "OpenGL, disk full, encoder failed\n";
 
 std::string page_name(const Command& command) { return fmt::format("poinsot-{}", command.name); }
 
@@ -73,12 +71,11 @@ std::string see_also(std::string_view pages) { return fmt::format(".SH SEE ALSO\
 
 std::string program_manual() {
     std::string text = opening(
-        "poinsot", 1, "Poinsot's construction of a turning rigid body, exact and drawn off-screen");
+        "poinsot", 1, "exact pictures and films of a rotating rigid body (Poinsot's construction)");
     text += fmt::format(
-        ".SH SYNOPSIS\n{} {} [{}] [{}]\n.SH DESCRIPTION\n"
-        "Reads a scene file, computes the motion of the body in closed form, and draws it without "
-        "a "
-        "screen as pictures and films. Data go to stdout, messages to stderr.\n.SH COMMANDS\n",
+        ".SH SYNOPSIS\n{} {} [{}] [{}]\n.SH DESCRIPTION\nReads a scene file, computes the motion "
+        "of the body and writes pictures and films of it. Needs neither a display nor a GPU. Data "
+        "go to stdout, messages to stderr.\n.SH COMMANDS\n",
         bold("poinsot"), italic("COMMAND"), italic("OPTIONS"), italic("ARGUMENTS"));
     std::string pages;
     for (const Command& command : commands()) {
@@ -86,7 +83,7 @@ std::string program_manual() {
         pages += fmt::format("{}(1), ", bold(page_name(command)));
     }
     text += ".SH OPTIONS\n";
-    text += paragraph(bold("-h, --help"), "say what the commands are");
+    text += paragraph(bold("-h, --help"), "print the commands");
     text += paragraph(bold("--version"), "print the version");
     text += exit_status;
     text += ".SH EXAMPLES\n";
@@ -115,10 +112,9 @@ std::string command_manual(std::string_view page) {
 std::string scene_manual() {
     std::string text = opening("poinsot-scene", 5, "scene files of poinsot");
     text += fmt::format(
-        ".SH DESCRIPTION\nA scene is a TOML file with strict keys: an unknown key, a wrong type or "
-        "a "
-        "number out of its domain is refused with file, line and column. Any key may be set on the "
-        "command line, as in {} or {}.\n.SH EXAMPLE\n.nf\n{}\n\n{}\n{}\n\n{}\n{}\n.fi\n",
+        ".SH DESCRIPTION\nA scene is a TOML file with strict keys: poinsot refuses an unknown key, "
+        "a wrong type or a number out of range, and names the file, line and column. The command "
+        "line can set any key, as in {} or {}.\n.SH EXAMPLE\n.nf\n{}\n\n{}\n{}\n\n{}\n{}\n.fi\n",
         bold("--set film.speed=0.5"), bold("--set 'panels[0].kind=plan'"),
         roff("title = \"Tennis racket\""), roff("[body]"), roff("moments_kg_m2 = [3.0, 2.0, 1.0]"),
         roff("[start]"), roff("omega_rad_s = [0.01, 2.0, 0.01]"));

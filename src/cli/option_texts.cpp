@@ -63,7 +63,7 @@ std::vector<OptionText> option_texts(const Command& command) {
     std::any room;
     std::vector<OptionText> texts;
     for (const Option& option : command.line(room).options) texts.push_back(text_of(option));
-    texts.push_back({{"-h", "--help"}, "", "say this, and do nothing else", "", false});
+    texts.push_back({{"-h", "--help"}, "", "print this help", "", false});
     return texts;
 }
 

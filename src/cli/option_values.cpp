@@ -29,7 +29,7 @@ std::optional<double> finite_number(std::string_view text) {
 std::string parse_text(std::string_view option, const std::string& text) {
     if (!text.empty()) return text;
     throw InputError(
-        fmt::format("{}: \"\" says nothing; give a value, or leave the option out", option));
+        fmt::format("{}: the value is empty; give a value, or leave the option out", option));
 }
 
 double parse_number(std::string_view option, std::string_view text, std::string_view wanted) {

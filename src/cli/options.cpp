@@ -45,7 +45,7 @@ std::string listed(const Rows& rows) {
 
 Option set_option(SceneOptions& scene) {
     return {"--set",
-            "change any scene key; repeatable",
+            "set any scene key; repeatable",
             Repeated{&scene.overrides},
             "",
             "KEY=VALUE",
@@ -54,11 +54,11 @@ Option set_option(SceneOptions& scene) {
 }
 
 Option size_option(SceneOptions& scene) {
-    return override_option(scene, "--size", "film.size", "size of the picture in pixels", "WxH");
+    return override_option(scene, "--size", "film.size", "picture size in pixels", "WxH");
 }
 
 Option fps_option(SceneOptions& scene) {
-    return override_option(scene, "--fps", "film.fps", "video frames a second", "N[/D]");
+    return override_option(scene, "--fps", "film.fps", "video frames per second", "N[/D]");
 }
 
 Option quality_option(SceneOptions& scene) {
@@ -68,12 +68,12 @@ Option quality_option(SceneOptions& scene) {
 
 Option theme_option(SceneOptions& scene) {
     return override_option(scene, "--theme", "theme",
-                           listed(themes()) + ", or a theme of one's own in a .toml file", "NAME",
+                           listed(themes()) + ", or the path of a theme file (.toml)", "NAME",
                            "themes");
 }
 
 Option allow_outside_option(bool& allow_outside) {
-    return {"--allow-outside", "let the scene name files outside of its folder", &allow_outside};
+    return {"--allow-outside", "allow the scene to name files outside its folder", &allow_outside};
 }
 
 SceneRequest scene_request_of(const std::string& file, const SceneOptions& options,
@@ -92,7 +92,7 @@ OutsideFiles outside_files(bool allow_outside) {
 
 Option backend_option(ContextOptions& context) {
     return {"--backend",
-            "auto, osmesa or egl, which draw by software, or gpu",
+            "auto, osmesa or egl (software), or gpu",
             &context.backend,
             "",
             "NAME",
@@ -101,7 +101,7 @@ Option backend_option(ContextOptions& context) {
 }
 
 Option portable_option(ContextOptions& context) {
-    return {"--portable", "the same bytes on every processor", &context.portable};
+    return {"--portable", "write the same bytes on every x86-64 processor", &context.portable};
 }
 
 ContextChoice context_choice_of(const ContextOptions& options) {
@@ -115,7 +115,7 @@ ContextChoice context_choice_of(const ContextOptions& options) {
         choice.backend = Backend::gpu;
         if (options.portable)
             throw InputError(
-                "--backend gpu: portable pictures are drawn by software; leave out --portable or "
+                "--backend gpu: portable pictures are drawn in software; leave out --portable or "
                 "--backend");
     } else if (options.backend != "auto") {
         throw InputError(fmt::format("--backend {}: unknown; choose auto, osmesa, egl or gpu",
@@ -132,6 +132,6 @@ Option json_option(bool& json, std::string_view help) {
     return {"--json", std::string(help), &json};
 }
 
-Option quiet_option(bool& quiet) { return {"--quiet,-q", "no progress, no notes", &quiet}; }
+Option quiet_option(bool& quiet) { return {"--quiet,-q", "hide progress and notes", &quiet}; }
 
 }  // namespace poinsot

@@ -40,9 +40,9 @@ Option portable_option(ContextOptions& context);
 // Throws InputError for a backend that does not exist.
 ContextChoice context_choice_of(const ContextOptions& options);
 
-Option output_option(std::string& output, std::string_view help = "where to write");
+Option output_option(std::string& output, std::string_view help = "output file");
 // The answer is one JSON document, also for several scenes.
-Option json_option(bool& json, std::string_view help = "answer in JSON, one document");
+Option json_option(bool& json, std::string_view help = "print one JSON document");
 Option quiet_option(bool& quiet);
 
 }  // namespace poinsot

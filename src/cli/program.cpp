@@ -240,7 +240,7 @@ class LineCheck {
 void flush_stdout() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
         if (errno == EPIPE) throw ReaderGone("stdout is closed");
-        throw EnvironmentError(fmt::format("stdout: {}; nothing more was printed",
+        throw EnvironmentError(fmt::format("stdout: {}; the output is incomplete",
                                            std::strerror(errno != 0 ? errno : EIO)));
     }
 }
@@ -256,8 +256,9 @@ std::span<const Command> commands() {
 }
 
 CommandToRun read_command_line(int argc, const char* const* argv) {
-    CLI::App app("Poinsot's construction of a turning rigid body: exact motion, drawn off-screen.",
-                 "poinsot");
+    CLI::App app(
+        "Draws exact pictures and films of a rotating rigid body (Poinsot's construction).",
+        "poinsot");
     app.require_subcommand(1);
     app.set_version_flag("--version", "poinsot " POINSOT_VERSION);
 

@@ -37,9 +37,10 @@ extern const Command recover_command{
     "FILM",
     1,
     1,
-    "make a film of what an interrupted run has drawn; render goes on from there instead",
+    "build a film from the finished frames of an interrupted run; to draw the other frames, run "
+    "render again instead",
     recover_line,
-    {{{"poinsot recover generic.mp4", "what an interrupted run has drawn of it"},
-      {"poinsot recover output/generic.mp4 --quiet", "the same, without notes"}}}};
+    {{{"poinsot recover generic.mp4", "a film of the finished frames"},
+      {"poinsot recover output/generic.mp4 --quiet", "the same without notes"}}}};
 
 }  // namespace poinsot

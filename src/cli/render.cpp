@@ -38,8 +38,7 @@ struct RenderChoices {
 // Prints how accurately the film fulfils the claims of its method; returns whether it does.
 bool certified(const Session& session, const FilmPlan& film, const Telling& telling) {
     if (!can_certify(session)) {
-        throw InputError(
-            "--certify: only a torque-free body that turns rolls on a plane; leave it out");
+        throw InputError("--certify needs a torque-free body that rotates; leave --certify out");
     }
     const Certificate certificate = certify_film(session, film, telling);
     fmt::print("{}", text_of(certificate));
@@ -75,12 +74,12 @@ std::string output_of(const RenderChoices& choices) {
 void check(const RenderChoices& choices) {
     constexpr int most = 4096;
     if (choices.n_jobs && (*choices.n_jobs < 1 || *choices.n_jobs > most))
-        throw InputError(fmt::format("--jobs {}: one process draws at least; take 1 to {}",
+        throw InputError(fmt::format("--jobs {}: not a number of processes; give 1 to {}",
                                      *choices.n_jobs, most));
     if (choices.n_jobs && *choices.n_jobs > 1 && choices.part)
         throw InputError(
-            "--part is drawn by one process; leave --jobs out, or draw all parts here "
-            "with --jobs alone");
+            "one process draws a --part; leave --jobs out, or draw all parts here with --jobs "
+            "alone");
 }
 
 int run(const RenderChoices& choices) {
@@ -95,27 +94,27 @@ CommandLine render_line(std::any& room) {
     auto& c = room.emplace<RenderChoices>();
     return {
         &c.scenes,
-        {output_option(c.output, "where to write; output/SCENE.mp4 if not given"),
+        {output_option(c.output, "output file; default output/SCENE.mp4"),
          set_option(c.scene),
          sweep_option(c.sweeps),
          size_option(c.scene),
          fps_option(c.scene),
          theme_option(c.scene),
          quality_option(c.scene),
-         {"--frames", "A-B: only these frames, from 0, both included",
+         {"--frames", "A-B: draw only frames A to B, counted from 0",
           ReadText{[&c](const std::string& text) { c.frames = parse_frames(text); }}},
          {"--part",
-          "K/N: part K of N alone, K from 1, for join to put together; in a film's name #### is "
-          "its number",
+          "K/N: draw only part K of N, K from 1, for poinsot join; #### in a film's name becomes K",
           ReadText{[&c](const std::string& text) { c.part = parse_part(text); }}},
          {"--jobs",
-          "processes that draw parts side by side, to the same bytes; if not given, as many as pay "
-          "here, which check --plan says",
+          "number of processes that draw parts at the same time; the output is byte-identical; "
+          "default: chosen for this machine, see check --plan",
           &c.n_jobs, "a number of processes"},
          quiet_option(c.quiet),
          backend_option(c.context),
          portable_option(c.context),
-         {"--certify", "measure how well it is Poinsot's, over all frames", &c.certify},
+         {"--certify", "measure over all frames how well the motion fulfils Poinsot's construction",
+          &c.certify},
          allow_outside_option(c.scene.allow_outside)},
         [&c] { return run(c); }};
 }
@@ -127,9 +126,9 @@ extern const Command render_command{
     "SCENE",
     1,
     any_number,
-    "make a film or a PNG sequence of each scene",
+    "write a film (.mp4, .webm, .gif) or a PNG sequence (#### in the name) of each scene",
     render_line,
-    {{{"poinsot render generic -o generic.mp4", "the film of a scene that came with the program"},
+    {{{"poinsot render generic -o generic.mp4", "a film of a scene that comes with the program"},
       {"poinsot render generic -o frame_####.png --frames 0-59",
        "two seconds as a PNG sequence"}}}};
 

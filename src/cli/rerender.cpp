@@ -19,7 +19,7 @@ struct RerenderChoices {
 
 int run(const RerenderChoices& choices) {
     if (choices.output.empty())
-        throw InputError("poinsot rerender: say with -o where the new file is to go");
+        throw InputError("poinsot rerender: no output; name the new file with -o FILE");
     Progress progress(choices.quiet);
     redraw({.file = choices.files.at(0),
             .output = choices.output,
@@ -44,9 +44,9 @@ extern const Command rerender_command{
     "FILE",
     1,
     1,
-    "draw again what a picture or film says it shows",
+    "draw a picture or film again from its own record",
     rerender_line,
-    {{{"poinsot rerender generic.png -o again.png", "the same picture from what it says of itself"},
-      {"poinsot rerender generic.mp4 -o again.mp4 --quiet", "the same film"}}}};
+    {{{"poinsot rerender generic.png -o again.png", "draws the same picture from its record"},
+      {"poinsot rerender generic.mp4 -o again.mp4 --quiet", "draws the same film"}}}};
 
 }  // namespace poinsot

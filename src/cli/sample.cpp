@@ -41,7 +41,7 @@ void print_bytes(std::string_view bytes) {
     if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size()) return;
     if (errno == EPIPE) throw ReaderGone("stdout is closed");
     throw EnvironmentError(
-        fmt::format("stdout: {}; nothing more was printed", std::strerror(errno)));
+        fmt::format("stdout: {}; the output is incomplete", std::strerror(errno)));
 }
 
 std::vector<double> instants_of(const SampleChoices& choices) {
@@ -73,8 +73,8 @@ double swept_number(const std::string& key, const std::string& value) {
     const auto number = number_of<double>(value);
     if (!number)
         throw InputError(fmt::format(
-            "--sweep {}: {} is no number, which one table's column could hold; name a file for "
-            "each value with -o and {{KEY}}, {{key}} or ####",
+            "--sweep {}: {} is not a number, so it cannot stand in a column of one table; write a "
+            "file for each value with {{KEY}}, {{key}} or #### in the name after -o",
             printable(key), printable(value)));
     return *number;
 }
@@ -98,13 +98,13 @@ SampleTable table_of_sweep(const SampleChoices& choices, const std::vector<Sweep
         if (all.headings.empty()) all.headings = headings;
         if (all.headings != headings)
             throw InputError(
-                fmt::format("--sweep: {} has other columns than {}; name those of both with "
-                            "--columns, or a file for each with -o and {{KEY}}",
+                fmt::format("--sweep: {} has other columns than {}; choose columns of both with "
+                            "--columns, or write a file for each with {{KEY}} in the name after -o",
                             printable(in_words(point)), printable(in_words(points.front()))));
         if (all.values.size() + table.n_rows() * headings.size() > most_sampled_values)
             throw InputError(fmt::format(
                 "--sweep: one table holds at most {} numbers; ask for fewer instants or values, or "
-                "name a file for each with -o and {{KEY}}",
+                "write a file for each value with {{KEY}} in the name after -o",
                 most_sampled_values));
         const std::size_t width = table.headings.size();
         all.values.reserve(points.size() * table.n_rows() * headings.size());
@@ -175,7 +175,7 @@ CommandLine sample_line(std::any& room) {
                   c.times = text;
               }}},
              {"--times-file",
-              "FILE: instants, one a line; - is standard input",
+              "FILE: instants, one per line; - is standard input",
               ReadText{[&c](const std::string& file) {
                   c.times_file = parse_text("--times-file", file);
               }},
@@ -184,7 +184,8 @@ CommandLine sample_line(std::any& room) {
               false,
               "file"},
              {"--columns",
-              "A,B,…: columns to give instead, with units in their names",
+              "A,B,…: columns instead of the default ones, see list columns; the headings carry "
+              "the units",
               ReadText{[&c](const std::string& text) {
                   c.columns = names_in(parse_text("--columns", text));
               }},
@@ -193,7 +194,7 @@ CommandLine sample_line(std::any& room) {
               false,
               "columns"},
              {"-o,--output",
-              "FILE: .csv, .jsonl or .npy, instead of CSV on stdout",
+              "FILE: write .csv, .jsonl or .npy instead of CSV to stdout",
               ReadText{[&c](const std::string& text) { c.output = parse_text("--output", text); }},
               "",
               {},
@@ -211,9 +212,10 @@ extern const Command sample_command{
     "SCENE",
     1,
     1,
-    "the motion at given times as numbers",
+    "print the motion as CSV, at instants or ranges of time",
     sample_line,
-    {{{"poinsot sample generic --times 0:60:0.01 -o motion.npy", "a minute in steps of 10 ms"},
+    {{{"poinsot sample generic --times 0:60:0.01 -o motion.npy",
+       "one minute in steps of 10 ms, as a NumPy array"},
       {"poinsot sample generic --times 0,0.5,1 --columns time,kinetic_energy,contact_space",
        "T and the contact point, with units in the headings"}}}};
 

@@ -63,12 +63,11 @@ void refuse_one_name(const std::vector<SceneJob>& jobs, OutputKind kind) {
                           two = difference(job, *other->second);
         if (one.empty())
             throw InputError(
-                fmt::format("{} is given twice, and would both be written to {}; give it once",
+                fmt::format("{} is given twice, and both would be written to {}; give it once",
                             printable(job.scene), printable(output.string())));
         throw InputError(fmt::format(
-            "{} and {} would both be written to {}; name the output with -o and "
-            "put #### into it for a number, {{scene}} for the scene, or {{KEY}} for what is "
-            "swept",
+            "{} and {} would both be written to {}; name the output with -o and put #### into it "
+            "for a number, {{scene}} for the scene, or {{KEY}} for the swept value",
             printable(one), printable(two), printable(output.string())));
     }
 }
@@ -94,7 +93,8 @@ std::filesystem::path scenes_folder() {
          {own_share() / "scenes", own_program().parent_path() / "../../scenes", fs::path("scenes")})
         if (fs::is_directory(folder, ignored)) return folder;
     throw EnvironmentError(
-        "no folder of scenes beside the program; install it with its scenes, or name scene files");
+        "the program's folder of scenes is missing; install the program with its scenes, or name "
+        "scene files");
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ std::string scene_file(const std::string& given) {
             ? fmt::format("; did you mean \"{}.toml\"?", printable(given, any_length))
             : did_you_mean(given, std::vector<std::string_view>(known.begin(), known.end()));
     if (near.empty()) return given;  // load_scene reports that it does not exist
-    throw InputError(fmt::format("{}: no such file, and no scene of that name{}",
+    throw InputError(fmt::format("{}: no such file, and no scene has that name{}",
                                  printable(given, any_length), near));
 }
 
@@ -140,8 +140,8 @@ std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std:
     if (scenes.size() > 1 && !output.empty() && !counts_scenes(scenes.size(), output, kind) &&
         !has_scene_name(output))
         throw InputError(fmt::format(
-            "{}: {} scenes cannot go to one name; put #### into it for the scene's number or "
-            "{{scene}} for its name, or leave -o out to name each after its scene",
+            "{}: {} scenes need as many output names; put #### into the name for the scene's "
+            "number or {{scene}} for its name, or leave -o out to name each output after its scene",
             printable(output), scenes.size()));
     std::vector<SceneJob> jobs;
     jobs.reserve(scenes.size());

@@ -101,9 +101,9 @@ extern const Command status_command{
     "FOLDER",
     1,
     1,
-    "say what of a submission is done, running or failed",
+    "report the progress of a submission: parts done, running, failed",
     status_line,
-    {{{"poinsot status film.mp4.job", "of the folder that submit has made"},
-      {"poinsot status film.mp4.job --json", "the same for a script"}}}};
+    {{{"poinsot status film.mp4.job", "reports on the folder that submit wrote"},
+      {"poinsot status film.mp4.job --json", "the same as JSON"}}}};
 
 }  // namespace poinsot

@@ -47,7 +47,7 @@ int draw_sheet_of(const StillChoices& choices) {
         const char* kind;
     };
     const char* const paper = "for paper";
-    const char* const alone = "for one picture alone";
+    const char* const alone = "for single pictures";
     const Unfit unfit[] = {{"--journal", !print.journal.empty(), paper},
                            {"--width-mm", print.width_mm.has_value(), paper},
                            {"--height-mm", print.height_mm.has_value(), paper},
@@ -59,7 +59,7 @@ int draw_sheet_of(const StillChoices& choices) {
     for (const Unfit& one : unfit)
         if (one.is_given)
             throw InputError(
-                fmt::format("--sheet: is a PNG of 8 bits for a screen, and {0} is {1}; leave {0} "
+                fmt::format("--sheet writes an 8-bit PNG for the screen, but {0} is {1}; leave {0} "
                             "out, or draw stills without --sheet",
                             one.option, one.kind));
     SheetRequest sheet;
@@ -164,40 +164,40 @@ CommandLine still_line(std::any& room) {
     return {
         &c.scenes,
         {output_option(c.output,
-                       "where to write, .pdf and .svg in vectors; output/SCENE.png if not given"),
+                       "output file; .pdf and .svg give vectors; default output/SCENE.png"),
          set_option(c.scene),
          sweep_option(c.sweeps),
          size_option(c.scene),
          {"--width-mm", "width on paper in millimetres", &c.print.width_mm, "millimetres"},
-         {"--height-mm", "height on paper; from the scene's shape if not given", &c.print.height_mm,
-          "millimetres"},
-         {"--dpi", "dots per inch on paper; 300 if not given", &c.print.dpi, "dots per inch"},
-         {"--type-pt", "size of labels on paper in points, 8.5 if not given; lines follow it",
+         {"--height-mm", "height on paper in millimetres; default: the scene's shape",
+          &c.print.height_mm, "millimetres"},
+         {"--dpi", "dots per inch on paper; default 300", &c.print.dpi, "dots per inch"},
+         {"--type-pt", "size of labels on paper in points; default 8.5; line widths scale with it",
           &c.print.type_pt, "points"},
          {"--journal",
-          "NAME: widths, type and lines as its author pages ask for them, and the theme print",
+          "NAME: width, type and line sizes of the journal's author pages, and theme print",
           &c.print.journal,
           "",
           {},
           false,
           "journals"},
          {"--shading",
-          "how vectors fill surfaces: tone (follows the light, the default), none (lines "
-          "alone) or picture (pixels, 600 an inch, within the exact outlines)",
+          "how vector figures fill surfaces: tone (shaded by the light, the default), none (lines "
+          "only) or picture (pixels at 600 dpi within the exact outlines)",
           &c.vectors.shading, "", "tone|none|picture", false, "tone|none|picture"},
          {"--text",
-          "type in vectors: font (real text, the default), paths, or latex (none in the "
-          "figure; a .tex beside it sets it with your own LaTeX)",
+          "text in vector figures: font (real text, the default), paths, or latex (your own LaTeX "
+          "sets it, from a .tex file beside the figure)",
           &c.vectors.text, "", "font|paths|latex", false, "font|paths|latex"},
-         {"--depth", "bits a colour component: 8 or 16", &c.bit_depth, "8 or 16"},
+         {"--depth", "bits per colour component: 8 or 16", &c.bit_depth, "8 or 16"},
          {"--sheet",
-          "CxR: all of them in one picture of C columns and R rows, each with its values",
+          "CxR: draw all pictures on one sheet of C columns and R rows, each with its values",
           ReadText{[&c](const std::string& text) { c.sheet = parse_sheet(text); }}},
          quality_option(c.scene),
          theme_option(c.scene),
          {"--time",
-          "instant of the motion in seconds; if not given, film.still_s of the scene, or the "
-          "film's last",
+          "instant of the motion in seconds; default: film.still_s of the scene, else the film's "
+          "last instant",
           &c.time_s, "an instant in seconds"},
          quiet_option(c.quiet),
          backend_option(c.context),
@@ -213,10 +213,10 @@ extern const Command still_command{
     "SCENE",
     1,
     any_number,
-    "make one picture of each scene",
+    "write one picture of each scene; .pdf and .svg give vectors",
     still_line,
-    {{{"poinsot still generic -o generic.png --time 2.5", "the picture of one instant"},
+    {{{"poinsot still generic -o generic.png --time 2.5", "the picture at one instant"},
       {"poinsot still generic -o figure.pdf --width-mm 86 --theme print",
-       "a figure in vectors for a column of 86 mm"}}}};
+       "a vector figure for a column of 86 mm"}}}};
 
 }  // namespace poinsot

@@ -43,9 +43,9 @@ struct SubmitChoices {
 
 void check(const SubmitChoices& choices) {
     if (choices.output.empty())
-        throw InputError("poinsot submit: say with -o where the film is to go");
+        throw InputError("poinsot submit: no output; name the film with -o FILE");
     if (choices.n_parts < 1)
-        throw InputError("poinsot submit: say with --parts N, from 1, how many parts a film has");
+        throw InputError("poinsot submit: no number of parts; give it with --parts N, from 1");
     context_choice_of(choices.context);
 }
 
@@ -119,12 +119,13 @@ int run(const SubmitChoices& choices) {
         slurm_calls(submission, options, choices.dry_run ? 1001 : largest_array());
     const std::string folder = printable(submission.folder.string(), any_length);
     if (calls.empty()) {
-        telling.say(fmt::format("note: all of it is done, by {}", folder));
+        telling.say(
+            fmt::format("note: nothing to submit: all parts are done according to {}", folder));
         return 0;
     }
     if (choices.dry_run) {
         fmt::print("{}", in_shell(calls));
-        telling.say(fmt::format("written, not submitted: {}", folder));
+        telling.say(fmt::format("wrote {}; submitted nothing", folder));
         return 0;
     }
     print(submission, submit(calls));
@@ -136,18 +137,19 @@ CommandLine submit_line(std::any& room) {
     auto& c = room.emplace<SubmitChoices>();
     return {&c.scenes,
             {output_option(c.output),
-             {"--parts", "N: parts that a film is drawn in", &c.n_parts, "a number of parts"},
-             {"--slurm", "options of sbatch, as \"--partition=short --time=10\"; repeatable",
+             {"--parts", "N: number of parts of each film", &c.n_parts, "a number of parts"},
+             {"--slurm", "options for sbatch, as \"--partition=short --time=10\"; repeatable",
               Repeated{&c.slurm}, "", "OPTIONS"},
-             {"--dry-run", "write the folder with the scripts, and submit nothing", &c.dry_run},
-             {"--native", "as each machine draws fastest; otherwise --portable", &c.native},
+             {"--dry-run", "write the folder with the scripts, but submit nothing", &c.dry_run},
+             {"--native", "draw without --portable: faster, but the bytes depend on the processor",
+              &c.native},
              set_option(c.scene),
              sweep_option(c.sweeps),
              size_option(c.scene),
              fps_option(c.scene),
              theme_option(c.scene),
              quality_option(c.scene),
-             {"--frames", "A-B: only these frames, from 0, both included",
+             {"--frames", "A-B: draw only frames A to B, counted from 0",
               ReadText{[&c](const std::string& text) { c.frames = parse_frames(text); }}},
              backend_option(c.context),
              quiet_option(c.quiet),
@@ -164,7 +166,9 @@ extern const Command submit_command{
     any_number,
     "draw films in parts on a Slurm cluster, then join them",
     submit_line,
-    {{{"poinsot submit generic -o film.mp4 --parts 8", "an array of eight parts, then the join"},
-      {"poinsot submit generic -o film.mp4 --parts 8 --dry-run", "the scripts alone"}}}};
+    {{{"poinsot submit generic -o film.mp4 --parts 8",
+       "submits an array of eight parts, then the join"},
+      {"poinsot submit generic -o film.mp4 --parts 8 --dry-run",
+       "writes the scripts and prints the commands that submit them"}}}};
 
 }  // namespace poinsot

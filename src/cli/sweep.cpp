@@ -52,7 +52,7 @@ std::vector<std::string> range_of(std::string_view text) {
     if (!std::isfinite(nearest_double(*from)) || !std::isfinite(nearest_double(*to))) return {};
     if (*n < 2 || *n > static_cast<std::int64_t>(most_runs))
         throw InputError(fmt::format(
-            "--sweep: {} has {} values; from:to:n has 2 to {} of them, both ends included",
+            "--sweep: {} has {} values; give 2 to {} values in from:to:n, both ends included",
             printable(text), *n, most_runs));
     const Progression numbers(*from, (*to - *from) / (*n - 1));
     std::vector<std::string> values;
@@ -77,9 +77,10 @@ std::string with_values(std::string output, const SweepPoint& point) {
 }  // namespace
 
 Option sweep_option(std::vector<std::string>& sweeps) {
-    return {"--sweep",
-            "KEY=a,b,c or KEY=from:to:n: a run for each value; several give their product",
-            Repeated{&sweeps}, "", "KEY=VALUES"};
+    return {
+        "--sweep",
+        "KEY=a,b,c or KEY=from:to:n: one run for each value; several --sweep give all combinations",
+        Repeated{&sweeps}, "", "KEY=VALUES"};
 }
 
 Sweep parse_sweep(std::string_view text) {
@@ -93,8 +94,8 @@ Sweep parse_sweep(std::string_view text) {
     if (sweep.values.empty()) sweep.values = pieces_of(text.substr(equals + 1), ',');
     for (const std::string& value : sweep.values)
         if (value.empty())
-            throw InputError(fmt::format("--sweep {}: a value is empty; leave no comma without one",
-                                         printable(text)));
+            throw InputError(fmt::format(
+                "--sweep {}: a value is empty; give a value after each comma", printable(text)));
     return sweep;
 }
 
@@ -104,11 +105,12 @@ std::vector<SweepPoint> points_of(const std::vector<std::string>& sweeps) {
         const Sweep sweep = parse_sweep(text);
         if (std::any_of(points[0].begin(), points[0].end(),
                         [&](const auto& swept) { return swept.first == sweep.key; }))
-            throw InputError(fmt::format("--sweep {}: is swept twice; give all its values in one",
-                                         printable(sweep.key)));
+            throw InputError(fmt::format(
+                "--sweep {}: the key is swept twice; give all its values in one --sweep",
+                printable(sweep.key)));
         if (sweep.values.size() > most_runs / points.size())
             throw InputError(
-                fmt::format("--sweep: more than {} runs; take fewer values", most_runs));
+                fmt::format("--sweep: more than {} runs; give fewer values", most_runs));
         std::vector<SweepPoint> more;
         for (const SweepPoint& point : points) {
             for (const std::string& value : sweep.values) {

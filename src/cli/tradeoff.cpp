@@ -72,7 +72,7 @@ CommandLine tradeoff_line(std::any& room) {
              size_option(c.scene),
              json_option(c.json),
              quiet_option(c.quiet),
-             {"--all", "print every row, not only those that no other beats", &c.all},
+             {"--all", "print every row, not only the Pareto front", &c.all},
              backend_option(c.context),
              allow_outside_option(c.scene.allow_outside)},
             [&c] { return run(c); }};
@@ -85,9 +85,9 @@ extern const Command tradeoff_command{
     "SCENE",
     1,
     1,
-    "measure speed against accuracy for a scene",
+    "measure speed against accuracy for methods, picture settings and encoders",
     tradeoff_line,
-    {{{"poinsot tradeoff generic", "methods, settings and encoders that no other beats"},
-      {"poinsot tradeoff generic --all --json", "every row, for a program to read"}}}};
+    {{{"poinsot tradeoff generic", "the Pareto front of methods, picture settings and encoders"},
+      {"poinsot tradeoff generic --all --json", "every row, as JSON"}}}};
 
 }  // namespace poinsot

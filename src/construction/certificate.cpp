@@ -145,17 +145,20 @@ Certificate certify(const Motion& motion, std::span<const double> times_s, doubl
 
     Certificate certificate;
     certificate.claims = {
-        {"contact_plane_gap", "distance of the contact point from the plane, over the plane's"},
+        {"contact_plane_gap",
+         "distance of the contact point from the plane, relative to the plane's distance from the "
+         "centre"},
         {"tangency_gap",
-         "distance of the ellipsoid's point of tangency from the plane, over the plane's"},
+         "distance of the ellipsoid's point of tangency from the plane, relative to the plane's "
+         "distance from the centre"},
         {"slip",
-         "speed of the matter where it touches the plane, over |omega| times the largest "
+         "speed of the body's material point at the contact, relative to |omega| times the largest "
          "half-axis"},
-        {"momentum", "drift of L as a vector in space, over |L|"},
-        {"kinetic_energy", "drift of T, over T"},
-        {"unit_quaternion", "deviation of the attitude's quaternion from length one"},
+        {"momentum", "drift of the vector L in space, relative to |L|"},
+        {"kinetic_energy", "drift of T, relative to T"},
+        {"unit_quaternion", "deviation of the attitude quaternion's length from 1"},
         {"speed_difference",
-         "speed on the polhode less that on the herpolhode, over the greatest speed"},
+         "speed on the polhode minus speed on the herpolhode, relative to the largest speed"},
     };
     // An attitude error of `bound` moves the end of a long half-axis by a larger part of the
     // plane's distance.

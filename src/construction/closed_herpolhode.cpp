@@ -146,8 +146,8 @@ ClosedStart close_herpolhode(const InertiaTensor& inertia, const Eigen::Vector3d
     const auto here = advance_of(inertia, omega_body);
     if (!here) {
         throw InputError(
-            "this motion has no polhode period, so that its herpolhode is a point or never comes "
-            "back; start it off the principal axes and the separatrix");
+            "this motion has no polhode period, so its herpolhode is a point or never closes; "
+            "start away from the principal axes and the separatrix");
     }
     if (std::abs(here->turns - wanted_turns) <= closed_turns * std::max(1.0, wanted_turns)) {
         return {omega_body, {}, here->period_s, here->turns};
@@ -177,14 +177,14 @@ ClosedStart close_herpolhode(const InertiaTensor& inertia, const Eigen::Vector3d
     if (best) return *best;
     const Closure near = nearest_closure(closure, least, most);
     throw InputError(fmt::format(
-        "no start near by closes after {} polhode period{} with {} turn{}: {} by up to half of "
-        "|omega|, the herpolhode advances {:.4g} to {:.4g} turns a period; {}",
+        "no start near this one closes after {} polhode period{} with {} turn{}: {} by up to half "
+        "of |omega| makes the herpolhode advance by {:.4g} to {:.4g} turns per period; {}",
         closure.periods, closure.periods == 1 ? "" : "s", closure.turns,
         closure.turns == 1 ? "" : "s",
         component ? fmt::format("changing omega_{}", *component + 1) : "changing one component",
         least, most,
         near.turns > 0 ? fmt::format("the nearest is \"{}/{}\"", near.turns, near.periods)
-                       : "start elsewhere"));
+                       : "choose another start"));
 }
 
 }  // namespace poinsot

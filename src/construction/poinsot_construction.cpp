@@ -21,7 +21,8 @@ PoinsotConstruction::PoinsotConstruction(const InertiaTensor& inertia, const Rot
     const double largest = start.omega_body.cwiseAbs().maxCoeff();
     if (!(largest > 0.0)) {
         throw InputError(
-            "omega_rad_s is zero: a body at rest has no invariable plane; give it a spin");
+            "omega_rad_s is zero: a body at rest has no invariable plane; give an angular "
+            "velocity");
     }
 
     // Scaling by a power of two brings ω to order one, so that T and L neither overflow nor

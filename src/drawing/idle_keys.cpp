@@ -32,8 +32,8 @@ class Gathering {
     std::vector<IdleKey> made() && {
         for (std::string& key : idle_camera_keys(scene_))
             idle_.push_back({std::move(key),
-                             "no panel here takes it of [camera]; give a panel its own, as in "
-                             "[panels.camera], or leave it out"});
+                             "no panel here uses this key of [camera]; set it in [panels.camera] "
+                             "of a panel, or leave it out"});
         add_trails();
         add_elements();
         add_panels();
@@ -61,19 +61,22 @@ class Gathering {
                              (dissipates_ && any({"body", "momentum"}));
         const bool herpolhode =
             (any({"space"}) && shows_element(scene_, "herpolhode")) || any({"plan"});
-        if (!polhode) add("trail.polhode", "no panel here shows a polhode that is run along");
+        if (!polhode) add("trail.polhode", "no panel here draws the polhode as a trail");
         if (!herpolhode) add("trail.herpolhode", "no panel here shows the herpolhode");
         const bool fades = scene_.trail.polhode == "fading" || scene_.trail.herpolhode == "fading";
-        if (!fades) add("trail.length_s", "no trail is \"fading\"; say which one, or leave it out");
+        if (!fades)
+            add("trail.length_s",
+                "no trail is \"fading\"; set trail.polhode or trail.herpolhode to it, or leave "
+                "this key out");
         if (!any({"space", "plan"}))
-            add("trail.direction_marks", "panels \"space\" and \"plan\" have such marks");
+            add("trail.direction_marks", "only panels \"space\" and \"plan\" show direction marks");
     }
 
     void add_elements() {
         for (const std::string& name : scene_.show) {
             if (any({"space"}) || is_overlay(name)) continue;
-            add("show", fmt::format("\"{}\" is an element of panel \"space\"; add one, or leave it "
-                                    "out",
+            add("show", fmt::format("\"{}\" is an element of panel \"space\"; add such a panel, or "
+                                    "leave the element out",
                                     name));
             break;
         }
@@ -92,13 +95,13 @@ class Gathering {
             const auto only_of = [&](std::string_view key, std::string_view owner) {
                 if (kind != owner)
                     add(fmt::format("panels[{}].{}", i, key),
-                        fmt::format("it belongs to panel \"{}\", and this one is \"{}\"", owner,
+                        fmt::format("only panel \"{}\" uses it, and this panel is \"{}\"", owner,
                                     kind));
             };
             only_of("quantity", "plot");
             only_of("curves", "body");
             if (scene_.panels.size() == 1 && !scene_.panels[0].title.value_or("").empty())
-                add("panels[0].title", "one panel alone has no heading; give the scene a title");
+                add("panels[0].title", "a single panel shows no heading; give the scene a title");
         }
         // A keyframe of all cameras whose distance or aim no panel uses.
         const bool aimed = std::any_of(
@@ -109,7 +112,8 @@ class Gathering {
             for (const char* leaf : {"distance", "target", "look_at"})
                 if (!scene_.keyframes[i].panel)
                     add(fmt::format("keyframes[{}].{}", i, leaf),
-                        "every panel here is framed whole; panel \"space\" takes it");
+                        "every panel here fits all of its content into its frame; only panel "
+                        "\"space\" uses it");
     }
 
     void add_marks() {
@@ -121,7 +125,7 @@ class Gathering {
             if (on == "ellipsoid" && !any({"space", "body"}))
                 add(key, "no panel here shows the ellipsoid; add a panel \"space\" or \"body\"");
             if (on == "space" && !any({"space"}))
-                add(key, "marks in space are seen in panel \"space\"; add one");
+                add(key, "only panel \"space\" shows marks in space; add such a panel");
             if (on == "body" && !any({"object"}) && !body_inside)
                 add(key, "no panel here shows the body itself; add a panel \"object\"");
             if (scene_.marks[i].trail && (on == "space" || !any({"space", "object"})))

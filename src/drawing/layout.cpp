@@ -114,9 +114,8 @@ void check_room(const Scene& scene, const PanelBox& box, std::size_t panel) {
     constexpr int least_px = 8;
     if (scene.panels.size() < 2 || std::min(box.width_px, box.height_px) >= least_px) return;
     throw SceneError(scene.location_of(fmt::format("panels[{}]", panel)),
-                     fmt::format("panels[{}] gets {}x{} pixels of the picture, title and caption "
-                                 "taken off; a panel needs {} a side: make the picture larger, or "
-                                 "the grid coarser",
+                     fmt::format("panels[{}] has {}x{} pixels without title and caption; a panel "
+                                 "needs {} per side: make the picture larger, or the grid coarser",
                                  panel, box.width_px, box.height_px, least_px));
 }
 
@@ -144,7 +143,7 @@ void check_own_camera(const Scene& scene, const PanelKind& kind, std::size_t pan
                    "is flat and has no camera");
         if (kind.camera == CameraUse::all) continue;
         for (const char* leaf : {"distance", "target", "look_at"})
-            refuse(fmt::format("{}.{}", table, leaf), "is framed whole");
+            refuse(fmt::format("{}.{}", table, leaf), "fits all of its content into its frame");
     }
 }
 
@@ -210,7 +209,7 @@ void StageData::check_fades() const {
             if (can_fade.contains(name)) continue;
             const std::vector<std::string_view> known(can_fade.begin(), can_fade.end());
             throw SceneError(scene.location_of(fmt::format("fades[{}].elements", i)),
-                             fmt::format("nothing shown is called \"{}\"{}", printable(name),
+                             fmt::format("no element shown is called \"{}\"{}", printable(name),
                                          choose_instead(name, known)));
         }
     }
@@ -221,7 +220,7 @@ void StageData::check_unlabelled() const {
         if (can_fade.contains(name)) continue;
         const std::vector<std::string_view> known(can_fade.begin(), can_fade.end());
         throw SceneError(scene.location_of("unlabelled"),
-                         fmt::format("nothing shown is called \"{}\"{}", printable(name),
+                         fmt::format("no element shown is called \"{}\"{}", printable(name),
                                      choose_instead(name, known)));
     }
 }
@@ -235,8 +234,8 @@ void StageData::check_keyframes() const {
         if (!says_camera(scene.keyframes[i]) || scene.keyframes[i].panel) continue;
         throw SceneError(
             scene.location_of(fmt::format("keyframes[{}]", i)),
-            fmt::format("keyframes[{0}] moves the camera, but no panel here is seen as [camera] "
-                        "says; name one by its place, as in keyframes[{0}].panel = 0, add a panel "
+            fmt::format("keyframes[{0}] moves [camera], but no panel here uses [camera]; name a "
+                        "panel by its index, as in keyframes[{0}].panel = 0, add a panel "
                         "\"space\", \"object\" or \"top\", or leave the camera out",
                         i));
     }
@@ -268,7 +267,7 @@ void StageData::make_panels() {
             const bool rests = motion.motion().problem().start.omega_body.isZero(0.0);
             throw SceneError(scene.location_of(rests ? "start.omega_rad_s" : "panels"),
                              rests ? "omega_rad_s is zero, and a body at rest has no invariable "
-                                     "plane; give it a spin"
+                                     "plane; give an angular velocity"
                                    : "panel \"" + spec.kind + "\" needs " +
                                          std::string(kind.needs) + "; choose another panel");
         }

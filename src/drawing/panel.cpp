@@ -37,7 +37,7 @@ bool is_heavy_top(const StageData& stage) { return stage.motion.motion().heavy_t
 
 constexpr std::string_view heavy_top = "a heavy symmetric top";
 constexpr std::string_view free_turning = "a torque-free body that turns";
-constexpr std::string_view turning = "a body that turns, free of torque but for friction inside it";
+constexpr std::string_view turning = "a body that turns without torque; friction inside is allowed";
 
 // Titles above the panels.
 constexpr Phrase invariable_plane_title{"Invariable plane", "Invariable Ebene",  "Plan invariable",
@@ -68,18 +68,21 @@ const PanelKind panel_rows[] = {
      keeps_momentum, turning, make_body_panel, CameraUse::own_direction},
     {"plan", "the herpolhode on the plane, seen along its normal", herpolhode_title, true, rolls,
      free_turning, make_plan_panel},
-    {"momentum", "the sphere |L| and the energy ellipsoid meeting, in body axes",
+    {"momentum",
+     "the sphere of constant |L| and the energy ellipsoid, which meet in the path of L in body "
+     "axes",
      momentum_in_body_axes_title, true, keeps_momentum, turning, make_momentum_panel,
      CameraUse::own_direction},
-    {"object", "the body itself turning, with its principal axes, ω and L", body_in_space_title,
+    {"object", "the turning body itself, with its principal axes, ω and L", body_in_space_title,
      true, any, "", make_object_panel, CameraUse::direction},
     {"plot", "ω, angles, energies or residuals against time, with a moving cursor", no_words, true,
      any, "", make_plot_panel},
     {"top", "a heavy top with its Euler angles and the path of its axis on the unit sphere",
      heavy_top_title, true, is_heavy_top, heavy_top, make_top_panel, CameraUse::direction},
-    {"potential", "effective potential of a heavy top with E and the moving point",
+    {"potential", "effective potential of a heavy top, with its energy E and its current tilt",
      effective_potential_title, true, is_heavy_top, heavy_top, make_potential_panel},
-    {"sweep", "what [construction] sweep runs through: an axis of a body at rest, or √(2T)/L",
+    {"sweep",
+     "the quantity that [construction] sweep varies: an axis of a body at rest, or √(2T)/L",
      no_words, true, sweeps, "[construction] sweep", make_sweep_panel, CameraUse::direction},
 };
 

@@ -105,8 +105,8 @@ StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOpti
     make_panels();
     if (beside && !shows_beside) {
         throw SceneError(scene.location_of("beside"),
-                         "no panel here shows a second motion; add a panel \"space\", \"body\", "
-                         "\"object\", \"top\", \"momentum\" or \"plot\"");
+                         "no panel here shows the comparison method; add a panel \"space\", "
+                         "\"body\", \"object\", \"top\", \"momentum\" or \"plot\"");
     }
     overlays = make_overlays(*this);
     check_fades();
@@ -158,12 +158,11 @@ const CurveGeometry* StageData::keep(CurveGeometry geometry, double off_px, std:
         const double to_s = std::max(options.last_time_s, film_last_s);
         throw SceneError(
             scene.location_of("film"),
-            fmt::format(
-                "{} cannot be drawn within accuracy_px = {:g} from t = {:g} s to {:g} s: too "
-                "many turns, or times too large to tell its points apart; set film.start_s "
-                "nearer to the last instant shown, shorten the film or its trails, or raise "
-                "accuracy_px",
-                what, scene.accuracy_px, from_s, to_s));
+            fmt::format("{} cannot be drawn within accuracy_px = {:g} from t = {:g} s to {:g} s: "
+                        "it has too many turns, or the times are too large to resolve its points; "
+                        "set film.start_s nearer to the last instant shown, shorten the film or "
+                        "its trails, or raise accuracy_px",
+                        what, scene.accuracy_px, from_s, to_s));
     }
     curve_error_px = std::max(curve_error_px, off_px);
     geometry.id = next_identity();

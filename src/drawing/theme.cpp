@@ -90,7 +90,7 @@ const Theme dark{
 // For paper: a white background, little ink on surfaces, and lines that differ in lightness alone.
 const Theme print{
     .name = "print",
-    .summary = "on paper, in colour or in grey",
+    .summary = "paper, printed in colour or in grey",
     .background = {.top = hex(0xffffff), .bottom = hex(0xffffff), .alpha = 1.0},
     .light = {.towards = {0.3, -0.6, 0.8}, .key = 0.66, .sky = 0.46},
     .text = hex(0x101010),
@@ -125,7 +125,7 @@ const Theme print{
 // their style.
 const Theme colour_blind{
     .name = "colour-blind",
-    .summary = "largest differences for every colour vision, the herpolhode heavier",
+    .summary = "largest colour differences for every colour vision; thicker herpolhode",
     .background = {.top = hex(0xf7f9fb), .bottom = hex(0xffffff), .alpha = 1.0},
     .light = {},
     .text = hex(0x000000),
@@ -171,10 +171,11 @@ const Theme theme_rows[] = {
     dark,
     print,
     colour_blind,
-    transparent_of(light, "transparent", "the light theme on no ground, for slides and pages",
+    transparent_of(light, "transparent",
+                   "the light theme on a transparent background, for slides and pages",
                    hex(0xffffff)),
-    transparent_of(dark, "transparent-dark", "the dark theme on no ground, for dark slides",
-                   hex(0x000000))};
+    transparent_of(dark, "transparent-dark",
+                   "the dark theme on a transparent background, for dark slides", hex(0x000000))};
 
 }  // namespace
 
@@ -185,7 +186,7 @@ const Theme& theme_named(std::string_view name) {
     const std::vector<std::string_view> names = names_of(theme_rows);
     const bool none_near = did_you_mean(name, names).empty();
     throw InputError(unknown("theme", name, names) +
-                     (none_near ? ", or a theme in a file, as in my.toml" : ""));
+                     (none_near ? ", or the path of a theme file, as in my.toml" : ""));
 }
 
 }  // namespace poinsot

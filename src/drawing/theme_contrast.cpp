@@ -114,8 +114,9 @@ class Looking {
             });
         const double apart = line_difference(a.colour, b.colour, worst);
         if (apart >= 1.0) return;
-        notes_.push_back(fmt::format("{}{}: {} and {} hardly differ{}: {:.2f} of what is noticed",
-                                     scene_.where(*key), *key, a.name, b.name, worst.eye, apart));
+        notes_.push_back(
+            fmt::format("{}{}: {} and {} hardly differ{}: {:.2f} of the just-noticeable difference",
+                        scene_.where(*key), *key, a.name, b.name, worst.eye, apart));
     }
 
     const Scene& scene_;

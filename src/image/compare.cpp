@@ -105,7 +105,7 @@ Comparison compare_samples(const Image& expected, const Image& actual,
     result.actual_width = actual.width(), result.actual_height = actual.height();
     if (!same_size(expected, actual)) {
         result.verdict = Verdict::size_differs;
-        result.reason = fmt::format("{}×{} pixels were expected, there are {}×{}", expected.width(),
+        result.reason = fmt::format("expected {}×{} pixels, found {}×{}", expected.width(),
                                     expected.height(), actual.width(), actual.height());
         return result;
     }
@@ -132,12 +132,12 @@ Comparison compare(const StoredPicture& expected, const StoredPicture& actual,
     if (result.verdict == Verdict::size_differs) return result;
     if (expected.info.bit_depth != actual.info.bit_depth) {
         result.verdict = Verdict::depth_differs;
-        result.reason = fmt::format("{} bits a component were expected, there are {}",
+        result.reason = fmt::format("expected {} bits per component, found {}",
                                     expected.info.bit_depth, actual.info.bit_depth);
     } else if (expected.info.colours != actual.info.colours) {
         result.verdict = Verdict::colours_differ;
-        result.reason = fmt::format("samples were expected to be read as {}, they are as {}",
-                                    expected.info.colours, actual.info.colours);
+        result.reason = fmt::format("expected the colour space {}, found {}", expected.info.colours,
+                                    actual.info.colours);
     }
     return result;
 }

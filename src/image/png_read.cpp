@@ -132,10 +132,10 @@ void check_start(std::span<const std::uint8_t> file, const std::string& name, bo
     if (file.size() < header_end) throw InputError(fmt::format("{} is cut short", name));
     const std::uint32_t width = u32_at(file, 16), height = u32_at(file, 20);
     if (width > largest_banded_png_side_px || height > largest_banded_png_side_px)
-        throw InputError(fmt::format("{} is {}×{} pixels; at most {} a side are read", name, width,
-                                     height, largest_banded_png_side_px));
+        throw InputError(fmt::format("{} is {}×{} pixels; poinsot reads at most {} per side", name,
+                                     width, height, largest_banded_png_side_px));
     if (with_pixels && std::int64_t{width} * height > most_png_pixels)
-        throw InputError(fmt::format("{} is {}×{} pixels; at most {} million of them are read",
+        throw InputError(fmt::format("{} is {}×{} pixels; poinsot reads at most {} million pixels",
                                      name, width, height, most_png_pixels / 1'000'000));
 }
 
@@ -205,13 +205,11 @@ std::size_t check_chunks(std::span<const std::uint8_t> file, const std::string& 
         if (length > file.size() - at - 12) throw InputError(fmt::format("{} is cut short", name));
         if (length > largest_chunk_bytes && type != "IDAT")
             throw InputError(
-                fmt::format("{} is a broken PNG picture: a chunk of {} bytes besides "
-                            "the pixels; at most {} are read",
+                fmt::format("{} is a broken PNG picture: a chunk without pixels has {} bytes; "
+                            "poinsot reads at most {}",
                             name, length, largest_chunk_bytes));
         if (type == "acTL")
-            throw InputError(fmt::format(
-                "{} is an animation, of which only one picture would be looked at; give a picture",
-                name));
+            throw InputError(fmt::format("{} is an animated PNG; give a single picture", name));
         at += 12 + length;
         if (type == "IEND") break;
     }
@@ -248,7 +246,8 @@ std::vector<std::uint8_t> read_file(const fs::path& path) {
         throw InputError(fmt::format("{}: {}", path.string(), in_words(kind)));
     std::error_code error;
     if (const std::uintmax_t size = fs::file_size(path, error); !error && size > largest_file_bytes)
-        throw InputError(fmt::format("{} is larger than any picture that is read", path.string()));
+        throw InputError(
+            fmt::format("{} is too large for a picture that poinsot reads", path.string()));
     return read_bytes(path);
 }
 

@@ -58,8 +58,8 @@ std::string advice(const Session& session, const Tradeoff& t) {
                             stepped->setting);
     }
     return text + fmt::format(
-                      "; the motion is {:.2g} % of what drawing a frame costs at {}x{} and quality "
-                      "{} ({:.3g} ms), so time is won in the picture and the encoder.",
+                      "; the motion costs {:.2g} % of drawing a frame at {}x{} and quality {} "
+                      "({:.3g} ms), so choose the picture and the encoder to save time.",
                       any->ns_a_frame * 1e-6 / std::max(t.picture.film_ms, 1e-9) * 100.0,
                       session.scene.film.width_px, session.scene.film.height_px,
                       session.scene.film.quality, t.picture.film_ms);
@@ -101,11 +101,11 @@ std::string table_of(const Session& session, const Tradeoff& t, bool all) {
         text += fmt::format("{} {:12} {:9.2f} {:12.0f} {:9.5f}\n", r.on_front ? "*" : " ",
                             r.quality, r.ms_a_frame, r.bytes_a_frame, r.ssim);
     }
-    text += fmt::format("{}. {}.\n{}\n",
-                        all ? "*: on the Pareto front"
-                            : "The Pareto front; --all prints every row, as the CSV and the JSON "
-                              "have it",
-                        how_measured(t), advice(session, t));
+    text += fmt::format(
+        "{}. {}.\n{}\n",
+        all ? "*: on the Pareto front"
+            : "The Pareto front; --all prints every row, which the CSV and the JSON contain",
+        how_measured(t), advice(session, t));
     return text;
 }
 

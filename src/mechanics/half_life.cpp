@@ -63,8 +63,8 @@ ScaledStart scaled_start(const InertiaTensor& inertia, const Eigen::Vector3d& om
         if (I[i] == I[axis]) aside[i] = 0.0;
     if (!(largest > 0.0) || !(aside.norm() > 1e-12))
         throw InputError(
-            "omega_rad_s: friction inside a body changes nothing of a spin exactly along a "
-            "principal axis; tilt it a little, as by a hundredth in another component");
+            "omega_rad_s: friction inside a body does not change a rotation exactly about a "
+            "principal axis; tilt omega a little, as by a hundredth in another component");
     ScaledStart body;
     const double I_max = I.maxCoeff();
     body.moments = I / I_max;
@@ -210,8 +210,8 @@ double dissipation_rate_of_half_life(const InertiaTensor& inertia,
     const ScaledStart body = scaled_start(inertia, omega_body);
     if (!(excess(body, body.momentum) > 1e-20))
         throw InputError(
-            "omega_rad_s: about the axis of the largest moment there is no energy that friction "
-            "could burn; start about another one");
+            "omega_rad_s: a rotation about the axis of the largest moment has no energy that "
+            "friction could take; start about another axis");
     const double time = half_life_s / body.seconds;
     double friction = mean_friction(body, time);
     if (time * body.range < 2.0 * std::numbers::pi * most_stepped_turns) {

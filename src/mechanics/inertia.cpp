@@ -50,23 +50,24 @@ bool check_triangle(const Eigen::Vector3d& I, Physicality physicality, double n_
     const double margin = 0.25 * n_ulps * ulp(I[r.high]);
     if (std::abs(slack) <= margin) return true;
     if (slack > 0.0 || physicality == Physicality::waived) return false;
-    throw InputError(fmt::format(
-        "{}: no distribution of mass has the moments {}, {}, {}, since I{} + I{} - I{} = 2 times "
-        "the integral of x{}^2 dm is never negative (here {:.6g}); make I{} at most {}, I{} at "
-        "least {:.12g} or I{} at least {:.12g}, or set allow_unphysical = true to keep the "
-        "mathematics",
-        what, I[0], I[1], I[2], r.one + 1, r.other + 1, r.high + 1, r.high + 1, 4.0 * slack,
-        r.high + 1, I[r.one] + I[r.other], r.one + 1, I[r.high] - I[r.other], r.other + 1,
-        I[r.high] - I[r.one]));
+    throw InputError(
+        fmt::format("{}: no distribution of mass has the moments {}, {}, {}, since I{} + I{} - I{} "
+                    "= 2 times the integral of x{}^2 dm is never negative (here {:.6g}); make I{} "
+                    "at most {}, I{} at least {:.12g} or I{} at least {:.12g}, or set "
+                    "allow_unphysical = true to compute with them anyway",
+                    what, I[0], I[1], I[2], r.one + 1, r.other + 1, r.high + 1, r.high + 1,
+                    4.0 * slack, r.high + 1, I[r.one] + I[r.other], r.one + 1,
+                    I[r.high] - I[r.other], r.other + 1, I[r.high] - I[r.one]));
 }
 
 void check_finite(const Eigen::Matrix3d& tensor) {
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
             if (std::isfinite(tensor(i, j))) continue;
-            throw InputError(fmt::format(
-                "tensor_kg_m2[{}][{}] = {}: an element of the inertia tensor is a finite number", i,
-                j, tensor(i, j)));
+            throw InputError(
+                fmt::format("tensor_kg_m2[{}][{}] = {}: an element of the inertia tensor must be a "
+                            "finite number",
+                            i, j, tensor(i, j)));
         }
     }
 }
@@ -107,15 +108,14 @@ InertiaTensor InertiaTensor::from_principal_moments(const Eigen::Vector3d& momen
     for (int i = 0; i < 3; ++i) {
         const double I = moments_kg_m2[i];
         if (!std::isfinite(I)) {
-            throw InputError(
-                fmt::format("moments_kg_m2[{}] (I{}) = {}: a principal moment is a "
-                            "finite number",
-                            i, i + 1, I));
+            throw InputError(fmt::format(
+                "moments_kg_m2[{}] (I{}) = {}: a principal moment must be a finite number", i,
+                i + 1, I));
         }
         if (!(I > 0.0)) {
             throw InputError(
-                fmt::format("moments_kg_m2[{}] (I{}) = {}: a principal moment is "
-                            "positive, as it is a sum of m r^2",
+                fmt::format("moments_kg_m2[{}] (I{}) = {}: a principal moment must be positive, as "
+                            "it is a sum of m r^2",
                             i, i + 1, I));
         }
     }
@@ -135,7 +135,7 @@ InertiaTensor InertiaTensor::from_principal_axes(const Eigen::Vector3d& moments_
             .maxCoeff();
     if (!(defect <= 1e-12) || !(body_from_principal.determinant() > 0.0)) {
         throw InputError(
-            "body_from_principal is not a proper rotation: its columns are to be orthonormal and "
+            "body_from_principal is not a proper rotation: its columns must be orthonormal and "
             "right-handed");
     }
     inertia.body_from_principal_ = body_from_principal;
@@ -165,8 +165,7 @@ InertiaTensor InertiaTensor::from_matrix(const Eigen::Matrix3d& tensor_kg_m2_bod
     if (!(moments.minCoeff() > 0.0)) {
         throw InputError(
             fmt::format("tensor_kg_m2 is not positive definite: its eigenvalues (principal "
-                        "moments) are {}, {}, "
-                        "{}; each is to be positive, as it is a sum of m r^2",
+                        "moments) are {}, {}, {}; each must be positive, as it is a sum of m r^2",
                         moments[0], moments[1], moments[2]));
     }
 

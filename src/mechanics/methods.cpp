@@ -150,20 +150,21 @@ void check_step(double step_s) {
 
 void check_tolerance(double tolerance) {
     if (!(tolerance >= least_tolerance)) {
-        throw InputError(fmt::format(
-            "tolerance {} is below what doubles can give; the least that can be reached is {}",
-            tolerance, least_tolerance));
+        throw InputError(
+            fmt::format("tolerance {} is finer than double precision allows; give {} or more",
+                        tolerance, least_tolerance));
     }
     if (!(tolerance < 1.0)) {
         throw InputError(
-            fmt::format("tolerance {} is no accuracy; give a number below 1", tolerance));
+            fmt::format("tolerance {} is too large; give a number below 1", tolerance));
     }
 }
 
 void check_order(const Method& method, int order) {
     if (std::find(method.orders.begin(), method.orders.end(), order) != method.orders.end()) return;
     if (method.orders.empty()) {
-        throw InputError(fmt::format("method \"{}\" has no order to choose", method.name));
+        throw InputError(
+            fmt::format("method \"{}\" has only one order; leave order out", method.name));
     }
     throw InputError(fmt::format("method \"{}\" has no order {}; its orders are {}", method.name,
                                  order, fmt::join(method.orders, ", ")));

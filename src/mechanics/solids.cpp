@@ -92,7 +92,7 @@ const Solid& solid_named(std::string_view name) {
 
 void check_mass(double mass_kg, std::string_view what) {
     if (std::isfinite(mass_kg) && mass_kg > 0.0) return;
-    throw InputError(fmt::format("{} = {}: a mass is finite and positive", what, mass_kg));
+    throw InputError(fmt::format("{} = {}: a mass must be finite and positive", what, mass_kg));
 }
 
 // The difference of a double and a double-double, rounded to two doubles.
@@ -173,7 +173,7 @@ InertiaTensor inertia_of_solid(std::string_view name, std::span<const double> si
     for (std::size_t i = 0; i < size_m.size(); ++i) {
         if (std::isfinite(size_m[i]) && size_m[i] > 0.0) continue;
         throw InputError(
-            fmt::format("size_m[{}] = {}: the sizes of a {} ({}) are finite and positive", i,
+            fmt::format("size_m[{}] = {}: the sizes of a {} ({}) must be finite and positive", i,
                         size_m[i], name, solid.size_meaning));
     }
     check_mass(mass_kg, "mass_kg");
@@ -203,7 +203,7 @@ MassDistribution inertia_of_masses(std::span<const PointMass> masses) {
         check_mass(masses[i].mass_kg, fmt::format("body.masses[{}].mass_kg", i));
         if (!masses[i].at_m.allFinite()) {
             throw InputError(
-                fmt::format("body.masses[{}].at_m: coordinates are finite numbers", i));
+                fmt::format("body.masses[{}].at_m: coordinates must be finite numbers", i));
         }
         largest_mass = std::max(largest_mass, masses[i].mass_kg);
         largest_coordinate = std::max(largest_coordinate, masses[i].at_m.cwiseAbs().maxCoeff());

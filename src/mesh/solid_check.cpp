@@ -189,21 +189,21 @@ void note_overlaps(SolidMesh& solid, const Pieces& pieces, std::string_view name
     const Overlaps overlaps = overlaps_of(solid.mesh, pieces.of_triangles(), pieces.count());
     if (overlaps.first_crossing_m) {
         solid.notes.push_back(
-            fmt::format("{}: the surface crosses itself, first near {}: what it covers twice "
-                        "counts twice; unite "
-                        "the parts where the mesh was made",
+            fmt::format("{}: the surface crosses itself, first near {}: the mass of overlapping "
+                        "parts counts twice; unite the parts where the mesh was made",
                         printable(name), point(*overlaps.first_crossing_m)));
     }
     if (overlaps.n_nested > 0) {
-        solid.notes.push_back(fmt::format(
-            "{}: {} within another: what is covered twice counts twice; turn the inner one round "
-            "for a cavity, or remove it",
-            printable(name), plural(overlaps.n_nested, "piece lies", "pieces lie")));
+        solid.notes.push_back(
+            fmt::format("{}: {} within another: the mass of overlapping parts counts twice; "
+                        "reverse the normals of the inner piece to make a cavity, or remove it",
+                        printable(name), plural(overlaps.n_nested, "piece lies", "pieces lie")));
     }
     if (!overlaps.all_looked_at) {
-        solid.notes.push_back(fmt::format(
-            "{}: too large to look everywhere for parts that cross or lie within one another",
-            printable(name)));
+        solid.notes.push_back(
+            fmt::format("{}: the mesh is too large to check all of it for parts that cross or "
+                        "contain each other",
+                        printable(name)));
     }
 }
 
@@ -239,7 +239,7 @@ SolidMesh checked_solid(const TriangleMesh& mesh, std::string_view name) {
     SolidMesh solid{welded(mesh), {}};
     const std::size_t n_dropped = mesh.triangles.size() - solid.mesh.triangles.size();
     if (n_dropped > 0) {
-        solid.notes.push_back(fmt::format("{}: {} without area dropped", printable(name),
+        solid.notes.push_back(fmt::format("{}: {} without area removed", printable(name),
                                           plural(n_dropped, "triangle", "triangles")));
     }
     if (solid.mesh.triangles.empty()) {
@@ -256,10 +256,12 @@ SolidMesh checked_solid(const TriangleMesh& mesh, std::string_view name) {
     const auto n_turned =
         static_cast<std::size_t>(std::ranges::count(measures, true, &Piece::turned));
     if (n_turned == pieces.count()) {
-        solid.notes.push_back(fmt::format("{}: inside out, turned round", printable(name)));
+        solid.notes.push_back(fmt::format(
+            "{}: the surface was inside out; its normals are reversed", printable(name)));
     } else if (n_turned > 0) {
-        solid.notes.push_back(fmt::format("{}: {} of {} separate pieces inside out, turned round",
-                                          printable(name), n_turned, pieces.count()));
+        solid.notes.push_back(
+            fmt::format("{}: {} of {} separate pieces were inside out; their normals are reversed",
+                        printable(name), n_turned, pieces.count()));
     }
     if (n_turned > 0) turn_round(solid.mesh, pieces, measures);
     note_overlaps(solid, pieces, name);

@@ -163,7 +163,7 @@ class AsciiReader {
     const std::uint32_t n_facets = little_endian(bytes, header_bytes);
     throw InputError(fmt::format(
         "{}: byte {}: says {} triangles, which take {} bytes, but the file has {}; it is cut short "
-        "or no STL: export it again",
+        "or not an STL: export it again",
         printable(name), header_bytes, n_facets, bytes_of_binary(n_facets), bytes.size()));
 }
 

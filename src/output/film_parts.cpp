@@ -40,8 +40,8 @@ PartFile::PartFile(fs::path path) : path_(std::move(path)) {
         !read_head({reinterpret_cast<const char*>(contents.data()), contents.size()}, plan_,
                    settings_) ||
         !plan_.part)
-        throw InputError(fmt::format(
-            "{}: is no part of a film; parts are what render --part writes", path_.string()));
+        throw InputError(
+            fmt::format("{}: is not a part of a film; render --part writes parts", path_.string()));
     part_ = *plan_.part;
     plan_.path = path_;
     plan_.n_frames = part().n_frames;
@@ -85,12 +85,12 @@ std::span<const std::uint8_t> JoinedEntries::read(std::int64_t k) {
     if (!read_block(file_->descriptor(), part.path(), wanted.at - block_head, found, buffer_) ||
         found.size != wanted.size)
         throw EnvironmentError(
-            fmt::format("{} has changed while it was read; make it again", part.path().string()));
+            fmt::format("{} changed during reading; draw the part again", part.path().string()));
     return buffer_;
 }
 
 void JoinedEntries::refuse_entry() const {
-    throw InputError(fmt::format("{}: holds what poinsot does not write; make the part again",
+    throw InputError(fmt::format("{}: is not a part that poinsot wrote; draw the part again",
                                  (*parts_)[open_part_].path().string()));
 }
 

@@ -66,7 +66,7 @@ constexpr OutputFormat format_table[] = {
      .n_cores_a_job = cores_of_libvpx},
     {.name = "gif",
      .suffix = ".gif",
-     .summary = "film of 255 colours, for pages that take no other",
+     .summary = "film of 255 colours, for pages that show no other kind",
      .film = true,
      .alpha = true,
      .n_chunk_frames = 1,
@@ -78,7 +78,7 @@ constexpr OutputFormat format_table[] = {
      .most_fps = most_gif_fps},
     {.name = "png-sequence",
      .suffix = ".png",
-     .summary = "numbered pictures; #### in the name is the frame",
+     .summary = "numbered pictures; #### in the name becomes the frame's number",
      .film = false,
      .alpha = true,
      .n_chunk_frames = 1,
@@ -100,7 +100,7 @@ constexpr OutputFormat format_table[] = {
      .n_cores_a_job = 0},
     {.name = "md5",
      .suffix = ".md5",
-     .summary = "the hash of every frame, a line each",
+     .summary = "the MD5 hash of every frame, one per line",
      .film = false,
      .alpha = true,
      .n_chunk_frames = 1,
@@ -111,7 +111,7 @@ constexpr OutputFormat format_table[] = {
      .n_cores_a_job = 0},
     {.name = "null",
      .suffix = "",
-     .summary = "nothing: frames are drawn and dropped",
+     .summary = "no output: frames are drawn and discarded",
      .film = false,
      .alpha = true,
      .n_chunk_frames = 1,
@@ -136,19 +136,19 @@ struct NearestWay {
     std::string_view instead;
 };
 constexpr std::array<NearestWay, 13> ways = {{
-    {".mov", "write .mp4, and `ffmpeg -i film.mp4 -c copy film.mov` puts it into one unchanged"},
-    {".mkv", "write .mp4, and `ffmpeg -i film.mp4 -c copy film.mkv` puts it into one unchanged"},
-    {".m4v", "write .mp4, which it is by another name"},
-    {".avi", "write .mp4, which all that play .avi play"},
+    {".mov", "write .mp4, and convert it without loss: `ffmpeg -i film.mp4 -c copy film.mov`"},
+    {".mkv", "write .mp4, and convert it without loss: `ffmpeg -i film.mp4 -c copy film.mkv`"},
+    {".m4v", "write .mp4, which is the same format"},
+    {".avi", "write .mp4, which players of .avi also play"},
     {".ogv", "write .webm"},
     {".apng", "write .gif, or .webm, which keeps all colours"},
     {".webp", "write .webm for a film, .png for a picture"},
-    {".jpg", "write .png, which loses nothing"},
-    {".jpeg", "write .png, which loses nothing"},
-    {".tif", "write .png, 16 bits a component by `still --depth 16`"},
-    {".tiff", "write .png, 16 bits a component by `still --depth 16`"},
+    {".jpg", "write .png, which is lossless"},
+    {".jpeg", "write .png, which is lossless"},
+    {".tif", "write .png; `still --depth 16` gives 16 bits per component"},
+    {".tiff", "write .png; `still --depth 16` gives 16 bits per component"},
     {".bmp", "write .png"},
-    {".exr", "write .png, 16 bits a component by `still --depth 16`"},
+    {".exr", "write .png; `still --depth 16` gives 16 bits per component"},
 }};
 
 // Advice for an unknown suffix: the alternative to a common one, or the known one that it
@@ -181,10 +181,9 @@ std::span<const OutputFormat> output_formats() { return format_table; }
 
 void check_rate(const OutputFormat& format, const FrameRate& rate) {
     if (format.most_fps == 0.0 || rate.per_second() <= format.most_fps) return;
-    throw InputError(
-        fmt::format("a .{} shows at most {:g} frames a second, not {:g}; lower fps, or write MP4 "
-                    "or WebM",
-                    format.name, format.most_fps, rate.per_second()));
+    throw InputError(fmt::format(
+        "a .{} has at most {:g} frames a second, not {:g}; lower fps, or write MP4 or WebM",
+        format.name, format.most_fps, rate.per_second()));
 }
 
 const OutputFormat& format_for(const std::filesystem::path& path) {
@@ -195,25 +194,26 @@ const OutputFormat& format_for(const std::filesystem::path& path) {
         if (format.suffix.empty() ? path == format.name : suffix == format.suffix) {
             if (format.name == "png-sequence" && !numbered) continue;
             if (numbered && suffix != ".png")
-                throw InputError(fmt::format(
-                    "{}: #### numbers the pictures of a PNG sequence; a {} has no use for it",
-                    path.string(), suffix));
+                throw InputError(
+                    fmt::format("{}: #### numbers the pictures of a PNG sequence; leave it out of "
+                                "the name of a {}",
+                                path.string(), suffix));
             return format;
         }
     }
     const std::string way = nearest_way(suffix);
     throw InputError(fmt::format(
-        "{}: no output is known by {}; {}the known are {}", path.string(),
-        suffix.empty() ? "a name without suffix" : fmt::format("the suffix \"{}\"", suffix),
+        "{}: there is no output format for {}; {}the formats are {}", path.string(),
+        suffix.empty() ? "a name without a suffix" : fmt::format("the suffix \"{}\"", suffix),
         way.empty() ? "" : way + "; ", known_suffixes()));
 }
 
 std::int64_t recover_film(const std::filesystem::path& path, const Tell& tell) {
     const OutputFormat& format = format_for(path);
     if (format.recover == nullptr)
-        throw InputError(
-            fmt::format("{}: is no film, so nothing of it lies aside; run the same command again",
-                        path.string()));
+        throw InputError(fmt::format(
+            "{}: is not a film, so there is nothing to recover; run the same command again",
+            path.string()));
     return format.recover(path, tell);
 }
 

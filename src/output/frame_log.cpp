@@ -128,7 +128,7 @@ FrameLog::FrameLog(const OutputPlan& plan, const std::string& settings, std::int
 FrameLog FrameLog::left_of(const fs::path& film) {
     std::error_code ignored;
     if (!fs::exists(frame_log_path(film), ignored))
-        throw InputError(fmt::format("there is no unfinished film of {}", film.string()));
+        throw InputError(fmt::format("there is no unfinished film {}", film.string()));
     return FrameLog(film);
 }
 
@@ -138,8 +138,8 @@ FrameLog::FrameLog(const fs::path& film) : file_(film, frame_log_path(film), tru
         throw InputError(fmt::format("no frame of {} had been finished", film.string()));
     if (plan_.part)
         throw InputError(
-            fmt::format("{}: is part {} of {} of a film; give its render command again, which goes "
-                        "on with it, and join the parts",
+            fmt::format("{}: is part {} of {} of a film; run its render command again to finish "
+                        "it, then join the parts",
                         film.string(), plan_.part->number, plan_.part->n_parts));
     plan_.path = film;
     plan_.n_frames = n_entries();
@@ -200,13 +200,13 @@ std::span<const std::uint8_t> FrameLog::read(std::int64_t k) {
     FrameBlock found;
     if (!read_block(file_.descriptor(), file_.path(), wanted.at - block_head, found, buffer_) ||
         found.size != wanted.size)
-        throw EnvironmentError(fmt::format("cannot write {}: what lies aside cannot be read back",
-                                           file_.path().string()));
+        throw EnvironmentError(fmt::format(
+            "cannot write {}: its unfinished frames cannot be read back", file_.path().string()));
     return buffer_;
 }
 
 void FrameLog::refuse_entry() const {
-    throw InputError(fmt::format("{}: holds what poinsot does not write; remove it",
+    throw InputError(fmt::format("{}: was not written by poinsot; remove it",
                                  frame_log_path(file_.path()).string()));
 }
 

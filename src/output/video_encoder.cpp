@@ -78,8 +78,8 @@ libav::Frame make_yuv_frame(AVPixelFormat format, int width_px, int height_px) {
 void check_film(const OutputPlan& plan) {
     constexpr std::int64_t largest = std::numeric_limits<int>::max();
     if (plan.width_px <= 0 || plan.height_px <= 0)
-        throw InputError(
-            fmt::format("a film of {}×{} pixels has no picture", plan.width_px, plan.height_px));
+        throw InputError(fmt::format("a film needs at least one pixel; {}×{} has none",
+                                     plan.width_px, plan.height_px));
     if (plan.rate.numerator <= 0 || plan.rate.denominator <= 0 || plan.rate.numerator > largest ||
         plan.rate.denominator > largest)
         throw InputError(fmt::format("a film needs a frame rate above 0; {}/{} is not one",

@@ -165,7 +165,7 @@ std::int64_t VideoReader::Impl::number_of_frame() const {
 
 void VideoReader::Impl::convert(Image& image) {
     if (decoded->width != info.width_px || decoded->height != info.height_px)
-        throw InputError(fmt::format("{} changes its size on the way", path.string()));
+        throw InputError(fmt::format("{} changes its picture size within the film", path.string()));
     if (image.width() != decoded->width || image.height() != decoded->height)
         image = Image(decoded->width, decoded->height);
     if (!scaler) {

@@ -51,9 +51,9 @@ class ContactSheet {
 
     void put(std::size_t index, const Image& picture) {
         if (picture.width() != width_px_ || picture.height() != height_px_)
-            throw InputError(
-                fmt::format("--sheet: its pictures are of one size, and {}×{} is not {}×{}",
-                            picture.width(), picture.height(), width_px_, height_px_));
+            throw InputError(fmt::format(
+                "--sheet: all pictures must have one size, but {}×{} differs from {}×{}",
+                picture.width(), picture.height(), width_px_, height_px_));
         const auto columns = static_cast<std::size_t>(request_->n_columns);
         const int left = static_cast<int>(index % columns) * width_px_;
         const int top = static_cast<int>(index / columns) * (height_px_ + caption_px_);
@@ -113,11 +113,11 @@ void draw_sheet(const SheetRequest& request, Easel& easel, const Telling& tellin
     const auto n_places =
         static_cast<std::size_t>(request.n_columns) * static_cast<std::size_t>(request.n_rows);
     if (request.cells.size() > n_places)
-        throw InputError(fmt::format("--sheet {}x{}: has {} places for {} pictures; take more",
-                                     request.n_columns, request.n_rows, n_places,
-                                     request.cells.size()));
+        throw InputError(
+            fmt::format("--sheet {}x{}: has {} places for {} pictures; give more columns or rows",
+                        request.n_columns, request.n_rows, n_places, request.cells.size()));
     if (suffix_of(request.output) != ".png")
-        throw InputError(fmt::format("{}: a sheet is a PNG; say with -o where it is to go",
+        throw InputError(fmt::format("{}: a sheet is a PNG; name it with -o FILE.png",
                                      printable(request.output)));
     watch_for_interrupts();
     telling.begin("sheet", static_cast<std::int64_t>(request.cells.size()));

@@ -36,15 +36,17 @@ bool is_there(const OutputPlan& plan) {
         return false;
     const std::string name = printable(plan.path.string());
     if (!looks_like_part(plan.path))
-        throw InputError(fmt::format(
-            "{}: is there, and no part of a film; remove it, or name the part otherwise", name));
+        throw InputError(
+            fmt::format("{}: exists and is not a part of a film; remove it, or choose another name "
+                        "for the part",
+                        name));
     const PartFile there(plan.path);
     if (there.plan().metadata != plan.metadata) return false;
     if (there.part().n_parts == plan.part->n_parts && there.part().number != plan.part->number)
-        throw InputError(fmt::format(
-            "{}: holds part {} of this film; give each part a name of its own, as #### in it "
-            "becomes the part's number",
-            name, there.part().number));
+        throw InputError(
+            fmt::format("{}: holds part {} of this film; give each part its own name: #### in a "
+                        "name becomes the part's number",
+                        name, there.part().number));
     return there.is_whole() && there.part() == *plan.part;
 }
 
@@ -55,20 +57,18 @@ void note_kept(const OutputPlan& plan, const FrameSink& sink, std::int64_t n_the
     const std::string name = printable(plan.path.string());
     if (n_there == plan.n_frames && film)
         return telling.say(
-            fmt::format("note: an interrupted run has drawn all frames of {}", name));
+            fmt::format("note: an interrupted run had finished all frames of {}", name));
     if (n_there == plan.n_frames)
         return telling.say(fmt::format(
-            "note: all {} frames of {} are there, of this very scene; remove them to have them "
-            "drawn again",
+            "note: all {} frames of {} exist and show this scene; remove them to draw them again",
             n_there, name));
     if (n_there == sink.n_frames_kept())
         return telling.say(
-            fmt::format("note: going on with frame {} of {}, where an interrupted run ended",
+            fmt::format("note: continuing with frame {} of {}, where an interrupted run ended",
                         first_of(plan) + n_there, name));
-    telling.say(fmt::format(
-        "note: going on with {}: {} of its {} frames are there as they were drawn, the others are "
-        "drawn",
-        name, n_there, plan.n_frames));
+    telling.say(
+        fmt::format("note: continuing {}: {} of its {} frames exist, the others are drawn now",
+                    name, n_there, plan.n_frames));
 }
 
 // Reports pictures of other frames, such as those of an earlier, longer run.
@@ -82,7 +82,7 @@ void note_others(const OutputPlan& plan, const Telling& telling) {
         return printable(frame_name(plan.path, frame).filename().string());
     };
     telling.say(fmt::format(
-        "note: {} of another run beside these: {}{}; remove {} or name another output",
+        "note: {} of another run in the same folder: {}{}; remove {} or name another output",
         others.size() == 1 ? "there is a frame" : fmt::format("there are {} frames", others.size()),
         name(others.front()), others.size() == 1 ? "" : fmt::format(" to {}", name(others.back())),
         others.size() == 1 ? "it" : "them"));
@@ -94,16 +94,17 @@ void note_transparency(const Scene& scene, const OutputFormat& format, const Tel
     const bool one_bit = format.name == "gif";
     if (format.alpha && !one_bit) return;
     telling.say(fmt::format(
-        "note: theme = \"{}\": {}; .webm and a .png sequence keep it whole", printable(scene.theme),
-        one_bit ? "a GIF's pixels are seen through or not, nothing between"
-                : fmt::format(".{} keeps no transparency, its ground is white", format.name)));
+        "note: theme = \"{}\": {}; .webm and a .png sequence keep transparency",
+        printable(scene.theme),
+        one_bit ? "a pixel of a GIF is either transparent or opaque"
+                : fmt::format(".{} has no transparency, so the background is white", format.name)));
 }
 
 // Rejects frames that are too large to be drawn as a whole; only stills are drawn in bands.
 void check_size(const OutputPlan& plan) {
     if (std::max(plan.width_px, plan.height_px) <= largest_png_side_px) return;
     throw InputError(fmt::format(
-        "film.size is {}x{}; a frame of a film has at most {} pixels a side, so make it smaller",
+        "film.size is {}x{}; a film frame has at most {} pixels per side, so make it smaller",
         plan.width_px, plan.height_px, largest_png_side_px));
 }
 
@@ -117,8 +118,8 @@ FilmJob::FilmJob(const Session& session, FilmRequest request)
       last_(request_.frames ? request_.frames->second : film_.n_frames - 1) {
     if (last_ >= film_.n_frames)
         throw InputError(
-            fmt::format("--frames {}-{}: the film has frames 0-{}; ask for a part of those", first_,
-                        last_, film_.n_frames - 1));
+            fmt::format("--frames {}-{}: the film has frames 0-{}; choose frames from these",
+                        first_, last_, film_.n_frames - 1));
 }
 
 OutputPlan FilmJob::output_plan(const std::filesystem::path& path) const {
@@ -147,16 +148,15 @@ bool FilmJob::take_part(OutputPlan& plan, const Telling& telling) const {
                              ? fmt::format("{}: one picture has no parts; a sequence has #### in "
                                            "its name",
                                            name)
-                             : fmt::format("{}: has no parts", name));
+                             : fmt::format("{}: this format has no parts", name));
     FilmPart part = part_of_film(number, n_parts, plan.n_frames, format.n_chunk_frames);
     if (part.n_parts < n_parts)
         telling.say(
-            fmt::format("note: the seams of parts lie every {} frames, so {} frames have {} "
-                        "part{}, not {}",
+            fmt::format("note: a part begins every {} frames, so {} frames make {} part{}, not {}",
                         format.n_chunk_frames, plan.n_frames, part.n_parts,
                         part.n_parts == 1 ? "" : "s", n_parts));
     if (part.n_frames == 0) {
-        telling.say(fmt::format("note: there is no part {}, and nothing to do", number));
+        telling.say(fmt::format("note: part {} has no frames; nothing to do", number));
         return false;
     }
     part.format = format.name;
@@ -235,7 +235,7 @@ void FilmJob::make(Easel& easel, const Telling& telling) const {
     plan.tell = told;
     const std::string name = printable(plan.path.string());
     if (plan.part && is_there(plan))
-        return telling.say(fmt::format("note: part {} of {} is there, {}", plan.part->number,
+        return telling.say(fmt::format("note: part {} of {} exists already: {}", plan.part->number,
                                        plan.part->n_parts, name));
     if (plan.part && plan.part->n_before > 0 && format.alpha) {
         Image first;

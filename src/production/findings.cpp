@@ -46,10 +46,10 @@ std::string regime_in_words(const MotionProblem& problem, Regime regime,
             return "at rest: ω is zero";
         case Regime::permanent:
             return is_about_middle_axis(problem)
-                       ? "permanent rotation about the middle axis: kept exactly, but unstable"
-                       : "permanent rotation: ω stays where it is";
+                       ? "permanent rotation about the middle axis: ω is constant, but unstable"
+                       : "permanent rotation: ω is constant";
         case Regime::symmetric:
-            return "symmetric body: ω runs round a circle, by trigonometric functions";
+            return "symmetric body: ω moves on a circle (trigonometric functions)";
         case Regime::elliptic_about_lowest:
             return fmt::format("polhode about {}, the axis of the smallest moment (elliptic)",
                                axis_name(constants.encircled_axis));
@@ -57,7 +57,7 @@ std::string regime_in_words(const MotionProblem& problem, Regime regime,
             return fmt::format("polhode about {}, the axis of the largest moment (elliptic)",
                                axis_name(constants.encircled_axis));
         case Regime::separatrix:
-            return "separatrix: ω tends to the middle axis and never returns (hyperbolic)";
+            return "separatrix: ω approaches the middle axis and never returns (hyperbolic)";
         default:
             return std::string(name_of(regime));
     }
@@ -122,9 +122,9 @@ std::string_view meaning_of(TopRegime regime) {
         case TopRegime::hanging:
             return "vertical, with the centre of mass below the fixed point";
         case TopRegime::steady_slow:
-            return "θ stays as it is, and of its two precessions this is the slower";
+            return "θ is constant; this is the slower of the two precessions at this tilt";
         case TopRegime::steady_fast:
-            return "θ stays as it is, and of its two precessions this is the faster";
+            return "θ is constant; this is the faster of the two precessions at this tilt";
         case TopRegime::wavy:
             return "φ̇ keeps its sign";
         case TopRegime::cusp:
@@ -136,7 +136,7 @@ std::string_view meaning_of(TopRegime regime) {
         case TopRegime::planar_pendulum:
             return "neither spin nor precession";
         case TopRegime::separatrix:
-            return "the axis tends to the upright and never returns";
+            return "the axis approaches the upright position and never returns";
         case TopRegime::no_gravity:
             return "a free symmetric body";
     }
@@ -179,7 +179,7 @@ void add_heavy_top(const HeavyTop& top, std::vector<Fact>& facts) {
                              top.regime() == TopRegime::sleeping_unstable ||
                              top.regime() == TopRegime::hanging;
     if (!is_vertical)
-        add_number(facts, "precession_rate_rad_s", "φ̇ in the mean", nutation.precession_rate_rad_s,
+        add_number(facts, "precession_rate_rad_s", "mean φ̇", nutation.precession_rate_rad_s,
                    "rad/s");
 }
 
@@ -194,14 +194,15 @@ void add_start(const MotionProblem& problem, std::vector<Fact>& facts) {
 // Adds the requested accuracy in pixels as an angle, and the achieved accuracy.
 void add_accuracy(const Session& session, const PictureBound& bound, std::vector<Fact>& facts) {
     const bool stepped = session.motion.integrated() != nullptr;
-    facts.push_back({"accuracy_px", json_number(session.accuracy.asked_px), "accuracy asked",
+    facts.push_back({"accuracy_px", json_number(session.accuracy.asked_px), "accuracy requested",
                      fmt::format("{:g} px", session.accuracy.asked_px)});
-    facts.push_back({"motion_error_px", json_number(bound.motion_px), "accuracy of the motion",
-                     fmt::format("{:.2g} px ({})", bound.motion_px,
-                                 stepped ? "measured over the film" : "a bound of rounding")});
+    facts.push_back(
+        {"motion_error_px", json_number(bound.motion_px), "accuracy of the motion",
+         fmt::format("{:.2g} px ({})", bound.motion_px,
+                     stepped ? "measured over the film" : "bound for rounding errors")});
     facts.push_back({"curve_error_px", json_number(bound.curves_px), "accuracy of the curves",
                      fmt::format("{:.2g} px, by subdivision", bound.curves_px)});
-    facts.push_back({"bound_px", json_number(bound.total_px()), "nothing drawn is further off than",
+    facts.push_back({"bound_px", json_number(bound.total_px()), "largest error in the picture",
                      fmt::format("{:.2g} px", bound.total_px())});
     if (stepped) {
         const MethodChoice& method = session.motion.problem().method;
@@ -220,14 +221,15 @@ void add_beside(const Session& session, const FilmPlan& film, std::vector<Fact>&
     const MotionErrors errors = worst_errors(*session.beside, session.motion, times);
     const std::string& name = session.beside->problem().method.name;
     const IntegratedRotation* stepped = session.beside->integrated();
-    facts.push_back({"beside", json_string(name), "beside it",
+    facts.push_back({"beside", json_string(name), "comparison method",
                      stepped != nullptr && stepped->method().takes_step
                          ? fmt::format("{}, step {:g} s", name, stepped->step_s())
                          : name});
-    add_number(facts, "beside_attitude_rad", "its attitude departs by", errors.attitude_rad, "rad");
-    facts.push_back({"beside_energy", json_number(errors.energy_relative), "its T drifts by",
+    add_number(facts, "beside_attitude_rad", "its largest attitude difference", errors.attitude_rad,
+               "rad");
+    facts.push_back({"beside_energy", json_number(errors.energy_relative), "its drift of T",
                      fmt::format("{:.3g} of T", errors.energy_relative)});
-    facts.push_back({"beside_momentum", json_number(errors.momentum_relative), "its L drifts by",
+    facts.push_back({"beside_momentum", json_number(errors.momentum_relative), "its drift of L",
                      fmt::format("{:.3g} of L", errors.momentum_relative)});
 }
 

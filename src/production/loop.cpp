@@ -30,8 +30,8 @@ std::optional<Loop> one_period(Scene& scene) {
     if (period_s) return Loop{*period_s, "one polhode period, seen from the turning camera", ""};
     if (scene.locations.contains("film.loop")) {
         throw SceneError(scene.location_of("film.loop"),
-                         "film.loop is \"period\", but this motion has no polhode period; leave it "
-                         "out, or start it off the principal axes and the separatrix");
+                         "film.loop is \"period\", but this motion has no polhode period; leave "
+                         "film.loop out, or start away from the principal axes and the separatrix");
     }
     // The loop was only a default: the film does not loop.
     scene.film.loop.clear();
@@ -71,16 +71,15 @@ void fit_film(Scene& scene, double loop_s) {
     constexpr double rounding = 1e-12;
     if (film.duration_s && std::abs(*film.duration_s - loop_s) > rounding * loop_s) {
         scene.notes.push_back(
-            fmt::format("film.duration_s = {:g} gives way to the loop, which lasts {:.6g} s",
+            fmt::format("film.duration_s = {:g} is ignored: the loop lasts {:.6g} s",
                         *film.duration_s, loop_s));
     }
     if (film.length_s) {
         const FilmClock clock(scene);
         const double shown_s = clock.time_at(*film.length_s) - film.start_s;
         if (!(shown_s > 0.0)) {
-            throw SceneError(
-                scene.location_of("film.length_s"),
-                "the motion stands still all through the film; a loop needs some speed");
+            throw SceneError(scene.location_of("film.length_s"),
+                             "the speed is 0 during the whole film; a loop needs motion");
         }
         const double faster = loop_s / shown_s;
         if (std::abs(faster - 1.0) > rounding) {
@@ -123,15 +122,16 @@ void note_jumps(Scene& scene) {
         differs(a.elevation_deg, b.elevation_deg) || differs(a.distance, b.distance) ||
         differs(a.field_deg, b.field_deg) || (a.target - b.target).norm() > 1e-9) {
         scene.notes.emplace_back(
-            "the camera ends elsewhere than it begins, so the loop jumps there; bring it back by a "
-            "last keyframe");
+            "the camera does not end where it begins, so the loop jumps; bring it back with a last "
+            "keyframe");
     }
     for (const FadeSpec& fade : scene.fades) {
         for (const std::string& name : fade.elements) {
             if (!differs(timeline.opacity_of(name, 0.0), timeline.opacity_of(name, end_s)))
                 continue;
             const std::string note = fmt::format(
-                "\"{}\" is not as much there in the end as it was, so the loop jumps; fade it back",
+                "\"{}\" does not end with the opacity of the beginning, so the loop jumps; fade it "
+                "back",
                 printable(name));
             if (std::find(scene.notes.begin(), scene.notes.end(), note) == scene.notes.end()) {
                 scene.notes.push_back(note);

@@ -44,10 +44,10 @@ void tell_stage_notes(const Stage& stage, const Telling& telling) {
     for (const std::string& note : stage.notes()) telling.say("note: " + note);
     const std::vector<char32_t>& missing = stage.data().type_case.typesetter().missing();
     if (missing.empty()) return;
-    telling.say(fmt::format(
-        "note: no font here has {}: drawn as boxes; install a font that has them, as fonts-noto or "
-        "fonts-dejavu",
-        listed(missing)));
+    telling.say(
+        fmt::format("note: no installed font has {}: drawn as boxes; install a font that has them, "
+                    "as fonts-noto or fonts-dejavu",
+                    listed(missing)));
 }
 
 PictureBound bound_of(const Session& session, const Stage& stage, int samples) {

@@ -46,10 +46,10 @@ PlanLine torque_line(const Session& session) {
         return {"torque", "none", "the scene has no [torque]"};
     }
     const IntegratedRotation* stepped = session.motion.integrated();
-    if (stepped == nullptr) return {"torque", "none", "the closed form holds what gravity does"};
+    if (stepped == nullptr) return {"torque", "none", "the closed form includes gravity"};
     const std::int64_t n_torques = stepped->counters().n_torques;
     return {"torque", fmt::format("evaluated {} times", n_torques),
-            n_torques > 0 ? "the scene has a [torque]" : "friction inside the body is no torque"};
+            n_torques > 0 ? "the scene has [torque]" : "friction inside the body is not a torque"};
 }
 
 PlanLine frames_line(const char* what, bool asked, std::int64_t n_frames, const char* why,
@@ -62,10 +62,11 @@ PlanLine frames_line(const char* what, bool asked, std::int64_t n_frames, const 
 PlanLine parts_line(const FilmPlan& film) {
     const std::int64_t chunk = format_for("film.mp4").n_chunk_frames;
     const std::int64_t n_parts = (film.n_frames + chunk - 1) / chunk;
-    return {"parts",
-            n_parts <= 1 ? "one: the film is shorter than two of them"
-                         : fmt::format("at most {}, seams every {} frames", n_parts, chunk),
-            "the encoders of MP4 and WebM start anew there; GIF and PNG have seams anywhere"};
+    return {
+        "parts",
+        n_parts <= 1 ? "one: the film is shorter than two parts"
+                     : fmt::format("at most {}, a part begins every {} frames", n_parts, chunk),
+        "the encoders of MP4 and WebM restart there; GIF and PNG can be divided at every frame"};
 }
 
 // The default of --jobs on this machine, with the reason.
@@ -89,30 +90,30 @@ std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, cons
         frames_line("angular velocity", true, film.n_frames, "every panel shows it", ""));
     lines.push_back(frames_line("attitude", asks.attitude, film.n_frames,
                                 "a panel shows the body in space",
-                                "every panel shows the body at rest"));
+                                "no panel shows the body in space"));
     lines.push_back(frames_line("herpolhode's point", asks.herpolhode, film.n_frames,
-                                "a panel shows where it is",
-                                "no panel needs it apart from the attitude"));
+                                "a panel shows its position",
+                                "no panel shows it without the attitude"));
     lines.push_back(
         {"herpolhode's history",
          made.n_herpolhode > 0
              ? fmt::format("{} evaluations before the first frame, none after", made.n_herpolhode)
              : "none",
-         made.n_herpolhode > 0 ? "a panel shows it; frames reveal a part of one curve"
+         made.n_herpolhode > 0 ? "a panel shows it; each frame draws a part of one curve"
                                : "no panel shows it"});
     lines.push_back(frames_line("Euler angles", asks.euler_angles, film.n_frames,
                                 "a panel shows them", "no panel shows them"));
     if (session.beside) {
         const IntegratedRotation* stepped = session.beside->integrated();
-        lines.push_back({"motion beside",
+        lines.push_back({"comparison",
                          fmt::format("by {}: {} steps", session.beside->problem().method.name,
                                      stepped != nullptr ? stepped->counters().n_steps : 0),
-                         "the scene has a [beside]"});
+                         "the scene has [beside]"});
     }
     lines.push_back(parts_line(film));
     lines.push_back(jobs_line(session, film));
     lines.push_back({"curves",
-                     fmt::format("{} kept, within {:.2g} px of the picture drawn",
+                     fmt::format("{} stored, within {:.2g} px of the exact curves",
                                  data.curves.size(), stage.curve_error_px()),
                      fmt::format("half of accuracy_px = {:g} at quality {}",
                                  session.accuracy.asked_px, session.scene.film.quality)});

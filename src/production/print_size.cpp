@@ -25,10 +25,10 @@ void check_between(const char* option, std::optional<double> value, double least
 int side_px(const char* option, double given_mm, double side_mm, double dpi) {
     const double px = std::round(side_mm / mm_per_inch * dpi);
     if (px >= least_side_px && px <= largest_banded_png_side_px) return static_cast<int>(px);
-    throw InputError(fmt::format(
-        "{} {:g} at {:g} dpi makes a side of {:.0f} pixels; a picture has {} to {} a side: change "
-        "{} or --dpi",
-        option, given_mm, dpi, px, least_side_px, largest_banded_png_side_px, option));
+    throw InputError(
+        fmt::format("{} {:g} at {:g} dpi makes a side of {:.0f} pixels; a picture has {} to {} per "
+                    "side: change {} or --dpi",
+                    option, given_mm, dpi, px, least_side_px, largest_banded_png_side_px, option));
 }
 
 }  // namespace
@@ -43,8 +43,7 @@ std::optional<PrintSize> print_size_of(const PrintChoices& print, int scene_widt
 
     if (print.type_pt && *print.type_pt < print.least_type_pt)
         throw InputError(
-            fmt::format("--type-pt {:g}: no type is under {:g} points on paper; give "
-                        "that or more",
+            fmt::format("--type-pt {:g}: type on paper has {:g} points or more; give a larger size",
                         *print.type_pt, print.least_type_pt));
 
     const double dpi = print.dpi.value_or(default_dpi);

@@ -59,8 +59,9 @@ using Fields = std::map<std::string, std::string, std::less<>>;
 constexpr std::string_view seal_key = "record-sha256: ";
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
-    throw InputError(fmt::format("{}: its record {}; it was not written by poinsot, or changed",
-                                 printable(name), what));
+    throw InputError(
+        fmt::format("{}: its record {}; the file was not written by poinsot, or was changed",
+                    printable(name), what));
 }
 
 // The fonts used as fallback for the program's own fonts, each with its name and hash.
@@ -130,8 +131,8 @@ Record record_of(const Session& session, const Stage& stage, const std::string& 
     // Rejected before anything is drawn: every picture must contain its complete record.
     if (record.scene_toml.size() > most_scene_bytes)
         throw InputError(fmt::format(
-            "{}: written out in full it has {} bytes, more than the {} that are read again of a "
-            "picture's record; shorten it",
+            "{}: written out in full the scene has {} bytes, and a picture's record holds at most "
+            "{}; shorten the scene",
             printable(session.scene.file.string()), record.scene_toml.size(), most_scene_bytes));
     record.mesh_hash = mesh_hash_of(session.scene);
     record.scene_hash = sha256_of(record.scene_toml + record.mesh_hash);
@@ -189,7 +190,7 @@ void check_frames(const Record& record, const std::string& name) {
     if (right && record.frames && record.frame)
         right = record.frames->first <= *record.frame && *record.frame <= record.frames->second;
     if (!right || ((record.run || record.frame) && !record.frames))
-        refuse(name, "counts frames that cannot be");
+        refuse(name, "has impossible frame numbers");
 }
 
 }  // namespace
@@ -198,7 +199,7 @@ Record parse_record(std::string_view text, const std::string& name) {
     constexpr std::string_view opening = "poinsot ";
     if (!text.starts_with(opening)) refuse(name, "does not begin with \"poinsot\"");
     const std::size_t blank = text.find("\n\n");
-    if (blank == std::string_view::npos) refuse(name, "holds no scene");
+    if (blank == std::string_view::npos) refuse(name, "has no scene");
 
     Record record;
     record.text = text;
@@ -210,7 +211,7 @@ Record parse_record(std::string_view text, const std::string& name) {
         hash.add(text.substr(end + 1));
         const std::size_t digits = seal + 1 + seal_key.size();
         record.sealed = hash.finish() == text.substr(digits, end - digits);
-        if (!record.sealed) refuse(name, "is not the one whose hash it holds");
+        if (!record.sealed) refuse(name, "does not match its own hash");
     }
 
     std::string_view head = text.substr(opening.size(), blank + 1 - opening.size());
@@ -234,9 +235,9 @@ Record parse_record(std::string_view text, const std::string& name) {
         }
     }
     if (record.scene_hash != sha256_of(record.scene_toml + record.mesh_hash))
-        refuse(name, "holds another scene than its hash says");
+        refuse(name, "has a scene that does not match its hash");
     if (record.time_s.has_value() == record.frames.has_value())
-        refuse(name, "must say either an instant or frames");
+        refuse(name, "must name either an instant or frames");
     check_frames(record, name);
     return record;
 }
@@ -251,10 +252,10 @@ Record read_record(const std::filesystem::path& file) {
         text = film_metadata(file);
     }
     if (text.empty())
-        throw InputError(fmt::format(
-            "{}: carries no record of how it was made, so that poinsot did not draw it, "
-            "or another program removed it; draw it with poinsot",
-            printable(file.string())));
+        throw InputError(
+            fmt::format("{}: has no record of how it was made: poinsot did not draw it, or another "
+                        "program removed the record; draw it with poinsot",
+                        printable(file.string())));
     return parse_record(text, file.string());
 }
 
@@ -297,7 +298,7 @@ Verification verify(const std::filesystem::path& file, const Record& record) {
     const std::string& then = is_page ? record.page : is_picture ? record.pixels : record.packets;
     if (!record.sealed || then.empty())
         return {Verified::cannot_be,
-                "its record holds no hash, as those of older versions do not: cannot be verified"};
+                "its record has no hash (older versions wrote none), so it cannot be verified"};
     bool same = false;
     std::string behind;
     if (is_page) {
@@ -314,20 +315,20 @@ Verification verify(const std::filesystem::path& file, const Record& record) {
         const auto end = same ? end_of_film(file) : std::nullopt;
         if (same && !end)
             return {Verified::cannot_be,
-                    "its pictures are those that its record was written with, but its container "
-                    "does not say where it ends: cannot be verified"};
+                    "its pictures match its record, but its container does not tell where the file "
+                    "ends, so it cannot be verified"};
         const std::uintmax_t n_bytes = std::filesystem::file_size(file);
         if (same && *end > n_bytes) behind = "its end is missing";
         if (same && *end < n_bytes) behind = bytes_behind(n_bytes - *end);
     }
     if (same && !behind.empty())
-        return {Verified::no, fmt::format("{}; it was changed since it was written", behind)};
-    if (same) return {Verified::yes, "as it was written, record and pictures"};
+        return {Verified::no, fmt::format("{}; the file was changed after it was written", behind)};
+    if (same) return {Verified::yes, "unchanged, record and pictures"};
     return {Verified::no,
-            fmt::format("its {} that its record was written with; it was changed since",
-                        is_page      ? "page is not the one"
-                        : is_picture ? "pixels are not those"
-                                     : "pictures are not those")};
+            fmt::format("its {} its record; the file was changed after it was written",
+                        is_page      ? "page does not match"
+                        : is_picture ? "pixels do not match"
+                                     : "pictures do not match")};
 }
 
 bool is_quickly_verified(const std::filesystem::path& file, const Record& record) {

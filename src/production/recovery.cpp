@@ -44,16 +44,15 @@ std::int64_t recover(const std::filesystem::path& film, const Telling& telling) 
     const std::int64_t n_left = format_for(film).recover != nullptr ? gather_parts_aside(film) : 0;
     const std::int64_t n_frames = recover_film(film, told);
     if (n_left > 0)
-        telling.say(
-            fmt::format("note: {} later frames come after a gap and are kept aside; render "
-                        "draws what is missing",
-                        n_left));
+        telling.say(fmt::format(
+            "note: {} later frames follow a gap and are kept; render draws the missing frames",
+            n_left));
     try {
         write_what_lies_beside(film, read_record(film), telling);
     } catch (const InputError& error) {
         // The film itself is complete; only the files beside it need the scene's files.
-        telling.say(fmt::format("note: no {}: {}", printable(chapters_path(film).string()),
-                                printable(error.what())));
+        telling.say(fmt::format("note: {} was not written: {}",
+                                printable(chapters_path(film).string()), printable(error.what())));
     }
     return n_frames;
 }

@@ -28,8 +28,8 @@ std::vector<std::string> differences(const Record& then, const Record& now) {
     std::vector<std::string> notes;
     const auto note = [&](std::string_view what, const std::string& was, const std::string& is) {
         if (was == is) return;
-        notes.push_back(fmt::format("note: made with {} {}, this is {}: the bytes may differ", what,
-                                    printable(was), printable(is)));
+        notes.push_back(fmt::format("note: made with {} {}, here it is {}: the bytes may differ",
+                                    what, printable(was), printable(is)));
     };
     note("poinsot", then.version, now.version);
     note("the renderer", then.renderer, now.renderer);
@@ -42,8 +42,8 @@ std::vector<std::string> differences(const Record& then, const Record& now) {
 void refuse_sheet(const std::filesystem::path& file, const Record& record) {
     if (record.sheet.empty()) return;
     throw InputError(fmt::format(
-        "{}: is a sheet of many pictures, whose record holds the scene of the first and the values "
-        "of all; draw it again by still --sweep --sheet, with what explain prints",
+        "{}: is a sheet of several pictures; its record has the scene of the first and the values "
+        "of all: draw it again with still --sweep --sheet and the values that explain prints",
         printable(file.string())));
 }
 
@@ -52,10 +52,10 @@ std::int64_t frame_of_picture(const std::filesystem::path& file, const Record& r
     const auto frame = record.frame ? record.frame : frame_of_name(file);
     const auto [first, last] = *record.frames;
     if (!frame || *frame < first || *frame > last)
-        throw InputError(fmt::format(
-            "{}: is one of the frames {}-{} of a sequence, and its name does not say which; let "
-            "the name end in the frame's number",
-            printable(file.string()), first, last));
+        throw InputError(
+            fmt::format("{}: is one of the frames {}-{} of a sequence, but its name does not tell "
+                        "which; end the name with the frame's number",
+                        printable(file.string()), first, last));
     return *frame;
 }
 
@@ -88,7 +88,7 @@ RedrawRequest with_its_names(RedrawRequest request, const Record& record) {
         numbered_output(request.output, one_frame ? frame.value_or(0) : 0, record.scene_name);
     std::error_code not_there;
     if (std::filesystem::equivalent(request.file, request.output, not_there))
-        throw InputError(fmt::format("{}: is the file that is to be drawn again; name another",
+        throw InputError(fmt::format("{}: is the file that you draw again; name another output",
                                      printable(request.output.string())));
     return request;
 }
@@ -103,7 +103,8 @@ Session session_of_record(const RedrawRequest& request, const Record& record,
         for (const FacePictureSpec& picture : scene.object.pictures)
             files += (files.empty() ? "" : ", ") + picture.file;
         throw InputError(
-            fmt::format("{} is not what it was drawn with; put that back", printable(files)));
+            fmt::format("{} has changed since the file was drawn; restore the earlier version",
+                        printable(files)));
     }
     const double time_s = record.time_s.value_or(0.0);
     return session_of(std::move(scene), {&time_s, 1}, telling);
@@ -156,7 +157,7 @@ RedrawCheck check_redraw(const RedrawRequest& request, const Record& record,
     try {
         const Record now = record_to_come(request, record, telling);
         if (now.version == record.version && now.scene_toml != record.scene_toml)
-            return {"its scene is read as another than it was written", {}};
+            return {"its scene changes when this program reads and writes it", {}};
         return {"", differences(record, now)};
     } catch (const Error& error) {
         // The message starts with the file's name already.
@@ -174,12 +175,12 @@ void redraw(const RedrawRequest& asked, const Telling& telling) {
     const bool is_page = is_vector_name(request.file);
     if (is_picture != (suffix_of(request.output) == ".png") ||
         (is_page && suffix_of(request.file) != suffix_of(request.output)))
-        throw InputError(fmt::format("{}: {} is drawn again as one of its kind; choose a name {}",
-                                     printable(request.output.string()),
-                                     printable(request.file.string()),
-                                     is_page      ? "in " + suffix_of(request.file)
-                                     : is_picture ? "in .png"
-                                                  : "in .mp4, .webm or .gif"));
+        throw InputError(
+            fmt::format("{}: the kind of file differs from that of {}; choose a name {}",
+                        printable(request.output.string()), printable(request.file.string()),
+                        is_page      ? "in " + suffix_of(request.file)
+                        : is_picture ? "in .png"
+                                     : "in .mp4, .webm or .gif"));
 
     Session session = [&] {
         try {

@@ -25,8 +25,8 @@ void note_unreached(const Accuracy& accuracy, const StepChoice& step, Scene& sce
     const bool given = scene.method.step_s || scene.method.tolerance;
     if (step.reached || given) return;
     scene.notes.push_back(fmt::format(
-        "{} does not reach accuracy_px = {:g} in a reasonable number of steps; at {} it is off "
-        "by {:.2g} px",
+        "{} does not reach accuracy_px = {:g} in a reasonable number of steps; with {} its error "
+        "is {:.2g} px",
         step.method.name, accuracy.asked_px,
         step.method.step_s ? fmt::format("step_s = {:.3g}", *step.method.step_s)
                            : fmt::format("tolerance = {:.0e}", step.method.tolerance.value_or(0.0)),
@@ -57,8 +57,7 @@ void set_size_on_paper(const SceneRequest& request, Scene& scene) {
         [](const std::string& given) { return assignment_of(given).starts_with("film.size="); });
     if (sized_twice && (request.print.width_mm || request.print.height_mm))
         throw InputError(
-            "--size and --width-mm or --height-mm both say how large the picture is; leave one "
-            "out");
+            "--size and --width-mm or --height-mm both set the picture's size; leave one out");
     scene.film.width_px = paper->width_px;
     scene.film.height_px = paper->height_px;
     if (!request.print.width_mm || request.print.height_mm) return;
@@ -89,8 +88,8 @@ double affordable_s(const MotionProblem& problem, double n_times) {
     const double estimate_s = n_times * stepping_estimate_s(problem);
     if (estimate_s <= longest_stepping_s) return estimate_s;
     throw InputError(fmt::format(
-        "stepping by {} from {:g} s to {:g} s{} would take about {} s, and at most {:.0f} s "
-        "are spent on it; give a larger step or tolerance, a shorter film, or method = \"exact\"",
+        "stepping by {} from {:g} s to {:g} s{} would take about {} s, longer than the limit of "
+        "{:.0f} s; give a larger step or tolerance, a shorter film, or method = \"exact\"",
         problem.method.name, problem.first_time_s, problem.last_time_s,
         problem.method.step_s ? fmt::format(" in steps of {:g} s", *problem.method.step_s) : "",
         estimate_s < 1e9 ? fmt::format("{:.0f}", estimate_s) : fmt::format("{:.0e}", estimate_s),
@@ -222,7 +221,7 @@ std::string text_of(const Certificate& certificate) {
         all_measured = all_measured && claim.measured();
         if (!claim.measured()) {
             text += fmt::format(
-                "not measured {}: times so large have no steps fine enough to tell: {}\n",
+                "not measured {}: double precision is too coarse at such large times: {}\n",
                 claim.name, claim.means);
             continue;
         }

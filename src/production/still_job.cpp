@@ -87,10 +87,10 @@ vector::Raster pixels_of(const Drawing& drawing, Easel& easel) {
     constexpr double most_pixels = 1e8;
     if (1.0 * drawing.width_px * drawing.height_px > most_pixels ||
         std::max(drawing.width_px, drawing.height_px) > most_side_px)
-        throw InputError(fmt::format(
-            "--shading picture: {}x{} pixels at 600 dots an inch; at most {} a side and {:.0f} "
-            "million in all: make the figure smaller",
-            drawing.width_px, drawing.height_px, most_side_px, most_pixels / 1e6));
+        throw InputError(
+            fmt::format("--shading picture: {}x{} pixels at 600 dpi; at most {} per side and "
+                        "{:.0f} million in all: make the figure smaller",
+                        drawing.width_px, drawing.height_px, most_side_px, most_pixels / 1e6));
     Image image;
     easel.renderer().render_into(drawing, image);
     const auto bytes = image.bytes();
@@ -110,13 +110,12 @@ void note_gaps(const LatexGaps& gaps, const std::filesystem::path& file, const T
                                 listed(gaps.hidden)));
     if (!gaps.need_t1.empty())
         telling.say(fmt::format(
-            "note: {}: pdfLaTeX leaves out {}; with \\usepackage[T1]{{fontenc}} it is set", name,
+            "note: {}: pdfLaTeX leaves out {}; \\usepackage[T1]{{fontenc}} lets it set them", name,
             listed(gaps.need_t1)));
     if (!gaps.need_unicode.empty())
-        telling.say(
-            fmt::format("note: {}: pdfLaTeX leaves out {}; XeLaTeX and LuaLaTeX set what their "
-                        "font has",
-                        name, listed(gaps.need_unicode)));
+        telling.say(fmt::format(
+            "note: {}: pdfLaTeX leaves out {}; XeLaTeX and LuaLaTeX set those that their font has",
+            name, listed(gaps.need_unicode)));
 }
 
 }  // namespace

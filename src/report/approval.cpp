@@ -33,7 +33,7 @@ std::string picture_name(const std::string& argument, const fs::path& results) {
     fs::path path = fs::path(argument).lexically_normal();
     const bool leaves = path.empty() || path.is_absolute() || *path.begin() == "..";
     if (leaves)
-        throw InputError(fmt::format("{}: not the name of a picture within the folder of results",
+        throw InputError(fmt::format("{}: not the name of a picture in the folder of results",
                                      printable(argument)));
     if (suffix_of(path) != ".png") return path.generic_string();
     const fs::path usual = fs::path(path).replace_extension(".png");
@@ -69,7 +69,7 @@ std::vector<std::string> names_wanted(const ApprovalRequest& request) {
         return names;
     }
     if (request.names.empty())
-        throw InputError("poinsot approve: name the pictures to take, or say --all");
+        throw InputError("poinsot approve: no pictures; name them, or give --all");
     for (const std::string& argument : request.names)
         names.push_back(picture_name(argument, request.results));
     std::sort(names.begin(), names.end());
@@ -82,9 +82,10 @@ Candidate candidate_for(const std::string& name, const ApprovalRequest& request,
     Candidate candidate{name, file_of_picture(request.results, name), {}};
     const Record record = read_record(candidate.file);
     if (!record.portable && !request.any_renderer)
-        throw InputError(fmt::format(
-            "{}: drawn for this processor alone; draw it with --portable, or say --any-renderer",
-            printable(candidate.file.string())));
+        throw InputError(
+            fmt::format("{}: drawn without --portable, so it depends on the processor; draw it "
+                        "with --portable, or give --any-renderer",
+                        printable(candidate.file.string())));
     if (const std::string fault = fault_of_scene(record); !fault.empty())
         throw InputError(
             fmt::format("{}: {}; draw it again", printable(candidate.file.string()), fault));
@@ -113,8 +114,8 @@ void check_renderer(const Candidate& candidate, const BaselineManifest& manifest
         const Baseline& now = candidate.baseline;
         if (baseline.renderer == now.renderer && baseline.mesa == now.mesa) continue;
         throw InputError(fmt::format(
-            "{}: drawn by {}, Mesa {}, but the baseline {} by {}, Mesa {}; approve all of them "
-            "with --any-renderer if the renderer is to change",
+            "{}: drawn by {}, Mesa {}, but the baseline {} by {}, Mesa {}; to change the renderer, "
+            "approve all pictures with --any-renderer",
             printable(candidate.file.string()), printable(now.renderer), printable(now.mesa),
             printable(name), printable(baseline.renderer), printable(baseline.mesa)));
     }
@@ -128,7 +129,7 @@ void check_reason(const Candidate& candidate, const BaselineWriter& baselines) {
     const bool replaces = !there.empty() && there != candidate.baseline.pixels;
     if (!replaces && !baselines.manifest().contains(candidate.name)) return;
     throw InputError(fmt::format(
-        "{}: another picture than the baseline; say with --why \"…\" why it is the right one now",
+        "{}: differs from the baseline; give the reason for the change with --why \"…\"",
         printable(candidate.name)));
 }
 
@@ -136,11 +137,12 @@ void check_reason(const Candidate& candidate, const BaselineWriter& baselines) {
 
 void approve(const ApprovalRequest& request, const ApprovalTelling& telling) {
     BaselineWriter baselines(request.baselines, [&] {
-        telling.note(fmt::format("another approval is at work in {}; waiting for it",
+        telling.note(fmt::format("waiting for another approval that is writing to {}",
                                  printable(request.baselines.string())));
     });
     for (const std::string& name : baselines.finished())
-        telling.settled(name, "taken by an approval that was interrupted; its line is written now");
+        telling.settled(name,
+                        "finished for an interrupted approval: its line is now in the manifest");
 
     // All checks come before any change.
     const BaselineManifest& manifest = baselines.manifest();
@@ -151,12 +153,12 @@ void approve(const ApprovalRequest& request, const ApprovalTelling& telling) {
         const auto before = manifest.find(name);
         if (before != manifest.end() && before->second.pixels == candidate.baseline.pixels) {
             if (baselines.pixels_of(name) == candidate.baseline.pixels) {
-                telling.settled(name, "as it was");
+                telling.settled(name, "unchanged");
                 continue;
             }
             // The picture was lost or changed; its line is kept.
             candidate.baseline = before->second;
-            outcomes.emplace_back("put back; what was there was not what had been approved");
+            outcomes.emplace_back("restored; the baseline did not match the manifest");
         } else {
             check_renderer(candidate, manifest, request);
             check_reason(candidate, baselines);

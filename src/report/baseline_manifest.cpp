@@ -141,7 +141,7 @@ BaselineManifest parse_manifest(std::string_view text, const std::string& name) 
                 "{}:{}: not a line of `poinsot approve`; take the file back from version control",
                 printable(name), number));
         if (!manifest.insert(std::move(*entry)).second)
-            throw InputError(fmt::format("{}:{}: this picture stands in an earlier line, too",
+            throw InputError(fmt::format("{}:{}: an earlier line has this picture, too",
                                          printable(name), number));
     }
     return manifest;

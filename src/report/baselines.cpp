@@ -58,16 +58,16 @@ std::string Baselines::fault(const std::string& name, const std::string& pixels)
     if (next_) {
         const auto next = next_->find(name);
         if (next != next_->end() && next->second.pixels == pixels)
-            return "an approval of this baseline was interrupted; `poinsot approve` into the "
-                   "folder finishes it";
+            return "an approval of this baseline was interrupted; run `poinsot approve` for this "
+                   "folder again to finish it";
     }
     if (line == manifest_.end())
         return fmt::format(
-            "the baseline has no line in {}, so nobody has approved it; approve it or take it away",
+            "the baseline has no line in {}, so it was never approved; approve it or remove it",
             manifest_name);
     return fmt::format(
-        "the baseline is not the picture that was approved, whose hash is in {}; put that one "
-        "back, or approve the one that is right",
+        "the baseline does not match its hash in {}; restore the approved picture, or approve the "
+        "right one",
         manifest_name);
 }
 

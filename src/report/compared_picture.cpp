@@ -124,19 +124,18 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
     if (result.expected.empty() && is_listed) {
         result.outcome = Outcome::baseline;
         result.reason = fmt::format(
-            "{} names this baseline, but the picture is gone; put it back, or approve one",
+            "{} names this baseline, but the picture is missing; restore it, or approve a new one",
             manifest_name);
         return result;
     }
     if (result.actual.empty()) {
         result.outcome = Outcome::missing;
-        result.reason = "there is no such picture; it was expected";
+        result.reason = "the baseline exists, but the new picture is missing";
         return result;
     }
     if (result.expected.empty()) {
         result.outcome = Outcome::unexpected;
-        result.reason =
-            "nothing says what this picture should look like; approve it if it is right";
+        result.reason = "this picture has no baseline; approve it if it is right";
         return result;
     }
     std::optional<CompareLimits> allowed = request.limits ? request.limits : CompareLimits::exact();
@@ -147,8 +146,8 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
         if (!allowed) {
             result.outcome = Outcome::renderer;
             result.reason = fmt::format(
-                "drawn by another renderer than the baseline, which is by {}, Mesa {}; draw it "
-                "with that, or say with --profile what may differ",
+                "drawn by another renderer than the baseline ({}, Mesa {}); draw it with the same "
+                "renderer, or set with --profile how much may differ",
                 printable(approved.renderer), printable(approved.mesa));
             return result;
         }
@@ -189,7 +188,7 @@ std::vector<ComparedPicture> compare_folders(const fs::path& expected, const fs:
     const Baselines baselines(expected);
     for (const auto& [name, line] : baselines.manifest()) names[name];
     if (names.empty())
-        throw InputError(fmt::format("{} and {}: no .png in either; nothing to compare",
+        throw InputError(fmt::format("{} and {}: neither contains a .png; nothing to compare",
                                      printable(expected.string()), printable(actual.string())));
     const std::vector<std::pair<std::string, std::pair<fs::path, fs::path>>> pairs(names.begin(),
                                                                                    names.end());

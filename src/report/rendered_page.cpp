@@ -44,7 +44,7 @@ RenderedPages::RenderedPages() {
     std::string name = (std::filesystem::temp_directory_path() / "poinsot-compare-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
         throw EnvironmentError(
-            fmt::format("{}: no folder can be made there",
+            fmt::format("{}: cannot make a folder there",
                         printable(std::filesystem::temp_directory_path().string())));
     folder_ = name;
 }
@@ -63,7 +63,7 @@ std::filesystem::path RenderedPages::picture_of(const std::filesystem::path& pag
     const std::string& program = rasteriser.command.front();
     if (!outcome.found)
         throw EnvironmentError(
-            fmt::format("{} is not here, which makes a picture of {}; install {}", program,
+            fmt::format("cannot find {}, which draws {} for the comparison; install {}", program,
                         printable(page.string()), rasteriser.package));
     if (outcome.code != 0 || kind_of_file(picture) != FileKind::regular)
         throw InputError(fmt::format("{}: {} cannot read it: {}", printable(page.string()), program,

@@ -43,8 +43,8 @@ void check_shared_keys(const SceneDraft& draft) {
                                        [&draft](const auto& way) { return draft.has(way); });
         if (owned) continue;
         refuse(draft.scene, row.key,
-               fmt::format("{} belongs to {}, which the body is not given by; remove it", row.key,
-                           row.belongs_to));
+               fmt::format("{} belongs to {}, but the body is given in another way; remove it",
+                           row.key, row.belongs_to));
     }
 }
 

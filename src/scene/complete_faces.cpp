@@ -60,10 +60,9 @@ Image picture_in(const fs::path& file, const std::string& shown) {
     };
     const PngInfo info = read([&] { return read_png_info(file); });
     if (info.width_px > most_picture_px || info.height_px > most_picture_px)
-        throw InputError(
-            fmt::format("{} is {}×{} pixels; at most {} a side lie on a face, so make "
-                        "it smaller",
-                        shown, info.width_px, info.height_px, most_picture_px));
+        throw InputError(fmt::format(
+            "{} is {}×{} pixels; a picture on a face has at most {} per side, so make it smaller",
+            shown, info.width_px, info.height_px, most_picture_px));
     return read([&] { return read_png(file); });
 }
 

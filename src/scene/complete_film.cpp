@@ -87,7 +87,7 @@ void check_keyframes(SceneDraft& draft) {
         const auto names = values_of(key);
         if (names.empty()) {
             refuse(scene, item_name("keyframes", i),
-                   fmt::format("{} says nothing; give a view, a value of the camera, or the speed",
+                   fmt::format("{} sets nothing; give a view, a value of the camera, or the speed",
                                item_name("keyframes", i)));
         }
         const auto n_panels = static_cast<int>(std::max<std::size_t>(1, scene.panels.size()));
@@ -103,7 +103,7 @@ void check_keyframes(SceneDraft& draft) {
             for (const std::string_view name : values_of(scene.keyframes[j])) {
                 if (!holds(names, name) || (other_camera && name != "speed")) continue;
                 refuse(scene, item_name("keyframes", i) + ".at_s",
-                       fmt::format("{} and {} both say the {} at {} s; leave one of them",
+                       fmt::format("{} and {} both set the {} at {} s; remove one of them",
                                    item_name("keyframes", j), item_name("keyframes", i), name,
                                    key.at_s));
             }
@@ -180,8 +180,8 @@ void check_captions(const SceneDraft& draft) {
             const double end_s = other.at_s + other.over_s.value_or(0.0);
             if (caption.at_s == other.at_s || end_s > caption.at_s)
                 refuse(scene, item + ".at_s",
-                       fmt::format("{} comes at {} s, while {} still stands in its place; begin "
-                                   "it later, or put one of them at another place",
+                       fmt::format("{} begins at {} s, while {} is still shown in the same place; "
+                                   "begin it later, or put one of them at another place",
                                    item, caption.at_s, item_name("captions", last->second)));
         }
         before[caption.place] = i;
@@ -207,12 +207,12 @@ void check_loop(SceneDraft& draft) {
     if (film.loop == "period" && !turns) {
         refuse(scene, "film.loop",
                "film.loop is \"period\", but after one polhode period only a co-precessing camera "
-               "sees the same picture; set camera.motion to that, or give turns over periods");
+               "sees the same picture; set camera.motion to \"co-precessing\", or give film.loop "
+               "as turns/periods, as in \"5/3\"");
     }
     if (!film.loop_changes.empty() && (film.loop.empty() || film.loop == "period")) {
         refuse(scene, "film.loop_changes",
-               "film.loop_changes belongs to a loop of turns over periods; give film.loop, as in "
-               "loop = \"5/3\"");
+               "film.loop_changes needs film.loop as turns/periods; give it, as in loop = \"5/3\"");
     }
     if (turns && film.loop.empty() && !film.duration_s && !film.length_s) film.loop = "period";
 }
@@ -254,7 +254,8 @@ void complete_film(SceneDraft& draft) {
     const Scene& scene = draft.scene;
     const FilmSpec& film = scene.film;
     const std::array<std::vector<std::string>, 2> ways{{{"film.duration_s"}, {"film.length_s"}}};
-    refuse_mixed(scene, ways, "give the stretch of the motion or the length of the film, not both");
+    refuse_mixed(scene, ways,
+                 "give film.duration_s (of the motion) or film.length_s (of the film), not both");
 
     const std::optional<double> length_s = FilmClock(scene).length_s();
     if (!length_s) {

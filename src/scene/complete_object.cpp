@@ -120,11 +120,10 @@ fs::path file_named(const SceneDraft& draft, const std::string& key, const std::
         std::mismatch(true_folder.begin(), true_folder.end(), true_file.begin(), true_file.end());
     if (failed || name.empty() || end_of_folder != true_folder.end() ||
         fs::path(name).is_absolute()) {
-        throw SceneFileError(
-            draft.scene.location_of(key),
-            fmt::format("{} = \"{}\" does not lie in the scene's folder; move it there, or trust "
-                        "the scene and say --allow-outside",
-                        key, printable(name)));
+        throw SceneFileError(draft.scene.location_of(key),
+                             fmt::format("{} = \"{}\" does not lie in the scene's folder; move it "
+                                         "there, or give --allow-outside if you trust the scene",
+                                         key, printable(name)));
     }
     return file;
 }
@@ -145,8 +144,8 @@ void complete_mesh_body(SceneDraft& draft) {
     body.given = BodySpec::Given::mesh;
     if (draft.has("body.mass_kg") == draft.has("body.density_kg_m3")) {
         refuse(scene, "body.mesh",
-               draft.mass_kg ? "body.mass_kg and body.density_kg_m3 say the same of a mesh; give "
-                               "one of them"
+               draft.mass_kg ? "body.mass_kg and body.density_kg_m3 both set the mass of a mesh; "
+                               "give one of them"
                              : "the mesh has no mass; give body.mass_kg or body.density_kg_m3");
     }
     Thing thing = thing_in_file(draft, "body.mesh", body.mesh);
@@ -170,9 +169,8 @@ void complete_look(SceneDraft& draft) {
     if (scene.body.given != BodySpec::Given::moments &&
         scene.body.given != BodySpec::Given::tensor && !extents_m) {
         refuse(scene, key,
-               fmt::format("{} shows a body that is given by its moments, its tensor, or as a box, "
-                           "an ellipsoid or a cylinder; this one has a form of its own, so remove "
-                           "it",
+               fmt::format("{} is for a body given by moments, a tensor, a box, an ellipsoid or a "
+                           "cylinder; this body has its own shape, so remove it",
                            key));
     }
     Thing thing = by_name ? at_scene_key(scene, key, [&] { return thing_named(scene.object.name); })

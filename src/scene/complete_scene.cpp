@@ -32,8 +32,7 @@ void complete_half_life(SceneDraft& draft) {
     if (!scene.half_life_s) return;
     if (draft.has("torque.rate_1_s"))
         refuse(scene, "torque.rate_1_s",
-               "torque.half_life_s and torque.rate_1_s both say how strong the friction is; leave "
-               "one out");
+               "torque.half_life_s and torque.rate_1_s both set the friction; leave one out");
     try {
         draft.dissipation.rate_1_s = dissipation_rate_of_half_life(
             scene.body.inertia, scene.start.omega_rad_s, *scene.half_life_s);
@@ -124,7 +123,7 @@ void check_motion(const SceneDraft& draft) {
     check_method_of(draft, "motion", scene.method);
     if (!scene.beside) return;
     if (!draft.has("beside.method")) {
-        refuse(scene, "beside", "beside.method is missing; name the method shown beside");
+        refuse(scene, "beside", "beside.method is missing; name the comparison method");
     }
     check_method_of(draft, "beside", *scene.beside);
 }

@@ -32,13 +32,13 @@ Eigen::Vector4d attitude_of_matrix(Scene& scene, const Eigen::Matrix3d& matrix) 
     }
     if (matrix.determinant() < 0.0) {
         refuse(scene, key,
-               fmt::format("{} is a reflection (determinant -1), which no rotation of a body "
-                           "reaches; turn the sign of one column",
+               fmt::format("{} is a reflection (determinant -1), not a rotation; change the sign "
+                           "of one column",
                            key));
     }
     if (residual > 1e-12) {
         scene.notes.push_back(fmt::format(
-            "{} is orthogonal to {:.2g} only; a rotation near it is used", key, residual));
+            "{} deviates from orthogonal by {:.2g}; a rotation near it is used", key, residual));
     }
     const Eigen::Quaterniond q = Eigen::Quaterniond(matrix).normalized();
     return {q.w(), q.x(), q.y(), q.z()};

@@ -32,8 +32,8 @@ void read_theme(const TomlValue& root, SceneDraft& theme) {
     for (const TomlEntry& entry : root.entries) {
         if (entry.key == "style")
             throw SceneError(entry.where,
-                             "[style] is a scene's; in a theme its keys stand at the top level, so "
-                             "remove this heading and put them before any other");
+                             "[style] belongs to scenes; in a theme file its keys stand at the top "
+                             "level, so remove this heading and put them before any other");
         const bool is_extends = entry.key == extends.leaf();
         const std::string path = is_extends ? "theme" : "style." + entry.key;
         const SceneKey* key = is_extends ? &extends : find_scene_key(path);

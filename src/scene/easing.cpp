@@ -20,10 +20,10 @@ const std::array<Easing, 7> easing_rows{{
      [](double u) { return u * u * u / 3.0; }},
     {"out", "ends at rest", [](double u) { return u * (2.0 - u); },
      [](double u) { return u * u * (1.0 - u / 3.0); }},
-    {"through", "goes on through the keyframe without a halt, where another follows",
+    {"through", "passes through the keyframe without a stop, if another keyframe follows",
      [](double u) { return u * u * (3.0 - 2.0 * u); },
      [](double u) { return u * u * u * (1.0 - 0.5 * u); }, true},
-    {"hold", "stays, and jumps at the end", [](double u) { return u < 1.0 ? 0.0 : 1.0; },
+    {"hold", "keeps its value and jumps at the end", [](double u) { return u < 1.0 ? 0.0 : 1.0; },
      [](double) { return 0.0; }},
 }};
 

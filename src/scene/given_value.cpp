@@ -52,13 +52,14 @@ double GivenValue::measured_number(const TomlValue& value, const std::string& na
                          fmt::format("{} is \"{}\"; give a finite number", name, printable(given)));
     }
     const auto other = measured(given);
-    throw SceneError(value.where,
-                     fmt::format("{} is \"{}\", {}; give {}, or a string with another unit of "
-                                 "the same, as in \"{}\"",
-                                 name, printable(given),
-                                 other ? fmt::format("and that is no measure in {}", key_.type.unit)
-                                       : "which is no number with a unit",
-                                 key_.expectation(), measured_example(key_.type.unit)));
+    throw SceneError(
+        value.where,
+        fmt::format("{} is \"{}\", {}; give {}, or a string with another unit of the "
+                    "same kind, as in \"{}\"",
+                    name, printable(given),
+                    other ? fmt::format("which cannot be converted to {}", key_.type.unit)
+                          : "which is not a number with a unit",
+                    key_.expectation(), measured_example(key_.type.unit)));
 }
 
 double GivenValue::number(const TomlValue& value, const std::string& name) const {

@@ -139,10 +139,11 @@ TomlValue& item_of(TomlValue& array, std::string_view part, const SourceLocation
         const char* const digits = part.data() + bracket + 1;
         const auto [end, failed] = std::from_chars(digits, part.data() + part.size(), index);
         if (failed != std::errc{} || index >= item->items.size()) {
-            throw SceneError(where,
-                             fmt::format("there is no {}: the scene gives {} of them, counted from "
-                                         "0; name one of those",
-                                         part, item->items.size()));
+            throw SceneError(
+                where,
+                fmt::format(
+                    "there is no {}: the scene has {} of them, counted from 0; name one of those",
+                    part, item->items.size()));
         }
         item = &item->items[index];
     }

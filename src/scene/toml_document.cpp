@@ -139,9 +139,9 @@ TomlValue parse_override_value(std::string_view text, const SourceLocation& wher
     const bool is_quoted = text.size() > 1 && (text.front() == '"' || text.front() == '\'') &&
                            text.find(text.front(), 1) == text.size() - 1;
     if (is_quoted)
-        throw SceneError(where,
-                         "what stands in the quotes is no string of TOML; leave them out, or "
-                         "double each backslash");
+        throw SceneError(
+            where,
+            "the quoted text is not a TOML string; leave the quotes out, or double each backslash");
     TomlValue value;
     const auto number = number_of<double>(text);
     value.number = number.value_or(value.number);

@@ -75,10 +75,9 @@ bool names(const fs::path& path, int descriptor) {
 // What is made aside must be a file of its own: bytes for a pipe or behind a link would go
 // elsewhere, and a full pipe would never take them.
 [[noreturn]] void refuse_aside(const fs::path& path, const fs::path& aside) {
-    throw EnvironmentError(
-        fmt::format("cannot write {}: {} is where it is made first, and is not a regular file; "
-                    "remove that",
-                    path.string(), aside.string()));
+    throw EnvironmentError(fmt::format(
+        "cannot write {}: its temporary file {} exists and is not a regular file; remove it",
+        path.string(), aside.string()));
 }
 
 // A pipe is open once somebody reads it. Asked again and again, since a call that waits for that

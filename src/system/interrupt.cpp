@@ -29,7 +29,8 @@ void watch_for_interrupts() {
 void stop_if_interrupted() {
     if (interrupted != 0)
         throw EnvironmentError(
-            "interrupted; nothing is under the final name; a film goes on with the same command");
+            "interrupted before the output was finished; run the same command again to continue a "
+            "film");
 }
 
 EndsAtOnce::EndsAtOnce() { ++n_ends_at_once; }

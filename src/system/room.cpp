@@ -19,10 +19,11 @@ void check_room(const std::filesystem::path& path, std::uint64_t n_bytes_done, s
     const double needed = static_cast<double>(n_bytes_done) / static_cast<double>(n_done) *
                           static_cast<double>(n_frames - n_done);
     if (needed > 2 * static_cast<double>(space.available))
-        throw EnvironmentError(fmt::format(
-            "cannot write {}: the {} frames to come need about {:.2g} MB, and {:.2g} MB are free",
-            path.string(), n_frames - n_done, needed / megabyte,
-            static_cast<double>(space.available) / megabyte));
+        throw EnvironmentError(
+            fmt::format("cannot write {}: the {} remaining frames need about {:.2g} MB, but only "
+                        "{:.2g} MB are free",
+                        path.string(), n_frames - n_done, needed / megabyte,
+                        static_cast<double>(space.available) / megabyte));
 }
 
 }  // namespace poinsot

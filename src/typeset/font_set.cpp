@@ -97,8 +97,8 @@ TypeBox FontSet::set_text(const TextRun& run, TextFamily family, double size_px)
 }
 
 void fail_missing_glyph(char32_t character, int column) {
-    throw LabelError(
-        column, "no font here has the character " + describe(character) + "; write it otherwise");
+    throw LabelError(column, "no installed font has the character " + describe(character) +
+                                 "; write it otherwise");
 }
 
 }  // namespace poinsot

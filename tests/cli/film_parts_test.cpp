@@ -123,9 +123,9 @@ TEST_F(Parts, ThatDoNotBelongTogetherAreRefusedInASentence) {
         make("render a.toml -q -o p" + std::string(k) + ".mp4 --part " + k + "/3 --portable");
     expect_refusal("join p1.mp4 p3.mp4 -o f.mp4", "part 2 of 3 is missing (frames 240-");
     expect_refusal("join p1.mp4 p2.mp4 p3.mp4 p2.mp4 -o f.mp4", "are both part 2 of 3");
-    expect_refusal("join p1.mp4 p2.mp4 p3.mp4 -o f.webm", "the parts are of a .mp4");
+    expect_refusal("join p1.mp4 p2.mp4 p3.mp4 -o f.webm", "the parts are for a .mp4");
     expect_refusal("join p1.mp4 p2.mp4 p3.mp4 -o p1.mp4", "is one of the parts");
-    expect_refusal("join p1.mp4 a.toml -o f.mp4", "a.toml: is no part of a film");
+    expect_refusal("join p1.mp4 a.toml -o f.mp4", "a.toml: is not a part of a film");
     expect_refusal("join p1.mp4 none.mp4 -o f.mp4", "none.mp4: no such file");
     make("render a.toml -q -o q.mp4 --part 2/3 --portable --set start.omega_rad_s[0]=0.31");
     expect_refusal("join p1.mp4 q.mp4 p3.mp4 -o f.mp4", "their scenes or settings differ");
@@ -136,7 +136,7 @@ TEST_F(Parts, ThatDoNotBelongTogetherAreRefusedInASentence) {
     // One byte less: the last frame is incomplete.
     const fs::path cut = folder_.path() / "p2.mp4";
     fs::resize_file(cut, fs::file_size(cut) - 1);
-    expect_refusal("join p1.mp4 p2.mp4 p3.mp4 -o f.mp4", "unfinished or was cut");
+    expect_refusal("join p1.mp4 p2.mp4 p3.mp4 -o f.mp4", "unfinished, cut off or changed");
     EXPECT_FALSE(fs::exists(folder_.path() / "f.mp4"));
     EXPECT_FALSE(fs::exists(folder_.path() / "f.chapters.json"));
 }
@@ -155,12 +155,12 @@ TEST_F(Parts, WithInvalidNumbersAreRefused) {
     expect_refusal("render a.toml -o p.png --part 1/2", "one picture has no parts");
     expect_refusal("render a.toml -o null --part 1/2", "has no parts");
     expect_refusal("render a.toml -o p.mp4 --jobs 0", "--jobs 0");
-    expect_refusal("render a.toml -o p.mp4 --jobs 2 --part 1/2", "--part is drawn by one process");
+    expect_refusal("render a.toml -o p.mp4 --jobs 2 --part 1/2", "one process draws a --part");
     // If the name has no part number, the parts would replace each other or the film.
     make("render a.toml -q -o p.mp4 --part 1/2");
     expect_refusal("render a.toml -q -o p.mp4 --part 2/2", "holds part 1 of this film");
     folder_.write("film.mp4", "a film");
-    expect_refusal("render a.toml -q -o film.mp4 --part 1/2", "is there, and no part");
+    expect_refusal("render a.toml -q -o film.mp4 --part 1/2", "exists and is not a part");
     EXPECT_EQ(bytes("film.mp4"), "a film");
     expect_refusal("recover p.mp4", "no unfinished film");
 }
@@ -178,7 +178,7 @@ TEST_F(Parts, AreNotMoreThanTheChunks) {
     EXPECT_TRUE(bytes("a.mp4") == bytes("one.mp4"));
     // A finished part is not rendered again.
     const ProgramRun again = run("render a.toml -o p2.mp4 --part 2/6");
-    EXPECT_NE(again.err.find("part 2 of 4 is there"), std::string::npos) << again.err;
+    EXPECT_NE(again.err.find("part 2 of 4 exists already"), std::string::npos) << again.err;
 }
 
 TEST_F(Parts, OfManyJobsAreByteIdenticalToOne) {
@@ -311,7 +311,7 @@ TEST_F(Parts, OfAnInterruptedJobAreRecovered) {
     make("rerender k.mp4 -o again.mp4");
     EXPECT_TRUE(bytes("again.mp4") == bytes("k.mp4"));
     // The frames of the second part are kept: this is reported, and the next run uses them.
-    const bool has_more = recovered.err.find("later frames come after a gap") != std::string::npos;
+    const bool has_more = recovered.err.find("later frames follow a gap") != std::string::npos;
     EXPECT_EQ(has_more, fs::exists(folder_.path() / ".k.mp4.parts")) << recovered.err;
     make("render a.toml" + large_size + "-q -o k.mp4");
     EXPECT_TRUE(bytes("k.mp4") == bytes("one.mp4"));
@@ -323,7 +323,7 @@ TEST_F(Parts, OfAnInterruptedJobAreRecovered) {
     const ProgramRun done = run("render a.toml" + large_size + "-o k.mp4");
     EXPECT_EQ(done.code, 0) << done.err;
     // If the other processes used the processors, the first part was complete when the signal came.
-    const char* said = first_is_whole ? "part 1 of 2 is there" : "going on with frame";
+    const char* said = first_is_whole ? "part 1 of 2 exists already" : "continuing with frame";
     EXPECT_NE(done.err.find(said), std::string::npos) << done.err;
     EXPECT_TRUE(bytes("k.mp4") == bytes("one.mp4"));
     for (const std::string& name : names()) EXPECT_NE(name.front(), '.') << name;
@@ -343,7 +343,7 @@ TEST_F(Parts, OfTheDefaultJobsAreByteIdenticalToOne) {
 
 TEST_F(Parts, AreNotForPictures) {
     expect_refusal("still a.toml -o a.png --part 1/2", "--part");
-    expect_refusal("render a.toml -o null --jobs 2", "has no parts that --jobs could share out");
+    expect_refusal("render a.toml -o null --jobs 2", "this format has no parts for --jobs");
     expect_refusal("render a.toml -o p.mp4 --jobs -3", "--jobs -3");
     expect_refusal("render a.toml -o p.mp4 --jobs many", "--jobs");
 }

@@ -180,7 +180,7 @@ TEST(ManyScenes, DoNotReplaceEachOther) {
     folder.write("b.toml", scene("b"));
     const ProgramRun run = run_program_in(folder, "still a.toml b.toml -o one.png");
     EXPECT_EQ(run.code, 2);
-    EXPECT_NE(run.err.find("put #### into it"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("put #### into the name"), std::string::npos) << run.err;
     EXPECT_EQ(folder.listing(), "a.toml\nb.toml\n");
 }
 

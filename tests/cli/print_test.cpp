@@ -172,7 +172,7 @@ TEST(PrintedStill, ErrorsAreOneLineAndLeaveNoFile) {
     EXPECT_TRUE(names.starts_with("light, dark, print, ")) << names;
     EXPECT_EQ(run_program_in(folder, still + "--theme xyzzy").err,
               "--theme xyzzy: unknown theme \"xyzzy\"; choose from: " + names +
-                  "or a theme in a file, as in my.toml\n");
+                  "or the path of a theme file, as in my.toml\n");
 }
 
 }  // namespace

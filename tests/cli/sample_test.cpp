@@ -153,7 +153,8 @@ TEST(SampleTimes, AreReadFromAFileAndStandardInput) {
     folder.write("bad.txt", "0\n 1 two\n");
     const ProgramRun bad = run_program_in(folder, "sample scene.toml --times-file bad.txt");
     EXPECT_EQ(bad.code, 2);
-    EXPECT_EQ(bad.err, "bad.txt:2:4: \"two\" is not a time in seconds; write one instant a line\n");
+    EXPECT_EQ(bad.err,
+              "bad.txt:2:4: \"two\" is not a time in seconds; write one instant per line\n");
     folder.write("empty.txt", "# nothing\n");
     for (const char* file : {"empty.txt", "missing.txt", "."}) {
         const ProgramRun run =
@@ -266,8 +267,8 @@ TEST(SampleColumns, UnknownDuplicateOrMissingColumnsAreRefused) {
         EXPECT_EQ(answer.out, "");
     };
     said("omega_bdy", "did you mean \"omega_body\"");
-    said("omega_body,omega_body_1", "named twice");
-    said("time,", "nothing called \"\"");
+    said("omega_body,omega_body_1", "given twice");
+    said("time,", "no column is called \"\"");
 }
 
 TEST(SampleFiles, AllFormatsContainTheSameNumbers) {

@@ -97,7 +97,8 @@ TEST_F(Submit, IsByteIdenticalToASingleRun) {
     // No work is left to be submitted.
     const ProgramRun again = run("submit a.toml -o a.mp4 --parts 2");
     EXPECT_EQ(again.code, 0) << again.err;
-    EXPECT_NE(again.err.find("all of it is done"), std::string::npos) << again.err;
+    EXPECT_NE(again.err.find("nothing to submit: all parts are done"), std::string::npos)
+        << again.err;
     EXPECT_FALSE(fs::exists(folder_.path() / "calls"));
 }
 
@@ -121,7 +122,7 @@ TEST_F(Submit, RendersOnlyChangedFilmsAgain) {
                   "cd \"$(dirname \"$0\")\"\nfor k in 1 2 3 4; do sh scene.mp4.job/task.sh tasks "
                   "$k; done\nfor k in 1 2; do sh scene.mp4.job/task.sh joins $k; done\n");
     run_program_in(folder_, "--version", "sh go;");
-    EXPECT_NE(run(submit).err.find("all of it is done"), std::string::npos);
+    EXPECT_NE(run(submit).err.find("nothing to submit: all parts are done"), std::string::npos);
     const fs::path scene = folder_.path() / "b.toml";
     const auto then = fs::last_write_time(scene);
     std::string text_now = a_scene;
@@ -201,11 +202,11 @@ TEST_F(Submit, IsRefusedInASentence) {
     };
     expect("submit a.toml -o a.mp4", 2, "--parts N");
     expect("submit a.toml -o a.mp4 --parts 0", 2, "--parts N");
-    expect("submit a.toml --parts 2", 2, "say with -o");
+    expect("submit a.toml --parts 2", 2, "name the film with -o");
     expect("submit a.toml -o a.png --parts 2", 2, "has no parts");
     expect("submit none.toml -o a.mp4 --parts 2", 2, "none.toml");
     expect("submit a.toml -o no/a.mp4 --parts 2", 3, "there is no folder no");
-    expect("status .", 2, "no folder of a submission");
+    expect("status .", 2, "is not the folder of a submission");
     // The second call fails: the first job is cancelled.
     stand_in("scontrol", "echo 'MaxArraySize = 3'\n");
     stand_in("sbatch",
@@ -222,7 +223,8 @@ TEST_F(Submit, NeedsSbatch) {
     const ProgramRun done =
         run_program_in(folder_, "submit a.toml -q -o a.mp4 --parts 2", "PATH=\"$PWD/bin\"");
     EXPECT_EQ(done.code, 3);
-    EXPECT_NE(done.err.find("sbatch: there is no such program"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("sbatch: this machine has no such program"), std::string::npos)
+        << done.err;
 }
 
 }  // namespace

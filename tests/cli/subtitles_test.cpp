@@ -72,7 +72,7 @@ TEST(Subtitles, BadCaptionsAreRefusedAtTheirPlace) {
     refuses(
         "[[captions]]\nat_s = 1\ntext = \"x\"\nover_s = 2\n[[captions]]\nat_s = 2\ntext = "
         "\"y\"\n",
-        "captions[1] comes at 2 s, while captions[0] still stands in its place");
+        "captions[1] begins at 2 s, while captions[0] is still shown in the same place");
 }
 
 }  // namespace

@@ -178,7 +178,7 @@ TEST(VectorStill, WithAnyCharacterIsReadable) {
         ASSERT_EQ(pdf.code, 0) << pdf.err;
         EXPECT_TRUE(contains(said(folder, "qpdf --check a.pdf"), "No syntax or stream encoding"));
         // Rendered as in pixels, with a box for characters without a glyph, which are reported.
-        EXPECT_TRUE(contains(svg.err, "no font here has")) << svg.err;
+        EXPECT_TRUE(contains(svg.err, "no installed font has")) << svg.err;
         for (const std::string name : {"a.svg", "a.pdf"}) {
             EXPECT_EQ(run_program_in(folder, "explain --verify " + name).code, 0) << name;
             const std::string again = "b" + name.substr(1);
@@ -220,7 +220,7 @@ TEST(VectorStill, InLatexCompilesWithAnyText) {
     ASSERT_EQ(still.code, 0) << still.err;
     for (const char* note :
          {"figure.tex leaves out U+FFFE, U+FFFF, U+1FFFE, U+10FFFF, U+FDD0, U+FE0F, U+200B, U+00AD",
-          "pdfLaTeX leaves out « (U+00AB); with \\usepackage[T1]{fontenc} it is set",
+          "pdfLaTeX leaves out « (U+00AB); \\usepackage[T1]{fontenc} lets it set them",
           "pdfLaTeX leaves out 中 (U+4E2D), 😀 (U+1F600), Ж (U+0416), � (U+FFFD); XeLaTeX"})
         EXPECT_TRUE(contains(still.err, note)) << note << " in\n" << still.err;
     EXPECT_FALSE(contains(
@@ -353,7 +353,7 @@ TEST(VectorStill, AJournalDeterminesWidthAndSmallestSizes) {
     const ProgramRun small =
         run_program_in(folder, "still '" + scene("football") + "' --width-mm 50 -o d.pdf");
     EXPECT_EQ(small.code, 2);
-    EXPECT_TRUE(contains(small.err, "too small for its type")) << small.err;
+    EXPECT_TRUE(contains(small.err, "too small for its labels")) << small.err;
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "d.pdf"));
 }
 

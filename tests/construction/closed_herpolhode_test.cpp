@@ -123,7 +123,7 @@ std::string refusal(const InertiaTensor& inertia, const Eigen::Vector3d& omega,
 
 TEST(ClosedHerpolhode, NamesTheNearestPossibleRatio) {
     const std::string message = refusal(body, spin, {1, 100});
-    EXPECT_NE(message.find("no start near by closes after 100 polhode periods with 1 turn:"),
+    EXPECT_NE(message.find("no start near this one closes after 100 polhode periods with 1 turn:"),
               std::string::npos)
         << message;
     const std::size_t at = message.find("the nearest is \"");

@@ -111,11 +111,10 @@ TEST(OwnCamera, IsPreservedByWriting) {
 
 TEST(OwnCamera, KeysWithoutEffectAreRejected) {
     const std::string body = "[[panels]]\nkind = \"body\"\n";
-    EXPECT_NE(
-        refusal(body + "[panels.camera]\ndistance = 3.0\n")
-            .find(
-                "a.toml:12:1: panels[0].camera.distance changes nothing: panel \"body\" is framed"),
-        std::string::npos)
+    EXPECT_NE(refusal(body + "[panels.camera]\ndistance = 3.0\n")
+                  .find("a.toml:12:1: panels[0].camera.distance changes nothing: panel \"body\" "
+                        "fits all of its content into its frame"),
+              std::string::npos)
         << refusal(body + "[panels.camera]\ndistance = 3.0\n");
     EXPECT_NE(refusal("[[panels]]\nkind = \"plot\"\n[panels.camera]\nazimuth_deg = 3.0\n")
                   .find("is flat and has no camera"),

@@ -153,8 +153,7 @@ TEST(Fades, OfElementsThatAreNotShownAreRejected) {
         FAIL() << "accepted";
     } catch (const SceneError& error) {
         EXPECT_NE(std::string(error.what())
-                      .find("nothing shown is called \"planes\"; did you mean "
-                            "\"plane\"?"),
+                      .find("no element shown is called \"planes\"; did you mean \"plane\"?"),
                   std::string::npos)
             << error.what();
     }

@@ -89,7 +89,7 @@ TEST(Compare, AlphaCountsLikeAnyChannel) {
 TEST(Compare, DifferentSizesAreReported) {
     const Comparison result = compare(filled(4, 3, {}), filled(3, 4, {}));
     EXPECT_EQ(result.verdict, Verdict::size_differs);
-    EXPECT_EQ(result.reason, "4×3 pixels were expected, there are 3×4");
+    EXPECT_EQ(result.reason, "expected 4×3 pixels, found 3×4");
     EXPECT_FALSE(result.passes());
 }
 
@@ -129,13 +129,13 @@ TEST(Compare, DifferentDepthsAndColourSpacesAreReported) {
     const CompareLimits anything{1, 255, 1};
     const Comparison depth = compare(deep, shallow, anything);
     EXPECT_EQ(depth.verdict, Verdict::depth_differs);
-    EXPECT_EQ(depth.reason, "16 bits a component were expected, there are 8");
+    EXPECT_EQ(depth.reason, "expected 16 bits per component, found 8");
     EXPECT_FALSE(depth.passes());
     StoredPicture darker = shallow;
     darker.info.colours = "gamma 1";
     const Comparison colours = compare(shallow, darker, anything);
     EXPECT_EQ(colours.verdict, Verdict::colours_differ);
-    EXPECT_EQ(colours.reason, "samples were expected to be read as sRGB, they are as gamma 1");
+    EXPECT_EQ(colours.reason, "expected the colour space sRGB, found gamma 1");
     EXPECT_FALSE(colours.passes());
 }
 

@@ -211,7 +211,8 @@ TEST(PngReading, NamesTheColourSpace) {
 TEST(PngReading, RejectsAnimations) {
     const Bytes file =
         with_chunk(encode_png(synthetic_frame(8, 8, 0)), "acTL", {0, 0, 0, 2, 0, 0, 0, 0});
-    EXPECT_NE(refusal([&] { decode_png(file, "x"); }).find("x is an animation"), std::string::npos);
+    EXPECT_NE(refusal([&] { decode_png(file, "x"); }).find("x is an animated PNG"),
+              std::string::npos);
     EXPECT_NE(refusal([&] { decode_stored_png(file, "x"); }), "");
 }
 
@@ -295,7 +296,7 @@ TEST(PngReading, RejectsHugeSizesBeforeAllocating) {
         return changed;
     };
     EXPECT_EQ(refusal([&] { decode_png(with_size(0x40, 1), "a.png"); }),
-              "a.png is 16385×16385 pixels; at most 268 million of them are read");
+              "a.png is 16385×16385 pixels; poinsot reads at most 268 million pixels");
     EXPECT_EQ(refusal([&] { decode_png(with_size(0x40, 0), "a.png"); }), "a.png is cut short");
 }
 
@@ -328,8 +329,8 @@ TEST(PngReading, RejectsFalseChunkLengthsBeforeAllocating) {
     for (const char c : {'i', 'T', 'X', 't'}) large.push_back(static_cast<std::uint8_t>(c));
     large.resize(large.size() + too_long + 4);
     EXPECT_EQ(refusal([&] { decode_png(large, "a.png"); }),
-              "a.png is a broken PNG picture: a chunk of 4194305 bytes besides the pixels; at most "
-              "4194304 are read");
+              "a.png is a broken PNG picture: a chunk without pixels has 4194305 bytes; poinsot "
+              "reads at most 4194304");
 }
 
 TEST(PngReading, ErrorsNameTheFault) {

@@ -488,7 +488,7 @@ TEST(Methods, RefuseInvalidInputWithOneLine) {
     problem = tumbling("dopri5", 1.0);
     for (const double tolerance : {0.0, -1.0, 1e-18, std::nan("")}) {
         problem.method.tolerance = tolerance;
-        expect_in("the least that can be reached is 1e-14", message_of(problem));
+        expect_in("give 1e-14 or more", message_of(problem));
     }
     problem.method.tolerance = 2.0;
     expect_in("below 1", message_of(problem));
@@ -501,7 +501,7 @@ TEST(Methods, RefuseInvalidInputWithOneLine) {
     expect_in("needs neither", message_of(problem));
     problem.method.step_s.reset();
     problem.method.order = 2;
-    expect_in("no order to choose", message_of(problem));
+    expect_in("has only one order", message_of(problem));
 
     problem = tumbling("exact", 1.0);
     problem.torque = GravityTorque{.mgl_N_m = 1.0};

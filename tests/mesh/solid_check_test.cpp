@@ -131,14 +131,14 @@ TEST(DegenerateTriangles, AreRemovedWithANote) {
     const SolidMesh solid = checked_solid(mesh, "m.obj");
     EXPECT_EQ(solid.mesh.triangles.size(), 12u);
     ASSERT_EQ(solid.notes.size(), 1u);
-    EXPECT_EQ(solid.notes[0], "m.obj: 2 triangles without area dropped");
+    EXPECT_EQ(solid.notes[0], "m.obj: 2 triangles without area removed");
 }
 
 TEST(InsideOutSurfaces, AreFlippedWithANote) {
     const SolidMesh solid = checked_solid(inside_out(cube), "m.obj");
     EXPECT_DOUBLE_EQ(volume(solid), 8.0);
     ASSERT_EQ(solid.notes.size(), 1u);
-    EXPECT_EQ(solid.notes[0], "m.obj: inside out, turned round");
+    EXPECT_EQ(solid.notes[0], "m.obj: the surface was inside out; its normals are reversed");
 }
 
 TEST(InsideOutPieces, AreFlippedUnlessTheyAreCavities) {
@@ -154,7 +154,8 @@ TEST(InsideOutPieces, AreFlippedUnlessTheyAreCavities) {
     EXPECT_DOUBLE_EQ(volume(solid_of({inside_out(cube), small})), 7.0);
     const SolidMesh noted = solid_of({cube, inside_out(beside)});
     ASSERT_EQ(noted.notes.size(), 1u);
-    EXPECT_EQ(noted.notes[0], "m.obj: 1 of 2 separate pieces inside out, turned round");
+    EXPECT_EQ(noted.notes[0],
+              "m.obj: 1 of 2 separate pieces were inside out; their normals are reversed");
 }
 
 TEST(EmptySurfaces, AreRejected) {

@@ -283,7 +283,7 @@ TEST_P(InterruptedFilm, WithALogOfZeroesStartsAgain) {
 
 TEST_P(InterruptedFilm, IsNotFoundWithoutALog) {
     EXPECT_EQ(input_error_of([&] { recover_film(plan_.path); }),
-              "there is no unfinished film of " + plan_.path.string());
+              "there is no unfinished film " + plan_.path.string());
     EXPECT_TRUE(folder_.contents().empty());
 }
 
@@ -345,7 +345,7 @@ TEST(FrameLog, KeepsEntriesBeforeAChangedByte) {
 
 TEST(Recover, AcceptsOnlyFilms) {
     const TemporaryFolder folder;
-    EXPECT_NE(input_error_of([&] { recover_film(folder / "a_#.png"); }).find("is no film"),
+    EXPECT_NE(input_error_of([&] { recover_film(folder / "a_#.png"); }).find("is not a film"),
               std::string::npos);
 }
 
@@ -436,7 +436,7 @@ TEST(Films, LackOfDiskSpaceIsReportedAfterTheFirstFrames) {
         const std::string message = environment_error_of([&] {
             for (std::int64_t k = 0; k < 130; ++k) sink->write(frame_of(plan, k));
         });
-        EXPECT_NE(message.find("frames to come need about"), std::string::npos) << name;
+        EXPECT_NE(message.find("remaining frames need about"), std::string::npos) << name;
     }
 }
 

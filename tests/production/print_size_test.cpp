@@ -60,7 +60,7 @@ std::string refusal(const PrintChoices& print, int width_px = 1920, int height_p
 TEST(PrintSize, RejectsImpossibleSizesWithTheOptionsName) {
     EXPECT_EQ(refusal(on_paper(9000.0, 600.0)),
               "--width-mm 9000 at 600 dpi makes a side of 212598 pixels; a picture has 16 to 65536 "
-              "a side: change --width-mm or --dpi");
+              "per side: change --width-mm or --dpi");
     EXPECT_NE(refusal(on_paper(1.0, 72.0)).find("--width-mm 1 at 72 dpi makes a side of 3 pixels"),
               std::string::npos);
     EXPECT_NE(refusal(on_paper(-85.0, 600.0)).find("--width-mm -85: give"), std::string::npos);

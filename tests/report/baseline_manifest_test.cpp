@@ -45,7 +45,8 @@ TEST(BaselineManifest, HasOneSortedLinePerPicture) {
 TEST(BaselineManifest, RefusesOtherLinesByNumber) {
     const std::string line = to_text({{"turn", two_baselines.at("turn")}});
     const std::string good = line.substr(line.find('\n') + 1);
-    EXPECT_EQ(message_of(good + good).rfind("list.toml:2: this picture stands", 0), 0u);
+    EXPECT_EQ(message_of(good + good).rfind("list.toml:2: an earlier line has this picture", 0),
+              0u);
     // A truncated or extended line is invalid.
     for (std::size_t n = 1; n + 1 < good.size(); ++n)
         EXPECT_EQ(message_of("\n" + good.substr(0, n)).rfind("list.toml:2: not a line", 0), 0u)

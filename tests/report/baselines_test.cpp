@@ -66,7 +66,7 @@ TEST_F(BaselineFolder, ApprovedPictureIsTheSame) {
 TEST_F(BaselineFolder, ReplacedPictureIsReported) {
     draw("ref/a", 7), draw("new/a", 7);
     EXPECT_EQ(compared().at("a"), Outcome::baseline);
-    EXPECT_TRUE(says("a", "is not the picture that was approved")) << reason("a");
+    EXPECT_TRUE(says("a", "the baseline does not match its hash")) << reason("a");
     EXPECT_EQ(compared().at("b"), Outcome::same);
 }
 
@@ -79,7 +79,7 @@ TEST_F(BaselineFolder, PictureWithoutALineIsReported) {
 TEST_F(BaselineFolder, MissingPictureIsReportedWithOrWithoutAResult) {
     fs::remove(folder_ / "ref/a.png");
     EXPECT_EQ(compared().at("a"), Outcome::baseline);
-    EXPECT_TRUE(says("a", "the picture is gone")) << reason("a");
+    EXPECT_TRUE(says("a", "the picture is missing")) << reason("a");
     fs::remove(folder_ / "new/a.png");
     EXPECT_EQ(compared().at("a"), Outcome::baseline);
 }

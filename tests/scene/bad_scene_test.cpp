@@ -217,8 +217,8 @@ TEST(BadScene, ImproperRotationMatrixIsRefused) {
     EXPECT_EQ(refusal(a_scene + "attitude = [0, 0, 0, 0]\n"),
               "scenes/a.toml:6:1: start.attitude is zero; give one that has a direction");
     EXPECT_EQ(refusal(a_scene + "attitude_matrix = [[1, 0, 0], [0, 1, 0], [0, 0, -1]]\n"),
-              "scenes/a.toml:6:1: start.attitude_matrix is a reflection (determinant -1), which no "
-              "rotation of a body reaches; turn the sign of one column");
+              "scenes/a.toml:6:1: start.attitude_matrix is a reflection (determinant -1), not a "
+              "rotation; change the sign of one column");
     EXPECT_EQ(refusal(a_scene + "attitude_matrix = [[1, 0, 0], [0, 1, 0], [0, 0.5, 1]]\n"),
               "scenes/a.toml:6:1: start.attitude_matrix is not a rotation: its columns are not "
               "unit vectors at right angles (off by 0.5); give an orthogonal matrix");
@@ -344,8 +344,8 @@ TEST(BadScene, OverrideNamesItself) {
     EXPECT_EQ(refusal(a_scene, {"fps=3"}),
               "--set fps=3: unknown key \"fps\"; did you mean \"film.fps\"?");
     EXPECT_EQ(refusal(a_scene, {"title=\"$\\vec{H}$\""}),
-              "--set title=\"$\\vec{H}$\": what stands in the quotes is no string of TOML; leave "
-              "them out, or double each backslash");
+              "--set title=\"$\\vec{H}$\": the quoted text is not a TOML string; leave the quotes "
+              "out, or double each backslash");
     EXPECT_EQ(parse_scene(a_scene, "a.toml", std::vector<std::string>{"title='a' or 'b'"}).title,
               "'a' or 'b'");
     EXPECT_EQ(refusal(a_scene, {"film"}), "--set film: no \"=\"; write --set key=value");
@@ -355,7 +355,7 @@ TEST(BadScene, OverrideNamesItself) {
               "--set body.tensor_kg_m2=[[1,0,0],[0,1,0],[0,0,1]]: body.tensor_kg_m2 contradicts "
               "body.moments_kg_m2 (at line 2); give the body in one way only");
     EXPECT_EQ(refusal(a_scene, {"body.masses[3].mass_kg=1"}),
-              "--set body.masses[3].mass_kg=1: there is no masses[3]: the scene gives 0 of them, "
+              "--set body.masses[3].mass_kg=1: there is no masses[3]: the scene has 0 of them, "
               "counted from 0; name one of those");
 }
 

@@ -73,12 +73,12 @@ TEST(Faces, PictureErrorsAreReportedAtTheirKey) {
               at + "scenes/cut.png is cut short; name a whole PNG picture");
     write_png(folder.path() / "scenes/wide.png", Image(4097, 1));
     EXPECT_EQ(refusal(box + on("+e3", "wide.png")),
-              at + "wide.png is 4097×1 pixels; at most 4096 a side lie on a face, so make it "
-                   "smaller");
+              at + "wide.png is 4097×1 pixels; a picture on a face has at most 4096 per side, so "
+                   "make it smaller");
     write_png(folder.path() / "outside.png", Image(2, 2));
     EXPECT_EQ(refusal(box + on("+e3", "../outside.png")),
               at + "object.pictures[0].file = \"../outside.png\" does not lie in the scene's "
-                   "folder; move it there, or trust the scene and say --allow-outside");
+                   "folder; move it there, or give --allow-outside if you trust the scene");
 }
 
 TEST(Faces, ContradictionsOfPicturesAreNamed) {

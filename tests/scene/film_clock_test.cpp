@@ -126,10 +126,10 @@ TEST(BadFilm, IsRefusedInOneLine) {
               "scenes/a.toml:10:1: keyframes[1].at_s is 1, before the 2 s of keyframes[0]; put "
               "them in order of time");
     EXPECT_EQ(refusal(a_scene + keys + "at_s = 2\nspeed = 2\n"),
-              "scenes/a.toml:10:1: keyframes[0] and keyframes[1] both say the speed at 2 s; leave "
+              "scenes/a.toml:10:1: keyframes[0] and keyframes[1] both set the speed at 2 s; remove "
               "one of them");
     EXPECT_EQ(refusal(a_scene + keys + "at_s = 3\n"),
-              "scenes/a.toml:9:1: keyframes[1] says nothing; give a view, a value of the camera, "
+              "scenes/a.toml:9:1: keyframes[1] sets nothing; give a view, a value of the camera, "
               "or the speed");
     EXPECT_EQ(refusal(a_scene + keys + "speed = 2\n"),
               "scenes/a.toml:9:1: keyframes[1].at_s is missing; give it");
@@ -149,8 +149,8 @@ TEST(BadFilm, IsRefusedInOneLine) {
               "scenes/a.toml:7:1: chapters[0].at_s is 20, but the film ends at 10 s; begin it "
               "earlier");
     EXPECT_EQ(refusal(a_scene + "[film]\nduration_s = 5\nlength_s = 5\n"),
-              "scenes/a.toml:8:1: film.length_s contradicts film.duration_s (at line 7); give the "
-              "stretch of the motion or the length of the film, not both");
+              "scenes/a.toml:8:1: film.length_s contradicts film.duration_s (at line 7); give "
+              "film.duration_s (of the motion) or film.length_s (of the film), not both");
     EXPECT_EQ(refusal(a_scene + "[film]\nduration_s = 5\n[[keyframes]]\nat_s = 1\nspeed = 0\n"),
               "scenes/a.toml:7:1: the speed falls to 0 before 5 s of the motion have passed; raise "
               "it again, or give film.length_s instead of film.duration_s");
@@ -159,8 +159,8 @@ TEST(BadFilm, IsRefusedInOneLine) {
               "1000, as in \"5/3\", or \"period\"");
     EXPECT_EQ(refusal(a_scene + "[film]\nloop = \"period\"\n"),
               "scenes/a.toml:7:1: film.loop is \"period\", but after one polhode period only a "
-              "co-precessing camera sees the same picture; set camera.motion to that, or give "
-              "turns over periods");
+              "co-precessing camera sees the same picture; set camera.motion to \"co-precessing\", "
+              "or give film.loop as turns/periods, as in \"5/3\"");
 }
 
 }  // namespace

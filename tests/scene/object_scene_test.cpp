@@ -88,10 +88,9 @@ TEST(ObjectScene, FilesOutsideTheFolderNeedPermission) {
     for (const std::string& name : {std::string("../outside.obj"), std::string("link.obj"),
                                     std::string("../scenes/../outside.obj"), absolute}) {
         const std::string text = "[body]\nmesh = \"" + name + "\"\nmass_kg = 1\n" + a_start;
-        EXPECT_EQ(refusal(text),
-                  "scenes/a.toml:2:1: body.mesh = \"" + name +
-                      "\" does not lie in the scene's folder; move it there, or trust the scene "
-                      "and say --allow-outside");
+        EXPECT_EQ(refusal(text), "scenes/a.toml:2:1: body.mesh = \"" + name +
+                                     "\" does not lie in the scene's folder; move it there, or "
+                                     "give --allow-outside if you trust the scene");
         const Scene scene = parse_scene(text, "scenes/a.toml", {}, OutsideFiles::allowed);
         EXPECT_EQ(scene.body.mass_kg, 1.0) << name;
     }
@@ -122,8 +121,8 @@ TEST(ObjectScene, ContradictionsAreNamed) {
     EXPECT_EQ(refusal(wedge + a_start),
               "scenes/a.toml:2:1: the mesh has no mass; give body.mass_kg or body.density_kg_m3");
     EXPECT_EQ(refusal(wedge + "mass_kg = 1\ndensity_kg_m3 = 1\n" + a_start),
-              "scenes/a.toml:2:1: body.mass_kg and body.density_kg_m3 say the same of a mesh; give "
-              "one of them");
+              "scenes/a.toml:2:1: body.mass_kg and body.density_kg_m3 both set the mass of a mesh; "
+              "give one of them");
     EXPECT_EQ(refusal("[body]\nobject = \"book\"\nmesh = \"wedge.obj\"\n" + a_start),
               "scenes/a.toml:3:1: body.mesh contradicts body.object (at line 2); give the body in "
               "one way only");
@@ -131,15 +130,14 @@ TEST(ObjectScene, ContradictionsAreNamed) {
                   .rfind("scenes/a.toml:2:1: unknown object \"bok\"; did you mean \"book\"?", 0),
               0u);
     EXPECT_EQ(refusal(a_body + "scale = 2\n" + a_start),
-              "scenes/a.toml:3:1: body.scale belongs to an object or a mesh, which the body is not "
-              "given by; remove it");
+              "scenes/a.toml:3:1: body.scale belongs to an object or a mesh, but the body is given "
+              "in another way; remove it");
     EXPECT_EQ(refusal(a_body + "mass_kg = 2\n" + a_start),
-              "scenes/a.toml:3:1: body.mass_kg belongs to a shape, an object or a mesh, which the "
-              "body is not given by; remove it");
+              "scenes/a.toml:3:1: body.mass_kg belongs to a shape, an object or a mesh, but the "
+              "body is given in another way; remove it");
     EXPECT_EQ(refusal("[body]\nobject = \"book\"\n" + a_start + "[object]\nname = \"coin\"\n"),
-              "scenes/a.toml:7:1: object.name shows a body that is given by its moments, its "
-              "tensor, or as a box, an ellipsoid or a cylinder; this one has a form of its own, so "
-              "remove it");
+              "scenes/a.toml:7:1: object.name is for a body given by moments, a tensor, a box, an "
+              "ellipsoid or a cylinder; this body has its own shape, so remove it");
     EXPECT_EQ(refusal(a_scene + "[object]\nname = \"coin\"\nmesh = \"wedge.obj\"\n"),
               "scenes/a.toml:8:1: object.mesh contradicts object.name; give one of them");
 }

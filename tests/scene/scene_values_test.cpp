@@ -74,7 +74,7 @@ TEST(SceneValues, NearlyOrthogonalMatrixIsNoted) {
     const Scene scene =
         scene_of(a_scene + "attitude_matrix = [[0.8, -0.6, 0], [0.6, 0.80000001, 0], [0, 0, 1]]\n");
     ASSERT_EQ(scene.notes.size(), 1u);
-    EXPECT_NE(scene.notes[0].find("start.attitude_matrix is orthogonal to 1.6e-08 only"),
+    EXPECT_NE(scene.notes[0].find("start.attitude_matrix deviates from orthogonal by 1.6e-08"),
               std::string::npos)
         << scene.notes[0];
     EXPECT_NEAR(scene.start.space_from_body.norm(), 1.0, 4e-16);

@@ -93,8 +93,8 @@ TEST(ThemeFile, IsRefusedAtItsOwnPlace) {
     EXPECT_NE(said("omega = 3\n").find("scenes/mine.toml:1:9: omega is an integer"),
               std::string::npos);
     EXPECT_EQ(said("[style]\nomega = \"red\"\n"),
-              "scenes/mine.toml:1:2: [style] is a scene's; in a theme its keys stand at the top "
-              "level, so remove this heading and put them before any other");
+              "scenes/mine.toml:1:2: [style] belongs to scenes; in a theme file its keys stand at "
+              "the top level, so remove this heading and put them before any other");
     EXPECT_NE(said("title = \"x\"\n").find("unknown key \"title\" in a theme"), std::string::npos);
     EXPECT_NE(refusal("theme = \"none.toml\"\n" + a_scene).find("scenes/none.toml"),
               std::string::npos);

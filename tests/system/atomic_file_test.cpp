@@ -131,8 +131,8 @@ TEST(AtomicFile, IsNotMadeInWhatIsNoRegularFile) {
     for (const char* name : {"pipe.png", "folder.png", "link.png"}) {
         const std::string aside = (folder / (std::string(".") + name + ".part")).string();
         EXPECT_EQ(message_of([&] { AtomicFile file(folder / name); }),
-                  "cannot write " + (folder / name).string() + ": " + aside +
-                      " is where it is made first, and is not a regular file; remove that");
+                  "cannot write " + (folder / name).string() + ": its temporary file " + aside +
+                      " exists and is not a regular file; remove it");
     }
     EXPECT_EQ(text_of(folder / "other"), "kept");
 }

@@ -277,7 +277,7 @@ class Matrix:
         self.say(f"{fault}, then the same command", name, same, "the bytes of an uninterrupted run" if same else
                  f"exit {done.returncode} {done.stderr[-200:]} (trial {name}:{trial})")
         shutil.rmtree(place)
-        return b"going on" in done.stderr
+        return b"note: continuing" in done.stderr
 
     # A program under strace, in which the n-th call of a thread kills it or fails.
     CALLS = {"rename": "EIO", "fsync": "EIO", "write": "ENOSPC", "ftruncate": "EIO", "unlink": "EACCES"}
@@ -481,7 +481,7 @@ class Matrix:
             if done.returncode == 99 or b"unshare" in done.stderr:
                 self.say("too little room", name, True, "skipped: this machine does not let us mount")
                 continue
-            right = done.returncode == 3 and b"frames to come need about" in done.stderr
+            right = done.returncode == 3 and b"remaining frames need about" in done.stderr
             self.say("too little room", name, right, f"exit {done.returncode} before the disk is full"
                      if right else f"exit {done.returncode} after {time.monotonic() - began:.1f} s: {done.stderr[-200:]}")
 

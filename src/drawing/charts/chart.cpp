@@ -53,7 +53,7 @@ ChartSheet::Axis ChartSheet::axis_of(const Chart& chart, double ChartPoint::*coo
             most = std::max(most, point.*coordinate);
         }
     }
-    if (!(most > 0.0)) throw InputError("the chart has no point that can be shown");
+    if (!(most > 0.0)) throw InputError("the chart has no finite point to show");
     // Whole decades around all points, at least one; ranges of less than two decades begin and end
     // at 1, 2 or 5 times a power of ten.
     Axis axis;

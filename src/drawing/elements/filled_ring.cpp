@@ -146,9 +146,8 @@ std::optional<RingCurve> ring_of(
     ring.curve.dash_px = 0.0;
     ring.curve.lasting = true;
     panel.stage->note(
-        "the herpolhode has so many turns that its line leaves nothing of the ring free: it is "
-        "drawn "
-        "as the ring that it fills");
+        "the herpolhode has so many turns that its curve covers its ring; it is drawn as a filled "
+        "ring");
     return ring;
 }
 

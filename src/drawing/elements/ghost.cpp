@@ -35,7 +35,7 @@ void cut(TimedPath& path) {
 void require_beside(const Panel& panel, std::string_view element) {
     if (panel.stage->beside) return;
     throw InputError(fmt::format(
-        "show: \"{}\" needs a second motion; name its method under [beside] or leave it out",
+        "show: \"{}\" needs a comparison method; name one under [beside], or leave the element out",
         element));
 }
 
@@ -61,7 +61,7 @@ GhostPath ghost_path(Panel& panel,
     CurveGeometry geometry;
     geometry.points = std::move(ghost.path.points);
     ghost.curve = curve_of(
-        panel, panel.keep(std::move(geometry), ghost.path.off, "the path of the motion beside"),
+        panel, panel.keep(std::move(geometry), ghost.path.off, "the path of the comparison motion"),
         panel.stage->theme->ghost, width_px);
     ghost.curve.hidden_opacity = 0.45;
     ghost.curve.lasting = true;

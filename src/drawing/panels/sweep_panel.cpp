@@ -51,11 +51,10 @@ Eigen::Vector3d half_axes_of(const Panel& panel) {
 void check_show(const StageData& stage) {
     for (const std::string& name : stage.scene.show) {
         if (is_overlay(name)) continue;
-        throw SceneError(
-            stage.scene.location_of("show"),
-            fmt::format("show names \"{}\", but a sweep has elements of its own; leave "
-                        "title, caption and clock, or nothing",
-                        printable(name)));
+        throw SceneError(stage.scene.location_of("show"),
+                         fmt::format("show names \"{}\", but panel \"sweep\" has its own elements; "
+                                     "let show name only title, caption and clock, or leave it out",
+                                     printable(name)));
     }
 }
 

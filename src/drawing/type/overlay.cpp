@@ -316,7 +316,7 @@ int rows_added_by_type(const Scene& scene, int width_px, double px, const LeastS
 std::span<const OverlayName> overlays() {
     static constexpr std::array<OverlayName, 3> names{{
         {"title", "the scene's title, at the top left"},
-        {"caption", "the scene's caption, at the foot, with live numbers"},
+        {"caption", "the scene's caption, at the bottom, with live numbers"},
         {"clock", "the instant of the motion, at the top right"},
     }};
     return names;

@@ -59,8 +59,8 @@ void leave_out_type(Drawing& drawing) {
         });
         if (covers && is_name)
             throw InputError(
-                "the picture is too small for its type: its names would cover each other; make it "
-                "larger, or show less");
+                "the picture is too small for its labels: they would overlap; make it larger, or "
+                "show fewer elements");
         if (is_name || (!covers && is_on_page(box, drawing)))
             kept.push_back(box);
         else

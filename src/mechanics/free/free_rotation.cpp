@@ -27,12 +27,13 @@ QuaternionDD start_turn(const JacobiSolution& j) {
 
 void check_start(const Vector3d& omega, const Quaterniond& attitude, double time_s) {
     if (!omega.allFinite()) {
-        throw InputError("omega_rad_s: the components of the angular velocity are finite numbers");
+        throw InputError(
+            "omega_rad_s: the components of the angular velocity must be finite numbers");
     }
     if (!attitude.coeffs().allFinite() || attitude.coeffs().isZero(0.0)) {
-        throw InputError("the start's attitude is a quaternion that is finite and not zero");
+        throw InputError("the start's attitude must be a finite quaternion other than zero");
     }
-    if (!std::isfinite(time_s)) throw InputError("the start's time is a finite number");
+    if (!std::isfinite(time_s)) throw InputError("the start's time must be a finite number");
 }
 
 // ω along the principal axes.

@@ -56,7 +56,7 @@ Telling telling_on(int pipe) {
         tell(pipe, tells_refusal, error.what());
     } catch (const std::bad_alloc&) {
         tell(pipe, tells_failure,
-             "out of memory; take fewer jobs, a smaller picture or a shorter film");
+             "out of memory; use fewer jobs, a smaller picture or a shorter film");
     } catch (const std::exception& error) {
         tell(pipe, tells_failure, error.what());
     }
@@ -69,7 +69,8 @@ Telling telling_on(int pipe) {
 void Children::start(const Work& work) {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-        throw EnvironmentError(fmt::format("no pipe to another process: {}", std::strerror(errno)));
+        throw EnvironmentError(
+            fmt::format("cannot make a pipe to another process: {}", std::strerror(errno)));
     const pid_t parent = ::getpid();
     const pid_t process = ::fork();
     if (process == 0) {
@@ -84,8 +85,7 @@ void Children::start(const Work& work) {
     ::close(ends[1]);
     if (process < 0) {
         ::close(ends[0]);
-        throw EnvironmentError(
-            fmt::format("no process could be started: {}", std::strerror(errno)));
+        throw EnvironmentError(fmt::format("cannot start a process: {}", std::strerror(errno)));
     }
     Child& child = children_.emplace_back();
     child.process = process;
@@ -148,9 +148,8 @@ void Children::end(Child& child) {
                                 ? fmt::format("was ended by signal {} ({})", WTERMSIG(status),
                                               ::strsignal(WTERMSIG(status)))
                                 : fmt::format("ended with code {}", WEXITSTATUS(status));
-    throw EnvironmentError(
-        fmt::format("job {} of {} {}; the same command goes on from what is there",
-                    &child - children_.data() + 1, children_.size(), how));
+    throw EnvironmentError(fmt::format("job {} of {} {}; run the same command again to continue",
+                                       &child - children_.data() + 1, children_.size(), how));
 }
 
 void Children::wait(const Telling& telling) {

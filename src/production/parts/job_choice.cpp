@@ -72,14 +72,14 @@ JobChoice choose_jobs(const FilmWork& film, const Machine& machine) {
     };
     const int cores = format.n_cores_a_job;
     if (cores == 0 || !format.has_parts) {
-        choice.why = fmt::format("a .{} is put together by one process", format.name);
+        choice.why = fmt::format("one process writes a .{}", format.name);
     } else if (kind_of_file(film.output) == FileKind::special || film.output == "-") {
-        choice.why = "it goes to a pipe or a device";
+        choice.why = "the output is a pipe or a device";
     } else {
         n_jobs = std::max(1, machine.n_cores / cores);
-        choice.why = fmt::format(
-            "the machine has {} core{}{}", machine.n_cores, machine.n_cores == 1 ? "" : "s",
-            cores == 1 ? "" : fmt::format(", and its encoder takes {}", cores));
+        choice.why = fmt::format("the machine has {} core{}{}", machine.n_cores,
+                                 machine.n_cores == 1 ? "" : "s",
+                                 cores == 1 ? "" : fmt::format(", and the encoder uses {}", cores));
         const std::int64_t n_chunks =
             part_of_film(1, film.n_frames, film.n_frames, format.n_chunk_frames).n_parts;
         limit(n_chunks, fmt::format("the film has {} part{} of {} frames", n_chunks,
@@ -87,11 +87,11 @@ JobChoice choose_jobs(const FilmWork& film, const Machine& machine) {
         const double work_s = frame_s(film) * static_cast<double>(film.n_frames);
         limit(std::max<std::int64_t>(1,
                                      std::llround(std::floor(std::min(work_s / least_job_s, 1e6)))),
-              fmt::format("drawing and encoding take some {:.2g} s of processor time, and another "
-                          "process pays from {} s each on",
+              fmt::format("drawing and encoding take about {:.2g} s of processor time; a further "
+                          "process saves time only with {} s of work or more",
                           work_s, least_job_s));
         limit(most_in(machine, each_MiB),
-              fmt::format("half of the memory has room for them, {} MiB each", each_MiB));
+              fmt::format("no more fit into half of the memory, {} MiB each", each_MiB));
     }
     choice.n_jobs = static_cast<int>(n_jobs);
     choice.n_threads = n_drawing_threads(choice.n_jobs, machine.n_cores);

@@ -183,15 +183,15 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
     const int n_jobs = n_asked ? *n_asked : n_jobs_for(session, film.n_frames(), path, easel);
     if (n_jobs == 1) return make_in_this_process(film, path, easel, telling);
     if (!format.has_parts)
-        throw InputError(fmt::format("{}: has no parts that --jobs could share out; leave it out",
+        throw InputError(fmt::format("{}: this format has no parts for --jobs; leave --jobs out",
                                      printable(path.string())));
     watch_for_interrupts();
     const std::int64_t n_parts =
         part_of_film(1, n_jobs, film.n_frames(), format.n_chunk_frames).n_parts;
     if (n_parts < n_jobs)
-        telling.say(fmt::format("note: {} frames are {} of {}, so {} are drawn", film.n_frames(),
-                                n_parts == 1 ? "one part" : "parts", format.n_chunk_frames,
-                                n_parts));
+        telling.say(fmt::format(
+            "note: a part begins every {} frames, so {} frames make {} part{}, not {}",
+            format.n_chunk_frames, film.n_frames(), n_parts, n_parts == 1 ? "" : "s", n_jobs));
     telling.begin(session.scene.name, film.n_frames());
     if (format.join == nullptr) {
         // The pictures are written under their final names; the lock prevents a second run.

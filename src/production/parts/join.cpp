@@ -56,19 +56,19 @@ void check_all_there(std::vector<PartFile>& parts) {
         const FilmPart missing = part_of_film(number, first.n_parts, first.n_film_frames, chunk);
         const std::int64_t begin = parts.front().plan().first_frame + missing.n_before;
         throw InputError(fmt::format(
-            "part {} of {} is missing (frames {}-{}); make it with render --part {}/{}, and give "
-            "all of them",
+            "part {} of {} is missing (frames {}-{}); draw it with render --part {}/{}, and give "
+            "all parts",
             number, first.n_parts, begin, begin + missing.n_frames - 1, number, first.n_parts));
     }
 }
 
 void check_whole(const PartFile& part) {
     if (part.is_whole()) return;
-    throw InputError(fmt::format(
-        "{}: part {} of {} is unfinished or was cut or changed: {} of its {} frames are whole; "
-        "give its render command again",
-        name_of(part.path()), part.part().number, part.part().n_parts, part.n_there(),
-        part.part().n_frames));
+    throw InputError(
+        fmt::format("{}: part {} of {} is unfinished, cut off or changed: {} of its {} frames are "
+                    "whole; run its render command again",
+                    name_of(part.path()), part.part().number, part.part().n_parts, part.n_there(),
+                    part.part().n_frames));
 }
 
 void check_one_film(const PartFile& one, const PartFile& other) {
@@ -82,11 +82,11 @@ void check_one_film(const PartFile& one, const PartFile& other) {
     const FilmPart &a = one.part(), &b = other.part();
     if (a.format != b.format)
         refuse_strangers(one.path(), other.path(),
-                         fmt::format("one is of a .{}, the other of a .{}", a.format, b.format));
+                         fmt::format("one is for a .{}, the other for a .{}", a.format, b.format));
     if (one.settings() != other.settings())
         refuse_strangers(one.path(), other.path(),
-                         "they are of different encoders, or of different versions of one; make "
-                         "all of them with one FFmpeg");
+                         "they come from different encoders or encoder versions; draw all parts "
+                         "with one FFmpeg");
     if (a.n_parts != b.n_parts || a.n_film_frames != b.n_film_frames)
         refuse_strangers(one.path(), other.path(),
                          fmt::format("one is of {} parts, the other of {}", a.n_parts, b.n_parts));
@@ -106,8 +106,9 @@ std::string join_film(const std::vector<std::string>& names, const std::string& 
     plan.path = with_scene_name(output, record.scene_name);
     const OutputFormat& format = format_for(plan.path);
     if (format.name != parts.front().part().format)
-        throw InputError(fmt::format("{}: the parts are of a .{}; end its name so",
-                                     name_of(plan.path), parts.front().part().format));
+        throw InputError(
+            fmt::format("{}: the parts are for a .{}; end the output's name with this suffix",
+                        name_of(plan.path), parts.front().part().format));
     std::error_code not_there;
     for (const PartFile& part : parts)
         if (fs::equivalent(part.path(), plan.path, not_there))
@@ -146,15 +147,14 @@ std::vector<fs::path> pictures_named(const std::vector<std::string>& names) {
             pictures.push_back(frame_name(name, frame));
     }
     if (pictures.empty())
-        throw InputError(
-            fmt::format("{}: there are no pictures of this name", printable(names.front())));
+        throw InputError(fmt::format("{}: no pictures have this name", printable(names.front())));
     return pictures;
 }
 
 Record whole_record_of(const fs::path& path) {
     Record record = read_record(path);
     if (!record.frame || !record.frames)
-        throw InputError(fmt::format("{}: is no picture of a sequence", name_of(path)));
+        throw InputError(fmt::format("{}: is not a picture of a sequence", name_of(path)));
     const Verification checked = verify(path, record);
     if (checked.verified != Verified::yes)
         throw InputError(fmt::format("{}: {}", name_of(path), checked.sentence));
@@ -211,8 +211,8 @@ std::string join_pictures(const std::vector<std::string>& names, const std::stri
     const auto [begin, last] = *record.frames;
     if (const std::string gaps = gaps_in(pictures, begin, last); !gaps.empty())
         throw InputError(
-            fmt::format("of the frames {}-{} are missing: {}; make them with render "
-                        "--part, and give all of them",
+            fmt::format("of the frames {}-{} these are missing: {}; draw them with render --part, "
+                        "and give all pictures",
                         begin, last, gaps));
     const fs::path pattern = with_scene_name(output, record.scene_name);
     if (!has_frame_number(pattern) || suffix_of(pattern) != ".png")

@@ -25,7 +25,7 @@ std::string differing_lines(std::string_view one, std::string_view other) {
             return fmt::format("\"{}\" and \"{}\"", printable(std::string(a), 80),
                                printable(std::string(b), 80));
     }
-    return "what came from their meshes and pictures";
+    return "their meshes or pictures";
 }
 
 }  // namespace
@@ -54,11 +54,11 @@ std::string difference_of(const Record& one, const Record& other) {
     compare("their fonts", one.fonts, other.fonts);
     if (found.empty() && one.processor != other.processor)
         found = fmt::format(
-            "their processors can do different things ({} and {}), so that native pictures "
+            "their processors have different instruction sets ({} and {}), so native pictures "
             "differ; draw the parts with --portable",
             printable(one.processor), printable(other.processor));
     compare("the methods of their motions", one.method, other.method);
-    compare("their promises", one.bounds, other.bounds);
+    compare("their error bounds", one.bounds, other.bounds);
     return found;
 }
 

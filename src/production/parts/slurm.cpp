@@ -80,7 +80,7 @@ std::string id_of(const std::string& answer) {
     std::string what_was;
     if (cancel.size() > 1) {
         const bool cancelled = run_program(cancel).code == 0;
-        what_was = fmt::format("; {}{}", cancelled ? "cancelled again:" : "still submitted:",
+        what_was = fmt::format("; {}{}", cancelled ? "cancelled:" : "still submitted:",
                                joined({cancel.begin() + 1, cancel.end()}));
     }
     throw EnvironmentError(why + what_was);
@@ -96,7 +96,7 @@ std::string words_of(const std::string& said) {
         line.erase(line.find_last_not_of(" \t\r") + 1);
         if (!line.empty()) words += (words.empty() ? "" : "; ") + line;
     }
-    return words.empty() ? "without a word" : printable(words, most_of_a_message);
+    return words.empty() ? "no message" : printable(words, most_of_a_message);
 }
 
 }  // namespace
@@ -166,8 +166,8 @@ SlurmIds submit(const std::vector<SlurmCall>& calls) {
         const ProgramOutcome answer = run_program(words);
         if (!answer.found)
             give_up(ids,
-                    "sbatch: there is no such program here; submit where Slurm's commands "
-                    "are, or take --dry-run and run the tasks otherwise");
+                    "sbatch: this machine has no such program; submit on a machine with Slurm, or "
+                    "use --dry-run and run the tasks yourself");
         const std::string id = id_of(answer.out);
         if (answer.code != 0 || id.empty())
             give_up(ids, fmt::format("sbatch refused: {}", words_of(answer.err)));

@@ -43,7 +43,7 @@ while :; do
     code=$?
     tries=$((tries - 1))
     if [ $code -lt 128 ] || [ $tries -eq 0 ]; then break; fi
-    echo "ended by signal $((code - 128)); going on"
+    echo "ended by signal $((code - 128)); starting again"
 done
 if [ $code -eq 0 ]; then : >"state/$name.done"; else echo $code >"state/$name.failed"; fi
 exit $code
@@ -89,8 +89,9 @@ std::string add_film(Submission& submission, const FilmToSubmit& film,
                      const std::string& name) {
     const OutputFormat& format = format_for(film.output);
     if (!format.has_parts)
-        throw InputError(fmt::format("{}: has no parts; name a film, or a sequence with ####",
-                                     printable(film.output.string())));
+        throw InputError(
+            fmt::format("{}: this format has no parts; name a film, or a sequence with ####",
+                        printable(film.output.string())));
     const std::int64_t n_parts =
         part_of_film(1, n_asked, film.n_frames, format.n_chunk_frames).n_parts;
     const fs::path output = fs::absolute(film.output);
@@ -246,10 +247,10 @@ fs::path folder_with_tasks(const fs::path& folder) {
         if (at->path().extension() == ".job" && is_there(at->path() / "films"))
             found.push_back(at->path());
     if (found.size() == 1) return found.front();
-    throw InputError(fmt::format("{}: {}", printable(folder.string()),
-                                 found.empty()
-                                     ? "is no folder of a submission; submit has printed its name"
-                                     : "has several submissions; name one of its folders in .job"));
+    throw InputError(fmt::format(
+        "{}: {}", printable(folder.string()),
+        found.empty() ? "is not the folder of a submission; give the folder that submit printed"
+                      : "contains several submissions; name one of its .job folders"));
 }
 
 }  // namespace
@@ -260,7 +261,7 @@ std::vector<FilmStatus> status_of(const fs::path& asked) {
     for (const std::string& line : split(read_text_if_there(folder / "films"), '\n')) {
         const std::vector<std::string> fields = split(line, '\t');
         if (fields.size() != 4)
-            throw InputError(fmt::format("{}: is no list of films; submit them again",
+            throw InputError(fmt::format("{}: is not a list of films; submit the films again",
                                          printable((folder / "films").string())));
         FilmStatus film;
         film.name = fields[0];

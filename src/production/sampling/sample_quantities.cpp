@@ -107,7 +107,7 @@ constexpr Quantities attitude{};
 const std::array<SampleQuantity, 13> sample_rows{{
     {"time", "the instant", time_columns, no_attitude, nullptr, "",
      [](const SampledInstant& at, Values v) { v[0] = at.time_s; }},
-    {"omega_body", "ω in body axes; omega names it, too", omega_body_columns, no_attitude, nullptr,
+    {"omega_body", "ω in body axes; also called omega", omega_body_columns, no_attitude, nullptr,
      "", [](const SampledInstant& at, Values v) { put(at.sample.state.omega_body, v); }},
     {"q", "the attitude space_from_body as a unit quaternion", attitude_columns, attitude, nullptr,
      "",
@@ -132,23 +132,24 @@ const std::array<SampleQuantity, 13> sample_rows{{
      put_euler_angles},
     {"omega_space", "ω in space axes", omega_space_columns, attitude, nullptr, "",
      [](const SampledInstant& at, Values v) { put(space_of(at, at.sample.state.omega_body), v); }},
-    {"kinetic_energy", "T, which names it, too", energy_columns, no_attitude, nullptr, "",
+    {"kinetic_energy", "the kinetic energy; also called T", energy_columns, no_attitude, nullptr,
+     "",
      [](const SampledInstant& at, Values v) {
          v[0] = 0.5 * at.sample.state.omega_body.dot(momentum_body(at));
      }},
-    {"momentum", "|L|; L names it, too", momentum_columns, no_attitude, nullptr, "",
+    {"momentum", "the length |L| of the angular momentum; also called L", momentum_columns,
+     no_attitude, nullptr, "",
      [](const SampledInstant& at, Values v) { v[0] = momentum_body(at).stableNorm(); }},
     {"momentum_body", "L in body axes", momentum_body_columns, no_attitude, nullptr, "",
      [](const SampledInstant& at, Values v) { put(momentum_body(at), v); }},
     {"momentum_space", "L in space axes", momentum_space_columns, attitude, nullptr, "",
      [](const SampledInstant& at, Values v) { put(space_of(at, momentum_body(at)), v); }},
-    {"contact_body",
-     "ρ = ω/√(2T), where the ellipsoid touches the plane, in body axes; rho names it, too",
+    {"contact_body", "the contact point ρ = ω/√(2T) in body axes; also called rho",
      contact_body_columns, no_attitude, nullptr, "",
      [](const SampledInstant& at, Values v) { put(contact_body(at), v); }},
-    {"contact_space", "ρ in space axes", contact_space_columns, attitude, nullptr, "",
-     [](const SampledInstant& at, Values v) { put(space_of(at, contact_body(at)), v); }},
-    {"residuals", "how far the state is from Poinsot's construction, relative; see --certify",
+    {"contact_space", "the contact point ρ in space axes", contact_space_columns, attitude, nullptr,
+     "", [](const SampledInstant& at, Values v) { put(space_of(at, contact_body(at)), v); }},
+    {"residuals", "relative errors against Poinsot's construction; see render --certify",
      residual_columns, attitude, turns_freely, "a body that turns without torque", put_residuals},
 }};
 
@@ -189,7 +190,7 @@ std::vector<ChosenColumn> columns_called(std::string_view name) {
         for (const SampleColumn& column : quantity.columns) known.push_back(column.name);
     }
     throw InputError(
-        fmt::format("--columns: nothing called \"{}\"{}; poinsot list columns names them",
+        fmt::format("--columns: no column is called \"{}\"{}; poinsot list columns names all",
                     printable(name), did_you_mean(name, known)));
 }
 
@@ -230,7 +231,7 @@ std::vector<ChosenColumn> columns_named(const Motion& motion, std::span<const st
                 [&column](const ChosenColumn& other) { return other.heading == column.heading; });
             if (twice)
                 throw InputError(
-                    fmt::format("--columns: {} is named twice; leave one out", column.heading));
+                    fmt::format("--columns: {} is given twice; leave one out", column.heading));
             columns.push_back(column);
         }
     }

@@ -90,8 +90,8 @@ void write_npy(const SampleTable& table, const WriteBytes& write) {
 }
 
 constexpr std::array<TableFormat, 3> formats{{
-    {"csv", ".csv", "a line an instant, numbers between commas", write_csv},
-    {"jsonl", ".jsonl", "an object of JSON a line", write_json_lines},
+    {"csv", ".csv", "one line per instant, numbers separated by commas", write_csv},
+    {"jsonl", ".jsonl", "one JSON object per line", write_json_lines},
     {"npy", ".npy", "a NumPy array whose fields are the columns", write_npy},
 }};
 
@@ -137,10 +137,10 @@ void append_row(const SampledInstant& instant, std::span<const Run> runs,
 SampleTable sample_table(const Motion& motion, std::span<const ChosenColumn> columns,
                          std::span<const double> times_s, std::string_view asked_by) {
     if (!columns.empty() && times_s.size() > most_sampled_values / columns.size())
-        throw InputError(fmt::format(
-            "{}: {} instants of {} columns are more than the {} numbers that one table holds; ask "
-            "for them in several",
-            asked_by, times_s.size(), columns.size(), most_sampled_values));
+        throw InputError(
+            fmt::format("{}: {} instants of {} columns are more than the {} numbers that one table "
+                        "holds; split them into several runs",
+                        asked_by, times_s.size(), columns.size(), most_sampled_values));
     SampleTable table;
     for (const ChosenColumn& column : columns) table.headings.push_back(column.heading);
     table.values.reserve(times_s.size() * columns.size());
@@ -174,7 +174,7 @@ const TableFormat& table_format_for(const std::filesystem::path& path) {
         if (format.suffix == suffix) return format;
         known += fmt::format("{}{}", known.empty() ? "" : ", ", format.suffix);
     }
-    throw InputError(fmt::format("{}: numbers go into files called {}; name it so",
+    throw InputError(fmt::format("{}: no table format has this suffix; end the name with {}",
                                  printable(path.string()), known));
 }
 

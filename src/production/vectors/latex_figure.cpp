@@ -73,7 +73,7 @@ void check_latex_place(const std::filesystem::path& figure) {
     const std::string name = figure.filename().string();
     if (suffix_of(figure) != ".pdf")
         throw InputError(fmt::format(
-            "--text latex: pdflatex includes a PDF, and {} is none; end its name in .pdf",
+            "--text latex needs a PDF, which pdflatex can include; end the name {} in .pdf",
             printable(name)));
     if (name.find_first_of("%#{}\\~^$&\"") != std::string::npos)
         throw InputError(fmt::format(
@@ -83,8 +83,8 @@ void check_latex_place(const std::filesystem::path& figure) {
     const std::filesystem::path beside = latex_path_of(figure);
     if (kind_of_file(beside) != FileKind::missing && !begins_with(beside, signature))
         throw InputError(
-            fmt::format("{}: is a file of your own, and --text latex would write one of that name; "
-                        "name the figure otherwise",
+            fmt::format("{}: exists and was not written by poinsot, and --text latex would replace "
+                        "it; choose another name for the figure",
                         printable(beside.string())));
 }
 

@@ -37,7 +37,7 @@ void prepare_driver_environment() {
     const std::string driver = given == nullptr ? "" : given;
     if (std::find(known_drivers.begin(), known_drivers.end(), driver) == known_drivers.end())
         throw EnvironmentError("GALLIUM_DRIVER=" + driver +
-                               ": no software renderer of Mesa's that draws here; unset "
+                               ": not a software renderer of Mesa that poinsot uses; unset "
                                "GALLIUM_DRIVER, or set it to llvmpipe or softpipe");
 }
 

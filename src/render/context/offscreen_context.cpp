@@ -76,9 +76,9 @@ struct OffscreenContext::Impl {
         const bool software =
             info.renderer.starts_with("llvmpipe") || info.renderer.starts_with("softpipe");
         if (software == (row.backend == Backend::gpu))
-            throw EnvironmentError(
-                std::string(row.name) + " draws by " + info.renderer +
-                (software ? ", which is no graphics card" : ", not by Mesa's software renderer"));
+            throw EnvironmentError(std::string(row.name) + " draws with " + info.renderer +
+                                   (software ? ", which is not a graphics card"
+                                             : ", not with Mesa's software renderer"));
     }
 };
 
@@ -99,8 +99,8 @@ OffscreenContext::OffscreenContext(Backend backend, Portability portability,
             impl_ = std::make_unique<Impl>(row);
             if (portability == Portability::portable &&
                 !impl_->info.renderer.starts_with("llvmpipe"))
-                throw EnvironmentError("draws by " + impl_->info.renderer +
-                                       ", and portable bytes are llvmpipe's");
+                throw EnvironmentError("draws with " + impl_->info.renderer +
+                                       ", and only llvmpipe draws portable pictures");
             return;
         } catch (const EnvironmentError& failure) {
             impl_.reset();

@@ -35,7 +35,7 @@ Canvas::Layer Canvas::make_layer(bool with_depth) const {
     }
     if (glGetError() != GL_NO_ERROR ||
         glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw EnvironmentError("OpenGL has no room for a picture of " + std::to_string(width_px_) +
+        throw EnvironmentError("OpenGL cannot make a picture of " + std::to_string(width_px_) +
                                "x" + std::to_string(height_px_) + " pixels; ask for a smaller one");
     return layer;
 }

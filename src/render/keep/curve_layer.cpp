@@ -71,7 +71,7 @@ void CurveLayer::resize(int width_px, int height_px, bool with_surface) {
                            textures_.coverage.id(), 0);
     if (glGetError() != GL_NO_ERROR ||
         glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw EnvironmentError("OpenGL has no room for a curve's layer of " +
+        throw EnvironmentError("OpenGL cannot make a curve's layer of " +
                                std::to_string(width_px_) + "x" + std::to_string(height_px_) +
                                " pixels; ask for a smaller picture");
 }
