@@ -51,15 +51,17 @@ Difference difference_of(const Image& a, const Image& b) {
 }
 
 TEST(Parts, AreIdenticalToTheWholePicture) {
+    const OffscreenContext context;
+    Renderer renderer(context);
     for (const char* theme : {"light", "transparent"}) {
         const StagedScene scene = staged(theme, 960, 544);
         const Drawing whole = scene.stage.at(5.0);
-        const Image at_once = renderer().render(whole);
+        const Image at_once = renderer.render(whole);
         Image pieced(960, 544);
         for (int y = 0; y < 544; y += 160) {
             for (int x = 0; x < 960; x += 352) {
                 const PixelArea area{x, y, std::min(352, 960 - x), std::min(160, 544 - y)};
-                const Image part = renderer().render(part_of(whole, area));
+                const Image part = renderer.render(part_of(whole, area));
                 for (int v = 0; v < area.height_px; ++v)
                     for (int u = 0; u < area.width_px; ++u) pieced.set(x + u, y + v, part.at(u, v));
             }
@@ -77,6 +79,8 @@ TEST(Parts, AreIdenticalToTheWholePicture) {
 }
 
 TEST(Parts, SplitLongMasksWithoutASeam) {
+    const OffscreenContext context;
+    Renderer renderer(context);
     // A mask wider than the picture, with a checkered pattern.
     GlyphMask mask;
     mask.id = 77001;
@@ -90,9 +94,9 @@ TEST(Parts, SplitLongMasksWithoutASeam) {
     label.top_left_px = {-1000.0, 20.0};
     label.halo_px = 3.0;
     whole.views[0].labels.push_back(label);
-    const Image at_once = renderer().render(whole);
+    const Image at_once = renderer.render(whole);
     for (int x = 0; x < 1024; x += 256) {
-        const Image part = renderer().render(part_of(whole, {x, 0, 256, 64}));
+        const Image part = renderer.render(part_of(whole, {x, 0, 256, 64}));
         for (int v = 0; v < 64; ++v)
             for (int u = 0; u < 256; ++u)
                 ASSERT_EQ(part.at(u, v), at_once.at(x + u, v)) << x + u << " " << v;
@@ -107,9 +111,11 @@ double over(std::uint8_t colour, std::uint8_t alpha, double ground) {
 }
 
 TEST(TransparentPicture, CompositedOverABackgroundEqualsThePictureDrawnOnIt) {
+    const OffscreenContext context;
+    Renderer renderer(context);
     const StagedScene scene = staged("transparent", 640, 360);
     Drawing drawing = scene.stage.at(5.0);
-    const Image picture = renderer().render(drawing);
+    const Image picture = renderer.render(drawing);
     int n_translucent = 0;
     for (int y = 0; y < 360; ++y)
         for (int x = 0; x < 640; ++x) {
@@ -121,7 +127,7 @@ TEST(TransparentPicture, CompositedOverABackgroundEqualsThePictureDrawnOnIt) {
         drawing.background.alpha = 1.0;
         drawing.background.top = drawing.background.bottom = {ground, ground, ground};
         drawing.views[0].background = drawing.background;
-        const Image on_ground = renderer().render(drawing);
+        const Image on_ground = renderer.render(drawing);
         double worst = 0.0, sum = 0.0;
         for (int y = 0; y < 360; ++y) {
             for (int x = 0; x < 640; ++x) {
@@ -141,14 +147,16 @@ TEST(TransparentPicture, CompositedOverABackgroundEqualsThePictureDrawnOnIt) {
 }
 
 TEST(DeepPicture, AgreesWithEightBitsAndHasMoreLevels) {
+    const OffscreenContext context;
+    Renderer renderer(context);
     Drawing drawing;
     drawing.width_px = 64;
     drawing.height_px = 2048;
     drawing.background.top = {0.50, 0.50, 0.50};
     drawing.background.bottom = {0.54, 0.54, 0.54};
-    const Image shallow = renderer().render(drawing);
+    const Image shallow = renderer.render(drawing);
     DeepImage deep;
-    renderer().render_into(drawing, deep);
+    renderer.render_into(drawing, deep);
     int n_levels = 0;
     int before = -1;
     for (int y = 0; y < 2048; ++y) {
@@ -166,6 +174,8 @@ TEST(DeepPicture, AgreesWithEightBitsAndHasMoreLevels) {
 
 // The mean square of the difference in linear light, over the edges' pixels.
 TEST(WholePicture, HasSmootherEdgesThanFourSamplesPerPixel) {
+    const OffscreenContext context;
+    Renderer renderer(context);
     constexpr int width = 480, height = 270, n = 8;
     const StagedScene small = staged("light", width, height);
     const StagedScene large = staged("light", n * width, n * height, n * height / 1080.0);
@@ -174,8 +184,8 @@ TEST(WholePicture, HasSmootherEdgesThanFourSamplesPerPixel) {
     // Text is removed: it is set for its size and is not an edge of the geometry.
     for (Drawing* drawing : {&one, &many})
         for (View& view : drawing->views) view.labels.clear();
-    const Image analytic = renderer().render(one);
-    const Image fine = renderer().render(many);
+    const Image analytic = renderer.render(one);
+    const Image fine = renderer.render(many);
 
     const auto linear = [](int level) { return linear_from_srgb(level / 255.0); };
     // The usual positions of four samples in a pixel of 8 × 8.

@@ -35,7 +35,7 @@ class TypeAlone {
  public:
     TypeAlone(const std::string& theme, int samples)
         : session_(session_with_type(theme)),
-          maker_(session_, context(), {.last_time_s = 6.0}, {.samples = samples}),
+          maker_(session_, context_, {.last_time_s = 6.0}, {.samples = samples}),
           drawing_(maker_.stage().at(5.0)) {
         for (View& view : drawing_.views) {
             view.planes.clear();
@@ -57,6 +57,7 @@ class TypeAlone {
 
  private:
     Session session_;
+    OffscreenContext context_;
     PictureMaker maker_;
     Drawing drawing_;
 };
