@@ -244,6 +244,7 @@ void StageData::check_keyframes() const {
 void StageData::make_panels() {
     const std::vector<PanelSpec> specs = panels_of(*this);
     std::vector<const PanelKind*> kinds;
+    kinds.reserve(specs.size());
     for (const PanelSpec& spec : specs)
         // Returned as a pointer: g++ 14 warns that a reference may dangle.
         kinds.push_back(at_scene_key(scene, fmt::format("panels[{}].kind", kinds.size()),
