@@ -53,7 +53,7 @@ void check(const SubmitChoices& choices) {
 // current folder is made absolute.
 std::string for_a_task(const std::string& override_text) {
     constexpr std::string_view theme = "theme=";
-    const std::string given(assignment_of(override_text));
+    std::string given(assignment_of(override_text));
     if (!given.starts_with(theme) || !given.ends_with(".toml")) return given;
     std::error_code failed;
     const std::filesystem::path file = given.substr(theme.size());
