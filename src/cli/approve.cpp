@@ -44,8 +44,8 @@ int run(const ApproveChoices& choices) {
     return 0;
 }
 
-CommandLine approve_line(std::any& room) {
-    auto& c = room.emplace<ApproveChoices>();
+CommandLine approve_line(std::any& storage) {
+    auto& c = storage.emplace<ApproveChoices>();
     return {
         &c.names,
         {{"--results", "folder of the new pictures", &c.results, "", "FOLDER", false, "folder"},

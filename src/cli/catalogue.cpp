@@ -41,7 +41,7 @@ std::vector<CatalogueEntry> rows_of(const Rows& rows) {
 // The scenes supplied with the program, with their titles.
 std::vector<CatalogueEntry> scene_entries() {
     std::vector<CatalogueEntry> entries;
-    for (const std::filesystem::path& file : own_scenes())
+    for (const std::filesystem::path& file : bundled_scenes())
         entries.push_back({file.stem().string(), load_scene(file, {}).title});
     return entries;
 }

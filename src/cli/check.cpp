@@ -9,10 +9,10 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/progress_bar.h"
 #include "cli/sweep.h"
 #include "error/error.h"
-#include "production/findings.h"
+#include "production/scene_summary.h"
 #include "text/json_text.h"
 #include "text/printable.h"
 #include "text/say.h"
@@ -28,45 +28,46 @@ struct CheckChoices {
     bool json = false, plan = false, quiet = false;
 };
 
-void print_words(const Findings& findings) {
-    for (const Fact& fact : findings.facts)
-        if (!fact.label.empty())
-            fmt::print("{}: {}\n", fact.label, printable(fact.text, most_of_a_message));
-    if (!findings.plan.empty()) {
+void print_words(const SceneSummary& summary) {
+    for (const SummaryLine& line : summary.lines)
+        if (!line.label.empty())
+            fmt::print("{}: {}\n", line.label, printable(line.text, most_of_a_message));
+    if (!summary.plan.empty()) {
         fmt::print("\n");
-        for (const PlanLine& line : findings.plan)
+        for (const PlanLine& line : summary.plan)
             fmt::print("{}: {} ({})\n", line.what, printable(line.decision), printable(line.why));
     }
-    if (findings.certificate) fmt::print("\n{}", text_of(*findings.certificate));
+    if (summary.certificate) fmt::print("\n{}", text_of(*summary.certificate));
 }
 
-// The findings for the scene with the values of one point of its sweeps.
-Findings findings_of(const CheckChoices& choices, const SweepPoint& point, const Telling& telling) {
+// The summary for the scene with the values of one point of its sweeps.
+SceneSummary summary_of(const CheckChoices& choices, const SweepPoint& point,
+                        const ProgressSink& progress) {
     const Session session = open_session(
-        scene_request_of(choices.scenes.at(0), choices.scene, overrides_of(point)), telling);
-    tell_notes(session.scene, telling);
-    return examine(session, choices.plan, telling);
+        scene_request_of(choices.scenes.at(0), choices.scene, overrides_of(point)), progress);
+    tell_notes(session.scene, progress);
+    return summarise(session, choices.plan, progress);
 }
 
-int code_of(const Findings& findings) {
-    return !findings.certificate || findings.certificate->holds() ? 0 : 1;
+int code_of(const SceneSummary& summary) {
+    return !summary.certificate || summary.certificate->holds() ? 0 : 1;
 }
 
-int check_alone(const CheckChoices& choices, const Telling& telling) {
-    const Findings findings = findings_of(choices, {}, telling);
+int check_alone(const CheckChoices& choices, const ProgressSink& progress) {
+    const SceneSummary summary = summary_of(choices, {}, progress);
     if (choices.json) {
         JsonObject answer;
-        for (const Fact& fact : findings.facts) answer.json(fact.key, fact.json);
+        for (const SummaryLine& line : summary.lines) answer.json(line.key, line.json);
         fmt::print("{}", answer.lines());
     } else {
-        print_words(findings);
+        print_words(summary);
     }
-    return code_of(findings);
+    return code_of(summary);
 }
 
 // Checks every value, also after an error; in JSON the failed one has an "error". The array is
 // printed when it is complete.
-int check_sweep(const CheckChoices& choices, const Telling& telling) {
+int check_sweep(const CheckChoices& choices, const ProgressSink& progress) {
     std::vector<std::string> answers;
     std::string_view between;
     int worst = 0;
@@ -74,12 +75,12 @@ int check_sweep(const CheckChoices& choices, const Telling& telling) {
         JsonObject answer;
         for (const auto& [key, value] : point) answer.add(key, value);
         try {
-            const Findings findings = findings_of(choices, point, telling);
-            worst = std::max(worst, code_of(findings));
-            for (const Fact& fact : findings.facts) answer.json(fact.key, fact.json);
+            const SceneSummary summary = summary_of(choices, point, progress);
+            worst = std::max(worst, code_of(summary));
+            for (const SummaryLine& line : summary.lines) answer.json(line.key, line.json);
             if (!choices.json) {
                 fmt::print("{}{}:\n", between, printable(in_words(point), any_length));
-                print_words(findings);
+                print_words(summary);
                 between = "\n";
             }
         } catch (const InputError& error) {
@@ -94,13 +95,13 @@ int check_sweep(const CheckChoices& choices, const Telling& telling) {
 }
 
 int run(const CheckChoices& choices) {
-    Progress progress(choices.quiet);
-    const Telling telling = progress.telling();
-    return choices.sweeps.empty() ? check_alone(choices, telling) : check_sweep(choices, telling);
+    ProgressBar bar(choices.quiet);
+    const ProgressSink progress = bar.sink();
+    return choices.sweeps.empty() ? check_alone(choices, progress) : check_sweep(choices, progress);
 }
 
-CommandLine check_line(std::any& room) {
-    auto& c = room.emplace<CheckChoices>();
+CommandLine check_line(std::any& storage) {
+    auto& c = storage.emplace<CheckChoices>();
     return {&c.scenes,
             {set_option(c.scene),
              sweep_option(c.sweeps),

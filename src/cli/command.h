@@ -35,8 +35,8 @@ struct Command {
     int least_arguments;
     int most_arguments;
     std::string_view summary;
-    // `room` holds the command's own options until it has run.
-    CommandLine (*line)(std::any& room);
+    // `storage` holds the command's own options until it has run.
+    CommandLine (*line)(std::any& storage);
     std::array<Example, 2> examples{};  // that its help ends with
     std::string_view needs{};           // its arguments in words, where they are more than one
 };

@@ -215,8 +215,8 @@ int run(const CompareChoices& choices) {
     return all_pass(pictures) ? 0 : 1;
 }
 
-CommandLine compare_line(std::any& room) {
-    auto& c = room.emplace<CompareChoices>();
+CommandLine compare_line(std::any& storage) {
+    auto& c = storage.emplace<CompareChoices>();
     return {
         &c.pictures,
         {{"--profile",

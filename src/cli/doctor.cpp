@@ -86,8 +86,8 @@ int run(const DoctorChoices& choices) {
     return draws && encodes && sets_type ? 0 : 1;
 }
 
-CommandLine doctor_line(std::any& room) {
-    auto& c = room.emplace<DoctorChoices>();
+CommandLine doctor_line(std::any& storage) {
+    auto& c = storage.emplace<DoctorChoices>();
     return {&c.arguments, {json_option(c.json)}, [&c] { return run(c); }};
 }
 

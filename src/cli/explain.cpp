@@ -93,8 +93,8 @@ int run(const ExplainChoices& choices) {
     return redraw->obstacle.empty() ? 0 : 1;
 }
 
-CommandLine explain_line(std::any& room) {
-    auto& c = room.emplace<ExplainChoices>();
+CommandLine explain_line(std::any& storage) {
+    auto& c = storage.emplace<ExplainChoices>();
     return {&c.files,
             {json_option(c.json),
              {"--verify",

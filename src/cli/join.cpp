@@ -3,7 +3,7 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/progress_bar.h"
 #include "error/error.h"
 
 namespace poinsot {
@@ -19,14 +19,14 @@ struct JoinChoices {
 int run(const JoinChoices& choices) {
     if (choices.output.empty())
         throw InputError("poinsot join: no output; name the film with -o FILE");
-    Progress progress(choices.quiet);
-    const Telling telling = progress.telling();
-    telling.say(join(choices.parts, choices.output, telling));
+    ProgressBar bar(choices.quiet);
+    const ProgressSink progress = bar.sink();
+    progress.say(join(choices.parts, choices.output, progress));
     return 0;
 }
 
-CommandLine join_line(std::any& room) {
-    auto& c = room.emplace<JoinChoices>();
+CommandLine join_line(std::any& storage) {
+    auto& c = storage.emplace<JoinChoices>();
     return {&c.parts, {output_option(c.output), quiet_option(c.quiet)}, [&c] { return run(c); }};
 }
 

@@ -149,8 +149,8 @@ int run(const ListChoices& choices) {
                                  choose_instead(what, names)));
 }
 
-CommandLine list_line(std::any& room) {
-    auto& c = room.emplace<ListChoices>();
+CommandLine list_line(std::any& storage) {
+    auto& c = storage.emplace<ListChoices>();
     return {&c.what, {json_option(c.json, "print a JSON array")}, [&c] { return run(c); }};
 }
 

@@ -60,9 +60,9 @@ std::string OptionText::heading() const {
 }
 
 std::vector<OptionText> option_texts(const Command& command) {
-    std::any room;
+    std::any storage;
     std::vector<OptionText> texts;
-    for (const Option& option : command.line(room).options) texts.push_back(text_of(option));
+    for (const Option& option : command.line(storage).options) texts.push_back(text_of(option));
     texts.push_back({{"-h", "--help"}, "", "print this help", "", false});
     return texts;
 }

@@ -3,7 +3,7 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/progress_bar.h"
 #include "production/recovery.h"
 #include "text/printable.h"
 
@@ -18,15 +18,15 @@ struct RecoverChoices {
 
 int run(const RecoverChoices& choices) {
     const std::string& film = choices.films.at(0);
-    Progress progress(choices.quiet);
-    const Telling telling = progress.telling();
-    const std::int64_t n_frames = recover(film, telling);
-    telling.say(fmt::format("{}: the first {} frames", printable(film), n_frames));
+    ProgressBar bar(choices.quiet);
+    const ProgressSink progress = bar.sink();
+    const std::int64_t n_frames = recover(film, progress);
+    progress.say(fmt::format("{}: the first {} frames", printable(film), n_frames));
     return 0;
 }
 
-CommandLine recover_line(std::any& room) {
-    auto& c = room.emplace<RecoverChoices>();
+CommandLine recover_line(std::any& storage) {
+    auto& c = storage.emplace<RecoverChoices>();
     return {&c.films, {quiet_option(c.quiet)}, [&c] { return run(c); }};
 }
 

@@ -9,7 +9,7 @@
 #include "cli/command.h"
 #include "cli/option_values.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/progress_bar.h"
 #include "cli/scenes.h"
 #include "cli/sweep.h"
 #include "error/error.h"
@@ -36,29 +36,29 @@ struct RenderChoices {
 };
 
 // Prints how accurately the film fulfils the claims of its method; returns whether it does.
-bool certified(const Session& session, const FilmPlan& film, const Telling& telling) {
+bool certified(const Session& session, const FilmPlan& film, const ProgressSink& progress) {
     if (!can_certify(session)) {
         throw InputError("--certify needs a torque-free body that rotates; leave --certify out");
     }
-    const Certificate certificate = certify_film(session, film, telling);
+    const Certificate certificate = certify_film(session, film, progress);
     fmt::print("{}", text_of(certificate));
     return certificate.holds();
 }
 
-int render(const SceneJob& job, const RenderChoices& choices, Easel& easel) {
-    Progress progress(choices.quiet);
-    const Telling telling = progress.telling();
+int render(const SceneJob& job, const RenderChoices& choices, LazyRenderer& renderer) {
+    ProgressBar bar(choices.quiet);
+    const ProgressSink progress = bar.sink();
     const Session session =
-        open_session(scene_request_of(job.scene, choices.scene, job.overrides), telling);
+        open_session(scene_request_of(job.scene, choices.scene, job.overrides), progress);
     FilmRequest request{job.output, choices.frames};
     request.part = choices.part;
     const FilmJob film(session, request);
     // A film that is less accurate than its method claims is refused before it is rendered.
-    if (choices.certify && !certified(session, film.film(), telling)) return 1;
+    if (choices.certify && !certified(session, film.film(), progress)) return 1;
     if (choices.part)
-        film.make(easel, telling);
+        film.make(renderer, progress);
     else
-        make_in_jobs(session, request, choices.n_jobs, easel, telling);
+        make_in_jobs(session, request, choices.n_jobs, renderer, progress);
     return 0;
 }
 
@@ -84,14 +84,14 @@ void check(const RenderChoices& choices) {
 
 int run(const RenderChoices& choices) {
     check(choices);
-    Easel easel(context_choice_of(choices.context));
+    LazyRenderer renderer(context_choice_of(choices.context));
     return for_each_scene(
         jobs_of(choices.scenes, output_of(choices), OutputKind::film, choices.sweeps),
-        [&](const SceneJob& job) { return render(job, choices, easel); });
+        [&](const SceneJob& job) { return render(job, choices, renderer); });
 }
 
-CommandLine render_line(std::any& room) {
-    auto& c = room.emplace<RenderChoices>();
+CommandLine render_line(std::any& storage) {
+    auto& c = storage.emplace<RenderChoices>();
     return {
         &c.scenes,
         {output_option(c.output, "output file; default output/SCENE.mp4"),

@@ -1,7 +1,7 @@
 // poinsot rerender FILE -o OUT: renders a picture or film again from a file's record.
 #include "cli/command.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/progress_bar.h"
 #include "error/error.h"
 #include "production/redraw.h"
 
@@ -20,17 +20,17 @@ struct RerenderChoices {
 int run(const RerenderChoices& choices) {
     if (choices.output.empty())
         throw InputError("poinsot rerender: no output; name the new file with -o FILE");
-    Progress progress(choices.quiet);
+    ProgressBar bar(choices.quiet);
     redraw({.file = choices.files.at(0),
             .output = choices.output,
             .backend = context_choice_of(choices.context).backend,
             .outside = outside_files(choices.allow_outside)},
-           progress.telling());
+           bar.sink());
     return 0;
 }
 
-CommandLine rerender_line(std::any& room) {
-    auto& c = room.emplace<RerenderChoices>();
+CommandLine rerender_line(std::any& storage) {
+    auto& c = storage.emplace<RerenderChoices>();
     return {&c.files,
             {output_option(c.output), quiet_option(c.quiet), backend_option(c.context),
              allow_outside_option(c.allow_outside)},

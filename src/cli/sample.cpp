@@ -12,7 +12,7 @@
 #include "cli/instants.h"
 #include "cli/option_values.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/progress_bar.h"
 #include "cli/scenes.h"
 #include "cli/sweep.h"
 #include "error/error.h"
@@ -57,11 +57,11 @@ std::vector<double> instants_of(const SampleChoices& choices) {
 // The table of a scene with overridden keys.
 SampleTable table_of(const SampleChoices& choices, const std::string& scene,
                      const std::vector<std::string>& overrides, const std::vector<double>& times_s,
-                     const Telling& telling) {
+                     const ProgressSink& progress) {
     SceneRequest request = scene_request_of(scene, choices.scene, overrides);
     request.times_s = times_s;
-    const Session session = open_session(request, telling);
-    tell_notes(session.scene, telling);
+    const Session session = open_session(request, progress);
+    tell_notes(session.scene, progress);
     const std::vector<ChosenColumn> columns = choices.columns.empty()
                                                   ? default_columns(session.motion)
                                                   : columns_named(session.motion, choices.columns);
@@ -81,7 +81,7 @@ double swept_number(const std::string& key, const std::string& value) {
 
 // One table of all runs: each row begins with its values of the sweep.
 SampleTable table_of_sweep(const SampleChoices& choices, const std::vector<SweepPoint>& points,
-                           const std::vector<double>& times_s, const Telling& telling) {
+                           const std::vector<double>& times_s, const ProgressSink& progress) {
     SampleTable all;
     for (const SweepPoint& point : points) {
         std::vector<std::string> headings;
@@ -93,7 +93,7 @@ SampleTable table_of_sweep(const SampleChoices& choices, const std::vector<Sweep
             values.push_back(swept_number(key, value));
         }
         const SampleTable table =
-            table_of(choices, choices.scenes.at(0), overrides_of(point), times_s, telling);
+            table_of(choices, choices.scenes.at(0), overrides_of(point), times_s, progress);
         headings.insert(headings.end(), table.headings.begin(), table.headings.end());
         if (all.headings.empty()) all.headings = headings;
         if (all.headings != headings)
@@ -128,20 +128,20 @@ int run(const SampleChoices& choices) {
     const std::filesystem::path output = choices.output;
     const TableFormat& format = output.empty() ? table_formats().front() : table_format_for(output);
     const std::vector<SweepPoint> points = points_of(choices.sweeps);
-    Progress progress(choices.quiet);
-    const Telling telling = progress.telling();
+    ProgressBar bar(choices.quiet);
+    const ProgressSink progress = bar.sink();
     if (!choices.sweeps.empty() && names_each(choices.output))
         return for_each_scene(
             jobs_of(choices.scenes, choices.output, OutputKind::picture, choices.sweeps),
             [&](const SceneJob& job) {
-                write_table(table_of(choices, job.scene, job.overrides, times_s, telling), format,
+                write_table(table_of(choices, job.scene, job.overrides, times_s, progress), format,
                             job.output);
                 return 0;
             });
     // Written when the table is complete, so that an instant with an error leaves no partial table.
     const SampleTable table = choices.sweeps.empty()
-                                  ? table_of(choices, choices.scenes.at(0), {}, times_s, telling)
-                                  : table_of_sweep(choices, points, times_s, telling);
+                                  ? table_of(choices, choices.scenes.at(0), {}, times_s, progress)
+                                  : table_of_sweep(choices, points, times_s, progress);
     if (choices.output.empty()) {
         format.write(table, print_bytes);
     } else {
@@ -161,8 +161,8 @@ std::vector<std::string> names_in(const std::string& text) {
     return names;
 }
 
-CommandLine sample_line(std::any& room) {
-    auto& c = room.emplace<SampleChoices>();
+CommandLine sample_line(std::any& storage) {
+    auto& c = storage.emplace<SampleChoices>();
     return {&c.scenes,
             {set_option(c.scene),
              sweep_option(c.sweeps),

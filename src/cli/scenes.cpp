@@ -13,7 +13,7 @@
 #include "output/frame_name.h"
 #include "production/output_place.h"
 #include "system/file_kind.h"
-#include "system/own_files.h"
+#include "system/program_files.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 #include "text/say.h"
@@ -90,7 +90,8 @@ std::filesystem::path scenes_folder() {
     namespace fs = std::filesystem;
     std::error_code ignored;
     for (const fs::path& folder :
-         {own_share() / "scenes", own_program().parent_path() / "../../scenes", fs::path("scenes")})
+         {program_share() / "scenes", program_path().parent_path() / "../../scenes",
+          fs::path("scenes")})
         if (fs::is_directory(folder, ignored)) return folder;
     throw EnvironmentError(
         "the program's folder of scenes is missing; install the program with its scenes, or name "
@@ -99,7 +100,7 @@ std::filesystem::path scenes_folder() {
 
 }  // namespace
 
-std::vector<std::filesystem::path> own_scenes() {
+std::vector<std::filesystem::path> bundled_scenes() {
     std::vector<std::filesystem::path> files;
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(scenes_folder(), error))
@@ -119,7 +120,7 @@ std::string scene_file(const std::string& given) {
         return given;
     std::vector<std::string> known;
     try {
-        for (const fs::path& file : own_scenes()) {
+        for (const fs::path& file : bundled_scenes()) {
             if (file.stem() == name) return file.string();
             known.push_back(file.stem().string());
         }

@@ -11,7 +11,7 @@ namespace poinsot {
 
 // Returns the scenes supplied with the program, next to an installed program or in the source
 // folder of a build, by name. Throws EnvironmentError.
-std::vector<std::filesystem::path> own_scenes();
+std::vector<std::filesystem::path> bundled_scenes();
 
 // Returns the file of a scene as a user names it: "generic" is a supplied scene if there is no such
 // file in the current folder. Throws InputError with the nearest name for a bare name that is

@@ -89,8 +89,8 @@ int run(const StatusChoices& choices) {
     return 0;
 }
 
-CommandLine status_line(std::any& room) {
-    auto& c = room.emplace<StatusChoices>();
+CommandLine status_line(std::any& storage) {
+    auto& c = storage.emplace<StatusChoices>();
     return {&c.folders, {json_option(c.json)}, [&c] { return run(c); }};
 }
 

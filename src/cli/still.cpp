@@ -12,7 +12,7 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/progress_bar.h"
 #include "cli/scenes.h"
 #include "cli/sweep.h"
 #include "error/error.h"
@@ -77,14 +77,14 @@ int draw_sheet_of(const StillChoices& choices) {
                                (point.empty() ? "" : ": ") + cell.caption;
         }
     }
-    Progress progress(choices.quiet);
-    Easel easel(context_choice_of(choices.context));
-    draw_sheet(sheet, easel, progress.telling());
+    ProgressBar bar(choices.quiet);
+    LazyRenderer renderer(context_choice_of(choices.context));
+    draw_sheet(sheet, renderer, bar.sink());
     return 0;
 }
 
 std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choices,
-                                   const Telling& telling) {
+                                   const ProgressSink& progress) {
     SceneRequest request = scene_request_of(job.scene, choices.scene, job.overrides);
     request.print = choices.print;
     if (!choices.print.journal.empty()) {
@@ -98,25 +98,25 @@ std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choi
     // Vector output is for paper, with or without a print option.
     if (is_vector_name(job.output) && !request.print.dpi) request.print.dpi = default_dpi;
     if (choices.time_s) request.times_s = {*choices.time_s};
-    return std::make_unique<StillJob>(open_session(request, telling),
+    return std::make_unique<StillJob>(open_session(request, progress),
                                       StillRequest{job.output, choices.time_s, request.print,
                                                    choices.bit_depth, choices.vectors});
 }
 
 // Each scene is read and prepared while the previous one is drawn.
-int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Easel& easel,
-             StillWriter& writer, const Telling& telling) {
+int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, LazyRenderer& renderer,
+             StillWriter& writer, const ProgressSink& progress) {
     // If no thread can be started, the scene is prepared when it is needed.
     const auto begin = [&](std::size_t k) {
         return std::async(
-            [&job = jobs[k], &choices, &telling] { return still_of(job, choices, telling); });
+            [&job = jobs[k], &choices, &progress] { return still_of(job, choices, progress); });
     };
     // Opened before another thread starts, because it changes environment variables that libraries
     // read.
     const auto opens_context = [&choices](const SceneJob& job) {
         return !is_vector_name(job.output) || choices.vectors.shading == "picture";
     };
-    if (std::any_of(jobs.begin(), jobs.end(), opens_context)) easel.context();
+    if (std::any_of(jobs.begin(), jobs.end(), opens_context)) renderer.context();
     int worst = 0;
     Refusals refusals;
     std::future<std::unique_ptr<StillJob>> next = begin(0);
@@ -125,7 +125,7 @@ int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Eas
         still.wait();
         if (k + 1 < jobs.size()) next = begin(k + 1);
         worst = std::max(worst, refusals.code_of(jobs[k], [&] {
-            still.get()->draw(easel, writer, telling);
+            still.get()->draw(renderer, writer, progress);
             return 0;
         }));
     }
@@ -133,34 +133,34 @@ int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Eas
     return worst;
 }
 
-void draw_alone(const SceneJob& job, const StillChoices& choices, Easel& easel, StillWriter& writer,
-                const Telling& telling) {
+void draw_alone(const SceneJob& job, const StillChoices& choices, LazyRenderer& renderer,
+                StillWriter& writer, const ProgressSink& progress) {
     constexpr std::int64_t small_px = 1 << 24;
-    const std::unique_ptr<StillJob> still = still_of(job, choices, telling);
-    if (still->opens_context() && still->n_pixels() <= small_px) easel.compile_quickly();
-    still->draw(easel, writer, telling);
+    const std::unique_ptr<StillJob> still = still_of(job, choices, progress);
+    if (still->opens_context() && still->n_pixels() <= small_px) renderer.compile_quickly();
+    still->draw(renderer, writer, progress);
 }
 
 int run(const StillChoices& choices) {
     if (choices.sheet) return draw_sheet_of(choices);
     const std::vector<SceneJob> jobs =
         jobs_of(choices.scenes, choices.output, OutputKind::picture, choices.sweeps);
-    Progress progress(choices.quiet);
-    const Telling telling = progress.telling();
+    ProgressBar bar(choices.quiet);
+    const ProgressSink progress = bar.sink();
     StillWriter writer;
-    std::optional<Easel> easel(context_choice_of(choices.context));
+    std::optional<LazyRenderer> renderer(context_choice_of(choices.context));
     int code = 0;
     if (jobs.size() == 1)
-        draw_alone(jobs.front(), choices, *easel, writer, telling);
+        draw_alone(jobs.front(), choices, *renderer, writer, progress);
     else
-        code = draw_all(jobs, choices, *easel, writer, telling);
-    easel.reset();  // as slow as compressing half a picture
+        code = draw_all(jobs, choices, *renderer, writer, progress);
+    renderer.reset();  // as slow as compressing half a picture
     writer.finish();
     return code;
 }
 
-CommandLine still_line(std::any& room) {
-    auto& c = room.emplace<StillChoices>();
+CommandLine still_line(std::any& storage) {
+    auto& c = storage.emplace<StillChoices>();
     return {
         &c.scenes,
         {output_option(c.output,

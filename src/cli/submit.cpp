@@ -13,7 +13,7 @@
 #include "cli/command.h"
 #include "cli/option_values.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/progress_bar.h"
 #include "cli/scenes.h"
 #include "cli/sweep.h"
 #include "error/error.h"
@@ -77,12 +77,12 @@ std::vector<std::string> render_options(const SubmitChoices& choices) {
 }
 
 // Reads each scene here, so that errors are found before any task is submitted.
-std::vector<FilmToSubmit> films_of(const SubmitChoices& choices, const Telling& telling) {
+std::vector<FilmToSubmit> films_of(const SubmitChoices& choices, const ProgressSink& progress) {
     std::vector<FilmToSubmit> films;
     for (const SceneJob& job :
          jobs_of(choices.scenes, choices.output, OutputKind::film, choices.sweeps)) {
         const Session session =
-            open_session(scene_request_of(job.scene, choices.scene, job.overrides), telling);
+            open_session(scene_request_of(job.scene, choices.scene, job.overrides), progress);
         FilmToSubmit& film = films.emplace_back();
         film.scene = scene_file(job.scene);
         film.scene_hash = scene_hash_of(session.scene);
@@ -107,9 +107,9 @@ void print(const Submission& submission, const SlurmIds& ids) {
 
 int run(const SubmitChoices& choices) {
     check(choices);
-    Progress progress(choices.quiet);
-    const Telling telling = progress.telling();
-    const std::vector<FilmToSubmit> films = films_of(choices, telling);
+    ProgressBar bar(choices.quiet);
+    const ProgressSink progress = bar.sink();
+    const std::vector<FilmToSubmit> films = films_of(choices, progress);
     const Submission submission = write_submission(submission_folder(choices.output), films,
                                                    render_options(choices), choices.n_parts);
     std::vector<std::string> options = site_options();
@@ -119,22 +119,22 @@ int run(const SubmitChoices& choices) {
         slurm_calls(submission, options, choices.dry_run ? 1001 : largest_array());
     const std::string folder = printable(submission.folder.string(), any_length);
     if (calls.empty()) {
-        telling.say(
+        progress.say(
             fmt::format("note: nothing to submit: all parts are done according to {}", folder));
         return 0;
     }
     if (choices.dry_run) {
         fmt::print("{}", in_shell(calls));
-        telling.say(fmt::format("wrote {}; submitted nothing", folder));
+        progress.say(fmt::format("wrote {}; submitted nothing", folder));
         return 0;
     }
     print(submission, submit(calls));
-    telling.say(fmt::format("watch with: poinsot status {}", shell_word(folder)));
+    progress.say(fmt::format("watch with: poinsot status {}", shell_word(folder)));
     return 0;
 }
 
-CommandLine submit_line(std::any& room) {
-    auto& c = room.emplace<SubmitChoices>();
+CommandLine submit_line(std::any& storage) {
+    auto& c = storage.emplace<SubmitChoices>();
     return {&c.scenes,
             {output_option(c.output),
              {"--parts", "N: number of parts of each film", &c.n_parts, "a number of parts"},

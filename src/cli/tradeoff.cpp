@@ -5,7 +5,7 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/progress_bar.h"
 #include "image/png.h"
 #include "lab/tradeoff_report.h"
 #include "production/output_place.h"
@@ -34,11 +34,11 @@ void write_chart(const Chart& chart, const ContextChoice& context_choice, const 
 }
 
 int run(const TradeoffChoices& choices) {
-    Progress progress(choices.quiet);
-    const Telling telling = progress.telling();
+    ProgressBar bar(choices.quiet);
+    const ProgressSink progress = bar.sink();
     const Session session =
-        open_session(scene_request_of(choices.scenes.at(0), choices.scene), telling);
-    tell_notes(session.scene, telling);
+        open_session(scene_request_of(choices.scenes.at(0), choices.scene), progress);
+    tell_notes(session.scene, progress);
     const ContextChoice context = context_choice_of(choices.context);
     const Tradeoff t = trade(session, context);
 
@@ -59,13 +59,13 @@ int run(const TradeoffChoices& choices) {
     } else {
         fmt::print("{}", table_of(session, t, choices.all));
     }
-    telling.say(
+    progress.say(
         fmt::format("{0}.csv, {0}.json, {0}-motion.png, {0}-picture.png, {0}-film.png", prefix));
     return 0;
 }
 
-CommandLine tradeoff_line(std::any& room) {
-    auto& c = room.emplace<TradeoffChoices>();
+CommandLine tradeoff_line(std::any& storage) {
+    auto& c = storage.emplace<TradeoffChoices>();
     return {&c.scenes,
             {output_option(c.output),
              set_option(c.scene),

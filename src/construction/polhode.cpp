@@ -182,12 +182,12 @@ std::vector<std::vector<Eigen::Vector3d>> separatrices(const InertiaTensor& iner
             return Eigen::Vector3d(inertia.body_from_principal() * rho);
         };
         std::vector<Eigen::Vector3d> points;
-        double own_off = 0.0;
+        double part_off = 0.0;
         for (const CurveSample& s :
-             sample_adaptively(point, -pi, pi, 16, tolerance, most_curve_points, &own_off)) {
+             sample_adaptively(point, -pi, pi, 16, tolerance, most_curve_points, &part_off)) {
             points.push_back(s.point);
         }
-        if (off != nullptr) *off = std::max(*off, own_off);
+        if (off != nullptr) *off = std::max(*off, part_off);
         points.pop_back();
         curves.push_back(std::move(points));
     }

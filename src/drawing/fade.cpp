@@ -10,11 +10,11 @@ namespace poinsot {
 
 namespace {
 
-// Number of shapes in each list of a sheet.
-std::vector<std::size_t> filling_of(Sheet& sheet) {
+// Number of shapes in each list of a builder.
+std::vector<std::size_t> filling_of(ViewBuilder& builder) {
     std::vector<std::size_t> sizes;
-    for_each_list(sheet.view, [&](const auto& list) { sizes.push_back(list.size()); });
-    sizes.push_back(sheet.wishes.size());
+    for_each_list(builder.view, [&](const auto& list) { sizes.push_back(list.size()); });
+    sizes.push_back(builder.requests.size());
     return sizes;
 }
 
@@ -29,22 +29,22 @@ double& share_of(Shape& shape) {
 }
 
 // Scales the shapes added since the counts `since` were taken.
-void scale_added(const std::vector<std::size_t>& since, double by, Sheet& sheet) {
+void scale_added(const std::vector<std::size_t>& since, double by, ViewBuilder& builder) {
     auto n_before = since.begin();
     const auto scale = [&](auto& list) {
         for (auto& shape : std::span(list).subspan(*n_before++)) share_of(shape) *= by;
     };
-    for_each_list(sheet.view, scale);
-    scale(sheet.wishes);
+    for_each_list(builder.view, scale);
+    scale(builder.requests);
 }
 
 // A drawer without the labels.
 Drawer without_names(Drawer draw) {
-    return [draw = std::move(draw)](const Instant& instant, Sheet& sheet) {
-        const std::size_t n_before = sheet.wishes.size();
-        draw(instant, sheet);
-        sheet.wishes.erase(sheet.wishes.begin() + static_cast<std::ptrdiff_t>(n_before),
-                           sheet.wishes.end());
+    return [draw = std::move(draw)](const FrameInput& instant, ViewBuilder& builder) {
+        const std::size_t n_before = builder.requests.size();
+        draw(instant, builder);
+        builder.requests.erase(builder.requests.begin() + static_cast<std::ptrdiff_t>(n_before),
+                               builder.requests.end());
     };
 }
 
@@ -56,12 +56,12 @@ Drawer fading(StageData& stage, const std::string& name, Drawer draw) {
     if (!stage.scene.labels || std::find(without.begin(), without.end(), name) != without.end())
         draw = without_names(std::move(draw));
     if (!stage.timeline.fades(name)) return draw;
-    return [&stage, name, draw = std::move(draw)](const Instant& instant, Sheet& sheet) {
+    return [&stage, name, draw = std::move(draw)](const FrameInput& instant, ViewBuilder& builder) {
         const double opacity = stage.timeline.opacity_of(name, instant.film_s);
         if (!(opacity > 0.0)) return;
-        const std::vector<std::size_t> before = filling_of(sheet);
-        draw(instant, sheet);
-        if (opacity < 1.0) scale_added(before, opacity, sheet);
+        const std::vector<std::size_t> before = filling_of(builder);
+        draw(instant, builder);
+        if (opacity < 1.0) scale_added(before, opacity, builder);
     };
 }
 

@@ -19,9 +19,9 @@ bool shows_element(const Scene& scene, std::string_view name) {
            std::find(scene.show.begin(), scene.show.end(), name) != scene.show.end();
 }
 
-class Gathering {
+class UnusedKeys {
  public:
-    explicit Gathering(const Scene& scene) : scene_(scene) {
+    explicit UnusedKeys(const Scene& scene) : scene_(scene) {
         const bool keeps_L = std::holds_alternative<NoTorque>(scene.torque) ||
                              std::holds_alternative<DissipationTorque>(scene.torque);
         dissipates_ = std::holds_alternative<DissipationTorque>(scene.torque);
@@ -141,6 +141,6 @@ class Gathering {
 
 }  // namespace
 
-std::vector<IdleKey> idle_keys(const Scene& scene) { return Gathering(scene).made(); }
+std::vector<IdleKey> idle_keys(const Scene& scene) { return UnusedKeys(scene).made(); }
 
 }  // namespace poinsot

@@ -87,13 +87,13 @@ Drawer header_of(Panel& panel, std::string_view text) {
         std::max(24.0 * stage.scene.type_scale * stage.scene.style.heading_scale.value_or(1.0) *
                      std::max(header_share * stage.px, least_label_share * stage.options.samples),
                  least_type_px(stage));
-    const SetType type =
+    const TextBlock type =
         panel.stage->type_case.set(text, {.size_px = size, .mode = TypeMode::text});
     panel.header_px = 1.7 * size;
     // In the first column it is left-aligned with the title.
     const double left =
         panel.box.x_px == 0 ? overlay_margin * panel.stage->px : panel.box.x_px + 0.7 * size;
-    return [&panel, &stage, type, size, left](const Instant&, Sheet& sheet) {
+    return [&panel, &stage, type, size, left](const FrameInput&, ViewBuilder& builder) {
         Label label;
         label.mask = type.mask;
         label.top_left_px = {
@@ -105,12 +105,12 @@ Drawer header_of(Panel& panel, std::string_view text) {
         label.opacity = 0.88;
         label.held_at = 0.0;
         label.rank = rank_of_headings;
-        if (type.mask->width > 0) sheet.view.labels.push_back(label);
+        if (type.mask->width > 0) builder.view.labels.push_back(label);
     };
 }
 
 // Rejects cells that are too small to show anything.
-void check_room(const Scene& scene, const PanelBox& box, std::size_t panel) {
+void check_free_space(const Scene& scene, const PanelBox& box, std::size_t panel) {
     constexpr int least_px = 8;
     if (scene.panels.size() < 2 || std::min(box.width_px, box.height_px) >= least_px) return;
     throw SceneError(scene.location_of(fmt::format("panels[{}]", panel)),
@@ -126,7 +126,7 @@ bool says_camera(const KeyframeSpec& key) {
 
 // Rejects keys of a panel's own camera that the panel does not use; keys of a named view are
 // exempt, since a view sets all of them.
-void check_own_camera(const Scene& scene, const PanelKind& kind, std::size_t panel) {
+void check_panel_camera(const Scene& scene, const PanelKind& kind, std::size_t panel) {
     const auto refuse = [&](const std::string& key, std::string_view why) {
         if (scene.locations.contains(key))
             throw SceneError(scene.location_of(key),
@@ -149,10 +149,10 @@ void check_own_camera(const Scene& scene, const PanelKind& kind, std::size_t pan
 
 // The camera of one panel: [camera], in body axes with the panel's default direction; then the keys
 // of the panel's view and its own keys.
-CameraSpec own_camera(const Panel& panel, const PanelKind& kind) {
+CameraSpec panel_camera(const Panel& panel, const PanelKind& kind) {
     const PanelCameraSpec& own = panel.spec.camera;
     CameraSpec camera = panel.stage->scene.camera;
-    if (kind.camera == CameraUse::own_direction) {
+    if (kind.camera == CameraUse::given_direction) {
         const Eigen::Vector3d from = principal_view_direction(panel);
         constexpr double deg = 180.0 / std::numbers::pi;
         camera.azimuth_deg = deg * std::atan2(from.y(), from.x());
@@ -191,13 +191,13 @@ void give_camera(Panel& panel, const PanelKind& kind, std::size_t index) {
     const bool moved = std::any_of(
         scene.keyframes.begin(), scene.keyframes.end(),
         [number](const KeyframeSpec& k) { return k.panel == number && says_camera(k); });
-    check_own_camera(scene, kind, index);
+    check_panel_camera(scene, kind, index);
     const std::string& projection = panel.spec.camera.projection;
     panel.orthographic =
         (projection.empty() ? scene.camera.projection : projection) == "orthographic";
     if (!moved && !says_camera(panel.spec.camera)) return;
-    panel.own_timeline.emplace(
-        scene, own_camera(panel, kind), number,
+    panel.user_timeline.emplace(
+        scene, panel_camera(panel, kind), number,
         panel.stage->rolling ? panel.stage->rolling->foot() : Eigen::Vector3d::Zero().eval());
 }
 
@@ -227,7 +227,7 @@ void StageData::check_unlabelled() const {
 
 void StageData::check_keyframes() const {
     const auto moves = [](const Panel& panel) {
-        return !panel.own_timeline && panel.camera_at != nullptr;
+        return !panel.user_timeline && panel.camera_at != nullptr;
     };
     if (!timeline.camera_moves() || std::any_of(panels.begin(), panels.end(), moves)) return;
     for (std::size_t i = 0; i < scene.keyframes.size(); ++i) {
@@ -270,7 +270,7 @@ void StageData::make_panels() {
                              rests ? "omega_rad_s is zero, and a body at rest has no invariable "
                                      "plane; give an angular velocity"
                                    : "panel \"" + spec.kind + "\" needs " +
-                                         std::string(kind.needs) + "; choose another panel");
+                                         std::string(kind.requirement) + "; choose another panel");
         }
         Panel& panel = panels.emplace_back();
         panel.stage = this;
@@ -278,7 +278,7 @@ void StageData::make_panels() {
         panel.light = theme->light;
         panel.box = box_of(spec, columns, rows);
         const auto index = static_cast<std::size_t>(&spec - specs.data());
-        check_room(scene, panel.box, index);
+        check_free_space(scene, panel.box, index);
         give_camera(panel, kind, index);
         const double share = line_scale(panel.box, options);
         panel.px = px * share;
@@ -296,13 +296,13 @@ void StageData::make_panels() {
         else
             at_scene_key(scene, fmt::format("panels[{}].quantity", index),
                          [&] { kind.make(panel); });
-        asks = united(asks, panel.asks);
-        shows_beside = shows_beside || panel.shows_beside;
+        needs = united(needs, panel.needs);
+        shows_comparison = shows_comparison || panel.shows_comparison;
         if (header) {
-            panel.draw = [header, draw = std::move(panel.draw)](const Instant& instant,
-                                                                Sheet& sheet) {
-                draw(instant, sheet);
-                header(instant, sheet);
+            panel.draw = [header, draw = std::move(panel.draw)](const FrameInput& instant,
+                                                                ViewBuilder& builder) {
+                draw(instant, builder);
+                header(instant, builder);
             };
         }
         panel.draw = fading(*this, spec.kind, std::move(panel.draw));

@@ -35,7 +35,7 @@ Eigen::Vector3d momentum_tip(const ConstructionPicture& picture) {
 }
 
 Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen::Vector3d& tip,
-                    const Ink& ink, double weight) {
+                    const LineStyle& ink, double weight) {
     Arrow arrow;
     arrow.tail = tail;
     arrow.tip = tip;
@@ -98,7 +98,7 @@ Ellipsoid ellipsoid_of(const Panel& panel) {
     return ellipsoid;
 }
 
-SetType set_label(const Panel& panel, std::string_view text, double scale) {
+TextBlock set_label(const Panel& panel, std::string_view text, double scale) {
     const TypeStyle style{.size_px =
                               std::max(scale * label_size * panel.type_px *
                                            panel.stage->scene.style.label_scale.value_or(1.0),
@@ -183,27 +183,27 @@ std::string title_named_by_scene(const Scene& scene, std::string_view title) {
     return named;
 }
 
-void wish_at_tip(const Panel& panel, const Arrow& arrow, const SetType& type, Sheet& sheet,
-                 double turn_rad) {
-    wish_beside(panel, arrow.tip, arrow.tail, type, arrow.colour, sheet);
+void wish_at_tip(const Panel& panel, const Arrow& arrow, const TextBlock& type,
+                 ViewBuilder& builder, double turn_rad) {
+    wish_beside(panel, arrow.tip, arrow.tail, type, arrow.colour, builder);
     // y is down in the picture, so that a positive angle is clockwise.
-    Eigen::Vector2d& away = sheet.wishes.back().away;
+    Eigen::Vector2d& away = builder.requests.back().away;
     away = Eigen::Rotation2Dd(turn_rad) * away;
-    sheet.wishes.back().at = arrow.tip;
-    sheet.wishes.back().side = turn_rad < 0.0 ? -1 : 1;
+    builder.requests.back().at = arrow.tip;
+    builder.requests.back().side = turn_rad < 0.0 ? -1 : 1;
 }
 
 void wish_beside(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& away_from,
-                 const SetType& type, const Colour& colour, Sheet& sheet) {
-    const Eigen::Vector2d anchor = project(sheet.view, at).px;
-    LabelWish wish;
-    wish.type = type;
-    wish.anchor_px = anchor;
-    wish.away = (anchor - project(sheet.view, away_from).px) / (100.0 * panel.px);
-    wish.gap_px = 9.0 * panel.px;
-    wish.colour = colour;
-    wish.at = at;
-    sheet.wishes.push_back(wish);
+                 const TextBlock& type, const Colour& colour, ViewBuilder& builder) {
+    const Eigen::Vector2d anchor = project(builder.view, at).px;
+    LabelRequest request;
+    request.type = type;
+    request.anchor_px = anchor;
+    request.away = (anchor - project(builder.view, away_from).px) / (100.0 * panel.px);
+    request.gap_px = 9.0 * panel.px;
+    request.colour = colour;
+    request.at = at;
+    builder.requests.push_back(request);
 }
 
 Dot dot_at(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour, double radius_px) {
@@ -217,19 +217,20 @@ Dot dot_at(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour, 
     return dot;
 }
 
-double dash_of(const Panel& panel, const Ink& ink, double usual_px) {
+double dash_of(const Panel& panel, const LineStyle& ink, double usual_px) {
     if (!ink.line) return usual_px * panel.px;
     switch (*ink.line) {
-        case LineStyle::dashed:
+        case DashPattern::dashed:
             return 13.0 * panel.px;
-        case LineStyle::dotted:
+        case DashPattern::dotted:
             return 4.0 * panel.px;
         default:
             return 0.0;
     }
 }
 
-Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Ink& ink, double width_px) {
+Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const LineStyle& ink,
+               double width_px) {
     Curve curve;
     curve.geometry = geometry;
     curve.width_px = width_px * ink.weight * panel.px;
@@ -245,8 +246,8 @@ double least_type_px(const StageData& stage) {
 }
 
 Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,
-                const Eigen::Vector3d& towards, double radius, double angle_rad, const Ink& ink,
-                double width_px) {
+                const Eigen::Vector3d& towards, double radius, double angle_rad,
+                const LineStyle& ink, double width_px) {
     const CurveGeometry* circle = panel.stage->unit_circle;
     Curve arc = curve_of(panel, circle, ink, width_px);
     const Eigen::Vector3d across = angle_rad < 0.0 ? Eigen::Vector3d(-towards) : towards;
@@ -261,7 +262,7 @@ Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::
 }
 
 Curve line_between(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                   const Ink& ink, double width_px) {
+                   const LineStyle& ink, double width_px) {
     Curve line = curve_of(panel, panel.stage->unit_segment, ink, width_px);
     const double length = (b - a).norm();
     if (!(length > 0.0)) {
@@ -280,9 +281,9 @@ Curve line_between(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Ve
 double arc_head_rad(double radius) { return std::min(0.45, 0.12 / radius); }
 
 void add_arc_arrow(const Panel& panel, const Turn& turn, const Eigen::Vector3d& from,
-                   const Ink& ink, Sheet& sheet) {
+                   const LineStyle& ink, ViewBuilder& builder) {
     const Eigen::Vector3d towards = turn.axis.cross(from);
-    sheet.view.curves.push_back(
+    builder.view.curves.push_back(
         arc_about(panel, turn.centre, from, towards, turn.radius, turn.angle_rad, ink, 3.2));
     const auto at = [&](double angle) {
         return Eigen::Vector3d(turn.centre +
@@ -293,15 +294,15 @@ void add_arc_arrow(const Panel& panel, const Turn& turn, const Eigen::Vector3d& 
     Arrow arrow = arrow_between(panel, at(turn.angle_rad - 0.2 * head),
                                 at(turn.angle_rad + 0.8 * head), ink, 0.85);
     arrow.shaft_px = 3.2 * ink.weight * panel.px;
-    sheet.view.arrows.push_back(arrow);
+    builder.view.arrows.push_back(arrow);
 }
 
-void add_turn(const Panel& panel, const Turn& turn, const Ink& ink, const SetType& type,
-              Sheet& sheet) {
-    add_arc_arrow(panel, turn, turn.axis.unitOrthogonal(), ink, sheet);
+void add_turn(const Panel& panel, const Turn& turn, const LineStyle& ink, const TextBlock& type,
+              ViewBuilder& builder) {
+    add_arc_arrow(panel, turn, turn.axis.unitOrthogonal(), ink, builder);
     // The label is to the right, away from the axis and the arrow.
-    const Eigen::Vector3d right = camera_axes(sheet.view.camera).col(0);
-    wish_beside(panel, turn.centre + 1.1 * turn.radius * right, turn.centre, type, ink, sheet);
+    const Eigen::Vector3d right = camera_axes(builder.view.camera).col(0);
+    wish_beside(panel, turn.centre + 1.1 * turn.radius * right, turn.centre, type, ink, builder);
 }
 
 }  // namespace poinsot

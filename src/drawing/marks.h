@@ -12,7 +12,7 @@ namespace poinsot {
 
 // Index of the view's first ellipsoid or plane, the surface of curves (Curve::on_surface,
 // on_plane).
-constexpr int the_ellipsoid = 0;
+constexpr int first_ellipsoid = 0;
 constexpr int the_plane = 0;
 
 // Size of text beside arrows, px per em at 1080 rows.
@@ -44,10 +44,10 @@ Eigen::Vector3d momentum_tip(const ConstructionPicture& picture);
 // An arrow that keeps its proportions at any length: the head is at most two fifths of a short
 // arrow. `weight` 1 is the usual thickness.
 Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen::Vector3d& tip,
-                    const Ink& ink, double weight);
+                    const LineStyle& ink, double weight);
 
 // An arrow from the origin.
-inline Arrow arrow_to(const Panel& panel, const Eigen::Vector3d& tip, const Ink& ink,
+inline Arrow arrow_to(const Panel& panel, const Eigen::Vector3d& tip, const LineStyle& ink,
                       double weight) {
     return arrow_between(panel, Eigen::Vector3d::Zero(), tip, ink, weight);
 }
@@ -60,7 +60,7 @@ Ellipsoid ellipsoid_of(const Panel& panel);
 void mark_arrows_at_viewer(const Panel& panel, View& view);
 
 // Sets a label at `scale` times the usual size of the panel.
-SetType set_label(const Panel& panel, std::string_view text, double scale = 1.0);
+TextBlock set_label(const Panel& panel, std::string_view text, double scale = 1.0);
 
 // Replaces the built-in names of quantities in a formula by the scene's [symbols]:
 // \boldsymbol{\omega}, \mathbf{L}, \boldsymbol{\rho}, \mathbf{e}_1 … and the components \omega_…
@@ -74,22 +74,23 @@ std::string title_named_by_scene(const Scene& scene, std::string_view title);
 // line.
 constexpr double omega_label_turn_rad = 0.8;
 constexpr double axis_label_turn_rad = -0.5;
-void wish_at_tip(const Panel& panel, const Arrow& arrow, const SetType& type, Sheet& sheet,
-                 double turn_rad = 0.0);
+void wish_at_tip(const Panel& panel, const Arrow& arrow, const TextBlock& type,
+                 ViewBuilder& builder, double turn_rad = 0.0);
 
 // Requests a label beside a point of the view's axes, on the side away from another point.
 void wish_beside(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& away_from,
-                 const SetType& type, const Colour& colour, Sheet& sheet);
+                 const TextBlock& type, const Colour& colour, ViewBuilder& builder);
 
 // A dot with the theme's outline.
 Dot dot_at(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour,
            double radius_px = 6.5);
 
 // Dash length of a line of this ink, where `usual_px` is the element's default; 0: solid.
-double dash_of(const Panel& panel, const Ink& ink, double usual_px = 0.0);
+double dash_of(const Panel& panel, const LineStyle& ink, double usual_px = 0.0);
 
 // A line in the panel's usual style, `width_px` wide at 1080 rows.
-Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const Ink& ink, double width_px);
+Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const LineStyle& ink,
+               double width_px);
 
 // The least em size of text, in pixels of the rendered picture: in a film 1/45 of its height; on
 // paper the value of the stage's options.
@@ -99,8 +100,8 @@ double least_type_px(const StageData& stage);
 // (perpendicular unit vectors), over an angle from 0 to 2π; a whole circle from 2π on. Negative
 // angles are in the opposite sense. All arcs of a stage share one geometry.
 Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,
-                const Eigen::Vector3d& towards, double radius, double angle_rad, const Ink& ink,
-                double width_px);
+                const Eigen::Vector3d& towards, double radius, double angle_rad,
+                const LineStyle& ink, double width_px);
 
 // An arc with an arrowhead at its end: a rate about an axis, right-handed for positive angles.
 struct Turn {
@@ -111,14 +112,14 @@ struct Turn {
 // Adds the arc from the direction `from`, a unit vector perpendicular to the axis; the head extends
 // beyond the angle by four fifths of its length.
 void add_arc_arrow(const Panel& panel, const Turn& turn, const Eigen::Vector3d& from,
-                   const Ink& ink, Sheet& sheet);
+                   const LineStyle& ink, ViewBuilder& builder);
 double arc_head_rad(double radius);
 // Adds the arc from any direction, with its name beside it.
-void add_turn(const Panel& panel, const Turn& turn, const Ink& ink, const SetType& type,
-              Sheet& sheet);
+void add_turn(const Panel& panel, const Turn& turn, const LineStyle& ink, const TextBlock& type,
+              ViewBuilder& builder);
 
 // A straight line between two points; invisible if they coincide.
 Curve line_between(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                   const Ink& ink, double width_px);
+                   const LineStyle& ink, double width_px);
 
 }  // namespace poinsot

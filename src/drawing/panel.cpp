@@ -65,14 +65,14 @@ const PanelKind panel_rows[] = {
     {"space", "the ellipsoid rolling on the invariable plane", invariable_plane_title, false,
      keeps_momentum, turning, make_space_panel, CameraUse::all},
     {"body", "the ellipsoid at rest, all its polhodes and the separatrices", body_axes_title, true,
-     keeps_momentum, turning, make_body_panel, CameraUse::own_direction},
+     keeps_momentum, turning, make_body_panel, CameraUse::given_direction},
     {"plan", "the herpolhode on the plane, seen along its normal", herpolhode_title, true, rolls,
      free_turning, make_plan_panel},
     {"momentum",
      "the sphere of constant |L| and the energy ellipsoid, which meet in the path of L in body "
      "axes",
      momentum_in_body_axes_title, true, keeps_momentum, turning, make_momentum_panel,
-     CameraUse::own_direction},
+     CameraUse::given_direction},
     {"object", "the turning body itself, with its principal axes, ω and L", body_in_space_title,
      true, any, "", make_object_panel, CameraUse::direction},
     {"plot", "ω, angles, energies or residuals against time, with a moving cursor", no_words, true,
@@ -89,7 +89,7 @@ const PanelKind panel_rows[] = {
 }  // namespace
 
 const Timeline& timeline_of(const Panel& panel) {
-    return panel.own_timeline ? *panel.own_timeline : panel.stage->timeline;
+    return panel.user_timeline ? *panel.user_timeline : panel.stage->timeline;
 }
 
 Camera projected(const Panel& panel, const Camera& camera) {
@@ -135,7 +135,7 @@ std::vector<std::string> idle_camera_keys(const Scene& scene) {
         // The plan is flat, but follows the azimuth of the space panel's camera.
         if (kind->name == "plan") return {};
         any_view = any_view || kind->camera != CameraUse::none;
-        if (kind->camera != CameraUse::own_direction) use = std::max(use, kind->camera);
+        if (kind->camera != CameraUse::given_direction) use = std::max(use, kind->camera);
     }
     if (scene.panels.empty()) {
         const bool keeps_L = std::holds_alternative<NoTorque>(scene.torque) ||

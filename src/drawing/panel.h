@@ -26,7 +26,7 @@ struct Panel {
     double px = 1.0;         // pixels per pixel of a panel with 1080 rows; scales lines
     double type_px = 1.0;    // the same for text, which shrinks less so that it stays legible
     double header_px = 0.0;  // rows at the top for the panel's name, 0 without one
-    std::optional<Timeline> own_timeline;     // of its own camera; else that of [camera]
+    std::optional<Timeline> user_timeline;    // of its own camera; else that of [camera]
     bool orthographic = false;                // projection of its camera
     Camera camera;                            // at the film's start
     std::function<Camera(double)> camera_at;  // if it moves; argument: film time, s
@@ -38,9 +38,9 @@ struct Panel {
                               std::string_view what) const {
         return stage->keep(std::move(geometry), off_units / units_per_px, what);
     }
-    Light light;                    // the theme's, unless the panel turns it
-    Quantities asks = omega_alone;  // what its drawer reads of an instant besides ω
-    bool shows_beside = false;      // whether it reads Instant::beside
+    Light light;                     // the theme's, unless the panel turns it
+    Quantities needs = omega_alone;  // what its drawer reads of an instant besides ω
+    bool shows_comparison = false;   // whether it reads FrameInput::beside
     Drawer draw;
 };
 
@@ -60,7 +60,7 @@ void aim(Panel& panel, const Camera& camera);
 // The part of the camera settings that a panel uses: none, because the panel is flat; direction,
 // field and projection (in body axes or in space), because it is framed; or all, including distance
 // and target.
-enum class CameraUse { none, own_direction, direction, all };
+enum class CameraUse { none, given_direction, direction, all };
 
 // A row of the table of panels.
 struct PanelKind {
@@ -68,9 +68,9 @@ struct PanelKind {
     std::string_view summary;
     Phrase title;  // shown above it if there are several panels
     bool fills;    // alone, it still leaves rows for the title and the caption
-    // Whether it can show this motion; `without` completes the sentence "this panel needs …".
+    // Whether it can show this motion; `requirement` completes the sentence "this panel needs …".
     bool (*possible)(const StageData& stage);
-    std::string_view needs;
+    std::string_view requirement;
     // Sets the panel's camera, its drawer and the quantities that the drawer reads.
     void (*make)(Panel& panel);
     CameraUse camera = CameraUse::none;

@@ -3,19 +3,19 @@
 #include <cstddef>
 #include <utility>
 
-#include "drawing/line_rules.h"
+#include "drawing/line_style.h"
 #include "drawing/marks.h"
 #include "drawing/panel.h"
 #include "drawing/stage_data.h"
+#include "drawing/type/label_fit.h"
 #include "drawing/type/labels.h"
-#include "drawing/type/room_for_type.h"
 #include "scene/film_clock.h"
 
 namespace poinsot {
 
 Stage::Stage(const Scene& scene, const Motion& motion, const StageOptions& options,
-             const Motion* beside)
-    : data_(std::make_unique<StageData>(scene, motion, options, beside)) {}
+             const Motion* comparison)
+    : data_(std::make_unique<StageData>(scene, motion, options, comparison)) {}
 Stage::~Stage() = default;
 Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&&) noexcept = default;
@@ -30,8 +30,8 @@ Drawing Stage::at(double time_s) const {
     return at(moment_of_time(FilmClock(data_->scene), time_s));
 }
 
-Drawing Stage::at(const FilmMoment& moment) const {
-    const Instant instant = data_->instant_at(moment);
+Drawing Stage::at(const FilmTime& moment) const {
+    const FrameInput instant = data_->instant_at(moment);
     Drawing drawing;
     drawing.width_px = data_->options.width_px;
     drawing.height_px = data_->options.height_px;
@@ -40,8 +40,8 @@ Drawing Stage::at(const FilmMoment& moment) const {
     // that views must not move once made.
     drawing.views.reserve(data_->panels.size() + 1);
     for (const Panel& panel : data_->panels) {
-        Sheet sheet;
-        View& view = sheet.view;
+        ViewBuilder builder;
+        View& view = builder.view;
         view.x_px = panel.box.x_px;
         view.y_px = panel.box.y_px;
         view.width_px = panel.box.width_px;
@@ -53,21 +53,22 @@ Drawing Stage::at(const FilmMoment& moment) const {
         if (panel.box.height_px < drawing.height_px || panel.box.width_px < drawing.width_px) {
             view.background.alpha = 0.0;
         }
-        panel.draw(instant, sheet);
+        panel.draw(instant, builder);
         const auto n_dots = static_cast<std::ptrdiff_t>(view.dots.size());
         mark_arrows_at_viewer(panel, view);
         // A label keeps its distance from the ring that replaces its arrow.
         for (auto ring = view.dots.begin() + n_dots; ring != view.dots.end(); ++ring)
-            for (LabelWish& wish : sheet.wishes)
-                if (wish.at && (*wish.at - ring->at).isZero(0.0))
-                    wish.gap_px += 2.0 * ring->opacity * ring->radius_px;
-        place_labels(sheet.wishes, data_->theme->halo, 4.0 * panel.px, view, data_->unit_segment);
+            for (LabelRequest& request : builder.requests)
+                if (request.at && (*request.at - ring->at).isZero(0.0))
+                    request.gap_px += 2.0 * ring->opacity * ring->radius_px;
+        place_labels(builder.requests, data_->theme->halo, 4.0 * panel.px, view,
+                     data_->unit_segment);
         follow_line_rules(*data_, view);
         drawing.views.push_back(std::move(view));
     }
 
     // Title, caption and clock are in a view of their own over all panels.
-    Sheet over;
+    ViewBuilder over;
     over.view.width_px = drawing.width_px;
     over.view.height_px = drawing.height_px;
     over.view.background.alpha = 0.0;

@@ -24,7 +24,7 @@ struct StageOptions {
     int height_px = 1080;
     int samples = 1;          // samples × samples rendered pixels form one final pixel
     double line_scale = 0.0;  // pixels for a line of "one pixel at 1080 rows"; 0: height_px / 1080
-    double curve_px = 0.0;    // what polylines may leave their curves by; 0: as the scene asks
+    double curve_px = 0.0;    // what polylines may leave their curves by; 0: as the scene needs
     LeastSizes least{};       // on paper, of the picture drawn
     double first_time_s = 0.0;  // the instants that are drawn lie between these; histories begin
     double last_time_s = 0.0;   // with the first and are made up to the last
@@ -40,14 +40,14 @@ class Stage {
     // Throws InputError for a scene without a picture (no invariable plane, unknown element).
     // `beside`: the same motion by another method, drawn as a ghost; both must outlive the stage.
     Stage(const Scene& scene, const Motion& motion, const StageOptions& options,
-          const Motion* beside = nullptr);
+          const Motion* comparison = nullptr);
     ~Stage();
     Stage(Stage&&) noexcept;
     Stage& operator=(Stage&&) noexcept;
 
     // The drawing of an instant, at the film time of this instant.
     Drawing at(double time_s) const;
-    Drawing at(const FilmMoment& moment) const;
+    Drawing at(const FilmTime& moment) const;
 
     // Evaluations of the motion since the construction of the stage, which is included.
     const EvaluationCounts& counts() const;

@@ -56,22 +56,22 @@ ConstructionPicture::ConstructionPicture(const InertiaTensor& inertia, const Rot
     }
 }
 
-Eigen::Quaterniond ConstructionPicture::picture_from_body(const Instant& instant) const {
+Eigen::Quaterniond ConstructionPicture::picture_from_body(const FrameInput& instant) const {
     return picture_from_space * instant.state.space_from_body;
 }
 
-Eigen::Matrix3d ConstructionPicture::principal_axes(const Instant& instant) const {
+Eigen::Matrix3d ConstructionPicture::principal_axes(const FrameInput& instant) const {
     return picture_from_body(instant).toRotationMatrix() *
            construction.inertia().body_from_principal();
 }
 
-Eigen::Vector3d ConstructionPicture::contact(const Instant& instant) const {
+Eigen::Vector3d ConstructionPicture::contact(const FrameInput& instant) const {
     const Eigen::Vector3d rho =
         picture_from_space * construction.contact_space(instant.state) * picture_per_rho;
     return dissipates ? Eigen::Vector3d(rho * rho_growth(instant.state.omega_body)) : rho;
 }
 
-Eigen::Vector3d ConstructionPicture::foot(const Instant& instant) const {
+Eigen::Vector3d ConstructionPicture::foot(const FrameInput& instant) const {
     return dissipates ? Eigen::Vector3d(foot() / rho_growth(instant.state.omega_body)) : foot();
 }
 
@@ -88,9 +88,9 @@ Eigen::Vector3d ConstructionPicture::contact_body(const Eigen::Vector3d& omega_b
 }
 
 StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOptions& options_,
-                     const Motion* beside_)
-    : scene(scene_), motion(motion_), options(options_), own_theme(theme_of(scene_)) {
-    if (beside_ != nullptr) beside.emplace(*beside_);
+                     const Motion* comparison_)
+    : scene(scene_), motion(motion_), options(options_), user_theme(theme_of(scene_)) {
+    if (comparison_ != nullptr) comparison.emplace(*comparison_);
     px = options.line_scale > 0.0 ? options.line_scale : options.height_px / 1080.0;
     film_first_s = std::min(scene.film.start_s, options.first_time_s);
     film_last_s = std::max(film_end_time_s(scene), options.last_time_s);
@@ -103,7 +103,7 @@ StageData::StageData(const Scene& scene_, const Motion& motion_, const StageOpti
     // Curves are subdivided to this, those that are made for one instant as well.
     curve_error_px = curve_px;
     make_panels();
-    if (beside && !shows_beside) {
+    if (comparison && !shows_comparison) {
         throw SceneError(scene.location_of("beside"),
                          "no panel here shows the comparison method; add a panel \"space\", "
                          "\"body\", \"object\", \"top\", \"momentum\" or \"plot\"");
@@ -179,21 +179,21 @@ const MeshGeometry* StageData::keep(MeshGeometry geometry) {
     return &meshes.emplace_back(std::move(geometry));
 }
 
-Instant StageData::instant_at(const FilmMoment& moment) const {
-    const MotionSample sample = motion.sample(moment.time_s, asks);
-    Instant instant{moment.time_s, sample.state,  sample.herpolhode_space,
-                    sample.euler,  moment.film_s, {}};
-    if (shows_beside) {
+FrameInput StageData::instant_at(const FilmTime& moment) const {
+    const MotionSample sample = motion.sample(moment.time_s, needs);
+    FrameInput instant{moment.time_s, sample.state,  sample.herpolhode_space,
+                       sample.euler,  moment.film_s, {}};
+    if (shows_comparison) {
         constexpr Quantities whole_state{
             .attitude = true, .herpolhode = false, .euler_angles = false};
-        instant.beside = beside->sample(moment.time_s, whole_state).state;
+        instant.comparison = comparison->sample(moment.time_s, whole_state).state;
     }
     if (turns()) {
         const Eigen::Quaterniond turn = turned_from_space(moment.time_s);
         instant.state.space_from_body = turn * instant.state.space_from_body;
         instant.herpolhode_space = turn * instant.herpolhode_space;
-        if (instant.beside) {
-            instant.beside->space_from_body = turn * instant.beside->space_from_body;
+        if (instant.comparison) {
+            instant.comparison->space_from_body = turn * instant.comparison->space_from_body;
         }
     }
     return instant;
@@ -218,7 +218,7 @@ double StageData::quickest_rate_rad_s() const {
     return rate;
 }
 
-std::vector<LiveValue> StageData::live_values(const Scene& scene, const Instant& instant) {
+std::vector<LiveValue> StageData::live_values(const Scene& scene, const FrameInput& instant) {
     const Eigen::Vector3d& omega = instant.state.omega_body;
     const Eigen::Vector3d momentum = scene.body.inertia.matrix_body() * omega;
     // In the unit in which the scene shows such a quantity.

@@ -19,30 +19,31 @@
 #include "drawing/stage.h"
 #include "drawing/theme.h"
 #include "drawing/timeline.h"
+#include "drawing/type/caption_template.h"
 #include "drawing/type/labels.h"
-#include "drawing/type/live_text.h"
 #include "shapes/views.h"
 
 namespace poinsot {
 
 // The state at one instant, as the panels use it.
-struct Instant {
+struct FrameInput {
     double time_s = 0.0;
-    RotationState state;  // the attitude is the identity unless a panel asks for it
+    RotationState state;  // the attitude is the identity unless a panel needs it
     Eigen::Vector3d herpolhode_space = Eigen::Vector3d::Zero();  // if requested, as in MotionSample
     EulerAngles euler;                                           // if requested
     double film_s = 0.0;                                         // second of the film
-    std::optional<RotationState> beside{};  // state of the comparison motion, if a panel shows it
+    std::optional<RotationState>
+        comparison{};  // state of the comparison motion, if a panel shows it
 };
 
 // A view under construction: its shapes, and the labels that are not placed yet.
-struct Sheet {
+struct ViewBuilder {
     View view;
-    std::vector<LabelWish> wishes;
+    std::vector<LabelRequest> requests;
 };
 
-// Adds the shapes of one instant to a sheet; refers to the stage's geometry and owns none.
-using Drawer = std::function<void(const Instant&, Sheet&)>;
+// Adds the shapes of one instant to a builder; refers to the stage's geometry and owns none.
+using Drawer = std::function<void(const FrameInput&, ViewBuilder&)>;
 
 // Poinsot's construction in picture axes: the fixed centre is the origin, z is up, and the
 // ellipsoid's largest half-axis is 1. If the plane is below, L points down along −z: this is the
@@ -69,17 +70,17 @@ struct ConstructionPicture {
 
     // Foot of L on the plane; of a dissipating body, at the start or at an instant.
     Eigen::Vector3d foot() const { return plane_distance * normal; }
-    Eigen::Vector3d foot(const Instant& instant) const;
+    Eigen::Vector3d foot(const FrameInput& instant) const;
     // √(T(0)/T) for this ω: 1 if T is conserved.
     double rho_growth(const Eigen::Vector3d& omega_body) const;
     // ρ = ω/√(2T) in body axes, in the ellipsoid's lengths.
     Eigen::Vector3d contact_body(const Eigen::Vector3d& omega_body) const;
 
     // Columns are e1, e2, e3 in picture axes.
-    Eigen::Matrix3d principal_axes(const Instant& instant) const;
-    Eigen::Quaterniond picture_from_body(const Instant& instant) const;
+    Eigen::Matrix3d principal_axes(const FrameInput& instant) const;
+    Eigen::Quaterniond picture_from_body(const FrameInput& instant) const;
     // The tip of ρ, where ellipsoid and plane touch.
-    Eigen::Vector3d contact(const Instant& instant) const;
+    Eigen::Vector3d contact(const FrameInput& instant) const;
 };
 
 struct Panel;
@@ -88,10 +89,10 @@ struct StageData;
 struct StageData {
     Scene scene;
     CountedMotion motion;
-    std::optional<CountedMotion> beside;  // by the scene's second method
+    std::optional<CountedMotion> comparison;  // by the scene's second method
     StageOptions options;
-    Theme own_theme;  // the scene's theme, with its [style]
-    const Theme* theme = &own_theme;
+    Theme user_theme;  // the scene's theme, with its [style]
+    const Theme* theme = &user_theme;
     double px = 1.0;            // pixels of the picture for one pixel at 1080 rows
     double curve_px = 0.05;     // largest distance of polylines from their curves
     double film_first_s = 0.0;  // time span of the film and of time axes
@@ -105,20 +106,20 @@ struct StageData {
     std::set<std::string, std::less<>> can_fade;  // names that fades may use
 
     // Created once for all instants; addresses stay valid for the stage's lifetime.
-    TypeCase type_case{options.samples, options.least};
+    TextCache type_case{options.samples, options.least};
     std::deque<CurveGeometry> curves;
     std::deque<MeshGeometry> meshes;
     std::deque<Panel> panels;
     const CurveGeometry* unit_circle = nullptr;   // about z, from x towards y
     const CurveGeometry* unit_segment = nullptr;  // from the origin to x
     std::vector<Drawer> overlays;                 // title, caption, clock: over the whole picture
-    Quantities asks = omega_alone;                // what all panels together read of an instant
-    bool shows_beside = false;                    // whether one of them shows the motion beside
+    Quantities needs = omega_alone;               // what all panels together read of an instant
+    bool shows_comparison = false;                // whether one of them shows the motion beside
     double curve_error_px = 0.0;                  // the greatest of all curves kept
     std::vector<std::string> notes;
 
     StageData(const Scene& scene, const Motion& motion, const StageOptions& options,
-              const Motion* beside);
+              const Motion* comparison);
     ~StageData();
     StageData(const StageData&) = delete;
     StageData& operator=(const StageData&) = delete;
@@ -140,7 +141,7 @@ struct StageData {
 
     // The state at an instant, with only the quantities that the panels read; attitude and
     // herpolhode in the shown space axes.
-    Instant instant_at(const FilmMoment& moment) const;
+    FrameInput instant_at(const FilmTime& moment) const;
 
     // Rotation from space axes to the shown axes. For a co-precessing camera, the camera, its light
     // and its view of the plane turn about L together; this equals a fixed camera and
@@ -152,7 +153,7 @@ struct StageData {
     double quickest_rate_rad_s() const;
 
     // The numbers that captions may refer to, at an instant.
-    static std::vector<LiveValue> live_values(const Scene& scene, const Instant& instant);
+    static std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant);
 
  private:
     void make_construction();

@@ -13,15 +13,15 @@ namespace poinsot {
 struct Scene;
 
 // Distinguishable in greyscale.
-enum class LineStyle { solid, dashed, dotted };
+enum class DashPattern { solid, dashed, dotted };
 
 // A colour with an optional line weight and line style.
-struct Ink : Colour {
+struct LineStyle : Colour {
     double weight = 1.0;  // factor of the usual width
-    std::optional<LineStyle> line;
+    std::optional<DashPattern> line;
 
-    Ink() = default;
-    constexpr Ink(const Colour& colour)  // NOLINT(google-explicit-constructor)
+    LineStyle() = default;
+    constexpr LineStyle(const Colour& colour)  // NOLINT(google-explicit-constructor)
         : Colour(colour) {}
 };
 
@@ -41,26 +41,26 @@ struct Theme {
     Colour grid;
     double plane_opacity = 0.9;
 
-    Ink polhode;
-    Ink herpolhode;
+    LineStyle polhode;
+    LineStyle herpolhode;
     double herpolhode_weight = 1.0;  // its width over the polhode's; dashes mean hidden lines
-    Ink momentum;
-    Ink omega;
-    Ink axes[3];
-    Ink contact;
-    Ink body_cone;
-    Ink space_cone;
-    Ink annulus;
+    LineStyle momentum;
+    LineStyle omega;
+    LineStyle axes[3];
+    LineStyle contact;
+    LineStyle body_cone;
+    LineStyle space_cone;
+    LineStyle annulus;
 
-    Ink separatrix;
-    Ink ghost{Colour{0.36, 0.40, 0.45}};  // the comparison motion
-    Ink sphere;                           // |m| = L in the space of momenta
-    Ink solid;                            // real bodies
-    Ink solid_lines;                      // marks on them that show how they turn
-    Ink angles[3];                        // θ, φ, ψ
-    Ink energy;                           // E and T
-    Ink potential;                        // V
-    Ink rule;                             // axes and grids of plots
+    LineStyle separatrix;
+    LineStyle ghost{Colour{0.36, 0.40, 0.45}};  // the comparison motion
+    LineStyle sphere;                           // |m| = L in the space of momenta
+    LineStyle solid;                            // real bodies
+    LineStyle solid_lines;                      // marks on them that show how they turn
+    LineStyle angles[3];                        // θ, φ, ψ
+    LineStyle energy;                           // E and T
+    LineStyle potential;                        // V
+    LineStyle rule;                             // axes and grids of plots
 
     // Defaults of the scene's `hidden` and `crossings`.
     std::string_view hidden = "pale";

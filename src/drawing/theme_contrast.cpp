@@ -20,9 +20,9 @@ struct Role {
     Colour colour;
 };
 
-class Looking {
+class ContrastChecks {
  public:
-    explicit Looking(const Scene& scene) : scene_(scene), theme_(theme_of(scene)) {}
+    explicit ContrastChecks(const Scene& scene) : scene_(scene), theme_(theme_of(scene)) {}
 
     std::vector<std::string> notes() && {
         look_at_grounds();
@@ -128,7 +128,7 @@ class Looking {
 
 std::vector<std::string> contrast_notes(const Scene& scene) {
     if (scene.style.looks.empty()) return {};
-    return Looking(scene).notes();
+    return ContrastChecks(scene).notes();
 }
 
 }  // namespace poinsot

@@ -11,8 +11,8 @@ namespace poinsot {
 namespace {
 
 // The line of a role in a theme; null for surfaces and the background.
-Ink* ink_of(Theme& theme, std::string_view role) {
-    const std::array<std::pair<std::string_view, Ink*>, 22> places{{
+LineStyle* ink_of(Theme& theme, std::string_view role) {
+    const std::array<std::pair<std::string_view, LineStyle*>, 22> places{{
         {"omega", &theme.omega},
         {"momentum", &theme.momentum},
         {"e1", &theme.axes[0]},
@@ -60,9 +60,9 @@ double* opacity_of(Theme& theme, std::string_view role) {
     return nullptr;
 }
 
-LineStyle line_of(std::string_view name) {
-    if (name == "dashed") return LineStyle::dashed;
-    return name == "dotted" ? LineStyle::dotted : LineStyle::solid;
+DashPattern line_of(std::string_view name) {
+    if (name == "dashed") return DashPattern::dashed;
+    return name == "dotted" ? DashPattern::dotted : DashPattern::solid;
 }
 
 void apply(const std::string& role, const LookSpec& look, Theme& theme) {
@@ -70,7 +70,7 @@ void apply(const std::string& role, const LookSpec& look, Theme& theme) {
         const auto [r, g, b] = *look.srgb;
         *colour_of(theme, role) = Colour{r, g, b};
     }
-    Ink* const ink = ink_of(theme, role);
+    LineStyle* const ink = ink_of(theme, role);
     if (ink != nullptr && look.weight) ink->weight = *look.weight;
     if (ink != nullptr && !look.line.empty()) ink->line = line_of(look.line);
     if (double* const opacity = opacity_of(theme, role); opacity != nullptr && look.opacity_percent)

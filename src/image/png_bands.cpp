@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "error/error.h"
-#include "image/pixel_check.h"
+#include "image/pixels_xxh64.h"
 #include "image/png_chunks.h"
 #include "system/atomic_file.h"
 
@@ -83,7 +83,7 @@ struct PngBandWriter::Impl {
     }
 
     png::Format format;
-    PixelCheck check;
+    PixelsXxh64 check;
     int n_rows_written = 0;
     std::optional<AtomicFile> file;
     z_stream stream{};
@@ -113,7 +113,7 @@ void PngBandWriter::write(const DeepImage& band) {
     impl_->compress(Z_NO_FLUSH);
 }
 
-std::string PngBandWriter::pixel_check() const { return impl_->check.digits(); }
+std::string PngBandWriter::pixels_xxh64() const { return impl_->check.digits(); }
 
 void PngBandWriter::finish(const std::map<std::string, std::string>& texts) {
     if (impl_->n_rows_written != impl_->format.height_px)

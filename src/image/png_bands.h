@@ -30,8 +30,8 @@ class PngBandWriter {
     void write(const Image& band);
     void write(const DeepImage& band);
 
-    // The XXH64 of the pixels written so far; see image/pixel_check.h.
-    std::string pixel_check() const;
+    // The XXH64 of the pixels written so far; see image/pixels_xxh64.h.
+    std::string pixels_xxh64() const;
 
     // Writes texts that are known only after the pixels; syncs and renames the file. Throws:
     // InputError if rows are missing or PNG cannot hold a keyword; EnvironmentError.

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "error/error.h"
-#include "image/pixel_check.h"
+#include "image/pixels_xxh64.h"
 #include "image/png.h"
 #include "system/file_contents.h"
 #include "system/file_kind.h"
@@ -357,7 +357,7 @@ std::string check_of_rows(Source& source, const std::string& name) {
     const auto height = static_cast<int>(png_get_image_height(source.png, source.info));
     if (!choose_rgba(source, deep)) refuse(source, name);
     std::vector<Sample> row(4u * static_cast<std::size_t>(width));
-    PixelCheck check(width, height, deep ? 16 : 8);
+    PixelsXxh64 check(width, height, deep ? 16 : 8);
     for (int y = 0; y < height; ++y) {
         if (!read_row(source, reinterpret_cast<png_bytep>(row.data()))) refuse(source, name);
         check.add(std::span<const Sample>(row));
@@ -367,13 +367,13 @@ std::string check_of_rows(Source& source, const std::string& name) {
 
 }  // namespace
 
-std::string pixel_check_of(const fs::path& path) {
+std::string pixels_xxh64_of(const fs::path& path) {
     const std::vector<std::uint8_t> file = read_file(path);
     Source source;
     begin(file, path.string(), false, source);
     // An interlaced picture has its rows in seven passes: read it whole.
     if (png_get_interlace_type(source.png, source.info) != PNG_INTERLACE_NONE)
-        return pixel_check(decode_stored_png(file, path.string()));
+        return pixels_xxh64(decode_stored_png(file, path.string()));
     return png_get_bit_depth(source.png, source.info) == 16
                ? check_of_rows<std::uint16_t>(source, path.string())
                : check_of_rows<std::uint8_t>(source, path.string());

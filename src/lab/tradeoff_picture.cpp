@@ -69,9 +69,9 @@ PictureTrades trade_picture(const Session& session, const ContextChoice& choice,
     trades.reference = fmt::format("{0} × {0} samples a pixel, curves within {1} accuracy_px",
                                    reference_samples, reference_tolerance);
     const PictureSpan span{film.time_of(0), film.last_time_s()};
-    const std::array<FilmMoment, 3> moments{film.moment_of(film.n_frames / 4),
-                                            film.moment_of(film.n_frames / 2),
-                                            film.moment_of(film.n_frames - 1)};
+    const std::array<FilmTime, 3> moments{film.moment_of(film.n_frames / 4),
+                                          film.moment_of(film.n_frames / 2),
+                                          film.moment_of(film.n_frames - 1)};
 
     const OffscreenContext context = make_context(choice);
     std::array<Image, 3> references;
@@ -98,7 +98,7 @@ PictureTrades trade_picture(const Session& session, const ContextChoice& choice,
         }
         row.rms_levels = std::sqrt(sum / static_cast<double>(moments.size()));
         const Timing timing = timed([&] {
-            for (const FilmMoment& moment : moments) maker.draw(moment, image);
+            for (const FilmTime& moment : moments) maker.draw(moment, image);
         });
         row.ms_a_frame = timing.cpu_s / static_cast<double>(moments.size()) * 1e3;
         trades.n_runs = std::min(trades.n_runs, timing.n_runs);
@@ -109,7 +109,7 @@ PictureTrades trade_picture(const Session& session, const ContextChoice& choice,
         PictureMaker maker(session, context, span, setting_of(session.scene));
         Image image;
         const Timing timing = timed([&] {
-            for (const FilmMoment& moment : moments) maker.draw(moment, image);
+            for (const FilmTime& moment : moments) maker.draw(moment, image);
         });
         trades.film_ms = timing.cpu_s / static_cast<double>(moments.size()) * 1e3;
     }

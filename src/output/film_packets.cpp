@@ -35,10 +35,11 @@ std::string hash_of_stream(const fs::path& film) {
     for (int result = 0; (result = av_read_frame(context, packet.get())) != AVERROR_EOF;) {
         check(result);
         if (packet->stream_index == stream) {
-            std::size_t n_beside = 0;
-            const std::uint8_t* const beside = av_packet_get_side_data(
-                packet.get(), AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, &n_beside);
-            hash.add({packet->data, static_cast<std::size_t>(packet->size)}, {beside, n_beside});
+            std::size_t n_side_bytes = 0;
+            const std::uint8_t* const side_data = av_packet_get_side_data(
+                packet.get(), AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, &n_side_bytes);
+            hash.add({packet->data, static_cast<std::size_t>(packet->size)},
+                     {side_data, n_side_bytes});
         }
         av_packet_unref(packet.get());
     }
@@ -121,8 +122,9 @@ class GifReader {
 
 }  // namespace
 
-void PacketHash::add(std::span<const std::uint8_t> packet, std::span<const std::uint8_t> beside) {
-    for (const auto part : {packet, beside}) {
+void PacketHash::add(std::span<const std::uint8_t> packet,
+                     std::span<const std::uint8_t> side_data) {
+    for (const auto part : {packet, side_data}) {
         if (part.empty()) continue;
         std::array<std::uint8_t, 8> size{};
         for (std::size_t i = 0; i < size.size(); ++i)

@@ -22,7 +22,7 @@ class PacketHash {
     explicit PacketHash(std::int64_t n_chunk_packets) : n_chunk_packets_(n_chunk_packets) {}
 
     // Adds a packet and its side data (the alpha plane's).
-    void add(std::span<const std::uint8_t> packet, std::span<const std::uint8_t> beside = {});
+    void add(std::span<const std::uint8_t> packet, std::span<const std::uint8_t> side_data = {});
 
     std::vector<std::string> chunks();  // packets since the last whole chunk count as one chunk
     std::string of_film();

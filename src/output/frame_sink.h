@@ -49,7 +49,7 @@ struct Contents {
     std::int64_t n_frames = 0;               // of a film
     std::string packets = {};                // of a film: see output/film_packets.h
     std::optional<std::int64_t> frame = {};  // of a numbered picture
-    std::string pixels = {};                 // of a picture: see image/pixel_check.h
+    std::string pixels = {};                 // of a picture: see image/pixels_xxh64.h
 };
 
 // Makes the text that an output carries from the plan's metadata.

@@ -16,7 +16,7 @@
 #include "output/palette.h"
 #include "output/video_encoder.h"
 #include "system/atomic_file.h"
-#include "system/room.h"
+#include "system/free_space.h"
 
 namespace poinsot {
 
@@ -165,7 +165,7 @@ class GifSink : public FrameSink {
         if (!plan_.part) count_.add(shown);
         log_.append(spooler_.encode(shown));
         if (log_.n_entries() == n_kept_ + 1)
-            check_room(plan_.path, log_.n_bytes(), log_.n_entries(), plan_.n_frames);
+            check_free_space(plan_.path, log_.n_bytes(), log_.n_entries(), plan_.n_frames);
     }
 
     void finish() override {

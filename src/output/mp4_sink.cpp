@@ -21,7 +21,7 @@
 #include "output/video_encoder.h"
 #include "output/yuv.h"
 #include "system/atomic_file.h"
-#include "system/room.h"
+#include "system/free_space.h"
 
 namespace poinsot {
 
@@ -266,7 +266,7 @@ class Mp4Sink : public FrameSink {
         encoder_.reset();  // first, so that two never coexist
         encoder_ = std::make_unique<VideoEncoder>(settings_, plan_.path);
         n_in_chunk_ = 0;
-        check_room(plan_.path, log_.n_bytes(), n_written_, plan_.n_frames);
+        check_free_space(plan_.path, log_.n_bytes(), n_written_, plan_.n_frames);
     }
 
     void end_chunk() {

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "error/error.h"
-#include "image/pixel_check.h"
+#include "image/pixels_xxh64.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
 #include "output/formats.h"
 #include "output/frame_name.h"
 #include "output/pipeline.h"
 #include "system/atomic_file.h"
-#include "system/room.h"
+#include "system/free_space.h"
 
 namespace poinsot {
 
@@ -26,7 +26,7 @@ namespace {
 std::map<std::string, std::string> texts_of(const OutputPlan& plan, std::int64_t frame,
                                             const Image& image) {
     if (plan.metadata.empty()) return {};
-    return {{metadata_name, text_of(plan, {.frame = frame, .pixels = pixel_check(image)})}};
+    return {{metadata_name, text_of(plan, {.frame = frame, .pixels = pixels_xxh64(image)})}};
 }
 
 // Parts of one sequence may be written concurrently.
@@ -86,8 +86,8 @@ class PngSequenceSink : public FrameSink {
         const auto contents = encoder.encode(frame);
         write_whole(frame_name(plan_.path, frame_number), contents);
         if (number == 0)
-            check_room(plan_.path, contents.size(), 1,
-                       plan_.n_frames - static_cast<std::int64_t>(there_.size()));
+            check_free_space(plan_.path, contents.size(), 1,
+                             plan_.n_frames - static_cast<std::int64_t>(there_.size()));
     }
 
     // Number of the n-th written frame, counted from the plan's first.

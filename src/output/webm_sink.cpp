@@ -20,7 +20,7 @@
 #include "output/video_encoder.h"
 #include "output/yuv.h"
 #include "system/atomic_file.h"
-#include "system/room.h"
+#include "system/free_space.h"
 
 namespace poinsot {
 
@@ -66,19 +66,19 @@ std::string description_of(const EncoderSettings& settings) {
 constexpr std::size_t entry_head = 5;
 
 void pack(const AVPacket& packet, std::vector<std::uint8_t>& entry) {
-    std::size_t n_beside = 0;
-    const std::uint8_t* const beside =
-        av_packet_get_side_data(&packet, AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, &n_beside);
+    std::size_t n_side_bytes = 0;
+    const std::uint8_t* const side_data =
+        av_packet_get_side_data(&packet, AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, &n_side_bytes);
     entry.assign({static_cast<std::uint8_t>(packet.flags & AV_PKT_FLAG_KEY)});
-    for (int i = 0; i < 4; ++i) entry.push_back(static_cast<std::uint8_t>(n_beside >> 8 * i));
-    if (beside != nullptr) entry.insert(entry.end(), beside, beside + n_beside);
+    for (int i = 0; i < 4; ++i) entry.push_back(static_cast<std::uint8_t>(n_side_bytes >> 8 * i));
+    if (side_data != nullptr) entry.insert(entry.end(), side_data, side_data + n_side_bytes);
     entry.insert(entry.end(), packet.data, packet.data + packet.size);
 }
 
 std::size_t n_beside_of(std::span<const std::uint8_t> entry) {
-    std::size_t n_beside = 0;
-    for (std::size_t i = 0; i < 4; ++i) n_beside |= std::size_t{entry[i + 1]} << 8 * i;
-    return n_beside;
+    std::size_t n_side_bytes = 0;
+    for (std::size_t i = 0; i < 4; ++i) n_side_bytes |= std::size_t{entry[i + 1]} << 8 * i;
+    return n_side_bytes;
 }
 
 // Returns entry k of a log after checking its head.
@@ -90,16 +90,16 @@ std::span<const std::uint8_t> entry_of(FrameEntries& log, std::int64_t k) {
 }
 
 void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::path& path) {
-    const std::size_t n_beside = n_beside_of(entry);
-    const auto data = entry.subspan(entry_head + n_beside);
+    const std::size_t n_side_bytes = n_beside_of(entry);
+    const auto data = entry.subspan(entry_head + n_side_bytes);
     libav::checked(av_new_packet(&packet, static_cast<int>(data.size())), path, "packet");
     std::copy(data.begin(), data.end(), packet.data);
     packet.flags |= entry[0] & AV_PKT_FLAG_KEY;
-    if (n_beside == 0) return;
-    std::uint8_t* const beside =
-        av_packet_new_side_data(&packet, AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, n_beside);
-    if (beside == nullptr) throw EnvironmentError("no memory for a video packet");
-    std::copy_n(entry.data() + entry_head, n_beside, beside);
+    if (n_side_bytes == 0) return;
+    std::uint8_t* const side_data =
+        av_packet_new_side_data(&packet, AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, n_side_bytes);
+    if (side_data == nullptr) throw EnvironmentError("no memory for a video packet");
+    std::copy_n(entry.data() + entry_head, n_side_bytes, side_data);
 }
 
 bool has_alpha(FrameEntries& log) {
@@ -129,8 +129,8 @@ std::string text_of_film(FrameEntries& log, const OutputPlan& plan, std::int64_t
     PacketHash hash(frames_a_chunk);
     for (std::int64_t k = 0; k < n_frames; ++k) {
         const auto entry = entry_of(log, k);
-        const std::size_t n_beside = n_beside_of(entry);
-        hash.add(entry.subspan(entry_head + n_beside), entry.subspan(entry_head, n_beside));
+        const std::size_t n_side_bytes = n_beside_of(entry);
+        hash.add(entry.subspan(entry_head + n_side_bytes), entry.subspan(entry_head, n_side_bytes));
     }
     return text_of(plan, {.n_frames = n_frames, .packets = hash.of_film()});
 }
@@ -222,7 +222,7 @@ class WebmSink : public FrameSink {
         if (log_.n_entries() != n_written_)
             throw EnvironmentError(fmt::format("cannot write {}: the encoder has dropped a frame",
                                                plan_.path.string()));
-        check_room(plan_.path, log_.n_bytes(), n_written_, plan_.n_frames);
+        check_free_space(plan_.path, log_.n_bytes(), n_written_, plan_.n_frames);
     }
 
     void take_packets() {

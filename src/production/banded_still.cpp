@@ -71,7 +71,7 @@ bool wants_bands(const PictureMaker& pictures) {
     return n_pixels > most_whole_pixels || side > pictures.context_info().largest_picture_px;
 }
 
-void write_in_bands(PictureMaker& pictures, const FilmMoment& moment,
+void write_in_bands(PictureMaker& pictures, const FilmTime& moment,
                     const std::filesystem::path& path, const PngOptions& png, int bit_depth,
                     const TextsOfPixels& texts) {
     const Drawing whole = pictures.stage().at(moment);
@@ -81,7 +81,7 @@ void write_in_bands(PictureMaker& pictures, const FilmMoment& moment,
         write_bands<DeepImage>(pictures, whole, file);
     else
         write_bands<Image>(pictures, whole, file);
-    file.finish(texts(file.pixel_check()));
+    file.finish(texts(file.pixels_xxh64()));
 }
 
 }  // namespace poinsot

@@ -16,13 +16,13 @@ namespace poinsot {
 // amount of memory.
 bool wants_bands(const PictureMaker& pictures);
 
-// The texts of a PNG, given the hash of its pixels; see image/pixel_check.h.
+// The texts of a PNG, given the hash of its pixels; see image/pixels_xxh64.h.
 using TextsOfPixels = std::function<std::map<std::string, std::string>(const std::string& pixels)>;
 
 // Draws the picture of an instant and writes it. Bands have no seams: every pixel is computed
 // independently, and the dither pattern continues. Throws EnvironmentError if the picture cannot be
 // written.
-void write_in_bands(PictureMaker& pictures, const FilmMoment& moment,
+void write_in_bands(PictureMaker& pictures, const FilmTime& moment,
                     const std::filesystem::path& path, const PngOptions& png, int bit_depth,
                     const TextsOfPixels& texts);
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "error/error.h"
-#include "image/pixel_check.h"
+#include "image/pixels_xxh64.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
 #include "production/record.h"
@@ -109,7 +109,7 @@ class ContactSheet {
 
 }  // namespace
 
-void draw_sheet(const SheetRequest& request, Easel& easel, const Telling& telling) {
+void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const ProgressSink& progress) {
     const auto n_places =
         static_cast<std::size_t>(request.n_columns) * static_cast<std::size_t>(request.n_rows);
     if (request.cells.size() > n_places)
@@ -120,15 +120,15 @@ void draw_sheet(const SheetRequest& request, Easel& easel, const Telling& tellin
         throw InputError(fmt::format("{}: a sheet is a PNG; name it with -o FILE.png",
                                      printable(request.output)));
     watch_for_interrupts();
-    telling.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
+    progress.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
     std::optional<ContactSheet> sheet;
     Record record;
     Image picture;
     for (std::size_t k = 0; k < request.cells.size(); ++k) {
         stop_if_interrupted();
         const SheetCell& cell = request.cells[k];
-        const Record of_cell = StillJob(open_session(cell.scene, telling), {"", request.time_s})
-                                   .draw_into(easel, picture);
+        const Record of_cell = StillJob(open_session(cell.scene, progress), {"", request.time_s})
+                                   .draw_into(renderer, picture);
         if (!sheet) {
             sheet.emplace(request, picture);
             record = of_cell;
@@ -136,15 +136,15 @@ void draw_sheet(const SheetRequest& request, Easel& easel, const Telling& tellin
         }
         record.sheet += (k > 0 ? "; " : "") + cell.caption;
         sheet->put(k, picture);
-        telling.done(static_cast<std::int64_t>(k + 1));
+        progress.done(static_cast<std::int64_t>(k + 1));
     }
     record.width_px = sheet->image().width();
     record.height_px = sheet->image().height();
-    record.pixels = pixel_check(sheet->image());
+    record.pixels = pixels_xxh64(sheet->image());
     PngOptions png;
     png.texts[metadata_name] = sealed_text(record);
     write_png(request.output, sheet->image(), png);
-    telling.finish(printable(request.output));
+    progress.finish(printable(request.output));
 }
 
 }  // namespace poinsot

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "production/picture.h"
+#include "production/progress_sink.h"
 #include "production/session.h"
-#include "production/telling.h"
 
 namespace poinsot {
 
@@ -26,6 +26,6 @@ struct SheetRequest {
 // Draws the sheet; places after the last cell stay empty. Throws InputError for more cells than
 // places, for pictures of different sizes, and for a sheet larger than the largest picture;
 // EnvironmentError.
-void draw_sheet(const SheetRequest& request, Easel& easel, const Telling& telling);
+void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const ProgressSink& progress);
 
 }  // namespace poinsot

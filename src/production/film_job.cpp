@@ -12,10 +12,10 @@
 #include "output/film_parts.h"
 #include "output/frame_name.h"
 #include "output/pipeline.h"
-#include "production/beside/chapters.h"
-#include "production/beside/subtitles.h"
 #include "production/output_place.h"
 #include "production/record.h"
+#include "production/sidecars/chapters.h"
+#include "production/sidecars/subtitles.h"
 #include "system/file_kind.h"
 #include "system/interrupt.h"
 #include "text/printable.h"
@@ -52,27 +52,27 @@ bool is_there(const OutputPlan& plan) {
 
 // Reports that the frames of an interrupted run are used. n_there: number of those frames.
 void note_kept(const OutputPlan& plan, const FrameSink& sink, std::int64_t n_there, bool film,
-               const Telling& telling) {
+               const ProgressSink& progress) {
     if (n_there == 0) return;
     const std::string name = printable(plan.path.string());
     if (n_there == plan.n_frames && film)
-        return telling.say(
+        return progress.say(
             fmt::format("note: an interrupted run had finished all frames of {}", name));
     if (n_there == plan.n_frames)
-        return telling.say(fmt::format(
+        return progress.say(fmt::format(
             "note: all {} frames of {} exist and show this scene; remove them to draw them again",
             n_there, name));
     if (n_there == sink.n_frames_kept())
-        return telling.say(
+        return progress.say(
             fmt::format("note: continuing with frame {} of {}, where an interrupted run ended",
                         first_of(plan) + n_there, name));
-    telling.say(
+    progress.say(
         fmt::format("note: continuing {}: {} of its {} frames exist, the others are drawn now",
                     name, n_there, plan.n_frames));
 }
 
 // Reports pictures of other frames, such as those of an earlier, longer run.
-void note_others(const OutputPlan& plan, const Telling& telling) {
+void note_others(const OutputPlan& plan, const ProgressSink& progress) {
     std::vector<std::int64_t> others = frames_there(plan.path);
     std::erase_if(others, [&plan](std::int64_t frame) {
         return frame >= plan.first_frame && frame < plan.first_frame + plan.n_frames;
@@ -81,7 +81,7 @@ void note_others(const OutputPlan& plan, const Telling& telling) {
     const auto name = [&plan](std::int64_t frame) {
         return printable(frame_name(plan.path, frame).filename().string());
     };
-    telling.say(fmt::format(
+    progress.say(fmt::format(
         "note: {} of another run in the same folder: {}{}; remove {} or name another output",
         others.size() == 1 ? "there is a frame" : fmt::format("there are {} frames", others.size()),
         name(others.front()), others.size() == 1 ? "" : fmt::format(" to {}", name(others.back())),
@@ -89,11 +89,12 @@ void note_others(const OutputPlan& plan, const Telling& telling) {
 }
 
 // Reports a transparent theme in a format without (full) transparency.
-void note_transparency(const Scene& scene, const OutputFormat& format, const Telling& telling) {
+void note_transparency(const Scene& scene, const OutputFormat& format,
+                       const ProgressSink& progress) {
     if (theme_of(scene).background.alpha >= 1.0) return;
     const bool one_bit = format.name == "gif";
     if (format.alpha && !one_bit) return;
-    telling.say(fmt::format(
+    progress.say(fmt::format(
         "note: theme = \"{}\": {}; .webm and a .png sequence keep transparency",
         printable(scene.theme),
         one_bit ? "a pixel of a GIF is either transparent or opaque"
@@ -139,7 +140,7 @@ OutputPlan FilmJob::output_plan(const std::filesystem::path& path) const {
 }
 
 // Makes the plan that of a part; false if the part has no frames because the film has too few.
-bool FilmJob::take_part(OutputPlan& plan, const Telling& telling) const {
+bool FilmJob::take_part(OutputPlan& plan, const ProgressSink& progress) const {
     const OutputFormat& format = format_for(plan.path);
     const auto [number, n_parts] = *request_.part;
     const std::string name = printable(plan.path.string());
@@ -151,12 +152,12 @@ bool FilmJob::take_part(OutputPlan& plan, const Telling& telling) const {
                              : fmt::format("{}: this format has no parts", name));
     FilmPart part = part_of_film(number, n_parts, plan.n_frames, format.n_chunk_frames);
     if (part.n_parts < n_parts)
-        telling.say(
+        progress.say(
             fmt::format("note: a part begins every {} frames, so {} frames make {} part{}, not {}",
                         format.n_chunk_frames, plan.n_frames, part.n_parts,
                         part.n_parts == 1 ? "" : "s", n_parts));
     if (part.n_frames == 0) {
-        telling.say(fmt::format("note: part {} has no frames; nothing to do", number));
+        progress.say(fmt::format("note: part {} has no frames; nothing to do", number));
         return false;
     }
     part.format = format.name;
@@ -166,7 +167,8 @@ bool FilmJob::take_part(OutputPlan& plan, const Telling& telling) const {
     return true;
 }
 
-void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan, const Telling& telling) const {
+void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan,
+                   const ProgressSink& progress) const {
     const OutputFormat& format = format_for(plan.path);
     at_scene_key(session_->scene, "film.fps", [&] { check_rate(format, plan.rate); });
     at_scene_key(session_->scene, "film.size", [&] { check_size(plan); });
@@ -174,8 +176,8 @@ void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan, const Telling
     AsyncSink sink(at_scene_key(session_->scene, "film.size", [&] { return format.open(plan); }));
     std::int64_t n_done = 0;
     for (std::int64_t k = 0; k < plan.n_frames; ++k) n_done += sink.has_frame(k) ? 1 : 0;
-    note_kept(plan, sink, n_done, format.film || format.join != nullptr, telling);
-    telling.begin(session_->scene.name, plan.n_frames);
+    note_kept(plan, sink, n_done, format.film || format.join != nullptr, progress);
+    progress.begin(session_->scene.name, plan.n_frames);
     const std::int64_t begin = first_of(plan);
     for (std::int64_t k = 0; k < plan.n_frames; ++k) {
         if (sink.has_frame(k)) continue;
@@ -183,12 +185,12 @@ void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan, const Telling
         Image image = sink.spare();
         pictures.draw(film_.moment_of(begin + k), image);
         sink.write_moved(std::move(image));
-        telling.done(++n_done);
+        progress.done(++n_done);
     }
     sink.finish();
 }
 
-void FilmJob::write_beside(OutputPlan plan, const Telling& telling) const {
+void FilmJob::write_beside(OutputPlan plan, const ProgressSink& progress) const {
     const OutputFormat& format = format_for(plan.path);
     if (plan.n_shown > 0) {
         plan.n_frames = plan.n_shown;
@@ -201,16 +203,17 @@ void FilmJob::write_beside(OutputPlan plan, const Telling& telling) const {
     if (format.film)
         write_subtitles(plan.path, subtitles_of(*session_, film_, plan.first_frame,
                                                 plan.first_frame + plan.n_frames - 1));
-    if (format.name == "png-sequence") note_others(plan, telling);
+    if (format.name == "png-sequence") note_others(plan, progress);
 }
 
-void FilmJob::end_sequence(const std::filesystem::path& pattern, const Telling& telling) const {
-    write_beside(output_plan(pattern), telling);
+void FilmJob::end_sequence(const std::filesystem::path& pattern,
+                           const ProgressSink& progress) const {
+    write_beside(output_plan(pattern), progress);
 }
 
-void FilmJob::make(Easel& easel, const Telling& telling) const {
+void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
     const Scene& scene = session_->scene;
-    tell_notes(scene, telling);
+    tell_notes(scene, progress);
     const OutputPlace place(
         request_.output, scene,
         request_.part ? fmt::format(".{}-of-{}.mp4", request_.part->first, request_.part->second)
@@ -218,34 +221,34 @@ void FilmJob::make(Easel& easel, const Telling& telling) const {
     OutputPlan plan = output_plan(place.path());
     watch_for_interrupts();
     const OutputFormat& format = format_for(plan.path);
-    if (request_.part && !take_part(plan, telling)) return;
-    note_transparency(scene, format, telling);
+    if (request_.part && !take_part(plan, progress)) return;
+    note_transparency(scene, format, progress);
     if (request_.n_shown > 0 && request_.n_shown < plan.n_frames) {
         // Packets depend on the later frames of their chunk.
         const std::int64_t chunk = format.n_chunk_frames;
         plan.n_frames = std::min(plan.n_frames, (request_.n_shown + chunk - 1) / chunk * chunk);
         plan.n_shown = request_.n_shown;
     }
-    PictureMaker pictures(*session_, easel,
+    PictureMaker pictures(*session_, renderer,
                           {.first_time_s = film_.time_of(0), .last_time_s = film_.time_of(last_)});
-    tell_stage_notes(pictures.stage(), telling);
-    Record record = record_of(*session_, pictures, easel.is_portable());
+    tell_stage_notes(pictures.stage(), progress);
+    Record record = record_of(*session_, pictures, renderer.is_portable());
     record.frames = {first_, last_};
     plan.metadata = to_text(record);
     plan.tell = told;
     const std::string name = printable(plan.path.string());
     if (plan.part && is_there(plan))
-        return telling.say(fmt::format("note: part {} of {} exists already: {}", plan.part->number,
-                                       plan.part->n_parts, name));
+        return progress.say(fmt::format("note: part {} of {} exists already: {}", plan.part->number,
+                                        plan.part->n_parts, name));
     if (plan.part && plan.part->n_before > 0 && format.alpha) {
         Image first;
         pictures.draw(film_.moment_of(first_), first);
         plan.has_alpha = !is_opaque(first);
     }
-    draw(pictures, plan, telling);
-    if (!plan.part) write_beside(plan, telling);
-    telling.finish(name);
-    telling.say(in_words(pictures.bound(), session_->accuracy.asked_px));
+    draw(pictures, plan, progress);
+    if (!plan.part) write_beside(plan, progress);
+    progress.finish(name);
+    progress.say(in_words(pictures.bound(), session_->accuracy.asked_px));
 }
 
 }  // namespace poinsot

@@ -9,8 +9,8 @@
 
 #include "output/frame_sink.h"
 #include "production/picture.h"
+#include "production/progress_sink.h"
 #include "production/session.h"
-#include "production/telling.h"
 
 namespace poinsot {
 
@@ -36,16 +36,16 @@ class FilmJob {
 
     // Draws and writes the film; continues an interrupted run of the same film. Throws InputError
     // and EnvironmentError.
-    void make(Easel& easel, const Telling& telling) const;
+    void make(LazyRenderer& renderer, const ProgressSink& progress) const;
 
     // Writes the chapters of a sequence whose pictures exist. Throws EnvironmentError.
-    void end_sequence(const std::filesystem::path& pattern, const Telling& telling) const;
+    void end_sequence(const std::filesystem::path& pattern, const ProgressSink& progress) const;
 
  private:
     OutputPlan output_plan(const std::filesystem::path& path) const;
-    bool take_part(OutputPlan& plan, const Telling& telling) const;
-    void draw(PictureMaker& pictures, const OutputPlan& plan, const Telling& telling) const;
-    void write_beside(OutputPlan plan, const Telling& telling) const;
+    bool take_part(OutputPlan& plan, const ProgressSink& progress) const;
+    void draw(PictureMaker& pictures, const OutputPlan& plan, const ProgressSink& progress) const;
+    void write_beside(OutputPlan plan, const ProgressSink& progress) const;
 
     const Session* session_;
     FilmRequest request_;

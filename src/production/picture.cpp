@@ -36,15 +36,15 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     options.curve_px = session.accuracy.curve_px(setting.curve_tolerance * setting.samples);
     return at_key_of_error(session.scene, "motion", "film", [&] {
         return Stage(session.scene, session.motion, options,
-                     session.beside ? &*session.beside : nullptr);
+                     session.comparison ? &*session.comparison : nullptr);
     });
 }
 
-void tell_stage_notes(const Stage& stage, const Telling& telling) {
-    for (const std::string& note : stage.notes()) telling.say("note: " + note);
+void tell_stage_notes(const Stage& stage, const ProgressSink& progress) {
+    for (const std::string& note : stage.notes()) progress.say("note: " + note);
     const std::vector<char32_t>& missing = stage.data().type_case.typesetter().missing();
     if (missing.empty()) return;
-    telling.say(
+    progress.say(
         fmt::format("note: no installed font has {}: drawn as boxes; install a font that has them, "
                     "as fonts-noto or fonts-dejavu",
                     listed(missing)));
@@ -69,38 +69,42 @@ OffscreenContext make_context(const ContextChoice& choice, ShaderCompilation com
     return OffscreenContext(choice.backend, choice.portability, compilation);
 }
 
-const OffscreenContext& Easel::context() {
+const OffscreenContext& LazyRenderer::context() {
     if (!context_) context_.emplace(make_context(choice_, compilation_));
     return *context_;
 }
 
-Renderer& Easel::renderer() {
+Renderer& LazyRenderer::renderer() {
     if (!renderer_) renderer_.emplace(context());
     return *renderer_;
 }
 
-Staging::Staging(const Session& session, const PictureSpan& span, const PictureSetting& setting)
+PreparedPicture::PreparedPicture(const Session& session, const PictureSpan& span,
+                                 const PictureSetting& setting)
     : samples(setting.samples),
       stage(stage_of(session, span, setting)),
       bound(bound_of(session, stage, samples)) {}
 
-Staging::Staging(const Session& session, const PictureSpan& span, const PrintChoices& print)
-    : Staging(session, span, setting_of(session.scene, print)) {}
+PreparedPicture::PreparedPicture(const Session& session, const PictureSpan& span,
+                                 const PrintChoices& print)
+    : PreparedPicture(session, span, setting_of(session.scene, print)) {}
 
-PictureMaker::PictureMaker(Staging staging, Easel& easel)
-    : staging_(std::move(staging)), context_(&easel.context()), renderer_(&easel.renderer()) {}
+PictureMaker::PictureMaker(PreparedPicture staging, LazyRenderer& renderer)
+    : staging_(std::move(staging)),
+      context_(&renderer.context()),
+      renderer_(&renderer.renderer()) {}
 
-PictureMaker::PictureMaker(const Session& session, Easel& easel, const PictureSpan& span)
-    : PictureMaker(Staging(session, span, setting_of(session.scene)), easel) {}
+PictureMaker::PictureMaker(const Session& session, LazyRenderer& renderer, const PictureSpan& span)
+    : PictureMaker(PreparedPicture(session, span, setting_of(session.scene)), renderer) {}
 
 PictureMaker::PictureMaker(const Session& session, const OffscreenContext& context,
                            const PictureSpan& span, const PictureSetting& setting)
     : staging_(session, span, setting),
       context_(&context),
-      own_renderer_(context),
-      renderer_(&*own_renderer_) {}
+      created_renderer_(context),
+      renderer_(&*created_renderer_) {}
 
-void PictureMaker::draw(const FilmMoment& moment, Image& image) {
+void PictureMaker::draw(const FilmTime& moment, Image& image) {
     if (staging_.samples == 1) {
         renderer_->render_into(stage().at(moment), image);
         return;

@@ -33,9 +33,9 @@ OffscreenContext make_context(const ContextChoice& choice,
 
 // The context and the renderer, with its shaders, that all scenes of a command share. Opened on
 // first use.
-class Easel {
+class LazyRenderer {
  public:
-    explicit Easel(const ContextChoice& choice = {}) : choice_(choice) {}
+    explicit LazyRenderer(const ContextChoice& choice = {}) : choice_(choice) {}
 
     // Call before the context is opened: a single small picture takes less time than the
     // optimisation of shaders.
@@ -77,7 +77,7 @@ PictureSetting setting_of(const Scene& scene, const PrintChoices& print = {});
 Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting);
 
 // What is drawn otherwise than asked for: as a ring, or as boxes, for want of a font.
-void tell_stage_notes(const Stage& stage, const Telling& telling);
+void tell_stage_notes(const Stage& stage, const ProgressSink& progress);
 
 // Upper bounds of position errors in the picture, in pixels of the final picture.
 struct PictureBound {
@@ -93,10 +93,10 @@ std::string in_words(const PictureBound& bound, double accuracy_px);
 
 // Everything that the pictures of a session need except for the context. Preparing it takes most of
 // the time of a small picture, and may be done by another thread. The session must outlive it.
-struct Staging {
+struct PreparedPicture {
     // With the settings of the scene's quality.
-    Staging(const Session& session, const PictureSpan& span, const PrintChoices& print);
-    Staging(const Session& session, const PictureSpan& span, const PictureSetting& setting);
+    PreparedPicture(const Session& session, const PictureSpan& span, const PrintChoices& print);
+    PreparedPicture(const Session& session, const PictureSpan& span, const PictureSetting& setting);
 
     int samples;
     Stage stage;
@@ -106,9 +106,9 @@ struct Staging {
 class PictureMaker {
  public:
     // Throws for a scene without a picture before it opens a context.
-    PictureMaker(Staging staging, Easel& easel);
+    PictureMaker(PreparedPicture staging, LazyRenderer& renderer);
     // With the settings of the scene's quality.
-    PictureMaker(const Session& session, Easel& easel, const PictureSpan& span);
+    PictureMaker(const Session& session, LazyRenderer& renderer, const PictureSpan& span);
     // Uses a context, which must outlive it.
     PictureMaker(const Session& session, const OffscreenContext& context, const PictureSpan& span,
                  const PictureSetting& setting);
@@ -116,7 +116,7 @@ class PictureMaker {
     PictureMaker& operator=(const PictureMaker&) = delete;
 
     // Draws a moment of the film into an image, whose memory is reused.
-    void draw(const FilmMoment& moment, Image& image);
+    void draw(const FilmTime& moment, Image& image);
 
     // Draws an area of a drawing of the stage, in pixels of the final picture.
     void draw_part(const Drawing& whole, const PixelArea& area, Image& image);
@@ -131,9 +131,9 @@ class PictureMaker {
     const PictureBound& bound() const { return staging_.bound; }
 
  private:
-    Staging staging_;
+    PreparedPicture staging_;
     const OffscreenContext* context_;
-    std::optional<Renderer> own_renderer_;
+    std::optional<Renderer> created_renderer_;
     Renderer* renderer_;
     Image large_;
     DeepImage deep_large_;

@@ -80,7 +80,7 @@ PlanLine jobs_line(const Session& session, const FilmPlan& film) {
 
 std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, const Stage& stage) {
     const StageData& data = stage.data();
-    const Quantities& asks = data.asks;
+    const Quantities& needs = data.needs;
     const EvaluationCounts& made = stage.counts();
 
     std::vector<PlanLine> lines;
@@ -88,10 +88,10 @@ std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, cons
     lines.push_back(torque_line(session));
     lines.push_back(
         frames_line("angular velocity", true, film.n_frames, "every panel shows it", ""));
-    lines.push_back(frames_line("attitude", asks.attitude, film.n_frames,
+    lines.push_back(frames_line("attitude", needs.attitude, film.n_frames,
                                 "a panel shows the body in space",
                                 "no panel shows the body in space"));
-    lines.push_back(frames_line("herpolhode's point", asks.herpolhode, film.n_frames,
+    lines.push_back(frames_line("herpolhode's point", needs.herpolhode, film.n_frames,
                                 "a panel shows its position",
                                 "no panel shows it without the attitude"));
     lines.push_back(
@@ -101,12 +101,12 @@ std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, cons
              : "none",
          made.n_herpolhode > 0 ? "a panel shows it; each frame draws a part of one curve"
                                : "no panel shows it"});
-    lines.push_back(frames_line("Euler angles", asks.euler_angles, film.n_frames,
+    lines.push_back(frames_line("Euler angles", needs.euler_angles, film.n_frames,
                                 "a panel shows them", "no panel shows them"));
-    if (session.beside) {
-        const IntegratedRotation* stepped = session.beside->integrated();
+    if (session.comparison) {
+        const IntegratedRotation* stepped = session.comparison->integrated();
         lines.push_back({"comparison",
-                         fmt::format("by {}: {} steps", session.beside->problem().method.name,
+                         fmt::format("by {}: {} steps", session.comparison->problem().method.name,
                                      stepped != nullptr ? stepped->counters().n_steps : 0),
                          "the scene has [beside]"});
     }

@@ -8,7 +8,7 @@
 
 #include "drawing/stage_data.h"
 #include "error/error.h"
-#include "image/pixel_check.h"
+#include "image/pixels_xxh64.h"
 #include "image/png.h"
 #include "output/film_end.h"
 #include "output/film_metadata.h"
@@ -308,7 +308,7 @@ Verification verify(const std::filesystem::path& file, const Record& record) {
     } else if (is_picture) {
         const PngInfo info = read_png_info(file);
         same = info.width_px == record.width_px && info.height_px == record.height_px &&
-               pixel_check_of(file) == then;
+               pixels_xxh64_of(file) == then;
         behind = bytes_behind(info.n_bytes_behind);
     } else {
         same = packet_hash_of(file) == then;

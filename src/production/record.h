@@ -36,7 +36,7 @@ struct Record {
     // whose packets it contains.
     std::optional<std::pair<std::int64_t, std::int64_t>> run;
     std::optional<std::int64_t> frame;  // of a picture of a sequence; `frames` are the sequence's
-    std::string pixels;                 // of a picture, hash; see image/pixel_check.h
+    std::string pixels;                 // of a picture, hash; see image/pixels_xxh64.h
     std::string packets;                // of a film, hash; see output/film_packets.h
     std::string page;                   // of vectors, hash; see production/vectors/vector_still.h
     std::string shading;                // likewise: style of surfaces

@@ -7,23 +7,23 @@
 #include "error/error.h"
 #include "output/frame_name.h"
 #include "output/frame_sink.h"
-#include "production/beside/chapters.h"
-#include "production/beside/subtitles.h"
 #include "production/parts/jobs.h"
 #include "production/session.h"
+#include "production/sidecars/chapters.h"
+#include "production/sidecars/subtitles.h"
 #include "text/printable.h"
 
 namespace poinsot {
 
 void write_what_lies_beside(const std::filesystem::path& path, const Record& record,
-                            const Telling& telling) {
+                            const ProgressSink& progress) {
     Scene scene = scene_of(record, OutsideFiles::refused);
     if ((scene.chapters.empty() && scene.captions.empty()) || !record.frames) {
         remove_stale_chapters(path);
         if (!has_frame_number(path)) write_subtitles(path, {});
         return;
     }
-    const Session session = session_of(std::move(scene), {}, telling);
+    const Session session = session_of(std::move(scene), {}, progress);
     const FilmPlan film = film_plan(session);
     const auto [first, last] = *record.frames;
     OutputPlan plan;
@@ -39,20 +39,20 @@ void write_what_lies_beside(const std::filesystem::path& path, const Record& rec
     if (!has_frame_number(path)) write_subtitles(path, subtitles_of(session, film, first, last));
 }
 
-std::int64_t recover(const std::filesystem::path& film, const Telling& telling) {
+std::int64_t recover(const std::filesystem::path& film, const ProgressSink& progress) {
     // Parts of several processes are converted to the state of a single process first.
     const std::int64_t n_left = format_for(film).recover != nullptr ? gather_parts_aside(film) : 0;
     const std::int64_t n_frames = recover_film(film, told);
     if (n_left > 0)
-        telling.say(fmt::format(
+        progress.say(fmt::format(
             "note: {} later frames follow a gap and are kept; render draws the missing frames",
             n_left));
     try {
-        write_what_lies_beside(film, read_record(film), telling);
+        write_what_lies_beside(film, read_record(film), progress);
     } catch (const InputError& error) {
         // The film itself is complete; only the files beside it need the scene's files.
-        telling.say(fmt::format("note: {} was not written: {}",
-                                printable(chapters_path(film).string()), printable(error.what())));
+        progress.say(fmt::format("note: {} was not written: {}",
+                                 printable(chapters_path(film).string()), printable(error.what())));
     }
     return n_frames;
 }

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "error/error.h"
-#include "image/pixel_check.h"
+#include "image/pixels_xxh64.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
 #include "production/film_job.h"
@@ -67,16 +67,17 @@ PictureSpan span_of(const FilmPlan& film, const Record& record) {
 // Redraws one frame of a sequence; its record is that of the whole sequence, since it shows its
 // history.
 void redraw_frame(const RedrawRequest& request, const Record& record, const Session& session,
-                  Easel& easel) {
+                  LazyRenderer& renderer) {
     const std::int64_t frame = frame_of_picture(request.file, record);
     const FilmPlan film = film_plan(session);
-    PictureMaker pictures(session, easel, span_of(film, record));
+    PictureMaker pictures(session, renderer, span_of(film, record));
     Image image;
     pictures.draw(film.moment_of(frame), image);
-    Record again = record_of(session, pictures, easel.is_portable());
+    Record again = record_of(session, pictures, renderer.is_portable());
     again.frames = record.frames;
     PngOptions png;
-    png.texts[metadata_name] = told(to_text(again), {.frame = frame, .pixels = pixel_check(image)});
+    png.texts[metadata_name] =
+        told(to_text(again), {.frame = frame, .pixels = pixels_xxh64(image)});
     write_png(request.output, image, png);
 }
 
@@ -95,7 +96,7 @@ RedrawRequest with_its_names(RedrawRequest request, const Record& record) {
 
 // The session of the record's scene; checks that meshes and pictures are unchanged.
 Session session_of_record(const RedrawRequest& request, const Record& record,
-                          const Telling& telling) {
+                          const ProgressSink& progress) {
     Scene scene = scene_of(record, request.outside);
     scene.notes.clear();
     if (mesh_hash_of(scene) != record.mesh_hash) {
@@ -107,7 +108,7 @@ Session session_of_record(const RedrawRequest& request, const Record& record,
                         printable(files)));
     }
     const double time_s = record.time_s.value_or(0.0);
-    return session_of(std::move(scene), {&time_s, 1}, telling);
+    return session_of(std::move(scene), {&time_s, 1}, progress);
 }
 
 ContextChoice context_for(const RedrawRequest& request, const Record& record) {
@@ -127,9 +128,10 @@ StillRequest still_request_of(const RedrawRequest& request, const Record& record
 }
 
 // The record of a redrawn file, except for fields known only after drawing.
-Record record_to_come(const RedrawRequest& request, const Record& record, const Telling& telling) {
+Record record_to_come(const RedrawRequest& request, const Record& record,
+                      const ProgressSink& progress) {
     refuse_sheet(request.file, record);
-    Session session = session_of_record(request, record, telling);
+    Session session = session_of_record(request, record, progress);
     StillRequest still = still_request_of(request, record);
     still.output = request.file.string();
     Record now;
@@ -138,14 +140,14 @@ Record record_to_come(const RedrawRequest& request, const Record& record, const 
     } else {
         if (suffix_of(request.file) == ".png") frame_of_picture(request.file, record);
         const FilmJob film(session, {.frames = record.run ? record.run : record.frames});
-        const Staging staging(session, span_of(film.film(), record), PrintChoices{});
+        const PreparedPicture staging(session, span_of(film.film(), record), PrintChoices{});
         now = record_of(session, staging.stage, "");
     }
     if (is_vector_name(request.file) && !has_pixels(still.vectors)) {
         record_without_context(now);
     } else {
-        Easel easel(context_for(request, record));
-        record_context(easel.context().info(), easel.is_portable(), now);
+        LazyRenderer renderer(context_for(request, record));
+        record_context(renderer.context().info(), renderer.is_portable(), now);
     }
     return now;
 }
@@ -153,9 +155,9 @@ Record record_to_come(const RedrawRequest& request, const Record& record, const 
 }  // namespace
 
 RedrawCheck check_redraw(const RedrawRequest& request, const Record& record,
-                         const Telling& telling) {
+                         const ProgressSink& progress) {
     try {
-        const Record now = record_to_come(request, record, telling);
+        const Record now = record_to_come(request, record, progress);
         if (now.version == record.version && now.scene_toml != record.scene_toml)
             return {"its scene changes when this program reads and writes it", {}};
         return {"", differences(record, now)};
@@ -167,7 +169,7 @@ RedrawCheck check_redraw(const RedrawRequest& request, const Record& record,
     }
 }
 
-void redraw(const RedrawRequest& asked, const Telling& telling) {
+void redraw(const RedrawRequest& asked, const ProgressSink& progress) {
     const Record record = read_record(asked.file);
     refuse_sheet(asked.file, record);
     const RedrawRequest request = with_its_names(asked, record);
@@ -184,30 +186,30 @@ void redraw(const RedrawRequest& asked, const Telling& telling) {
 
     Session session = [&] {
         try {
-            return session_of_record(request, record, telling);
+            return session_of_record(request, record, progress);
         } catch (const SceneError&) {
             throw;
         } catch (const InputError& error) {
             throw InputError(fmt::format("{}: {}", printable(request.file.string()), error.what()));
         }
     }();
-    Easel easel(context_for(request, record));
+    LazyRenderer renderer(context_for(request, record));
     if (record.time_s) {
         StillWriter writer;
         StillJob(std::move(session), still_request_of(request, record))
-            .draw(easel, writer, telling);
+            .draw(renderer, writer, progress);
         writer.finish();
     } else if (is_picture) {
-        redraw_frame(request, record, session, easel);
+        redraw_frame(request, record, session, renderer);
     } else {
         // Of a recovered film: the recovered frames of the interrupted run.
         const auto [first, last] = *record.frames;
         FilmRequest film{request.output.string(), record.run ? record.run : record.frames};
         if (record.run) film.n_shown = last - first + 1;
-        FilmJob(session, film).make(easel, telling);
+        FilmJob(session, film).make(renderer, progress);
     }
     for (const std::string& note : differences(record, read_record(request.output)))
-        telling.say(note);
+        progress.say(note);
 }
 
 }  // namespace poinsot

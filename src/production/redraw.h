@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "production/picture.h"
+#include "production/progress_sink.h"
 #include "production/record.h"
-#include "production/telling.h"
 #include "scene/load_scene.h"
 
 namespace poinsot {
@@ -30,11 +30,11 @@ struct RedrawCheck {
 // Reads the scene of the file's record, makes its motion and its stage, and opens the renderer. The
 // request's output is ignored.
 RedrawCheck check_redraw(const RedrawRequest& request, const Record& record,
-                         const Telling& telling);
+                         const ProgressSink& progress);
 
 // Redraws a file from its record, and reports possible causes of different bytes. Throws InputError
 // for a file without a record, and for a mesh or a picture that has changed since;
 // EnvironmentError.
-void redraw(const RedrawRequest& asked, const Telling& telling);
+void redraw(const RedrawRequest& asked, const ProgressSink& progress);
 
 }  // namespace poinsot

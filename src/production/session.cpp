@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/charts/chart_room.h"
+#include "drawing/charts/chart_fit.h"
 #include "drawing/idle_keys.h"
 #include "drawing/theme_contrast.h"
 #include "drawing/type/overlay.h"
 #include "error/error.h"
 #include "mechanics/methods.h"
-#include "production/patience.h"
 #include "production/print_size.h"
+#include "production/slow_work_notice.h"
 #include "scene/scene_error.h"
 #include "scene/scene_keys.h"
 #include "text/printable.h"
@@ -124,13 +124,13 @@ void note_idle_keys(Scene& scene) {
 
 }  // namespace
 
-Session open_session(const SceneRequest& request, const Telling& telling) {
+Session open_session(const SceneRequest& request, const ProgressSink& progress) {
     Scene scene = load_scene(request.file, request.overrides, request.outside);
     set_size_on_paper(request, scene);
-    return session_of(std::move(scene), request.times_s, telling);
+    return session_of(std::move(scene), request.times_s, progress);
 }
 
-Session session_of(Scene scene, std::span<const double> times_s, const Telling& telling) {
+Session session_of(Scene scene, std::span<const double> times_s, const ProgressSink& progress) {
     note_idle_keys(scene);
     std::optional<Loop> loop = resolve_loop(scene);
     MotionProblem problem = problem_of(scene);
@@ -142,11 +142,11 @@ Session session_of(Scene scene, std::span<const double> times_s, const Telling& 
     const Accuracy accuracy = accuracy_of(scene);
     const std::string key = key_of("motion", scene.method);
     // Before the estimate, which steps as well.
-    std::optional<Patience> patience;
+    std::optional<SlowWorkNotice> notice;
     if (steps(scene.method) || (scene.beside && steps(*scene.beside)))
-        patience.emplace(fmt::format("{}: stepping the motion", printable(scene.name, 40)), telling,
-                         longest_stepping_s);
-    const std::stop_token stop = patience ? patience->token() : std::stop_token();
+        notice.emplace(fmt::format("{}: stepping the motion", printable(scene.name, 40)), progress,
+                       longest_stepping_s);
+    const std::stop_token stop = notice ? notice->token() : std::stop_token();
     SteppingPlan plan = at_key_of_error(scene, key, "film", [&] { return stepping_plan(problem); });
     if (scene.beside) {
         MotionProblem other = problem;
@@ -154,7 +154,7 @@ Session session_of(Scene scene, std::span<const double> times_s, const Telling& 
         plan.estimate_s += at_key_of_error(scene, key_of("beside", *scene.beside), "film",
                                            [&] { return affordable_s(other, 1.0); });
     }
-    if (patience) patience->expect(plan.estimate_s);
+    if (notice) notice->expect(plan.estimate_s);
     StepChoice step = at_key_of_error(scene, key, "film", [&] {
         return choose_step(problem, accuracy.motion_rad(), most_chosen_steps, stop);
     });
@@ -164,14 +164,14 @@ Session session_of(Scene scene, std::span<const double> times_s, const Telling& 
     Motion motion = at_key_of_error(scene, plan.steps ? key : "start", "film",
                                     [&] { return Motion(problem, stop); });
 
-    std::optional<Motion> beside;
+    std::optional<Motion> comparison;
     if (scene.beside) {
         problem.method = *scene.beside;
-        beside = at_key_of_error(scene, key_of("beside", *scene.beside), "film",
-                                 [&] { return Motion(problem, stop); });
+        comparison = at_key_of_error(scene, key_of("beside", *scene.beside), "film",
+                                     [&] { return Motion(problem, stop); });
     }
-    return {std::move(scene),  accuracy,          std::move(step),
-            std::move(motion), std::move(beside), std::move(loop)};
+    return {std::move(scene),      accuracy,       std::move(step), std::move(motion),
+            std::move(comparison), std::move(loop)};
 }
 
 void throw_at_key(const Scene& scene, const std::string& key, const std::string& time_key,
@@ -196,13 +196,14 @@ bool can_certify(const Session& session) {
            !problem.start.omega_body.isZero(0.0);
 }
 
-Certificate certify_film(const Session& session, const FilmPlan& film, const Telling& telling) {
-    std::optional<Patience> patience;
+Certificate certify_film(const Session& session, const FilmPlan& film,
+                         const ProgressSink& progress) {
+    std::optional<SlowWorkNotice> notice;
     constexpr std::int64_t many = 100'000;
     if (film.n_frames >= many)
-        patience.emplace(fmt::format("{}: certifying {} frames", printable(session.scene.name, 40),
-                                     film.n_frames),
-                         telling);
+        notice.emplace(fmt::format("{}: certifying {} frames", printable(session.scene.name, 40),
+                                   film.n_frames),
+                       progress);
     std::vector<double> times;
     times.reserve(static_cast<std::size_t>(film.n_frames));
     for (std::int64_t frame = 0; frame < film.n_frames; ++frame) {
@@ -240,7 +241,7 @@ std::string text_of(const Certificate& certificate) {
                               certificate.n_instants);
 }
 
-FilmMoment FilmPlan::moment_of(std::int64_t frame) const {
+FilmTime FilmPlan::moment_of(std::int64_t frame) const {
     const double film_s =
         loop_s > 0.0
             ? length_s * (static_cast<double>(frame) / static_cast<double>(n_frames))
@@ -259,8 +260,8 @@ FilmPlan film_plan(const Session& session) {
     return plan;
 }
 
-void tell_notes(const Scene& scene, const Telling& telling) {
-    for (const std::string& note : scene.notes) telling.say("note: " + printable(note));
+void tell_notes(const Scene& scene, const ProgressSink& progress) {
+    for (const std::string& note : scene.notes) progress.say("note: " + printable(note));
 }
 
 }  // namespace poinsot

@@ -16,7 +16,7 @@
 #include "output/frame_sink.h"
 #include "production/loop.h"
 #include "production/print_size.h"
-#include "production/telling.h"
+#include "production/progress_sink.h"
 #include "scene/film_clock.h"
 #include "scene/load_scene.h"
 #include "scene/scene.h"
@@ -30,8 +30,8 @@ struct Session {
     Accuracy accuracy;
     StepChoice step;  // of a stepped method; derived from accuracy_px by default
     Motion motion;
-    std::optional<Motion> beside;  // by the scene's second method
-    std::optional<Loop> loop;      // of a looping film
+    std::optional<Motion> comparison;  // by the scene's second method
+    std::optional<Loop> loop;          // of a looping film
 };
 
 // A request to open a scene file.
@@ -44,12 +44,13 @@ struct SceneRequest {
 };
 
 // Throws InputError.
-Session open_session(const SceneRequest& request, const Telling& telling = {});
+Session open_session(const SceneRequest& request, const ProgressSink& progress = {});
 
 // The motion of a scene over its film and further instants, with its step chosen. Throws
 // SceneError. Rejects stepping that would take longer than longest_stepping_s; reports stepping
 // that takes more than a second.
-Session session_of(Scene scene, std::span<const double> times_s = {}, const Telling& telling = {});
+Session session_of(Scene scene, std::span<const double> times_s = {},
+                   const ProgressSink& progress = {});
 
 // Upper bound of position errors due to the motion, in pixels: measured for a stepped motion, the
 // rounding bound for a closed form.
@@ -66,7 +67,7 @@ struct FilmPlan {
     double loop_s = 0.0;        // period of a loop, seconds of motion; 0: no loop
     std::int64_t n_frames = 0;  // of the whole film
 
-    FilmMoment moment_of(std::int64_t frame) const;
+    FilmTime moment_of(std::int64_t frame) const;
     double time_of(std::int64_t frame) const { return moment_of(frame).time_s; }
     double last_time_s() const { return n_frames > 0 ? time_of(n_frames - 1) : start_s; }
 };
@@ -75,7 +76,8 @@ FilmPlan film_plan(const Session& session);
 
 // The residuals of the construction over all frames. For torque-free rotation.
 bool can_certify(const Session& session);
-Certificate certify_film(const Session& session, const FilmPlan& film, const Telling& telling = {});
+Certificate certify_film(const Session& session, const FilmPlan& film,
+                         const ProgressSink& progress = {});
 
 // The certificate as text, one line per claim, with measured and promised values.
 std::string text_of(const Certificate& certificate);
@@ -100,6 +102,6 @@ decltype(auto) at_key_of_error(const Scene& scene, const std::string& key,
 }
 
 // Reports the notes of the scene's reader.
-void tell_notes(const Scene& scene, const Telling& telling);
+void tell_notes(const Scene& scene, const ProgressSink& progress);
 
 }  // namespace poinsot

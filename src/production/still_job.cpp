@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "error/error.h"
-#include "image/pixel_check.h"
+#include "image/pixels_xxh64.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
 #include "production/banded_still.h"
@@ -27,10 +27,10 @@ namespace {
 
 constexpr int most_side_px = 16384;  // limit of a framebuffer
 
-FilmMoment moment_asked(const Session& session, const StillRequest& request) {
+FilmTime moment_asked(const Session& session, const StillRequest& request) {
     const FilmPlan film = film_plan(session);
     const auto asked_s = request.time_s ? request.time_s : session.scene.film.still_s;
-    const FilmMoment moment =
+    const FilmTime moment =
         asked_s ? moment_of_time(film.clock, *asked_s) : film.moment_of(film.n_frames - 1);
     // An instant for which the motion fails is reported with its option.
     if (request.time_s) {
@@ -83,7 +83,7 @@ PictureSpan span_of(const Session& session, double time_s) {
 }
 
 // The pixels of a drawing of surfaces alone.
-vector::Raster pixels_of(const Drawing& drawing, Easel& easel) {
+vector::Raster pixels_of(const Drawing& drawing, LazyRenderer& renderer) {
     constexpr double most_pixels = 1e8;
     if (1.0 * drawing.width_px * drawing.height_px > most_pixels ||
         std::max(drawing.width_px, drawing.height_px) > most_side_px)
@@ -92,7 +92,7 @@ vector::Raster pixels_of(const Drawing& drawing, Easel& easel) {
                         "{:.0f} million in all: make the figure smaller",
                         drawing.width_px, drawing.height_px, most_side_px, most_pixels / 1e6));
     Image image;
-    easel.renderer().render_into(drawing, image);
+    renderer.renderer().render_into(drawing, image);
     const auto bytes = image.bytes();
     return {image.width(), image.height(), {bytes.begin(), bytes.end()}};
 }
@@ -103,17 +103,18 @@ PictureSetting setting_for(const Scene& scene, const StillRequest& request) {
 }
 
 // Reports text that LaTeX may set differently than the figure shows.
-void note_gaps(const LatexGaps& gaps, const std::filesystem::path& file, const Telling& telling) {
+void note_gaps(const LatexGaps& gaps, const std::filesystem::path& file,
+               const ProgressSink& progress) {
     const std::string name = printable(file.filename().string());
     if (!gaps.hidden.empty())
-        telling.say(fmt::format("note: {} leaves out {}, which LaTeX cannot set", name,
-                                listed(gaps.hidden)));
+        progress.say(fmt::format("note: {} leaves out {}, which LaTeX cannot set", name,
+                                 listed(gaps.hidden)));
     if (!gaps.need_t1.empty())
-        telling.say(fmt::format(
+        progress.say(fmt::format(
             "note: {}: pdfLaTeX leaves out {}; \\usepackage[T1]{{fontenc}} lets it set them", name,
             listed(gaps.need_t1)));
     if (!gaps.need_unicode.empty())
-        telling.say(fmt::format(
+        progress.say(fmt::format(
             "note: {}: pdfLaTeX leaves out {}; XeLaTeX and LuaLaTeX set those that their font has",
             name, listed(gaps.need_unicode)));
 }
@@ -136,8 +137,8 @@ Record StillJob::record() const {
                      in_words(staging_.bound, session_.accuracy.asked_px));
 }
 
-void StillJob::draw_vectors(OutputPlace place, Record record, Easel& easel,
-                            const Telling& telling) {
+void StillJob::draw_vectors(OutputPlace place, Record record, LazyRenderer& renderer,
+                            const ProgressSink& progress) {
     record.time_s = moment_.time_s;
     record.dpi = request_.print.dpi;
     record.type_pt = request_.print.type_pt.value_or(default_type_pt);
@@ -146,8 +147,8 @@ void StillJob::draw_vectors(OutputPlace place, Record record, Easel& easel,
     if (request_.vectors.text != VectorChoices{}.text) record.lettering = request_.vectors.text;
     vector::DrawPixels draw_pixels;
     if (has_pixels(request_.vectors)) {
-        record_context(easel.context().info(), easel.is_portable(), record);
-        draw_pixels = [&easel](const Drawing& drawing) { return pixels_of(drawing, easel); };
+        record_context(renderer.context().info(), renderer.is_portable(), record);
+        draw_pixels = [&renderer](const Drawing& drawing) { return pixels_of(drawing, renderer); };
     } else {
         record_without_context(record);
     }
@@ -159,31 +160,31 @@ void StillJob::draw_vectors(OutputPlace place, Record record, Easel& easel,
     if (!still.latex.empty()) {
         const std::filesystem::path beside = latex_path_of(place.path());
         write_whole(beside, still.latex);
-        note_gaps(still.latex_gaps, beside, telling);
+        note_gaps(still.latex_gaps, beside, progress);
         files += "\n" + printable(beside.string());
     }
-    telling.say(fmt::format("{}\npaths within {:.2g} um of what they show", files, still.off_um));
+    progress.say(fmt::format("{}\npaths within {:.2g} um of what they show", files, still.off_um));
 }
 
-Record StillJob::draw_into(Easel& easel, Image& image) {
-    PictureMaker pictures(std::move(staging_), easel);
-    Record record = record_of(session_, pictures, easel.is_portable());
+Record StillJob::draw_into(LazyRenderer& renderer, Image& image) {
+    PictureMaker pictures(std::move(staging_), renderer);
+    Record record = record_of(session_, pictures, renderer.is_portable());
     record.time_s = moment_.time_s;
     pictures.draw(moment_, image);
     return record;
 }
 
-void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
+void StillJob::draw(LazyRenderer& renderer, StillWriter& writer, const ProgressSink& progress) {
     const Scene& scene = session_.scene;
-    tell_notes(scene, telling);
-    tell_stage_notes(staging_.stage, telling);
+    tell_notes(scene, progress);
+    tell_stage_notes(staging_.stage, progress);
     OutputPlace place(request_.output, scene, ".png");
     if (is_vector_name(request_.output)) {
-        draw_vectors(std::move(place), record(), easel, telling);
+        draw_vectors(std::move(place), record(), renderer, progress);
         return;
     }
-    PictureMaker pictures(std::move(staging_), easel);
-    Record record = record_of(session_, pictures, easel.is_portable());
+    PictureMaker pictures(std::move(staging_), renderer);
+    Record record = record_of(session_, pictures, renderer.is_portable());
     record.time_s = moment_.time_s;
     PngOptions png;
     if (const auto paper =
@@ -204,14 +205,14 @@ void StillJob::draw(Easel& easel, StillWriter& writer, const Telling& telling) {
             return std::map<std::string, std::string>{{metadata_name, sealed_text(record)}};
         };
         write_in_bands(pictures, moment_, place.path(), png, record.bit_depth, texts);
-        telling.say(words);
+        progress.say(words);
     } else {
         Image image;
         pictures.draw(moment_, image);
-        record.pixels = pixel_check(image);
+        record.pixels = pixels_xxh64(image);
         png.texts[metadata_name] = sealed_text(record);
         writer.write(std::move(place), std::move(image), std::move(png),
-                     [say = telling.say, words = std::move(words)] { say(words); });
+                     [say = progress.say, words = std::move(words)] { say(words); });
     }
 }
 

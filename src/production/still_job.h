@@ -8,10 +8,10 @@
 #include "production/output_place.h"
 #include "production/picture.h"
 #include "production/print_size.h"
+#include "production/progress_sink.h"
 #include "production/record.h"
 #include "production/session.h"
 #include "production/still_writer.h"
-#include "production/telling.h"
 #include "production/vectors/vector_still.h"
 
 namespace poinsot {
@@ -33,7 +33,7 @@ class StillJob {
     StillJob& operator=(const StillJob&) = delete;
 
     std::int64_t n_pixels() const;
-    // Whether drawing opens the easel's context.
+    // Whether drawing opens the renderer's context.
     bool opens_context() const {
         return !is_vector_name(request_.output) || has_pixels(request_.vectors);
     }
@@ -42,18 +42,19 @@ class StillJob {
 
     // Draws and writes the picture; the writer may finish later. Throws InputError,
     // EnvironmentError, and the writer's error for an earlier picture.
-    void draw(Easel& easel, StillWriter& writer, const Telling& telling);
+    void draw(LazyRenderer& renderer, StillWriter& writer, const ProgressSink& progress);
 
     // Draws into memory only, for a contact sheet; returns the record. Throws as draw does.
-    Record draw_into(Easel& easel, Image& image);
+    Record draw_into(LazyRenderer& renderer, Image& image);
 
  private:
-    void draw_vectors(OutputPlace place, Record record, Easel& easel, const Telling& telling);
+    void draw_vectors(OutputPlace place, Record record, LazyRenderer& renderer,
+                      const ProgressSink& progress);
 
     Session session_;
     StillRequest request_;
-    FilmMoment moment_;
-    Staging staging_;
+    FilmTime moment_;
+    PreparedPicture staging_;
 };
 
 }  // namespace poinsot

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "error/error.h"
-#include "render/keep/canvas.h"
-#include "render/keep/lasting_curve_pass.h"
+#include "render/cache/cached_curve_pass.h"
+#include "render/cache/canvas.h"
 #include "render/passes/arrow_pass.h"
 #include "render/passes/cone_pass.h"
 #include "render/passes/curve_pass.h"
@@ -70,7 +70,7 @@ struct Renderer::Impl {
     EllipsoidPass ellipsoid_;
     CurveStore curves_;
     CurvePass curve_;
-    LastingCurvePass lasting_;
+    CachedCurvePass lasting_;
     ArrowPass arrow_;
     ConePass cone_;
     LabelPass label_;
@@ -179,7 +179,7 @@ void Renderer::Impl::mark_moving(const ViewScene& scene) {
     for (const Quadric& q : scene.quadrics)
         if (q.seen) moving_.mark(q.outline, box);
     for (const Curve& curve : scene.view->curves)
-        if (!LastingCurvePass::keeps(curve)) CurvePass::mark(scene, curve, curves_, moving_);
+        if (!CachedCurvePass::keeps(curve)) CurvePass::mark(scene, curve, curves_, moving_);
     lasting_.mark(scene, moving_);
     arrow_.mark(scene, moving_);
     cone_.mark(scene, moving_);
@@ -226,7 +226,7 @@ void Renderer::Impl::draw_moving(const ViewScene& scene, bool only_marked) {
     arrow_.order(scene);
     arrow_.draw(scene, ArrowPass::Layer::hidden);
     for (const Curve& curve : scene.view->curves) {
-        if (LastingCurvePass::keeps(curve))
+        if (CachedCurvePass::keeps(curve))
             lasting_.draw(scene, curve, only_marked ? &marks_ : nullptr, curve_, curves_);
         else
             curve_.draw(scene, curve, curves_);

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "error/error.h"
-#include "image/pixel_hash.h"
+#include "image/pixels_sha256.h"
 #include "image/png.h"
 #include "production/record.h"
 #include "report/baselines.h"
@@ -78,7 +78,7 @@ std::vector<std::string> names_wanted(const ApprovalRequest& request) {
 }
 
 Candidate candidate_for(const std::string& name, const ApprovalRequest& request,
-                        const ApprovalTelling& telling) {
+                        const ApprovalTelling& progress) {
     Candidate candidate{name, file_of_picture(request.results, name), {}};
     const Record record = read_record(candidate.file);
     if (!record.portable && !request.any_renderer)
@@ -94,9 +94,9 @@ Candidate candidate_for(const std::string& name, const ApprovalRequest& request,
         throw InputError(fmt::format("{}: {}; draw it again", printable(candidate.file.string()),
                                      verification.sentence));
     if (verification.verified == Verified::cannot_be)
-        telling.note(
+        progress.note(
             fmt::format("{}: {}", printable(candidate.file.string()), verification.sentence));
-    candidate.baseline = {pixel_hash(read_stored_png(candidate.file)),
+    candidate.baseline = {pixels_sha256(read_stored_png(candidate.file)),
                           record.scene_hash,
                           record.renderer,
                           record.mesa,
@@ -135,25 +135,25 @@ void check_reason(const Candidate& candidate, const BaselineWriter& baselines) {
 
 }  // namespace
 
-void approve(const ApprovalRequest& request, const ApprovalTelling& telling) {
+void approve(const ApprovalRequest& request, const ApprovalTelling& progress) {
     BaselineWriter baselines(request.baselines, [&] {
-        telling.note(fmt::format("waiting for another approval that is writing to {}",
-                                 printable(request.baselines.string())));
+        progress.note(fmt::format("waiting for another approval that is writing to {}",
+                                  printable(request.baselines.string())));
     });
     for (const std::string& name : baselines.finished())
-        telling.settled(name,
-                        "finished for an interrupted approval: its line is now in the manifest");
+        progress.settled(name,
+                         "finished for an interrupted approval: its line is now in the manifest");
 
     // All checks come before any change.
     const BaselineManifest& manifest = baselines.manifest();
     std::vector<BaselineWriter::Change> changes;
     std::vector<std::string_view> outcomes;
     for (const std::string& name : names_wanted(request)) {
-        Candidate candidate = candidate_for(name, request, telling);
+        Candidate candidate = candidate_for(name, request, progress);
         const auto before = manifest.find(name);
         if (before != manifest.end() && before->second.pixels == candidate.baseline.pixels) {
             if (baselines.pixels_of(name) == candidate.baseline.pixels) {
-                telling.settled(name, "unchanged");
+                progress.settled(name, "unchanged");
                 continue;
             }
             // The picture was lost or changed; its line is kept.
@@ -168,7 +168,7 @@ void approve(const ApprovalRequest& request, const ApprovalTelling& telling) {
         changes.push_back({name, candidate.file, candidate.baseline});
     }
     baselines.take(changes);
-    for (std::size_t i = 0; i < changes.size(); ++i) telling.settled(changes[i].name, outcomes[i]);
+    for (std::size_t i = 0; i < changes.size(); ++i) progress.settled(changes[i].name, outcomes[i]);
 }
 
 }  // namespace poinsot

@@ -25,6 +25,6 @@ struct ApprovalTelling {
 };
 
 // Approves the pictures; all checks come before any change. Throws InputError, EnvironmentError.
-void approve(const ApprovalRequest& request, const ApprovalTelling& telling);
+void approve(const ApprovalRequest& request, const ApprovalTelling& progress);
 
 }  // namespace poinsot

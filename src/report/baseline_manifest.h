@@ -11,7 +11,7 @@
 namespace poinsot {
 
 struct Baseline {
-    std::string pixels;    // hash of size and pixels; see pixel_hash
+    std::string pixels;    // hash of size and pixels; see pixels_sha256
     std::string scene;     // SHA-256 of the complete scene
     std::string renderer;  // GL_RENDERER
     std::string mesa;      // version

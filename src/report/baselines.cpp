@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "error/error.h"
-#include "image/pixel_hash.h"
+#include "image/pixels_sha256.h"
 #include "image/png.h"
 #include "system/file_contents.h"
 
@@ -36,7 +36,7 @@ fs::path picture_in(const fs::path& folder, const std::string& name) {
 
 std::string pixel_hash_of_file(const fs::path& picture) {
     try {
-        return pixel_hash(read_stored_png(picture));
+        return pixels_sha256(read_stored_png(picture));
     } catch (const Error&) {
         return "";
     }

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "error/error.h"
-#include "image/pixel_hash.h"
+#include "image/pixels_sha256.h"
 #include "image/png.h"
 #include "production/record.h"
 #include "system/file_contents.h"
@@ -166,7 +166,7 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
         result.outcome = outcome_of(result.measured.verdict);
         result.reason = result.measured.reason;
         if (baselines == nullptr || !baselines->has_manifest()) return result;
-        if (std::string fault = baselines->fault(baseline_name, pixel_hash(picture));
+        if (std::string fault = baselines->fault(baseline_name, pixels_sha256(picture));
             !fault.empty()) {
             result.outcome = Outcome::baseline;
             result.reason = std::move(fault);

@@ -51,7 +51,7 @@ std::optional<double> FilmClock::length_s() const {
     return film_second_of(start_s_ + *asked_duration_s_);
 }
 
-FilmMoment moment_of_time(const FilmClock& clock, double time_s) {
+FilmTime moment_of_time(const FilmClock& clock, double time_s) {
     if (const auto film_s = clock.film_second_of(time_s)) return {time_s, *film_s};
     // Not in the film: before its first frame, or after the speed has fallen to 0.
     const bool before = time_s < clock.time_at(0.0);

@@ -12,7 +12,7 @@ namespace poinsot {
 struct Scene;
 
 // An instant as the time of the motion and the time of the film.
-struct FilmMoment {
+struct FilmTime {
     double time_s = 0.0;  // of the motion
     double film_s = 0.0;  // of the film, from its first frame
 };
@@ -44,7 +44,7 @@ class FilmClock {
 
 // Returns the film time at which an instant of the motion is shown; if it is not shown, a time
 // before or after the film that keeps the order of instants.
-FilmMoment moment_of_time(const FilmClock& clock, double time_s);
+FilmTime moment_of_time(const FilmClock& clock, double time_s);
 
 // The motion's time at the end of the film, or at its start if the film has no end.
 double film_end_time_s(const Scene& scene);

@@ -26,7 +26,7 @@ std::span<const SceneKey> body_keys();
 std::span<const SceneKey> motion_keys();
 std::span<const SceneKey> film_keys();
 std::span<const SceneKey> camera_keys();
-std::span<const SceneKey> told_keys();
+std::span<const SceneKey> story_keys();
 std::span<const SceneKey> panel_keys();
 std::span<const SceneKey> style_keys();
 std::span<const SceneKey> mark_keys();

@@ -46,7 +46,7 @@ Grant grant_of(const std::filesystem::path& root, std::string_view own) {
     }
 }
 
-Grant own_grant() {
+Grant process_grant() {
     // If the file is not readable, no limit is known.
     std::ifstream groups("/proc/self/cgroup");
     std::string own;

@@ -20,6 +20,6 @@ struct Grant {
 Grant grant_of(const std::filesystem::path& root, std::string_view own);
 
 // The limits of this process.
-Grant own_grant();
+Grant process_grant();
 
 }  // namespace poinsot

@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "error/error.h"
-#include "system/own_files.h"
+#include "system/program_files.h"
 
 namespace poinsot {
 
 std::vector<std::filesystem::path> default_font_folders() {
-    return {own_share() / "fonts",  // fonts in a bundle
+    return {program_share() / "fonts",  // fonts in a bundle
             "/usr/share/texmf/fonts/opentype/public/lm-math",
             "/usr/share/texmf/fonts/opentype/public/lm",
             "/usr/share/texlive/texmf-dist/fonts/opentype/public/lm-math",

@@ -32,12 +32,12 @@ void check_style(const TypeStyle& style) {
     }
 }
 
-struct SetType {
+struct GlyphRun {
     TypeBox box;
     int n_lines = 0;
 };
 
-SetType set_type(std::string_view text, const TypeStyle& style, FontSet& fonts) {
+GlyphRun set_type(std::string_view text, const TypeStyle& style, FontSet& fonts) {
     check_style(style);
     if (style.mode == TypeMode::math) {
         const MathList atoms = parse_math(text);
@@ -90,7 +90,7 @@ InkBox ink_of(const TypeBox& box) {
     return ink;
 }
 
-TypeExtent extent_of(const SetType& set) {
+TypeExtent extent_of(const GlyphRun& set) {
     TypeExtent extent;
     extent.advance_px = set.box.width;
     extent.n_lines = set.n_lines;
@@ -149,7 +149,7 @@ const std::vector<std::filesystem::path>& Typesetter::fallbacks_used() const {
 const std::vector<char32_t>& Typesetter::missing() const { return state_->fonts.missing(); }
 
 TypesetMask Typesetter::set(std::string_view text, const TypeStyle& style) const {
-    SetType type = set_type(text, style, state_->fonts);
+    GlyphRun type = set_type(text, style, state_->fonts);
     align_rules(type.box);
     TypesetMask mask{extent_of(type), {}, {}, {}};
     rasterise(type.box, mask);
@@ -165,7 +165,7 @@ TypesetMask Typesetter::set(std::string_view text, const TypeStyle& style) const
 }
 
 TypeExtent Typesetter::measure(std::string_view text, const TypeStyle& style) const {
-    SetType type = set_type(text, style, state_->fonts);
+    GlyphRun type = set_type(text, style, state_->fonts);
     align_rules(type.box);
     return extent_of(type);
 }

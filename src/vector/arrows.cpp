@@ -165,14 +165,14 @@ struct ArrowParts {
 
 // Fills the arrow with shading; with `ink` if it is pale.
 void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape, double opacity,
-                const Ink& ink, const ArrowParts& parts) {
+                const PaperInk& ink, const ArrowParts& parts) {
     const double shaft_tail = shape.shaft_radius * shape.tail_scale;
     const double shaft_neck = shape.shaft_radius * shape.neck_scale;
     const double head = shape.head_radius * shape.neck_scale;
     const Colour behind = canvas.behind(0.5 * (shape.tail_pt + shape.tip_pt));
     const double head_length = (shape.tip - shape.neck).norm();
     const auto paint = [&](const Eigen::Vector2d& middle, double radius, double slope) -> Paint {
-        if (canvas.shading == Shading::none) return Ink{arrow.colour, opacity};
+        if (canvas.shading == Shading::none) return PaperInk{arrow.colour, opacity};
         if (opacity < pale) return ink;
         // A part as narrow as a line has no gradient, either.
         constexpr double narrow_pt = 0.8;
@@ -310,10 +310,10 @@ void draw_part(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape
         const Colour behind = over(as_in_light(lit, lower_opacity, ground), ground);
         return Canvas::LineLook{lit, opacity, behind};
     };
-    std::vector<Canvas::EvenPart> parts{{span.from, span.to, {}}};
+    std::vector<Canvas::ConstantColourSpan> parts{{span.from, span.to, {}}};
     if (canvas.shading != Shading::none && opacity < pale)
-        parts = canvas.even_parts(track, span.from, span.to, look_at);
-    for (const Canvas::EvenPart& part : parts) {
+        parts = canvas.constant_colour_spans(track, span.from, span.to, look_at);
+    for (const Canvas::ConstantColourSpan& part : parts) {
         const bool whole = part.from <= 0.0 && part.to >= 1.0;
         if (!whole) canvas.add(ClipBegin{strip(canvas, shape, part.from, part.to), false});
         fill_arrow(canvas, arrow, shape, opacity, part.ink,

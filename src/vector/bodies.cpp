@@ -278,7 +278,8 @@ void fill_bodies(const Canvas& canvas, Bodies bodies) {
     for (const auto& [key, triangles] : filled) {
         const auto& level = key.second;
         const Colour colour{level[0] / n_tones, level[1] / n_tones, level[2] / n_tones};
-        canvas.add(Fill{common_outline(triangles), Ink{colour, 1.0}, false, seam_of(triangles)});
+        canvas.add(
+            Fill{common_outline(triangles), PaperInk{colour, 1.0}, false, seam_of(triangles)});
     }
 }
 

@@ -103,7 +103,7 @@ void draw_background(const Background& background, const Eigen::Vector2d& corner
     Fill fill;
     fill.path.add_rectangle(corner_pt, size_pt);
     if (background.top == background.bottom)
-        fill.paint = Ink{background.top, background.alpha};
+        fill.paint = PaperInk{background.top, background.alpha};
     else
         fill.paint = LinearFade{corner_pt,
                                 corner_pt + Eigen::Vector2d(0.0, size_pt.y()),

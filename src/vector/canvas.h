@@ -71,9 +71,9 @@ struct Canvas {
     Page& page;
     bool has_fills() const { return shading == Shading::tone; }
     // A span of a track drawn in one colour, sampled at its midpoint.
-    struct EvenPart {
+    struct ConstantColourSpan {
         double from = 0.0, to = 0.0;
-        Ink ink;
+        PaperInk ink;
     };
     // The appearance of a line at a parameter: its colour and opacity in light, and the colour
     // behind it.
@@ -86,8 +86,9 @@ struct Canvas {
     // levels from the exact ink. The inks have the requested opacity or, for translucent lines, may
     // be shades, whichever needs fewer spans. Nearly opaque spans overlap a little, so that no seam
     // is visible between them.
-    std::vector<EvenPart> even_parts(const Track& track, double from, double to,
-                                     const std::function<LineLook(double)>& look_at) const;
+    std::vector<ConstantColourSpan> constant_colour_spans(
+        const Track& track, double from, double to,
+        const std::function<LineLook(double)>& look_at) const;
 
     // The progress of drawing, for behind().
     std::size_t n_planes = 0;

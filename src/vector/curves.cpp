@@ -185,12 +185,13 @@ void draw_curve(const Canvas& canvas, const Curve& curve) {
                     canvas.behind(canvas.projection.place(track.flow(s).position));
                 return Canvas::LineLook{curve.colour, faded, behind};
             };
-            std::vector<Canvas::EvenPart> parts{{cuts[k - 1], cuts[k], {curve.colour, faded}}};
+            std::vector<Canvas::ConstantColourSpan> parts{
+                {cuts[k - 1], cuts[k], {curve.colour, faded}}};
             if (faded < 1.0 && steps.empty())
-                parts = canvas.even_parts(track, cuts[k - 1], cuts[k], look_at);
+                parts = canvas.constant_colour_spans(track, cuts[k - 1], cuts[k], look_at);
             else if (faded < 1.0)
                 parts.front().ink = as_in_light(curve.colour, faded, look_at(middle).behind);
-            for (const Canvas::EvenPart& part : parts) {
+            for (const Canvas::ConstantColourSpan& part : parts) {
                 Stroke stroke;
                 stroke.path = canvas.path_of(track, part.from, part.to, curve_tolerance_pt,
                                              form_tolerance_pt);

@@ -126,7 +126,7 @@ Canvas::LineLook line_on(const Canvas& canvas, std::size_t number, const Eigen::
 
 // Whether a span of a line stays inside the outline by this margin.
 bool is_within(const Canvas& canvas, const PaperEllipse& outline, const Track& track,
-               const Canvas::EvenPart& part, double margin_pt) {
+               const Canvas::ConstantColourSpan& part, double margin_pt) {
     constexpr int n = 8;
     const double shorter = outline.page_from_circle().linear().jacobiSvd().singularValues()[1];
     for (int k = 0; k <= n; ++k) {
@@ -171,7 +171,8 @@ void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& 
         };
         constexpr double unseen = 0.15, faintest = 0.1, faint = 0.25;
         const double step = (cuts[k] - cuts[k - 1]) / 200.0;
-        for (Canvas::EvenPart& part : canvas.even_parts(track, cuts[k - 1], cuts[k], look_at)) {
+        for (Canvas::ConstantColourSpan& part :
+             canvas.constant_colour_spans(track, cuts[k - 1], cuts[k], look_at)) {
             while (part.from < part.to && opacity_at(part.from) < unseen) part.from += step;
             while (part.from < part.to && opacity_at(part.to) < unseen) part.to -= step;
             if (!(part.from < part.to)) continue;
@@ -312,7 +313,8 @@ void draw_ellipsoid(const Canvas& canvas, const LitSheet& sheet) {
         // Lines on the far side are paler, as seen through the surface.
         Fill veil;
         veil.path = canvas.path_of(*outline);
-        veil.paint = Ink{canvas.behind(outline->centre), ellipsoid.opacity * ellipsoid.presence};
+        veil.paint =
+            PaperInk{canvas.behind(outline->centre), ellipsoid.opacity * ellipsoid.presence};
         canvas.add(std::move(veil));
     }
     stroke_rulings(canvas, number, *outline);

@@ -40,7 +40,7 @@ double least_opacity(double alpha, const Colour& wanted, const Colour& behind) {
     return std::min(alpha, 1.0);
 }
 
-Ink making(const Colour& colour, double opacity, const Colour& behind, double least_alpha) {
+PaperInk making(const Colour& colour, double opacity, const Colour& behind, double least_alpha) {
     if (opacity <= 0.0) return {colour, 0.0};
     const Colour wanted = vector::encoded(opacity * vector::linear(colour) +
                                           (1.0 - opacity) * vector::linear(behind));
@@ -51,12 +51,12 @@ Ink making(const Colour& colour, double opacity, const Colour& behind, double le
 
 }  // namespace
 
-Ink as_in_light(const Colour& colour, double opacity, const Colour& behind) {
+PaperInk as_in_light(const Colour& colour, double opacity, const Colour& behind) {
     if (opacity >= 1.0) return {colour, 1.0};
     return making(colour, opacity, behind, opacity);
 }
 
-Ink as_shade(const Colour& colour, double opacity, const Colour& behind) {
+PaperInk as_shade(const Colour& colour, double opacity, const Colour& behind) {
     return making(colour, opacity, behind, 0.0);
 }
 
@@ -68,13 +68,13 @@ Colour colour_making(const Colour& wanted, double alpha, const Colour& behind) {
             component(wanted.b, behind.b)};
 }
 
-Colour over(const Ink& ink, const Colour& behind) {
+Colour over(const PaperInk& ink, const Colour& behind) {
     const double keep = 1.0 - ink.alpha;
     return {ink.alpha * ink.colour.r + keep * behind.r, ink.alpha * ink.colour.g + keep * behind.g,
             ink.alpha * ink.colour.b + keep * behind.b};
 }
 
-Ink ink_for(std::span<const ColourOver> places) {
+PaperInk ink_for(std::span<const ColourOver> places) {
     const auto of = [](const Colour& c) { return Eigen::Vector3d(c.r, c.g, c.b); };
     Eigen::Vector3d wanted = Eigen::Vector3d::Zero(), behind = Eigen::Vector3d::Zero();
     for (const ColourOver& place : places) {

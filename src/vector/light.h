@@ -17,16 +17,16 @@ Colour encoded(const Eigen::Vector3d& linear_light);
 // Paper blends encoded colours, the screen blends light. Returns the ink that gives over `behind`
 // the colour that `colour` with this opacity gives in light. It has this opacity, unless no colour
 // would give the result.
-Ink as_in_light(const Colour& colour, double opacity, const Colour& behind);
+PaperInk as_in_light(const Colour& colour, double opacity, const Colour& behind);
 
 // The most transparent such ink: it darkens other colours in the same ratio, as a shadow does.
-Ink as_shade(const Colour& colour, double opacity, const Colour& behind);
+PaperInk as_shade(const Colour& colour, double opacity, const Colour& behind);
 
 // The colour of an ink of this opacity that gives `wanted` over `behind`, or the nearest possible.
 Colour colour_making(const Colour& wanted, double alpha, const Colour& behind);
 
 // The colour that an ink gives over another colour.
-Colour over(const Ink& ink, const Colour& behind);
+Colour over(const PaperInk& ink, const Colour& behind);
 
 // The wanted colour at a place, and the colour behind it.
 struct ColourOver {
@@ -34,7 +34,7 @@ struct ColourOver {
 };
 // The single ink that gives all wanted colours as nearly as possible (least squares over all
 // components). Precondition: at least one place.
-Ink ink_for(std::span<const ColourOver> places);
+PaperInk ink_for(std::span<const ColourOver> places);
 
 // The lights of a view.
 struct Lights {

@@ -37,15 +37,15 @@ struct Path {
     void add(const Path& other);
 };
 
-struct Ink {
+struct PaperInk {
     Colour colour;
     double alpha = 1.0;
-    bool operator==(const Ink&) const = default;
+    bool operator==(const PaperInk&) const = default;
 };
 
 struct Stop {
     double at = 0.0;  // 0…1
-    Ink ink;
+    PaperInk ink;
 };
 
 // A linear gradient.
@@ -78,7 +78,7 @@ struct ShadedDisc {
     Colour at(const Eigen::Vector2d& in_disc) const;
 };
 
-using Paint = std::variant<Ink, LinearFade, RadialFade, ShadedDisc>;
+using Paint = std::variant<PaperInk, LinearFade, RadialFade, ShadedDisc>;
 
 struct Fill {
     Path path;
@@ -90,7 +90,7 @@ struct Fill {
 
 struct Stroke {
     Path path;
-    Ink ink;
+    PaperInk ink;
     double width_pt = 1.0;
     std::vector<double> dashes_pt;  // dash, gap, …; empty: solid
     double dash_offset_pt = 0.0;
@@ -120,8 +120,8 @@ struct Type {
     Wording wording;
     std::vector<PlacedLetter> letters;
     Path rules;  // filled with the same ink
-    Ink ink;
-    Ink halo;  // alpha 0: no halo
+    PaperInk ink;
+    PaperInk halo;  // alpha 0: no halo
     double halo_pt = 0.0;
 };
 

@@ -163,7 +163,7 @@ class PdfWriter {
         }
     }
 
-    void set_ink(const Ink& ink) {
+    void set_ink(const PaperInk& ink) {
         cairo_set_source_rgba(cairo_, ink.colour.r, ink.colour.g, ink.colour.b, ink.alpha);
     }
 
@@ -174,7 +174,7 @@ class PdfWriter {
     }
 
     void set_paint(const Paint& paint) {
-        if (const Ink* ink = std::get_if<Ink>(&paint)) {
+        if (const PaperInk* ink = std::get_if<PaperInk>(&paint)) {
             set_ink(*ink);
         } else if (const LinearFade* linear = std::get_if<LinearFade>(&paint)) {
             const Pattern pattern(cairo_pattern_create_linear(linear->from.x(), linear->from.y(),

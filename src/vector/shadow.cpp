@@ -109,12 +109,12 @@ void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
             places[k] = canvas.projection.place(point);
         }
         // All outlines around a point together give its darkness.
-        const Ink wanted = as_shade(tint, deepest * (level + 0.5) / n_levels, plane.colour);
+        const PaperInk wanted = as_shade(tint, deepest * (level + 0.5) / n_levels, plane.colour);
         // Few distinct opacities keep the file small; the next level compensates for the rounding.
         const double missing = 1.0 - (1.0 - wanted.alpha) / (1.0 - covered);
         const double alpha = std::round(250.0 * missing) / 250.0;
         covered = 1.0 - (1.0 - covered) * (1.0 - alpha);
-        canvas.add(Fill{smooth_through(places), Ink{wanted.colour, alpha}, false, 0.0});
+        canvas.add(Fill{smooth_through(places), PaperInk{wanted.colour, alpha}, false, 0.0});
     }
 }
 

@@ -198,7 +198,7 @@ class SvgWriter {
             return;
         }
         const std::string rule = fill.even_odd ? " fill-rule=\"evenodd\"" : "";
-        const Ink* ink = std::get_if<Ink>(&fill.paint);
+        const PaperInk* ink = std::get_if<PaperInk>(&fill.paint);
         if (ink != nullptr && fill.seam_pt > 0.0) {
             // Many fills, each with a stroke in its own colour.
             std::string& here =
@@ -378,7 +378,7 @@ class SvgWriter {
     }
 
     std::string paint_of(const Paint& paint) {
-        if (const Ink* ink = std::get_if<Ink>(&paint)) {
+        if (const PaperInk* ink = std::get_if<PaperInk>(&paint)) {
             std::string text = fmt::format(" fill=\"{}\"", hex(ink->colour));
             if (ink->alpha < 1.0) text += fmt::format(" fill-opacity=\"{}\"", share(ink->alpha));
             return text;

@@ -21,7 +21,8 @@ void draw_band(const Canvas& canvas, const Label& label) {
         const double density =
             mask.coverage[static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.width)] /
             255.0;
-        fade.stops.push_back({k / (n_stops - 1.0), Ink{label.colour, label.opacity * density}});
+        fade.stops.push_back(
+            {k / (n_stops - 1.0), PaperInk{label.colour, label.opacity * density}});
     }
     Fill fill;
     fill.path.add_rectangle(corner, size);

@@ -126,8 +126,8 @@ int run(const std::string& phase, const std::string& scene, const std::string& s
     if (is_quality(settings)) overrides.push_back("film.quality=" + settings);
     const Session session = session_of(load_scene(scene, overrides));
     const FilmPlan plan = film_plan(session);
-    Easel easel;
-    PictureMaker pictures(session, easel, {plan.time_of(0), plan.last_time_s()});
+    LazyRenderer renderer;
+    PictureMaker pictures(session, renderer, {plan.time_of(0), plan.last_time_s()});
     const Film film{pictures, plan, n_frames};
 
     OutputPlan output;

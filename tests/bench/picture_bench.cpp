@@ -43,12 +43,12 @@ class Film {
     PictureCounts counts() { return easel_.renderer().counts(); }
 
  private:
-    FilmMoment next_moment() { return plan_.moment_of(n_drawn_++ % plan_.n_frames); }
+    FilmTime next_moment() { return plan_.moment_of(n_drawn_++ % plan_.n_frames); }
 
     std::int64_t n_drawn_;
     Session session_;
     FilmPlan plan_;
-    Easel easel_;
+    LazyRenderer easel_;
     PictureMaker pictures_;
     Image image_;
 };

@@ -52,7 +52,7 @@ void run(const std::string& scene, const std::string& size) {
     const Session session = session_of(load_scene(scene, overrides));
     const FilmPlan plan = film_plan(session);
     const double time_s = plan.time_of(plan.n_frames / 2);
-    Easel easel;
+    LazyRenderer renderer;
     const auto drawn = [&](int samples) {
         Session large = session;
         large.scene.film.width_px *= samples;
@@ -67,7 +67,7 @@ void run(const std::string& scene, const std::string& size) {
         const Stage stage(large.scene, large.motion, options);
         Drawing drawing = stage.at(time_s);
         for (View& view : drawing.views) view.labels.clear();
-        return easel.renderer().render(drawing);
+        return renderer.renderer().render(drawing);
     };
     const Image picture = drawn(1);
     const Image fine = drawn(side);

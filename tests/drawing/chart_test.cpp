@@ -11,8 +11,8 @@ namespace {
 
 TEST(Chart, DecadesAreEquallySpaced) {
     const Chart chart{"t", "x", "y", {{"s", {{1.0, 1e-6}, {10.0, 1e-4}, {100.0, 1e-2}}}}};
-    const ChartSheet sheet(chart, theme_named("light"), 960, 540);
-    const Drawing drawing = sheet.drawing();
+    const ChartSheet builder(chart, theme_named("light"), 960, 540);
+    const Drawing drawing = builder.drawing();
     const std::vector<Dot>& dots = drawing.views.at(0).dots;
     ASSERT_EQ(dots.size(), 3u);
     EXPECT_NEAR((dots[0].at + dots[2].at - 2.0 * dots[1].at).norm(), 0.0, 1e-9);
@@ -30,8 +30,8 @@ TEST(Chart, SmallRangesSpanOneTwoOrFive) {
     // From 2 to 20: the axis's middle is the geometric mean.
     const Chart chart{
         "t", "x", "y", {{"s", {{2.5, 3.0}, {std::sqrt(40.0), 6.0}, {15.0, 12.0, true, "name"}}}}};
-    const ChartSheet sheet(chart, theme_named("light"), 960, 540);
-    const Drawing drawing = sheet.drawing();
+    const ChartSheet builder(chart, theme_named("light"), 960, 540);
+    const Drawing drawing = builder.drawing();
     const View& view = drawing.views.at(0);
     ASSERT_EQ(view.dots.size(), 3u);
     const double left = view.curves.front().geometry->points.front().x();  // grid line of 2

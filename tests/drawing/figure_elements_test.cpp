@@ -146,7 +146,7 @@ TEST(PlotQuantities, ThinPlateWobblesTwiceAsFastAsItSpins) {
     const StageData stage(
         scene, motion,
         {.width_px = 640, .height_px = 360, .first_time_s = 0.0, .last_time_s = 10.0}, nullptr);
-    Instant instant;
+    FrameInput instant;
     instant.time_s = 6.283185307179586;
     const PlotValues values = plot_quantity_of(stage, "turns").values(stage, instant);
     // cos θ = 1 − 5e-9 for tan θ = 1e-3·1/(2·5).

@@ -17,8 +17,8 @@ class Labels : public testing::Test {
         mask.height = 20;
         mask.coverage.assign(800, 255);
     }
-    LabelWish wish(double x, double y, double dx, double dy) const {
-        LabelWish w;
+    LabelRequest request(double x, double y, double dx, double dy) const {
+        LabelRequest w;
         w.type.mask = &mask;
         w.anchor_px = {x, y};
         w.away = {dx, dy};
@@ -33,14 +33,14 @@ class Labels : public testing::Test {
 };
 
 TEST_F(Labels, AreOnTheRequestedSide) {
-    place_labels({wish(400, 300, 1, 0), wish(100, 300, 0, -1)}, {}, 2.0, view);
+    place_labels({request(400, 300, 1, 0), request(100, 300, 0, -1)}, {}, 2.0, view);
     EXPECT_GT(view.labels[0].top_left_px.x(), 400.0);
     EXPECT_LT(view.labels[1].top_left_px.y() + 20.0, 300.0);
 }
 
 TEST_F(Labels, DoNotOverlap) {
-    place_labels({wish(400, 300, 1, 0), wish(404, 302, 1, 0.05), wish(398, 301, 1, -0.05)}, {}, 2.0,
-                 view);
+    place_labels({request(400, 300, 1, 0), request(404, 302, 1, 0.05), request(398, 301, 1, -0.05)},
+                 {}, 2.0, view);
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = i + 1; j < 3; ++j) {
             const Eigen::Vector2d apart = (centre(i) - centre(j)).cwiseAbs();
@@ -50,7 +50,7 @@ TEST_F(Labels, DoNotOverlap) {
 }
 
 TEST_F(Labels, StayInsideTheView) {
-    place_labels({wish(799, 300, 1, 0), wish(0, 0, -1, -1)}, {}, 3.0, view);
+    place_labels({request(799, 300, 1, 0), request(0, 0, -1, -1)}, {}, 3.0, view);
     for (const Label& label : view.labels) {
         EXPECT_GE(label.top_left_px.x(), 3.0);
         EXPECT_GE(label.top_left_px.y(), 3.0);
@@ -66,8 +66,9 @@ TEST_F(Labels, MoveContinuously) {
     for (int k = 0; k <= n; ++k) {
         const double angle = 2.0 * 3.14159265358979 * k / n;
         view.labels.clear();
-        place_labels({wish(400, 300, std::cos(angle), 0.3 * std::sin(angle)), wish(430, 300, 1, 0)},
-                     {}, 2.0, view);
+        place_labels(
+            {request(400, 300, std::cos(angle), 0.3 * std::sin(angle)), request(430, 300, 1, 0)},
+            {}, 2.0, view);
         if (k > 0) largest = std::max(largest, (centre(0) - before).norm());
         before = centre(0);
     }
@@ -99,7 +100,7 @@ TEST_F(Labels, AvoidShaftsOfOtherArrows) {
     for (const int side : {1, -1}) {
         view = view_in_pixels();
         view.arrows = {shaft_at(395, 100, 400, 300), shaft_at(420, 100, 425, 500)};
-        LabelWish name = wish(400, 300, 1, 0);
+        LabelRequest name = request(400, 300, 1, 0);
         name.at = Eigen::Vector3d(400.0, 300.0, 0.0);
         name.side = side;
         place_labels({name}, {}, 2.0, view, &segment);
@@ -117,7 +118,7 @@ TEST_F(Labels, AvoidShaftsOfOtherArrows) {
     }
     // Its own shaft, one that crosses it, and one that ends elsewhere do not move it.
     view = view_in_pixels();
-    LabelWish name = wish(400, 300, 1, 0);
+    LabelRequest name = request(400, 300, 1, 0);
     name.at = Eigen::Vector3d(400.0, 300.0, 0.0);
     name.side = 1;
     place_labels({name}, {}, 2.0, view, &segment);
@@ -138,7 +139,7 @@ TEST_F(Labels, MoveContinuouslyAsAShaftPassesOverThem) {
         const double x = 300.0 + 0.06 * k;
         view.arrows = {shaft_at(395, 100, 400, 300),
                        shaft_at(x, 100, x + 0.02 * (k - 2000), 330.0 + 0.01 * k)};
-        LabelWish name = wish(400, 300, 1, 0);
+        LabelRequest name = request(400, 300, 1, 0);
         name.at = Eigen::Vector3d(400.0, 300.0, 0.0);
         name.side = 1;
         place_labels({name}, {}, 2.0, view);

@@ -121,7 +121,7 @@ TEST(LectureClaims, MomentumRestsInSpaceAndMovesInTheBody) {  // pages 6, 8
     // The numbers of the caption, from the state at the instant.
     const double T = 0.5 * lecture.moments().dot(lecture.scene.start.omega_rad_s.cwiseAbs2());
     for (const double t : lecture.instants()) {
-        Instant instant;
+        FrameInput instant;
         instant.state = lecture.staged.motion.at(t);
         for (const LiveValue& value : StageData::live_values(lecture.scene, instant)) {
             if (value.name == "kinetic_energy_J") {
@@ -487,7 +487,7 @@ TEST(LectureClaims, MomentaAndEnergyOfATopStay) {  // page 22
                      gravity.mgl_N_m * std::cos(start.theta_rad);
     double theta_least = 9.0, theta_most = 0.0;
     for (const double t : lecture.instants(40)) {
-        Instant instant;
+        FrameInput instant;
         instant.time_s = t;
         const MotionSample sample = lecture.staged.motion.sample(
             t, {.attitude = true, .herpolhode = false, .euler_angles = true});

@@ -90,16 +90,17 @@ struct Sheet2d {
 
 Sheet2d flat_parts(const Scene& scene, int samples) {
     const Sampled picture(scene, samples);
-    Sheet2d sheet;
+    Sheet2d builder;
     for (const View& view : picture.drawing.views) {
         if (!view.camera.orthographic) continue;
         for (const Curve& curve : view.curves)
             for (const Eigen::Vector3d& point :
                  {curve.geometry->points.front(), curve.geometry->points.back()})
-                sheet.ends.emplace_back((curve.placement * point).head<2>() / samples);
-        for (const Label& label : view.labels) sheet.type.emplace_back(label.top_left_px / samples);
+                builder.ends.emplace_back((curve.placement * point).head<2>() / samples);
+        for (const Label& label : view.labels)
+            builder.type.emplace_back(label.top_left_px / samples);
     }
-    return sheet;
+    return builder;
 }
 
 TEST(Samples, DoNotChangeCharts) {

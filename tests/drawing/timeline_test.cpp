@@ -45,7 +45,7 @@ FadeSpec fade_at(double at_s, const std::string& name, double opacity = 1.0) {
 }
 
 View view_at(const StagedScene& staged, double film_s) {
-    return staged.stage.at(FilmMoment{film_s, film_s}).views.at(0);
+    return staged.stage.at(FilmTime{film_s, film_s}).views.at(0);
 }
 
 TEST(Timeline, CameraPassesItsKeysAndIsStillOutsideThem) {

@@ -57,8 +57,8 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"mechanics/free", {}},
     {"mechanics/top", {}},
     {"mechanics/stepped", {}},
-    {"production/beside", {}},
-    {"production/parts", {"production/beside"}},
+    {"production/sidecars", {}},
+    {"production/parts", {"production/sidecars"}},
     {"drawing/type", {}},
     {"drawing/charts", {"drawing/type"}},
     {"drawing/elements", {"drawing/type"}},
@@ -66,8 +66,8 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"production/sampling", {}},
     {"production/vectors", {}},
     {"render/context", {}},
-    {"render/passes", {"render/context", "render/keep"}},
-    {"render/keep", {"render/context", "render/passes"}},
+    {"render/passes", {"render/context", "render/cache"}},
+    {"render/cache", {"render/context", "render/passes"}},
 };
 
 // A list of this length is still readable.

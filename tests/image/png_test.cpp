@@ -12,7 +12,7 @@
 #include <functional>
 
 #include "error/error.h"
-#include "image/pixel_hash.h"
+#include "image/pixels_sha256.h"
 #include "image/png_bands.h"
 #include "image/synthetic.h"
 #include "system/atomic_file.h"
@@ -184,14 +184,15 @@ TEST(PngReading, PreservesEveryStoredBit) {
 TEST(PngReading, HashesTheStoredBits) {
     StoredPicture stored;
     stored.deep = all_levels();
-    const std::string before = pixel_hash(stored);
+    const std::string before = pixels_sha256(stored);
     stored.deep.samples()[77] ^= 1;
-    EXPECT_NE(pixel_hash(stored), before);
+    EXPECT_NE(pixels_sha256(stored), before);
     // python3: hashlib.sha256(b"1x1 16\n" + bytes([0x12, 0x34, 0, 1, 0xff, 0, 0xff, 0xff]))
     DeepImage one(1, 1);
     const std::array<std::uint16_t, 4> samples{0x1234, 1, 0xff00, 0xffff};
     std::copy(samples.begin(), samples.end(), one.samples().begin());
-    EXPECT_EQ(pixel_hash(one), "a04404e21e7de086dd862999db66a1cebff01559d912dc2b247d57ac70842715");
+    EXPECT_EQ(pixels_sha256(one),
+              "a04404e21e7de086dd862999db66a1cebff01559d912dc2b247d57ac70842715");
 }
 
 TEST(PngReading, NamesTheColourSpace) {

@@ -77,7 +77,7 @@ class DrawnPixels : public ::testing::Test {
     const Body body_{};
 
  private:
-    Easel easel_;
+    LazyRenderer easel_;
 };
 
 using Level = std::function<double(const Rgba8&)>;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "error/error.h"
-#include "image/pixel_hash.h"
+#include "image/pixels_sha256.h"
 #include "image/png.h"
 #include "production/film_job.h"
 #include "production/record.h"
@@ -30,7 +30,7 @@ Session small_session() {
 // All messages of a job, in order.
 struct Heard {
     std::vector<std::string> words;
-    Telling telling() {
+    ProgressSink progress() {
         return {
             .say = [this](const std::string& line) { words.push_back(line); },
             .begin = [this](const std::string& what,
@@ -50,9 +50,9 @@ TEST(FilmJob, ReportsItsFramesInOrderAndItsBoundAtTheEnd) {
     const Session session = small_session();
     const FilmJob job(session, {(folder / "a.md5").string(), {{3, 5}}});
     EXPECT_EQ(job.film().n_frames, 10);
-    Easel easel;
+    LazyRenderer renderer;
     Heard heard;
-    job.make(easel, heard.telling());
+    job.make(renderer, heard.progress());
     ASSERT_EQ(heard.words.size(), 6u);
     EXPECT_EQ(heard.words[0], "a 3");
     EXPECT_EQ(heard.words[1], "1");
@@ -65,12 +65,12 @@ TEST(FilmJob, ReportsItsFramesInOrderAndItsBoundAtTheEnd) {
 TEST(FilmJob, MakesTheRequestedFrames) {
     const TemporaryFolder folder;
     const Session session = small_session();
-    Easel easel;
-    FilmJob(session, {(folder / "all_####.png").string(), {}}).make(easel, {});
-    FilmJob(session, {(folder / "part_####.png").string(), {{3, 5}}}).make(easel, {});
+    LazyRenderer renderer;
+    FilmJob(session, {(folder / "all_####.png").string(), {}}).make(renderer, {});
+    FilmJob(session, {(folder / "part_####.png").string(), {{3, 5}}}).make(renderer, {});
     for (const std::string number : {"0003", "0004", "0005"})
-        EXPECT_EQ(pixel_hash(read_png(folder / ("all_" + number + ".png"))),
-                  pixel_hash(read_png(folder / ("part_" + number + ".png"))));
+        EXPECT_EQ(pixels_sha256(read_png(folder / ("all_" + number + ".png"))),
+                  pixels_sha256(read_png(folder / ("part_" + number + ".png"))));
     EXPECT_FALSE(std::filesystem::exists(folder / "part_0002.png"));
     EXPECT_FALSE(std::filesystem::exists(folder / "part_0006.png"));
 }
@@ -82,12 +82,12 @@ TEST(FilmJob, RejectsFramesOutsideTheFilmBeforeOpeningAnything) {
 
 TEST(StillJob, ReportsThePictureWhenItIsComplete) {
     const TemporaryFolder folder;
-    Easel easel;
+    LazyRenderer renderer;
     StillWriter writer;
     Heard heard;
     StillJob job(small_session(), {.output = (folder / "a.png").string(), .time_s = 0.5});
     EXPECT_EQ(job.n_pixels(), 96 * 54);
-    job.draw(easel, writer, heard.telling());
+    job.draw(renderer, writer, heard.progress());
     EXPECT_TRUE(heard.words.empty());
     writer.finish();
     ASSERT_EQ(heard.words.size(), 1u);
@@ -103,14 +103,14 @@ TEST(StillJob, RejectsNamesAndDepthsThatNoPngHas) {
 TEST(Redraw, MakesTheSameFile) {
     const TemporaryFolder folder;
     {
-        Easel easel;
+        LazyRenderer renderer;
         StillWriter writer;
         StillJob(small_session(), {.output = (folder / "a.png").string(), .time_s = 0.5})
-            .draw(easel, writer, {});
+            .draw(renderer, writer, {});
         writer.finish();
     }
     Heard heard;
-    redraw({.file = folder / "a.png", .output = folder / "b.png"}, heard.telling());
+    redraw({.file = folder / "a.png", .output = folder / "b.png"}, heard.progress());
     EXPECT_EQ(text_of_file(folder / "a.png"), text_of_file(folder / "b.png"));
     EXPECT_EQ(heard.words.size(), 1u);  // no note of a difference
     EXPECT_THROW(redraw({.file = folder / "a.png", .output = folder / "b.mp4"}, {}), InputError);

@@ -41,9 +41,9 @@ Ends ends_of(const std::string& text) {
     const Session session = session_from(text);
     const FilmPlan film = film_plan(session);
     EXPECT_GT(film.loop_s, 0.0);
-    Easel easel;
+    LazyRenderer renderer;
     PictureMaker pictures(
-        session, easel,
+        session, renderer,
         {.first_time_s = film.time_of(0), .last_time_s = film.time_of(film.n_frames - 1)});
     Image first, second, past;
     pictures.draw(film.moment_of(0), first);
@@ -77,8 +77,8 @@ TEST(Loop, OfAPeriodIsNotSeamlessForAFixedCamera) {
     const Session session = session_from("[camera]\nmotion = \"co-precessing\"\n");
     Session fixed = session_from("");
     const FilmPlan film = film_plan(session);
-    Easel easel;
-    PictureMaker pictures(fixed, easel, {.first_time_s = 0.0, .last_time_s = film.loop_s});
+    LazyRenderer renderer;
+    PictureMaker pictures(fixed, renderer, {.first_time_s = 0.0, .last_time_s = film.loop_s});
     Image first, past;
     pictures.draw({0.0, 0.0}, first);
     pictures.draw({film.loop_s, film.loop_s}, past);
@@ -95,12 +95,12 @@ TEST(FilmPictures, DoNotDependOnEarlierPictures) {
         "[[fades]]\nat_s = 2.5\nelements = [\"ellipsoid\", \"title\", \"clock\"]\nopacity = 0\n");
     const FilmPlan film = film_plan(session);
     const PictureSpan span{film.time_of(0), film.last_time_s()};
-    Easel easel;
-    PictureMaker all(session, easel, span);
+    LazyRenderer renderer;
+    PictureMaker all(session, renderer, span);
     for (std::int64_t k = 0; k < film.n_frames; ++k) {
         Image in_order, alone;
         all.draw(film.moment_of(k), in_order);
-        PictureMaker fresh(session, easel.context(), span, {1.0, 1});
+        PictureMaker fresh(session, renderer.context(), span, {1.0, 1});
         fresh.draw(film.moment_of(k), alone);
         EXPECT_EQ(largest_difference(in_order, alone), 0) << "frame " << k;
     }

@@ -58,8 +58,9 @@ struct Pinhole {
 
 // Elements of a scene, such as "contact", "omega" in quotes, at an instant and with a transparent
 // background. `plane` is "below" or "above".
-inline Image seen_alone(Easel& easel, const std::string& scene, const std::string& elements,
-                        double time_s, const std::string& plane, const Pinhole& camera) {
+inline Image seen_alone(LazyRenderer& renderer, const std::string& scene,
+                        const std::string& elements, double time_s, const std::string& plane,
+                        const Pinhole& camera) {
     std::vector<std::string> settings = camera.settings();
     settings.push_back("theme=\"transparent\"");
     settings.push_back("construction.plane=\"" + plane + "\"");
@@ -67,7 +68,7 @@ inline Image seen_alone(Easel& easel, const std::string& scene, const std::strin
     StillJob job(session_of(parse_scene(scene, "scene.toml", settings), std::vector{time_s}),
                  {.time_s = time_s});
     Image image;
-    job.draw_into(easel, image);
+    job.draw_into(renderer, image);
     return image;
 }
 

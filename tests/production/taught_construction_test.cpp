@@ -147,7 +147,7 @@ double azimuth_beside(const Vector3d& vector) {
 }
 
 TEST(TaughtConstruction, TipOfRhoContactAndPlaneMeetInThePixels) {
-    Easel easel;
+    LazyRenderer renderer;
     double worst_tip = 0.0;
     double worst_dot = 0.0;
     double worst_row = 0.0;
@@ -172,15 +172,15 @@ TEST(TaughtConstruction, TipOfRhoContactAndPlaneMeetInThePixels) {
                 camera.elevation_deg = elevation_deg;
                 const Vector2d here = camera.pixel_of(taught.rho);
                 const Vector2d along = (here - camera.pixel_of(Vector3d::Zero())).normalized();
-                dot += 0.5 *
-                       centroid(seen_alone(easel, scene, "\"contact\"", body.time_s, plane, camera),
-                                20.0);
-                tip +=
-                    0.5 * tip_of(seen_alone(easel, scene, "\"radius\"", body.time_s, plane, camera),
-                                 here, along);
-                row += 0.5 * row_of_plane(
-                                 seen_alone(easel, scene, "\"plane\"", body.time_s, plane, camera),
-                                 expected.x());
+                dot += 0.5 * centroid(seen_alone(renderer, scene, "\"contact\"", body.time_s, plane,
+                                                 camera),
+                                      20.0);
+                tip += 0.5 *
+                       tip_of(seen_alone(renderer, scene, "\"radius\"", body.time_s, plane, camera),
+                              here, along);
+                row += 0.5 * row_of_plane(seen_alone(renderer, scene, "\"plane\"", body.time_s,
+                                                     plane, camera),
+                                          expected.x());
             }
             worst_dot = std::max(worst_dot, (dot - expected).norm());
             worst_tip = std::max(worst_tip, (tip - dot).norm());
@@ -359,7 +359,7 @@ ArrowLine line_of_arrow(const Image& image, const Vector2d& tip, const Vector2d&
 }
 
 TEST(TaughtConstruction, BothConesShareTheGeneratorThatOmegaRunsAlong) {
-    Easel easel;
+    LazyRenderer renderer;
     // The rims are measured in a picture with four times as many pixels per side, where their lines
     // are eight pixels wide; results are in pixels of 1920 × 1080. Measured: all of 1,559
     // measurements within 0.031 px; both rims, ω's line and its tip meet at the contact within
@@ -384,9 +384,9 @@ TEST(TaughtConstruction, BothConesShareTheGeneratorThatOmegaRunsAlong) {
 
             // ω ends at the contact, whose dot would cover seven pixels of its tip.
             const Image omega =
-                seen_alone(easel, scene, "\"omega\", \"contact\"", body.time_s, plane, camera);
-            const Vector2d contact =
-                centroid(seen_alone(easel, scene, "\"contact\"", body.time_s, plane, camera), 20.0);
+                seen_alone(renderer, scene, "\"omega\", \"contact\"", body.time_s, plane, camera);
+            const Vector2d contact = centroid(
+                seen_alone(renderer, scene, "\"contact\"", body.time_s, plane, camera), 20.0);
             worst_contact = std::max(worst_contact, (contact - here).norm());
             worst_tip =
                 std::max(worst_tip, (tip_of(omega, here, along, 24.0, 10.0) - contact).norm());
@@ -396,7 +396,7 @@ TEST(TaughtConstruction, BothConesShareTheGeneratorThatOmegaRunsAlong) {
             // meet the line of ω there.
             Pinhole large = camera;
             large.scale = scale;
-            const Image cones = seen_alone(easel, scene, "\"cones\"", body.time_s, plane, large);
+            const Image cones = seen_alone(renderer, scene, "\"cones\"", body.time_s, plane, large);
             for (const bool of_space : {true, false}) {
                 const RimReadings rim =
                     readings_of_rim(cones, large, taught.rho, of_space ? taught.normal : symmetry,
@@ -471,7 +471,7 @@ Vector3d triangulated(const Pinhole& a, const Vector2d& px_a, const Pinhole& b,
 }
 
 TEST(TaughtConstruction, ThePictureIsARotationOfTheMotion) {
-    Easel easel;
+    LazyRenderer renderer;
     // Tips seen from two sides have known positions in space. The axes are right-handed, and each
     // tip moves along ω × r, with the drawn ω.
     const Turning body{{1.0, 2.0, 2.9}, {1.5, 0.3, 0.75}, 0.0};
@@ -485,8 +485,8 @@ TEST(TaughtConstruction, ThePictureIsARotationOfTheMotion) {
             constexpr double step_s = 0.04;
             const auto axes_at = [&](double t) {
                 std::array<std::optional<Vector3d>, 3> tips;
-                const Image a = seen_alone(easel, scene, "\"axes\"", t, plane, left);
-                const Image b = seen_alone(easel, scene, "\"axes\"", t, plane, right);
+                const Image a = seen_alone(renderer, scene, "\"axes\"", t, plane, left);
+                const Image b = seen_alone(renderer, scene, "\"axes\"", t, plane, right);
                 for (int i = 0; i < 3; ++i) {
                     const auto in_a = coloured_tip(a, i, left.pixel_of(Vector3d::Zero()));
                     const auto in_b = coloured_tip(b, i, right.pixel_of(Vector3d::Zero()));
@@ -508,9 +508,10 @@ TEST(TaughtConstruction, ThePictureIsARotationOfTheMotion) {
             const Vector3d omega =
                 triangulated(
                     left,
-                    centroid(seen_alone(easel, scene, "\"contact\"", time_s, plane, left), 20.0),
+                    centroid(seen_alone(renderer, scene, "\"contact\"", time_s, plane, left), 20.0),
                     right,
-                    centroid(seen_alone(easel, scene, "\"contact\"", time_s, plane, right), 20.0))
+                    centroid(seen_alone(renderer, scene, "\"contact\"", time_s, plane, right),
+                             20.0))
                     .normalized();
             for (std::size_t i = 0; i < 3; ++i) {
                 if (!then[i] || !before[i]) continue;

@@ -26,7 +26,7 @@
 #include <vector>
 
 #include "error/error.h"
-#include "image/pixel_hash.h"
+#include "image/pixels_sha256.h"
 #include "image/png.h"
 #include "image/synthetic.h"
 #include "output/frame_sink.h"
@@ -131,7 +131,7 @@ void run_approval(const fs::path& source, const fs::path& folder, int setting) {
     std::vector<BaselineWriter::Change> changes;
     for (const char* name : {"one", "two"}) {
         const fs::path from = source / fmt::format("{}_{}.png", name, setting);
-        const Baseline line{pixel_hash(read_stored_png(from)), "scene", "renderer", "22", "1",
+        const Baseline line{pixels_sha256(read_stored_png(from)), "scene", "renderer", "22", "1",
                             fmt::format("look {}", setting)};
         const auto now = writer.manifest().find(name);
         const bool same = now != writer.manifest().end() && now->second == line;

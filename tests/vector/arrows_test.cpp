@@ -93,7 +93,7 @@ std::vector<double> opacities_at(const Page& page, const Colour& colour,
         else if (std::holds_alternative<ClipEnd>(item))
             open.pop_back();
         const auto* fill = std::get_if<Fill>(&item);
-        const auto* ink = fill ? std::get_if<Ink>(&fill->paint) : nullptr;
+        const auto* ink = fill ? std::get_if<PaperInk>(&fill->paint) : nullptr;
         if (ink == nullptr || !(ink->colour == colour)) continue;
         if (std::find(open.begin(), open.end(), false) != open.end()) continue;
         if (holds(fill->path, fill->even_odd, point)) found.push_back(ink->alpha);

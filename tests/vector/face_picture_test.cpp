@@ -61,7 +61,7 @@ TEST(FacePicture, HasPositionAndShadingOfItsFace) {
             const auto fills = all_of<Fill>(
                 page_of(testing::drawing_of(plain, turned, quarters[k]), {.pt_per_px = pt_per_px}));
             ASSERT_FALSE(fills.empty());
-            const Ink* ink = std::get_if<Ink>(&fills.back().paint);
+            const PaperInk* ink = std::get_if<PaperInk>(&fills.back().paint);
             ASSERT_NE(ink, nullptr);
             for (const double u : {0.05, 0.25, 0.45})
                 for (const double v : {0.05, 0.25, 0.45}) {

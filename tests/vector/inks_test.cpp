@@ -22,7 +22,7 @@ Colour grey(double c) { return {c, c, c}; }
 // In full shade a share of 0.06 of the light is left.
 TEST(Inks, ShadesDarkenOtherColoursAsInLight) {
     for (const double opacity : {0.1, 0.4, 0.8}) {
-        const Ink ink = as_shade(grey(0.02), opacity, grey(0.9));
+        const PaperInk ink = as_shade(grey(0.02), opacity, grey(0.9));
         for (const double other : {0.45, 0.6, 0.75, 0.9}) {
             const double light = opacity * light_of(0.02) + (1.0 - opacity) * light_of(other);
             EXPECT_NEAR(255.0 * over(ink, grey(other)).g, level_of(light), 3.0)
@@ -54,7 +54,7 @@ TEST(Inks, TranslucentLinesHaveTheColourOfBlendedLight) {
     const Canvas canvas(line.drawing, line.view, 0.24, Shading::tone, line.page);
     for (const double opacity : {0.25, 0.6, 0.95}) {
         for (const double own : {0.1, 0.5, 0.9}) {
-            const auto parts = canvas.even_parts(line.track, 0.0, 1.0, [&](double s) {
+            const auto parts = canvas.constant_colour_spans(line.track, 0.0, 1.0, [&](double s) {
                 return Canvas::LineLook{grey(own), opacity, grey(ground(s))};
             });
             for (int k = 0; k <= 200; ++k) {
@@ -77,7 +77,7 @@ TEST(Inks, TranslucentLinesHaveTheColourOfBlendedLight) {
 TEST(Inks, LineOverAUniformBackgroundIsOneSpan) {
     Line line;
     const Canvas canvas(line.drawing, line.view, 0.24, Shading::tone, line.page);
-    const auto parts = canvas.even_parts(line.track, 0.0, 1.0, [&](double) {
+    const auto parts = canvas.constant_colour_spans(line.track, 0.0, 1.0, [&](double) {
         return Canvas::LineLook{grey(0.2), 0.3, grey(0.8)};
     });
     ASSERT_EQ(parts.size(), 1u);
@@ -86,10 +86,10 @@ TEST(Inks, LineOverAUniformBackgroundIsOneSpan) {
 }
 
 TEST(Inks, FittedInkIsExactIfOneExists) {
-    const Ink ink{{0.7, 0.3, 0.5}, 0.4};
+    const PaperInk ink{{0.7, 0.3, 0.5}, 0.4};
     std::vector<ColourOver> places;
     for (const double g : {0.2, 0.5, 0.6, 0.95}) places.push_back({over(ink, grey(g)), grey(g)});
-    const Ink found = ink_for(places);
+    const PaperInk found = ink_for(places);
     EXPECT_NEAR(found.alpha, ink.alpha, 1e-12);
     EXPECT_NEAR(found.colour.r, ink.colour.r, 1e-12);
     EXPECT_NEAR(found.colour.g, ink.colour.g, 1e-12);
@@ -121,7 +121,7 @@ TEST(Inks, BodyUnderSheetsLooksAsSeenThroughTheSurfaces) {
         const Eigen::Vector3d point(0.1, y, 0.2);
         const Eigen::Vector2d in_disc =
             disc.page_from_disc.inverse() * canvas.projection.place(point);
-        return over(Ink{disc.at(in_disc), disc.alpha}, under_sheets(canvas, point, body));
+        return over(PaperInk{disc.at(in_disc), disc.alpha}, under_sheets(canvas, point, body));
     };
     EXPECT_NEAR(seen(-2.0).g, body.g, 1e-9);
     // With the normal towards the eye, the surface has its nominal opacity. A point inside has one

@@ -127,7 +127,7 @@ void ChartSheet::add_line(std::vector<Eigen::Vector3d> points, double width_px,
 
 void ChartSheet::add_type(const std::string& text, double size_px, double x_px, double y_px,
                           double align_x, double align_y, const Colour& colour) {
-    const SetType type = type_case_.set(text, {.size_px = size_px * px_, .mode = TypeMode::text});
+    const TextBlock type = type_case_.set(text, {.size_px = size_px * px_, .mode = TypeMode::text});
     if (type.mask->width == 0) return;
     Label label;
     label.mask = type.mask;
@@ -178,29 +178,29 @@ void ChartSheet::add_series(const Chart& chart) {
             dot.rim_px = 2.5 * px_;
             dot.occlusion = Occlusion::none;
             dots_.push_back(dot);
-            wish_name(point.name, line.back(), {-0.6, 1.0}, colour);
+            request_name(point.name, line.back(), {-0.6, 1.0}, colour);
         }
         if (line.empty()) continue;
         // The name is beyond the line's last point, on the side where the line ends; a single point
         // has its name above it, since similar points are beside it.
         const double side = line.back().x() < line.front().x() ? -1.0 : 1.0;
-        wish_name(series.name, line.back(),
-                  line.size() > 1 ? Eigen::Vector2d(side, 0.25) : Eigen::Vector2d(0.0, -1.0),
-                  colour);
+        request_name(series.name, line.back(),
+                     line.size() > 1 ? Eigen::Vector2d(side, 0.25) : Eigen::Vector2d(0.0, -1.0),
+                     colour);
         if (line.size() > 1) add_line(std::move(line), 3.0, colour, dash);
     }
 }
 
-void ChartSheet::wish_name(const std::string& name, const Eigen::Vector3d& beside,
-                           const Eigen::Vector2d& away, const Colour& colour) {
+void ChartSheet::request_name(const std::string& name, const Eigen::Vector3d& beside,
+                              const Eigen::Vector2d& away, const Colour& colour) {
     if (name.empty()) return;
-    LabelWish wish;
-    wish.type = type_case_.set(name, {.size_px = 26.0 * px_, .mode = TypeMode::text});
-    wish.anchor_px = beside.head<2>();
-    wish.away = away;
-    wish.gap_px = 12.0 * px_;
-    wish.colour = colour;
-    if (wish.type.mask->width > 0) wishes_.push_back(wish);
+    LabelRequest request;
+    request.type = type_case_.set(name, {.size_px = 26.0 * px_, .mode = TypeMode::text});
+    request.anchor_px = beside.head<2>();
+    request.away = away;
+    request.gap_px = 12.0 * px_;
+    request.colour = colour;
+    if (request.type.mask->width > 0) requests_.push_back(request);
 }
 
 Drawing ChartSheet::drawing() const {
@@ -217,7 +217,7 @@ Drawing ChartSheet::drawing() const {
     view.curves = curves_;
     view.dots = dots_;
     view.labels = labels_;
-    place_labels(wishes_, theme_->halo, 3.0 * px_, view);
+    place_labels(requests_, theme_->halo, 3.0 * px_, view);
 
     Drawing drawing;
     drawing.width_px = width_px_;

@@ -55,19 +55,19 @@ class ChartSheet {
     void add_series(const Chart& chart);
     static Axis axis_of(const Chart& chart, double ChartPoint::*coordinate);
     static std::string tick_text(const Axis& axis, double value);
-    void wish_name(const std::string& name, const Eigen::Vector3d& beside,
-                   const Eigen::Vector2d& away, const Colour& colour);
+    void request_name(const std::string& name, const Eigen::Vector3d& beside,
+                      const Eigen::Vector2d& away, const Colour& colour);
 
     const Theme* theme_;
     int width_px_, height_px_;
     double px_;
     Axis x_, y_;
-    TypeCase type_case_;
+    TextCache type_case_;
     std::deque<CurveGeometry> geometries_;
     std::vector<Curve> curves_;
     std::vector<Dot> dots_;
     std::vector<Label> labels_;
-    std::vector<LabelWish> wishes_;
+    std::vector<LabelRequest> requests_;
 };
 
 }  // namespace poinsot

@@ -119,11 +119,11 @@ void aim_at_pixels(Panel& panel) {
     aim(panel, camera);
 }
 
-SetType set_chart_type(const Panel& panel, std::string_view text, TypeMode mode, double size_px) {
+TextBlock set_chart_type(const Panel& panel, std::string_view text, TypeMode mode, double size_px) {
     return panel.stage->type_case.set(text, {.size_px = size_px * panel.type_px, .mode = mode});
 }
 
-Label chart_label(const Panel& panel, const SetType& type, double x, double y, Anchor anchor,
+Label chart_label(const Panel& panel, const TextBlock& type, double x, double y, Anchor anchor,
                   const Colour& colour) {
     const StageData& stage = *panel.stage;
     const double width = type.width_px(), height = type.height_px();
@@ -158,7 +158,7 @@ Label chart_label(const Panel& panel, const SetType& type, double x, double y, A
 }
 
 Curve PlotFrame::line(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                      const Ink& colour, double width_px) {
+                      const LineStyle& colour, double width_px) {
     Curve curve = line_between(panel, a, b, colour, width_px);
     curve.occlusion = Occlusion::none;
     return curve;
@@ -205,7 +205,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     area_.left += left_px;
     area_.right -= right_px;
     if (!x_title.empty()) area_.bottom += tick_px + gap + 0.75 * number_px;
-    const SetType y_type = set_chart_type(panel, y_title, TypeMode::text, chart_title_size);
+    const TextBlock y_type = set_chart_type(panel, y_title, TypeMode::text, chart_title_size);
     if (y_type.mask->height > 0) area_.top -= y_type.height_px() + 1.6 * gap;
     area_.right = std::max(area_.right, area_.left + 1.0);
     area_.top = std::max(area_.top, area_.bottom + 1.0);
@@ -220,7 +220,8 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
             line(panel, {area_.left, height, 0.0}, {area_.right, height, 0.0}, theme.rule, 1.0);
         rule.opacity = 0.45;
         lines_.push_back(rule);
-        const SetType number = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
+        const TextBlock number =
+            set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
         labels_.push_back(
             chart_label(panel, number, area_.left - gap, height, Anchor::right_middle, theme.text));
         labels_.back().rank = rank_of_numbers;
@@ -242,7 +243,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
         lines_.push_back(line(panel, {across, area_.bottom, 0.0},
                               {across, area_.bottom - tick_px, 0.0}, theme.text, 1.6));
         if (x_title.empty()) continue;
-        const SetType type = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
+        const TextBlock type = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
         Label number = chart_label(panel, type, across, 0.0, Anchor::top_centre, theme.text);
         number.rank = rank_of_numbers;
         number.top_left_px.y() =
@@ -253,7 +254,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     }
     if (x_title.empty()) return;
     // The title is at the right end of the row of numbers; numbers that it would cover are omitted.
-    const SetType type = set_chart_type(panel, x_title, TypeMode::text, chart_title_size);
+    const TextBlock type = set_chart_type(panel, x_title, TypeMode::text, chart_title_size);
     Label title = chart_label(panel, type, region.right, 0.0, Anchor::bottom_right, theme.text);
     title.top_left_px.y() =
         stage.at_whole_pixel(panel.box.y_px + panel.box.height_px - baseline) - type.baseline_px;
@@ -268,7 +269,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
 double PlotFrame::numbers_px(const Panel& panel, const Axis& y) {
     double widest = 0.0;
     for (const Tick& tick : y.ticks) {
-        const SetType type = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
+        const TextBlock type = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
         widest = std::max(widest, type.width_px());
     }
     return widest + 9.0 * panel.type_px + 7.0 * panel.px;
@@ -279,9 +280,9 @@ Eigen::Vector3d PlotFrame::at(double x, double y) const {
             area_.bottom + area_.height() * (y - y_.first) / (y_.last - y_.first), 0.0};
 }
 
-void PlotFrame::draw(Sheet& sheet) const {
-    sheet.view.curves.insert(sheet.view.curves.end(), lines_.begin(), lines_.end());
-    sheet.view.labels.insert(sheet.view.labels.end(), labels_.begin(), labels_.end());
+void PlotFrame::draw(ViewBuilder& builder) const {
+    builder.view.curves.insert(builder.view.curves.end(), lines_.begin(), lines_.end());
+    builder.view.labels.insert(builder.view.labels.end(), labels_.begin(), labels_.end());
 }
 
 }  // namespace poinsot

@@ -71,11 +71,11 @@ class PlotFrame {
     Eigen::Vector3d at(double x, double y) const;
 
     // Axes, grid and titles.
-    void draw(Sheet& sheet) const;
+    void draw(ViewBuilder& builder) const;
 
     // A line across the view that is never hidden.
     static Curve line(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                      const Ink& colour, double width_px);
+                      const LineStyle& colour, double width_px);
     // A dot that is never hidden.
     static Dot dot(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour,
                    double radius_px);
@@ -91,10 +91,10 @@ class PlotFrame {
 void aim_at_pixels(Panel& panel);
 
 // Sets text for a chart: numbers are smaller than names.
-SetType set_chart_type(const Panel& panel, std::string_view text, TypeMode mode, double size_px);
+TextBlock set_chart_type(const Panel& panel, std::string_view text, TypeMode mode, double size_px);
 
 // Text at a point of the chart's view.
-Label chart_label(const Panel& panel, const SetType& type, double x, double y, Anchor anchor,
+Label chart_label(const Panel& panel, const TextBlock& type, double x, double y, Anchor anchor,
                   const Colour& colour);
 
 constexpr double chart_margin = 40.0;       // px at the sides, half of it above and below

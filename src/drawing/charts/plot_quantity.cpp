@@ -16,22 +16,22 @@ namespace poinsot {
 namespace {
 
 template <int axis>
-Ink axis_colour(const Theme& theme) {
+LineStyle axis_colour(const Theme& theme) {
     return theme.axes[axis];
 }
 template <int angle>
-Ink angle_colour(const Theme& theme) {
+LineStyle angle_colour(const Theme& theme) {
     return theme.angles[angle];
 }
-Ink energy_colour(const Theme& theme) { return theme.energy; }
-Ink potential_colour(const Theme& theme) { return theme.potential; }
-Ink omega_colour(const Theme& theme) { return theme.omega; }
-Ink momentum_colour(const Theme& theme) { return theme.momentum; }
-Ink contact_colour(const Theme& theme) { return theme.herpolhode; }
-Ink plane_colour(const Theme& theme) { return theme.polhode; }
+LineStyle energy_colour(const Theme& theme) { return theme.energy; }
+LineStyle potential_colour(const Theme& theme) { return theme.potential; }
+LineStyle omega_colour(const Theme& theme) { return theme.omega; }
+LineStyle momentum_colour(const Theme& theme) { return theme.momentum; }
+LineStyle contact_colour(const Theme& theme) { return theme.herpolhode; }
+LineStyle plane_colour(const Theme& theme) { return theme.polhode; }
 
-Ink body_cone_colour(const Theme& theme) { return theme.body_cone; }
-Ink space_cone_colour(const Theme& theme) { return theme.space_cone; }
+LineStyle body_cone_colour(const Theme& theme) { return theme.body_cone; }
+LineStyle space_cone_colour(const Theme& theme) { return theme.space_cone; }
 
 bool any_motion(const StageData&) { return true; }
 bool is_heavy_top(const StageData& stage) { return stage.motion.motion().heavy_top() != nullptr; }
@@ -62,12 +62,12 @@ constexpr Phrase slip_label{"\\mathrm{slip}",        "\\mathrm{Schlupf}",
                             "\\mathrm{slittamento}", "\\mathrm{滑り}"};
 
 constexpr PlotCurve omega_curves[] = {
-    {formula("\\omega_1"), axis_colour<0>, LineStyle::solid},
-    {formula("\\omega_2"), axis_colour<1>, LineStyle::dashed},
-    {formula("\\omega_3"), axis_colour<2>, LineStyle::dotted},
+    {formula("\\omega_1"), axis_colour<0>, DashPattern::solid},
+    {formula("\\omega_2"), axis_colour<1>, DashPattern::dashed},
+    {formula("\\omega_3"), axis_colour<2>, DashPattern::dotted},
 };
 // Components along the principal axes.
-PlotValues omega_values(const StageData& stage, const Instant& instant) {
+PlotValues omega_values(const StageData& stage, const FrameInput& instant) {
     const Eigen::Vector3d omega =
         stage.motion.motion().problem().inertia.body_from_principal().transpose() *
         instant.state.omega_body;
@@ -75,20 +75,20 @@ PlotValues omega_values(const StageData& stage, const Instant& instant) {
 }
 
 constexpr PlotCurve euler_curves[] = {
-    {formula("\\theta"), angle_colour<0>, LineStyle::solid},
-    {formula("\\varphi"), angle_colour<1>, LineStyle::solid},
-    {formula("\\psi"), angle_colour<2>, LineStyle::solid},
+    {formula("\\theta"), angle_colour<0>, DashPattern::solid},
+    {formula("\\varphi"), angle_colour<1>, DashPattern::solid},
+    {formula("\\psi"), angle_colour<2>, DashPattern::solid},
 };
-PlotValues euler_values(const StageData&, const Instant& instant) {
+PlotValues euler_values(const StageData&, const FrameInput& instant) {
     return {instant.euler.theta_rad, instant.euler.phi_rad, instant.euler.psi_rad};
 }
 
 constexpr PlotCurve energy_curves[] = {
-    {formula("T"), energy_colour, LineStyle::solid},
-    {formula("V"), potential_colour, LineStyle::dashed},
-    {formula("E"), momentum_colour, LineStyle::dotted},
+    {formula("T"), energy_colour, DashPattern::solid},
+    {formula("V"), potential_colour, DashPattern::dashed},
+    {formula("E"), momentum_colour, DashPattern::dotted},
 };
-PlotValues energy_values(const StageData& stage, const Instant& instant) {
+PlotValues energy_values(const StageData& stage, const FrameInput& instant) {
     const MotionProblem& problem = stage.motion.motion().problem();
     const Eigen::Vector3d& omega = instant.state.omega_body;
     const double kinetic = 0.5 * omega.dot(problem.inertia.matrix_body() * omega);
@@ -101,14 +101,14 @@ PlotValues energy_values(const StageData& stage, const Instant& instant) {
 }
 
 constexpr PlotCurve momentum_curves[] = {
-    {formula("L_1"), axis_colour<0>, LineStyle::solid},
-    {formula("L_2"), axis_colour<1>, LineStyle::dashed},
-    {formula("L_3"), axis_colour<2>, LineStyle::dotted},
-    {formula("L"), momentum_colour, LineStyle::solid},
+    {formula("L_1"), axis_colour<0>, DashPattern::solid},
+    {formula("L_2"), axis_colour<1>, DashPattern::dashed},
+    {formula("L_3"), axis_colour<2>, DashPattern::dotted},
+    {formula("L"), momentum_colour, DashPattern::solid},
 };
 // Components along the principal axes, which change in the body, and the length, which is
 // conserved.
-PlotValues momentum_values(const StageData& stage, const Instant& instant) {
+PlotValues momentum_values(const StageData& stage, const FrameInput& instant) {
     const InertiaTensor& inertia = stage.motion.motion().problem().inertia;
     const Eigen::Vector3d momentum = inertia.moments_kg_m2().cwiseProduct(
         inertia.body_from_principal().transpose() * instant.state.omega_body);
@@ -116,12 +116,12 @@ PlotValues momentum_values(const StageData& stage, const Instant& instant) {
 }
 
 constexpr PlotCurve tilt_curves[] = {
-    {formula("\\mathbf{e}_1"), axis_colour<0>, LineStyle::solid},
-    {formula("\\mathbf{e}_2"), axis_colour<1>, LineStyle::dashed},
-    {formula("\\mathbf{e}_3"), axis_colour<2>, LineStyle::dotted},
+    {formula("\\mathbf{e}_1"), axis_colour<0>, DashPattern::solid},
+    {formula("\\mathbf{e}_2"), axis_colour<1>, DashPattern::dashed},
+    {formula("\\mathbf{e}_3"), axis_colour<2>, DashPattern::dotted},
 };
 // Angles of the principal axes from L, accurate also near 0 and π.
-PlotValues tilt_values(const StageData& stage, const Instant& instant) {
+PlotValues tilt_values(const StageData& stage, const FrameInput& instant) {
     const PlotValues L = momentum_values(stage, instant);
     const auto angle = [&L](std::size_t i) {
         return std::atan2(std::hypot(L[(i + 1) % 3], L[(i + 2) % 3]), L[i]);
@@ -130,14 +130,14 @@ PlotValues tilt_values(const StageData& stage, const Instant& instant) {
 }
 
 constexpr PlotCurve conserved_curves[] = {
-    {formula("p_\\varphi"), angle_colour<1>, LineStyle::solid},
-    {formula("p_\\psi"), angle_colour<2>, LineStyle::dashed},
-    {formula("E"), energy_colour, LineStyle::dotted},
+    {formula("p_\\varphi"), angle_colour<1>, DashPattern::solid},
+    {formula("p_\\psi"), angle_colour<2>, DashPattern::dashed},
+    {formula("E"), energy_colour, DashPattern::dotted},
 };
 // p_φ = A φ̇ sin²θ + p_ψ cos θ is the vertical component of L, p_ψ = C ω₃ the component along the
 // top's axis; both, and E = T + Mgl cos θ, are computed from the state at the instant. Source:
 // Landau & Lifshitz §35, problem 1.
-PlotValues conserved_values(const StageData& stage, const Instant& instant) {
+PlotValues conserved_values(const StageData& stage, const FrameInput& instant) {
     const MotionProblem& problem = stage.motion.motion().problem();
     const auto& gravity = std::get<GravityTorque>(problem.torque);
     const Eigen::Vector3d momentum_body = problem.inertia.matrix_body() * instant.state.omega_body;
@@ -147,12 +147,12 @@ PlotValues conserved_values(const StageData& stage, const Instant& instant) {
 }
 
 constexpr PlotCurve turn_curves[] = {
-    {wobble_label, space_cone_colour, LineStyle::solid},
-    {spin_label, body_cone_colour, LineStyle::dashed},
+    {wobble_label, space_cone_colour, DashPattern::solid},
+    {spin_label, body_cone_colour, DashPattern::dashed},
 };
 // Turns since t = 0, seen along L: of the axis of symmetry, φ = L t/I₁, and of marks on the body
 // about it, φ + ψ with ψ = −Ω t; φ − ψ if the axis points downwards. Source: Landau & Lifshitz §35.
-PlotValues turn_values(const StageData& stage, const Instant& instant) {
+PlotValues turn_values(const StageData& stage, const FrameInput& instant) {
     const MotionProblem& problem = stage.motion.motion().problem();
     const RollingCones& cones = *stage.rolling->cones;
     const double spin_rad_s = problem.inertia.body_from_principal()
@@ -164,16 +164,16 @@ PlotValues turn_values(const StageData& stage, const Instant& instant) {
 }
 
 constexpr PlotCurve residual_curves[] = {
-    {formula("\\Delta T"), energy_colour, LineStyle::solid},
-    {formula("\\Delta\\mathbf{L}"), momentum_colour, LineStyle::dashed},
-    {gap_label, contact_colour, LineStyle::dotted},
-    {slip_label, omega_colour, LineStyle::solid},
-    {formula("|q|-1"), plane_colour, LineStyle::dashed},
+    {formula("\\Delta T"), energy_colour, DashPattern::solid},
+    {formula("\\Delta\\mathbf{L}"), momentum_colour, DashPattern::dashed},
+    {gap_label, contact_colour, DashPattern::dotted},
+    {slip_label, omega_colour, DashPattern::solid},
+    {formula("|q|-1"), plane_colour, DashPattern::dashed},
 };
 // Values below 10^-14 are rounding noise that depends on the last bit: they are drawn on the axis's
 // lowest line. The exact motion's residuals reach 2e-15.
 constexpr double rounding_decade = -14.0;
-PlotValues residual_values(const StageData& stage, const Instant& instant) {
+PlotValues residual_values(const StageData& stage, const FrameInput& instant) {
     const RollingResiduals r = stage.rolling->construction.residuals(instant.state);
     const auto decade = [](double x) { return std::max(std::log10(x), rounding_decade); };
     return {decade(r.energy), decade(r.momentum),
@@ -227,7 +227,7 @@ ShownUnit unit_of(const StageData& stage, const PlotQuantity& quantity) {
 }
 
 PlotValues shown_values(const StageData& stage, const PlotQuantity& quantity,
-                        const Instant& instant) {
+                        const FrameInput& instant) {
     PlotValues values = quantity.values(stage, instant);
     const double per_SI = unit_of(stage, quantity).per_SI;
     if (per_SI != 1.0)
@@ -241,7 +241,7 @@ const PlotQuantity& plot_quantity_of(const StageData& stage, std::string_view na
     if (row == nullptr) throw InputError(unknown("quantity", name, names_of(quantity_rows)));
     if (!row->possible(stage)) {
         throw InputError(fmt::format("a plot of \"{}\" needs {}; choose another quantity",
-                                     row->name, row->needs));
+                                     row->name, row->requirement));
     }
     const bool falls =
         std::holds_alternative<GravityTorque>(stage.motion.motion().problem().torque);

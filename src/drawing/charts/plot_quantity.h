@@ -13,8 +13,8 @@ namespace poinsot {
 
 struct PlotCurve {
     Phrase label;  // a formula; words in \mathrm{}
-    Ink (*ink)(const Theme& theme);
-    LineStyle style;
+    LineStyle (*ink)(const Theme& theme);
+    DashPattern style;
 };
 
 constexpr std::size_t most_plot_curves = 6;
@@ -29,11 +29,11 @@ struct PlotQuantity {
     bool stacked;    // one chart per curve, each with its own scale
     bool decades;    // values are logarithms to base 10
     bool from_zero;  // the axis includes 0
-    Quantities asks;
+    Quantities needs;
     bool (*possible)(const StageData& stage);
-    std::string_view needs;
+    std::string_view requirement;
     std::span<const PlotCurve> curves;
-    PlotValues (*values)(const StageData& stage, const Instant& instant);
+    PlotValues (*values)(const StageData& stage, const FrameInput& instant);
 };
 
 std::span<const PlotQuantity> plot_quantities();
@@ -46,6 +46,6 @@ const PlotQuantity& plot_quantity_of(const StageData& stage, std::string_view na
 // units are not converted.
 ShownUnit unit_of(const StageData& stage, const PlotQuantity& quantity);
 PlotValues shown_values(const StageData& stage, const PlotQuantity& quantity,
-                        const Instant& instant);
+                        const FrameInput& instant);
 
 }  // namespace poinsot

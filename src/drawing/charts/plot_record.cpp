@@ -26,8 +26,8 @@ std::pair<double, double> PlotRecord::range(std::size_t first, std::size_t last,
     return {least, most};
 }
 
-Instant PlotRecord::instant(double time_s) const {
-    const MotionSample sample = motion_->sample(time_s, quantity_->asks);
+FrameInput PlotRecord::instant(double time_s) const {
+    const MotionSample sample = motion_->sample(time_s, quantity_->needs);
     return {time_s, sample.state, sample.herpolhode_space, sample.euler, {}};
 }
 

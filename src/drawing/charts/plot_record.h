@@ -25,7 +25,7 @@ class PlotRecord {
                                     double from_s = -std::numeric_limits<double>::infinity()) const;
 
  private:
-    Instant instant(double time_s) const;
+    FrameInput instant(double time_s) const;
 
     const StageData* stage_;
     const CountedMotion* motion_;

@@ -6,7 +6,7 @@
 
 namespace poinsot {
 
-void place_names(PlottedChart& plotted, const std::vector<SetType>& types, const Panel& panel) {
+void place_names(PlottedChart& plotted, const std::vector<TextBlock>& types, const Panel& panel) {
     std::vector<double> ends;
     std::vector<double> heights;
     for (const PlottedCurve& curve : plotted.curves) {
@@ -30,26 +30,28 @@ void place_names(PlottedChart& plotted, const std::vector<SetType>& types, const
 }
 
 void draw_chart(const Panel& panel, const PlottedChart& plotted, double time_s,
-                const PlotValues& values, Sheet& sheet) {
-    plotted.chart.draw(sheet);
+                const PlotValues& values, ViewBuilder& builder) {
+    plotted.chart.draw(builder);
     const ChartArea& area = plotted.chart.area();
     const double across = plotted.chart.at(time_s, 0.0).x();
     Curve cursor = PlotFrame::line(panel, {across, area.bottom, 0.0}, {across, area.top, 0.0},
                                    panel.stage->theme->text, 1.6);
     cursor.opacity = 0.55;
-    sheet.view.curves.push_back(cursor);
-    sheet.view.curves.insert(sheet.view.curves.end(), plotted.beside.begin(), plotted.beside.end());
+    builder.view.curves.push_back(cursor);
+    builder.view.curves.insert(builder.view.curves.end(), plotted.comparison.begin(),
+                               plotted.comparison.end());
     for (const PlottedCurve& curve : plotted.curves) {
-        sheet.view.curves.push_back(curve.curve);
+        builder.view.curves.push_back(curve.curve);
     }
-    sheet.view.curves.insert(sheet.view.curves.end(), plotted.leaders.begin(),
-                             plotted.leaders.end());
-    sheet.view.labels.insert(sheet.view.labels.end(), plotted.names.begin(), plotted.names.end());
+    builder.view.curves.insert(builder.view.curves.end(), plotted.leaders.begin(),
+                               plotted.leaders.end());
+    builder.view.labels.insert(builder.view.labels.end(), plotted.names.begin(),
+                               plotted.names.end());
     for (const PlottedCurve& curve : plotted.curves) {
         const Eigen::Vector3d at = plotted.chart.at(time_s, values[curve.value]);
         // A curve that starts outside of the chart has a dot only inside of it.
         if (plotted.begins_outside && !(at.y() >= area.bottom && at.y() <= area.top)) continue;
-        sheet.view.dots.push_back(PlotFrame::dot(panel, at, curve.curve.colour, 6.5));
+        builder.view.dots.push_back(PlotFrame::dot(panel, at, curve.curve.colour, 6.5));
     }
 }
 

@@ -19,7 +19,7 @@ struct PlottedCurve {
 struct PlottedChart {
     PlotFrame chart;
     std::vector<PlottedCurve> curves;
-    std::vector<Curve> beside;
+    std::vector<Curve> comparison;
     std::vector<Label> names;
     std::vector<Curve> leaders;   // from a curve's end to a name that was moved away from it
     bool begins_outside = false;  // whether its range excludes the first instants
@@ -27,10 +27,10 @@ struct PlottedChart {
 
 // Places the names beside the ends of their curves, and moves them apart if the ends lie close;
 // `types` are in the order of the quantity's curves.
-void place_names(PlottedChart& plotted, const std::vector<SetType>& types, const Panel& panel);
+void place_names(PlottedChart& plotted, const std::vector<TextBlock>& types, const Panel& panel);
 
 // Adds the chart with a cursor at this time and a dot on every curve.
 void draw_chart(const Panel& panel, const PlottedChart& plotted, double time_s,
-                const PlotValues& values, Sheet& sheet);
+                const PlotValues& values, ViewBuilder& builder);
 
 }  // namespace poinsot

@@ -11,7 +11,7 @@ Eigen::Matrix3d principal_from_body(const Panel& panel) {
     return panel.stage->rolling->construction.inertia().body_from_principal().transpose();
 }
 
-Eigen::Vector3d rho_in_principal_axes(const Panel& panel, const Instant& instant) {
+Eigen::Vector3d rho_in_principal_axes(const Panel& panel, const FrameInput& instant) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     return principal_from_body(panel) * picture.contact_body(instant.state.omega_body) *
            picture.picture_per_rho;
@@ -37,7 +37,7 @@ Eigen::Vector3d principal_view_direction(const Panel& panel) {
 
 void aim_in_principal_axes(Panel& panel, std::vector<Eigen::Vector3d> points,
                            const Margins& margins) {
-    if (panel.own_timeline) {
+    if (panel.user_timeline) {
         aim_around(panel, std::move(points), margins);
     } else {
         const double field_rad = panel.stage->scene.camera.field_deg * std::numbers::pi / 180.0;

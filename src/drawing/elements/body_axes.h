@@ -14,7 +14,7 @@ namespace poinsot {
 Eigen::Matrix3d principal_from_body(const Panel& panel);
 
 // ρ in principal axes, in units of the largest half-axis: its tip is the contact point.
-Eigen::Vector3d rho_in_principal_axes(const Panel& panel, const Instant& instant);
+Eigen::Vector3d rho_in_principal_axes(const Panel& panel, const FrameInput& instant);
 
 // Direction from which principal axes are viewed: the axis that the motion encircles leans towards
 // the viewer on ω's side, e3 is up.

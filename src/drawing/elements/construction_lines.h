@@ -25,8 +25,9 @@ class LevelScale {
  public:
     explicit LevelScale(const Panel& panel);
 
-    // Lengths in picture units. Needs the sheet's camera.
-    void add_to(Sheet& sheet, const Eigen::Vector3d& half_axes, const Eigen::Vector3d& foot) const;
+    // Lengths in picture units. Needs the builder's camera.
+    void add_to(ViewBuilder& builder, const Eigen::Vector3d& half_axes,
+                const Eigen::Vector3d& foot) const;
 
  private:
     static constexpr double tick = 0.06;  // half of its length, picture units
@@ -36,8 +37,8 @@ class LevelScale {
     double aside(const View& view, const Eigen::Vector3d& right) const;
 
     const Panel* panel_;
-    std::array<SetType, 3> types_;
-    SetType own_;
+    std::array<TextBlock, 3> types_;
+    TextBlock distance_;
 };
 
 }  // namespace poinsot

@@ -78,23 +78,23 @@ DirectionMarks::DirectionMarks(Panel& panel, const CurveGeometry& geometry, doub
     }
 }
 
-void DirectionMarks::add_to(Sheet& sheet, Curve curve, bool grows) const {
+void DirectionMarks::add_to(ViewBuilder& builder, Curve curve, bool grows) const {
     const auto begin = std::lower_bound(marks_.begin(), marks_.end(), curve.first,
                                         [](const Mark& m, double x) { return m.index < x; });
     const auto end = std::upper_bound(marks_.begin(), marks_.end(), curve.last,
                                       [](double x, const Mark& m) { return x < m.index; });
     const auto n_shown = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, end - begin));
     const auto newest = end - static_cast<std::ptrdiff_t>(std::min(n_shown, most_marks));
-    const Eigen::Matrix3d axes = camera_axes(sheet.view.camera);
+    const Eigen::Matrix3d axes = camera_axes(builder.view.camera);
     for (auto mark = n_shown > 0 ? newest : end; mark != end; ++mark) {
         const Eigen::Vector3d at = curve.placement * mark->at;
         const Eigen::Vector3d ahead = (curve.placement.linear() * mark->ahead).normalized();
-        const Projected here = project(sheet.view, at);
+        const Projected here = project(builder.view, at);
         if (!(here.depth > 0.0)) continue;
         // In the picture plane, so that its size is constant; invisible where the curve points at
         // the eye.
-        const double unit = units_per_pixel(sheet.view, here.depth);
-        const Projected there = project(sheet.view, at + 0.5 * reach_px * unit * ahead);
+        const double unit = units_per_pixel(builder.view, here.depth);
+        const Projected there = project(builder.view, at + 0.5 * reach_px * unit * ahead);
         const Eigen::Vector2d run = (there.px - here.px) / (0.5 * reach_px);
         const double flat = std::clamp(run.norm() / 0.4, 0.0, 1.0);
         if (!(run.norm() > 1e-6)) continue;
@@ -123,7 +123,7 @@ void DirectionMarks::add_to(Sheet& sheet, Curve curve, bool grows) const {
             }
         }
         arms.opacity *= opacity;
-        if (arms.opacity > 0.0) sheet.view.curves.push_back(arms);
+        if (arms.opacity > 0.0) builder.view.curves.push_back(arms);
     }
 }
 

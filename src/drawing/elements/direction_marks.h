@@ -15,9 +15,9 @@ class DirectionMarks {
     DirectionMarks(Panel& panel, const CurveGeometry& geometry, double spacing, bool backwards);
 
     // Adds the chevrons on the shown part of the curve, in the curve's colour and opacity; only the
-    // newest ones, so that a long history costs no more than a short one. Needs the sheet's camera.
-    // Copies `curve`, since it may be one of the sheet's curves.
-    void add_to(Sheet& sheet, Curve curve, bool grows) const;
+    // newest ones, so that a long history costs no more than a short one. Needs the builder's
+    // camera. Copies `curve`, since it may be one of the builder's curves.
+    void add_to(ViewBuilder& builder, Curve curve, bool grows) const;
 
  private:
     struct Mark {

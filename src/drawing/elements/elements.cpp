@@ -45,30 +45,30 @@ bool has_cones(const StageData& stage) { return stage.rolling->cones.has_value()
 bool has_curves(const StageData& stage) {
     return stage.rolling->dissipates || stage.rolling->polhode.kind() != Polhode::Kind::point;
 }
-bool has_beside(const StageData& stage) { return stage.beside.has_value(); }
+bool has_comparison(const StageData& stage) { return stage.comparison.has_value(); }
 
 Drawer make_ellipsoid(Panel& panel) {
     const Ellipsoid ellipsoid = ellipsoid_of(panel);
-    return [&panel, ellipsoid](const Instant& instant, Sheet& sheet) {
-        sheet.view.ellipsoids.push_back(ellipsoid);
-        sheet.view.ellipsoids.back().half_axes =
+    return [&panel, ellipsoid](const FrameInput& instant, ViewBuilder& builder) {
+        builder.view.ellipsoids.push_back(ellipsoid);
+        builder.view.ellipsoids.back().half_axes =
             picture_of(panel).principal_axes(instant) * picture_of(panel).half_axes.asDiagonal();
     };
 }
 
 Drawer make_axes(Panel& panel) {
-    std::array<SetType, 3> types;
+    std::array<TextBlock, 3> types;
     for (std::size_t i = 0; i < 3; ++i) {
         types[i] = set_label(panel, fmt::format("\\mathbf{{e}}_{}", i + 1), 0.85);
     }
-    return [&panel, types](const Instant& instant, Sheet& sheet) {
+    return [&panel, types](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
         for (int i = 0; i < 3; ++i) {
             const double length = picture_of(panel).half_axes[i] + axis_overhang;
             const Arrow arrow =
                 arrow_to(panel, axes.col(i) * length, panel.stage->theme->axes[i], 0.85);
-            sheet.view.arrows.push_back(arrow);
-            wish_at_tip(panel, arrow, types[static_cast<std::size_t>(i)], sheet,
+            builder.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, types[static_cast<std::size_t>(i)], builder,
                         axis_label_turn_rad);
         }
     };
@@ -80,7 +80,8 @@ Drawer make_cones(Panel& panel) {
     }
     // Both cones have their apex at the centre and share a generator along ω that ends at the
     // plane: their rims touch at the contact point.
-    return [&panel, cones = *picture_of(panel).cones](const Instant& instant, Sheet& sheet) {
+    return [&panel, cones = *picture_of(panel).cones](const FrameInput& instant,
+                                                      ViewBuilder& builder) {
         const double reach = picture_of(panel).contact(instant).norm();
         const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
         const Eigen::Vector3d symmetry = axes.col(cones.symmetry_axis);
@@ -93,7 +94,7 @@ Drawer make_cones(Panel& panel) {
         body.colour = panel.stage->theme->body_cone;
         body.reference = axes.col((cones.symmetry_axis + 1) % 3);
         body.rim_px = 2.0 * panel.px;
-        sheet.view.cones.push_back(body);
+        builder.view.cones.push_back(body);
 
         Cone space;
         space.axis = picture_of(panel).normal;
@@ -102,7 +103,7 @@ Drawer make_cones(Panel& panel) {
         space.colour = panel.stage->theme->space_cone;
         space.reference = Eigen::Vector3d::UnitX();
         space.rim_px = 2.0 * panel.px;
-        sheet.view.cones.push_back(space);
+        builder.view.cones.push_back(space);
     };
 }
 
@@ -144,9 +145,9 @@ const Element element_rows[] = {
     {"precession", "the precessions Ω about the symmetry axis and L/I1 about L (symmetric bodies)",
      never, attitude_too, make_precession},
     {"contact", "the contact point", always, attitude_too, make_contact},
-    {"ghost", "the ellipsoid and ω of the comparison method in [beside]", has_beside, omega_alone,
-     make_ghost},
-    {"drift", "path of the contact point by the comparison method in [beside]", has_beside,
+    {"ghost", "the ellipsoid and ω of the comparison method in [beside]", has_comparison,
+     omega_alone, make_ghost},
+    {"drift", "path of the contact point by the comparison method in [beside]", has_comparison,
      omega_alone, make_drift},
 };
 

@@ -15,7 +15,7 @@ struct Element {
     // Whether it is shown if the scene does not list elements.
     bool (*by_default)(const StageData& stage);
     // The quantities of an instant that its drawer reads besides ω.
-    Quantities asks;
+    Quantities needs;
     // Makes what all instants share, stored in the stage, and the function that draws an instant.
     Drawer (*make)(Panel& panel);
 };

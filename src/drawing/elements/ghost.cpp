@@ -33,7 +33,7 @@ void cut(TimedPath& path) {
 }
 
 void require_beside(const Panel& panel, std::string_view element) {
-    if (panel.stage->beside) return;
+    if (panel.stage->comparison) return;
     throw InputError(fmt::format(
         "show: \"{}\" needs a comparison method; name one under [beside], or leave the element out",
         element));
@@ -55,7 +55,7 @@ GhostPath ghost_path(Panel& panel,
     const double half_turn_s = std::numbers::pi / stage.quickest_rate_rad_s();
     GhostPath ghost;
     ghost.path = sample_path(
-        [&](double time_s) { return point(stage.beside->sample(time_s, attitude_too).state); },
+        [&](double time_s) { return point(stage.comparison->sample(time_s, attitude_too).state); },
         stage.options.first_time_s, stage.options.last_time_s, half_turn_s, panel.curve_units());
     cut(ghost.path);
     CurveGeometry geometry;
@@ -69,27 +69,27 @@ GhostPath ghost_path(Panel& panel,
     return ghost;
 }
 
-void add_ghost_path(const GhostPath& ghost, const Instant& instant, Sheet& sheet) {
-    sheet.view.curves.push_back(ghost.curve);
-    sheet.view.curves.back().last = ghost.path.index_at(instant.time_s);
+void add_ghost_path(const GhostPath& ghost, const FrameInput& instant, ViewBuilder& builder) {
+    builder.view.curves.push_back(ghost.curve);
+    builder.view.curves.back().last = ghost.path.index_at(instant.time_s);
 }
 
-SetType set_ghost_label(const Panel& panel, std::string_view symbol, double scale) {
-    const std::string& method = panel.stage->beside->motion().problem().method.name;
+TextBlock set_ghost_label(const Panel& panel, std::string_view symbol, double scale) {
+    const std::string& method = panel.stage->comparison->motion().problem().method.name;
     return set_label(panel, fmt::format("{}_{{\\mathrm{{{}}}}}", symbol, method), scale);
 }
 
-void add_ghost_arrow(const Panel& panel, const Eigen::Vector3d& tip, const SetType& type,
-                     Sheet& sheet) {
+void add_ghost_arrow(const Panel& panel, const Eigen::Vector3d& tip, const TextBlock& type,
+                     ViewBuilder& builder) {
     if (!(tip.norm() <= out_of_picture)) return;
     const Arrow arrow = arrow_to(panel, tip, panel.stage->theme->ghost, 0.95);
-    sheet.view.arrows.push_back(arrow);
-    wish_at_tip(panel, arrow, type, sheet);
+    builder.view.arrows.push_back(arrow);
+    wish_at_tip(panel, arrow, type, builder);
 }
 
 Drawer make_ghost(Panel& panel) {
     require_beside(panel, "ghost");
-    panel.shows_beside = true;
+    panel.shows_comparison = true;
     Ellipsoid ellipsoid = ellipsoid_of(panel);
     ellipsoid.colour = panel.stage->theme->ghost;
     ellipsoid.line_colour = panel.stage->theme->ghost;
@@ -97,34 +97,36 @@ Drawer make_ghost(Panel& panel) {
     ellipsoid.section_px = 1.6 * panel.px;
     ellipsoid.ruling_px = 0.0;
     ellipsoid.casts_shadow = false;
-    const SetType type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
+    const TextBlock type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
     const bool beyond = is_shown(*panel.stage, "radius");
-    return [&panel, ellipsoid, type, beyond](const Instant& instant, Sheet& sheet) {
+    return [&panel, ellipsoid, type, beyond](const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = *panel.stage->rolling;
         const Eigen::Quaterniond turn =
-            picture.picture_from_space * instant.beside->space_from_body;
-        sheet.view.ellipsoids.push_back(ellipsoid);
-        sheet.view.ellipsoids.back().half_axes =
+            picture.picture_from_space * instant.comparison->space_from_body;
+        builder.view.ellipsoids.push_back(ellipsoid);
+        builder.view.ellipsoids.back().half_axes =
             turn.toRotationMatrix() * picture.construction.inertia().body_from_principal() *
             picture.half_axes.asDiagonal();
-        const Eigen::Vector3d contact = contact_of(picture, *instant.beside);
+        const Eigen::Vector3d contact = contact_of(picture, *instant.comparison);
         // Ends like ω's arrow, which depends on whether ρ is shown.
-        add_ghost_arrow(panel, beyond ? spin_axis_end(contact) : contact, type, sheet);
+        add_ghost_arrow(panel, beyond ? spin_axis_end(contact) : contact, type, builder);
         if (contact.norm() <= out_of_picture) {
-            sheet.view.dots.push_back(dot_at(panel, contact, panel.stage->theme->ghost, 5.5));
+            builder.view.dots.push_back(dot_at(panel, contact, panel.stage->theme->ghost, 5.5));
         }
     };
 }
 
 Drawer make_drift(Panel& panel) {
     require_beside(panel, "drift");
-    panel.shows_beside = true;
+    panel.shows_comparison = true;
     const ConstructionPicture& picture = *panel.stage->rolling;
     GhostPath ghost = ghost_path(
         panel, [&picture](const RotationState& state) { return contact_of(picture, state); }, 3.2);
     // Visible through the plane, too, since it shows how far the method's error lets it sink.
     ghost.curve.hidden_opacity = 0.75;
-    return [ghost](const Instant& instant, Sheet& sheet) { add_ghost_path(ghost, instant, sheet); };
+    return [ghost](const FrameInput& instant, ViewBuilder& builder) {
+        add_ghost_path(ghost, instant, builder);
+    };
 }
 
 }  // namespace poinsot

@@ -25,13 +25,13 @@ GhostPath ghost_path(Panel& panel,
                      double width_px);
 
 // Adds the path up to this instant.
-void add_ghost_path(const GhostPath& ghost, const Instant& instant, Sheet& sheet);
+void add_ghost_path(const GhostPath& ghost, const FrameInput& instant, ViewBuilder& builder);
 
 // Sets a symbol of the ghost with the method's name as its index: "ω" with "euler".
-SetType set_ghost_label(const Panel& panel, std::string_view symbol, double scale = 0.85);
+TextBlock set_ghost_label(const Panel& panel, std::string_view symbol, double scale = 0.85);
 
 // Adds an arrow of the ghost from the origin, and its label.
-void add_ghost_arrow(const Panel& panel, const Eigen::Vector3d& tip, const SetType& type,
-                     Sheet& sheet);
+void add_ghost_arrow(const Panel& panel, const Eigen::Vector3d& tip, const TextBlock& type,
+                     ViewBuilder& builder);
 
 }  // namespace poinsot

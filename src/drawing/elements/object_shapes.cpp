@@ -272,18 +272,18 @@ BodyShape body_shape(Panel& panel) {
 }
 
 void add_body(const BodyShape& shape, const Eigen::Affine3d& placement, bool casts_shadow,
-              Sheet& sheet) {
+              ViewBuilder& builder) {
     for (const BodyPart& part : shape.parts) {
         Mesh mesh;
         mesh.geometry = part.geometry;
         mesh.placement = placement;
         mesh.colour = part.colour;
         mesh.casts_shadow = casts_shadow;
-        sheet.view.meshes.push_back(mesh);
+        builder.view.meshes.push_back(mesh);
     }
     for (Curve edge : shape.edges) {
         edge.placement = placement * edge.placement;
-        sheet.view.curves.push_back(edge);
+        builder.view.curves.push_back(edge);
     }
 }
 

@@ -28,9 +28,9 @@ struct BodyShape {
 // the uniform box with these moments.
 BodyShape body_shape(Panel& panel);
 
-// Adds the body to a sheet; `placement`: of body axes, in units of the body's reach.
+// Adds the body to a builder; `placement`: of body axes, in units of the body's reach.
 void add_body(const BodyShape& shape, const Eigen::Affine3d& placement, bool casts_shadow,
-              Sheet& sheet);
+              ViewBuilder& builder);
 
 // Edges of the uniform box of 1 kg with these principal moments: a² = 6(I₂ + I₃ − I₁) and so on. An
 // edge whose length is zero by the triangle inequality gets a hundredth of the longest one.

@@ -43,10 +43,10 @@ Drawer ringed(Panel& panel, Plane plane) {
         ring.opacity = plane.opacity * (1.0 - u * u * (3.0 - 2.0 * u));
         rings.push_back(ring);
     }
-    return [plane, rings](const Instant&, Sheet& sheet) {
-        sheet.view.planes.push_back(plane);
-        sheet.view.planes.back().opacity *= plane_presence(plane.centre, sheet.view.camera);
-        sheet.view.curves.insert(sheet.view.curves.end(), rings.begin(), rings.end());
+    return [plane, rings](const FrameInput&, ViewBuilder& builder) {
+        builder.view.planes.push_back(plane);
+        builder.view.planes.back().opacity *= plane_presence(plane.centre, builder.view.camera);
+        builder.view.curves.insert(builder.view.curves.end(), rings.begin(), rings.end());
     };
 }
 
@@ -63,11 +63,11 @@ Drawer make_plane(Panel& panel) {
     plane.grid_colour = panel.stage->theme->grid;
     plane.opacity = panel.stage->theme->plane_opacity;
     if (panel.stage->turns()) return ringed(panel, plane);
-    return [&panel, plane](const Instant& instant, Sheet& sheet) {
-        sheet.view.planes.push_back(plane);
-        Plane& shown = sheet.view.planes.back();
+    return [&panel, plane](const FrameInput& instant, ViewBuilder& builder) {
+        builder.view.planes.push_back(plane);
+        Plane& shown = builder.view.planes.back();
         shown.centre = picture_of(panel).foot(instant);
-        shown.opacity *= plane_presence(shown.centre, sheet.view.camera);
+        shown.opacity *= plane_presence(shown.centre, builder.view.camera);
     };
 }
 
@@ -105,22 +105,22 @@ Drawer make_polhode(Panel& panel) {
         geometry.smooth = placed(geometry.smooth, Eigen::Affine3d(Eigen::Scaling(per_rho)));
     Curve curve = curve_of(panel, panel.keep(std::move(geometry), off * per_rho, "the polhode"),
                            panel.stage->theme->polhode, 4.0);
-    curve.on_surface = the_ellipsoid;
+    curve.on_surface = first_ellipsoid;
     curve.hidden_opacity = 0.72;
     std::optional<DirectionMarks> marks;
     if (wants_marks(panel)) {
         marks.emplace(panel, *curve.geometry, mark_spacing,
                       whole && runs_backwards(panel, curve.geometry->points));
     }
-    return [&panel, curve, trail, marks](const Instant& instant, Sheet& sheet) {
+    return [&panel, curve, trail, marks](const FrameInput& instant, ViewBuilder& builder) {
         Curve shown = curve;
         shown.placement.linear() = picture_of(panel).picture_from_body(instant).toRotationMatrix();
         ShownStretch stretch{0.0, curve.last, 0.0, false};
         if (trail) stretch = trail->at(instant.time_s);
         stretch.apply_to(shown);
         shown.lasting = false;  // the curve rotates with the body
-        sheet.view.curves.push_back(shown);
-        if (marks) marks->add_to(sheet, shown, stretch.grows);
+        builder.view.curves.push_back(shown);
+        if (marks) marks->add_to(builder, shown, stretch.grows);
     };
 }
 
@@ -128,7 +128,7 @@ Drawer make_polhode(Panel& panel) {
 Drawer make_herpolhode(Panel& panel) {
     const ConstructionPicture& picture = picture_of(panel);
     const double per_rho = picture.picture_per_rho;
-    const Ink& ink = panel.stage->theme->herpolhode;
+    const LineStyle& ink = panel.stage->theme->herpolhode;
     const double width_px = 4.0 * panel.stage->theme->herpolhode_weight;
     TimedCurve timed =
         herpolhode_trail(*panel.stage, panel.curve_units() / per_rho,
@@ -161,9 +161,10 @@ Drawer make_herpolhode(Panel& panel) {
     if (wants_marks(panel)) marks.emplace(panel, *curve.geometry, mark_spacing, false);
     const std::optional<RingCurve> ring =
         ring_of(panel, timed, curve, [&](const auto& points) { return placed_points(points); });
-    return [&picture, curve, ring, trail = std::move(timed.trail), marks](const Instant& instant,
-                                                                          Sheet& sheet) {
-        if (ring && instant.time_s >= ring->from_s) return sheet.view.curves.push_back(ring->curve);
+    return [&picture, curve, ring, trail = std::move(timed.trail), marks](const FrameInput& instant,
+                                                                          ViewBuilder& builder) {
+        if (ring && instant.time_s >= ring->from_s)
+            return builder.view.curves.push_back(ring->curve);
         Curve shown = curve;
         const ShownStretch stretch = trail.at(instant.time_s);
         stretch.apply_to(shown);
@@ -171,8 +172,8 @@ Drawer make_herpolhode(Panel& panel) {
             shown.placement.translation() = picture.foot(instant);
             shown.lasting = false;
         }
-        sheet.view.curves.push_back(shown);
-        if (marks) marks->add_to(sheet, shown, stretch.grows);
+        builder.view.curves.push_back(shown);
+        if (marks) marks->add_to(builder, shown, stretch.grows);
     };
 }
 
@@ -203,7 +204,7 @@ Drawer make_annulus(Panel& panel) {
     const Polhode::Annulus annulus = picture_of(panel).polhode.annulus();
     std::vector<Curve> circles;
     for (const double radius : {annulus.inner, annulus.outer}) {
-        const Ink& ink = panel.stage->theme->annulus;
+        const LineStyle& ink = panel.stage->theme->annulus;
         Curve curve =
             curve_of(panel,
                      panel.keep(circle_on_plane(panel, radius * picture_of(panel).picture_per_rho),
@@ -213,8 +214,8 @@ Drawer make_annulus(Panel& panel) {
         curve.on_plane = the_plane;
         circles.push_back(curve);
     }
-    return [circles](const Instant&, Sheet& sheet) {
-        sheet.view.curves.insert(sheet.view.curves.end(), circles.begin(), circles.end());
+    return [circles](const FrameInput&, ViewBuilder& builder) {
+        builder.view.curves.insert(builder.view.curves.end(), circles.begin(), circles.end());
     };
 }
 

@@ -10,9 +10,9 @@
 
 #include "drawing/elements/body_axes.h"
 #include "drawing/elements/ghost.h"
-#include "drawing/elements/own_marks.h"
 #include "drawing/elements/smooth_paths.h"
 #include "drawing/elements/trail.h"
+#include "drawing/elements/user_marks.h"
 #include "drawing/framing.h"
 #include "drawing/marks.h"
 
@@ -51,7 +51,7 @@ Curve thin(const Panel& panel, const CurveGeometry* geometry) {
     Curve curve = curve_of(panel, geometry, panel.stage->theme->polhode, 1.9);
     curve.opacity = 0.85;
     curve.hidden_opacity = 0.16;
-    curve.on_surface = the_ellipsoid;
+    curve.on_surface = first_ellipsoid;
     return curve;
 }
 Curve mirror_image(Curve curve) {
@@ -136,7 +136,7 @@ std::vector<Curve> separatrices_of(Panel& panel) {
             panel.stage->theme->separatrix, 2.6);
         curve.dash_px = dash_of(panel, panel.stage->theme->separatrix, 9.0);
         curve.hidden_opacity = 0.25;
-        curve.on_surface = the_ellipsoid;
+        curve.on_surface = first_ellipsoid;
         curves.push_back(curve);
     }
     return curves;
@@ -151,7 +151,7 @@ std::vector<Curve> motion_of(Panel& panel) {
     curves.push_back(mirror_image(thin(panel, geometry)));
     Curve curve = curve_of(panel, geometry, panel.stage->theme->polhode, 4.6);
     curve.hidden_opacity = 0.72;
-    curve.on_surface = the_ellipsoid;
+    curve.on_surface = first_ellipsoid;
     curves.push_back(curve);
     return curves;
 }
@@ -168,12 +168,13 @@ Drawer make_spiral(Panel& panel) {
         panel, panel.keep(std::move(geometry), timed.off * picture.picture_per_rho, "the polhode"),
         panel.stage->theme->polhode, 4.0);
     curve.hidden_opacity = 0.5;
-    curve.on_surface = the_ellipsoid;
-    return [curve, trail = std::move(timed.trail)](const Instant& instant, Sheet& sheet) {
-        Curve shown = curve;
-        trail.at(instant.time_s).apply_to(shown);
-        sheet.view.curves.push_back(shown);
-    };
+    curve.on_surface = first_ellipsoid;
+    return
+        [curve, trail = std::move(timed.trail)](const FrameInput& instant, ViewBuilder& builder) {
+            Curve shown = curve;
+            trail.at(instant.time_s).apply_to(shown);
+            builder.view.curves.push_back(shown);
+        };
 }
 
 // ρ = ω/√(2T) of the comparison motion, with the T of the start: a drift moves it off its polhode
@@ -185,16 +186,16 @@ Eigen::Vector3d rho_of(const Panel& panel, const RotationState& state) {
 }
 
 // The drifting polhode of the comparison motion up to the instant, with its ω. Empty without one.
-Drawer make_beside(Panel& panel) {
-    if (!panel.stage->beside) return [](const Instant&, Sheet&) {};
-    panel.shows_beside = true;
+Drawer make_comparison(Panel& panel) {
+    if (!panel.stage->comparison) return [](const FrameInput&, ViewBuilder&) {};
+    panel.shows_comparison = true;
     const GhostPath path = ghost_path(
         panel, [&panel](const RotationState& state) { return rho_of(panel, state); }, 2.6);
-    const SetType type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
-    return [&panel, path, type](const Instant& instant, Sheet& sheet) {
-        add_ghost_path(path, instant, sheet);
-        add_ghost_arrow(panel, omega_share * omega_tip(rho_of(panel, *instant.beside)), type,
-                        sheet);
+    const TextBlock type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
+    return [&panel, path, type](const FrameInput& instant, ViewBuilder& builder) {
+        add_ghost_path(path, instant, builder);
+        add_ghost_arrow(panel, omega_share * omega_tip(rho_of(panel, *instant.comparison)), type,
+                        builder);
     };
 }
 
@@ -203,12 +204,13 @@ Drawer make_beside(Panel& panel) {
 Drawer make_precession_circle(Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     if (!picture.cones || picture.polhode.kind() == Polhode::Kind::point) {
-        return [](const Instant&, Sheet&) {};
+        return [](const FrameInput&, ViewBuilder&) {};
     }
     const RollingCones cones = *picture.cones;
-    const SetType amplitude = set_label(panel, "A", 0.9);
-    const SetType rate = set_label(panel, "\\Omega", 0.9);
-    return [&panel, &picture, cones, amplitude, rate](const Instant& instant, Sheet& sheet) {
+    const TextBlock amplitude = set_label(panel, "A", 0.9);
+    const TextBlock rate = set_label(panel, "\\Omega", 0.9);
+    return [&panel, &picture, cones, amplitude, rate](const FrameInput& instant,
+                                                      ViewBuilder& builder) {
         const Theme& theme = *panel.stage->theme;
         const Eigen::Vector3d axis = Eigen::Vector3d::Unit(cones.symmetry_axis);
         const Eigen::Vector3d tip = omega_share * omega_tip(rho_in_principal_axes(panel, instant));
@@ -218,17 +220,17 @@ Drawer make_precession_circle(Panel& panel) {
         Curve circle = arc_about(panel, centre, from, axis.cross(from), radius.norm(),
                                  2.0 * std::numbers::pi, theme.omega, 2.2);
         circle.hidden_opacity = 0.5;
-        sheet.view.curves.push_back(circle);
+        builder.view.curves.push_back(circle);
         Curve spoke = line_between(panel, centre, tip, theme.omega, 2.6);
         spoke.hidden_opacity = 0.8;
-        sheet.view.curves.push_back(spoke);
+        builder.view.curves.push_back(spoke);
         wish_beside(panel, centre + 0.5 * radius, Eigen::Vector3d::Zero(), amplitude, theme.omega,
-                    sheet);
+                    builder);
         const double side = std::copysign(1.0, centre.dot(axis));
         const double beyond = picture.half_axes[cones.symmetry_axis] + 0.55 * axis_overhang;
         add_turn(panel,
                  {side * beyond * axis, axis, 0.2, std::copysign(5.0, cones.body_precession_rad_s)},
-                 theme.body_cone, rate, sheet);
+                 theme.body_cone, rate, builder);
     };
 }
 
@@ -247,7 +249,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
         const StageData& stage = *panel.stage;
         constexpr int n_looks = 512;
         for (int k = 0; k <= n_looks; ++k) {
-            Instant instant;
+            FrameInput instant;
             instant.time_s =
                 stage.film_first_s + (stage.film_last_s - stage.film_first_s) * k / n_looks;
             instant.state = stage.motion.sample(instant.time_s, omega_alone).state;
@@ -287,33 +289,34 @@ void make_body_panel(Panel& panel) {
         curves.insert(curves.end(), part.begin(), part.end());
     }
 
-    std::array<SetType, 3> axis_types;
+    std::array<TextBlock, 3> axis_types;
     for (std::size_t i = 0; i < 3; ++i) {
         axis_types[i] = set_label(panel, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
     }
-    const SetType omega_type = set_label(panel, "\\boldsymbol{\\omega}");
-    const SetType momentum_type = set_label(panel, "\\mathbf{L}");
-    const Drawer beside = make_beside(panel);
+    const TextBlock omega_type = set_label(panel, "\\boldsymbol{\\omega}");
+    const TextBlock momentum_type = set_label(panel, "\\mathbf{L}");
+    const Drawer comparison = make_comparison(panel);
     const Drawer precession = make_precession_circle(panel);
     const Drawer marks =
-        make_own_marks(panel,
-                       [&panel, &picture](const MarkSpec& mark,
-                                          const RotationState&) -> std::optional<Eigen::Vector3d> {
-                           if (mark.on != "ellipsoid") return std::nullopt;
-                           return principal_from_body(panel) * on_ellipsoid(picture, mark);
-                       });
+        make_user_marks(panel,
+                        [&panel, &picture](const MarkSpec& mark,
+                                           const RotationState&) -> std::optional<Eigen::Vector3d> {
+                            if (mark.on != "ellipsoid") return std::nullopt;
+                            return principal_from_body(panel) * on_ellipsoid(picture, mark);
+                        });
     const Drawer spiral = picture.dissipates ? make_spiral(panel) : Drawer();
     panel.draw = [&panel, &picture, precession, marks, spiral, ellipsoid, curves, axis_types,
-                  omega_type, momentum_type, beside](const Instant& instant, Sheet& sheet) {
+                  omega_type, momentum_type,
+                  comparison](const FrameInput& instant, ViewBuilder& builder) {
         const Theme& theme = *panel.stage->theme;
-        const auto add_arrow = [&](const Eigen::Vector3d& tip, const Ink& colour, double weight,
-                                   const SetType& type, double turn_rad = 0.0) {
-            sheet.view.arrows.push_back(arrow_to(panel, tip, colour, weight));
-            wish_at_tip(panel, sheet.view.arrows.back(), type, sheet, turn_rad);
+        const auto add_arrow = [&](const Eigen::Vector3d& tip, const LineStyle& colour,
+                                   double weight, const TextBlock& type, double turn_rad = 0.0) {
+            builder.view.arrows.push_back(arrow_to(panel, tip, colour, weight));
+            wish_at_tip(panel, builder.view.arrows.back(), type, builder, turn_rad);
         };
-        sheet.view.ellipsoids.push_back(ellipsoid);
-        sheet.view.curves = curves;
-        if (spiral) spiral(instant, sheet);
+        builder.view.ellipsoids.push_back(ellipsoid);
+        builder.view.curves = curves;
+        if (spiral) spiral(instant, builder);
         for (int i = 0; i < 3; ++i) {
             add_arrow((picture.half_axes[i] + axis_overhang) * Eigen::Vector3d::Unit(i),
                       theme.axes[i], 0.85, axis_types[static_cast<std::size_t>(i)],
@@ -327,10 +330,10 @@ void make_body_panel(Panel& panel) {
         add_arrow(momentum * body_momentum_length, theme.momentum, 1.15, momentum_type);
         add_arrow(omega_share * omega_tip(rho), theme.omega, 1.15, omega_type,
                   omega_label_turn_rad);
-        precession(instant, sheet);
-        marks(instant, sheet);
-        sheet.view.dots.push_back(dot_at(panel, rho, theme.contact));
-        beside(instant, sheet);
+        precession(instant, builder);
+        marks(instant, builder);
+        builder.view.dots.push_back(dot_at(panel, rho, theme.contact));
+        comparison(instant, builder);
     };
 }
 

@@ -51,7 +51,7 @@ const CurveGeometry* keep_meeting_curve(const Panel& panel) {
 
 // m of the comparison motion in units of the L of the start, principal axes: a drift of L moves it
 // off the sphere.
-Eigen::Vector3d momentum_beside(const Panel& panel, const RotationState& state) {
+Eigen::Vector3d comparison_momentum(const Panel& panel, const RotationState& state) {
     const MotionProblem& problem = panel.stage->motion.motion().problem();
     const Eigen::Vector3d& moments = problem.inertia.moments_kg_m2();
     const Eigen::Vector3d weights = moments / moments.maxCoeff();
@@ -63,15 +63,16 @@ Eigen::Vector3d momentum_beside(const Panel& panel, const RotationState& state) 
 }
 
 // The path of the comparison motion, which leaves the curve of intersection. Empty without one.
-Drawer make_momentum_beside(Panel& panel) {
-    if (!panel.stage->beside) return [](const Instant&, Sheet&) {};
-    panel.shows_beside = true;
+Drawer make_momentum_comparison(Panel& panel) {
+    if (!panel.stage->comparison) return [](const FrameInput&, ViewBuilder&) {};
+    panel.shows_comparison = true;
     const GhostPath path = ghost_path(
-        panel, [&panel](const RotationState& state) { return momentum_beside(panel, state); }, 2.6);
-    const SetType type = set_ghost_label(panel, "\\mathbf{L}");
-    return [&panel, path, type](const Instant& instant, Sheet& sheet) {
-        add_ghost_path(path, instant, sheet);
-        add_ghost_arrow(panel, momentum_beside(panel, *instant.beside), type, sheet);
+        panel, [&panel](const RotationState& state) { return comparison_momentum(panel, state); },
+        2.6);
+    const TextBlock type = set_ghost_label(panel, "\\mathbf{L}");
+    return [&panel, path, type](const FrameInput& instant, ViewBuilder& builder) {
+        add_ghost_path(path, instant, builder);
+        add_ghost_arrow(panel, comparison_momentum(panel, *instant.comparison), type, builder);
     };
 }
 
@@ -86,11 +87,12 @@ Drawer make_momentum_spiral(Panel& panel) {
                            panel.stage->theme->polhode, 4.0);
     curve.on_surface = the_sphere;
     curve.hidden_opacity = 0.5;
-    return [curve, trail = std::move(timed.trail)](const Instant& instant, Sheet& sheet) {
-        Curve shown = curve;
-        trail.at(instant.time_s).apply_to(shown);
-        sheet.view.curves.push_back(shown);
-    };
+    return
+        [curve, trail = std::move(timed.trail)](const FrameInput& instant, ViewBuilder& builder) {
+            Curve shown = curve;
+            trail.at(instant.time_s).apply_to(shown);
+            builder.view.curves.push_back(shown);
+        };
 }
 
 Eigen::Vector3d energy_half_axes(const Panel& panel) {
@@ -111,7 +113,7 @@ std::vector<Label> legend_of(const Panel& panel) {
         panel.box.x_px == 0 ? overlay_margin * panel.stage->px : 0.6 * chart_margin * panel.px;
     double bottom = 0.5 * chart_margin * panel.px;
     for (const auto& [text, colour] : rows) {
-        const SetType type = set_label(panel, text, 0.72);
+        const TextBlock type = set_label(panel, text, 0.72);
         legend.push_back(chart_label(panel, type, left, bottom, Anchor::bottom_left, colour));
         bottom += type.height_px() + 10.0 * panel.px;
     }
@@ -173,39 +175,39 @@ void make_momentum_panel(Panel& panel) {
         curves.push_back(curve);
     }
 
-    std::array<SetType, 3> axis_types;
+    std::array<TextBlock, 3> axis_types;
     for (std::size_t i = 0; i < 3; ++i) {
         axis_types[i] = set_label(panel, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
     }
-    const SetType momentum_type = set_label(panel, "\\mathbf{L}");
-    const Drawer beside = make_momentum_beside(panel);
+    const TextBlock momentum_type = set_label(panel, "\\mathbf{L}");
+    const Drawer comparison = make_momentum_comparison(panel);
     const Drawer spiral = dissipates ? make_momentum_spiral(panel) : Drawer();
     panel.draw = [&panel, spiral, sphere, energy, curves, axis_lengths, axis_types, momentum_type,
-                  legend, beside](const Instant& instant, Sheet& sheet) {
+                  legend, comparison](const FrameInput& instant, ViewBuilder& builder) {
         const Theme& theme = *panel.stage->theme;
-        sheet.view.labels = legend;
-        sheet.view.ellipsoids = {sphere, energy};
-        sheet.view.curves = curves;
+        builder.view.labels = legend;
+        builder.view.ellipsoids = {sphere, energy};
+        builder.view.curves = curves;
         if (spiral) {
             // The ellipsoid of the remaining T.
-            sheet.view.ellipsoids.back().half_axes =
+            builder.view.ellipsoids.back().half_axes =
                 energy.half_axes / panel.stage->rolling->rho_growth(instant.state.omega_body);
-            spiral(instant, sheet);
+            spiral(instant, builder);
         }
         for (int i = 0; i < 3; ++i) {
             const Arrow arrow =
                 arrow_to(panel, axis_lengths[i] * Eigen::Vector3d::Unit(i), theme.axes[i], 0.85);
-            sheet.view.arrows.push_back(arrow);
-            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], sheet);
+            builder.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder);
         }
         const PoinsotConstruction& construction = panel.stage->rolling->construction;
         const Eigen::Vector3d momentum =
             momentum_at(panel, construction.contact_body(instant.state.omega_body));
         Arrow arrow = arrow_to(panel, momentum, theme.momentum, 1.15);
         arrow.hidden_opacity = 0.7;
-        sheet.view.arrows.push_back(arrow);
-        wish_at_tip(panel, arrow, momentum_type, sheet);
-        beside(instant, sheet);
+        builder.view.arrows.push_back(arrow);
+        wish_at_tip(panel, arrow, momentum_type, builder);
+        comparison(instant, builder);
     };
 }
 

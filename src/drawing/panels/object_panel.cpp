@@ -12,7 +12,7 @@
 
 #include "drawing/elements/ghost.h"
 #include "drawing/elements/object_shapes.h"
-#include "drawing/elements/own_marks.h"
+#include "drawing/elements/user_marks.h"
 #include "drawing/framing.h"
 #include "drawing/marks.h"
 #include "mechanics/torque.h"
@@ -61,16 +61,16 @@ class ArrowScale {
     }
 
     bool turns() const { return omega_most_ > 0.0; }
-    Eigen::Vector3d omega_tip(const Instant& instant) const {
+    Eigen::Vector3d omega_tip(const FrameInput& instant) const {
         return tip(instant, instant.state.omega_body, omega_most_) *
                (longest_omega / longest_arrow);
     }
-    Eigen::Vector3d momentum_tip(const Instant& instant) const {
+    Eigen::Vector3d momentum_tip(const FrameInput& instant) const {
         return tip(instant, inertia_ * instant.state.omega_body, momentum_most_);
     }
 
  private:
-    Eigen::Vector3d tip(const Instant& instant, const Eigen::Vector3d& vector_body,
+    Eigen::Vector3d tip(const FrameInput& instant, const Eigen::Vector3d& vector_body,
                         double most) const {
         return picture_from_space(*stage_) * (instant.state.space_from_body * vector_body) *
                (longest_arrow / most);
@@ -113,25 +113,25 @@ class TorqueScale {
 // The torque's arrow, if there is a torque: slightly to the left of the fixed point, because it may
 // be parallel to ω or L.
 Drawer make_torque(Panel& panel, const TorqueScale& torque) {
-    if (!torque.acts()) return [](const Instant&, Sheet&) {};
-    const SetType type = set_label(panel, "\\mathbf{N}");
-    return [&panel, torque, type](const Instant& instant, Sheet& sheet) {
+    if (!torque.acts()) return [](const FrameInput&, ViewBuilder&) {};
+    const TextBlock type = set_label(panel, "\\mathbf{N}");
+    return [&panel, torque, type](const FrameInput& instant, ViewBuilder& builder) {
         constexpr double aside = 0.16;
-        const Eigen::Vector3d tail = -aside * camera_axes(sheet.view.camera).col(0);
+        const Eigen::Vector3d tail = -aside * camera_axes(builder.view.camera).col(0);
         Arrow arrow = arrow_between(panel, tail, tail + torque.along(instant.state),
                                     panel.stage->theme->energy, 1.15);
         arrow.hidden_opacity = 0.85;
-        sheet.view.arrows.push_back(arrow);
-        wish_at_tip(panel, arrow, type, sheet, -omega_label_turn_rad);
+        builder.view.arrows.push_back(arrow);
+        wish_at_tip(panel, arrow, type, builder, -omega_label_turn_rad);
     };
 }
 
 // The body of the comparison motion in thin lines: the edges of a box, the principal axes up to the
 // body's surface, and ω. Empty without one.
 Drawer make_ghost_body(Panel& panel, const BodyShape& shape, const ArrowScale& arrows) {
-    if (!panel.stage->beside) return [](const Instant&, Sheet&) {};
-    panel.shows_beside = true;
-    const Ink& grey = panel.stage->theme->ghost;
+    if (!panel.stage->comparison) return [](const FrameInput&, ViewBuilder&) {};
+    panel.shows_comparison = true;
+    const LineStyle& grey = panel.stage->theme->ghost;
     std::vector<Curve> lines = shape.edges;
     for (Curve& line : lines) line.colour = grey;
     const Eigen::Matrix3d& axes = panel.stage->scene.body.inertia.body_from_principal();
@@ -140,25 +140,25 @@ Drawer make_ghost_body(Panel& panel, const BodyShape& shape, const ArrowScale& a
         lines.push_back(line_between(panel, Eigen::Vector3d::Zero(), end, grey, 1.6));
     }
     for (Curve& line : lines) line.hidden_opacity = 0.45;
-    const SetType type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
-    return [&panel, lines, arrows, type](const Instant& instant, Sheet& sheet) {
-        Instant beside = instant;
-        beside.state = *instant.beside;
+    const TextBlock type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
+    return [&panel, lines, arrows, type](const FrameInput& instant, ViewBuilder& builder) {
+        FrameInput comparison = instant;
+        comparison.state = *instant.comparison;
         Eigen::Affine3d turned = Eigen::Affine3d::Identity();
-        turned.linear() =
-            (picture_from_space(*panel.stage) * beside.state.space_from_body).toRotationMatrix();
+        turned.linear() = (picture_from_space(*panel.stage) * comparison.state.space_from_body)
+                              .toRotationMatrix();
         for (Curve line : lines) {
             line.placement = turned * line.placement;
-            sheet.view.curves.push_back(line);
+            builder.view.curves.push_back(line);
         }
-        if (arrows.turns()) add_ghost_arrow(panel, arrows.omega_tip(beside), type, sheet);
+        if (arrows.turns()) add_ghost_arrow(panel, arrows.omega_tip(comparison), type, builder);
     };
 }
 
 // Marks on a body of this reach.
 Drawer make_marks(Panel& panel, double reach_m) {
     const StageData& stage = *panel.stage;
-    return make_own_marks(
+    return make_user_marks(
         panel,
         [&stage, reach_m](const MarkSpec& mark,
                           const RotationState& state) -> std::optional<Eigen::Vector3d> {
@@ -172,7 +172,7 @@ Drawer make_marks(Panel& panel, double reach_m) {
 // instants; with a comparison motion, for all attitudes.
 std::vector<Eigen::Vector3d> points_to_frame(const StageData& stage, const BodyShape& shape,
                                              const ArrowScale& arrows, const TorqueScale& torque) {
-    if (stage.beside) {
+    if (stage.comparison) {
         std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
         const bool down =
             stage.rolling && stands_beside_construction(stage) && stage.rolling->normal.z() < 0.0;
@@ -192,7 +192,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const StageData& stage, const BodyS
     // Instants of a golden-ratio sequence, which is in phase with no rotation of the body.
     constexpr double golden = 0.6180339887498949;
     for (int k = 0; k <= n_looks; ++k) {
-        Instant instant;
+        FrameInput instant;
         const double part = k * golden - std::floor(k * golden);
         instant.time_s = stage.film_first_s + (stage.film_last_s - stage.film_first_s) * part;
         instant.state = stage.motion
@@ -212,7 +212,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const StageData& stage, const BodyS
 }  // namespace
 
 void make_object_panel(Panel& panel) {
-    panel.asks = {.attitude = true, .herpolhode = false, .euler_angles = false};
+    panel.needs = {.attitude = true, .herpolhode = false, .euler_angles = false};
     const StageData& stage = *panel.stage;
     const BodyShape shape = body_shape(panel);
     const ArrowScale arrows(stage);
@@ -221,30 +221,30 @@ void make_object_panel(Panel& panel) {
     aim_around(panel, points_to_frame(stage, shape, arrows, torque_scale),
                0.7 * label_size * panel.type_px + 24.0 * panel.px);
 
-    std::array<SetType, 3> axis_types;
+    std::array<TextBlock, 3> axis_types;
     for (std::size_t i = 0; i < 3; ++i) {
         axis_types[i] = set_label(panel, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
     }
-    const SetType omega_type = set_label(panel, "\\boldsymbol{\\omega}");
-    const SetType momentum_type = set_label(panel, "\\mathbf{L}");
+    const TextBlock omega_type = set_label(panel, "\\boldsymbol{\\omega}");
+    const TextBlock momentum_type = set_label(panel, "\\mathbf{L}");
     const Drawer ghost = make_ghost_body(panel, shape, arrows);
     const Drawer torque = make_torque(panel, torque_scale);
     const Drawer marks = make_marks(panel, shape.reach_m);
     panel.draw = [&panel, shape, arrows, axis_types, omega_type, momentum_type, ghost, torque,
-                  marks](const Instant& instant, Sheet& sheet) {
+                  marks](const FrameInput& instant, ViewBuilder& builder) {
         const Theme& theme = *panel.stage->theme;
         const Eigen::Matrix3d attitude =
             (picture_from_space(*panel.stage) * instant.state.space_from_body).toRotationMatrix();
         Eigen::Affine3d turned = Eigen::Affine3d::Identity();
         turned.linear() = attitude;
-        add_body(shape, turned, true, sheet);
-        ghost(instant, sheet);
-        torque(instant, sheet);
-        marks(instant, sheet);
-        const auto add_arrow = [&](const Eigen::Vector3d& tip, const Ink& colour, double weight,
-                                   const SetType& type, double turn_rad = 0.0) {
-            sheet.view.arrows.push_back(arrow_to(panel, tip, colour, weight));
-            wish_at_tip(panel, sheet.view.arrows.back(), type, sheet, turn_rad);
+        add_body(shape, turned, true, builder);
+        ghost(instant, builder);
+        torque(instant, builder);
+        marks(instant, builder);
+        const auto add_arrow = [&](const Eigen::Vector3d& tip, const LineStyle& colour,
+                                   double weight, const TextBlock& type, double turn_rad = 0.0) {
+            builder.view.arrows.push_back(arrow_to(panel, tip, colour, weight));
+            wish_at_tip(panel, builder.view.arrows.back(), type, builder, turn_rad);
         };
         const Eigen::Matrix3d axes =
             attitude * panel.stage->scene.body.inertia.body_from_principal();

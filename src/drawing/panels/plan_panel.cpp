@@ -99,7 +99,7 @@ struct HerpolhodeCurve {
 };
 
 HerpolhodeCurve herpolhode_of(Panel& panel, const PlanScale& scale) {
-    const Ink& ink = panel.stage->theme->herpolhode;
+    const LineStyle& ink = panel.stage->theme->herpolhode;
     const double width_px = 4.0 * panel.stage->theme->herpolhode_weight;
     TimedCurve timed = herpolhode_trail(
         *panel.stage, panel.curve_units() / scale.plan_per_rho,
@@ -146,7 +146,7 @@ Curve circle_of(const Panel& panel, double radius) {
 }  // namespace
 
 void make_plan_panel(Panel& panel) {
-    panel.asks = {.attitude = false, .herpolhode = true, .euler_angles = false};
+    panel.needs = {.attitude = false, .herpolhode = true, .euler_angles = false};
     aim_from_above(panel);
     const PlanScale scale = scale_of(panel);
 
@@ -163,13 +163,13 @@ void make_plan_panel(Panel& panel) {
     }
     Dot foot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->momentum, 5.0);
     foot.occlusion = Occlusion::none;
-    const SetType momentum_type = set_label(panel, "\\mathbf{L}", 0.85);
+    const TextBlock momentum_type = set_label(panel, "\\mathbf{L}", 0.85);
     const Plane plane = plane_of(panel);
-    panel.draw = [&panel, scale, circles, timed, foot, momentum_type, plane](const Instant& instant,
-                                                                             Sheet& sheet) {
+    panel.draw = [&panel, scale, circles, timed, foot, momentum_type, plane](
+                     const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = *panel.stage->rolling;
-        sheet.view.planes.push_back(plane);
-        sheet.view.curves = circles;
+        builder.view.planes.push_back(plane);
+        builder.view.curves = circles;
         Eigen::Vector3d contact = scale.plan_from_space *
                                   picture.construction.contact_in_plane(instant.herpolhode_space) *
                                   scale.plan_per_rho;
@@ -179,15 +179,15 @@ void make_plan_panel(Panel& panel) {
         Curve radius =
             line_between(panel, Eigen::Vector3d::Zero(), contact, panel.stage->theme->omega, 1.6);
         radius.occlusion = Occlusion::none;
-        sheet.view.curves.push_back(radius);
+        builder.view.curves.push_back(radius);
         if (timed && timed->ring && instant.time_s >= timed->ring->from_s) {
-            sheet.view.curves.push_back(timed->ring->curve);
+            builder.view.curves.push_back(timed->ring->curve);
         } else if (timed) {
             Curve shown = timed->curve;
             const ShownStretch stretch = timed->trail.at(instant.time_s);
             stretch.apply_to(shown);
-            sheet.view.curves.push_back(shown);
-            if (timed->marks) timed->marks->add_to(sheet, shown, stretch.grows);
+            builder.view.curves.push_back(shown);
+            if (timed->marks) timed->marks->add_to(builder, shown, stretch.grows);
         }
 
         // The start of the film's curve; a loop has none.
@@ -195,14 +195,14 @@ void make_plan_panel(Panel& panel) {
             Dot start = dot_at(panel, timed->curve.geometry->points.front(),
                                panel.stage->theme->herpolhode, 4.5);
             start.occlusion = Occlusion::none;
-            sheet.view.dots.push_back(start);
+            builder.view.dots.push_back(start);
         }
-        sheet.view.dots.push_back(foot);
+        builder.view.dots.push_back(foot);
         Dot dot = dot_at(panel, contact, panel.stage->theme->contact);
         dot.occlusion = Occlusion::none;
-        sheet.view.dots.push_back(dot);
+        builder.view.dots.push_back(dot);
         wish_beside(panel, Eigen::Vector3d::Zero(), contact, momentum_type,
-                    panel.stage->theme->momentum, sheet);
+                    panel.stage->theme->momentum, builder);
     };
 }
 

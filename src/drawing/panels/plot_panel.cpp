@@ -48,11 +48,11 @@ Axis axis_for(const PlotQuantity& quantity, std::pair<double, double> range, int
                        most > 0.0 || !quantity.from_zero ? most + margin : most, most_ticks);
 }
 
-double dash_of(LineStyle style, const Panel& panel) {
+double dash_of(DashPattern style, const Panel& panel) {
     switch (style) {
-        case LineStyle::dashed:
+        case DashPattern::dashed:
             return 13.0 * panel.px;
-        case LineStyle::dotted:
+        case DashPattern::dotted:
             return 1.15 * curve_width * panel.px;
         default:
             return 0.0;
@@ -82,9 +82,9 @@ class PlotMaker {
           record_(*panel.stage, panel.stage->motion, quantity) {
         // The angles of a stepped motion are not continuous and cannot be drawn as a curve.
         const StageData& stage = *panel.stage;
-        if (stage.beside && !quantity.asks.euler_angles) {
-            beside_.emplace(stage, *stage.beside, quantity);
-            panel.shows_beside = true;
+        if (stage.comparison && !quantity.needs.euler_angles) {
+            comparison_.emplace(stage, *stage.comparison, quantity);
+            panel.shows_comparison = true;
         }
     }
 
@@ -98,7 +98,7 @@ class PlotMaker {
         for (int k = 0; k <= per_piece * n_pieces_; ++k) {
             const double time_s = first + (last - first) * k / (per_piece * n_pieces_);
             record_.at(time_s);
-            if (beside_) beside_->at(time_s);
+            if (comparison_) comparison_->at(time_s);
         }
         set_names();
 
@@ -179,7 +179,7 @@ class PlotMaker {
             is_ruined(*quantity_, range_of(record_, stage.film_first_s), range_of(record_, from_s));
         if (!place.begins_outside) from_s = stage.film_first_s;
         std::pair<double, double> range = range_of(record_, from_s);
-        if (beside_) range = common_range(*quantity_, range, range_of(*beside_, from_s));
+        if (comparison_) range = common_range(*quantity_, range, range_of(*comparison_, from_s));
         place.y = axis_for(*quantity_, range,
                            n_ticks(place.region.height(), n_charts == 1 ? 75.0 : 60.0));
     }
@@ -196,9 +196,9 @@ class PlotMaker {
                       fmt::format("${}$", named_label(quantity_->curves[place.first_curve].label)),
                       unit_name, place.y.exponent)
                 : axis_title(named_title(quantity_->title), unit_name, place.y.exponent);
-        if (beside_) {
+        if (comparison_) {
             y_title += fmt::format(";  {}: {}", phrase_in(stage.scene.language, thin_lines_note),
-                                   stage.beside->motion().problem().method.name);
+                                   stage.comparison->motion().problem().method.name);
         }
         if (place.begins_outside)
             y_title += fmt::format(";  {}", phrase_in(stage.scene.language, begins_outside_note));
@@ -213,7 +213,7 @@ class PlotMaker {
             place.begins_outside};
         for (std::size_t i = place.first_curve; i <= place.last_curve; ++i) {
             add_curve(plotted, i);
-            if (beside_) add_curve_beside(plotted, i);
+            if (comparison_) add_curve_beside(plotted, i);
         }
         place_names(plotted, names_, *panel_);
         return plotted;
@@ -251,7 +251,7 @@ class PlotMaker {
 
     Curve line_of(const PlotCurve& kind, double width_px) const {
         Curve curve;
-        const Ink ink = kind.ink(*panel_->stage->theme);
+        const LineStyle ink = kind.ink(*panel_->stage->theme);
         curve.colour = ink;
         curve.width_px = width_px * ink.weight * panel_->px;
         curve.dash_px = dash_of(ink.line.value_or(kind.style), *panel_);
@@ -275,7 +275,7 @@ class PlotMaker {
     // Adds the same quantity of the comparison motion, up to where it leaves the chart.
     void add_curve_beside(PlottedChart& plotted, std::size_t i) {
         const ChartArea& area = plotted.chart.area();
-        std::vector<CurveSample> samples = sampled(plotted.chart, *beside_, i);
+        std::vector<CurveSample> samples = sampled(plotted.chart, *comparison_, i);
         const auto inside = [&area](const CurveSample& sample) {
             const double y = sample.point.y();
             return y >= area.bottom - 1.0 && y <= area.top + 1.0;
@@ -287,15 +287,15 @@ class PlotMaker {
         Curve curve = line_of(quantity_->curves[i], beside_width);
         curve.opacity = beside_opacity;
         curve.geometry = keep(samples);
-        plotted.beside.push_back(curve);
+        plotted.comparison.push_back(curve);
     }
 
     Panel* panel_;
     const PlotQuantity* quantity_;
     PlotRecord record_;
-    std::optional<PlotRecord> beside_;
+    std::optional<PlotRecord> comparison_;
     int n_pieces_ = 16;
-    std::vector<SetType> names_;
+    std::vector<TextBlock> names_;
     double widest_name_ = 0.0;
 };
 
@@ -304,12 +304,12 @@ class PlotMaker {
 void make_plot_panel(Panel& panel) {
     aim_at_pixels(panel);
     const PlotQuantity& quantity = plot_quantity_of(*panel.stage, panel.spec.quantity);
-    panel.asks = quantity.asks;
+    panel.needs = quantity.needs;
     const std::vector<PlottedChart> charts = PlotMaker(panel, quantity).make();
-    panel.draw = [&panel, &quantity, charts](const Instant& instant, Sheet& sheet) {
+    panel.draw = [&panel, &quantity, charts](const FrameInput& instant, ViewBuilder& builder) {
         const PlotValues values = shown_values(*panel.stage, quantity, instant);
         for (const PlottedChart& plotted : charts) {
-            draw_chart(panel, plotted, instant.time_s, values, sheet);
+            draw_chart(panel, plotted, instant.time_s, values, builder);
         }
     };
 }

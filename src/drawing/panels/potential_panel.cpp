@@ -99,15 +99,15 @@ Well well_of(const HeavyTop& top) {
 }  // namespace
 
 void make_potential_panel(Panel& panel) {
-    panel.asks = {.attitude = false, .herpolhode = false, .euler_angles = true};
+    panel.needs = {.attitude = false, .herpolhode = false, .euler_angles = true};
     aim_at_pixels(panel);
     const HeavyTop& top = *panel.stage->motion.motion().heavy_top();
     const Theme& theme = *panel.stage->theme;
     const Well well = well_of(top);
     const double energy = top.invariants().energy_J;
 
-    const SetType energy_type = set_chart_type(panel, "E", TypeMode::math, chart_name_size);
-    const SetType potential_type =
+    const TextBlock energy_type = set_chart_type(panel, "E", TypeMode::math, chart_name_size);
+    const TextBlock potential_type =
         set_chart_type(panel, "V_{\\mathrm{eff}}", TypeMode::math, chart_name_size);
     const double margin = chart_margin * panel.px;
     const ChartArea region{margin, 0.5 * margin, panel.box.width_px - margin,
@@ -164,25 +164,25 @@ void make_potential_panel(Panel& panel) {
             PlotFrame::line(panel, at, {at.x(), chart.area().bottom, 0.0}, theme.angles[0], 1.8);
         drop.dash_px = 7.0 * panel.px;
         lines.push_back(drop);
-        const SetType type = set_chart_type(panel,
-                                            turns.size() == 1 ? "\\theta_0"
-                                            : i == 0          ? "\\theta_1"
-                                                              : "\\theta_2",
-                                            TypeMode::math, chart_name_size);
+        const TextBlock type = set_chart_type(panel,
+                                              turns.size() == 1 ? "\\theta_0"
+                                              : i == 0          ? "\\theta_1"
+                                                                : "\\theta_2",
+                                              TypeMode::math, chart_name_size);
         labels.push_back(chart_label(panel, type, at.x() + 8.0 * panel.px,
                                      chart.area().bottom + 8.0 * panel.px, Anchor::bottom_left,
                                      theme.angles[0]));
     }
 
     panel.draw = [&panel, &top, chart, curve, lines, labels, turns, energy, well](
-                     const Instant& instant, Sheet& sheet) {
+                     const FrameInput& instant, ViewBuilder& builder) {
         const Theme& colours = *panel.stage->theme;
-        chart.draw(sheet);
-        sheet.view.curves.insert(sheet.view.curves.end(), lines.begin(), lines.end());
-        sheet.view.curves.push_back(curve);
-        sheet.view.labels.insert(sheet.view.labels.end(), labels.begin(), labels.end());
+        chart.draw(builder);
+        builder.view.curves.insert(builder.view.curves.end(), lines.begin(), lines.end());
+        builder.view.curves.push_back(curve);
+        builder.view.labels.insert(builder.view.labels.end(), labels.begin(), labels.end());
         for (const double turn : turns) {
-            sheet.view.dots.push_back(
+            builder.view.dots.push_back(
                 PlotFrame::dot(panel, chart.at(turn, energy), colours.energy, 5.0));
         }
         // The moving point on the curve; the difference to E is the energy of the nutation.
@@ -193,9 +193,9 @@ void make_potential_panel(Panel& panel) {
         Curve kinetic = PlotFrame::line(panel, at, chart.at(theta, energy), colours.energy, 2.4);
         kinetic.opacity = 0.8;
         if (kinetic.geometry != nullptr && (chart.at(theta, energy) - at).norm() > 0.0) {
-            sheet.view.curves.push_back(kinetic);
+            builder.view.curves.push_back(kinetic);
         }
-        sheet.view.dots.push_back(PlotFrame::dot(panel, at, colours.angles[0], 8.0));
+        builder.view.dots.push_back(PlotFrame::dot(panel, at, colours.angles[0], 8.0));
     };
 }
 

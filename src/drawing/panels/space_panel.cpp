@@ -9,8 +9,8 @@
 #include "drawing/elements/elements.h"
 #include "drawing/elements/figure_elements.h"
 #include "drawing/elements/object_shapes.h"
-#include "drawing/elements/own_marks.h"
 #include "drawing/elements/sweep.h"
+#include "drawing/elements/user_marks.h"
 #include "drawing/fade.h"
 #include "drawing/framing.h"
 #include "drawing/marks.h"
@@ -129,7 +129,7 @@ Drawer make_marks(Panel& panel) {
                                       [](const MarkSpec& mark) { return mark.on == "body"; });
     const double picture_per_m =
         has_body ? body_in_ellipsoid(*stage.rolling) / body_shape(panel).reach_m : 0.0;
-    return make_own_marks(
+    return make_user_marks(
         panel,
         [&stage, has_body, picture_per_m](
             const MarkSpec& mark, const RotationState& state) -> std::optional<Eigen::Vector3d> {
@@ -156,13 +156,13 @@ void make_space_panel(Panel& panel) {
     std::vector<Drawer> drawers;
     for (const Element& element : elements()) {
         if (is_shown(*panel.stage, element.name)) {
-            panel.asks = united(panel.asks, element.asks);
+            panel.needs = united(panel.needs, element.needs);
             drawers.push_back(fading(*panel.stage, std::string(element.name), element.make(panel)));
         }
     }
     if (!panel.stage->scene.marks.empty()) drawers.push_back(make_marks(panel));
-    panel.draw = [drawers](const Instant& instant, Sheet& sheet) {
-        for (const Drawer& draw : drawers) draw(instant, sheet);
+    panel.draw = [drawers](const FrameInput& instant, ViewBuilder& builder) {
+        for (const Drawer& draw : drawers) draw(instant, builder);
     };
 }
 

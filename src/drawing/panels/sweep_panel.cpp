@@ -32,7 +32,7 @@ namespace {
 using std::numbers::pi;
 
 // The elapsed fraction of the film at an instant, 0…1.
-double share_at(const StageData& stage, const Instant& instant) {
+double share_at(const StageData& stage, const FrameInput& instant) {
     const double span_s = stage.film_last_s - stage.film_first_s;
     return std::clamp((instant.time_s - stage.film_first_s) / span_s, 0.0, 1.0);
 }
@@ -63,8 +63,8 @@ Margins margins_of(const Panel& panel) {
     return {gap, gap, gap + panel.header_px, gap};
 }
 
-std::array<SetType, 3> axis_names(const Panel& panel) {
-    std::array<SetType, 3> types;
+std::array<TextBlock, 3> axis_names(const Panel& panel) {
+    std::array<TextBlock, 3> types;
     for (std::size_t i = 0; i < 3; ++i) {
         types[i] = set_label(panel, fmt::format("\\mathbf{{e}}_{}", i + 1), 0.85);
     }
@@ -119,7 +119,7 @@ Trace trace_of(Panel& panel, const Eigen::Vector3d& half_axes) {
     }
     trace.curve = curve_of(panel, panel.keep(std::move(geometry), off, "the trace of ρ"),
                            panel.stage->theme->polhode, 2.4);
-    trace.curve.on_surface = the_ellipsoid;
+    trace.curve.on_surface = first_ellipsoid;
     trace.curve.hidden_opacity = 0.14;
     trace.curve.lasting = true;
     return trace;
@@ -131,8 +131,8 @@ Drawer resting_body(Panel& panel) {
     Eigen::Affine3d placement = Eigen::Affine3d::Identity();
     placement.linear() =
         0.72 * half_axes_of(panel).minCoeff() * inertia_of(panel).body_from_principal().transpose();
-    return [shape, placement](const Instant&, Sheet& sheet) {
-        add_body(shape, placement, false, sheet);
+    return [shape, placement](const FrameInput&, ViewBuilder& builder) {
+        add_body(shape, placement, false, builder);
     };
 }
 
@@ -145,14 +145,14 @@ void make_axis_sweep(Panel& panel) {
 
     const Trace trace = trace_of(panel, half_axes);
     const Drawer body = resting_body(panel);
-    const std::array<SetType, 3> axis_types = axis_names(panel);
-    const SetType n_type = set_label(panel, "\\mathbf{n}");
-    const SetType rho_type = set_label(panel, "\\boldsymbol{\\rho}");
+    const std::array<TextBlock, 3> axis_types = axis_names(panel);
+    const TextBlock n_type = set_label(panel, "\\mathbf{n}");
+    const TextBlock rho_type = set_label(panel, "\\boldsymbol{\\rho}");
     Ellipsoid ellipsoid = ellipsoid_of(panel);
     ellipsoid.half_axes = half_axes.asDiagonal();
     ellipsoid.casts_shadow = false;
     panel.draw = [&panel, half_axes, trace, body, axis_types, n_type, rho_type, ellipsoid](
-                     const Instant& instant, Sheet& sheet) {
+                     const FrameInput& instant, ViewBuilder& builder) {
         const StageData& stage = *panel.stage;
         const Theme& theme = *stage.theme;
         const double share = share_at(stage, instant);
@@ -160,10 +160,10 @@ void make_axis_sweep(Panel& panel) {
         const double stands =
             std::clamp((share - swept_share) / (0.7 * (1.0 - swept_share)), 0.0, 1.0);
 
-        body(instant, sheet);
+        body(instant, builder);
         // Nearly transparent until its points have been traced, but hiding objects behind it.
-        sheet.view.ellipsoids.push_back(ellipsoid);
-        Ellipsoid& shown = sheet.view.ellipsoids.back();
+        builder.view.ellipsoids.push_back(ellipsoid);
+        Ellipsoid& shown = builder.view.ellipsoids.back();
         constexpr double faint = 0.16;
         shown.opacity = (faint + (1.0 - faint) * stands) * ellipsoid.opacity;
         shown.section_px *= stands;
@@ -173,11 +173,11 @@ void make_axis_sweep(Panel& panel) {
             const Arrow arrow =
                 arrow_to(panel, (half_axes[i] + axis_overhang) * Eigen::Vector3d::Unit(i),
                          theme.axes[i], 0.75);
-            sheet.view.arrows.push_back(arrow);
-            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], sheet);
+            builder.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder);
         }
-        sheet.view.curves.push_back(trace.curve);
-        sheet.view.curves.back().last = trace.index_at(swept);
+        builder.view.curves.push_back(trace.curve);
+        builder.view.curves.back().last = trace.index_at(swept);
 
         // n through the body, ρ along it up to the surface, and the number I(n).
         const Eigen::Vector3d n = direction_at(swept);
@@ -185,25 +185,25 @@ void make_axis_sweep(Panel& panel) {
         const Eigen::Vector3d rho = n / std::sqrt(moment);
         Curve axis = line_between(panel, -rho - n_beyond * n, rho, theme.text, 2.0);
         axis.hidden_opacity = 0.5;
-        sheet.view.curves.push_back(axis);
+        builder.view.curves.push_back(axis);
         const Arrow n_arrow = arrow_between(panel, rho, rho + n_beyond * n, theme.text, 0.9);
-        sheet.view.arrows.push_back(n_arrow);
-        wish_at_tip(panel, n_arrow, n_type, sheet);
+        builder.view.arrows.push_back(n_arrow);
+        wish_at_tip(panel, n_arrow, n_type, builder);
         Arrow rho_arrow = arrow_to(panel, rho, theme.polhode, 1.35);
         rho_arrow.hidden_opacity = 0.9;
-        sheet.view.arrows.push_back(rho_arrow);
-        wish_beside(panel, 0.62 * rho, rho, rho_type, theme.polhode, sheet);
+        builder.view.arrows.push_back(rho_arrow);
+        wish_beside(panel, 0.62 * rho, rho, rho_type, theme.polhode, builder);
         const double kg_m2 = moment * inertia_of(panel).moments_kg_m2().minCoeff();
-        LabelWish number;
+        LabelRequest number;
         number.type = stage.type_case.set_live(
             fmt::format("I(\\mathbf{{n}}) = {:.3g}~\\mathrm{{kg\\,m^2}}", kg_m2),
-            {.size_px = label_size * panel.type_px}, sheet.view);
+            {.size_px = label_size * panel.type_px}, builder.view);
         number.anchor_px = {panel.box.x_px + 0.76 * panel.box.width_px,
                             panel.box.y_px + 0.5 * panel.box.height_px};
         number.away = {0.0, 0.0};
         number.gap_px = 6.0 * stage.options.samples;
         number.colour = theme.text;
-        sheet.wishes.push_back(number);
+        builder.requests.push_back(number);
     };
 }
 
@@ -275,22 +275,22 @@ void make_energy_sweep(Panel& panel) {
     plane.grid_colour = panel.stage->theme->grid;
     plane.opacity = panel.stage->theme->plane_opacity;
     Ellipsoid ellipsoid = ellipsoid_of(panel);
-    const SetType momentum_type = set_label(panel, "\\mathbf{L}");
-    const SetType omega_type = set_label(panel, "\\boldsymbol{\\omega}");
-    const std::array<SetType, 3> axis_types = axis_names(panel);
+    const TextBlock momentum_type = set_label(panel, "\\mathbf{L}");
+    const TextBlock omega_type = set_label(panel, "\\boldsymbol{\\omega}");
+    const std::array<TextBlock, 3> axis_types = axis_names(panel);
     const LevelScale levels(panel);
     panel.draw = [&panel, sweep, normal, plane, ellipsoid, momentum_type, omega_type, axis_types,
-                  levels](const Instant& instant, Sheet& sheet) {
+                  levels](const FrameInput& instant, ViewBuilder& builder) {
         const StageData& stage = *panel.stage;
         const Theme& theme = *stage.theme;
         const EnergyState state = sweep.at(share_at(stage, instant));
         const Eigen::Vector3d foot = state.distance * normal;
         const Eigen::Vector3d contact = state.picture_from_principal * state.rho;
-        sheet.view.planes.push_back(plane);
-        sheet.view.planes.back().centre = foot;
-        sheet.view.planes.back().opacity *= plane_presence(foot, sheet.view.camera);
-        sheet.view.ellipsoids.push_back(ellipsoid);
-        sheet.view.ellipsoids.back().half_axes =
+        builder.view.planes.push_back(plane);
+        builder.view.planes.back().centre = foot;
+        builder.view.planes.back().opacity *= plane_presence(foot, builder.view.camera);
+        builder.view.ellipsoids.push_back(ellipsoid);
+        builder.view.ellipsoids.back().half_axes =
             state.picture_from_principal * sweep.half_axes().asDiagonal();
 
         // The polhode of this distance, through the contact; it depends only on ω, which is along
@@ -301,7 +301,7 @@ void make_energy_sweep(Panel& panel) {
         if (polhode.kind() != Polhode::Kind::point) {
             const double per_rho = std::sqrt(inertia_of(panel).moments_kg_m2().minCoeff());
             const double tolerance = panel.curve_units() / per_rho;
-            CurveGeometry& geometry = sheet.view.live_curves.emplace_back();
+            CurveGeometry& geometry = builder.view.live_curves.emplace_back();
             geometry.id = next_identity();
             geometry.closed = polhode.closed();
             for (const Eigen::Vector3d& point : polhode.sampled(tolerance)) {
@@ -309,17 +309,17 @@ void make_energy_sweep(Panel& panel) {
             }
             Curve curve = curve_of(panel, &geometry, theme.polhode, 4.6);
             curve.placement.linear() = state.picture_from_principal;
-            curve.on_surface = the_ellipsoid;
+            curve.on_surface = first_ellipsoid;
             curve.hidden_opacity = 0.72;
-            sheet.view.curves.push_back(curve);
+            builder.view.curves.push_back(curve);
         }
 
         for (int i = 0; i < 3; ++i) {
             const Arrow arrow = arrow_to(
                 panel, state.picture_from_principal.col(i) * (sweep.half_axes()[i] + axis_overhang),
                 theme.axes[i], 0.85);
-            sheet.view.arrows.push_back(arrow);
-            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], sheet,
+            builder.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder,
                         axis_label_turn_rad);
         }
         Arrow momentum = arrow_to(panel, (state.distance + momentum_beyond_plane) * normal,
@@ -327,19 +327,19 @@ void make_energy_sweep(Panel& panel) {
         Arrow omega = arrow_to(panel, contact, theme.omega, 1.15);
         for (Arrow* arrow : {&momentum, &omega}) {
             arrow->hidden_opacity = 0.9;
-            sheet.view.arrows.push_back(*arrow);
+            builder.view.arrows.push_back(*arrow);
         }
-        wish_at_tip(panel, momentum, momentum_type, sheet);
+        wish_at_tip(panel, momentum, momentum_type, builder);
         // The axis continues beyond the contact, where its label is.
         Curve axis = line_between(panel, contact, past_contact(contact), theme.omega, 2.0);
         axis.hidden_opacity = 0.6;
-        sheet.view.curves.push_back(axis);
+        builder.view.curves.push_back(axis);
         wish_beside(panel, past_contact(contact), Eigen::Vector3d::Zero(), omega_type, theme.omega,
-                    sheet);
+                    builder);
         Dot dot = dot_at(panel, contact, theme.contact);
         dot.occlusion = Occlusion::none;
-        sheet.view.dots.push_back(dot);
-        levels.add_to(sheet, sweep.half_axes(), foot);
+        builder.view.dots.push_back(dot);
+        levels.add_to(builder, sweep.half_axes(), foot);
     };
 }
 

@@ -112,8 +112,8 @@ Locus locus_of(Panel& panel) {
 // e3 of the comparison motion and its path on the sphere. Empty without one.
 Drawer make_ghost_axis(Panel& panel) {
     const StageData& stage = *panel.stage;
-    if (!stage.beside) return [](const Instant&, Sheet&) {};
-    panel.shows_beside = true;
+    if (!stage.comparison) return [](const FrameInput&, ViewBuilder&) {};
+    panel.shows_comparison = true;
     // A stepped motion has no Euler angles: e3 in body axes is taken from the exact motion at one
     // instant.
     const MotionSample sample = stage.motion.sample(
@@ -124,15 +124,15 @@ Drawer make_ghost_axis(Panel& panel) {
         return Eigen::Vector3d(state.space_from_body * e3_body);
     };
     const GhostPath path = ghost_path(panel, axis_of, 3.2);
-    const SetType type = set_ghost_label(panel, "\\mathbf{e}");
-    return [&panel, path, axis_of, type](const Instant& instant, Sheet& sheet) {
-        add_ghost_path(path, instant, sheet);
-        add_ghost_arrow(panel, axis_of(*instant.beside), type, sheet);
+    const TextBlock type = set_ghost_label(panel, "\\mathbf{e}");
+    return [&panel, path, axis_of, type](const FrameInput& instant, ViewBuilder& builder) {
+        add_ghost_path(path, instant, builder);
+        add_ghost_arrow(panel, axis_of(*instant.comparison), type, builder);
     };
 }
 
 // A circle of latitude on the sphere at an angle from the upward vertical.
-Curve latitude(const Panel& panel, double theta_rad, const Ink& colour, double width_px) {
+Curve latitude(const Panel& panel, double theta_rad, const LineStyle& colour, double width_px) {
     Curve circle =
         arc_about(panel, {0.0, 0.0, std::cos(theta_rad)}, Eigen::Vector3d::UnitX(),
                   Eigen::Vector3d::UnitY(), std::sin(theta_rad), 2.0 * pi, colour, width_px);
@@ -176,7 +176,7 @@ Stand stand_of(const Panel& panel, const TopNutation& nutation) {
 
 // The names of axes and angles.
 struct Names {
-    SetType z, x, node, e1, e3, theta, phi, psi, height;
+    TextBlock z, x, node, e1, e3, theta, phi, psi, height;
 };
 
 Names names_of(const Panel& panel) {
@@ -193,8 +193,8 @@ Names names_of(const Panel& panel) {
 
 class TopDrawer {
  public:
-    TopDrawer(const Panel& panel, Sheet& sheet, const EulerAngles& euler)
-        : panel_(&panel), sheet_(&sheet), euler_(euler), axes_(axes_of(euler)) {}
+    TopDrawer(const Panel& panel, ViewBuilder& builder, const EulerAngles& euler)
+        : panel_(&panel), sheet_(&builder), euler_(euler), axes_(axes_of(euler)) {}
 
     // The symbol of the body with its spokes, pointing the other way for Mgl < 0.
     void body(const MeshGeometry* geometry, const std::vector<Curve>& spokes, bool hangs) {
@@ -237,8 +237,8 @@ class TopDrawer {
     }
 
     // The centre of mass on the axis and its height above the fixed point, as in V = Mgl cos θ.
-    void height(const SetType& name, bool hangs) {
-        const Ink& colour = panel_->stage->theme->potential;
+    void height(const TextBlock& name, bool hangs) {
+        const LineStyle& colour = panel_->stage->theme->potential;
         const Eigen::Vector3d mass = (hangs ? -centre_of_mass : centre_of_mass) * axes_.col(2);
         const Eigen::Vector3d level(0.0, 0.0, mass.z());
         for (const auto& [a, b, width_px] :
@@ -251,7 +251,8 @@ class TopDrawer {
         wish_beside(*panel_, 0.6 * level, 0.6 * level + (mass - level), name, colour, *sheet_);
     }
 
-    void arrow(const Eigen::Vector3d& tip, const Ink& colour, double weight, const SetType& name) {
+    void arrow(const Eigen::Vector3d& tip, const LineStyle& colour, double weight,
+               const TextBlock& name) {
         sheet_->view.arrows.push_back(arrow_to(*panel_, tip, colour, weight));
         wish_at_tip(*panel_, sheet_->view.arrows.back(), name, *sheet_);
     }
@@ -259,7 +260,7 @@ class TopDrawer {
  private:
     // An arc about the fixed point with its label outside of its middle.
     void arc(const Eigen::Vector3d& from, const Eigen::Vector3d& towards, double radius,
-             double angle_rad, const Ink& colour, const SetType& name) {
+             double angle_rad, const LineStyle& colour, const TextBlock& name) {
         const Eigen::Vector3d centre = Eigen::Vector3d::Zero();
         sheet_->view.curves.push_back(
             arc_about(*panel_, centre, from, towards, radius, angle_rad, colour, 3.2));
@@ -270,7 +271,7 @@ class TopDrawer {
     }
 
     const Panel* panel_;
-    Sheet* sheet_;
+    ViewBuilder* sheet_;
     EulerAngles euler_;
     Eigen::Matrix3d axes_;
 };
@@ -278,7 +279,7 @@ class TopDrawer {
 }  // namespace
 
 void make_top_panel(Panel& panel) {
-    panel.asks = {.attitude = false, .herpolhode = false, .euler_angles = true};
+    panel.needs = {.attitude = false, .herpolhode = false, .euler_angles = true};
     std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
     points.emplace_back(0.0, 0.0, vertical_length);
     aim_around(panel, std::move(points), 0.7 * label_size * panel.type_px + 24.0 * panel.px);
@@ -292,23 +293,23 @@ void make_top_panel(Panel& panel) {
     const std::vector<Curve> spokes = spokes_of(panel);
     const Names names = names_of(panel);
     const Drawer ghost = make_ghost_axis(panel);
-    panel.draw = [&panel, hangs, stand, locus, body, spokes, names, ghost](const Instant& instant,
-                                                                           Sheet& sheet) {
-        sheet.view.ellipsoids.push_back(stand.sphere);
-        sheet.view.curves = stand.curves;
-        for (const Arrow& arrow : stand.arrows) sheet.view.arrows.push_back(arrow);
-        wish_at_tip(panel, stand.arrows[0], names.z, sheet);
-        wish_at_tip(panel, stand.arrows[1], names.x, sheet);
-        TopDrawer drawer(panel, sheet, instant.euler);
+    panel.draw = [&panel, hangs, stand, locus, body, spokes, names, ghost](
+                     const FrameInput& instant, ViewBuilder& builder) {
+        builder.view.ellipsoids.push_back(stand.sphere);
+        builder.view.curves = stand.curves;
+        for (const Arrow& arrow : stand.arrows) builder.view.arrows.push_back(arrow);
+        wish_at_tip(panel, stand.arrows[0], names.z, builder);
+        wish_at_tip(panel, stand.arrows[1], names.x, builder);
+        TopDrawer drawer(panel, builder, instant.euler);
         drawer.body(body, spokes, hangs);
         drawer.angles(names);
         drawer.height(names.height, hangs);
-        sheet.view.curves.push_back(locus.curve);
-        sheet.view.curves.back().last = locus.path.index_at(instant.time_s);
-        ghost(instant, sheet);
-        sheet.view.dots.push_back(
+        builder.view.curves.push_back(locus.curve);
+        builder.view.curves.back().last = locus.path.index_at(instant.time_s);
+        ghost(instant, builder);
+        builder.view.dots.push_back(
             dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->contact, 5.0));
-        sheet.view.dots.push_back(
+        builder.view.dots.push_back(
             dot_at(panel, axes_of(instant.euler).col(2), panel.stage->theme->axes[2]));
     };
 }

@@ -57,11 +57,11 @@ std::vector<Shaft> shafts_of(const View& view) {
 // Other shafts pass under the label: avoiding them would make it move back and forth. The label
 // starts to move while the shaft approaches, and is clear of it when the shaft reaches the
 // requested position.
-void keep_off(const std::vector<Shaft>& shafts, const LabelWish& wish, PlacedBox& box) {
+void keep_off(const std::vector<Shaft>& shafts, const LabelRequest& request, PlacedBox& box) {
     constexpr double clear = 1.15;                        // of the box's size
     constexpr double passes = 0.90, accompanies = 0.985;  // cosines: 26° and 10°
-    const auto own = std::find_if(shafts.begin(), shafts.end(), [&wish](const Shaft& shaft) {
-        return wish.at && (*wish.at - shaft.tip).isZero(0.0);
+    const auto own = std::find_if(shafts.begin(), shafts.end(), [&request](const Shaft& shaft) {
+        return request.at && (*request.at - shaft.tip).isZero(0.0);
     });
     if (own == shafts.end()) return;
     for (const Shaft& shaft : shafts) {
@@ -69,10 +69,10 @@ void keep_off(const std::vector<Shaft>& shafts, const LabelWish& wish, PlacedBox
         const double company =
             smooth_step((own->direction.dot(shaft.direction) - passes) / (accompanies - passes));
         const Eigen::Vector2d normal =
-            wish.side * Eigen::Vector2d(-shaft.along.y(), shaft.along.x());
+            request.side * Eigen::Vector2d(-shaft.along.y(), shaft.along.x());
         const Eigen::Vector2d from = box.centre - shaft.from;
         const double reach =
-            clear * box.half.dot(normal.cwiseAbs()) + shaft.half_px + 0.3 * wish.gap_px;
+            clear * box.half.dot(normal.cwiseAbs()) + shaft.half_px + 0.3 * request.gap_px;
         const double aside = from.dot(normal);
         const double reach_along = box.half.dot(shaft.along.cwiseAbs());
         const double past = from.dot(shaft.along);
@@ -85,15 +85,15 @@ void keep_off(const std::vector<Shaft>& shafts, const LabelWish& wish, PlacedBox
 
 // Adds a leader from the named point to the nearest point of the label's box, if their distance
 // exceeds the requested one.
-void add_leader(const LabelWish& wish, const PlacedBox& box, double before_px, double halo_px,
+void add_leader(const LabelRequest& request, const PlacedBox& box, double before_px, double halo_px,
                 double opacity, const CurveGeometry* segment, View& view) {
     const Eigen::Vector2d nearest =
-        wish.anchor_px.cwiseMax(box.centre - box.half).cwiseMin(box.centre + box.half);
-    const Eigen::Vector2d way = nearest - wish.anchor_px;
+        request.anchor_px.cwiseMax(box.centre - box.half).cwiseMin(box.centre + box.half);
+    const Eigen::Vector2d way = nearest - request.anchor_px;
     const double height = 2.0 * box.half.y();
     const double presence = smooth_step((way.norm() - before_px - 0.35 * height) / (0.4 * height));
     if (!(presence > 0.0)) return;
-    const Projected anchor = project(view, *wish.at);
+    const Projected anchor = project(view, *request.at);
     const Eigen::Matrix3d axes = camera_axes(view.camera);
     const Eigen::Vector3d along =
         units_per_pixel(view, anchor.depth) * (axes.col(0) * way.x() - axes.col(1) * way.y());
@@ -101,9 +101,9 @@ void add_leader(const LabelWish& wish, const PlacedBox& box, double before_px, d
     line.geometry = segment;
     line.placement.linear() << along, along.norm() * axes.col(2).cross(along).normalized(),
         along.norm() * axes.col(2);
-    line.placement.translation() = *wish.at;
+    line.placement.translation() = *request.at;
     line.width_px = 0.4 * halo_px;
-    line.colour = wish.colour;
+    line.colour = request.colour;
     line.opacity = 0.85 * presence * opacity;
     line.occlusion = Occlusion::none;
     view.curves.push_back(line);
@@ -123,7 +123,7 @@ TypesetMask set_no_smaller(const Typesetter& typesetter, std::string_view text, 
 
 }  // namespace
 
-TypesetMask TypeCase::set_legible(std::string_view text, TypeStyle& style) const {
+TypesetMask TextCache::set_legible(std::string_view text, TypeStyle& style) const {
     style.size_px = std::max(style.size_px / samples_, least_.type_px);
     style.max_width_px /= samples_;
     if (style.size_px >= least_legible_px || !(style.size_px > 0.0))
@@ -133,7 +133,7 @@ TypesetMask TypeCase::set_legible(std::string_view text, TypeStyle& style) const
     return {};
 }
 
-SetType TypeCase::keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const {
+TextBlock TextCache::keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const {
     GlyphMask& mask = masks.emplace_back();
     mask.id = next_identity();
     mask.width = set.width;
@@ -148,28 +148,28 @@ SetType TypeCase::keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const {
     return {&mask, samples_ * set.left_px, samples_ * set.baseline_px};
 }
 
-SetType TypeCase::set_among(std::deque<GlyphMask>& masks, std::string_view text,
-                            const TypeStyle& style) const {
+TextBlock TextCache::set_among(std::deque<GlyphMask>& masks, std::string_view text,
+                               const TypeStyle& style) const {
     TypeStyle used = style;
     TypesetMask set = set_legible(text, used);
     const bool is_formula = style.mode == TypeMode::math;
     SetText source{std::string(text), is_formula, used.size_px, set.baseline_px,
                    is_formula ? 0.0 : used.max_width_px};
-    const SetType type = keep(std::move(set), masks);
+    const TextBlock type = keep(std::move(set), masks);
     masks.back().source = std::move(source);
     return type;
 }
 
-SetType TypeCase::set(std::string_view text, const TypeStyle& style) {
+TextBlock TextCache::set(std::string_view text, const TypeStyle& style) {
     const auto key = std::make_tuple(std::string(text), style.size_px, static_cast<int>(style.mode),
                                      style.max_width_px);
     if (const auto found = known_.find(key); found != known_.end()) return found->second;
-    const SetType type = set_among(masks_, text, style);
+    const TextBlock type = set_among(masks_, text, style);
     known_.emplace(key, type);
     return type;
 }
 
-SetType TypeCase::band(double width_px, double height_px, bool dense_at_top) {
+TextBlock TextCache::band(double width_px, double height_px, bool dense_at_top) {
     TypesetMask set;
     set.width = static_cast<int>(std::lround(width_px / samples_));
     set.height = static_cast<int>(std::lround(height_px / samples_));
@@ -185,39 +185,39 @@ SetType TypeCase::band(double width_px, double height_px, bool dense_at_top) {
     return keep(std::move(set), masks_);
 }
 
-double TypeCase::least_size_px() const {
+double TextCache::least_size_px() const {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [key, type] : known_)
         if (type.mask->width > 0) least = std::min(least, std::get<1>(key));
     return least;
 }
 
-SetType TypeCase::set_live(std::string_view text, const TypeStyle& style, View& view) const {
+TextBlock TextCache::set_live(std::string_view text, const TypeStyle& style, View& view) const {
     return set_among(view.live_masks, text, style);
 }
 
-void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,
+void place_labels(const std::vector<LabelRequest>& requests, const Colour& halo, double halo_px,
                   View& view, const CurveGeometry* segment) {
     const std::vector<Shaft> shafts = shafts_of(view);
     std::vector<PlacedBox> boxes;
     std::vector<double> gaps;  // requested distance between the named point and the label
-    boxes.reserve(wishes.size());
-    gaps.reserve(wishes.size());
-    for (const LabelWish& wish : wishes) {
+    boxes.reserve(requests.size());
+    gaps.reserve(requests.size());
+    for (const LabelRequest& request : requests) {
         const Eigen::Vector2d half =
-            0.5 * Eigen::Vector2d(wish.type.width_px(), wish.type.height_px());
+            0.5 * Eigen::Vector2d(request.type.width_px(), request.type.height_px());
         // The distance is that of an ellipse about the box: smooth in the direction. If the
         // direction vanishes (an arrow that points at the eye), it blends into "to the right". No
         // function of the direction alone is continuous there: the box also moves nearer to the
         // anchor.
-        const Eigen::Vector2d leaning = wish.away + Eigen::Vector2d(0.2, 0.0);
+        const Eigen::Vector2d leaning = request.away + Eigen::Vector2d(0.2, 0.0);
         const double length = std::max(leaning.norm(), 1e-9);
         const Eigen::Vector2d away = leaning / length;
         const double reach = std::hypot(half.x() * away.x(), half.y() * away.y());
         const double nearness = length / std::hypot(length, 0.25);
-        boxes.push_back({wish.anchor_px + away * (nearness * (wish.gap_px + reach)), half});
-        gaps.push_back(nearness * wish.gap_px);
-        if (wish.side != 0) keep_off(shafts, wish, boxes.back());
+        boxes.push_back({request.anchor_px + away * (nearness * (request.gap_px + reach)), half});
+        gaps.push_back(nearness * request.gap_px);
+        if (request.side != 0) keep_off(shafts, request, boxes.back());
     }
 
     // Overlapping pairs are moved apart along the line between their centres; boxes are treated as
@@ -233,7 +233,7 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
                 if (!(nearness < 1.0)) continue;
                 const Eigen::Vector2d push =
                     0.5 * (1.0 - nearness) * between.cwiseQuotient(sum).cwiseProduct(sum) /
-                    std::max(nearness, 1e-3) * wishes[i].opacity * wishes[j].opacity;
+                    std::max(nearness, 1e-3) * requests[i].opacity * requests[j].opacity;
                 boxes[i].centre -= 0.5 * push;
                 boxes[j].centre += 0.5 * push;
             }
@@ -241,8 +241,8 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
     }
 
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (wishes[i].type.mask->width == 0) continue;
-        const double margin = halo_px + 2.0 * wishes[i].type.mask->samples;
+        if (requests[i].type.mask->width == 0) continue;
+        const double margin = halo_px + 2.0 * requests[i].type.mask->samples;
         Eigen::Vector2d corner = boxes[i].centre - boxes[i].half;
         const auto keep = [&](double value, double from, double size, double box) {
             return std::max(from + margin, std::min(value, from + size - box - margin));
@@ -250,17 +250,17 @@ void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, doub
         corner.x() = keep(corner.x(), view.x_px, view.width_px, 2.0 * boxes[i].half.x());
         corner.y() = keep(corner.y(), view.y_px, view.height_px, 2.0 * boxes[i].half.y());
         Label label;
-        label.mask = wishes[i].type.mask;
+        label.mask = requests[i].type.mask;
         label.top_left_px = corner;
-        label.colour = wishes[i].colour;
+        label.colour = requests[i].colour;
         label.halo_colour = halo;
         label.halo_px = halo_px;
-        label.opacity = wishes[i].opacity * nearness_to_view(wishes[i].anchor_px, view);
+        label.opacity = requests[i].opacity * nearness_to_view(requests[i].anchor_px, view);
         if (!(label.opacity > 0.0)) continue;
         view.labels.push_back(label);
         const PlacedBox placed{corner + boxes[i].half, boxes[i].half};
-        if (segment != nullptr && wishes[i].at)
-            add_leader(wishes[i], placed, gaps[i], halo_px, label.opacity, segment, view);
+        if (segment != nullptr && requests[i].at)
+            add_leader(requests[i], placed, gaps[i], halo_px, label.opacity, segment, view);
     }
 }
 

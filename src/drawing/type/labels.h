@@ -21,7 +21,7 @@ namespace poinsot {
 
 // Text that has been set: its mask, and the position of its ink relative to the pen, in pixels of
 // the rendered picture.
-struct SetType {
+struct TextBlock {
     const GlyphMask* mask = nullptr;
     int left_px = 0;
     double baseline_px = 0.0;
@@ -47,22 +47,22 @@ inline constexpr double least_legible_px = 3.0;
 
 // Sets text once per string and size, and caches the masks for the stage's lifetime. Text that is
 // too small to read gets an empty mask; text that cannot be set is rejected at any size.
-class TypeCase {
+class TextCache {
  public:
     // For pictures rendered with samples × samples per pixel: styles are in rendered pixels, masks
     // in final pixels. Text smaller than `least` is enlarged; a string with too small sub- and
     // superscripts is enlarged as a whole.
-    explicit TypeCase(int samples = 1, const LeastSizes& least = {})
+    explicit TextCache(int samples = 1, const LeastSizes& least = {})
         : samples_(samples), least_(least.times(1.0 / samples)) {}
 
-    SetType set(std::string_view text, const TypeStyle& style);
+    TextBlock set(std::string_view text, const TypeStyle& style);
 
     // For text that changes in every frame: the view owns the mask.
-    SetType set_live(std::string_view text, const TypeStyle& style, View& view) const;
+    TextBlock set_live(std::string_view text, const TypeStyle& style, View& view) const;
 
     // A background band for text, densest at its top or at its bottom and fading out over the other
     // half. In rendered pixels, rounded to final pixels.
-    SetType band(double width_px, double height_px, bool dense_at_top);
+    TextBlock band(double width_px, double height_px, bool dense_at_top);
 
     // The smallest em size of the cached text, in rendered pixels; infinite if there is none.
     double least_size_px() const;
@@ -73,20 +73,20 @@ class TypeCase {
  private:
     // On return the style has the size used, in pixels of the mask.
     TypesetMask set_legible(std::string_view text, TypeStyle& style) const;
-    SetType keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const;
-    SetType set_among(std::deque<GlyphMask>& masks, std::string_view text,
-                      const TypeStyle& style) const;
+    TextBlock keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const;
+    TextBlock set_among(std::deque<GlyphMask>& masks, std::string_view text,
+                        const TypeStyle& style) const;
 
     int samples_;
     LeastSizes least_;  // in pixels of the masks
     Typesetter typesetter_;
     std::deque<GlyphMask> masks_;
-    std::map<std::tuple<std::string, double, int, double>, SetType> known_;
+    std::map<std::tuple<std::string, double, int, double>, TextBlock> known_;
 };
 
 // A requested label beside a point, on the side that `away` names.
-struct LabelWish {
-    SetType type;
+struct LabelRequest {
+    TextBlock type;
     Eigen::Vector2d anchor_px = Eigen::Vector2d::Zero();
     // Picture axes, y down. A length of 1 or more is the full distance, a smaller one brings the
     // label nearer to the anchor, and zero places it at the right of the anchor.
@@ -105,7 +105,7 @@ struct LabelWish {
 // does not name, moved apart from labels that it overlaps, and kept inside the view. Labels that
 // end up away from their requested position get leaders: lines along `segment` (from the origin to
 // x; null: no leaders).
-void place_labels(const std::vector<LabelWish>& wishes, const Colour& halo, double halo_px,
+void place_labels(const std::vector<LabelRequest>& requests, const Colour& halo, double halo_px,
                   View& view, const CurveGeometry* segment = nullptr);
 
 }  // namespace poinsot

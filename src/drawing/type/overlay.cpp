@@ -20,8 +20,8 @@ namespace poinsot {
 namespace {
 
 // Adds text at a corner of the picture; its pen may be between pixels.
-void add_text(const StageData& stage, const SetType& type, double pen_x, double baseline_y,
-              LabelRank rank, Sheet& sheet) {
+void add_text(const StageData& stage, const TextBlock& type, double pen_x, double baseline_y,
+              LabelRank rank, ViewBuilder& builder) {
     if (type.mask->width == 0) return;
     Label label;
     label.mask = type.mask;
@@ -32,7 +32,7 @@ void add_text(const StageData& stage, const SetType& type, double pen_x, double 
     label.halo_px = 2.0 * stage.px;
     label.held_at = 0.0;
     label.rank = rank;
-    sheet.view.labels.push_back(label);
+    builder.view.labels.push_back(label);
 }
 
 // `px`: width of a line of one pixel at 1080 rows.
@@ -59,35 +59,35 @@ TypeStyle text_style(const StageData& stage, double size) {
 }
 
 Drawer make_title(StageData& stage) {
-    const SetType type = at_scene_key(stage.scene, "title", [&] {
+    const TextBlock type = at_scene_key(stage.scene, "title", [&] {
         return stage.type_case.set(stage.scene.title, text_style(stage, title_size));
     });
-    return [&stage, type](const Instant&, Sheet& sheet) {
+    return [&stage, type](const FrameInput&, ViewBuilder& builder) {
         add_text(stage, type, margin(stage), margin(stage) + type.baseline_px, rank_of_title,
-                 sheet);
+                 builder);
     };
 }
 
 Drawer make_caption(StageData& stage) {
     const TypeStyle style = text_style(stage, caption_size);
-    const auto place = [&stage](const SetType& type, Sheet& sheet) {
+    const auto place = [&stage](const TextBlock& type, ViewBuilder& builder) {
         const double below = type.height_px() - type.baseline_px;
         add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
-                 rank_of_caption, sheet);
+                 rank_of_caption, builder);
     };
     // Always set here, so that an invalid caption is rejected before the first frame.
-    const SetType type = at_scene_key(stage.scene, "caption", [&] {
+    const TextBlock type = at_scene_key(stage.scene, "caption", [&] {
         return stage.type_case.set(
             expand_live_text(stage.scene.caption, StageData::live_values(stage.scene, {})), style);
     });
     if (!is_live(stage.scene.caption)) {
-        return [place, type](const Instant&, Sheet& sheet) { place(type, sheet); };
+        return [place, type](const FrameInput&, ViewBuilder& builder) { place(type, builder); };
     }
-    return [&stage, style, place](const Instant& instant, Sheet& sheet) {
+    return [&stage, style, place](const FrameInput& instant, ViewBuilder& builder) {
         const auto values = StageData::live_values(stage.scene, instant);
         place(stage.type_case.set_live(expand_live_text(stage.scene.caption, values), style,
-                                       sheet.view),
-              sheet);
+                                       builder.view),
+              builder);
     };
 }
 
@@ -98,14 +98,15 @@ Drawer make_clock(StageData& stage) {
     // change: all digits have the same width.
     double widest_px = 160.0 * stage.px;
     for (const double time_s : {stage.film_first_s, stage.film_last_s}) {
-        const SetType type = stage.type_case.set(clock.at(time_s), style);
+        const TextBlock type = stage.type_case.set(clock.at(time_s), style);
         widest_px = std::max(widest_px, static_cast<double>(type.left_px + type.mask->width));
     }
     const double pen = stage.options.width_px - margin(stage) - widest_px;
     const double baseline = margin(stage) + std::max(style.size_px, stage.options.least.type_px);
-    return [&stage, clock, style, pen, baseline](const Instant& instant, Sheet& sheet) {
-        const SetType type = stage.type_case.set_live(clock.at(instant.time_s), style, sheet.view);
-        add_text(stage, type, pen, baseline, rank_of_clock, sheet);
+    return [&stage, clock, style, pen, baseline](const FrameInput& instant, ViewBuilder& builder) {
+        const TextBlock type =
+            stage.type_case.set_live(clock.at(instant.time_s), style, builder.view);
+        add_text(stage, type, pen, baseline, rank_of_clock, builder);
     };
 }
 
@@ -118,7 +119,7 @@ bool wants(const Scene& scene, const char* name) {
 struct TimedCaption {
     const TimedCaptionSpec* spec = nullptr;
     double begin_s = 0.0, end_s = 0.0;
-    std::optional<SetType> still;  // empty: contains numbers that change
+    std::optional<TextBlock> still;  // empty: contains numbers that change
 
     // Opacity: fades in and out within a third of a second, or of the caption's duration.
     double presence(double film_s) const {
@@ -136,8 +137,8 @@ double bottom_of_captions(const StageData& stage, const TypeStyle& style) {
     const Scene& scene = stage.scene;
     const bool captioned = !scene.caption.empty() && wants(scene, "caption");
     if (!captioned) return bottom;
-    TypeCase type_case(stage.options.samples, stage.options.least);
-    const SetType type =
+    TextCache type_case(stage.options.samples, stage.options.least);
+    const TextBlock type =
         type_case.set(expand_live_text(scene.caption, StageData::live_values(scene, {})), style);
     return bottom - type.height_px() - 14.0 * stage.px;
 }
@@ -152,7 +153,7 @@ Drawer make_timed_captions(StageData& stage) {
         const auto [begin_s, end_s] = caption_span(scene, i);
         caption.begin_s = begin_s;
         caption.end_s = end_s;
-        const SetType type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
+        const TextBlock type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
             return stage.type_case.set(
                 expand_live_text(caption.spec->text, StageData::live_values(scene, {})), style);
         });
@@ -162,22 +163,23 @@ Drawer make_timed_captions(StageData& stage) {
     const double foot = bottom_of_captions(stage, style);
     const bool titled = !scene.title.empty() && wants(scene, "title");
     const double head = margin(stage) + (titled ? 62.0 * scene.type_scale * stage.px : 0.0);
-    return [&stage, captions, style, foot, head](const Instant& instant, Sheet& sheet) {
+    return [&stage, captions, style, foot, head](const FrameInput& instant, ViewBuilder& builder) {
         for (const TimedCaption& caption : captions) {
             const double presence = caption.presence(instant.film_s);
             if (!(presence > 0.0)) continue;
-            const SetType type =
+            const TextBlock type =
                 caption.still ? *caption.still
                               : stage.type_case.set_live(
                                     expand_live_text(caption.spec->text,
                                                      StageData::live_values(stage.scene, instant)),
-                                    style, sheet.view);
+                                    style, builder.view);
             const double baseline = caption.spec->place == "top"
                                         ? head + type.baseline_px
                                         : foot - (type.height_px() - type.baseline_px);
-            const std::size_t n_before = sheet.view.labels.size();
-            add_text(stage, type, margin(stage), baseline, rank_of_caption, sheet);
-            if (sheet.view.labels.size() > n_before) sheet.view.labels.back().opacity *= presence;
+            const std::size_t n_before = builder.view.labels.size();
+            add_text(stage, type, margin(stage), baseline, rank_of_caption, builder);
+            if (builder.view.labels.size() > n_before)
+                builder.view.labels.back().opacity *= presence;
         }
     };
 }
@@ -204,7 +206,7 @@ Drawer make_bands(StageData& stage) {
     const OverlayBands rows = overlay_bands(stage);
     const double width = stage.options.width_px;
     struct Band {
-        SetType type;
+        TextBlock type;
         double top_px;
         Colour colour;
         const char* of;
@@ -215,11 +217,11 @@ Drawer make_bands(StageData& stage) {
         bands.push_back(
             {stage.type_case.band(width, 1.9 * rows.top_px, true), 0.0, ground.top, "title"});
     if (rows.bottom_px > 0) {
-        const SetType type = stage.type_case.band(width, 1.9 * rows.bottom_px, false);
+        const TextBlock type = stage.type_case.band(width, 1.9 * rows.bottom_px, false);
         bands.push_back(
             {type, stage.options.height_px - type.height_px(), ground.bottom, "caption"});
     }
-    return [&stage, &panel, bands](const Instant& instant, Sheet& sheet) {
+    return [&stage, &panel, bands](const FrameInput& instant, ViewBuilder& builder) {
         constexpr double density = 0.86;
         const double nearness = 1.0 - timeline_of(panel).camera_at(instant.film_s).framing;
         if (!(nearness > 0.0)) return;
@@ -229,7 +231,7 @@ Drawer make_bands(StageData& stage) {
             label.top_left_px = {0.0, band.top_px};
             label.colour = band.colour;
             label.opacity = density * nearness * stage.timeline.opacity_of(band.of, instant.film_s);
-            sheet.view.labels.push_back(label);
+            builder.view.labels.push_back(label);
         }
     };
 }
@@ -252,7 +254,7 @@ std::vector<Drawer> make_overlays(StageData& stage) {
 
 // `type_case` sets text for a picture with samples × samples per pixel.
 OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samples,
-                           TypeCase& type_case) {
+                           TextCache& type_case) {
     // Whole rows of final pixels, so that panels do not depend on the number of samples.
     const auto rows = [samples](double high_px) {
         return samples * static_cast<int>(std::ceil(high_px / samples));
@@ -265,14 +267,14 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samp
                                   px);
     }
     if (wants_title(scene)) {
-        const SetType type = at_scene_key(scene, "title", [&] {
+        const TextBlock type = at_scene_key(scene, "title", [&] {
             return type_case.set(scene.title, text_style(scene, width_px, px, title_size, samples));
         });
         bands.title_right_px = margin(px) + type.width_px();
     }
     if (wants_caption(scene)) {
         // Changing numbers affect the text's width, but hardly its number of lines.
-        const SetType type = at_scene_key(scene, "caption", [&] {
+        const TextBlock type = at_scene_key(scene, "caption", [&] {
             return type_case.set(expand_live_text(scene.caption, StageData::live_values(scene, {})),
                                  text_style(scene, width_px, px, caption_size, samples));
         });
@@ -283,7 +285,7 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samp
     double bottom_px = 0.0;
     for (std::size_t i = 0; i < scene.captions.size(); ++i) {
         const TimedCaptionSpec& caption = scene.captions[i];
-        const SetType type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
+        const TextBlock type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
             return type_case.set(expand_live_text(caption.text, StageData::live_values(scene, {})),
                                  text_style(scene, width_px, px, caption_size, samples));
         });
@@ -302,7 +304,7 @@ OverlayBands overlay_bands(StageData& stage) {
 }
 
 int rows_of_overlays(const Scene& scene, int width_px, double px, const LeastSizes& least) {
-    TypeCase type_case(1, least);
+    TextCache type_case(1, least);
     const OverlayBands bands = overlay_bands(scene, width_px, px, 1, type_case);
     return bands.top_px + bands.bottom_px;
 }

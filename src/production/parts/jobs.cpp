@@ -130,25 +130,25 @@ void take_a_share_of_the_cores(int n_jobs) {
 // Draws all parts in parallel.
 void draw_parts(const Session& session, const FilmRequest& request, std::int64_t n_parts,
                 const ContextChoice& context, const std::vector<std::string>& outputs,
-                const Telling& telling) {
+                const ProgressSink& progress) {
     Children children;
     for (std::int64_t number = 1; number <= n_parts; ++number) {
         FilmRequest part = request;
         part.output = outputs[static_cast<std::size_t>(number - 1)];
         part.part = {number, n_parts};
-        children.start([&session, &context, part, n_parts](const Telling& child_telling) {
+        children.start([&session, &context, part, n_parts](const ProgressSink& child_telling) {
             take_a_share_of_the_cores(static_cast<int>(n_parts));
-            Easel easel(context);
-            FilmJob(session, part).make(easel, child_telling);
+            LazyRenderer renderer(context);
+            FilmJob(session, part).make(renderer, child_telling);
         });
     }
-    children.wait(telling);
+    children.wait(progress);
 }
 
 // The default number of jobs: that of an interrupted run, else the one that choose_jobs finds.
 int n_jobs_for(const Session& session, std::int64_t n_frames, const fs::path& path,
-               const Easel& easel) {
-    if (easel.is_open() || has_bytes(frame_log_path(path))) return 1;
+               const LazyRenderer& renderer) {
+    if (renderer.is_open() || has_bytes(frame_log_path(path))) return 1;
     const std::vector<LeftPart> left = parts_left_of(path);
     constexpr std::int64_t most = 4096;
     if (!left.empty() && left.front().n_parts >= 1 && left.front().n_parts <= most)
@@ -164,9 +164,9 @@ void append_all(const PartFile& part, FrameLog& log) {
         log.append(entries.read(part.part().n_before + k));
 }
 
-void make_in_this_process(const FilmJob& film, const fs::path& path, Easel& easel,
-                          const Telling& telling) {
-    film.make(easel, telling);
+void make_in_this_process(const FilmJob& film, const fs::path& path, LazyRenderer& renderer,
+                          const ProgressSink& progress) {
+    film.make(renderer, progress);
     // Parts of several processes are obsolete now.
     std::error_code ignored;
     if (!parts_left_of(path).empty()) fs::remove_all(parts_folder(path), ignored);
@@ -175,13 +175,13 @@ void make_in_this_process(const FilmJob& film, const fs::path& path, Easel& ease
 }  // namespace
 
 void make_in_jobs(const Session& session, const FilmRequest& request, std::optional<int> n_asked,
-                  Easel& easel, const Telling& telling) {
+                  LazyRenderer& renderer, const ProgressSink& progress) {
     const FilmJob film(session, request);
     const OutputPlace place(request.output, session.scene, ".mp4");
     const fs::path& path = place.path();
     const OutputFormat& format = format_for(path);
-    const int n_jobs = n_asked ? *n_asked : n_jobs_for(session, film.n_frames(), path, easel);
-    if (n_jobs == 1) return make_in_this_process(film, path, easel, telling);
+    const int n_jobs = n_asked ? *n_asked : n_jobs_for(session, film.n_frames(), path, renderer);
+    if (n_jobs == 1) return make_in_this_process(film, path, renderer, progress);
     if (!format.has_parts)
         throw InputError(fmt::format("{}: this format has no parts for --jobs; leave --jobs out",
                                      printable(path.string())));
@@ -189,27 +189,27 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
     const std::int64_t n_parts =
         part_of_film(1, n_jobs, film.n_frames(), format.n_chunk_frames).n_parts;
     if (n_parts < n_jobs)
-        telling.say(fmt::format(
+        progress.say(fmt::format(
             "note: a part begins every {} frames, so {} frames make {} part{}, not {}",
             format.n_chunk_frames, film.n_frames(), n_parts, n_parts == 1 ? "" : "s", n_jobs));
-    telling.begin(session.scene.name, film.n_frames());
+    progress.begin(session.scene.name, film.n_frames());
     if (format.join == nullptr) {
         // The pictures are written under their final names; the lock prevents a second run.
         const AtomicFile held(path, aside_path_of(path));
         const std::vector<std::string> outputs(static_cast<std::size_t>(n_parts), path.string());
-        draw_parts(session, request, n_parts, easel.choice(), outputs, telling);
-        film.end_sequence(path, telling);
+        draw_parts(session, request, n_parts, renderer.choice(), outputs, progress);
+        film.end_sequence(path, progress);
     } else {
         PartsAside aside(path, n_parts);
         std::vector<std::string> parts;
         parts.reserve(static_cast<std::size_t>(n_parts));
         for (std::int64_t number = 1; number <= n_parts; ++number)
             parts.push_back(aside.part(number));
-        draw_parts(session, request, n_parts, easel.choice(), parts, telling);
+        draw_parts(session, request, n_parts, renderer.choice(), parts, progress);
         join(parts, path.string(), {});
         aside.clear();
     }
-    telling.finish(printable(path.string()));
+    progress.finish(printable(path.string()));
 }
 
 std::int64_t gather_parts_aside(const fs::path& film) {

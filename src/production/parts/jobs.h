@@ -6,8 +6,8 @@
 
 #include "production/film_job.h"
 #include "production/picture.h"
+#include "production/progress_sink.h"
 #include "production/session.h"
-#include "production/telling.h"
 
 namespace poinsot {
 
@@ -15,11 +15,11 @@ namespace poinsot {
 // number of its chunks; the result is byte-identical to FilmJob's. Default: the number that is
 // fastest (job_choice.h), or that of an interrupted run of this film. Parts are stored in a hidden
 // folder beside the film, so that an interrupted run with the same number continues. A single
-// process is this one, which draws on the easel; several are forked, by default only if the easel
-// is not open. Precondition: this process has no other threads. Throws InputError and
+// process is this one, which draws on the renderer; several are forked, by default only if the
+// renderer is not open. Precondition: this process has no other threads. Throws InputError and
 // EnvironmentError; then no child process is left.
 void make_in_jobs(const Session& session, const FilmRequest& request, std::optional<int> n_jobs,
-                  Easel& easel, const Telling& telling);
+                  LazyRenderer& renderer, const ProgressSink& progress);
 
 // Converts the state that an interrupted run of several processes left of a film, up to the first
 // gap, to that of a single process, from which render continues and recover makes a film. Does

@@ -11,12 +11,12 @@
 #include "error/error.h"
 #include "output/film_parts.h"
 #include "output/frame_name.h"
-#include "production/beside/chapters.h"
-#include "production/beside/subtitles.h"
 #include "production/output_place.h"
-#include "production/parts/kinship.h"
+#include "production/parts/part_mismatch.h"
 #include "production/record.h"
 #include "production/recovery.h"
+#include "production/sidecars/chapters.h"
+#include "production/sidecars/subtitles.h"
 #include "system/atomic_file.h"
 #include "system/file_contents.h"
 #include "system/file_kind.h"
@@ -93,7 +93,7 @@ void check_one_film(const PartFile& one, const PartFile& other) {
 }
 
 std::string join_film(const std::vector<std::string>& names, const std::string& output,
-                      const Telling& telling) {
+                      const ProgressSink& progress) {
     std::vector<PartFile> parts;
     for (const std::string& name : names) {
         parts.emplace_back(name);
@@ -118,14 +118,14 @@ std::string join_film(const std::vector<std::string>& names, const std::string& 
     plan.part.reset();
     JoinedEntries entries(parts);
     plan.n_frames = entries.n_entries();
-    telling.begin(record.scene_name, plan.n_frames);
+    progress.begin(record.scene_name, plan.n_frames);
     format.join(entries, plan);
     if (const std::string& text = parts.front().part().chapters; !text.empty())
         write_chapters(plan.path, text);
     else
         remove_stale_chapters(plan.path);
     write_subtitles(plan.path, plan.subtitles);
-    telling.finish(name_of(plan.path));
+    progress.finish(name_of(plan.path));
     return record.bounds;
 }
 
@@ -189,7 +189,7 @@ void copy_picture(const fs::path& from, const fs::path& to) {
 }
 
 std::string join_pictures(const std::vector<std::string>& names, const std::string& output,
-                          const Telling& telling) {
+                          const ProgressSink& progress) {
     std::vector<PartPicture> pictures;
     std::vector<Record> first;  // at most one
     for (const fs::path& path : pictures_named(names)) {
@@ -220,24 +220,24 @@ std::string join_pictures(const std::vector<std::string>& names, const std::stri
             fmt::format("{}: the parts are pictures; name a sequence, as "
                         "frame_####.png",
                         name_of(pattern)));
-    telling.begin(record.scene_name, static_cast<std::int64_t>(pictures.size()));
+    progress.begin(record.scene_name, static_cast<std::int64_t>(pictures.size()));
     for (const PartPicture& picture : pictures) {
         stop_if_interrupted();
         copy_picture(picture.path, frame_name(pattern, picture.frame));
-        telling.done(picture.frame - begin + 1);
+        progress.done(picture.frame - begin + 1);
     }
-    write_what_lies_beside(pattern, record, telling);
-    telling.finish(name_of(pattern));
+    write_what_lies_beside(pattern, record, progress);
+    progress.finish(name_of(pattern));
     return record.bounds;
 }
 
 }  // namespace
 
 std::string join(const std::vector<std::string>& parts, const std::string& output,
-                 const Telling& telling) {
+                 const ProgressSink& progress) {
     watch_for_interrupts();
     const bool pictures = suffix_of(parts.front()) == ".png";
-    return pictures ? join_pictures(parts, output, telling) : join_film(parts, output, telling);
+    return pictures ? join_pictures(parts, output, progress) : join_film(parts, output, progress);
 }
 
 }  // namespace poinsot

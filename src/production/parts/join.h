@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "production/telling.h"
+#include "production/progress_sink.h"
 
 namespace poinsot {
 
@@ -16,6 +16,6 @@ namespace poinsot {
 // parts that do not make one film, with the reason; throws EnvironmentError, and then leaves no
 // file under the final name.
 std::string join(const std::vector<std::string>& parts, const std::string& output,
-                 const Telling& telling);
+                 const ProgressSink& progress);
 
 }  // namespace poinsot

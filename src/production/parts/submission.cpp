@@ -15,7 +15,7 @@
 #include "output/frame_sink.h"
 #include "system/atomic_file.h"
 #include "system/file_contents.h"
-#include "system/own_files.h"
+#include "system/program_files.h"
 #include "system/run_program.h"
 #include "text/printable.h"
 
@@ -74,7 +74,7 @@ std::string in_shell(const std::vector<std::string>& words) {
 }
 
 std::string program() {
-    const fs::path path = own_program();
+    const fs::path path = program_path();
     return path.empty() ? "poinsot" : path.string();
 }
 

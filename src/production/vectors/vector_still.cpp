@@ -98,7 +98,7 @@ PictureSetting vector_setting(const Scene& scene, const PrintChoices& print) {
 }
 
 VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
-                         const FilmMoment& moment, const VectorChoices& choices, double dpi,
+                         const FilmTime& moment, const VectorChoices& choices, double dpi,
                          Record record, const vector::DrawPixels& draw_pixels) {
     const Drawing drawing = stage.at(moment);
     vector::Page page = vector::page_of(drawing, {.pt_per_px = pt_per_inch / dpi,

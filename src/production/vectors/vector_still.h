@@ -47,7 +47,7 @@ bool has_pixels(const VectorChoices& choices);
 
 // The bytes of the file; completes `record` with the page's own fields.
 VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
-                         const FilmMoment& moment, const VectorChoices& choices, double dpi,
+                         const FilmTime& moment, const VectorChoices& choices, double dpi,
                          Record record, const vector::DrawPixels& draw_pixels);
 
 // The record's text in such a file, and the hash of the rest of the file. The text is empty if

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/keep/curve_store.h"
+#include "render/cache/curve_store.h"
 #include "render/passes/program.h"
 #include "render/view_scene.h"
 

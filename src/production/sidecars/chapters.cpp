@@ -1,0 +1,104 @@
+#include "production/sidecars/chapters.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+#include "system/atomic_file.h"
+#include "system/file_contents.h"
+#include "system/file_kind.h"
+#include "text/json_text.h"
+
+namespace poinsot {
+
+namespace {
+
+// The first frame at or after this second of the film.
+std::int64_t frame_at(const FilmPlan& film, double film_s) {
+    constexpr double rounding = 1e-9;
+    std::int64_t before = -1;
+    std::int64_t after = film.n_frames;
+    while (after - before > 1) {
+        const std::int64_t middle = before + (after - before) / 2;
+        (film.moment_of(middle).film_s < film_s - rounding ? before : after) = middle;
+    }
+    return after;
+}
+
+// The first lines of the file, which identify it as the film's.
+std::string chapters_head(const std::filesystem::path& film) {
+    return fmt::format("{{\n  \"film\": {},\n", json_string(film.filename().string()));
+}
+
+}  // namespace
+
+std::vector<FilmChapter> chapters_of(const Scene& scene, const FilmPlan& film, std::int64_t first,
+                                     std::int64_t last) {
+    std::vector<FilmChapter> chapters;
+    for (std::size_t i = 0; i < scene.chapters.size(); ++i) {
+        const bool is_last = i + 1 == scene.chapters.size();
+        const std::int64_t begin = frame_at(film, scene.chapters[i].at_s);
+        const std::int64_t end =
+            is_last ? film.n_frames : frame_at(film, scene.chapters[i + 1].at_s);
+        FilmChapter chapter;
+        chapter.title = scene.chapters[i].title;
+        chapter.first_frame = std::clamp(begin, first, last + 1) - first;
+        chapter.end_frame = std::clamp(end, first, last + 1) - first;
+        if (chapter.first_frame < chapter.end_frame) chapters.push_back(chapter);
+    }
+    return chapters;
+}
+
+std::filesystem::path chapters_path(const std::filesystem::path& film) {
+    std::string stem = film.stem().string();
+    if (stem.find('#') != std::string::npos) {
+        stem.erase(std::remove(stem.begin(), stem.end(), '#'), stem.end());
+        stem.erase(stem.find_last_not_of("_-. ") + 1);
+    }
+    // Films with the same stem and different suffixes have separate files.
+    if (suffix_of(film) != ".mp4" && !stem.empty()) stem += film.extension().string();
+    return film.parent_path() / (stem.empty() ? "chapters.json" : stem + ".chapters.json");
+}
+
+void remove_stale_chapters(const std::filesystem::path& film) {
+    const std::filesystem::path path = chapters_path(film);
+    std::error_code ignored;
+    if (begins_with(path, chapters_head(film))) std::filesystem::remove(path, ignored);
+}
+
+std::string chapters_text_of(const OutputPlan& plan, const FilmPlan& film) {
+    const double per_second = plan.rate.per_second();
+    std::vector<std::string> rows;
+    rows.reserve(plan.chapters.size());
+    for (const FilmChapter& chapter : plan.chapters) {
+        const std::int64_t shown = plan.first_frame + chapter.first_frame;
+        JsonObject row;
+        row.add("title", chapter.title);
+        row.add("at_s", static_cast<double>(chapter.first_frame) / per_second);
+        row.add("end_s", static_cast<double>(chapter.end_frame) / per_second);
+        row.add("first_frame", shown).add("last_frame", plan.first_frame + chapter.end_frame - 1);
+        row.add("motion_time_s", film.time_of(shown));
+        rows.push_back(row.line());
+    }
+    const std::string text = JsonObject()
+                                 .add("frames_per_second", fmt::format("{}/{}", plan.rate.numerator,
+                                                                       plan.rate.denominator))
+                                 .add("n_frames", plan.n_frames)
+                                 .add("loops", film.loop_s > 0.0)
+                                 .json("chapters", json_lines(rows, 2))
+                                 .lines();
+    // The head, with the opening brace and the film's name, is prepended when the file is written.
+    return text.substr(std::string_view("{\n").size());
+}
+
+void write_chapters(const std::filesystem::path& film, const std::string& text) {
+    write_whole(chapters_path(film), chapters_head(film) + text);
+}
+
+void write_chapters(const OutputPlan& plan, const FilmPlan& film) {
+    write_chapters(plan.path, chapters_text_of(plan, film));
+}
+
+}  // namespace poinsot

@@ -1,0 +1,259 @@
+// Styles of hidden lines, gaps at crossings, and lower limits of line widths and text sizes on
+// paper.
+#include "drawing/line_style.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "drawing/theme.h"
+#include "drawing/type/labels.h"
+#include "scenes_by_hand.h"
+#include "shapes/projection.h"
+
+namespace poinsot {
+namespace {
+
+// 85 mm at 300 dots per inch: 8 pt, 6 pt and half a point.
+constexpr LeastSizes least{33.3, 25.0, 2.08};
+
+// A scene's drawing of this size, with the objects that it refers to.
+struct OnPaper {
+    Motion motion;
+    Stage stage;
+    Drawing drawing;
+
+    OnPaper(const Scene& scene, const LeastSizes& sizes)
+        : motion(problem_of(scene)),
+          stage(scene, motion,
+                {.width_px = 1004,
+                 .height_px = 565,
+                 .line_scale = 1.04,
+                 .least = sizes,
+                 .last_time_s = 10.0}),
+          drawing(stage.at(5.0)) {}
+};
+
+// Of the visible lines: a width of 0 means no line.
+double thinnest_px(const Drawing& drawing) {
+    double px = 1e9;
+    const auto take = [&px](double width_px) {
+        if (width_px > 0.0) px = std::min(px, width_px);
+    };
+    for (const View& view : drawing.views) {
+        for (const Curve& curve : view.curves) take(curve.width_px);
+        for (const Arrow& arrow : view.arrows) take(arrow.shaft_px);
+        for (const Plane& plane : view.planes) take(plane.grid_px);
+        for (const Dot& dot : view.dots) take(dot.rim_px);
+        for (const Ellipsoid& ellipsoid : view.ellipsoids) {
+            take(ellipsoid.ruling_px);
+            take(ellipsoid.section_px);
+        }
+    }
+    return px;
+}
+
+double smallest_letter_px(const Drawing& drawing) {
+    double px = 1e9;
+    for (const View& view : drawing.views)
+        for (const Label& label : view.labels)
+            for (const MaskLetter& letter : label.mask->letters) px = std::min(px, letter.em_px);
+    return px;
+}
+
+TEST(LineStyles, OnPaperLinesAndTextHaveTheirLeastSizes) {
+    for (const char* panel : {"space", "body", "plan", "plot"}) {
+        const Scene scene = free_scene({1.0, 1.8, 2.6}, {1.3, 0.9, 0.8}, panel);
+        const OnPaper small(scene, {}), paper(scene, least);
+        const Drawing& drawing = paper.drawing;
+        EXPECT_LT(thinnest_px(small.drawing), least.line_px) << panel;
+        EXPECT_GE(thinnest_px(drawing), least.line_px) << panel;
+        EXPECT_GE(smallest_letter_px(drawing), least.script_px - 1e-9) << panel;
+        for (const View& view : drawing.views)
+            for (const Label& label : view.labels)
+                EXPECT_GE(label.mask->source.em_px, least.type_px - 1e-9) << panel;
+    }
+}
+
+TEST(LineStyles, TextIsEnlargedForItsScripts) {
+    TextCache plain(1, {20.0, 0.0, 0.0}), scripts(1, {20.0, 18.0, 0.0});
+    for (const char* text : {"I_1", "\\mathrm{kg}\\,\\mathrm{m}^2", "x^{a_b}"}) {
+        const TextBlock before = plain.set(text, {.size_px = 10.0});
+        EXPECT_DOUBLE_EQ(before.mask->source.em_px, 20.0);
+        const TextBlock after = scripts.set(text, {.size_px = 10.0});
+        double least_px = 1e9;
+        for (const MaskLetter& letter : after.mask->letters)
+            least_px = std::min(least_px, letter.em_px);
+        EXPECT_NEAR(least_px, 18.0, 1e-9) << text;
+    }
+    EXPECT_DOUBLE_EQ(scripts.set("I", {.size_px = 10.0}).mask->source.em_px, 20.0);
+    EXPECT_DOUBLE_EQ(scripts.set("I_1", {.size_px = 40.0}).mask->source.em_px, 40.0);
+}
+
+Scene styled(const char* panel, const std::string& hidden, const std::string& crossings = "") {
+    Scene scene = free_scene({1.0, 1.8, 2.6}, {1.3, 0.9, 0.8}, panel);
+    scene.hidden = hidden;
+    scene.crossings = crossings;
+    return scene;
+}
+
+// The first view, with the objects that it refers to.
+struct Shown {
+    StagedScene staged;
+    Drawing drawing;
+    const View& view;
+
+    explicit Shown(const Scene& scene)
+        : staged(scene, 10.0), drawing(staged.stage.at(5.0)), view(drawing.views.front()) {}
+};
+
+template <typename Shape>
+bool may_be_hidden(const Shape& shape) {
+    return shape.occlusion == Occlusion::by_solids;
+}
+
+TEST(LineStyles, DashesMeanHiddenLinesOnly) {
+    const Shown shown(styled("body", ""));
+    const View& pale = shown.view;
+    EXPECT_TRUE(std::any_of(pale.curves.begin(), pale.curves.end(), [](const Curve& curve) {
+        return may_be_hidden(curve) && curve.dash_px > 0.0;
+    }));
+    for (const char* panel : {"space", "body"}) {
+        const Shown broken(styled(panel, "dashed"));
+        const View& dashed = broken.view;
+        int n = 0;
+        for (const Curve& curve : dashed.curves) {
+            if (!may_be_hidden(curve)) continue;
+            ++n;
+            EXPECT_EQ(curve.dash_px, 0.0);
+            EXPECT_EQ(curve.hidden, HiddenStyle::dashed);
+            EXPECT_GE(curve.hidden_opacity, 0.7);
+        }
+        EXPECT_GT(n, 4);
+    }
+}
+
+TEST(LineStyles, HiddenPartsOfArrowsAreDashed) {
+    const Shown solid(styled("space", "")), broken(styled("space", "dashed"));
+    const View &pale = solid.view, &dashed = broken.view;
+    std::size_t n = 0;
+    for (const Arrow& arrow : dashed.arrows) {
+        if (!may_be_hidden(arrow)) continue;
+        ++n;
+        EXPECT_LT(arrow.hidden_opacity, 0.0);
+        EXPECT_TRUE(std::any_of(dashed.curves.begin(), dashed.curves.end(), [&](const Curve& c) {
+            const auto& points = c.geometry->points;
+            return (c.placement * points.front() - arrow.tail).norm() < 1e-12 &&
+                   (c.placement * points.back() - arrow.tip).norm() < 1e-12;
+        }));
+    }
+    EXPECT_GT(n, 2u);
+    // And the three principal sections.
+    EXPECT_EQ(dashed.curves.size(), pale.curves.size() + n + 3);
+}
+
+Scene with_broken_omega(const char* line, const std::string& hidden = "") {
+    Scene scene = styled("space", hidden);
+    scene.style.looks["omega"].line = line;
+    return scene;
+}
+
+std::vector<Arrow> arrows_of(const View& view, const Colour& colour) {
+    std::vector<Arrow> found;
+    for (const Arrow& arrow : view.arrows)
+        if (arrow.colour == colour) found.push_back(arrow);
+    return found;
+}
+
+// Dashes and gaps have the same length, from the tail to the head, which is unchanged.
+TEST(LineStyles, DashedShaftIsSplitIntoDashes) {
+    const Colour& omega = theme_named("light").omega;
+    const Shown solid(styled("space", ""));
+    const std::vector<Arrow> one = arrows_of(solid.view, omega);
+    ASSERT_EQ(one.size(), 1u);
+    const Arrow& whole = one.front();
+    const Eigen::Vector3d along = (whole.tip - whole.tail).normalized();
+    for (const auto& [line, fewest] : {std::pair{"dashed", 3u}, {"dotted", 10u}}) {
+        const Shown shown(with_broken_omega(line));
+        const std::vector<Arrow> dashes = arrows_of(shown.view, omega);
+        ASSERT_GE(dashes.size(), fewest);
+        EXPECT_EQ(dashes.front().tail, whole.tail);
+        EXPECT_EQ(dashes.back().tip, whole.tip);
+        EXPECT_EQ(dashes.back().head_px, whole.head_px);
+        EXPECT_EQ(dashes.back().head_length_px, whole.head_length_px);
+        const double dash = (dashes[0].tip - dashes[0].tail).norm();
+        for (std::size_t k = 0; k + 1 < dashes.size(); ++k) {
+            EXPECT_EQ(dashes[k].dash_px, 0.0);
+            EXPECT_EQ(dashes[k].shaft_px, whole.shaft_px);
+            EXPECT_LE(dashes[k].head_px, whole.shaft_px);
+            EXPECT_NEAR((dashes[k].tip - dashes[k].tail).dot(along), dash, 1e-12);
+            EXPECT_NEAR((dashes[k + 1].tail - dashes[k].tip).dot(along), dash, 1e-12);
+        }
+    }
+}
+
+TEST(LineStyles, WithDashedHiddenLinesNoShaftIsDashed) {
+    const Colour& omega = theme_named("light").omega;
+    const Shown solid(styled("space", "dashed")), shown(with_broken_omega("dashed", "dashed"));
+    const std::vector<Arrow> whole = arrows_of(solid.view, omega);
+    const std::vector<Arrow> thin = arrows_of(shown.view, omega);
+    ASSERT_EQ(thin.size(), 1u);
+    EXPECT_LT(thin.front().shaft_px, whole.front().shaft_px);
+}
+
+TEST(LineStyles, OmittedLinesAreAbsent) {
+    const Shown shown(styled("space", "omitted"));
+    const View& view = shown.view;
+    for (const Curve& curve : view.curves)
+        if (may_be_hidden(curve)) {
+            EXPECT_EQ(curve.hidden, HiddenStyle::absent);
+        }
+    for (const Arrow& arrow : view.arrows)
+        if (may_be_hidden(arrow)) {
+            EXPECT_LT(arrow.hidden_opacity, 0.0);
+        }
+}
+
+TEST(LineStyles, PrincipalSectionsLieOnTheEllipsoid) {
+    const Shown solid(styled("space", "")), broken(styled("space", "dashed"));
+    const View& view = broken.view;
+    ASSERT_EQ(view.ellipsoids.size(), 1u);
+    const Ellipsoid& ellipsoid = view.ellipsoids[0];
+    EXPECT_EQ(ellipsoid.section_px, 0.0);
+    const Eigen::Matrix3d to_sphere = ellipsoid.half_axes.inverse();
+    int n = 0;
+    for (const Curve& curve : view.curves) {
+        if (curve.on_surface != 0 || !curve.geometry->closed) continue;
+        if (curve.width_px != solid.view.ellipsoids[0].section_px) continue;
+        ++n;
+        for (std::size_t k = 0; k < curve.geometry->points.size(); k += 50)
+            EXPECT_NEAR(
+                (to_sphere * (curve.placement * curve.geometry->points[k] - ellipsoid.centre))
+                    .norm(),
+                1.0, 1e-12);
+    }
+    EXPECT_EQ(n, 3);
+}
+
+// Every gap is at a crossing of two lines, and only the rear line has gaps.
+TEST(LineStyles, LinesPassingUnderOthersHaveGaps) {
+    const Shown whole_lines(styled("space", "", "through")), gaps(styled("space", "", "gap"));
+    const View &through = whole_lines.view, &gap = gaps.view;
+    EXPECT_GT(gap.curves.size(), through.curves.size());
+    // The visible part of each curve, in points: most of the curve.
+    double whole = 0.0, left = 0.0;
+    const auto length = [](const Curve& curve) {
+        const double n = static_cast<double>(curve.geometry->points.size());
+        return (std::clamp(curve.last, 0.0, n) - std::clamp(curve.first, 0.0, n)) / n;
+    };
+    for (const Curve& curve : through.curves) whole += length(curve);
+    for (const Curve& curve : gap.curves) left += length(curve);
+    EXPECT_LT(left, whole);
+    EXPECT_GT(left, 0.8 * whole);
+}
+
+}  // namespace
+}  // namespace poinsot
