@@ -4,11 +4,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+
+#include "places.h"
 
 namespace poinsot::testing {
 
@@ -78,6 +81,19 @@ inline ProgramRun run_program_in(const ScratchFolder& folder, const std::string&
     run.out = text_of(logs.path() / "out");
     run.err = text_of(logs.path() / "err");
     return run;
+}
+
+// Path of a supplied scene.
+inline std::string scene_path(const std::string& name) {
+    return (source_folder() / "scenes" / (name + ".toml")).string();
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+inline bool is_one_line(const std::string& text) {
+    return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1;
 }
 
 }  // namespace poinsot::testing

@@ -1,16 +1,79 @@
-// Several scenes on one command line.
+// Scenes on the command line: the supplied ones by their names, and several of them with numbered
+// outputs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "cli/program_run.h"
+#include "cli/small_scene.h"
 #include "image/png.h"
 #include "places.h"
 
-namespace poinsot::testing {
+namespace poinsot::testing::scenes_tests {
 namespace {
+
+using SceneMessages = Messages;
+
+// Every supplied scene can be drawn, and its picture has more than one colour.
+class EveryScene : public ::testing::TestWithParam<std::string> {};
+
+std::vector<std::string> scene_files() {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes")) {
+        if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
+    }
+    return files;
+}
+
+TEST_P(EveryScene, FulfilsItsClaims) {
+    const ScratchFolder folder;
+    const ProgramRun check = run_program_in(folder, "check '" + GetParam() + "'");
+    EXPECT_EQ(check.code, 0) << check.err;
+    EXPECT_NE(check.out.find("title: "), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, ::testing::ValuesIn(scene_files()),
+                         [](const auto& tested) {
+                             return std::filesystem::path(tested.param).stem().string();
+                         });
+
+// The share of pixels that differ clearly from the background colour.
+double share_unlike_corner(const Image& image) {
+    std::size_t n_unlike = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const Rgba8 a = image.at(x, y);
+            const Rgba8 b = image.at(0, 0);
+            n_unlike += std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b) > 60;
+        }
+    }
+    return static_cast<double>(n_unlike) / (image.width() * image.height());
+}
+
+TEST(Scenes, AllShowSomething) {
+    const ScratchFolder folder;
+    const std::string scenes = "'" + (source_folder() / "scenes").string() + "'/*.toml";
+    const ProgramRun still =
+        run_program_in(folder, "still " + scenes + " --size 320x180 --time 1 -q -o '{scene}.png'");
+    ASSERT_EQ(still.code, 0) << still.err;
+    for (const std::string& file : scene_files()) {
+        const std::string name = std::filesystem::path(file).stem().string() + ".png";
+        EXPECT_GT(share_unlike_corner(read_png(folder.path() / name)), 0.05) << name;
+    }
+}
+
+// A bare name means a supplied scene, or nearly one.
+TEST_F(SceneMessages, AMistypedSceneGetsTheNearestName) {
+    refuses("check genric", 2, {"genric: no such file, and no scene", "did you mean \"generic\"?"});
+    refuses("check scene", 2, {"did you mean \"scene.toml\"?"});
+    refuses("check qqqqqqqqq", 2, {"qqqqqqqqq: no such file", "poinsot list scenes"});
+    folder_.write("generic.toml", "not read");
+    EXPECT_EQ(run("check generic").code, 0);
+}
 
 std::string scene(const std::string& title) {
     return "title = \"" + title + R"("
@@ -185,4 +248,4 @@ TEST(ManyScenes, DoNotReplaceEachOther) {
 }
 
 }  // namespace
-}  // namespace poinsot::testing
+}  // namespace poinsot::testing::scenes_tests

@@ -15,18 +15,6 @@
 namespace poinsot::testing::vector_tests {
 namespace {
 
-std::string scene(const std::string& name) {
-    return (source_folder() / "scenes" / (name + ".toml")).string();
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-bool is_one_line(const std::string& text) {
-    return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1;
-}
-
 // Output of another program, both streams; preceded by its exit code if that is not 0.
 std::string said(const ScratchFolder& folder, const std::string& command) {
     std::string out;
@@ -52,7 +40,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST(VectorStill, PdfIsValidSmallAndHasNoRaster) {
     const ScratchFolder folder;
-    const ProgramRun run = run_program_in(folder, "still '" + scene("generic") + "' -o g.pdf");
+    const ProgramRun run = run_program_in(folder, "still '" + scene_path("generic") + "' -o g.pdf");
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_FALSE(contains(said(folder, "qpdf --check g.pdf"), "failed"))
         << said(folder, "qpdf --check g.pdf");
@@ -85,11 +73,13 @@ TEST(VectorStill, NoSceneTakesOver150Kilobytes) {
 
 TEST(VectorStill, ItsTextCanBeSearched) {
     const ScratchFolder folder;
-    ASSERT_EQ(run_program_in(folder, "still '" + scene("invariable_plane") + "' -o i.pdf").code, 0);
+    ASSERT_EQ(
+        run_program_in(folder, "still '" + scene_path("invariable_plane") + "' -o i.pdf").code, 0);
     const std::string text = said(folder, "pdftotext i.pdf -");
     for (const char* part : {"invariable plane", "ω", "L", "ρ", "√"})
         EXPECT_TRUE(contains(text, part)) << part << " in\n" << text;
-    ASSERT_EQ(run_program_in(folder, "still '" + scene("invariable_plane") + "' -o i.svg").code, 0);
+    ASSERT_EQ(
+        run_program_in(folder, "still '" + scene_path("invariable_plane") + "' -o i.svg").code, 0);
     const std::string svg = text_of(folder.path() / "i.svg");
     EXPECT_TRUE(contains(svg, ">The invariable plane</text>"));
     EXPECT_TRUE(contains(svg, "@font-face"));
@@ -99,7 +89,7 @@ TEST(VectorStill, ItsTextCanBeSearched) {
 
 TEST(VectorStill, HasTheRequestedSize) {
     const ScratchFolder folder;
-    const std::string command = "still '" + scene("generic") + "' --width-mm 85 -o ";
+    const std::string command = "still '" + scene_path("generic") + "' --width-mm 85 -o ";
     ASSERT_EQ(run_program_in(folder, command + "a.pdf").code, 0);
     // 85 mm = 240.94 pt.
     EXPECT_TRUE(contains(said(folder, "pdfinfo a.pdf"), "Page size:       240.9") ||
@@ -113,7 +103,7 @@ TEST(VectorStill, HasARecordAndIsRerenderedByteIdentically) {
     const ScratchFolder folder;
     for (const std::string kind : {"pdf", "svg"}) {
         const std::string name = "a." + kind;
-        ASSERT_EQ(run_program_in(folder, "still '" + scene("generic") +
+        ASSERT_EQ(run_program_in(folder, "still '" + scene_path("generic") +
                                              "' --shading none --time 3 --type-pt 9 -o " + name)
                       .code,
                   0);
@@ -139,7 +129,7 @@ TEST(VectorStill, HasARecordAndIsRerenderedByteIdentically) {
 // size.
 TEST(VectorStill, AsLargeAsAPosterIsRerendered) {
     const ScratchFolder folder;
-    ASSERT_EQ(run_program_in(folder, "still '" + scene("generic") +
+    ASSERT_EQ(run_program_in(folder, "still '" + scene_path("generic") +
                                          "' -q --shading none --width-mm 1500 -o a.pdf")
                   .code,
               0);
@@ -224,7 +214,8 @@ TEST(VectorStill, InLatexCompilesWithAnyText) {
           "pdfLaTeX leaves out 中 (U+4E2D), 😀 (U+1F600), Ж (U+0416), � (U+FFFD); XeLaTeX"})
         EXPECT_TRUE(contains(still.err, note)) << note << " in\n" << still.err;
     EXPECT_FALSE(contains(
-        run_program_in(folder, "still '" + scene("generic") + "' --text latex -o other.pdf").err,
+        run_program_in(folder, "still '" + scene_path("generic") + "' --text latex -o other.pdf")
+            .err,
         "leaves out"));
     if (contains(said(folder, "command -v pdflatex"), "failed")) GTEST_SKIP() << "no pdflatex";
     for (const std::string packages : {"graphicx", "graphicx,color"})
@@ -240,7 +231,7 @@ TEST(VectorStill, InLatexCompilesWithAnyText) {
 
 TEST(VectorStill, ErrorsAreOneLine) {
     const ScratchFolder folder;
-    const std::string still = "still '" + scene("generic") + "' ";
+    const std::string still = "still '" + scene_path("generic") + "' ";
     for (const std::string& options :
          {std::string("--depth 16 -o a.pdf"), std::string("--shading tome -o a.svg"),
           std::string("--shading none -o a.png"), std::string("--width-mm 10000 -o a.pdf"),
@@ -258,7 +249,7 @@ TEST(VectorStill, ErrorsAreOneLine) {
 // Readers drop a space at the beginning of a text, and some then misplace the next letter.
 TEST(VectorStill, NoSvgTextBeginsWithASpace) {
     const ScratchFolder folder;
-    ASSERT_EQ(run_program_in(folder, "still '" + scene("generic") + "' -q -o a.svg").code, 0);
+    ASSERT_EQ(run_program_in(folder, "still '" + scene_path("generic") + "' -q -o a.svg").code, 0);
     const std::string svg = text_of(folder.path() / "a.svg");
     int n_texts = 0;
     for (std::size_t at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at)) {
@@ -271,7 +262,7 @@ TEST(VectorStill, NoSvgTextBeginsWithASpace) {
 
 TEST(VectorStill, TextAsPathsNeedsNoFonts) {
     const ScratchFolder folder;
-    const std::string page = "still '" + scene("generic") + "' --width-mm 110 ";
+    const std::string page = "still '" + scene_path("generic") + "' --width-mm 110 ";
     const std::string still = page + "--text paths -o ";
     ASSERT_EQ(run_program_in(folder, still + "a.pdf").code, 0);
     EXPECT_EQ(lines_of(said(folder, "pdffonts a.pdf")).size(), 2u);
@@ -291,7 +282,7 @@ TEST(VectorStill, TextAsPathsNeedsNoFonts) {
 
 TEST(VectorStill, LatexSetsTheTextOfAFigureWithoutAny) {
     const ScratchFolder folder;
-    const std::string still = "still '" + scene("invariable_plane") + "' --text latex -o ";
+    const std::string still = "still '" + scene_path("invariable_plane") + "' --text latex -o ";
     const ProgramRun run = run_program_in(folder, still + "fig.pdf");
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_TRUE(contains(run.err, "fig.tex"));
@@ -313,7 +304,7 @@ TEST(VectorStill, LatexSetsTheTextOfAFigureWithoutAny) {
 
 TEST(VectorStill, AJournalDeterminesWidthAndSmallestSizes) {
     const ScratchFolder folder;
-    const std::string still = "still '" + scene("generic") + "' ";
+    const std::string still = "still '" + scene_path("generic") + "' ";
     ASSERT_EQ(run_program_in(folder, still + "--journal aip -o a.pdf").code, 0);
     // 85 mm = 240.94 pt.
     EXPECT_TRUE(contains(said(folder, "pdfinfo a.pdf"), "Page size:       240.9") ||
@@ -351,7 +342,7 @@ TEST(VectorStill, AJournalDeterminesWidthAndSmallestSizes) {
     }
     // The titles of three panels do not fit into this size without overlap.
     const ProgramRun small =
-        run_program_in(folder, "still '" + scene("football") + "' --width-mm 50 -o d.pdf");
+        run_program_in(folder, "still '" + scene_path("football") + "' --width-mm 50 -o d.pdf");
     EXPECT_EQ(small.code, 2);
     EXPECT_TRUE(contains(small.err, "too small for its labels")) << small.err;
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "d.pdf"));
@@ -360,7 +351,7 @@ TEST(VectorStill, AJournalDeterminesWidthAndSmallestSizes) {
 TEST(VectorStill, PicturesCanBePlacedBetweenTheLines) {
     const ScratchFolder folder;
     const ProgramRun run =
-        run_program_in(folder, "still '" + scene("generic") +
+        run_program_in(folder, "still '" + scene_path("generic") +
                                    "' --width-mm 40 --shading picture --portable -o a.pdf");
     ASSERT_EQ(run.code, 0) << run.err;
     const auto images = lines_of(said(folder, "pdfimages -list a.pdf"));
@@ -372,7 +363,7 @@ TEST(VectorStill, PicturesCanBePlacedBetweenTheLines) {
 
 TEST(VectorStill, TwoPagesAreComparedAsPictures) {
     const ScratchFolder folder;
-    const std::string still = "still '" + scene("generic") + "' --width-mm 60 -o ";
+    const std::string still = "still '" + scene_path("generic") + "' --width-mm 60 -o ";
     ASSERT_EQ(run_program_in(folder, still + "a.pdf").code, 0);
     ASSERT_EQ(run_program_in(folder, still + "b.pdf").code, 0);
     ASSERT_EQ(run_program_in(folder, still + "c.pdf --time 3").code, 0);

@@ -1,0 +1,136 @@
+// approve: portable results become baselines, with a line in the manifest and a reason.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "cli/program_run.h"
+#include "cli/recorded_pictures.h"
+#include "cli/small_scene.h"
+#include "image/png.h"
+
+namespace poinsot::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+using ApprovedPictures = Pictures;
+using ApproveMessages = Messages;
+
+TEST_F(ApprovedPictures, AreBaselinesOnlyIfPortable) {
+    draw("new/a.png", "--time 0.1");
+    const ProgramRun refused = approve("a");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(is_one_line(refused.err) && contains(refused.err, "--portable")) << refused.err;
+    EXPECT_FALSE(fs::exists(folder_.path() / "ref/a.png"));
+    EXPECT_EQ(approve("a --any-renderer").code, 0);
+    EXPECT_TRUE(fs::exists(folder_.path() / "ref/a.png"));
+}
+
+TEST_F(ApprovedPictures, AreListedWithHashesRendererAndReason) {
+    draw("new/a.png", "--portable --time 0.1");
+    ASSERT_EQ(approve("a").code, 0);
+    const std::string manifest = text_of(folder_.path() / "ref/manifest.toml");
+    const std::string explained = run("explain new/a.png").out;
+    EXPECT_TRUE(contains(manifest, said(explained, "scene-sha256")));
+    EXPECT_TRUE(contains(manifest, said(explained, "renderer")));
+    EXPECT_TRUE(contains(manifest, "mesa = \"" + said(explained, "mesa") + "\""));
+    EXPECT_TRUE(text_of(folder_.path() / "ref/a.png") == text_of(folder_.path() / "new/a.png"));
+    EXPECT_EQ(approve("a").out, "a: unchanged\n");
+
+    // A changed picture needs a reason; without one, no file is changed.
+    draw("new/a.png", "--portable --time 0.2");
+    const ProgramRun why = approve("a");
+    EXPECT_EQ(why.code, 2);
+    EXPECT_TRUE(is_one_line(why.err) && contains(why.err, "--why")) << why.err;
+    EXPECT_EQ(text_of(folder_.path() / "ref/manifest.toml"), manifest);
+    EXPECT_EQ(approve("a --why 'later'").code, 0);
+    EXPECT_TRUE(contains(text_of(folder_.path() / "ref/manifest.toml"), "why = \"later\""));
+    EXPECT_EQ(run("compare ref new").code, 0);
+}
+
+TEST_F(ApprovedPictures, OfAnotherRendererNeedAnOption) {
+    draw("new/a.png", "--portable --time 0.1");
+    draw("new/b.png", "--portable --time 0.2");
+    ASSERT_EQ(approve("a").code, 0);
+    std::string manifest = text_of(folder_.path() / "ref/manifest.toml");
+    const std::string mesa = "mesa = \"";
+    manifest.insert(manifest.find(mesa) + mesa.size(), "9");
+    folder_.write("ref/manifest.toml", manifest);
+    const ProgramRun refused = approve("b");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(is_one_line(refused.err) && contains(refused.err, "--any-renderer")) << refused.err;
+    EXPECT_EQ(approve("b --any-renderer").code, 0);
+}
+
+// compare reports a baseline that is not the approved picture, and approve restores it.
+TEST_F(ApprovedPictures, ThatDoNotMatchTheManifestAreReported) {
+    draw("new/a.png", "--portable --time 0.1");
+    ASSERT_EQ(approve("a").code, 0);
+    draw("ref/a.png", "--portable --time 0.2");
+    for (const char* both : {"ref new", "ref/a.png new/a.png"}) {
+        const ProgramRun compared = run(std::string("compare ") + both);
+        EXPECT_EQ(compared.code, 1);
+        EXPECT_TRUE(contains(compared.out, "baseline: a: ")) << compared.out;
+    }
+    const ProgramRun back = approve("a");
+    EXPECT_EQ(back.code, 0) << back.err;
+    EXPECT_TRUE(contains(back.out, "a: restored; the baseline did not match the manifest"))
+        << back.out;
+    EXPECT_EQ(run("compare ref new").code, 0);
+    EXPECT_EQ(approve("a").out, "a: unchanged\n");
+}
+
+TEST_F(ApprovedPictures, ConcurrentlyAllHaveTheirLines) {
+    for (const char* name : {"a", "b", "c", "d"})
+        draw(std::string("new/") + name + ".png", "--portable --time 0.1");
+    const std::string approve =
+        "'" + program_path() + "' approve -q --results new --baselines ref ";
+    const std::string both =
+        "cd '" + folder_.path().string() + "' && (" + approve + "a b & " + approve + "c d & wait)";
+    ASSERT_EQ(std::system(both.c_str()), 0);
+    EXPECT_EQ(run("compare ref new").out, "4 compared, 0 failed, 4 the same\n");
+}
+
+TEST_F(ApprovedPictures, StayInTheirFolder) {
+    draw("a.png", "--portable --time 0.1");
+    for (const char* name : {"../a", "/etc/passwd", "b/../../a"}) {
+        const ProgramRun refused = approve(name);
+        EXPECT_EQ(refused.code, 2) << name;
+        EXPECT_TRUE(is_one_line(refused.err)) << refused.err;
+    }
+    EXPECT_FALSE(fs::exists(folder_.path() / "ref/manifest.toml"));
+}
+
+TEST_F(ApproveMessages, ADifferentBaselineIsNotReplacedWithoutAReason) {
+    fs::create_directory(folder_.path() / "new");
+    fs::create_directory(folder_.path() / "ref");
+    ASSERT_EQ(run("still scene.toml --portable -o new/a.png").code, 0);
+    ASSERT_EQ(run("still scene.toml --portable --time 0 -o ref/a.png").code, 0);
+    const std::string before = text_of(folder_.path() / "ref/a.png");
+    // The manifest has no line for it.
+    for (const char* what : {"a", "--all"}) {
+        const ProgramRun refused =
+            run(std::string("approve ") + what + " --results new --baselines ref");
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_NE(refused.err.find("--why"), std::string::npos) << refused.err;
+        EXPECT_EQ(text_of(folder_.path() / "ref/a.png"), before);
+    }
+    EXPECT_EQ(run("approve a --results new --baselines ref --why 'the other end'").code, 0);
+    EXPECT_EQ(text_of(folder_.path() / "ref/a.png"), text_of(folder_.path() / "new/a.png"));
+    // An equal picture or a new one needs no reason.
+    fs::copy(folder_.path() / "new/a.png", folder_.path() / "new/b.png");
+    EXPECT_EQ(run("approve --all --results new --baselines ref").code, 0);
+}
+
+// A picture of another program is no baseline, whatever renderer drew it.
+TEST_F(ApproveMessages, APictureWithoutARecordIsNamedSo) {
+    fs::create_directories(folder_.path() / "results");
+    write_png(folder_.path() / "results/other.png", Image(4, 4));
+    refuses("approve other --any-renderer --results results --baselines base", 2,
+            {"results/other.png: has no record of how it was made", "draw it with poinsot"});
+    refuses("explain results/other.png", 2, {"has no record of how it was made"});
+}
+
+}  // namespace
+}  // namespace poinsot::testing

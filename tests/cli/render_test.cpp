@@ -1,0 +1,148 @@
+// render: films and sequences, their sidecars, and messages about their formats.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "cli/program_run.h"
+#include "cli/small_scene.h"
+#include "image/png.h"
+#include "output/video_reader.h"
+
+namespace poinsot::testing {
+namespace {
+
+using RenderMessages = Messages;
+
+TEST(Render, SingleFrameEqualsTheFrameOfTheSequence) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    ASSERT_EQ(run_program_in(folder, "render scene.toml -o all-####.png --frames 0-12 -q").code, 0);
+    ASSERT_EQ(run_program_in(folder, "render scene.toml -o one-####.png --frames 12-12 -q").code,
+              0);
+    const Image together = read_png(folder.path() / "all-0012.png");
+    const Image alone = read_png(folder.path() / "one-0012.png");
+    EXPECT_TRUE(together == alone);
+}
+
+TEST(Render, FilmHasItsFramesSizeRateAndColours) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    const ProgramRun run =
+        run_program_in(folder, "render scene.toml -o a.mp4 --fps 30000/1001 --quality print");
+    ASSERT_EQ(run.code, 0) << run.err;
+    VideoReader reader(folder.path() / "a.mp4");
+    EXPECT_EQ(reader.info().width_px, 320);
+    EXPECT_EQ(reader.info().height_px, 180);
+    EXPECT_EQ(reader.info().rate.numerator, 30000);
+    EXPECT_EQ(reader.info().rate.denominator, 1001);
+    EXPECT_EQ(reader.info().codec, "h264");
+    EXPECT_EQ(reader.info().pixel_format, "yuv420p");
+    EXPECT_EQ(reader.info().matrix, "bt709");
+    EXPECT_EQ(reader.info().range, "tv");
+
+    // The first frame is the still of the same instant, within the average loss by 4:2:0 and
+    // quantisation.
+    ASSERT_EQ(
+        run_program_in(folder, "still scene.toml --time 0 --set film.quality=print -o first.png")
+            .code,
+        0);
+    const Image still = read_png(folder.path() / "first.png");
+    std::int64_t n_frames = 0;
+    double difference = 0.0;
+    for (Image frame; reader.read(frame);) {
+        if (n_frames == 0) {
+            for (std::size_t i = 0; i < still.bytes().size(); ++i) {
+                difference += std::abs(static_cast<int>(still.bytes()[i]) -
+                                       static_cast<int>(frame.bytes()[i]));
+            }
+            difference /= static_cast<double>(still.bytes().size());
+        }
+        ++n_frames;
+    }
+    EXPECT_EQ(n_frames, 30);
+    EXPECT_LT(difference, 2.0);
+}
+
+TEST(Render, InterruptedLeavesNothingUnderTheFinalName) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    const ProgramRun run = run_program_in(
+        folder,
+        "render scene.toml -o a.mp4 --set film.duration_s=2000 & sleep 1; kill -INT $!; wait $!");
+    EXPECT_EQ(run.code, 3);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.mp4"));
+}
+
+// A chapters file belongs to one film: only a film that replaces it removes the file.
+TEST(Render, RemovesOnlyTheChaptersOfAReplacedFilm) {
+    const ScratchFolder folder;
+    folder.write("plain.toml", racket);
+    folder.write("told.toml", racket + "[[chapters]]\nat_s = 0.0\ntitle = \"Start\"\n");
+    const auto render = [&folder](const std::string& arguments) {
+        const ProgramRun run = run_program_in(folder, "render " + arguments + " -q --size 96x54");
+        EXPECT_EQ(run.code, 0) << run.err;
+    };
+    const auto exists = [&folder](const char* name) {
+        return std::filesystem::exists(folder.path() / name);
+    };
+    render("told.toml -o g.mp4");
+    render("told.toml -o g.webm");
+    EXPECT_NE(text_of(folder.path() / "g.chapters.json").find("\"g.mp4\""), std::string::npos);
+    EXPECT_NE(text_of(folder.path() / "g.webm.chapters.json").find("\"g.webm\""),
+              std::string::npos);
+    // A film without chapters removes its own file of chapters, and no other file.
+    folder.write("h.chapters.json", "[]\n");
+    render("plain.toml -o g.mp4");
+    render("plain.toml -o h.mp4");
+    EXPECT_FALSE(exists("g.chapters.json"));
+    EXPECT_TRUE(exists("g.webm.chapters.json"));
+    EXPECT_TRUE(exists("h.chapters.json"));
+}
+
+TEST_F(RenderMessages, LostTransparencyIsReported) {
+    const auto said = [this](const std::string& theme, const std::string& output) {
+        const ProgramRun made =
+            run("render scene.toml --frames 0-0 --theme " + theme + " -o " + output);
+        EXPECT_EQ(made.code, 0) << made.err;
+        return made.err;
+    };
+    for (const char* theme : {"transparent", "transparent-dark"}) {
+        EXPECT_NE(said(theme, "a.mp4").find(".mp4 has no transparency"), std::string::npos);
+        EXPECT_NE(said(theme, "a.mp4").find(".webm and a .png sequence keep transparency"),
+                  std::string::npos);
+        EXPECT_NE(said(theme, "a.gif").find("a pixel of a GIF is either transparent or opaque"),
+                  std::string::npos);
+        EXPECT_EQ(said(theme, "a.webm").find("note"), std::string::npos);
+        EXPECT_EQ(said(theme, "'a_####.png'").find("transparency"), std::string::npos);
+    }
+    EXPECT_EQ(said("light", "a.mp4").find("transparen"), std::string::npos);
+}
+
+TEST_F(RenderMessages, AnUnsupportedRateIsReported) {
+    refuses("render scene.toml --fps 60 -o a.gif", 2, {"--fps 60: ", "at most 50 frames a second"});
+}
+
+// A pipe has no random access: the file is complete without it.
+TEST_F(RenderMessages, AGifCanBeWrittenToAPipe) {
+    const ProgramRun done =
+        run_program_in(folder_, "render scene.toml -q -o p.gif && wait && cat got.gif | head -c 6",
+                       "mkfifo p.gif && (cat p.gif >got.gif &) &&");
+    EXPECT_EQ(done.code, 0) << done.err;
+    EXPECT_EQ(done.out, "GIF89a");
+}
+
+TEST_F(RenderMessages, AnUnsupportedSuffixGetsTheNearestAlternative) {
+    refuses("render scene.toml --size 20000x100 -o a.mp4", 2,
+            {"film.size is 20000x100", "at most 16384 pixels per side"});
+    refuses("render scene.toml -o a.mov", 2, {"\".mov\"", "write .mp4", "ffmpeg -i film.mp4"});
+    refuses("render scene.toml -o a.mpg4", 2, {"did you mean \".mp4\"?"});
+    refuses("render scene.toml -o a.avi", 2, {"write .mp4"});
+    refuses("render scene.toml -o a.jpg", 2, {"write .png"});
+    refuses("render scene.toml -o a.xyzzy", 2, {"the formats are .mp4, .webm, .gif"});
+}
+
+}  // namespace
+}  // namespace poinsot::testing
