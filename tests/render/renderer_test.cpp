@@ -294,13 +294,5 @@ TEST(Renderer, IsMovable) {
     EXPECT_FALSE(backend.empty());
 }
 
-TEST(OffscreenContext, ReportsItsProperties) {
-    const OffscreenContext context(Backend::egl);
-    EXPECT_EQ(context.info().backend, "EGL");
-    EXPECT_FALSE(context.info().renderer.empty());
-    EXPECT_GE(context.info().version.front(), '3');
-    EXPECT_GE(context.info().largest_picture_px, 4096);
-}
-
 }  // namespace
 }  // namespace poinsot::testing

@@ -1,4 +1,6 @@
 // Every shader compiles in every variant that a drawing may need.
+#include "render/passes/program.h"
+
 #include <gtest/gtest.h>
 
 #include <set>
@@ -7,7 +9,6 @@
 
 #include "error/error.h"
 #include "pictures.h"
-#include "render/passes/program.h"
 #include "render/passes/shader_sources.h"
 
 namespace poinsot::testing {
