@@ -13,13 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-OutputPlan film_plan(const fs::path& path) {
-    OutputPlan plan = small_plan(path, 500);
-    plan.chapters = {{"The ellipsoid", 0, 90}, {"ρ = n/√I\n1 2 3", 90, 500}};
-    plan.resume = true;
-    return plan;
-}
-
 // The plan of part K of N, with its own file.
 OutputPlan part_plan(const OutputPlan& film, std::int64_t number, std::int64_t n_parts) {
     OutputPlan plan = film;
@@ -51,7 +44,7 @@ class FilmInParts : public ::testing::TestWithParam<const char*> {
     }
 
     TemporaryFolder folder_;
-    OutputPlan plan_ = film_plan(folder_ / GetParam());
+    OutputPlan plan_ = film_plan(folder_ / GetParam(), 500);
 };
 
 TEST_P(FilmInParts, IsByteIdenticalToASingleRun) {

@@ -29,6 +29,14 @@ inline OutputPlan small_plan(const std::filesystem::path& path, std::int64_t n_f
     return plan;
 }
 
+// A film of several chunks, with chapters, that is continued after an interruption.
+inline OutputPlan film_plan(const std::filesystem::path& path, std::int64_t n_frames = 400) {
+    OutputPlan plan = small_plan(path, n_frames);
+    plan.chapters = {{"The ellipsoid", 0, 90}, {"ρ = n/√I\n1 2 3", 90, n_frames}};
+    plan.resume = true;
+    return plan;
+}
+
 inline Image frame_of(const OutputPlan& plan, std::int64_t k) {
     return synthetic_frame(plan.width_px, plan.height_px, static_cast<int>(k));
 }

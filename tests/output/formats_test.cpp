@@ -1,16 +1,16 @@
-// The table of formats: the format of a file name, and the plans that each format refuses.
-#include <fmt/format.h>
+// Every format: names, refused plans, reproducible films, and faults of the disk.
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
-#include <bit>
+#include <cstring>
 
+#include "image/compare.h"
 #include "output/films.h"
-#include "output/frame_name.h"
 #include "output/frame_sink.h"
 
 namespace poinsot {
 namespace {
+
+namespace fs = std::filesystem;
 
 TEST(Formats, FileNamesSelectTheirFormat) {
     EXPECT_EQ(format_for("a/b.mp4").name, "mp4");
@@ -31,14 +31,6 @@ TEST(Formats, UnknownSuffixListsTheKnown) {
     EXPECT_NE(input_error_of([] { format_for("film"); }).find("a name without a suffix"),
               std::string::npos);
     EXPECT_NE(input_error_of([] { format_for("b_####.mp4"); }).find("####"), std::string::npos);
-}
-
-TEST(FrameName, NumbersHaveAtLeastTheGivenDigits) {
-    EXPECT_EQ(frame_name("out/f_####.png", 7), "out/f_0007.png");
-    EXPECT_EQ(frame_name("f##_#.png", 123), "f123_#.png");
-    EXPECT_EQ(frame_name("#.png", 0), "0.png");
-    EXPECT_TRUE(has_frame_number("a/#.png"));
-    EXPECT_FALSE(has_frame_number("#/a.png"));
 }
 
 // Every row writes a complete output of two frames (a still: one) and leaves no other file.
@@ -140,136 +132,179 @@ TEST(Formats, EveryRowNamesAMissingFolder) {
     }
 }
 
-TEST(Md5Sink, HashesTheBytesOfEveryFrame) {
-    const TemporaryFolder folder;
-    OutputPlan plan = small_plan(folder / "a.md5");
-    plan.first_frame = 41;
-    const auto sink = format_for(plan.path).open(plan);
-    Image picture(1, 1);
-    picture.set(0, 0, {'a', 'b', 'c', 'd'});
-    sink->write(picture);
-    sink->finish();
-    // MD5 of "abcd", from md5sum.
-    EXPECT_EQ(bytes_of(plan.path), "41 e2fc714c4727ee9395f324cd2e7f331f\n");
-}
-
-TEST(PngStill, RefusesASecondFrame) {
-    const TemporaryFolder folder;
-    const OutputPlan plan = small_plan(folder / "a.png");
-    const auto sink = format_for(plan.path).open(plan);
-    sink->write(frame_of(plan, 0));
-    EXPECT_NE(input_error_of([&] { sink->write(frame_of(plan, 1)); }).find("holds one picture"),
-              std::string::npos);
-}
-
-TEST(PngSequence, CarriesPixelsNumbersAndText) {
-    const TemporaryFolder folder;
-    OutputPlan plan = small_plan(folder / "f_##.png", 12);
-    plan.first_frame = 95;
-    write_film(plan);
-    ASSERT_EQ(folder.contents().size(), 12u);
-    for (std::int64_t k = 0; k < 12; ++k) {
-        PngInfo info;
-        EXPECT_TRUE(read_png(frame_name(plan.path, 95 + k), &info) == frame_of(plan, k));
-        EXPECT_EQ(info.texts["poinsot"], plan.metadata);
-    }
-}
-
-TEST(PngSequence, ContinuesAfterCompleteFramesOfTheSamePlan) {
-    const TemporaryFolder folder;
-    OutputPlan plan = small_plan(folder / "f_#.png", 6);
-    write_film(plan);
-    const auto n_kept = [&] { return format_for(plan.path).open(plan)->n_frames_kept(); };
-    EXPECT_EQ(n_kept(), 0);
-    plan.resume = true;
-    EXPECT_EQ(n_kept(), 6);
-    std::filesystem::resize_file(folder / "f_3.png", 200);
-    EXPECT_EQ(n_kept(), 3);
-    plan.metadata = "another scene";
-    EXPECT_EQ(n_kept(), 0);
-    plan = small_plan(folder / "f_#.png", 6);
-    plan.resume = true;
-    write_film(plan);
-    EXPECT_TRUE(read_png(folder / "f_3.png") == frame_of(plan, 3));
-}
-
-// A frame's text contains its number and the hash of its pixels.
-TEST(PngSequence, RendersFramesAgainThatDoNotMatchTheirText) {
-    const TemporaryFolder folder;
-    OutputPlan plan = small_plan(folder / "f_#.png", 6);
-    plan.resume = true;
-    plan.tell = [](const std::string& metadata, const Contents& contents) {
-        return fmt::format("{} {} {}", metadata, contents.frame.value(), contents.pixels);
-    };
-    write_film(plan);
-    const auto n_kept = [&] { return format_for(plan.path).open(plan)->n_frames_kept(); };
-    EXPECT_EQ(n_kept(), 6);
-
-    const StoredPicture frame = read_stored_png(folder / "f_4.png");
-    PngOptions options;
-    options.texts = frame.info.texts;
-    write_png(folder / "f_4.png", Image(plan.width_px, plan.height_px), options);
-    EXPECT_EQ(n_kept(), 4);
-    std::filesystem::copy_file(folder / "f_1.png", folder / "f_2.png",
-                               std::filesystem::copy_options::overwrite_existing);
-    EXPECT_EQ(n_kept(), 2);
-    // The frames between and after are correct and are kept.
-    const auto inode_of = [&](std::int64_t k) {
-        struct stat status {};
-        EXPECT_EQ(stat(frame_name(plan.path, k).c_str(), &status), 0);
-        return status.st_ino;
-    };
-    std::vector<ino_t> before;
-    before.reserve(6);
-    for (int k = 0; k < 6; ++k) before.push_back(inode_of(k));
-    write_film(plan);
-    EXPECT_EQ(n_kept(), 6);
-    for (int k = 0; k < 6; ++k)
-        EXPECT_EQ(inode_of(k) != before[static_cast<std::size_t>(k)], k == 2 || k == 4) << k;
-    for (int k = 0; k < 6; ++k)
-        EXPECT_TRUE(read_png(frame_name(plan.path, k)) == frame_of(plan, k)) << k;
-}
-
-// Any frame of a run may be missing or changed: these are rendered again, wherever they are.
-TEST(PngSequence, RendersOnlyMissingFrames) {
-    const TemporaryFolder folder;
-    for (unsigned missing = 1; missing < 128; missing += 5) {
-        OutputPlan plan = small_plan(folder / "f_#.png", 7);
-        plan.first_frame = 3;
-        plan.resume = true;
-        write_film(plan);
-        for (int k = 0; k < 7; ++k)
-            if (missing >> k & 1U) std::filesystem::remove(frame_name(plan.path, 3 + k));
-        int n_written = 0;
-        const auto sink = format_for(plan.path).open(plan);
-        for (int k = 0; k < 7; ++k) {
-            EXPECT_EQ(sink->has_frame(k), (missing >> k & 1U) == 0U) << missing << " " << k;
-            if (sink->has_frame(k)) continue;
-            sink->write(frame_of(plan, k));
-            ++n_written;
+// Eight cells that show the frame's number in binary, in black and white.
+Image spelled(int number) {
+    Image image(64, 48);
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const int bit = x / 16 + 4 * (y / 24);
+            const std::uint8_t level = number >> bit & 1 ? 255 : 0;
+            image.set(x, y, {level, level, level, 255});
         }
+    return image;
+}
+int read_number(const Image& image) {
+    int number = 0;
+    for (int bit = 0; bit < 8; ++bit)
+        number |= (image.at(16 * (bit % 4) + 8, 24 * (bit / 4) + 12).g > 127 ? 1 : 0) << bit;
+    return number;
+}
+
+TEST(Films, EveryFrameShowsItsOwnPicture) {
+    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+        const TemporaryFolder folder;
+        const OutputPlan plan = small_plan(folder / name, 256);
+        const auto sink = format_for(plan.path).open(plan);
+        for (int k = 0; k < 256; ++k) sink->write(spelled(k));
         sink->finish();
-        EXPECT_EQ(n_written, std::popcount(missing));
-        for (int k = 0; k < 7; ++k)
-            EXPECT_TRUE(read_png(frame_name(plan.path, 3 + k)) == frame_of(plan, k)) << k;
+        const std::vector<Image> frames = frames_of(plan.path);
+        ASSERT_EQ(frames.size(), 256u) << name;
+        for (int k = 0; k < 256; ++k)
+            EXPECT_EQ(read_number(frames[static_cast<std::size_t>(k)]), k) << name;
     }
 }
 
-TEST(FrameNames, AreFoundInAFolder) {
-    const TemporaryFolder folder;
-    for (const char* name : {"f_03.png", "f_12.png", "f_111.png", "f_7.png", "f_003.png",
-                             "f_05.txt", "g_04.png", "f_.png", "f_0x.png", "f_-1.png"})
-        std::ofstream(folder / name) << "x";
-    EXPECT_EQ(frames_there(folder / "f_##.png"), (std::vector<std::int64_t>{3, 12, 111}));
-    EXPECT_TRUE(frames_there(folder / "none/f_##.png").empty());
+// The first frame as decoded compared with the rendered picture, at the quality of a lecture.
+TEST(Films, FirstFrameIsCloseToItsPicture) {
+    for (const char* name : {"a.mp4", "a.webm"}) {
+        const TemporaryFolder folder;
+        OutputPlan plan = small_plan(folder / name, 3);
+        plan.width_px = 320;
+        plan.height_px = 180;
+        plan.quality = "lecture";
+        write_film(plan);
+        const Image shown = frames_of(plan.path)[0], drawn = frame_of(plan, 0);
+        EXPECT_LT(mean_difference(shown, drawn), 2);           // measured 1.27 levels (H.264)
+        EXPECT_GT(structural_similarity(shown, drawn), 0.99);  // measured 0.9930
+    }
 }
 
-TEST(PngSequence, SecondRunIsRefused) {
+TEST(Films, AreReproducible) {
+    std::vector<Image> pictures;
+    for (int k = 0; k < 20; ++k) pictures.push_back(synthetic_frame(320, 180, k));
+    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+        for (const char* quality : {"draft", "lecture"}) {
+            const TemporaryFolder folder;
+            OutputPlan plan = small_plan(folder / name, 20);
+            plan.width_px = 320;
+            plan.height_px = 180;
+            plan.quality = quality;
+            std::string first;
+            for (int run = 0; run < 3; ++run) {
+                const auto sink = format_for(plan.path).open(plan);
+                for (const Image& picture : pictures) sink->write(picture);
+                sink->finish();
+                if (run == 0) first = bytes_of(plan.path);
+                EXPECT_TRUE(bytes_of(plan.path) == first) << name << " " << quality;
+            }
+        }
+    }
+}
+
+TEST(Films, DoNotContainTheirPath) {
+    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+        const TemporaryFolder folder;
+        const OutputPlan plan = small_plan(folder / name);
+        write_film(plan);
+        EXPECT_EQ(bytes_of(plan.path).find("poinsot_test"), std::string::npos) << name;
+    }
+}
+
+TEST(Recover, AcceptsOnlyFilms) {
     const TemporaryFolder folder;
-    const OutputPlan plan = small_plan(folder / "f_#.png");
-    const auto first = format_for(plan.path).open(plan);
-    EXPECT_NE(environment_error_of([&] { format_for(plan.path).open(plan); }).find("another run"),
+    EXPECT_NE(input_error_of([&] { recover_film(folder / "a_#.png"); }).find("is not a film"),
               std::string::npos);
+}
+
+TEST(Films, SecondRunOnTheSameOutputIsRefused) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+        const OutputPlan plan = small_plan(folder / name);
+        const auto first = format_for(plan.path).open(plan);
+        EXPECT_EQ(environment_error_of([&] { format_for(plan.path).open(plan); }),
+                  "cannot write " + plan.path.string() +
+                      ": another run is writing it; wait for it or name another output");
+    }
+}
+
+struct Fault {
+    const char* name;
+    std::function<void(const fs::path& folder)> make;
+    const char* reason;
+};
+
+// Every format with every fault: one line with the path and the reason, and no file left.
+TEST(Films, FaultsAreReportedAndLeaveNothing) {
+    const std::vector<Fault> faults = {
+        {"limited file size", [](const fs::path&) { limit_file_size(2000); }, "File too large"},
+        {"full disk",
+         [](const fs::path& folder) {
+             if (!mount_small(folder, "4k"))
+                 throw std::runtime_error("this machine does not let us mount");
+         },
+         "No space left on device"},
+        {"folder without permission",
+         [](const fs::path& folder) {
+             fs::permissions(folder, fs::perms(0555));
+             drop_privileges();
+         },
+         "Permission denied"},
+    };
+    for (const Fault& fault : faults) {
+        for (const char* name : {"a.mp4", "a.webm", "a.gif", "a_#.png", "a.png"}) {
+            const TemporaryFolder folder;
+            OutputPlan plan = small_plan(folder / name, std::string(name) == "a.png" ? 1 : 130);
+            plan.width_px = 160;
+            plan.height_px = 120;
+            plan.quality = "reference";
+            const std::string outcome = outcome_in_child([&] {
+                fault.make(folder.path());
+                try {
+                    write_film(plan);
+                } catch (const EnvironmentError&) {
+                    for (const std::string& left : TemporaryFolder::contents_of(folder.path()))
+                        if (left.find("a_") != 0) throw std::runtime_error("left " + left);
+                    throw;
+                }
+                throw std::runtime_error("nothing was noticed");
+            });
+            if (outcome == no_mount) continue;
+            EXPECT_EQ(outcome.find("cannot write " + folder.path().string()), 0u)
+                << fault.name << " " << name << ": " << outcome;
+            EXPECT_NE(outcome.find(fault.reason), std::string::npos)
+                << fault.name << " " << name << ": " << outcome;
+            EXPECT_EQ(outcome.find('\n'), std::string::npos);
+        }
+    }
+}
+
+TEST(Films, VanishedFolderIsReported) {
+    for (const char* name : {"a.mp4", "a.webm", "a.gif", "a_#.png", "a.png", "a.md5"}) {
+        const TemporaryFolder folder;
+        fs::create_directory(folder / "sub");
+        const OutputPlan plan = small_plan(folder / "sub" / name, 1);
+        const auto sink = format_for(plan.path).open(plan);
+        fs::remove_all(folder / "sub");
+        const std::string message = environment_error_of([&] {
+            sink->write(frame_of(plan, 0));
+            sink->finish();
+        });
+        EXPECT_EQ(message.find("cannot write "), 0u) << name << ": " << message;
+    }
+}
+
+// No disk has half of the space that the first chunk predicts for the film.
+TEST(Films, LackOfDiskSpaceIsReportedAfterTheFirstFrames) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.mp4", "a.webm", "a.gif", "a_#.png"}) {
+        OutputPlan plan = small_plan(folder / name, 130);
+        plan.n_frames = std::int64_t{1} << 50;
+        const auto sink = format_for(plan.path).open(plan);
+        const std::string message = environment_error_of([&] {
+            for (std::int64_t k = 0; k < 130; ++k) sink->write(frame_of(plan, k));
+        });
+        EXPECT_NE(message.find("remaining frames need about"), std::string::npos) << name;
+    }
 }
 
 }  // namespace

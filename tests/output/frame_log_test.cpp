@@ -1,4 +1,6 @@
-// Interrupted films: killed, truncated, out of disk space; then recovered or resumed.
+// Interrupted films: killed, truncated; then recovered or resumed.
+#include "output/frame_log.h"
+
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <zlib.h>
@@ -8,19 +10,11 @@
 #include <thread>
 
 #include "output/films.h"
-#include "output/frame_log.h"
 
 namespace poinsot::resume_tests {
 namespace {
 
 namespace fs = std::filesystem;
-
-OutputPlan film_plan(const fs::path& path) {
-    OutputPlan plan = small_plan(path, 400);
-    plan.chapters = {{"The ellipsoid", 0, 90}, {"ρ = n/√I\n1 2 3", 90, 400}};
-    plan.resume = true;
-    return plan;
-}
 
 // Path of the log of an unfinished film.
 fs::path part_of(const OutputPlan& plan) { return frame_log_path(plan.path); }
@@ -340,103 +334,6 @@ TEST(FrameLog, KeepsEntriesBeforeAChangedByte) {
         EXPECT_LT(n_kept, 40);
         // Entries are of nearly one size: those before the byte are kept.
         EXPECT_GE(n_kept, static_cast<std::int64_t>(40 * at / log.size()) - 3) << at;
-    }
-}
-
-TEST(Recover, AcceptsOnlyFilms) {
-    const TemporaryFolder folder;
-    EXPECT_NE(input_error_of([&] { recover_film(folder / "a_#.png"); }).find("is not a film"),
-              std::string::npos);
-}
-
-TEST(Films, SecondRunOnTheSameOutputIsRefused) {
-    const TemporaryFolder folder;
-    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
-        const OutputPlan plan = small_plan(folder / name);
-        const auto first = format_for(plan.path).open(plan);
-        EXPECT_EQ(environment_error_of([&] { format_for(plan.path).open(plan); }),
-                  "cannot write " + plan.path.string() +
-                      ": another run is writing it; wait for it or name another output");
-    }
-}
-
-struct Fault {
-    const char* name;
-    std::function<void(const fs::path& folder)> make;
-    const char* reason;
-};
-
-// Every format with every fault: one line with the path and the reason, and no file left.
-TEST(Films, FaultsAreReportedAndLeaveNothing) {
-    const std::vector<Fault> faults = {
-        {"limited file size", [](const fs::path&) { limit_file_size(2000); }, "File too large"},
-        {"full disk",
-         [](const fs::path& folder) {
-             if (!mount_small(folder, "4k"))
-                 throw std::runtime_error("this machine does not let us mount");
-         },
-         "No space left on device"},
-        {"folder without permission",
-         [](const fs::path& folder) {
-             fs::permissions(folder, fs::perms(0555));
-             drop_privileges();
-         },
-         "Permission denied"},
-    };
-    for (const Fault& fault : faults) {
-        for (const char* name : {"a.mp4", "a.webm", "a.gif", "a_#.png", "a.png"}) {
-            const TemporaryFolder folder;
-            OutputPlan plan = small_plan(folder / name, std::string(name) == "a.png" ? 1 : 130);
-            plan.width_px = 160;
-            plan.height_px = 120;
-            plan.quality = "reference";
-            const std::string outcome = outcome_in_child([&] {
-                fault.make(folder.path());
-                try {
-                    write_film(plan);
-                } catch (const EnvironmentError&) {
-                    for (const std::string& left : TemporaryFolder::contents_of(folder.path()))
-                        if (left.find("a_") != 0) throw std::runtime_error("left " + left);
-                    throw;
-                }
-                throw std::runtime_error("nothing was noticed");
-            });
-            if (outcome == no_mount) continue;
-            EXPECT_EQ(outcome.find("cannot write " + folder.path().string()), 0u)
-                << fault.name << " " << name << ": " << outcome;
-            EXPECT_NE(outcome.find(fault.reason), std::string::npos)
-                << fault.name << " " << name << ": " << outcome;
-            EXPECT_EQ(outcome.find('\n'), std::string::npos);
-        }
-    }
-}
-
-TEST(Films, VanishedFolderIsReported) {
-    for (const char* name : {"a.mp4", "a.webm", "a.gif", "a_#.png", "a.png", "a.md5"}) {
-        const TemporaryFolder folder;
-        fs::create_directory(folder / "sub");
-        const OutputPlan plan = small_plan(folder / "sub" / name, 1);
-        const auto sink = format_for(plan.path).open(plan);
-        fs::remove_all(folder / "sub");
-        const std::string message = environment_error_of([&] {
-            sink->write(frame_of(plan, 0));
-            sink->finish();
-        });
-        EXPECT_EQ(message.find("cannot write "), 0u) << name << ": " << message;
-    }
-}
-
-// No disk has half of the space that the first chunk predicts for the film.
-TEST(Films, LackOfDiskSpaceIsReportedAfterTheFirstFrames) {
-    const TemporaryFolder folder;
-    for (const char* name : {"a.mp4", "a.webm", "a.gif", "a_#.png"}) {
-        OutputPlan plan = small_plan(folder / name, 130);
-        plan.n_frames = std::int64_t{1} << 50;
-        const auto sink = format_for(plan.path).open(plan);
-        const std::string message = environment_error_of([&] {
-            for (std::int64_t k = 0; k < 130; ++k) sink->write(frame_of(plan, k));
-        });
-        EXPECT_NE(message.find("remaining frames need about"), std::string::npos) << name;
     }
 }
 

@@ -1,0 +1,93 @@
+// MP4 films decoded by libavformat: players get the planned properties and pictures.
+#include <gtest/gtest.h>
+
+#include "output/films.h"
+
+namespace poinsot {
+namespace {
+
+struct Rate {
+    FrameRate rate;
+    std::int64_t n_frames;
+};
+
+TEST(Mp4, HasThePlannedFramesSizeRateAndTags) {
+    // 250 frames contain two ends of chunks.
+    for (const auto& [rate, n_frames] :
+         {Rate{{30, 1}, 250}, {{30000, 1001}, 125}, {{24, 1}, 1}, {{60, 1}, 2}, {{1, 2}, 3}}) {
+        const TemporaryFolder folder;
+        OutputPlan plan = small_plan(folder / "a.mp4", n_frames);
+        plan.rate = rate;
+        write_film(plan);
+        VideoReader reader(plan.path);
+        const VideoInfo& info = reader.info();
+        EXPECT_EQ(info.codec, "h264");
+        EXPECT_EQ(info.pixel_format, "yuv420p");
+        EXPECT_EQ(info.width_px, 64);
+        EXPECT_EQ(info.height_px, 48);
+        EXPECT_EQ(info.rate.numerator, rate.numerator);
+        EXPECT_EQ(info.rate.denominator, rate.denominator);
+        EXPECT_EQ(info.n_frames, n_frames);
+        // The container stores thousandths of a second.
+        EXPECT_NEAR(info.duration_s, static_cast<double>(n_frames) / rate.per_second(), 1e-3);
+        EXPECT_EQ(info.range, "tv");
+        EXPECT_EQ(info.matrix, "bt709");
+        EXPECT_EQ(info.primaries, "bt709");
+        EXPECT_EQ(info.transfer, "bt709");
+        EXPECT_EQ(info.chroma_location, "left");
+        EXPECT_EQ(info.texts.at("poinsot"), plan.metadata);
+        EXPECT_EQ(static_cast<std::int64_t>(frames_of(plan.path).size()), n_frames);
+    }
+}
+
+// A uniform colour has only rounding errors, so any error of range or matrix would be visible: a
+// confusion of BT.601 with BT.709 changes these colours by 8 to 20 levels.
+TEST(Mp4, PreservesColours) {
+    const std::vector<Rgba8> colours = {
+        {255, 0, 0, 255}, {0, 255, 0, 255},     {0, 0, 255, 255},   {255, 255, 255, 255},
+        {0, 0, 0, 255},   {128, 128, 128, 255}, {200, 60, 30, 255}, {245, 245, 242, 255}};
+    for (const char* name : {"a.mp4", "a.webm"}) {
+        for (const Rgba8 colour : colours) {
+            const TemporaryFolder folder;
+            OutputPlan plan = small_plan(folder / name, 1);
+            plan.quality = "reference";
+            Image flat(64, 48);
+            for (int y = 0; y < 48; ++y)
+                for (int x = 0; x < 64; ++x) flat.set(x, y, colour);
+            const auto sink = format_for(plan.path).open(plan);
+            sink->write(flat);
+            sink->finish();
+            const Rgba8 shown = frames_of(plan.path)[0].at(32, 24);
+            // Half a level each of Y', Cb and Cr, through the inverse matrix, and as much from the
+            // encoder: measured 1.
+            EXPECT_NEAR(shown.r, colour.r, 2) << name;
+            EXPECT_NEAR(shown.g, colour.g, 2) << name;
+            EXPECT_NEAR(shown.b, colour.b, 2) << name;
+        }
+    }
+}
+
+TEST(Mp4, TransparentPicturesAreBlendedWithWhite) {
+    const TemporaryFolder folder;
+    const OutputPlan plan = small_plan(folder / "a.mp4", 1);
+    const auto sink = format_for(plan.path).open(plan);
+    Image clear(64, 48);
+    sink->write(clear);
+    sink->finish();
+    const Rgba8 shown = frames_of(plan.path)[0].at(10, 10);
+    EXPECT_GE(shown.r, 253);
+    EXPECT_GE(shown.g, 253);
+    EXPECT_GE(shown.b, 253);
+}
+
+TEST(Mp4, HasItsIndexAtTheFront) {
+    const TemporaryFolder folder;
+    const OutputPlan plan = small_plan(folder / "a.mp4");
+    write_film(plan);
+    const std::string bytes = bytes_of(plan.path);
+    EXPECT_LT(bytes.find("moov"), bytes.find("mdat"));
+    EXPECT_EQ(bytes.find("moof"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace poinsot
