@@ -1,4 +1,6 @@
 // A scene that is written and read again is exactly the same scene.
+#include "scene/write_scene.h"
+
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -13,7 +15,6 @@
 #include "scene/camera_views.h"
 #include "scene/frame_rate.h"
 #include "scene/toml_text.h"
-#include "scene/write_scene.h"
 #include "scene_text.h"
 
 namespace poinsot {

@@ -6,7 +6,6 @@
 #include "scene_text.h"
 
 namespace poinsot {
-
 namespace {
 
 TEST(SceneValues, DefaultsAreThoseOfTheStructs) {
@@ -19,15 +18,6 @@ TEST(SceneValues, DefaultsAreThoseOfTheStructs) {
     EXPECT_EQ(scene.method.name, "exact");
     EXPECT_EQ(scene.torque.index(), 0u);
     EXPECT_TRUE(scene.notes.empty());
-}
-
-TEST(SceneValues, NumbersMayBeWrittenAsIntegers) {
-    const Scene scene = scene_of(
-        "[body]\nmoments_kg_m2 = [3, 2, 1]\n[start]\nomega_rad_s = [1, 2, "
-        "0x10]\n"
-        "[film]\nfps = 25\n");
-    EXPECT_EQ(scene.body.inertia.moments_kg_m2(), Eigen::Vector3d(3.0, 2.0, 1.0));
-    EXPECT_EQ(scene.film.fps_numerator, 25);
 }
 
 TEST(SceneValues, TopStartsFromItsEulerAngles) {
@@ -101,40 +91,5 @@ TEST(SceneValues, SpanOfTheProblemContainsTheFilmAndTheStart) {
     EXPECT_EQ(unsaid.last_time_s, 2.0 * default_film_s);
 }
 
-TEST(SceneValues, OverridesReplaceAndExtendTheFile) {
-    const Scene scene =
-        scene_of("title = \"a\"\n" + a_scene,
-                 {"title=2024", "film.size=640x480", "film.fps=30000/1001", "show=plane,omega",
-                  "camera.distance=.5", "start.omega_rad_s=[1,2,3]", "film.quality=\"draft\"",
-                  "theme=dark", "theme=light"});
-    EXPECT_EQ(scene.title, "2024");
-    EXPECT_EQ(scene.film.width_px, 640);
-    EXPECT_EQ(scene.film.fps_denominator, 1001);
-    EXPECT_EQ(scene.show, (std::vector<std::string>{"plane", "omega"}));
-    EXPECT_EQ(scene.camera.distance, 0.5);
-    EXPECT_EQ(scene.start.omega_rad_s, Eigen::Vector3d(1.0, 2.0, 3.0));
-    EXPECT_EQ(scene.film.quality, "draft");
-    EXPECT_EQ(scene.theme, "light");
-    EXPECT_EQ(scene.where("theme"), "--set theme=light: ");
-}
-
-TEST(SceneValues, OverridesReachItemsOfArrays) {
-    const Scene scene = scene_of(
-        "[[body.masses]]\nmass_kg = 1\nat_m = [1, 0, 0]\n[[body.masses]]\nmass_kg = "
-        "1\nat_m = [0, 1, 0]\n[[body.masses]]\nmass_kg = 1\nat_m = [0, 0, 1]\n" +
-            a_start,
-        {"body.masses[1].mass_kg=2.5"});
-    EXPECT_EQ(scene.body.masses.at(0).mass_kg, 1.0);
-    EXPECT_EQ(scene.body.masses.at(1).mass_kg, 2.5);
-}
-
-TEST(SceneValues, LocationFallsBackToTheNearestTableAbove) {
-    const Scene scene = scene_of(a_scene);
-    EXPECT_EQ(scene.where("start.omega_rad_s"), "scenes/a.toml:5:1: ");
-    EXPECT_EQ(scene.where("start.attitude"), "scenes/a.toml:4:2: ");
-    EXPECT_EQ(scene.where("film.fps"), "scenes/a.toml:1:1: ");
-}
-
 }  // namespace
-
 }  // namespace poinsot

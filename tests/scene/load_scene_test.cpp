@@ -1,14 +1,16 @@
-// An error in a scene gives a message of one line with its place, cause and remedy.
+// Scenes are read with exact numbers and with overrides; an error gives a message of one line with
+// its place, cause and remedy.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <string>
 
-#include "scene/scene_keys.h"
+#include "scene/toml_document.h"
 #include "scene_text.h"
+#include "text/random_decimals.h"
 
 namespace poinsot {
-
 namespace {
 
 TEST(BadScene, UnknownKeyGetsTheNearestOne) {
@@ -374,7 +376,7 @@ TEST(BadScene, ErrorCarriesItsLocation) {
 class SceneFile {
  public:
     SceneFile(const std::string& name, const std::string& content)
-        : path_(std::filesystem::path(testing::TempDir()) / name) {
+        : path_(std::filesystem::path(::testing::TempDir()) / name) {
         std::ofstream(path_, std::ios::binary) << content;
     }
     ~SceneFile() { std::filesystem::remove(path_); }
@@ -401,7 +403,7 @@ TEST(BadSceneFile, MissingFileIsReportedWithTheNearestName) {
               "nosuchfolder/a.toml: no such file; name a scene file, see `poinsot list scenes`");
     const SceneFile near("poinsot_racket.toml", a_scene);
     const std::string missing =
-        (std::filesystem::path(testing::TempDir()) / "poinsot_raket.toml").string();
+        (std::filesystem::path(::testing::TempDir()) / "poinsot_raket.toml").string();
     EXPECT_EQ(file_refusal(missing),
               missing + ": no such file; did you mean \"" + near.path().string() + "\"?");
 }
@@ -417,7 +419,7 @@ TEST(BadSceneFile, EmptyFileIsReported) {
 
 TEST(BadSceneFile, FolderIsReported) {
     const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "poinsot_folder";
+        std::filesystem::path(::testing::TempDir()) / "poinsot_folder";
     std::filesystem::create_directory(folder);
     EXPECT_EQ(file_refusal(folder),
               folder.string() + ": this is a folder; name a scene file in it, ending in .toml");
@@ -442,6 +444,69 @@ TEST(BadSceneFile, LargeFileIsNotRead) {
         large.path().string() + ": larger than 1 MiB; a scene is a short text file, name that one");
 }
 
-}  // namespace
+TEST(SceneValues, NumbersMayBeWrittenAsIntegers) {
+    const Scene scene = scene_of(
+        "[body]\nmoments_kg_m2 = [3, 2, 1]\n[start]\nomega_rad_s = [1, 2, "
+        "0x10]\n"
+        "[film]\nfps = 25\n");
+    EXPECT_EQ(scene.body.inertia.moments_kg_m2(), Eigen::Vector3d(3.0, 2.0, 1.0));
+    EXPECT_EQ(scene.film.fps_numerator, 25);
+}
 
+TEST(SceneValues, OverridesReplaceAndExtendTheFile) {
+    const Scene scene =
+        scene_of("title = \"a\"\n" + a_scene,
+                 {"title=2024", "film.size=640x480", "film.fps=30000/1001", "show=plane,omega",
+                  "camera.distance=.5", "start.omega_rad_s=[1,2,3]", "film.quality=\"draft\"",
+                  "theme=dark", "theme=light"});
+    EXPECT_EQ(scene.title, "2024");
+    EXPECT_EQ(scene.film.width_px, 640);
+    EXPECT_EQ(scene.film.fps_denominator, 1001);
+    EXPECT_EQ(scene.show, (std::vector<std::string>{"plane", "omega"}));
+    EXPECT_EQ(scene.camera.distance, 0.5);
+    EXPECT_EQ(scene.start.omega_rad_s, Eigen::Vector3d(1.0, 2.0, 3.0));
+    EXPECT_EQ(scene.film.quality, "draft");
+    EXPECT_EQ(scene.theme, "light");
+    EXPECT_EQ(scene.where("theme"), "--set theme=light: ");
+}
+
+TEST(SceneValues, OverridesReachItemsOfArrays) {
+    const Scene scene = scene_of(
+        "[[body.masses]]\nmass_kg = 1\nat_m = [1, 0, 0]\n[[body.masses]]\nmass_kg = "
+        "1\nat_m = [0, 1, 0]\n[[body.masses]]\nmass_kg = 1\nat_m = [0, 0, 1]\n" +
+            a_start,
+        {"body.masses[1].mass_kg=2.5"});
+    EXPECT_EQ(scene.body.masses.at(0).mass_kg, 1.0);
+    EXPECT_EQ(scene.body.masses.at(1).mass_kg, 2.5);
+}
+
+TEST(SceneValues, LocationFallsBackToTheNearestTableAbove) {
+    const Scene scene = scene_of(a_scene);
+    EXPECT_EQ(scene.where("start.omega_rad_s"), "scenes/a.toml:5:1: ");
+    EXPECT_EQ(scene.where("start.attitude"), "scenes/a.toml:4:2: ");
+    EXPECT_EQ(scene.where("film.fps"), "scenes/a.toml:1:1: ");
+}
+
+TEST(SceneNumbers, AreTheNearestDoubles) {
+    testing::RandomDecimals random(39);
+    int n_in_files = 0;
+    for (int i = 0; i < 30'000; ++i) {
+        const std::string text = i % 3 == 0   ? random.near_a_middle(random.ordinary_double())
+                                 : i % 3 == 1 ? random.any(320)
+                                              : random.any(3);
+        const double right = testing::read_by_mpfr(text);
+        if (!std::isfinite(right)) continue;
+        ASSERT_EQ(parse_override_value(text, {}).number, right) << text;
+        // toml++ accepts integers of 64 bits, and 128 characters.
+        if (text.find_first_of(".e") == std::string::npos || text.size() > 120) continue;
+        ++n_in_files;
+        ASSERT_EQ(parse_toml("value = " + text, "a.toml").entries.at(0).value.number, right)
+            << text;
+    }
+    EXPECT_GT(n_in_files, 20'000);
+    EXPECT_EQ(parse_toml("value = 9007199254740993", "a.toml").entries.at(0).value.number,
+              9007199254740992.0);
+}
+
+}  // namespace
 }  // namespace poinsot
