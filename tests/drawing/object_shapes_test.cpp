@@ -1,4 +1,6 @@
 // The faces of a body: the marked face, and pictures in the correct orientation.
+#include "drawing/elements/object_shapes.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -6,7 +8,6 @@
 #include <cmath>
 #include <string>
 
-#include "drawing/elements/object_shapes.h"
 #include "scene/body_faces.h"
 #include "scenes_by_hand.h"
 

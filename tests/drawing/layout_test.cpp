@@ -1,0 +1,95 @@
+// Places of panels and text, at any size.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "drawing/panel.h"
+#include "panels_by_hand.h"
+#include "scenes_by_hand.h"
+
+namespace poinsot::panels_tests {
+namespace {
+
+TEST(Layout, PanelsLeaveSpaceForTitleAndCaption) {
+    Scene scene = free_scene(generic_moments, generic_omega, "body");
+    scene.title = "Title";
+    scene.caption = "Caption";
+    PanelSpec plot;
+    plot.kind = "plot";
+    plot.row = 1;
+    scene.grid.rows = {2.0, 1.0};
+    scene.panels.push_back(plot);
+    const StagedScene staged(scene, 1.0);
+    const Drawing drawing = staged.stage.at(1.0);
+    ASSERT_EQ(drawing.views.size(), 3u);
+    const View& body = drawing.views[0];
+    const View& below = drawing.views[1];
+    EXPECT_GT(body.y_px, 0);
+    EXPECT_EQ(body.y_px + body.height_px, below.y_px);
+    EXPECT_LT(below.y_px + below.height_px, scene.film.height_px);
+    EXPECT_NEAR(body.height_px, 2.0 * below.height_px, 2.0);
+    // The overlays' text is in the reserved bands.
+    for (const Label& label : drawing.views[2].labels) {
+        const double bottom = label.top_left_px.y() + label.mask->height;
+        EXPECT_TRUE(bottom <= body.y_px || label.top_left_px.y() >= below.y_px + below.height_px)
+            << label.top_left_px.transpose();
+    }
+}
+
+TEST(Layout, NumbersOfAChartDoNotOverlapAtAnyHeight) {
+    // Three stacked charts.
+    for (const int height : {100, 180, 240, 400}) {
+        Scene scene = top_scene({.theta_rad = 0.7, .omega3_rad_s = 5.0}, "plot");
+        scene.panels[0].quantity = "euler_angles";
+        scene.film.width_px = 640;
+        scene.film.height_px = height;
+        const StagedScene staged(scene, 1.0);
+        const Drawing drawing = staged.stage.at(1.0);
+        // The numbers of the values are right-aligned, up to a pixel of rounding.
+        const std::vector<Label>& labels = view_of(drawing).labels;
+        const auto right = [](const Label& label) {
+            return label.top_left_px.x() + label.mask->width;
+        };
+        int n_pairs = 0;
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                if (std::abs(right(labels[i]) - right(labels[j])) > 1.0) continue;
+                const bool above = labels[i].top_left_px.y() < labels[j].top_left_px.y();
+                const Label& upper = above ? labels[i] : labels[j];
+                const Label& lower = above ? labels[j] : labels[i];
+                EXPECT_LE(upper.top_left_px.y() + upper.mask->height, lower.top_left_px.y() + 1.0)
+                    << height;
+                ++n_pairs;
+            }
+        }
+        EXPECT_TRUE(n_pairs > 0 || height < 400);
+    }
+}
+
+TEST(Layout, LabelsAreInsideTheirPanelAtAnySize) {
+    for (const PanelKind& kind : panel_kinds()) {
+        Scene scene = scene_for(kind);
+        scene.show = {"polhode", "ellipsoid", "momentum", "axes", "omega"};  // no overlays
+        if (kind.name == "sweep") scene.show = {"caption"};
+        for (const auto& [width, height] :
+             std::vector<std::pair<int, int>>{{320, 180}, {640, 360}, {1920, 1080}, {500, 900}}) {
+            scene.film.width_px = width;
+            scene.film.height_px = height;
+            const StagedScene staged(scene, 1.0);
+            const Drawing drawing = staged.stage.at(1.0);
+            for (const Label& label : view_of(drawing).labels) {
+                EXPECT_GE(label.top_left_px.x(), 0.0) << kind.name << " " << width;
+                EXPECT_GE(label.top_left_px.y(), 0.0) << kind.name << " " << width;
+                EXPECT_LE(label.top_left_px.x() + label.mask->width, width)
+                    << kind.name << " " << width;
+                EXPECT_LE(label.top_left_px.y() + label.mask->height, height)
+                    << kind.name << " " << width;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace poinsot::panels_tests
