@@ -1,11 +1,11 @@
 // Inks of lines: on paper, where encoded colours blend, they give the colours of blended light.
+#include "vector/canvas.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "vector/canvas.h"
 
 namespace poinsot::vector {
 namespace {

@@ -1,16 +1,15 @@
-// Vector files are reproducible, accepted by other programs, and return their metadata.
+// Files of a page, PDF and SVG, are reproducible, accepted by other programs, and return their
+// metadata.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "random_views.h"
-#include "vector/font_face.h"
 #include "vector/pdf.h"
 #include "vector/picture.h"
 #include "vector/svg.h"
@@ -127,15 +126,6 @@ TEST_F(Files, HaveNoGradientsWithoutShading) {
     const std::string svg = svg_of(page_of_everything(Shading::none), "", "");
     EXPECT_EQ(svg.find("Gradient"), std::string::npos);
     EXPECT_NE(svg_of(page_of_everything(), "", "").find("Gradient"), std::string::npos);
-}
-
-TEST(PlainLetter, ConvertsMathematicalLetters) {
-    EXPECT_EQ(plain_letter(U'\U0001D6DA'), U'ω');  // bold small omega
-    EXPECT_EQ(plain_letter(U'\U0001D74E'), U'ω');  // bold italic
-    EXPECT_EQ(plain_letter(U'\U0001D43F'), U'L');
-    EXPECT_EQ(plain_letter(U'\U0001D40B'), U'L');
-    EXPECT_EQ(plain_letter(U'\U0001D7CF'), U'1');
-    EXPECT_EQ(plain_letter(U'√'), U'√');
 }
 
 }  // namespace
