@@ -1,5 +1,5 @@
 // Checks the allowed includes: the layers of src/, their subfolders, and the folders that may use a
-// library.
+// library; and that tests are found by the names of their sources.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -83,6 +83,26 @@ const std::map<std::string, std::set<std::string>> library_owners{
     {"cairo", {"vector"}},         {"ft2build.h", {"typeset", "vector"}},
     {"hb", {"typeset", "vector"}}, {"boost/", {"text", "numerics", "mechanics"}},
     {"sleef.h", {"libm"}},         {"xxhash.h", {"image"}},
+};
+
+// Test files that no source file gives its name, and why.
+const std::map<std::string, std::string> tests_without_source{
+    {"cli/bad_input", "all commands refuse bad input in the same way"},
+    {"cli/extremes", "extreme scenes in several commands"},
+    {"cli/suffixes", "all commands ignore the case of suffixes"},
+    {"drawing/dissipation", "friction in all panels"},
+    {"drawing/kept_curves", "the bound of every curve of every panel"},
+    {"drawing/lecture_claims", "what the scenes of the lecture say, in all panels"},
+    {"drawing/legible", "text and lines of every scene in every theme"},
+    {"drawing/pixel_geometry", "errors in pixels over whole films"},
+    {"drawing/samples", "supersampling changes no drawing"},
+    {"drawing/user_style", "words, symbols, units and sizes that a scene chooses"},
+    {"house/include", "reads all source files"},
+    {"mechanics/extremes", "free motions at every extreme"},
+    {"production/drawn_geometry", "pixels compared with geometry computed independently of src/"},
+    {"production/taught_construction", "pixels compared with the textbooks' construction"},
+    {"scene/lecture_scenes", "the files of scenes/"},
+    {"scene/random_scenes", "all keys at once, read and written"},
 };
 
 struct Include {
@@ -250,6 +270,25 @@ TEST(House, TestsOfOtherLayersDoNotUseTheCommandLine) {
         }
     }
     EXPECT_GT(n_files, 100);
+}
+
+// Who reads src/cli/still.cpp looks for still_test.cpp.
+TEST(House, TestsBearTheNamesOfSources) {
+    std::set<std::string> sources;
+    for (const auto& entry : fs::recursive_directory_iterator(poinsot::source_folder() / "src"))
+        sources.insert(entry.path().stem().string());
+    std::size_t n_without = 0;
+    const fs::path tests = poinsot::source_folder() / "tests";
+    for (const auto& entry : fs::recursive_directory_iterator(tests)) {
+        const std::string file = fs::relative(entry.path(), tests).string();
+        if (!file.ends_with("_test.cpp")) continue;
+        const std::string test = file.substr(0, file.size() - std::string("_test.cpp").size());
+        const bool listed = tests_without_source.contains(test);
+        n_without += listed;
+        EXPECT_NE(sources.contains(fs::path(test).filename().string()), listed)
+            << file << ": give it the name of the source file that it tests, or list it above";
+    }
+    EXPECT_EQ(n_without, tests_without_source.size());
 }
 
 TEST(House, EveryFolderHasTestsAndATarget) {
