@@ -1,56 +1,16 @@
-// submit and status without a cluster: a fake sbatch records its arguments.
+// submit without a cluster: a fake sbatch records its arguments.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <string>
 
-#include "cli/program_run.h"
+#include "cli/submitted_films.h"
 
 namespace poinsot::testing::submit_tests {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* a_scene = R"(title = "Submitted"
-[body]
-moments_kg_m2 = [3.0, 2.0, 1.0]
-[start]
-omega_rad_s = [0.3, 2.0, 0.1]
-[film]
-size = [96, 54]
-duration_s = 12.0
-quality = "draft"
-)";
-
-class Submit : public ::testing::Test {
- protected:
-    Submit() {
-        folder_.write("a.toml", a_scene);
-        folder_.write("b.toml", a_scene);
-        fs::create_directory(folder_.path() / "bin");
-        fs::create_directory(folder_.path() / "config");
-    }
-    // A fake program that is found before the real one.
-    void stand_in(const std::string& name, const std::string& script) {
-        const std::string file = folder_.write("bin/" + name, "#!/bin/sh\n" + script);
-        fs::permissions(file, fs::perms::owner_all);
-    }
-    ProgramRun run(const std::string& arguments) {
-        return run_program_in(folder_, arguments,
-                              "PATH=\"$PWD/bin:$PATH\" XDG_CONFIG_HOME=\"$PWD/config\"");
-    }
-    std::string text(const std::string& name) { return text_of(folder_.path() / name); }
-    int n_lines(const std::string& name) {
-        const std::string all = text(name);
-        return static_cast<int>(std::count(all.begin(), all.end(), '\n'));
-    }
-
-    ScratchFolder folder_;
-};
-
-// Numbers its jobs from 100, and records its arguments, one line per call.
-constexpr const char* accepting_sbatch = "echo \"$@\" >>calls\necho $((99 + $(wc -l <calls)))\n";
 
 TEST_F(Submit, SubmitsAnArrayFollowedByTheJoins) {
     stand_in("sbatch", accepting_sbatch);
@@ -157,17 +117,6 @@ TEST_F(Submit, KeepsAUsersTheme) {
     ASSERT_EQ(run("render scenes/a.toml -q --portable -o plain.mp4").code, 0);
     EXPECT_TRUE(text("a.mp4") == text("one.mp4"));
     EXPECT_FALSE(text("a.mp4") == text("plain.mp4"));
-}
-
-TEST_F(Submit, ReportsFailedTasks) {
-    ASSERT_EQ(run("submit a.toml -o a.mp4 --parts 2 --dry-run -q").code, 0);
-    fs::remove(folder_.path() / "a.toml");
-    folder_.write("go", "cd \"$(dirname \"$0\")\"\nsh a.mp4.job/task.sh tasks 2\n");
-    run_program_in(folder_, "--version", "sh go;");
-    const ProgramRun done = run("status a.mp4.job");
-    EXPECT_EQ(done.code, 1);
-    EXPECT_NE(done.out.find("a.2 failed: "), std::string::npos) << done.out;
-    EXPECT_NE(run("status a.mp4.job --json").out.find("\"state\": \"failed\""), std::string::npos);
 }
 
 TEST_F(Submit, PassesOptionsToSbatchSeparately) {
