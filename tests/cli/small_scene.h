@@ -22,7 +22,8 @@ size = [320, 180]
 duration_s = 1.0
 )";
 
-// Tests of messages; the files of a test call it by the name of their command.
+// The fixture of tests of messages. Each file gives it an alias, so that the suite has the name of
+// its command.
 class Messages : public ::testing::Test {
  protected:
     Messages() { folder_.write("scene.toml", scene); }

@@ -7,6 +7,7 @@ namespace poinsot::testing {
 namespace {
 
 TEST(OffscreenContext, ReportsItsProperties) {
+    close_studio();
     const OffscreenContext context(Backend::egl);
     EXPECT_EQ(context.info().backend, "EGL");
     EXPECT_FALSE(context.info().renderer.empty());

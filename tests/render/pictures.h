@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 
 #include "render/renderer.h"
@@ -16,10 +17,17 @@ struct Studio {
     Renderer renderer{context};
 };
 
-inline Studio& studio() {
-    static Studio the_one;
-    return the_one;
+inline std::unique_ptr<Studio>& kept_studio() {
+    static std::unique_ptr<Studio> kept;
+    return kept;
 }
+inline Studio& studio() {
+    if (!kept_studio()) kept_studio() = std::make_unique<Studio>();
+    return *kept_studio();
+}
+// A test that makes its own context closes the shared one first: when its context ends, none is
+// current, and the next test makes a new shared one.
+inline void close_studio() { kept_studio().reset(); }
 inline Renderer& renderer() { return studio().renderer; }
 inline const OffscreenContext& context() { return studio().context; }
 

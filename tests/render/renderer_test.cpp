@@ -280,6 +280,7 @@ TEST(Renderer, PartsEqualTheWholePicture) {
 }
 
 TEST(Renderer, IsMovable) {
+    close_studio();
     OffscreenContext context;
     const std::string backend = context.info().backend;
     Renderer first(context);
