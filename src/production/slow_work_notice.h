@@ -16,9 +16,9 @@
 
 namespace poinsot {
 
-// While it lives, what is being done is told after a second and then every ten. Ctrl-C ends the
-// process at once, as nothing is open yet that would be lost. What looks at its token is asked to
-// stop when the limit is over.
+// During its lifetime it reports the current work after one second and then every ten seconds.
+// Ctrl-C ends the process at once, because no open file could be lost. After the time limit, it
+// requests a stop through its token.
 class SlowWorkNotice {
  public:
     // Throws EnvironmentError if Ctrl-C has come before.

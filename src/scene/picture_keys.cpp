@@ -61,17 +61,18 @@ std::span<const SceneKey> picture_keys() {
                "largest position error of the motion in the picture; curves are sampled to half of "
                "it"),
         text("theme", &Scene::theme, R"("light")",
-             "colours and line styles, or the path of a theme file (.toml)")
+             "theme (colours and line styles), by name or as the path of a theme file (.toml)")
             .from_list("themes")
             .or_text("a file name", R"(\.toml$)"),
         one_of("hidden", &Scene::hidden, hidden_styles, R"("dashed")",
                "style of hidden lines; if dashed, all other broken lines become thin solid lines")
             .default_is("that of the theme (pale in every supplied theme)"),
         one_of("crossings", &Scene::crossings, crossing_styles, R"("gap")",
-               "lower of two crossing lines: drawn through, or with a gap on both sides of the "
-               "upper line")
+               "how the lower of two crossing lines is drawn: through, or with a gap on both sides "
+               "of the upper line")
             .default_is("that of the theme (through in every supplied theme)"),
-        boolean("clock", &Scene::clock, "false", "whether the clock is shown")
+        boolean("clock", &Scene::clock, "false",
+                "whether the clock, which shows the time of the motion, is drawn")
             .default_is("true, except in films that loop"),
         number("type_scale", &Scene::type_scale, within(0.25, 8.0), "", "1.25",
                "factor on the size of all type, such as 1.25 for a large room")
@@ -133,7 +134,7 @@ std::span<const SceneKey> panel_keys() {
             .from_list("quantities")
             .default_is("a quantity that suits the motion"),
         integer("panels[].curves", panel(&PanelSpec::curves), within(0, 40), "6",
-                "panel body: number of additional polhodes on each side of the separatrices")
+                "in body panels: number of additional polhodes on each side of the separatrices")
             .default_is("as many as fill the ellipsoid evenly"),
         text("panels[].title", panel(&PanelSpec::title), R"("Body axes")",
              "heading of the panel; \"\" hides it")

@@ -51,7 +51,7 @@ constexpr StyleRole roles[] = {
     {"phi", StyleKind::line, "the angle φ"},
     {"psi", StyleKind::line, "the angle ψ"},
     {"energy", StyleKind::line, "E, T and torques"},
-    {"potential", StyleKind::line, "V and the given axes"},
+    {"potential", StyleKind::line, "V and the axes given in the scene"},
     {"ghost", StyleKind::line, "the motion of the second method"},
     {"rule", StyleKind::line, "the axes of charts"},
 };

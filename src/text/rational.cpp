@@ -120,7 +120,7 @@ Progression::Pair Progression::pair_of(const Rational& number) {
 Progression::Progression(const Rational& first, const Rational& step)
     : first_(first), step_(step), first_pair_(pair_of(first)), step_pair_(pair_of(step)) {}
 
-// Ziv's strategy: in some 100 bits first, and exactly where those do not tell how to round.
+// Ziv's strategy: first with some 100 bits, and exactly if these do not determine the rounding.
 // Source: Ziv, ACM TOMS 17 (1991) 410.
 double Progression::at(std::int64_t k) const {
     const double n = static_cast<double>(k);

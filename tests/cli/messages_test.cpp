@@ -305,7 +305,8 @@ TEST_F(Messages, APictureWithoutARecordIsNamedSo) {
     refuses("explain results/other.png", 2, {"has no record of how it was made"});
 }
 
-// A billion seconds on, the herpolhode is a ring, said so and within the bound; a chart is refused.
+// After a billion seconds, the herpolhode is a ring within the bound, and a note says so; a chart
+// is refused.
 TEST_F(Messages, FarTimesAreRingsOrRefused) {
     for (const char* output : {"a.png", "a.svg", "a.pdf"}) {
         const ProgramRun still = run(std::string("still scene.toml --time 1e9 -o ") + output);

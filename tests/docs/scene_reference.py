@@ -30,11 +30,11 @@ TABLES = {
     "captions[]": "Text that is shown during a part of the film, one table for each text. Captions are also subtitles, in the film and in a file beside it.",
     "chapters[]": "Sections of the film, one table for each section.",
     "symbols": "Symbols of quantities in labels. Each value is a formula.",
-    "style": "Values that override the theme. A file that contains only such lines, without the header, and `extends = \"dark\"` at the top is a theme.",
+    "style": "Values that override the theme. A theme file contains such lines without the header, and `extends = \"dark\"` at the top.",
     "marks[]": "Additional points, one table for each point.",
     "grid": "The grid whose cells hold the panels.",
     "panels[]": "Views of the same motion, one table for each panel.",
-    "panels[].camera": "The camera of one panel, written below its `[[panels]]` table. The panels `space`, `object`, `top` and `sweep` take values that are not set here from `[camera]`; `body` and `momentum` have their own defaults, in body axes.",
+    "panels[].camera": "The camera of one panel, written below its `[[panels]]` table. The panels `space`, `object`, `top` and `sweep` take from `[camera]` the values that are not set here; `body` and `momentum` have their own defaults, in body axes.",
 }
 # Lists of accepted names, with the key that accepts them.
 LISTS = {

@@ -232,7 +232,7 @@ TEST(FarTimes, TheRingIsWhatTheHerpolhodeFills) {
     for (std::size_t i = 1; i < radii.size(); ++i)
         EXPECT_LE(radii[i] - radii[i - 1], half_width * 1.01);
 
-    // Turns of the motion that cross one circle, over the time in which the ring is said to fill.
+    // Turns of the motion that cross one circle, over the time in which the ring fills.
     const TimedCurve timed =
         herpolhode_trail(data, 0.05 * data.panels.front().units_per_px * annulus.outer,
                          2.0 * half_width * annulus.outer);
@@ -329,8 +329,8 @@ TEST(FarTimes, OfCirclesLoopsAndShortTrailsAreCurves) {
     EXPECT_LE(off / still.stage.data().panels.front().units_per_px, 0.05 * 1.1);
 }
 
-// Nothing else is drawn with a bound that nobody asked for: charts, the tracks of tops, of marks
-// and of other methods are refused, and told what to do.
+// Other curves are never drawn with a larger bound than requested: charts and the tracks of tops,
+// marks and other methods are refused with a remedy.
 TEST(FarTimes, OfOtherCurvesAreRefused) {
     Scene marked = generic("space");
     MarkSpec mark;

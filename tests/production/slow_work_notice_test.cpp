@@ -61,7 +61,7 @@ TEST(SteppingEstimate, IsBoundedWhateverTheMotion) {
     MotionProblem fine = problem_of(stepped_scene());
     fine.method = {.name = "rk4", .step_s = 1e-200, .tolerance = {}, .order = {}};
     EXPECT_GT(stepping_estimate_s(fine), longest_stepping_s);
-    // A clock that stands still tells nothing, and is not waited for.
+    // A stopped clock gives no estimate and does not block.
     EXPECT_EQ(stepping_estimate_s(fast, [] { return 0.0; }), 0.0);
 }
 

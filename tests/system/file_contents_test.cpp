@@ -55,7 +55,7 @@ TEST(FileContents, AreRefusedWithTheReason) {
     EXPECT_FALSE(begins_with(folder / "gone", "x"));
 }
 
-// A pipe that nobody writes to would be waited for without end; the alarm ends the test then.
+// Reading a pipe without a writer would block forever; then the alarm ends the test.
 TEST(FileContents, OfAPipeOrADeviceAreNotWaitedFor) {
     const TemporaryFolder folder;
     const std::string pipe = (folder / "pipe").string();

@@ -99,8 +99,8 @@ std::optional<FilledRing> filled_ring(const StageData& stage, const PathPoint& p
     const double period_s = 0.5 * *constants.polhode_period_s;
     const double turned = 0.5 * advance_turns(stage);
 
-    // Turns lie closer than half a line's width, and touch the circles so closely one beside the
-    // other that the notches between them are not seen.
+    // The distance between turns is less than half a line's width, and the turns touch the circles
+    // at such small intervals that the notches between them are invisible.
     double gap_rad = 0.5 * width / annulus.outer;
     const auto deepest_notch = [&] {
         return std::max(notch(stage, point, period_s, gap_rad, false),

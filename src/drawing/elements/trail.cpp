@@ -117,7 +117,7 @@ double drift(const StageData& stage, const PathPoint& point, double period_s) {
     return farthest;
 }
 
-// The same, but for the rounding that no picture shows.
+// The same, without rounding errors that no picture shows.
 double seen_drift(const StageData& stage, const PathPoint& point, double period_s,
                   double tolerance) {
     const double off = drift(stage, point, period_s);
