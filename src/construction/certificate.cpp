@@ -94,7 +94,7 @@ constexpr double most_error = 2.0;
 // Measured 0.4 over random bodies and all methods.
 constexpr double speeds_of_errors = 2.0;
 
-// The closed form of a stepped motion, from which it is to stay within the accuracy asked.
+// The closed form of a stepped motion, which must agree with it within the requested accuracy.
 std::optional<Motion> exact_beside(const Motion& motion) {
     if (motion.integrated() == nullptr) return std::nullopt;
     MotionProblem problem = motion.problem();

@@ -22,7 +22,8 @@ std::string_view take_digits(std::string_view& text) {
     return digits;
 }
 
-// Cuts an exponent such as "e-3" off the front; what is none is left there, and 0.
+// Removes an exponent such as "e-3" from the front and returns it. Returns 0 and leaves the text if
+// it does not begin with an exponent.
 std::int64_t take_exponent(std::string_view& text) {
     if (!text.starts_with('e') && !text.starts_with('E')) return 0;
     std::string_view rest = text.substr(1);

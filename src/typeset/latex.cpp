@@ -116,7 +116,7 @@ std::string in_face(TextFace face, std::string text) {
     return text;
 }
 
-// Writes pieces, and keeps what it cannot write for all.
+// Writes pieces, and collects the characters that not every LaTeX document can set.
 class LatexWriter {
  public:
     explicit LatexWriter(LatexGaps& gaps) : gaps_(gaps) {}

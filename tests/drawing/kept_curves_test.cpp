@@ -292,7 +292,7 @@ TEST(FarTimes, AFilmGoesOverFromTheCurveToTheRing) {
     EXPECT_EQ(geometry_at(5e5), geometry_at(1e6));
 }
 
-// What runs over itself, comes to rest, or is shown in a short stretch, is drawn as ever.
+// Paths that close, come to rest, or are shown in a short stretch are drawn as curves at any time.
 TEST(FarTimes, OfCirclesLoopsAndShortTrailsAreCurves) {
     Scene circle = free_scene({2.0, 2.0, 1.0}, {0.3, 0.0, 1.0}, "space");
     Scene fading = generic("space");

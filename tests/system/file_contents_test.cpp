@@ -34,7 +34,7 @@ TEST(FileContents, AreReadFromAFileThatReportsNoSize) {
     EXPECT_NE(read_text("/proc/self/status").find("Pid:"), std::string::npos);
 }
 
-// What reading says instead, by the type of what is thrown.
+// The message of the error that reading throws, with the error's type.
 std::string refusal_of(const std::filesystem::path& path) {
     try {
         read_text(path);

@@ -250,7 +250,7 @@ TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double wid
     }
     const bool always = kind == "whole";
     const double filled_s = options.first_time_s + ring->filled_after_s;
-    // A curve of one point, where no instant shows it.
+    // A curve of one point if no instant shows it.
     const bool is_shown = !always && first_shown_s < filled_s;
     if (!kept(options.first_time_s, is_shown ? filled_s : options.first_time_s, most_ring_points))
         return as_curve(std::move(path), {});
@@ -266,10 +266,10 @@ TimedCurve polhode_trail(const StageData& stage, double tolerance, const BodyMap
         return map ? map(at) : at;
     };
     const std::string& kind = stage.scene.trail.polhode;
-    // What a stepped method does with ω need not come back.
+    // By a stepped method, ω need not be periodic.
     const auto period_s = is_smooth(stage) ? stage.polhode_period_s : std::nullopt;
     TimedPath path = sampled(stage, point, period_s, omega_alone, tolerance);
-    // All of the curve is the same whenever it has been run along; its last stretch is not.
+    // The whole curve is the same at all times; its last stretch is not.
     if (period_s && kind == "fading") path.off += seen_drift(stage, point, *period_s, tolerance);
     const bool may_rest = stage.rolling->polhode.kind() == Polhode::Kind::separatrix &&
                           is_smooth(stage) && !stage.rolling->dissipates;

@@ -59,7 +59,8 @@ double dash_of(DashPattern style, const Panel& panel) {
     }
 }
 
-// Leaves out what a curve has before it is in its chart for good; it comes in at the edge.
+// Removes the part of a curve before it enters its chart for the last time; the rest begins at the
+// edge.
 void cut_beginning(std::vector<CurveSample>& samples, const ChartArea& area) {
     const auto last_outside =
         std::find_if(samples.rbegin(), samples.rend(), [&area](const CurveSample& sample) {

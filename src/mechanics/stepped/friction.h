@@ -42,8 +42,8 @@ class Friction {
     bool backwards_ = false;
     double momentum_ = 0.0;                                      // |L|
     Eigen::Vector3d direction_space_ = Eigen::Vector3d::Zero();  // of L
-    // The energy over its range: 0 for the axis towards which the spin goes, 1 for that from which
-    // it comes. All 0 for a sphere.
+    // The energy of each axis relative to the range: 0 for the axis that the spin approaches, 1 for
+    // the axis that it leaves. All 0 for a sphere.
     Eigen::Vector3d weight_ = Eigen::Vector3d::Zero();
     double strength_1_s_ = 0.0;  // 2κ (1/I_min − 1/I_max)
 };

@@ -147,7 +147,8 @@ StepNode IntegratedRotation::advanced(const Propagator& propagator, const StepNo
     return next;
 }
 
-// Steps to the end, keeping every stride-th state; when there are too many, every second goes.
+// Steps to the end and stores every stride-th state; if there are too many, every second one is
+// dropped.
 void IntegratedRotation::cover(Branch& branch, const MethodStart& start, double end_s,
                                const std::stop_token& stop) {
     branch.propagator = method_->make(start);
