@@ -12,8 +12,8 @@ namespace poinsot {
 struct TimedPath {
     std::vector<double> times_s;
     std::vector<Eigen::Vector3d> points;
-    std::vector<double> offs;        // as CurveSample has it, point by point
-    std::int64_t n_evaluations = 0;  // that it took
+    std::vector<double> offs;        // CurveSample::off of each point
+    std::int64_t n_evaluations = 0;  // that were needed
     double off = 0.0;  // largest distance found between path and polyline; infinite where the path
                        // has more turns than there may be points, and was not followed
 

@@ -26,7 +26,7 @@ struct Panel {
     double px = 1.0;         // pixels per pixel of a panel with 1080 rows; scales lines
     double type_px = 1.0;    // the same for text, which shrinks less so that it stays legible
     double header_px = 0.0;  // rows at the top for the panel's name, 0 without one
-    std::optional<Timeline> user_timeline;    // of its own camera; else that of [camera]
+    std::optional<Timeline> user_timeline;    // of the panel's own camera; empty: [camera] applies
     bool orthographic = false;                // projection of its camera
     Camera camera;                            // at the film's start
     std::function<Camera(double)> camera_at;  // if it moves; argument: film time, s

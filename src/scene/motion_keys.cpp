@@ -69,7 +69,7 @@ std::span<const SceneKey> motion_keys() {
         numbers("start.attitude_matrix", &SceneDraft::attitude_matrix, no_bounds, "",
                 "[[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]",
                 "the same rotation as a matrix, instead of attitude")
-            .written_by([](const Scene&, std::size_t) { return ""; }),  // but as start.attitude
+            .written_by([](const Scene&, std::size_t) { return ""; }),  // start.attitude writes it
         number("start.theta_rad", top(&TopStart::theta_rad), within(0.0, pi), "rad", "0.7",
                "heavy top: tilt θ at t = 0, the angle of e3 from the vertical; φ and ψ are 0")
             .without_default()
