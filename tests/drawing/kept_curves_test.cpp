@@ -1,4 +1,4 @@
-// Every curve that a picture keeps lies within the bound that its record states, at any instant: or
+// At any instant, every curve of a picture lies within the bound that the record states; otherwise
 // it is refused, or drawn as the ring that it fills, with a note.
 #include <gtest/gtest.h>
 
@@ -35,7 +35,8 @@ Scene burning(const std::string& panel) {
     return scene;
 }
 
-// A stage as a quality draws it: so many samples a side, curves within so many of these.
+// A stage as a quality draws it: with this number of samples per side, and curves within this many
+// of them.
 struct Drawn {
     Scene scene;
     Motion motion;
@@ -202,9 +203,9 @@ TEST(FarTimes, KeepTheirBoundOrAreRings) {
     }
 }
 
-// The ring touches both circles of the annulus, and nothing of it is farther from the line than
-// half of the line's width. The curve itself leaves no more free, either: its neighbouring turns,
-// as far as the motion is sampled, are everywhere nearer than that.
+// The ring touches both circles of the annulus, and no point of it is farther from the line than
+// half of the line's width. The curve itself leaves no larger gaps: its neighbouring turns, as far
+// as the motion is sampled, are closer than that everywhere.
 TEST(FarTimes, TheRingIsWhatTheHerpolhodeFills) {
     const Drawn still = still_of(generic("plan"), 1e9);
     const Drawing drawing = still.stage.at(1e9);
@@ -357,7 +358,7 @@ TEST(FarTimes, OfOtherCurvesAreRefused) {
     }
 }
 
-// At 1e15 s doubles are an eighth of a second apart, and no polyline of them is a curve.
+// At 1e15 s doubles are an eighth of a second apart, too far for a polyline.
 TEST(FarTimes, TooCoarseForACurveAreRefused) {
     Scene fading = generic("space");
     fading.trail.herpolhode = "fading";

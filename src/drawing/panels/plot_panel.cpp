@@ -227,7 +227,8 @@ class PlotMaker {
         if (!quantity_->decades)
             return sample_adaptively(point, stage.film_first_s, stage.film_last_s, n_pieces_,
                                      stage.curve_px, 40'000);
-        // Residuals are rounding, of which no sampling makes a curve: a value every few pixels.
+        // Residuals are rounding noise, which cannot be sampled as a curve: one value every few
+        // pixels.
         std::vector<CurveSample> values;
         constexpr double apart_px = 3.0;
         const int n = static_cast<int>(std::ceil(chart.area().width() / apart_px));
