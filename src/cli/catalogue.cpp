@@ -80,11 +80,11 @@ std::vector<CatalogueEntry> quality_entries() {
         const QualityFigures& f = quality.figures;
         entries.push_back(
             {std::string(quality.name),
-             fmt::format("{}; a picture takes {:.2g} times as long as with {} and has an rms error "
-                         "of {:g} of 255 levels; a film frame of 960×540 takes {:.2g} times as "
-                         "long and has {:g} kB, SSIM {:g}",
-                         quality.summary, f.picture_ms / usual.picture_ms, FilmSpec{}.quality,
-                         f.rms_levels, f.film_ms / usual.film_ms, f.film_kB, f.film_ssim)});
+             fmt::format(
+                 "{}; picture: relative time {:.2g}, rms error {:g} of 255 levels; film frame "
+                 "of 960×540: relative time {:.2g}, {:g} kB, SSIM {:g} (times relative to {})",
+                 quality.summary, f.picture_ms / usual.picture_ms, f.rms_levels,
+                 f.film_ms / usual.film_ms, f.film_kB, f.film_ssim, FilmSpec{}.quality)});
     }
     return entries;
 }
@@ -111,7 +111,7 @@ std::vector<CatalogueEntry> column_entries() {
         std::vector<std::string_view> names;
         for (const SampleColumn& column : quantity.columns) names.push_back(column.name);
         entries.push_back({std::string(quantity.name),
-                           fmt::format("{}: {}", quantity.summary, fmt::join(names, ", "))});
+                           fmt::format("{} ({})", quantity.summary, fmt::join(names, ", "))});
     }
     return entries;
 }

@@ -154,7 +154,7 @@ int run(const StillChoices& choices) {
         draw_alone(jobs.front(), choices, *renderer, writer, progress);
     else
         code = draw_all(jobs, choices, *renderer, writer, progress);
-    renderer.reset();  // as slow as compressing half a picture
+    renderer.reset();  // takes as long as compressing half a picture
     writer.finish();
     return code;
 }

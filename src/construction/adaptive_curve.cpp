@@ -37,8 +37,8 @@ class AdaptiveSampler {
         double off = std::max({distance_from_segment(middle.point, from.point, to.point),
                                distance_from_segment(first_quarter.point, from.point, to.point),
                                distance_from_segment(last_quarter.point, from.point, to.point)});
-        // Between its quarter points a cubic may be farther off by 9.4 % of that, at most near 3/8
-        // or 5/8, where it is looked at if that may matter.
+        // Between its quarter points a cubic may be farther off by at most 9.4 % of that, near 3/8
+        // or 5/8; these points are tested if this could exceed the tolerance.
         constexpr double hidden = 1.0 / 1.094;
         if (is_resolved && off <= tolerance_ && off > hidden * tolerance_)
             for (const double eighths : {0.75, 1.25})
@@ -46,7 +46,7 @@ class AdaptiveSampler {
                                                           from.point, to.point));
         if (!is_resolved) off = std::max(off, (to.point - from.point).norm());
         if (off <= tolerance_ || !is_resolved || depth == 0 || samples.size() >= max_points_) {
-            // What is no number is no distance within the tolerance either.
+            // NaN does not count as within the tolerance.
             if (!(off <= worst_off)) worst_off = off;
             samples.push_back({to.parameter, to.point, off});
             return;

@@ -23,8 +23,8 @@ double distance_from_segment(const Eigen::Vector3d& point, const Eigen::Vector3d
 // until the curve at its quarter points, and where it might be farther off between them, is within
 // `tolerance` of the chord. Returns ascending
 // parameters, both ends included; at most max_points of them (the tolerance is then not reached
-// everywhere). Where parameters lie so close that doubles name none between them, the curve is
-// taken to be off by the segment's length. `off` receives the largest of the samples' own.
+// everywhere). Where no double lies between two parameters, the segment's length is taken as the
+// distance. `off` receives the largest distance of all samples.
 std::vector<CurveSample> sample_adaptively(const std::function<Eigen::Vector3d(double)>& point,
                                            double first, double last, int n_pieces,
                                            double tolerance,

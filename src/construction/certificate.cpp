@@ -87,14 +87,14 @@ InertiaTensor lifted(const InertiaTensor& inertia) {
 constexpr std::size_t n_gaps = 3;
 constexpr std::size_t n_residuals = 6;
 
-// A step's error is measured at a hundred instants, so that between them the attitude may be off by
-// more: at most by so many times as much.
+// The error of a stepped motion is measured at a hundred instants. Between them, the attitude error
+// may be larger by at most this factor.
 constexpr double most_error = 2.0;
-// An error of the attitude changes by so many times itself while the body turns by a radian.
+// Relative change of an attitude error while the body turns by a radian.
 // Measured 0.4 over random bodies and all methods.
 constexpr double speeds_of_errors = 2.0;
 
-// The closed form of a stepped motion, from which it is to stay within the accuracy asked.
+// The closed form of a stepped motion, which must agree with it within the requested accuracy.
 std::optional<Motion> exact_beside(const Motion& motion) {
     if (motion.integrated() == nullptr) return std::nullopt;
     MotionProblem problem = motion.problem();
@@ -102,7 +102,7 @@ std::optional<Motion> exact_beside(const Motion& motion) {
     return Motion(problem);
 }
 
-// What an attitude and a direction of L in the body that are each off by `error` do to first order.
+// First-order effects if the attitude and the direction of L in the body are each off by `error`.
 // At the tip of ρ, the end of the longest half-axis a at most, with d the plane's distance:
 //   L in space            turned by both:                             2
 //   T                     ω·δL over T, |ω||L|/2T = |ρ|/d:             2 a/d

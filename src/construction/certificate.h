@@ -39,11 +39,12 @@ inline constexpr double exact_residual_bound = 2e-14;
 // last place of the time.
 inline constexpr double speed_difference_bound = 1e-9;
 
-// Evaluates the motion at every instant. `bound` is what the method promises: for a closed form
-// exact_residual_bound, relative, at the surface of a needle times the largest half-axis over the
-// plane's distance; for a stepped motion the radians that the scene's accuracy allows its attitude,
-// from which every claim's bound follows. A stepped motion is held to the closed form as well, for
-// errors of phase along the motion leave T, L and the contact as they are.
+// Evaluates the motion at every instant. `bound` is the error that the method promises. For a
+// closed form it is the relative bound exact_residual_bound, multiplied at the surface of a needle
+// by the largest half-axis over the plane's distance. For a stepped motion it is the attitude error
+// in rad that the scene's accuracy allows; the bound of every claim follows from it. A stepped
+// motion is also compared with the closed form, because a phase error along the motion does not
+// change T, L and the contact.
 Certificate certify(const Motion& motion, std::span<const double> times_s, double bound);
 
 }  // namespace poinsot

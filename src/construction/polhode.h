@@ -47,7 +47,7 @@ class Polhode {
     std::optional<Circle> circle() const;
 
     // Sampled so that the polyline is within `tolerance` (the ellipsoid's lengths) of the curve; a
-    // closed curve does not repeat its first point. `off` receives how far it was found to be.
+    // closed curve does not repeat its first point. `off` receives the largest distance found.
     std::vector<Eigen::Vector3d> sampled(double tolerance, double* off = nullptr) const;
     // The same with the χ of each point, and with the first point of a closed curve once more.
     std::vector<CurveSample> samples(double tolerance, double* off = nullptr) const;

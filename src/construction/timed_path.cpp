@@ -38,7 +38,7 @@ TimedPath sample_path(const std::function<Eigen::Vector3d(double)>& point, doubl
         return point(t);
     };
     if (!(n_pieces <= static_cast<double>(max_points) / 4.0)) {
-        // Longer pieces might each be tested where the path happens to be alike.
+        // In longer pieces, the tested points might all lie at the same phase of the path.
         path.times_s = {first_time_s};
         path.points = {counted(first_time_s)};
         path.offs = {0.0};

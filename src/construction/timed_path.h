@@ -12,8 +12,8 @@ namespace poinsot {
 struct TimedPath {
     std::vector<double> times_s;
     std::vector<Eigen::Vector3d> points;
-    std::vector<double> offs;        // as CurveSample has it, point by point
-    std::int64_t n_evaluations = 0;  // that it took
+    std::vector<double> offs;        // CurveSample::off of each point
+    std::int64_t n_evaluations = 0;  // that were needed
     double off = 0.0;  // largest distance found between path and polyline; infinite where the path
                        // has more turns than there may be points, and was not followed
 
@@ -23,9 +23,9 @@ struct TimedPath {
 
 // Samples [first_time_s, last_time_s] so that the polyline is within `tolerance` of the path.
 // `shortest_feature_s` is a time over which the path certainly does not turn by more than half a
-// turn. It goes on beyond the last instant to the end of a piece of at most half that time, so that
-// a shorter stretch is a part of a longer one, bit for bit. A path of more such pieces than a
-// quarter of max_points is not followed: its first point is all that is returned.
+// turn. Sampling continues beyond the last instant to the end of a piece of at most half that time,
+// so that the samples of a shorter stretch are bit-identical to those of a longer one. A path of
+// more than max_points / 4 such pieces is not sampled: only its first point is returned.
 TimedPath sample_path(const std::function<Eigen::Vector3d(double)>& point, double first_time_s,
                       double last_time_s, double shortest_feature_s, double tolerance,
                       std::size_t max_points = 200'000);

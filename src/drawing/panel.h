@@ -26,14 +26,14 @@ struct Panel {
     double px = 1.0;         // pixels per pixel of a panel with 1080 rows; scales lines
     double type_px = 1.0;    // the same for text, which shrinks less so that it stays legible
     double header_px = 0.0;  // rows at the top for the panel's name, 0 without one
-    std::optional<Timeline> user_timeline;    // of its own camera; else that of [camera]
+    std::optional<Timeline> user_timeline;    // of the panel's own camera; empty: [camera] applies
     bool orthographic = false;                // projection of its camera
     Camera camera;                            // at the film's start
     std::function<Camera(double)> camera_at;  // if it moves; argument: film time, s
     double units_per_px = 0.001;              // at the camera's target
     // Largest distance of polylines from their curves, in the panel's units.
     double curve_units() const { return stage->curve_px * units_per_px; }
-    // As StageData has it, by the polyline's distance from the curve in the panel's units.
+    // As StageData::keep, with the polyline's distance from the curve in the panel's units.
     const CurveGeometry* keep(CurveGeometry geometry, double off_units,
                               std::string_view what) const {
         return stage->keep(std::move(geometry), off_units / units_per_px, what);
@@ -47,7 +47,7 @@ struct Panel {
 // The construction in picture axes. Precondition: the motion rotates and conserves L.
 inline const ConstructionPicture& picture_of(const Panel& panel) { return *panel.stage->rolling; }
 
-// The camera's timeline: its own or that of [camera].
+// The timeline of the panel's own camera, or else of [camera].
 const Timeline& timeline_of(const Panel& panel);
 
 // A camera in the panel's projection: an orthographic one is placed far away, with the height of

@@ -67,7 +67,7 @@ Drawing Stage::at(const FilmTime& moment) const {
         drawing.views.push_back(std::move(view));
     }
 
-    // Title, caption and clock are in a view of their own over all panels.
+    // Title, caption and clock are in a separate view over all panels.
     ViewBuilder over;
     over.view.width_px = drawing.width_px;
     over.view.height_px = drawing.height_px;

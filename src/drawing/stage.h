@@ -24,8 +24,9 @@ struct StageOptions {
     int height_px = 1080;
     int samples = 1;          // samples × samples rendered pixels form one final pixel
     double line_scale = 0.0;  // pixels for a line of "one pixel at 1080 rows"; 0: height_px / 1080
-    double curve_px = 0.0;    // what polylines may leave their curves by; 0: as the scene needs
-    LeastSizes least{};       // on paper, of the picture drawn
+    double curve_px =
+        0.0;  // largest distance of polylines from their curves; 0: from the scene's accuracy
+    LeastSizes least{};         // on paper, of the picture drawn
     double first_time_s = 0.0;  // the instants that are drawn lie between these; histories begin
     double last_time_s = 0.0;   // with the first and are made up to the last
     std::optional<double> first_shown_s{};  // no instant before it is drawn; else the first
@@ -38,7 +39,8 @@ struct StageOptions {
 class Stage {
  public:
     // Throws InputError for a scene without a picture (no invariable plane, unknown element).
-    // `beside`: the same motion by another method, drawn as a ghost; both must outlive the stage.
+    // `comparison`: the same motion by another method, drawn as a ghost. Both must outlive the
+    // stage.
     Stage(const Scene& scene, const Motion& motion, const StageOptions& options,
           const Motion* comparison = nullptr);
     ~Stage();

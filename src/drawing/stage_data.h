@@ -114,7 +114,7 @@ struct StageData {
     const CurveGeometry* unit_segment = nullptr;  // from the origin to x
     std::vector<Drawer> overlays;                 // title, caption, clock: over the whole picture
     Quantities needs = omega_alone;               // what all panels together read of an instant
-    bool shows_comparison = false;                // whether one of them shows the motion beside
+    bool shows_comparison = false;                // whether one of them shows the comparison motion
     double curve_error_px = 0.0;                  // the greatest of all curves kept
     std::vector<std::string> notes;
 

@@ -22,7 +22,7 @@ constexpr Colour hex(std::uint32_t rgb) {
 // tests/drawing/theme_test.cpp has the margins.
 const Theme light{
     .name = "light",
-    .summary = "bright room, projector or screen; colour-blind safe",
+    .summary = "for bright rooms, on a projector or screen; colour-blind safe",
     .background = {.top = hex(0xe9eef5), .bottom = hex(0xfbfcfd), .alpha = 1.0},
     .light = {},
     .text = hex(0x1c2430),
@@ -55,7 +55,7 @@ const Theme light{
 
 const Theme dark{
     .name = "dark",
-    .summary = "darkened room or dark slides; colour-blind safe",
+    .summary = "for dark rooms or dark slides; colour-blind safe",
     .background = {.top = hex(0x11161d), .bottom = hex(0x1b222d), .alpha = 1.0},
     .light = {.towards = {0.3, -0.6, 0.8}, .key = 0.85, .sky = 0.36},
     .text = hex(0xe8edf3),
@@ -90,7 +90,7 @@ const Theme dark{
 // For paper: a white background, little ink on surfaces, and lines that differ in lightness alone.
 const Theme print{
     .name = "print",
-    .summary = "paper, printed in colour or in grey",
+    .summary = "for paper, in colour or grey",
     .background = {.top = hex(0xffffff), .bottom = hex(0xffffff), .alpha = 1.0},
     .light = {.towards = {0.3, -0.6, 0.8}, .key = 0.66, .sky = 0.46},
     .text = hex(0x101010),
@@ -125,7 +125,7 @@ const Theme print{
 // their style.
 const Theme colour_blind{
     .name = "colour-blind",
-    .summary = "largest colour differences for every colour vision; thicker herpolhode",
+    .summary = "largest colour differences for every kind of colour vision; thicker herpolhode",
     .background = {.top = hex(0xf7f9fb), .bottom = hex(0xffffff), .alpha = 1.0},
     .light = {},
     .text = hex(0x000000),

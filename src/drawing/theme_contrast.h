@@ -8,7 +8,7 @@
 
 namespace poinsot {
 
-// Violations of the rules that the built-in themes follow (docs/guide.md, "Themes of one's own"):
+// Violations of the rules that the built-in themes follow (docs/guide.md, "Your own theme"):
 // one line each, with the position of the key. Empty if the scene has no style.
 std::vector<std::string> contrast_notes(const Scene& scene);
 

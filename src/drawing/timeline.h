@@ -36,7 +36,7 @@ class Timeline {
 
     CameraPose camera_at(double film_s) const;
     bool camera_moves() const;
-    // The second of the film after which the camera stands still.
+    // The second of the film after which the camera does not move.
     double last_key_s() const { return last_key_s_; }
     // The pose at second 0 with the least distance and field of the whole film: an upper bound of
     // the resolution at the target.

@@ -25,10 +25,10 @@ struct PngInfo {
     std::map<std::string, std::string> texts;
     double pixels_per_metre = 0;  // 0: not stored, or not square
     int width_px = 0, height_px = 0;
-    int bit_depth = 8;               // of a component: 16, or 8, which stands for less, too
-    std::size_t n_bytes_behind = 0;  // that follow its end
-    // By what its samples become colours, in words: "sRGB", which is also what a file means that
-    // says nothing; "gamma 1", "an ICC profile (SHA-256 …)".
+    int bit_depth = 8;               // of a component: 16, or 8, also for files with fewer bits
+    std::size_t n_bytes_behind = 0;  // after its end
+    // The colour space of the samples: "sRGB", also if the file names none; "gamma 1", "an ICC
+    // profile (SHA-256 …)".
     std::string colours = "sRGB";
 };
 

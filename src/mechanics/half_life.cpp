@@ -19,14 +19,12 @@ namespace poinsot {
 
 namespace {
 
-// Motions that turn more often go by their mean.
-// Motions that turn more often, about the axis of the least moment against that of the greatest, go
-// by their mean.
+// For motions with more turns, the mean over each polhode is used.
 constexpr double most_stepped_turns = 1000.0;
-// Of the fastest turning, a step of the classical Runge–Kutta method: its own friction is below
-// 1e-7 of T over all those turns.
+// Rotation in one step of the classical Runge–Kutta method, at the fastest rate: the numerical
+// dissipation is below 1e-7 of T over all those turns.
 constexpr double step_rad = 0.01;
-// After so many radians of turning by friction alone nothing is left, wherever the spin began: a
+// After so many radians of rotation by friction alone, no excess energy is left for any start: a
 // tilt of 1e-12 takes 60.
 constexpr double most_friction_rad = 1000.0;
 
@@ -70,7 +68,7 @@ ScaledStart scaled_start(const InertiaTensor& inertia, const Eigen::Vector3d& om
     body.moments = I / I_max;
     const Eigen::Vector3d momentum = body.moments.cwiseProduct(omega / largest);
     body.momentum = momentum.normalized();
-    // Of the ω that was divided by its largest component, and of the moments by theirs.
+    // ω and the moments were divided by their largest components.
     body.seconds = 1.0 / momentum.norm() / largest;
     const double least = body.moments.minCoeff();
     body.range = (1.0 - least) / least;
@@ -84,7 +82,7 @@ Eigen::Vector3d momentum_rate(const ScaledStart& body, double friction,
     return turning + friction * momentum.cross(turning);
 }
 
-// The share of the excess that is left after a time, by stepping.
+// The share of the excess that is left after a time, by numerical integration.
 double share_left(const ScaledStart& body, double friction, double time) {
     if (friction * body.range * time > most_friction_rad) return 0.0;
     // Only the differences of the 1/Iᵢ turn L in the body.
@@ -104,8 +102,9 @@ double share_left(const ScaledStart& body, double friction, double time) {
     return excess(body, momentum) / excess(body, body.momentum);
 }
 
-// Mean of |L × ω|² over a polhode with L = 1, for moments in rising order, of whose energies
-// `above` and `below` are 2T − 1/I_max and 1/I_min − 2T: no small one comes from a difference.
+// Mean of |L × ω|² over a polhode with L = 1, for moments in ascending order. `above` is 2T −
+// 1/I_max and `below` is 1/I_min − 2T; both are passed so that neither is the difference of nearly
+// equal numbers.
 double burning(const Eigen::Vector3d& rising, double above, double below) {
     const Eigen::Vector3d inverse = rising.cwiseInverse();
     const double upper = (rising[1] - rising[0]) * inverse[0] * inverse[1];  // 1/I1 − 1/I2
@@ -134,15 +133,17 @@ double burning(const Eigen::Vector3d& rising, double above, double below) {
     return own * std::max(0.0, other - sn2 * side);
 }
 
-// The friction by the mean of each polhode: ∫ dT/⟨burning⟩ over the half that goes, over the time.
+// The friction from the mean over each polhode: ∫ dT/⟨burning⟩ over the half of the energy that is
+// lost, divided by the time.
 double mean_friction(const ScaledStart& body, double time) {
     Eigen::Vector3d rising = body.moments;
     std::sort(rising.data(), rising.data() + 3);
     const double start = excess(body, body.momentum);
     const double end = 0.5 * start;
     if (!std::isfinite(body.range)) return std::numeric_limits<double>::quiet_NaN();
-    // By the logarithm of the excess, and from half of the range on of what is missing to the
-    // greatest energy: near both axes the integrand is the reciprocal of that.
+    // Integrates over the logarithm of the excess or, in the upper half of the range, of the
+    // deficit from the greatest energy: near each axis the integrand is the reciprocal of that
+    // quantity.
     const auto time_of = [](double energy, double burnt) {
         return burnt > 0.0 ? 0.5 * energy / burnt : 0.0;  // on the pole
     };
@@ -154,8 +155,8 @@ double mean_friction(const ScaledStart& body, double time) {
         const double below = std::exp(log_below);
         return time_of(below, burning(rising, body.range - below, below));
     };
-    // The polhodes through the middle axis burn nothing in the mean: the integrand has a pole of a
-    // logarithm there, which lies at an end of each part.
+    // On the separatrix the mean dissipation is zero: the integrand has a logarithmic pole there,
+    // and the integration interval is split at it.
     boost::math::quadrature::tanh_sinh<double> integrator;
     const auto integral = [&](const auto& function, double low, double high, double pole) {
         const auto piece = [&](double from, double to) {

@@ -63,14 +63,15 @@ constexpr std::array even_orders{2, 4, 6, 8, 10};
 
 constexpr std::array method_rows{
     Method{.name = "exact",
-           .summary = "closed form, any instant at the same cost, accurate to rounding",
+           .summary = "closed form; every instant has the same cost and is accurate to rounding",
            .source = "Jacobi 1849; Klein & Sommerfeld, Theorie des Kreisels",
            .conserves = "everything, to rounding",
            .torques = potential},
     Method{.name = "euler",
            .summary = "Euler's explicit method, order 1: shows what a bad integrator does",
            .source = "Hairer, Nørsett & Wanner, Solving ODEs I, §I.7",
-           .conserves = "nothing: T and L grow; with dissipation L in space, to rounding",
+           .conserves =
+               "nothing: T and L grow (with dissipation, L in space is conserved to rounding)",
            .orders = order_1,
            .takes_step = true,
            .torques = any_torque,
@@ -78,8 +79,8 @@ constexpr std::array method_rows{
     Method{.name = "rk4",
            .summary = "the classical Runge–Kutta method, order 4",
            .source = "Hairer, Nørsett & Wanner, Solving ODEs I, §II.1",
-           .conserves =
-               "nothing exactly: T and L drift steadily; with dissipation L in space, to rounding",
+           .conserves = "nothing exactly: T and L drift steadily (with dissipation, L in space is "
+                        "conserved to rounding)",
            .orders = order_4,
            .takes_step = true,
            .torques = any_torque,
@@ -87,9 +88,8 @@ constexpr std::array method_rows{
     Method{.name = "dopri5",
            .summary = "Dormand & Prince 5(4) with step control and dense output",
            .source = "Dormand & Prince, J. Comput. Appl. Math. 6 (1980) 19; Boost.odeint",
-           .conserves =
-               "nothing exactly: T and L drift within the tolerance a step; with dissipation "
-               "L in space, to rounding",
+           .conserves = "nothing exactly: T and L drift by at most the tolerance in each step "
+                        "(with dissipation, L in space is conserved to rounding)",
            .orders = order_5,
            .takes_tolerance = true,
            .torques = any_torque,
@@ -106,7 +106,7 @@ constexpr std::array method_rows{
         .name = "splitting",
         .summary = "symplectic Strang splitting into rotations about the principal axes, order 2",
         .source = "McLachlan, Phys. Rev. Lett. 71 (1993) 3043; Reich, Physica D 76 (1994) 375",
-        .conserves = "L in space to rounding without torque; the energy stays bounded",
+        .conserves = "L in space to rounding without torque; the energy error stays bounded",
         .orders = order_2,
         .takes_step = true,
         .torques = potential,

@@ -62,7 +62,7 @@ class RotationDynamics {
 
     // Largest |ω| of the torque-free motion from this momentum, rad/s.
     double greatest_free_omega(const Eigen::Vector3d& momentum) const;
-    // How fast friction turns the body at most, beside ω: the bound κ (1/I_min − 1/I_max)/2 of
+    // Largest rotation rate that friction adds to ω: the bound κ (1/I_min − 1/I_max)/2 of
     // κ |L × ω|/L², in rad/s.
     double greatest_friction_turning_rad_s() const;
     // An upper bound of |N| in N m.

@@ -1,6 +1,6 @@
-// Marks at k·α, k = 0, 1, 2, …, on a circle of circumference 1: how soon they come near to each
-// other, and how soon they leave no large gap. Source: Sós, Ann. Univ. Sci. Budapest 1 (1958) 127:
-// the gaps between n such marks have at most three lengths.
+// Marks at k·α, k = 0, 1, 2, …, on a circle of circumference 1: after how many marks two are close
+// to each other, and after how many no large gap is left. Source: Sós, Ann. Univ. Sci. Budapest 1
+// (1958) 127: the gaps between n such marks have at most three lengths.
 #pragma once
 
 #include <cstdint>

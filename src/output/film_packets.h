@@ -15,7 +15,7 @@ namespace poinsot {
 
 // A chunk's hash is that of its packets, in the order in which they are stored: SHA-256 of the size
 // of each, eight bytes, the highest first, and its contents. A film's hash is that of the list of
-// its chunks' hashes, each on a line of its own; the concatenated lists of a film's parts are
+// its chunks' hashes, each on its own line; the concatenated lists of a film's parts are
 // therefore the list of the film.
 class PacketHash {
  public:

@@ -1,5 +1,5 @@
 // A part of a film: some of its frames, rendered by a separate process or machine; the joined parts
-// are byte-identical to a single run. Parts begin where an encoder starts anew.
+// are byte-identical to a single run. Parts begin where an encoder is restarted.
 #pragma once
 
 #include <cstdint>

@@ -55,7 +55,7 @@ void FrameWorkers::Impl::run(std::size_t worker) {
         if (stopping) return;
         Job job = std::move(waiting.front());
         waiting.pop_front();
-        // After a failure the remaining frames are dropped, so that nobody waits forever.
+        // After a failure the remaining frames are dropped, so that no thread waits forever.
         const bool dropped = static_cast<bool>(error);
         lock.unlock();
         bool is_read = false;

@@ -76,14 +76,15 @@ PictureSetting setting_of(const Scene& scene, const PrintChoices& print = {});
 // The stage of pictures with this setting. The session must outlive it.
 Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting);
 
-// What is drawn otherwise than asked for: as a ring, or as boxes, for want of a font.
+// Reports substitutions: curves drawn as a ring, and characters drawn as boxes because no font has
+// them.
 void tell_stage_notes(const Stage& stage, const ProgressSink& progress);
 
 // Upper bounds of position errors in the picture, in pixels of the final picture.
 struct PictureBound {
     double motion_px = 0.0;            // see motion_error_px
     double curves_px = 0.0;            // polylines for curves
-    std::vector<std::string> notes{};  // what is drawn for something else, as Stage has them
+    std::vector<std::string> notes{};  // substitutions, see Stage
     double total_px() const { return motion_px + curves_px; }
 };
 PictureBound bound_of(const Session& session, const Stage& stage, int samples);

@@ -162,7 +162,7 @@ std::string sealed_text(const Record& record) {
 }
 
 std::string told(const std::string& metadata, const Contents& contents) {
-    Record record = parse_record(metadata, "the output under way");
+    Record record = parse_record(metadata, "the unfinished output");
     if (record.frames && contents.n_frames > 0) {
         const auto run = *record.frames;
         record.frames->second = run.first + contents.n_frames - 1;
@@ -315,8 +315,8 @@ Verification verify(const std::filesystem::path& file, const Record& record) {
         const auto end = same ? end_of_film(file) : std::nullopt;
         if (same && !end)
             return {Verified::cannot_be,
-                    "its pictures match its record, but its container does not tell where the file "
-                    "ends, so it cannot be verified"};
+                    "its pictures match its record, but its container format does not mark the end "
+                    "of the file, so it cannot be verified"};
         const std::uintmax_t n_bytes = std::filesystem::file_size(file);
         if (same && *end > n_bytes) behind = "its end is missing";
         if (same && *end < n_bytes) behind = bytes_behind(n_bytes - *end);

@@ -209,7 +209,8 @@ Certificate certify_film(const Session& session, const FilmPlan& film,
     for (std::int64_t frame = 0; frame < film.n_frames; ++frame) {
         times.push_back(film.time_of(frame));
     }
-    // A stepped method promises what the scene's accuracy asks of it, a closed form its rounding.
+    // The bound is the requested accuracy for a stepped method, and the rounding error for a closed
+    // form.
     const bool stepped = session.motion.integrated() != nullptr;
     const double bound = stepped ? session.accuracy.motion_rad() : exact_residual_bound;
     return certify(session.motion, times, bound);

@@ -83,9 +83,9 @@ double stepping_estimate_s(const MotionProblem& problem, double (*clock_s)()) {
     const double span_s = problem.last_time_s - problem.first_time_s;
     if (method.make == nullptr || !(span_s > 0.0)) return 0.0;
 
-    // More and more steps from the start on, until they can be timed. Setting up is not multiplied,
-    // and what is must be well over it. The most steps take seconds on any machine: whatever the
-    // clock says, it ends there.
+    // Takes more and more steps from the start until they can be timed. The setup time is not
+    // extrapolated, so the timed steps must take much longer than the setup. The largest number of
+    // steps takes seconds on any machine and ends the measurement, whatever the clock says.
     constexpr double least_timed_s = 3e-3;
     constexpr double most_setups = 3.0;
     constexpr std::int64_t least_probe = 64;

@@ -16,9 +16,9 @@
 
 namespace poinsot {
 
-// While it lives, what is being done is told after a second and then every ten. Ctrl-C ends the
-// process at once, as nothing is open yet that would be lost. What looks at its token is asked to
-// stop when the limit is over.
+// During its lifetime it reports the current work after one second and then every ten seconds.
+// Ctrl-C ends the process at once, because no open file could be lost. After the time limit, it
+// requests a stop through its token.
 class SlowWorkNotice {
  public:
     // Throws EnvironmentError if Ctrl-C has come before.
@@ -50,9 +50,9 @@ inline constexpr double longest_stepping_s = 600.0;
 // CPU time of this thread: an estimate does not depend on other load.
 double thread_processor_s();
 
-// The seconds that stepping over a problem's span will take here, from a few thousandths of a
-// second of it by a clock, and from a counted number of steps at most. 0 for a method that does not
-// step, and for what the method refuses within those steps.
+// Estimates the seconds that integrating over a problem's span takes on this machine, by timing a
+// few milliseconds of it, with at most a fixed number of steps. Returns 0 for a method without
+// steps, and if the method refuses the problem within those steps.
 double stepping_estimate_s(const MotionProblem& problem, double (*clock_s)() = thread_processor_s);
 
 }  // namespace poinsot

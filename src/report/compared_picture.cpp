@@ -82,12 +82,12 @@ bool is_large(const fs::path& picture) {
         const PngInfo info = read_png_info(picture);
         return 1.0 * info.width_px * info.height_px > many_pixels;
     } catch (const Error&) {
-        return false;  // told when it is compared
+        return false;  // reported when it is compared
     }
 }
 
-// Whether both are regular files of the same bytes; what cannot be read is for the picture's reader
-// to tell.
+// Whether both are regular files of the same bytes; the reader of pictures reports files that
+// cannot be read.
 bool have_same_bytes(const fs::path& a, const fs::path& b) {
     if (kind_of_file(a) != FileKind::regular || kind_of_file(b) != FileKind::regular) return false;
     std::error_code error;

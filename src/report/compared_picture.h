@@ -62,18 +62,18 @@ struct CompareRequest {
     int n_threads = n_processors();  // of a folder; likeness and read are called by all of them
 };
 
-// Two files. One that does not exist is missing, or unexpected. The baselines, where given, say by
-// their manifest what the expected picture of their name is, and, where no limits are given, what
-// may differ by what drew it; else no pixel may.
+// Compares two files. A file that does not exist is "missing" or "unexpected". If baselines are
+// given, their manifest names the expected picture and, if no limits are given, determines the
+// limits from the renderer; otherwise no pixel may differ.
 ComparedPicture compare_files(const std::string& name, const std::filesystem::path& expected,
                               const std::filesystem::path& actual, const CompareRequest& request,
                               const Baselines* baselines = nullptr,
                               const std::string& baseline_name = "");
 
-// Every .png in either folder and the folders below, hidden ones left out, by name, and what the
-// manifest of the first names, where it has one; in order of their names, whatever number of
-// threads compares them. Throws InputError for a folder or a manifest that cannot be read, and
-// where there is no picture at all.
+// Compares every .png in the two folders and their subfolders, except hidden ones, and every
+// picture that the manifest of the first folder names. The result is in the order of the names, for
+// any number of threads. Throws InputError for a folder or a manifest that cannot be read, and if
+// there are no pictures.
 std::vector<ComparedPicture> compare_folders(const std::filesystem::path& expected,
                                              const std::filesystem::path& actual,
                                              const CompareRequest& request);

@@ -9,8 +9,8 @@
 
 namespace poinsot {
 
-// An object: whether all pass, what was allowed, and each picture with what was counted and, where
-// likeness was `measured`, with its SSIM and FLIP; else those are null.
+// A JSON object: whether all pictures pass, the limits, and for each picture the counts, SSIM and
+// FLIP; the last two are null unless likeness was `measured`.
 std::string json_report(std::span<const ComparedPicture> pictures,
                         const std::optional<CompareLimits>& limits, bool measured);
 

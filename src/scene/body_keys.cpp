@@ -43,74 +43,76 @@ std::span<const SceneKey> body_keys() {
     static const SceneKey rows[] = {
         // The body, in exactly one of six ways.
         numbers("body.moments_kg_m2", &SceneDraft::moments_kg_m2, positive, "kg m²",
-                "[3.0, 2.0, 1.0]", "principal moments, in any order: the axes keep the order given")
+                "[3.0, 2.0, 1.0]",
+                "principal moments of inertia, in any order; e1, e2 and e3 keep this order")
             .without_default()
             .written_by(moments_text)
             .written_if(is_given_as<Given::moments>),
         numbers("body.tensor_kg_m2", &SceneDraft::tensor_kg_m2, no_bounds, "kg m²",
                 "[[3.0, 0.1, 0.0], [0.1, 2.0, 0.0], [0.0, 0.0, 2.5]]",
-                "the full symmetric inertia tensor about the centre of mass, in any body axes")
+                "symmetric inertia tensor about the centre of mass, in any body axes")
             .without_default()
             .written_by(from(body(&BodySpec::tensor_kg_m2)))
             .written_if(is_given_as<Given::tensor>),
         text("body.shape", body(&BodySpec::shape), R"("box")",
-             "a uniform solid: box, ellipsoid, cylinder, …")
+             "uniform solid: box, ellipsoid, cylinder, …")
             .from_list("solids")
             .written_if(is_given_as<Given::solid>),
         numbers("body.size_m", &SceneDraft::size_m, positive, "m", "[0.3, 0.2, 0.1]",
-                "the solid's sizes: a box's edges, an ellipsoid's half-axes, a cylinder's radius "
-                "and height, …")
+                "dimensions of the solid: edges of a box, half-axes of an ellipsoid, radius and "
+                "height of a cylinder, …")
             .without_default()
             .written_by(from(body(&BodySpec::size_m)))
             .written_if(is_given_as<Given::solid>),
         number("body.mass_kg", &SceneDraft::mass_kg, positive, "kg", "2.0",
-               "mass of the solid, object or mesh; an object has that of its materials if none is "
-               "given")
+               "mass of the solid, object or mesh; without it, the mass of an object follows from "
+               "its materials")
             .without_default()
             .written_by(from(body(&BodySpec::mass_kg)))
             .written_if(says_its_mass),
-        text("body.object", body(&BodySpec::object), R"("t-handle")", "a real thing")
+        text("body.object", body(&BodySpec::object), R"("t-handle")",
+             "real body, such as a tennis racket")
             .from_list("objects"),
         text("body.mesh", body(&BodySpec::mesh), R"("wedge.obj")",
-             "a closed surface, .obj or .stl, in the scene's folder: a solid of uniform density in "
-             "its axes; the centre of mass is found"),
+             "file (.obj or .stl) in the scene's folder with the closed surface of a uniform "
+             "solid; poinsot computes the centre of mass"),
         number("body.scale", body(&BodySpec::scale), within(1e-12, 1e12), "m", "0.001",
-               "one unit of a mesh's lengths, or the factor on an object's")
+               "length of one unit of the mesh file; for an object, a factor on its size")
             .omitted_if_default(),
         number("body.density_kg_m3", body(&BodySpec::density_kg_m3), positive, "kg/m³", "2700.0",
-               "density of a mesh, instead of its mass"),
+               "density of the mesh, instead of mass_kg"),
         boolean("body.allow_unphysical", body(&BodySpec::allow_unphysical), "true",
-                "keep the mathematics where no real body has these moments")
+                "whether to accept moments that no real body has")
             .omitted_if_default(),
         number("body.masses[].mass_kg", in(&SceneDraft::masses, &PointMass::mass_kg), positive,
-               "kg", "1.0", "mass of one point")
+               "kg", "1.0", "mass of the point")
             .without_default()
             .written_by(as_given(&PointMass::mass_kg)),
         numbers("body.masses[].at_m", in(&SceneDraft::masses, &PointMass::at_m), no_bounds, "m",
                 "[0.5, 0.0, -0.25]",
-                "its place in body axes, from any origin: the centre of mass is found")
+                "position of the point in body axes, from any origin; poinsot computes the centre "
+                "of mass")
             .without_default()
             .written_by(as_given(&PointMass::at_m)),
 
         // The appearance of a body given by its moments or its tensor.
         text("object.name", object(&ObjectSpec::name), R"("toutatis")",
-             "the object panel shows this thing in place of a box; its axes follow the order of "
-             "the moments")
+             "object whose surface is shown; poinsot matches its principal axes to those of the "
+             "body by the order of the moments")
             .from_list("objects"),
         text("object.mesh", object(&ObjectSpec::mesh), R"("wedge.obj")",
-             "the same from a closed surface in a file, .obj or .stl, in the scene's folder"),
+             "file (.obj or .stl) in the scene's folder with the surface to show, instead of name"),
         one_of("object.marked_face", object(&ObjectSpec::marked_face), body_faces(), R"("+e3")",
-               "a flat face of the body in a contrasting colour, by the principal axis that leaves "
-               "through it"),
+               "flat face to paint in a contrasting colour; +e1 is the face on the +e1 side"),
         one_of("object.pictures[].face", picture(&FacePictureSpec::face), body_faces(), R"("+e3")",
-               "the flat face that has the picture, as in marked_face")
+               "flat face that shows the picture, named as in marked_face")
             .without_default(),
         text("object.pictures[].file", picture(&FacePictureSpec::file), R"("cover.png")",
-             "the picture, a PNG in the scene's folder; it is stretched over the face")
+             "PNG picture in the scene's folder, stretched over the face")
             .without_default(),
         one_of("object.pictures[].up", picture(&FacePictureSpec::up), body_faces(), R"("+e1")",
-               "the direction that its upper side points to")
-            .default_is("the one in which it is stretched least"),
+               "direction of the picture's upper edge")
+            .default_is("the direction that stretches the picture least"),
     };
     return rows;
 }

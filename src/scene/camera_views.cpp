@@ -18,8 +18,9 @@ const std::array<CameraView, 6> view_rows{{
      CameraSpec{}.elevation_deg, CameraSpec{}.distance, CameraSpec{}.field_deg, "middle"},
     {"front", "from the front, level with the centre", -90.0, 3.0, 5.4, 28.0, "middle"},
     {"side", "from the side, level with the centre", 0.0, 3.0, 5.4, 28.0, "middle"},
-    {"high", "from high above: the plane appears wide", -40.0, 42.0, 6.4, 28.0, "middle"},
-    {"top", "along L from above: the herpolhode in true shape", -90.0, 90.0, 7.2, 28.0, "centre"},
+    {"high", "from high above, so that the plane appears wide", -40.0, 42.0, 6.4, 28.0, "middle"},
+    {"top", "from above, along L, so that the herpolhode appears undistorted", -90.0, 90.0, 7.2,
+     28.0, "centre"},
     {"contact", "close to the plane, at the contact point", -40.0, 9.0, 3.3, 28.0, "foot"},
 }};
 

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The largest picture of a face: it is kept in memory, and in the renderer's.
+// The largest picture of a face: both the program and the renderer hold it in memory.
 constexpr int most_picture_px = 4096;  // a side
 constexpr std::uintmax_t most_picture_bytes = std::uintmax_t{128} << 20;
 

@@ -149,7 +149,7 @@ void complete_mesh_body(SceneDraft& draft) {
                              : "the mesh has no mass; give body.mass_kg or body.density_kg_m3");
     }
     Thing thing = thing_in_file(draft, "body.mesh", body.mesh);
-    // So far its density is 1 kg per cubed unit of its own length.
+    // So far its density is 1 kg per cubic unit of the file's lengths.
     const double volume_m3 = thing.properties.mass_kg * std::pow(body.scale, 3);
     body.mass_kg = draft.mass_kg ? *draft.mass_kg : *body.density_kg_m3 * volume_m3;
     body.inertia = inertia_of(scene, "body.mesh", thing);

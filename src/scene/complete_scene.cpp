@@ -84,7 +84,7 @@ void complete_torque(SceneDraft& draft) {
     }
 }
 
-// [motion] and [beside]
+// The methods of [motion] and [beside].
 
 // Checks the method in a table: "motion" or "beside".
 void check_method_of(const SceneDraft& draft, const std::string& table,

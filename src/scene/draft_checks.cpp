@@ -21,7 +21,7 @@ bool stands_before(const SourceLocation& a, const SourceLocation& b) {
     return order(a) < order(b);
 }
 
-// Refuses two keys that give the same value in different ways, at the one that stands later.
+// Refuses two keys that give the same value in different ways, at the later one.
 void refuse_both(const Scene& scene, const std::string& one, const std::string& other,
                  std::string_view remedy) {
     if (!scene.locations.contains(one) || !scene.locations.contains(other)) return;

@@ -19,7 +19,7 @@ namespace poinsot {
 // Throws SceneError at a key.
 [[noreturn]] void refuse(const Scene& scene, const std::string& key, std::string_view what);
 
-// Refuses pairs of keys that give one thing in two different ways, at the key that stands later.
+// Refuses pairs of keys that give one value in two different ways, at the later key.
 void refuse_mixed(const Scene& scene, std::span<const std::vector<std::string>> ways,
                   std::string_view remedy);
 

@@ -10,17 +10,18 @@ namespace poinsot {
 namespace {
 
 const std::array<Easing, 7> easing_rows{{
-    {"linear", "evenly", [](double u) { return u; }, [](double u) { return 0.5 * u * u; }},
-    {"smooth", "begins and ends at rest", [](double u) { return u * u * (3.0 - 2.0 * u); },
+    {"linear", "at a constant rate", [](double u) { return u; },
+     [](double u) { return 0.5 * u * u; }},
+    {"smooth", "starts and ends at rest", [](double u) { return u * u * (3.0 - 2.0 * u); },
      [](double u) { return u * u * u * (1.0 - 0.5 * u); }},
-    {"smoother", "begins and ends at rest, without a jolt",
+    {"smoother", "starts and ends at rest, with zero acceleration at both ends",
      [](double u) { return u * u * u * (10.0 + u * (6.0 * u - 15.0)); },
      [](double u) { return u * u * u * u * (2.5 + u * (u - 3.0)); }},
-    {"in", "begins at rest", [](double u) { return u * u; },
+    {"in", "starts at rest", [](double u) { return u * u; },
      [](double u) { return u * u * u / 3.0; }},
     {"out", "ends at rest", [](double u) { return u * (2.0 - u); },
      [](double u) { return u * u * (1.0 - u / 3.0); }},
-    {"through", "passes through the keyframe without a stop, if another keyframe follows",
+    {"through", "passes through the keyframe without stopping, if another keyframe follows",
      [](double u) { return u * u * (3.0 - 2.0 * u); },
      [](double u) { return u * u * u * (1.0 - 0.5 * u); }, true},
     {"hold", "keeps its value and jumps at the end", [](double u) { return u < 1.0 ? 0.0 : 1.0; },

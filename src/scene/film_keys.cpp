@@ -98,36 +98,38 @@ std::span<const SceneKey> film_keys() {
     static const SceneKey rows[] = {
         // The instants that become video frames.
         number("film.start_s", film(&FilmSpec::start_s), no_bounds, "s", "0.0",
-               "instant of the motion that the film begins with"),
+               "time of the motion at which the film begins"),
         number("film.duration_s", film(&FilmSpec::duration_s), positive, "s", "12.0",
-               "stretch of the motion that is shown")
+               "time span of the motion that the film shows")
             .default_is("ten seconds of film"),
         number("film.length_s", film(&FilmSpec::length_s), positive, "s", "20.0",
-               "length of the film instead, in seconds of film: keyframes and fades count those"),
+               "length of the film, instead of duration_s; in seconds of film, like the times of "
+               "keyframes and fades"),
         number("film.still_s", film(&FilmSpec::still_s), no_bounds, "s", "9.5",
-               "instant of the motion that `still` draws if --time does not say")
-            .default_is("the film's last"),
+               "time of the motion that `still` draws without --time")
+            .default_is("the end of the film"),
         text("film.loop", film(&FilmSpec::loop), R"("5/3")",
-             "\"p/q\": start so that the herpolhode closes after q polhode periods with p turns "
-             "about L, and show that; \"period\": one polhode period, for a co-precessing camera")
+             "\"p/q\": changes the start so that the herpolhode closes after q polhode periods and "
+             "p turns about L, and shows one such loop; \"period\": shows one polhode period, for "
+             "a co-precessing camera")
             .default_is("no loop")
             .read_by(read_loop),
         one_of("film.loop_changes", film(&FilmSpec::loop_changes), loop_values(), R"("omega_2")",
-               "component of start.omega_rad_s that the loop may change")
-            .default_is("the one that has to change least"),
-        row("film.fps", rate, R"("30000/1001")", "video frames a second; 29.97 means 30000/1001")
-            .or_text("a ratio in a string", "[0-9]")
+               "component of start.omega_rad_s that the loop changes")
+            .default_is("the component that needs the smallest change"),
+        row("film.fps", rate, R"("30000/1001")", "video frames per second; 29.97 means 30000/1001")
+            .or_text("a ratio as a string", "[0-9]")
             .read_by(read_fps)
             .written_by(rate_text),
         row("film.size", width_and_height, "[1920, 1080]",
-            "width and height of the picture (a film: at most 16384), also \"1920x1080\"")
+            "width and height of the picture, at most 16384 for a film; also as \"1920x1080\"")
             .or_text("a string", "^[0-9]+x[0-9]+$")
             .read_by(read_size)
             .written_by(size_text),
         number("film.speed", film(&FilmSpec::speed), positive, "", "1.0",
-               "seconds of motion a second of film"),
+               "seconds of motion per second of film"),
         text("film.quality", film(&FilmSpec::quality), R"("lecture")",
-             "how finely drawn and encoded")
+             "quality of curves, pixels and encoding")
             .from_list("qualities"),
     };
     return rows;

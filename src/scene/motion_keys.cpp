@@ -62,41 +62,41 @@ std::span<const SceneKey> motion_keys() {
             .without_default()
             .written_if(has_no_top),
         numbers("start.attitude", &SceneDraft::attitude, no_bounds, "", "[0.5, 0.5, 0.5, 0.5]",
-                "space_from_body at t = 0 as a quaternion")
+                "rotation from body axes to space axes at t = 0, as a quaternion")
             .values_named("w, x, y, z")
-            .default_is("body and space axes coincide")
+            .default_is("no rotation")
             .written_by(attitude_text),
         numbers("start.attitude_matrix", &SceneDraft::attitude_matrix, no_bounds, "",
                 "[[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]",
-                "space_from_body at t = 0 as a rotation matrix")
-            .written_by([](const Scene&, std::size_t) { return ""; }),  // but as start.attitude
+                "the same rotation as a matrix, instead of attitude")
+            .written_by([](const Scene&, std::size_t) { return ""; }),  // start.attitude writes it
         number("start.theta_rad", top(&TopStart::theta_rad), within(0.0, pi), "rad", "0.7",
-               "a top's tilt at t = 0: angle of e3 from the vertical (φ = ψ = 0)")
+               "heavy top: tilt θ at t = 0, the angle of e3 from the vertical; φ and ψ are 0")
             .without_default()
             .written_by(top_text(&TopStart::theta_rad)),
         number("start.theta_dot_rad_s", top(&TopStart::theta_dot_rad_s), no_bounds, "rad/s", "0.0",
-               "its rate")
+               "heavy top: rate of change of θ at t = 0")
             .written_by(top_text(&TopStart::theta_dot_rad_s)),
         number("start.phi_dot_rad_s", top(&TopStart::phi_dot_rad_s), no_bounds, "rad/s", "0.35",
-               "the top's rate of precession at t = 0")
+               "heavy top: rate of precession at t = 0")
             .written_by(top_text(&TopStart::phi_dot_rad_s)),
         number("start.omega3_rad_s", top(&TopStart::omega3_rad_s), no_bounds, "rad/s", "8.0",
-               "the top's spin: component of ω along e3")
+               "heavy top: spin, the component of ω along e3")
             .written_by(top_text(&TopStart::omega3_rad_s)),
 
         // The torque, one kind with its own keys.
         one_of("torque.kind", &SceneDraft::torque_kind, torque_kinds, R"("gravity")",
-               "what acts on the body")
+               "kind of torque on the body")
             .written_by(torque_kind_text)
             .omitted_if_default(),
         number("torque.mgl_N_m", in(&SceneDraft::gravity, &GravityTorque::mgl_N_m), no_bounds,
                "N m", "1.0",
-               "gravity: weight times distance of the centre of mass from the fixed point")
+               "gravity: weight times the distance of the centre of mass from the fixed point")
             .without_default()
             .written_by(torque_text(&GravityTorque::mgl_N_m)),
         numbers("torque.arm_body", in(&SceneDraft::gravity, &GravityTorque::arm_body), no_bounds,
                 "", "[0.0, 0.0, 1.0]",
-                "gravity: direction from the fixed point to the centre of mass, body axes")
+                "gravity: direction from the fixed point to the centre of mass, in body axes")
             .default_is("e3")
             .written_by(torque_text(&GravityTorque::arm_body)),
         numbers("torque.torque_body_N_m",
@@ -110,41 +110,42 @@ std::span<const SceneKey> motion_keys() {
             .without_default()
             .written_by(torque_text(&ConstantSpaceTorque::torque_space_N_m)),
         number("torque.half_life_s", &Scene::half_life_s, positive, "s", "8.0",
-               "dissipation: time until half of the energy is gone that friction inside the body "
-               "can take, T − L²/(2 I_max); L is kept"),
+               "dissipation: time in which the energy that friction can take, T − L²/(2 I_max), "
+               "falls to one half; L is conserved"),
         number("torque.rate_1_s", in(&SceneDraft::dissipation, &DissipationTorque::rate_1_s),
                positive, "1/s", "0.05",
-               "dissipation, instead: the friction constant κ over a third of the trace of the "
-               "moments; how fast T then falls depends on the start, see half_life_s")
+               "dissipation, instead of half_life_s: friction constant κ divided by (I1 + I2 + "
+               "I3)/3; the rate at which T falls depends on the start")
             .without_default()
             .written_by(torque_text(&DissipationTorque::rate_1_s))
             .written_if([](const Scene& scene) { return !scene.half_life_s; }),
 
         // How the motion is computed.
         text("motion.method", method(&MethodChoice::name), R"("exact")",
-             "how the motion is computed")
+             "method that computes the motion")
             .from_list("methods"),
         number("motion.step_s", method(&MethodChoice::step_s), positive, "s", "0.01",
-               "step of a stepping method")
-            .default_is("chosen from accuracy_px"),
+               "time step, for methods with a fixed step")
+            .default_is("chosen to meet accuracy_px"),
         number("motion.tolerance", method(&MethodChoice::tolerance), tolerances, "", "1e-9",
-               "relative error of an adaptive method")
-            .default_is("chosen from accuracy_px"),
+               "relative error tolerance, for adaptive methods")
+            .default_is("chosen to meet accuracy_px"),
         integer("motion.order", method(&MethodChoice::order), orders, "4",
-                "order of a method that comes in several"),
+                "order, for methods that offer several"),
 
         // The same motion by a second method, as a ghost.
         text("beside.method", beside(&MethodChoice::name), R"("euler")",
-             "a second method whose motion is drawn beside the first as a ghost")
+             "second method, whose motion is drawn as a ghost")
             .from_list("methods")
             .default_is("none"),
-        number("beside.step_s", beside(&MethodChoice::step_s), positive, "s", "0.05", "its step")
-            .default_is("a 200th of the shortest turn"),
+        number("beside.step_s", beside(&MethodChoice::step_s), positive, "s", "0.05",
+               "time step of the second method")
+            .default_is("1/200 of the shortest period of rotation"),
         number("beside.tolerance", beside(&MethodChoice::tolerance), tolerances, "", "1e-4",
-               "its relative error if it is adaptive")
+               "relative error tolerance of the second method, if it is adaptive")
             .default_is("1e-9"),
         integer("beside.order", beside(&MethodChoice::order), orders, "4",
-                "its order if it comes in several"),
+                "order of the second method, if it offers several"),
     };
     return rows;
 }

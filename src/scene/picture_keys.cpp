@@ -52,55 +52,55 @@ std::span<const SceneKey> picture_keys() {
     using namespace key_rows;
     static const SceneKey rows[] = {
         text("title", &Scene::title, R"("Tennis racket")", "heading of the picture")
-            .default_is("the file's name")
+            .default_is("the name of the file")
             .written_if_empty(),
         text("caption", &Scene::caption, R"("I = (3, 2, 1) kg m²")", "text below the picture")
             .default_is("none")
             .written_if_empty(),
         number("accuracy_px", &Scene::accuracy_px, within(1e-6, 100.0), "pixels", "0.1",
-               "largest distance of the motion from the truth, and half of it of curves"),
+               "largest position error of the motion in the picture; curves are sampled to half of "
+               "it"),
         text("theme", &Scene::theme, R"("light")",
-             "colours and line styles, or the file of one's own, in .toml")
+             "theme (colours and line styles), by name or as the path of a theme file (.toml)")
             .from_list("themes")
-            .or_text("a file's name", R"(\.toml$)"),
+            .or_text("a file name", R"(\.toml$)"),
         one_of("hidden", &Scene::hidden, hidden_styles, R"("dashed")",
-               "lines where something hides them: pale, dashed (a broken line then means that and "
-               "nothing else) or omitted")
-            .default_is("the theme's, which is pale"),
+               "style of hidden lines; if dashed, all other broken lines become thin solid lines")
+            .default_is("that of the theme (pale in every supplied theme)"),
         one_of("crossings", &Scene::crossings, crossing_styles, R"("gap")",
-               "lines that pass under others: through (drawn on) or gap (broken beside them)")
-            .default_is("the theme's, which is through"),
-        boolean("clock", &Scene::clock, "false", "whether the clock is shown")
-            .default_is("yes, but for films that loop"),
+               "how the lower of two crossing lines is drawn: through, or with a gap on both sides "
+               "of the upper line")
+            .default_is("that of the theme (through in every supplied theme)"),
+        boolean("clock", &Scene::clock, "false",
+                "whether the clock, which shows the time of the motion, is drawn")
+            .default_is("true, except in films that loop"),
         number("type_scale", &Scene::type_scale, within(0.25, 8.0), "", "1.25",
-               "factor on all type in the picture, as for a hall")
+               "factor on the size of all type, such as 1.25 for a large room")
             .omitted_if_default(),
         one_of("language", &Scene::language, languages(), R"("de")",
-               "of the words that are not the scene's own")
+               "language of the built-in headings and labels")
             .omitted_if_default(),
         texts("units", &Scene::units, R"(["rpm", "deg", "g cm²"])",
-              "units in which charts and live numbers are shown, each for what it measures")
+              "units of charts and live numbers; each unit applies to its own quantity")
             .default_is("SI")
             .read_by(read_units),
-        text("symbols.omega", symbol(&SymbolsSpec::omega), R"('\Omega')",
-             "what ω is called in labels, as a formula"),
-        text("symbols.momentum", symbol(&SymbolsSpec::momentum), R"('\mathbf{J}')",
-             "what L is called, likewise"),
-        text("symbols.rho", symbol(&SymbolsSpec::rho), R"('\mathbf{r}')",
-             "what ρ is called, likewise"),
+        text("symbols.omega", symbol(&SymbolsSpec::omega), R"('\Omega')", "symbol for ω"),
+        text("symbols.momentum", symbol(&SymbolsSpec::momentum), R"('\mathbf{J}')", "symbol for L"),
+        text("symbols.rho", symbol(&SymbolsSpec::rho), R"('\mathbf{r}')", "symbol for ρ"),
         text("symbols.e1", symbol(&SymbolsSpec::e1), R"("x")",
-             "what the first principal axis is called, likewise"),
+             "symbol for the first principal axis"),
         text("symbols.e2", symbol(&SymbolsSpec::e2), R"("y")",
-             "what the second principal axis is called, likewise"),
+             "symbol for the second principal axis"),
         text("symbols.e3", symbol(&SymbolsSpec::e3), R"("z")",
-             "what the third principal axis is called, likewise"),
-        texts("show", &Scene::show, R"(["plane", "ellipsoid", "polhode"])", "elements drawn")
+             "symbol for the third principal axis"),
+        texts("show", &Scene::show, R"(["plane", "ellipsoid", "polhode"])",
+              "elements to draw, and overlays (`poinsot list overlays`)")
             .from_list("elements")
             .default_is("those that suit the motion"),
-        boolean("labels", &Scene::labels, "false", "whether elements have their names beside them")
+        boolean("labels", &Scene::labels, "false", "whether elements have labels")
             .omitted_if_default(),
         texts("unlabelled", &Scene::unlabelled, R"(["omega", "momentum"])",
-              "elements, or kinds of panels, that stay without their names")
+              "elements without a label; a kind of panel hides all labels in its panels")
             .default_is("none"),
     };
     return rows;
@@ -112,51 +112,54 @@ std::span<const SceneKey> panel_keys() {
     static const SceneKey rows[] = {
         // Several views of one motion, in the cells of a grid.
         numbers("grid.columns", in(&Scene::grid, &GridSpec::columns), positive, "", "[2.0, 1.0]",
-                "relative widths of the columns that panels stand in")
+                "relative widths of the grid's columns")
             .with_size({1, most_cells})
-            .default_is("equal ones"),
+            .default_is("equal"),
         numbers("grid.rows", in(&Scene::grid, &GridSpec::rows), positive, "", "[1.0, 1.0]",
-                "relative heights of the rows that panels stand in")
+                "relative heights of the grid's rows")
             .with_size({1, most_cells})
-            .default_is("equal ones"),
+            .default_is("equal"),
         text("panels[].kind", panel(&PanelSpec::kind), R"("space")", "what the panel shows")
             .from_list("panels"),
         integer("panels[].column", panel(&PanelSpec::column), cell, "0",
-                "column of its upper left cell, from 0"),
+                "column of the panel's upper left cell, counted from 0"),
         integer("panels[].row", panel(&PanelSpec::row), cell, "0",
-                "row of its upper left cell, from 0"),
+                "row of the panel's upper left cell, counted from 0"),
         integer("panels[].columns", panel(&PanelSpec::columns), cells, "1",
-                "number of columns that it spans"),
+                "number of columns that the panel spans"),
         integer("panels[].rows", panel(&PanelSpec::rows), cells, "1",
-                "number of rows that it spans"),
+                "number of rows that the panel spans"),
         text("panels[].quantity", panel(&PanelSpec::quantity), R"("omega")",
-             "what a plot shows against time")
+             "quantity that a plot shows against time")
             .from_list("quantities")
-            .default_is("what suits the motion"),
+            .default_is("a quantity that suits the motion"),
         integer("panels[].curves", panel(&PanelSpec::curves), within(0, 40), "6",
-                "body: polhodes shown beside the motion's, to either side of the separatrices")
+                "in body panels: number of additional polhodes on each side of the separatrices")
             .default_is("as many as fill the ellipsoid evenly"),
         text("panels[].title", panel(&PanelSpec::title), R"("Body axes")",
-             "heading of the panel, \"\" for none")
-            .default_is("that of its kind"),
+             "heading of the panel; \"\" hides it")
+            .default_is("the heading of its kind"),
         // The camera of one panel, where it differs from [camera]; in body axes for body and
         // momentum.
         number("panels[].camera.azimuth_deg", camera_of_panel(&PanelCameraSpec::azimuth_deg),
                within(-3600.0, 3600.0), "degrees", "30.0",
-               "as in [camera], for this panel alone; about e3 from e1 where it shows body axes"),
-        number("panels[].camera.elevation_deg", camera_of_panel(&PanelCameraSpec::elevation_deg),
-               elevations_deg, "degrees", "20.0",
-               "likewise; from the plane of e1 and e2 towards e3 where it shows body axes"),
+               "as in [camera]; in body and momentum: angle about e3, from e1"),
+        number(
+            "panels[].camera.elevation_deg", camera_of_panel(&PanelCameraSpec::elevation_deg),
+            elevations_deg, "degrees", "20.0",
+            "as in [camera]; in body and momentum: angle from the plane of e1 and e2 towards e3"),
         number("panels[].camera.distance", camera_of_panel(&PanelCameraSpec::distance), distances,
-               "largest half-axes", "4.0", "likewise; of space alone, the others are framed"),
+               "units of the largest half-axis", "4.0",
+               "as in [camera]; only for panels of kind space, because poinsot frames all others"),
         number("panels[].camera.field_deg", camera_of_panel(&PanelCameraSpec::field_deg),
                fields_deg, "degrees", "20.0", "as in [camera]"),
         numbers("panels[].camera.target", camera_of_panel(&PanelCameraSpec::target), coordinates,
-                "largest half-axes", "[0.0, 0.0, 0.5]", "as in [camera]; of space alone"),
+                "units of the largest half-axis", "[0.0, 0.0, 0.5]",
+                "as in [camera]; only for panels of kind space"),
         one_of("panels[].camera.look_at", camera_of_panel(&PanelCameraSpec::look_at), camera_aims(),
-               R"("centre")", "as in [camera]; of space alone"),
+               R"("centre")", "as in [camera]; only for panels of kind space"),
         text("panels[].camera.view", camera_of_panel(&PanelCameraSpec::view), R"("high")",
-             "a view by name, for all that this panel's camera does not say otherwise")
+             "named view, which supplies the values that this table does not set")
             .from_list("views")
             .checked_by(camera_view_named),
         one_of("panels[].camera.projection", camera_of_panel(&PanelCameraSpec::projection),

@@ -68,7 +68,7 @@ struct SceneKey {
     std::string expectation() const;
     // The default as TOML text; empty if there is none, or one in words only.
     std::string_view default_text() const;
-    // "a number from 0.25 to 8; factor on all type in the picture; default 1"
+    // "a number from 0.25 to 8; factor on the size of all type; default 1"
     std::string explanation() const;
 
  private:
@@ -94,7 +94,7 @@ std::span<const SceneArray> scene_arrays();
 const SceneKey* find_scene_key(std::string_view path);
 
 // Returns a suggestion for an unknown path, to be appended to a message: `; did you mean "x"?`, or
-// the keys of its table. `in_file`: keys are named as written below their [table], default_words by
+// the keys of its table. `in_file`: keys are named as written below their [table]; otherwise by
 // their whole path.
 std::string scene_key_remedy(std::string_view unknown_path, bool in_file);
 

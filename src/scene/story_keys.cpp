@@ -35,69 +35,71 @@ std::span<const SceneKey> story_keys() {
     static const SceneKey rows[] = {
         // Keyframes: movements of the camera and changes of the speed.
         number("keyframes[].at_s", keyframe(&KeyframeSpec::at_s), film_seconds, "s", "3.0",
-               "second of the film at which this is reached")
+               "time of the keyframe, in seconds of film")
             .without_default(),
         text("keyframes[].easing", keyframe(&KeyframeSpec::easing), R"("smooth")",
-             "how values go here from the keyframe before that says them")
+             "how each value changes on the way from the previous keyframe that sets it")
             .from_list("easings")
             .checked_by(easing_named),
         text("keyframes[].view", keyframe(&KeyframeSpec::view), R"("front")",
-             "a view by name, for all of the camera that this keyframe does not say otherwise")
+             "named view, which supplies the camera values that this keyframe does not set")
             .from_list("views")
             .checked_by(camera_view_named),
         integer("keyframes[].panel", keyframe(&KeyframeSpec::panel), within(0, 999), "0",
-                "the panel whose camera moves, by its place among [[panels]] from 0")
-            .default_is("all that are seen as [camera] says, with no camera of their own"),
+                "index in [[panels]], from 0, of the panel whose camera moves")
+            .default_is("all panels that use [camera]"),
         number("keyframes[].azimuth_deg", keyframe(&KeyframeSpec::azimuth_deg),
-               within(-36000.0, 36000.0), "degrees", "30.0", "as in [camera]; it may go past 360"),
+               within(-36000.0, 36000.0), "degrees", "30.0",
+               "as in [camera]; more than 360 turns the camera more than once"),
         number("keyframes[].elevation_deg", keyframe(&KeyframeSpec::elevation_deg), elevations_deg,
                "degrees", "35.0", "as in [camera]"),
         number("keyframes[].distance", keyframe(&KeyframeSpec::distance), distances,
-               "largest half-axes", "4.0", "as in [camera]"),
+               "units of the largest half-axis", "4.0", "as in [camera]"),
         number("keyframes[].field_deg", keyframe(&KeyframeSpec::field_deg), fields_deg, "degrees",
                "20.0", "as in [camera]"),
         numbers("keyframes[].target", keyframe(&KeyframeSpec::target), coordinates,
-                "largest half-axes", "[0.0, 0.0, 0.5]", "as in [camera]"),
+                "units of the largest half-axis", "[0.0, 0.0, 0.5]", "as in [camera]"),
         one_of("keyframes[].look_at", keyframe(&KeyframeSpec::look_at), camera_aims(),
                R"("centre")", "as in [camera]"),
         number("keyframes[].speed", keyframe(&KeyframeSpec::speed), within(0.0, 1e12), "", "0.2",
-               "seconds of motion a second of film; 0 stops the motion"),
+               "seconds of motion per second of film; 0 stops the motion"),
 
         // Fades.
         number("fades[].at_s", fade(&FadeSpec::at_s), film_seconds, "s", "2.0",
-               "second of the film at which it begins")
+               "start of the fade, in seconds of film")
             .without_default(),
         number("fades[].over_s", fade(&FadeSpec::over_s), film_seconds, "s", "1.0",
-               "how long it takes, in seconds of film"),
-        text("fades[].easing", fade(&FadeSpec::easing), R"("smooth")", "how it goes")
+               "duration of the fade, in seconds of film"),
+        text("fades[].easing", fade(&FadeSpec::easing), R"("smooth")",
+             "how the opacity changes during the fade")
             .from_list("easings")
             .checked_by(easing_named),
         texts("fades[].elements", fade(&FadeSpec::elements), R"(["plane", "momentum"])",
-              "elements, overlays or kinds of panels; those that come in are not seen before")
+              "elements, overlays or kinds of panels that fade; what fades in is invisible before")
             .without_default(),
         number("fades[].opacity", fade(&FadeSpec::opacity), within(0.0, 1.0), "", "1.0",
-               "in the end: 1 to come in, 0 to go, less than 1 to grow pale"),
+               "opacity at the end of the fade: 1 is opaque, 0 is invisible"),
 
         // Captions.
         number("captions[].at_s", timed_caption(&TimedCaptionSpec::at_s), film_seconds, "s", "4.0",
-               "second of the film at which it comes")
+               "time at which the caption appears, in seconds of film")
             .without_default(),
         number("captions[].over_s", timed_caption(&TimedCaptionSpec::over_s),
-               within(0.1, most_film_s), "s", "3.0", "how long it stands, in seconds of film")
-            .default_is("until the next in its place, or the end"),
+               within(0.1, most_film_s), "s", "3.0", "duration of the caption, in seconds of film")
+            .default_is("until the next caption in the same place, or the end"),
         text("captions[].text", timed_caption(&TimedCaptionSpec::text), R"("L stays; ω does not.")",
-             "what it says, with live numbers as in the caption")
+             "text of the caption; may contain live numbers, like the scene's caption")
             .without_default(),
         one_of("captions[].place", timed_caption(&TimedCaptionSpec::place), caption_places,
-               R"("top")", "bottom (over the scene's caption) or top (under its title)")
+               R"("top")", "bottom (above the scene's caption) or top (below the scene's title)")
             .omitted_if_default(),
 
         // Chapters.
         number("chapters[].at_s", in(&Scene::chapters, &ChapterSpec::at_s), film_seconds, "s",
-               "0.0", "second of the film at which the section begins")
+               "0.0", "start of the chapter, in seconds of film")
             .without_default(),
         text("chapters[].title", in(&Scene::chapters, &ChapterSpec::title),
-             R"("The invariable plane")", "its name")
+             R"("The invariable plane")", "title of the chapter")
             .without_default(),
     };
     return rows;

@@ -24,35 +24,35 @@ namespace {
 using std::size_t;
 
 constexpr StyleRole roles[] = {
-    {"ground", StyleKind::surface, "the ground of the picture; 0% for none"},
-    {"ground_top", StyleKind::colour, "the ground at the picture's top, where it is to change"},
+    {"ground", StyleKind::surface, "the background; 0% makes it transparent"},
+    {"ground_top", StyleKind::colour, "the upper edge of the background, for a gradient"},
     {"text", StyleKind::colour, "title, captions and headings"},
-    {"halo", StyleKind::colour, "what type stands on where it crosses something"},
+    {"halo", StyleKind::colour, "the halo that separates type from what is behind it"},
     {"omega", StyleKind::line, "ω"},
     {"momentum", StyleKind::line, "L"},
-    {"e1", StyleKind::line, "the first principal axis, and what is along it"},
-    {"e2", StyleKind::line, "the second one"},
-    {"e3", StyleKind::line, "the third one"},
-    {"polhode", StyleKind::line, "the polhode, and ρ"},
+    {"e1", StyleKind::line, "the first principal axis and components along it"},
+    {"e2", StyleKind::line, "the second principal axis and components along it"},
+    {"e3", StyleKind::line, "the third principal axis and components along it"},
+    {"polhode", StyleKind::line, "the polhode and ρ"},
     {"herpolhode", StyleKind::line, "the herpolhode"},
-    {"contact", StyleKind::colour, "the point of contact"},
+    {"contact", StyleKind::colour, "the contact point"},
     {"ellipsoid", StyleKind::surface, "the inertia ellipsoid"},
-    {"ellipsoid_lines", StyleKind::colour, "the lines on it"},
+    {"ellipsoid_lines", StyleKind::colour, "the lines on the ellipsoid"},
     {"plane", StyleKind::surface, "the invariable plane"},
-    {"grid", StyleKind::colour, "the grid on it"},
-    {"annulus", StyleKind::line, "the circles between which the herpolhode runs"},
-    {"separatrix", StyleKind::line, "the curves that part the polhodes"},
-    {"body_cone", StyleKind::colour, "the cone that rolls"},
-    {"space_cone", StyleKind::colour, "the cone on which it rolls"},
-    {"sphere", StyleKind::colour, "the sphere of momenta"},
-    {"solid", StyleKind::colour, "bodies whose surfaces have no colour of their own"},
-    {"solid_lines", StyleKind::line, "the marks on bodies"},
+    {"grid", StyleKind::colour, "the grid on the plane"},
+    {"annulus", StyleKind::line, "the circles that bound the herpolhode"},
+    {"separatrix", StyleKind::line, "the separatrices"},
+    {"body_cone", StyleKind::colour, "the body cone"},
+    {"space_cone", StyleKind::colour, "the space cone"},
+    {"sphere", StyleKind::colour, "the sphere of constant |L|"},
+    {"solid", StyleKind::colour, "body surfaces that define no colour"},
+    {"solid_lines", StyleKind::line, "the lines on bodies"},
     {"theta", StyleKind::line, "the angle θ"},
     {"phi", StyleKind::line, "the angle φ"},
     {"psi", StyleKind::line, "the angle ψ"},
     {"energy", StyleKind::line, "E, T and torques"},
-    {"potential", StyleKind::line, "V, and axes that were given"},
-    {"ghost", StyleKind::line, "the motion beside"},
+    {"potential", StyleKind::line, "V and the axes given in the scene"},
+    {"ghost", StyleKind::line, "the motion of the second method"},
     {"rule", StyleKind::line, "the axes of charts"},
 };
 
@@ -176,7 +176,7 @@ SceneKey role_row(const StyleRole& role) {
     static std::deque<std::string> words;
     const bool is_line = role.kind == StyleKind::line, is_surface = role.kind == StyleKind::surface;
     const std::string_view path = words.emplace_back(fmt::format("style.{}", role.name));
-    const std::string_view of = is_line      ? "colour, weight and line"
+    const std::string_view of = is_line      ? "colour, weight and line style"
                                 : is_surface ? "colour and opacity"
                                              : "colour";
     const std::string_view example = is_line      ? R"("#9a247d 1.5 dashed")"
@@ -244,9 +244,9 @@ std::span<const SceneKey> style_keys() {
         all.push_back(scale_row("style.heading_scale", &StyleSpec::heading_scale,
                                 "factor on the size of panels' headings"));
         all.push_back(scale_row("style.label_scale", &StyleSpec::label_scale,
-                                "factor on the size of the names beside arrows and angles"));
+                                "factor on the size of the labels in figures"));
         all.push_back(scale_row("style.chart_scale", &StyleSpec::chart_scale,
-                                "factor on all type of charts"));
+                                "factor on the size of all type in charts"));
         return all;
     }();
     return rows;
@@ -256,18 +256,19 @@ std::span<const SceneKey> mark_keys() {
     using namespace key_rows;
     static const SceneKey rows[] = {
         numbers("marks[].at", mark(&MarkSpec::at), coordinates, "", "[1.0, 0.0, 0.0]",
-                "where it is: on the ellipsoid, in this direction of the body's axes; on the body, "
-                "at this point of its axes in m; in space, at this point as [camera] target")
+                "position of the point: direction in body axes (ellipsoid), coordinates in body "
+                "axes in m (body), or coordinates like those of [camera] target (space)")
             .without_default(),
-        one_of("marks[].on", mark(&MarkSpec::on), mark_places(), R"("body")", "what it goes with"),
-        text("marks[].name", mark(&MarkSpec::name), R"("P_1")",
-             "what stands beside it, as a formula")
-            .default_is("nothing"),
+        one_of("marks[].on", mark(&MarkSpec::on), mark_places(), R"("body")",
+               "what the point is fixed to"),
+        text("marks[].name", mark(&MarkSpec::name), R"("P_1")", "label of the point, as a formula")
+            .default_is("none"),
         boolean("marks[].trail", mark(&MarkSpec::trail), "true",
-                "whether the way that it went is shown")
+                "whether the path of the point is drawn")
             .omitted_if_default(),
-        row("marks[].colour", {.kind = ValueType::Kind::text}, R"("#cf4a12")", "its colour")
-            .default_is("that of the contact")
+        row("marks[].colour", {.kind = ValueType::Kind::text}, R"("#cf4a12")",
+            "colour of the point")
+            .default_is("that of the contact point")
             .read_by(read_mark_colour)
             .written_by(mark_colour_text),
     };

@@ -50,7 +50,7 @@ struct ValueType {
     std::size_t n_rows = 0;              // of a matrix; 0: not a matrix
     std::string_view names_of_values{};  // "w, x, y, z"
 
-    // A string that is accepted instead of the value, in words ("a ratio in a string") and as a
+    // A string that is accepted instead of the value, in words ("a ratio as a string") and as a
     // regular expression.
     std::string_view or_text{}, or_pattern{};
 

@@ -72,8 +72,8 @@ bool names(const fs::path& path, int descriptor) {
            by_name.st_ino == by_descriptor.st_ino && by_name.st_dev == by_descriptor.st_dev;
 }
 
-// What is made aside must be a file of its own: bytes for a pipe or behind a link would go
-// elsewhere, and a full pipe would never take them.
+// The temporary file must be a regular file: bytes for a pipe or a link would go elsewhere, and
+// writing to a full pipe would block.
 [[noreturn]] void refuse_aside(const fs::path& path, const fs::path& aside) {
     throw EnvironmentError(fmt::format(
         "cannot write {}: its temporary file {} exists and is not a regular file; remove it",

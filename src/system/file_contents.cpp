@@ -28,8 +28,8 @@ namespace {
     throw InputError(fmt::format("{}: {}", path.string(), in_words(kind)));
 }
 
-// Up to this many bytes of a file, or to its end whatever size it had at first: what stands in
-// /proc says that it has none.
+// Reads up to this many bytes, or to the end of the file, regardless of its reported size: files in
+// /proc report the size 0.
 template <class Bytes>
 Bytes contents_of(const std::filesystem::path& path, std::size_t most) {
     const InputFile file(path);

@@ -13,9 +13,9 @@ namespace poinsot {
 // A regular file, open for reading while it lives.
 class InputFile {
  public:
-    // Never waits: a pipe that nobody writes to is refused like any other that is not a regular
-    // file. Throws InputError for these (`PATH: a pipe or a device, not a regular file; …`),
-    // EnvironmentError for a file that is missing or cannot be opened (`cannot read PATH: REASON`).
+    // Never blocks: a pipe without a writer is refused like every file that is not regular. Throws
+    // InputError for these (`PATH: a pipe or a device, not a regular file; …`), EnvironmentError
+    // for a file that is missing or cannot be opened (`cannot read PATH: REASON`).
     explicit InputFile(const std::filesystem::path& path);
     ~InputFile();
     InputFile(InputFile&& other) noexcept;

@@ -22,7 +22,8 @@ std::string_view take_digits(std::string_view& text) {
     return digits;
 }
 
-// Cuts an exponent such as "e-3" off the front; what is none is left there, and 0.
+// Removes an exponent such as "e-3" from the front and returns it. Returns 0 and leaves the text if
+// it does not begin with an exponent.
 std::int64_t take_exponent(std::string_view& text) {
     if (!text.starts_with('e') && !text.starts_with('E')) return 0;
     std::string_view rest = text.substr(1);
@@ -120,7 +121,7 @@ Progression::Pair Progression::pair_of(const Rational& number) {
 Progression::Progression(const Rational& first, const Rational& step)
     : first_(first), step_(step), first_pair_(pair_of(first)), step_pair_(pair_of(step)) {}
 
-// Ziv's strategy: in some 100 bits first, and exactly where those do not tell how to round.
+// Ziv's strategy: first with some 100 bits, and exactly if these do not determine the rounding.
 // Source: Ziv, ACM TOMS 17 (1991) 410.
 double Progression::at(std::int64_t k) const {
     const double n = static_cast<double>(k);

@@ -25,12 +25,12 @@ struct Unit {
     int power_of_pi = 0;
 };
 
-// A product of powers of named units: "kg m²", "kg*m^2", "rad/s", "N m", "1/s". Nothing if the text
-// is none, or of more than 16 names.
+// A product of powers of named units: "kg m²", "kg*m^2", "rad/s", "N m", "1/s". Empty if the text
+// is not a unit, or has more than 16 names.
 std::optional<Unit> unit_named(std::string_view text);
 
 // A number before its unit: "24 cm", "33 1/3 rpm", "1/3 m", "800g". The value is the double nearest
-// to what is written; where π is in it, nearest to within 1e-80 of a double's spacing.
+// to the written value; with π, nearest to within 1e-80 of the spacing of doubles.
 struct Measured {
     double value = 0.0;  // in SI
     Unit unit;

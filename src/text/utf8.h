@@ -28,8 +28,8 @@ constexpr bool is_noncharacter(char32_t code) {
     return (code & 0xfffe) == 0xfffe || (code >= 0xfdd0 && code <= 0xfdef);
 }
 
-// True for control characters, and for those that have no picture of their own or change that of
-// others: directions of writing, what is zero wide or blank, tags and noncharacters.
+// True for control characters, and for those that are invisible or change how others appear:
+// writing directions, zero-width and blank characters, tags and noncharacters.
 bool is_hidden(char32_t code);
 
 }  // namespace poinsot

@@ -71,8 +71,8 @@ bool is_in(const Ranges& ranges, char32_t c) {
 }
 
 // What pdflatex sets in an article without further packages: each character of U+00A0 to U+30FF and
-// U+FB00 to U+FFFF tried by itself (LaTeX2e <2022-11-01>; the test "latex_characters" tries these
-// anew).
+// U+FB00 to U+FFFF tried separately (LaTeX2e <2022-11-01>; the test "latex_characters" repeats
+// this).
 constexpr std::array<Range, 78> set_by_any_latex{
     {{0xA0, 0xAA},     {0xAC, 0xBA},     {0xBC, 0xCF},     {0xD1, 0xDD},     {0xDF, 0xEF},
      {0xF1, 0xFD},     {0xFF, 0x103},    {0x106, 0x10F},   {0x112, 0x117},   {0x11A, 0x125},
@@ -91,7 +91,7 @@ constexpr std::array<Range, 78> set_by_any_latex{
      {0x2329, 0x232A}, {0x2422, 0x2423}, {0x25E6, 0x25E6}, {0x25EF, 0x25EF}, {0x266A, 0x266A},
      {0x27E8, 0x27E9}, {0x3008, 0x3009}, {0xFB00, 0xFB06}}};
 
-// And those that it sets once \usepackage[T1]{fontenc} has been said.
+// The additional characters that it sets with \usepackage[T1]{fontenc}.
 constexpr std::array<Range, 17> set_with_t1{{{0xAB, 0xAB},
                                              {0xBB, 0xBB},
                                              {0xD0, 0xD0},
@@ -116,7 +116,7 @@ std::string in_face(TextFace face, std::string text) {
     return text;
 }
 
-// Writes pieces, and keeps what it cannot write for all.
+// Writes pieces, and collects the characters that not every LaTeX document can set.
 class LatexWriter {
  public:
     explicit LatexWriter(LatexGaps& gaps) : gaps_(gaps) {}
@@ -202,7 +202,7 @@ class LatexWriter {
             return alphabet.empty() ? plain_symbol(plain)
                                     : fmt::format("\\{}{{{}}}", alphabet, plain_symbol(plain));
         }
-        // Letters that stay as they are stand upright.
+        // Letters outside of these alphabets are upright.
         const bool is_letter = (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z');
         return is_letter ? fmt::format("\\mathrm{{{}}}", static_cast<char>(c)) : plain_symbol(c);
     }

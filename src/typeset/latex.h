@@ -16,11 +16,11 @@ struct LatexGaps {
     std::vector<char32_t> need_unicode;  // set by XeLaTeX and LuaLaTeX alone
 };
 
-// What a document of LaTeX says for a label or caption (grammar: label_parser.h), its own fonts and
-// sizes left to it: a label is one formula between dollar signs, in display style. Beyond the
-// kernel it may name \boldsymbol, \mathbb, \dddot and \poinsotonly{ENCODING}{…}, which sets
-// its second argument where the document has fonts of that encoding (T1, TU) and else nothing.
-// Adds to the gaps. throws: LabelError for what the string says.
+// Returns a label or caption (grammar: label_parser.h) as LaTeX, without fonts and sizes: a label
+// is one formula between dollar signs, in display style. Beyond the kernel it may name \boldsymbol,
+// \mathbb, \dddot and \poinsotonly{ENCODING}{…}, which sets its second argument if the document has
+// fonts of that encoding (T1, TU), and otherwise nothing. Adds to the gaps. Throws LabelError for a
+// string that cannot be parsed.
 std::string latex_of(std::string_view text, TypeMode mode, LatexGaps& gaps);
 
 }  // namespace poinsot

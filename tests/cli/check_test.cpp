@@ -94,8 +94,8 @@ TEST(Plan, FollowsTheScene) {
         "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.5]\n[start]\nomega_rad_s = [0.3, 1.0, 0.2]\n"
         "[torque]\nkind = \"gravity\"\nmgl_N_m = 1.0\n[motion]\nmethod = \"rk4\"\nstep_s = 0.01\n",
         "check scene.toml --plan");
-    // rk4 evaluates it four times a step: 1000 steps of the film, and those of the curves' last
-    // piece.
+    // rk4 evaluates the torque four times in each step: 1000 steps of the film, and the steps of
+    // the curves' last piece.
     int n_steps = 0, n_evaluations = 0;
     const std::string motion = plan_line(heavy, "motion");
     ASSERT_EQ(std::sscanf(motion.c_str() + motion.find("rk4: "), "rk4: %d steps, %d evaluations",

@@ -85,8 +85,8 @@ TEST_F(ComparedPictures, InFoldersAreComparedInOnePass) {
     EXPECT_TRUE(contains(xml, R"(tests="3" failures="2" errors="0")")) << xml;
 }
 
-// Another processor may draw a native picture otherwise, so that is said where it may be all that
-// there is: the same scene and instant, and no more than a few levels of a few pixels.
+// Another processor may draw a native picture differently. A note says so if this may be the only
+// cause: the same scene and instant, and a few pixels that differ by a few levels.
 TEST_F(ComparedPictures, WithoutPortableAreTold) {
     draw("a.png", "--time 0.1");
     draw("b.png", "--time 0.3");

@@ -149,7 +149,8 @@ TEST_F(StillMessages, ACameraKeyWithoutEffectIsNoted) {
               std::string::npos);
 }
 
-// A billion seconds on, the herpolhode is a ring, said so and within the bound; a chart is refused.
+// After a billion seconds, the herpolhode is a ring within the bound, and a note says so; a chart
+// is refused.
 TEST_F(StillMessages, FarTimesAreRingsOrRefused) {
     for (const char* output : {"a.png", "a.svg", "a.pdf"}) {
         const ProgramRun still = run(std::string("still scene.toml --time 1e9 -o ") + output);

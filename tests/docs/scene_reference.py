@@ -12,29 +12,29 @@ import sys
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "scene-reference.md"
 # Table of the scene file → introduction of its keys.
 TABLES = {
-    "": "At the top of the file, before any table.",
-    "body": "What turns, in exactly one of these ways: `moments_kg_m2`, `tensor_kg_m2`, `shape`, `[[body.masses]]`, `object` or `mesh`.",
-    "body.masses[]": "Point masses, one table each.",
-    "object": "What the body looks like, where it does not say so itself, and what is told apart of it.",
-    "object.pictures[]": "Pictures on its flat faces, one table each.",
-    "start": "The motion at t = 0. A heavy top starts from `theta_rad` and its rates, everything else from `omega_rad_s`.",
-    "torque": "What acts on the body.",
-    "motion": "How the motion is computed.",
-    "beside": "A second method, drawn as a ghost.",
-    "film": "The stretch of motion, and the film or still that shows it.",
-    "camera": "From where it is seen.",
-    "construction": "How Poinsot's construction stands in the picture.",
-    "trail": "How much of the paths is shown.",
-    "keyframes[]": "Camera and speed over the film, in seconds of film.",
-    "fades[]": "What comes and goes.",
-    "captions[]": "Text that comes and goes, in seconds of film; also subtitles, in a film and beside it.",
-    "chapters[]": "Sections of the film.",
-    "symbols": "Names of quantities in labels, as formulas.",
-    "style": "What is drawn otherwise than the theme says. A file of such lines without the header, with `extends = \"dark\"` on top, is a theme.",
-    "marks[]": "Points of one's own, one table each.",
-    "grid": "Columns and rows that panels stand in.",
-    "panels[]": "Views of the one motion, one table each.",
-    "panels[].camera": "From where one panel is seen, below its `[[panels]]`. `space`, `object`, `top` and `sweep` take from `[camera]` what is not said here; `body` and `momentum`, in body axes, from where they are seen by themselves.",
+    "": "Keys before the first table of the file.",
+    "body": "The body. Give exactly one of `moments_kg_m2`, `tensor_kg_m2`, `shape`, `[[body.masses]]`, `object` and `mesh`.",
+    "body.masses[]": "Point masses, one table for each point.",
+    "object": "How the body looks. These keys do not change its inertia.",
+    "object.pictures[]": "Pictures on flat faces of the body, one table for each picture.",
+    "start": "The motion at t = 0. A heavy top starts from `theta_rad` and its rates, every other motion from `omega_rad_s`.",
+    "torque": "The torque on the body.",
+    "motion": "How poinsot computes the motion.",
+    "beside": "A second method, whose motion is drawn as a ghost for comparison.",
+    "film": "The time span of the motion, and the film or still that shows it.",
+    "camera": "The camera of the panels `space`, `object`, `top` and `sweep`.",
+    "construction": "How Poinsot's construction is oriented in the picture, and what the film varies.",
+    "trail": "Which parts of the polhode and the herpolhode are drawn.",
+    "keyframes[]": "Values of the camera and the speed at given seconds of the film, one table for each keyframe.",
+    "fades[]": "Elements that appear, disappear or change their opacity, one table for each fade.",
+    "captions[]": "Text that is shown during a part of the film, one table for each text. Captions are also subtitles, in the film and in a file beside it.",
+    "chapters[]": "Sections of the film, one table for each section.",
+    "symbols": "Symbols of quantities in labels. Each value is a formula.",
+    "style": "Values that override the theme. A theme file contains such lines without the header, and `extends = \"dark\"` at the top.",
+    "marks[]": "Additional points, one table for each point.",
+    "grid": "The grid whose cells hold the panels.",
+    "panels[]": "Views of the same motion, one table for each panel.",
+    "panels[].camera": "The camera of one panel, written below its `[[panels]]` table. The panels `space`, `object`, `top` and `sweep` take from `[camera]` the values that are not set here; `body` and `momentum` have their own defaults, in body axes.",
 }
 # Lists of accepted names, with the key that accepts them.
 LISTS = {
@@ -67,7 +67,7 @@ def key_sections(keys):
         sections.setdefault(table, []).append((leaf, *summary.split("; ", 1)))
     for table, rows in sections.items():
         if table not in TABLES:
-            sys.exit(f"scene_reference.py: say in TABLES what [{table}] is")
+            sys.exit(f"scene_reference.py: describe [{table}] in TABLES")
         yield f"### {header_of(table)}"
         yield ""
         yield TABLES[table]
@@ -82,10 +82,12 @@ def key_sections(keys):
 def page(program):
     known = subprocess.run([program, "list"], capture_output=True, text=True, check=True).stdout.split()
     lines = ["# Scene reference", "",
-             "Made from the program's own tables by `cmake --build build/release --target docs`; a test fails when it is stale. "
-             "`poinsot list keys` prints the same. A scene is TOML with strict keys: an unknown key, a wrong type or a number "
-             "out of its domain is refused with file, line and column. Any key may be set on the command line, as in "
-             "`--set film.speed=0.5` or `--set 'panels[0].kind=plan'`. How keys work together: [guide](guide.md).", "",
+             "This page lists every key of a scene file, and every name that a key accepts. `poinsot list keys` prints the same descriptions. "
+             "A scene is a TOML file with strict keys: poinsot rejects an unknown key, a wrong type or a number out of range, and names "
+             "the file, line and column. The command line can set any key, as in `--set film.speed=0.5` or "
+             "`--set 'panels[0].kind=plan'`. The [guide](guide.md) explains how keys work together.", "",
+             "`cmake --build build/release --target docs` generates this page from the program's tables; a test fails if the page is "
+             "out of date.", "",
              "## Keys", ""]
     lines += key_sections(listed(program, "keys"))
     lines += ["## Names", ""]
@@ -106,4 +108,4 @@ if __name__ == "__main__":
     if sys.argv[1] == "write":
         PAGE.write_text(text)
     elif not PAGE.exists() or PAGE.read_text() != text:
-        sys.exit("docs/scene-reference.md is not what the program's tables say; run: cmake --build build/release --target docs")
+        sys.exit("docs/scene-reference.md does not match the program's tables; run: cmake --build build/release --target docs")

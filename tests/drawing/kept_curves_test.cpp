@@ -1,4 +1,4 @@
-// Every curve that a picture keeps lies within the bound that its record states, at any instant: or
+// At any instant, every curve of a picture lies within the bound that the record states; otherwise
 // it is refused, or drawn as the ring that it fills, with a note.
 #include <gtest/gtest.h>
 
@@ -35,7 +35,8 @@ Scene burning(const std::string& panel) {
     return scene;
 }
 
-// A stage as a quality draws it: so many samples a side, curves within so many of these.
+// A stage as a quality draws it: with this number of samples per side, and curves within this many
+// of them.
 struct Drawn {
     Scene scene;
     Motion motion;
@@ -202,9 +203,9 @@ TEST(FarTimes, KeepTheirBoundOrAreRings) {
     }
 }
 
-// The ring touches both circles of the annulus, and nothing of it is farther from the line than
-// half of the line's width. The curve itself leaves no more free, either: its neighbouring turns,
-// as far as the motion is sampled, are everywhere nearer than that.
+// The ring touches both circles of the annulus, and no point of it is farther from the line than
+// half of the line's width. The curve itself leaves no larger gaps: its neighbouring turns, as far
+// as the motion is sampled, are closer than that everywhere.
 TEST(FarTimes, TheRingIsWhatTheHerpolhodeFills) {
     const Drawn still = still_of(generic("plan"), 1e9);
     const Drawing drawing = still.stage.at(1e9);
@@ -232,7 +233,7 @@ TEST(FarTimes, TheRingIsWhatTheHerpolhodeFills) {
     for (std::size_t i = 1; i < radii.size(); ++i)
         EXPECT_LE(radii[i] - radii[i - 1], half_width * 1.01);
 
-    // Turns of the motion that cross one circle, over the time in which the ring is said to fill.
+    // Turns of the motion that cross one circle, over the time in which the ring fills.
     const TimedCurve timed =
         herpolhode_trail(data, 0.05 * data.panels.front().units_per_px * annulus.outer,
                          2.0 * half_width * annulus.outer);
@@ -292,7 +293,7 @@ TEST(FarTimes, AFilmGoesOverFromTheCurveToTheRing) {
     EXPECT_EQ(geometry_at(5e5), geometry_at(1e6));
 }
 
-// What runs over itself, comes to rest, or is shown in a short stretch, is drawn as ever.
+// Paths that close, come to rest, or are shown in a short stretch are drawn as curves at any time.
 TEST(FarTimes, OfCirclesLoopsAndShortTrailsAreCurves) {
     Scene circle = free_scene({2.0, 2.0, 1.0}, {0.3, 0.0, 1.0}, "space");
     Scene fading = generic("space");
@@ -329,8 +330,8 @@ TEST(FarTimes, OfCirclesLoopsAndShortTrailsAreCurves) {
     EXPECT_LE(off / still.stage.data().panels.front().units_per_px, 0.05 * 1.1);
 }
 
-// Nothing else is drawn with a bound that nobody asked for: charts, the tracks of tops, of marks
-// and of other methods are refused, and told what to do.
+// Other curves are never drawn with a larger bound than requested: charts and the tracks of tops,
+// marks and other methods are refused with a remedy.
 TEST(FarTimes, OfOtherCurvesAreRefused) {
     Scene marked = generic("space");
     MarkSpec mark;
@@ -357,7 +358,7 @@ TEST(FarTimes, OfOtherCurvesAreRefused) {
     }
 }
 
-// At 1e15 s doubles are an eighth of a second apart, and no polyline of them is a curve.
+// At 1e15 s doubles are an eighth of a second apart, too far for a polyline.
 TEST(FarTimes, TooCoarseForACurveAreRefused) {
     Scene fading = generic("space");
     fading.trail.herpolhode = "fading";

@@ -197,8 +197,8 @@ TEST(House, LibrariesAreUsedOnlyInTheirFolders) {
     }
 }
 
-// A long double has 53, 64 or 113 bits, so that digits would depend on the platform; and what is
-// rounded to it first and to double afterwards is rounded twice.
+// A long double has 53, 64 or 113 bits, so digits would depend on the platform. A value that is
+// rounded to it and then to double is rounded twice.
 TEST(House, NoResultPassesThroughLongDouble) {
     int n_files = 0;
     for (const auto& entry : fs::recursive_directory_iterator(poinsot::source_folder() / "src")) {

@@ -49,7 +49,7 @@ TEST(Compare, CountsChangedPixels) {
     EXPECT_DOUBLE_EQ(result.mean_difference, (3 * 9 + 4 * 1) / 40000.0);
 }
 
-// Each number is said once, and where nothing may differ that is said in words.
+// Each number appears once, and a limit of zero is expressed in words.
 TEST(Compare, SaysWhatDiffersOnce) {
     const Image before = filled(100, 100, {10, 20, 30, 255});
     const Image after = changed(changed(before, 7, 1), 3, 8);

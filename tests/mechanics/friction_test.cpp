@@ -100,7 +100,7 @@ TEST(Friction, KeepsMomentumInSpaceAndNeverAddsEnergy) {
 
 // ---------------------------------------------------------------------------------------------
 // Euler's equations with the double bracket, in L and the attitude, by Fehlberg's method of order
-// 7(8): nothing of it knows that L is kept.
+// 7(8). This method does not use that L is conserved.
 
 using Numbers = std::array<double, 7>;
 

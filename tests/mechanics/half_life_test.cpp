@@ -118,10 +118,10 @@ TEST(HalfLife, MeanDissipationIsThatOfTheMotion) {
     }
 }
 
-// As near to an axis as is taken, moments that differ in their last digits, times from far below a
-// turn to far above: the half is gone at the half-life, found in a bounded number of steps. By the
-// closed form of symmetric bodies, in the tilt's tangent; one that starts near the axis of the
-// least moment goes over.
+// Starts as close to an axis as is accepted, moments that differ in their last digits, half-lives
+// from much shorter to much longer than a turn: half of the energy is lost at the half-life, which
+// is found in a bounded number of steps. Compared with the closed form of symmetric bodies, in the
+// tangent of the tilt; a body that starts near the axis of the least moment turns over.
 TEST(HalfLife, HoldsNearTheAxesAndForAlmostEqualMoments) {
     struct Case {
         Eigen::Vector3d moments;

@@ -48,7 +48,7 @@ TEST(SteppingEstimate, IsIndependentOfOtherLoad) {
     EXPECT_LT(stepping_estimate_s(problem_of(stepped_scene()), interrupted_clock_s), 1.0);
 }
 
-// What once stepped for minutes before it was refused: the estimate takes a counted number of
+// This once took minutes of stepping before it was refused: the estimate takes a limited number of
 // steps.
 TEST(SteppingEstimate, IsBoundedWhateverTheMotion) {
     MotionProblem fast = problem_of(stepped_scene());
@@ -61,11 +61,11 @@ TEST(SteppingEstimate, IsBoundedWhateverTheMotion) {
     MotionProblem fine = problem_of(stepped_scene());
     fine.method = {.name = "rk4", .step_s = 1e-200, .tolerance = {}, .order = {}};
     EXPECT_GT(stepping_estimate_s(fine), longest_stepping_s);
-    // A clock that stands still tells nothing, and is not waited for.
+    // A stopped clock gives no estimate and does not block.
     EXPECT_EQ(stepping_estimate_s(fast, [] { return 0.0; }), 0.0);
 }
 
-// Stepping looks whether its time is over.
+// Stepping checks its time limit.
 TEST(SteppingEstimate, IsKeptByStoppingWhatTakesLonger) {
     MotionProblem problem = problem_of(stepped_scene());
     problem.method = {.name = "rk4", .step_s = 1e-7, .tolerance = {}, .order = {}};

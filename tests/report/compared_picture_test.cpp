@@ -110,8 +110,8 @@ TEST_F(Folders, PassWithinLimits) {
         }
 }
 
-// What is decoded and measured, counted: likeness only where it is asked for, and of pictures that
-// differ; of two files of the same bytes one.
+// Counts what is decoded and measured: likeness only on request and for pictures that differ; of
+// two byte-identical files only one.
 TEST_F(Folders, MeasureNoMoreThanIsAskedFor) {
     const auto names_read = [this](const std::string& name, bool measures, int* n_measured) {
         std::vector<std::string> read;

@@ -109,7 +109,7 @@ bool is_normalised(const std::string& row) {
     return row == "start.attitude" || row == "start.attitude_matrix" || row == "torque.arm_body";
 }
 
-// All data that a scene is computed from and that have no text of their own.
+// All data that a scene is computed from and that the scene's text does not contain.
 void expect_same_state(const Scene& a, const Scene& b, const std::string& text) {
     for (int i = 0; i < 4; ++i)
         EXPECT_EQ(bits(a.start.space_from_body.coeffs()[i]),

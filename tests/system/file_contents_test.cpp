@@ -34,7 +34,7 @@ TEST(FileContents, AreReadFromAFileThatReportsNoSize) {
     EXPECT_NE(read_text("/proc/self/status").find("Pid:"), std::string::npos);
 }
 
-// What reading says instead, by the type of what is thrown.
+// The message of the error that reading throws, with the error's type.
 std::string refusal_of(const std::filesystem::path& path) {
     try {
         read_text(path);
@@ -55,7 +55,7 @@ TEST(FileContents, AreRefusedWithTheReason) {
     EXPECT_FALSE(begins_with(folder / "gone", "x"));
 }
 
-// A pipe that nobody writes to would be waited for without end; the alarm ends the test then.
+// Reading a pipe without a writer would block forever; then the alarm ends the test.
 TEST(FileContents, OfAPipeOrADeviceAreNotWaitedFor) {
     const TemporaryFolder folder;
     const std::string pipe = (folder / "pipe").string();

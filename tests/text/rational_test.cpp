@@ -73,7 +73,7 @@ TEST(Rationals, ReadWhatFromCharsReads) {
         EXPECT_FALSE(rational_of(text)) << text;
     EXPECT_FALSE(rational_of(std::string(1001, '1')));
     EXPECT_TRUE(rational_of("1" + std::string(3000, '0') + "e-3000"));
-    // What begins as an exponent and is none belongs to what follows.
+    // An "e" that begins no exponent belongs to the following text.
     std::string_view rest = "24e m";
     EXPECT_EQ(nearest_double(*take_decimal(rest)), 24.0);
     EXPECT_EQ(rest, "e m");

@@ -54,7 +54,7 @@ TEST(Units, RejectInvalidUnitsAndOtherDimensions) {
     EXPECT_FALSE(measured_in("24 kg", *unit_named("m")));
     // Angle is a dimension: an angular rate differs from other rates.
     EXPECT_FALSE(measured_in("3 1/s", *unit_named("rad/s")));
-    EXPECT_FALSE(unit_named("largest half-axes"));
+    EXPECT_FALSE(unit_named("units of the largest half-axis"));
     EXPECT_FALSE(unit_named("pixels"));
     EXPECT_FALSE(unit_named(""));
 }

@@ -97,7 +97,7 @@ std::string complaint_about(const std::string& preamble, const std::string& body
     return found.empty() && status != 0 ? "pdflatex failed" : found;
 }
 
-// Every character that stands as it is, or as a command, and with T1 those that need it.
+// Every character that is written unchanged or as a command, and, with T1, those that need it.
 TEST(Latex, SetsEveryCharacterThatItKeeps) {
     if (std::system("command -v pdflatex >/dev/null 2>&1") != 0) GTEST_SKIP() << "no pdflatex";
     std::string plain, with_t1;

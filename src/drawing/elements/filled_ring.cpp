@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-// How far the contact point gets about L in one polhode period, turns, in the axes shown.
+// Advance of the contact point about L in one polhode period, in turns, in the axes shown.
 double advance_turns(const StageData& stage) {
     if (stage.turns()) return 0.0;  // those axes turn with it
     return stage.motion.motion().free_constants().advance_per_period_rad.value_or(0.0) / (2.0 * pi);
@@ -38,8 +38,9 @@ double touching_s(const PathPoint& point, double period_s, bool outer) {
     return period_s * best / n;
 }
 
-// By how much the curve has left a circle of the ring at most when it has turned about L by half of
-// `gap_rad` from where it touches it: where neighbouring turns meet that touch it so far apart.
+// Largest distance of the curve from a circle of the ring after it has turned about L by half of
+// `gap_rad` from the point where it touches this circle: there two neighbouring turns meet that
+// touch the circle `gap_rad` apart.
 double notch(const StageData& stage, const PathPoint& point, double period_s, double gap_rad,
              bool outer) {
     const Polhode::Annulus annulus = annulus_of(stage);
@@ -53,7 +54,7 @@ double notch(const StageData& stage, const PathPoint& point, double period_s, do
             const Eigen::Vector3d at = point(touches_s + side * k * step * period_s);
             const double angle = std::atan2(from.cross(at).norm(), from.dot(at));
             if (k == 4096) return std::numeric_limits<double>::infinity();
-            // The touching instant is known to a sixteenth of the steps that it was searched in.
+            // The instant of contact is known to a sixteenth of the search step.
             if (k <= 16 || angle < 0.5 * gap_rad) continue;
             deepest = std::max(deepest, std::abs(at.norm() - radius));
             break;
@@ -69,7 +70,7 @@ std::optional<double> retracing_s(const StageData& stage, double span_s, double 
     const FreeRotationConstants constants = stage.motion.motion().free_constants();
     const double outer = annulus_of(stage).outer;
     if (stage.rolling->polhode.kind() == Polhode::Kind::circle) {
-        // A circle, run along evenly; in axes that turn with it, a point.
+        // A circle, traversed at a constant rate; in axes that turn with it, a point.
         const double rate_rad_s = std::abs(constants.mean_advance_rate_rad_s);
         if (!(rate_rad_s > 0.0)) return std::nullopt;
         const double turn_s = 2.0 * pi / rate_rad_s;
@@ -94,13 +95,13 @@ std::optional<FilledRing> filled_ring(const StageData& stage, const PathPoint& p
     const FreeRotationConstants constants = stage.motion.motion().free_constants();
     const Polhode::Annulus annulus = annulus_of(stage);
     if (!constants.polhode_period_s || stage.turns() || !(width > 0.0)) return std::nullopt;
-    // After half a polhode's period ω is back with two components reversed, and the curve goes on
-    // as it was, turned about L by half the period's advance.
+    // After half a polhode period, ω has returned with two components reversed, and the curve
+    // repeats, rotated about L by half of the period's advance.
     const double period_s = 0.5 * *constants.polhode_period_s;
     const double turned = 0.5 * advance_turns(stage);
 
-    // Turns lie closer than half a line's width, and touch the circles so closely one beside the
-    // other that the notches between them are not seen.
+    // The distance between turns is less than half a line's width, and the turns touch the circles
+    // at such small intervals that the notches between them are invisible.
     double gap_rad = 0.5 * width / annulus.outer;
     const auto deepest_notch = [&] {
         return std::max(notch(stage, point, period_s, gap_rad, false),
@@ -117,8 +118,8 @@ std::optional<FilledRing> filled_ring(const StageData& stage, const PathPoint& p
     FilledRing ring;
     ring.filled_after_s = (*n_periods + 1.0) * period_s;
 
-    // A spiral from one circle to the other, both run round once. The sagitta r(1 − cos(π/n)) stays
-    // below the tolerance.
+    // A spiral from one circle to the other, with one turn along each. The sagitta r(1 − cos(π/n))
+    // stays below the tolerance.
     const double n_turns =
         std::max(1.0, std::ceil((annulus.outer - annulus.inner) / (0.5 * width)));
     const double n_a_turn =

@@ -34,7 +34,7 @@ struct FilledRing {
 std::optional<FilledRing> filled_ring(const StageData& stage, const PathPoint& point,
                                       double tolerance, double width, std::size_t most_points);
 
-// The ring in a panel, and the instant from which on it stands for the curve.
+// The ring in a panel, and the instant from which it replaces the curve.
 struct RingCurve {
     double from_s = 0.0;
     Curve curve;

@@ -27,7 +27,7 @@ void cut(TimedPath& path) {
     path.points.resize(n_points);
     path.times_s.resize(n_points);
     path.offs.resize(n_points);
-    // Of a path that was not followed nothing is known.
+    // The distance is unknown for a path that was not sampled (infinite).
     if (std::isfinite(path.off))
         path.off = n_points > 0 ? *std::max_element(path.offs.begin(), path.offs.end()) : 0.0;
 }

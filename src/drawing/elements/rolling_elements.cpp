@@ -26,8 +26,8 @@ double plane_radius(const Panel& panel) {
                           std::max(2.4, 2.2 * herpolhode));
 }
 
-// A plane with a grid of circles about the foot of L. For a camera that turns about L circles stand
-// still; straight lines would turn, and lines that followed the camera would contradict the
+// A plane with a grid of circles about the foot of L. For a camera that turns about L, circles do
+// not move; straight lines would turn, and lines that followed the camera would contradict the
 // rolling.
 Drawer ringed(Panel& panel, Plane plane) {
     plane.grid_px = 0.0;

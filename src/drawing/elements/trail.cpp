@@ -24,9 +24,9 @@ double feature_s(const StageData& stage) {
     return fastest > 0.0 ? std::numbers::pi / fastest : 1.0;
 }
 
-// An eighth of the time that half a turn takes in the mean, on the ellipsoid or about L: of a
-// needle, whose least moment says nothing of how it moves, a million times as long as the above.
-// Zero where there is no mean.
+// An eighth of the mean time of half a turn, on the ellipsoid or about L. For a needle, whose least
+// moment does not determine its motion, this is a million times as long as the time above. Zero if
+// there is no mean.
 double mean_feature_s(const StageData& stage) {
     if (stage.motion.motion().integrated() != nullptr || !stage.polhode_period_s) return 0.0;
     const double rate_rad_s =
@@ -36,7 +36,7 @@ double mean_feature_s(const StageData& stage) {
     return half_turn_s / 8.0;
 }
 
-// Of a path; and of a herpolhode that has not yet filled its ring.
+// Most points of a path, and of a herpolhode that has not yet filled its ring.
 constexpr std::size_t most_points = 200'000;
 constexpr std::size_t most_ring_points = 1'000'000;
 
@@ -91,7 +91,7 @@ TimedPath sampled(const StageData& stage, const PathPoint& point, double from_s,
     return path;
 }
 
-// The whole stretch that is drawn; of a path that runs over itself, a period before the first
+// Samples the whole stretch that is drawn or, for a periodic path, one period before the first
 // instant and one after it.
 TimedPath sampled(const StageData& stage, const PathPoint& point, std::optional<double> period_s,
                   const Quantities& wanted, double tolerance) {
@@ -102,7 +102,7 @@ TimedPath sampled(const StageData& stage, const PathPoint& point, std::optional<
                    wanted, tolerance);
 }
 
-// How far the point of the last instants is from where the path of one period has it.
+// Distance of the point at the last instants from its position on the path of one period.
 double drift(const StageData& stage, const PathPoint& point, double period_s) {
     const StageOptions& options = stage.options;
     constexpr int n_looks = 8;
@@ -117,15 +117,15 @@ double drift(const StageData& stage, const PathPoint& point, double period_s) {
     return farthest;
 }
 
-// The same, but for the rounding that no picture shows.
+// The same, without rounding errors that no picture shows.
 double seen_drift(const StageData& stage, const PathPoint& point, double period_s,
                   double tolerance) {
     const double off = drift(stage, point, period_s);
     return off > 1e-6 * tolerance ? off : 0.0;
 }
 
-// On the separatrix the contact point comes to rest. The instant from which on it stays within half
-// of the tolerance of where it ends; none where that is not soon enough for its path to be sampled.
+// On the separatrix the contact point comes to rest. Returns the instant after which it stays
+// within half of the tolerance of its end; none if that is too late for its path to be sampled.
 std::optional<double> resting_s(const StageData& stage, const PathPoint& point, double tolerance) {
     const StageOptions& options = stage.options;
     const Eigen::Vector3d end = point(options.last_time_s);
@@ -134,15 +134,15 @@ std::optional<double> resting_s(const StageData& stage, const PathPoint& point, 
         const double time_s = options.first_time_s + after_s;
         if (!(time_s < options.last_time_s)) break;
         const double from_end = (point(time_s) - end).norm();
-        // Before that it may go away from the same axis.
+        // Before that, it may move away from the same axis.
         const bool comes_near = from_end < (point(time_s - feature_s(stage)) - end).norm();
         if (comes_near && from_end <= 0.5 * tolerance) return time_s;
     }
     return std::nullopt;
 }
 
-// Whether the motion has tangents that belong to its positions to the last digit: a stepped one has
-// them to its own accuracy.
+// Whether the motion's tangents agree with its positions to the last digit; those of a stepped
+// motion agree only to its own accuracy.
 bool is_smooth(const StageData& stage) { return stage.motion.motion().integrated() == nullptr; }
 
 // Euler's equations: I ω̇ = Iω × ω, body axes.
@@ -214,7 +214,7 @@ TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double wid
     const bool is_exact = is_smooth(stage) && !stage.rolling->dissipates;
     if (period_s || path.off <= tolerance || !is_exact) return as_curve(std::move(path), period_s);
 
-    // Too many turns. What is shown may be a short stretch of them,
+    // Too many turns to sample all of them. The shown part may be a short stretch,
     const auto kept = [&](double from_s, double to_s, std::size_t most = most_points) {
         path = sampled(stage, point, from_s, to_s, wanted, tolerance, most);
         return path.off <= tolerance;
@@ -227,12 +227,12 @@ TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double wid
         if (from_s > options.first_time_s && kept(from_s, options.last_time_s))
             return as_curve(std::move(path), {});
     }
-    // they may come to an end,
+    // the path may come to rest,
     if (stage.rolling->polhode.kind() == Polhode::Kind::separatrix) {
         if (const auto to_s = resting_s(stage, point, tolerance))
             if (kept(options.first_time_s, *to_s)) return as_curve(std::move(path), {});
     }
-    // run over each other,
+    // it may repeat,
     const double span_s = options.last_time_s - options.first_time_s;
     const double longest_s = 0.05 * most_points * feature_s(stage);
     period_s = retracing_s(stage, span_s, longest_s, tolerance);
@@ -241,7 +241,7 @@ TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double wid
         path.off += seen_drift(stage, point, *period_s, tolerance);
         if (path.off <= tolerance) return as_curve(std::move(path), period_s);
     }
-    // or leave nothing of their ring free.
+    // or it may fill its ring.
     const auto ring =
         kind == "fading" ? std::nullopt : filled_ring(stage, point, tolerance, width, most_points);
     if (!ring || !(span_s >= ring->filled_after_s)) {
@@ -250,7 +250,7 @@ TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double wid
     }
     const bool always = kind == "whole";
     const double filled_s = options.first_time_s + ring->filled_after_s;
-    // A curve of one point, where no instant shows it.
+    // A curve of one point if no instant shows it.
     const bool is_shown = !always && first_shown_s < filled_s;
     if (!kept(options.first_time_s, is_shown ? filled_s : options.first_time_s, most_ring_points))
         return as_curve(std::move(path), {});
@@ -266,10 +266,10 @@ TimedCurve polhode_trail(const StageData& stage, double tolerance, const BodyMap
         return map ? map(at) : at;
     };
     const std::string& kind = stage.scene.trail.polhode;
-    // What a stepped method does with ω need not come back.
+    // By a stepped method, ω need not be periodic.
     const auto period_s = is_smooth(stage) ? stage.polhode_period_s : std::nullopt;
     TimedPath path = sampled(stage, point, period_s, omega_alone, tolerance);
-    // All of the curve is the same whenever it has been run along; its last stretch is not.
+    // The whole curve is the same at all times; its last stretch is not.
     if (period_s && kind == "fading") path.off += seen_drift(stage, point, *period_s, tolerance);
     const bool may_rest = stage.rolling->polhode.kind() == Polhode::Kind::separatrix &&
                           is_smooth(stage) && !stage.rolling->dissipates;

@@ -21,7 +21,7 @@ namespace poinsot {
 namespace {
 
 // L and ω are shorter than in the space panel, where they must extend beyond a rotating body, so
-// that the ellipsoid fills its panel; L still extends beyond an ω beside it.
+// that the ellipsoid fills its panel; L still extends beyond ω.
 constexpr double body_momentum_length = 1.3;
 constexpr double omega_share = 0.88;
 

@@ -1,5 +1,5 @@
 // The momentum panel: in body axes, L moves on the sphere |m| = L and on the ellipsoid of energy Σ
-// mᵢ²/2Iᵢ = T, both conserved, and hence on the curves in which they intersect. In units of L the
+// mᵢ²/2Iᵢ = T, both conserved, so it moves on the curves in which they intersect. In units of L the
 // sphere has radius 1 and the ellipsoid the half-axes √(2TIᵢ)/L.
 #include <algorithm>
 #include <array>

@@ -82,7 +82,7 @@ Plane plane_of(const Panel& panel) {
                                      std::min(1.0, 1.0 * panel.box.width_px / panel.box.height_px));
     plane.fade_from = 0.6;
     plane.grid_spacing = 0.25;
-    // Straight lines would turn in rotating axes; the annulus's circles stand still.
+    // Straight lines would turn in rotating axes; the annulus's circles do not.
     plane.grid_px = panel.stage->turns() ? 0.0 : 1.0 * panel.px;
     plane.colour = panel.stage->theme->plane;
     plane.grid_colour = panel.stage->theme->grid;

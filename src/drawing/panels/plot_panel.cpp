@@ -59,7 +59,8 @@ double dash_of(DashPattern style, const Panel& panel) {
     }
 }
 
-// Leaves out what a curve has before it is in its chart for good; it comes in at the edge.
+// Removes the part of a curve before it enters its chart for the last time; the rest begins at the
+// edge.
 void cut_beginning(std::vector<CurveSample>& samples, const ChartArea& area) {
     const auto last_outside =
         std::find_if(samples.rbegin(), samples.rend(), [&area](const CurveSample& sample) {
@@ -226,7 +227,8 @@ class PlotMaker {
         if (!quantity_->decades)
             return sample_adaptively(point, stage.film_first_s, stage.film_last_s, n_pieces_,
                                      stage.curve_px, 40'000);
-        // Residuals are rounding, of which no sampling makes a curve: a value every few pixels.
+        // Residuals are rounding noise, which cannot be sampled as a curve: one value every few
+        // pixels.
         std::vector<CurveSample> values;
         constexpr double apart_px = 3.0;
         const int n = static_cast<int>(std::ceil(chart.area().width() / apart_px));

@@ -14,9 +14,10 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-// L/unit, then the quaternion x, y, z, w. With friction L follows from the attitude: then the first
-// is the decay of the energy over the step, as the turn that it stands for, by which one tolerance
-// serves it and the attitude, the second the turn of a decay of one, and the third 0.
+// L/unit, then the quaternion x, y, z, w. With friction, L follows from the attitude. Then the
+// first number is the decay of the energy over the step, expressed as a rotation angle, so that one
+// tolerance applies to it and to the attitude; the second is the angle for a decay of one, and the
+// third is 0.
 using Numbers = std::array<double, 7>;
 using Stepper = odeint::runge_kutta_dopri5<Numbers>;
 using Checker =

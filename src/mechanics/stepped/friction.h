@@ -1,5 +1,5 @@
-// Motion under friction inside the body: L stays in space, so the attitude alone is stepped and ω
-// follows from it; the energy is stepped beside it, and never grows.
+// Motion under friction inside the body: L is constant in space, so only the attitude is integrated
+// and ω follows from it. The energy is integrated separately, and never grows.
 #pragma once
 
 #include "mechanics/methods.h"
@@ -7,9 +7,9 @@
 namespace poinsot {
 
 // The excess X of T over the least energy that L allows decays at the rate λ = −d(ln X)/dt ≥ 0. A
-// method sums λ over its step as it sums the turning; then the body is turned by the little that is
-// between the energy of the attitude that it reached and X exp(−Σλh). Backwards in time the
-// distance from the greatest energy decays instead.
+// method sums λ over its step as it sums the rotation; then a small rotation corrects the attitude
+// to the energy X exp(−Σλh). Backwards in time, the distance from the greatest energy decays
+// instead.
 //
 // λ ≥ 0 at every stage, so with positive weights the energy at the end of a step is not above that
 // at its start, however long the step.
@@ -26,10 +26,12 @@ class Friction {
     // λ of a momentum, in 1/s.
     double decay_1_s(const Eigen::Vector3d& momentum) const;
     bool backwards() const { return backwards_; }
-    // How far the body must turn, along the steepest descent, for ln X to sink by one, in rad: what
-    // an error of the decay does to the attitude. 0 where friction does nothing.
+    // Angle in rad by which the body must turn, along the steepest descent, to reduce ln X by one:
+    // it converts an error of the decay to an error of the attitude. 0 where friction has no
+    // effect.
     double turn_of_decay_rad(const Eigen::Vector3d& momentum) const;
-    // The end of a step whose attitude is known but for its energy; `decay` is the sum of λ|h|.
+    // The end of a step whose attitude is not yet corrected to its energy; `decay` is the sum of
+    // λ|h|.
     StepState settled(const StepState& start, const Eigen::Quaterniond& attitude,
                       double decay) const;
 
@@ -40,8 +42,8 @@ class Friction {
     bool backwards_ = false;
     double momentum_ = 0.0;                                      // |L|
     Eigen::Vector3d direction_space_ = Eigen::Vector3d::Zero();  // of L
-    // The energy over its range: 0 for the axis towards which the spin goes, 1 for that from which
-    // it comes. All 0 for a sphere.
+    // The energy of each axis relative to the range: 0 for the axis that the spin approaches, 1 for
+    // the axis that it leaves. All 0 for a sphere.
     Eigen::Vector3d weight_ = Eigen::Vector3d::Zero();
     double strength_1_s_ = 0.0;  // 2κ (1/I_min − 1/I_max)
 };

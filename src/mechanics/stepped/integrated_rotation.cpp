@@ -104,7 +104,7 @@ IntegratedRotation::IntegratedRotation(const MotionProblem& problem, const std::
             fmt::format("step_s of {} s needs {:.3g} steps for {} s; give at least {} s", step_s_,
                         span_s / step_s_, span_s, span_s / max_steps));
     }
-    // What lies beyond the end is stepped through once as well, not anew for each instant there.
+    // The steps beyond the end are also computed only once, not for each instant there.
     cover(forward_, start, last_time_s_ + overshoot_s_ - start_time_s_, stop);
     start.step_s = -step_s_;
     cover(backward_, start, first_time_s_ - start_time_s_, stop);
@@ -147,7 +147,8 @@ StepNode IntegratedRotation::advanced(const Propagator& propagator, const StepNo
     return next;
 }
 
-// Steps to the end, keeping every stride-th state; when there are too many, every second goes.
+// Steps to the end and stores every stride-th state; if there are too many, every second one is
+// dropped.
 void IntegratedRotation::cover(Branch& branch, const MethodStart& start, double end_s,
                                const std::stop_token& stop) {
     branch.propagator = method_->make(start);

@@ -17,9 +17,9 @@ struct SteppingProbe {
 };
 
 // Immutable. The steps start at the problem's start and go to both ends of its time span; every
-// so-many-th state is kept, and an instant between is reached from the one before it by whole steps
-// and one shorter step (or the method's dense output), so that the same instant always gives the
-// same state and memory stays bounded.
+// n-th state is stored, and an instant between two of them is computed from the earlier one by
+// whole steps and one shorter step (or the method's dense output). So the same instant always gives
+// the same state, and memory stays bounded.
 class IntegratedRotation {
  public:
     // Throws InputError for what check_method refuses, a start that is not finite, a step longer
@@ -28,8 +28,8 @@ class IntegratedRotation {
     // after a stop is requested.
     explicit IntegratedRotation(const MotionProblem& problem, const std::stop_token& stop = {});
 
-    // Takes at most so many steps, on the longer side of the span, and keeps nothing. Throws as the
-    // constructor, but not for too many steps.
+    // Takes at most this many steps, on the longer side of the span, and stores nothing. Throws
+    // like the constructor, except for too many steps.
     static SteppingProbe probe(const MotionProblem& problem, std::int64_t most_steps);
 
     // Throws InputError outside the time span and its overshoot.

@@ -16,11 +16,11 @@ constexpr std::string_view signature = "% Written by poinsot: ";
 // Sizes and positions are relative to the figure's width, which the document may change; text keeps
 // its size.
 constexpr std::string_view preamble = R"(%
-%   \usepackage{{graphicx}}        in the preamble; xcolor or color for colours
-%   \input{{{0}}}   where the figure stands
+% In the preamble:             \usepackage{{graphicx}}, and xcolor or color for colours
+% Where the figure belongs:    \input{{{0}}}
 %
-% Another width: \def\figurewidth{{0.8\linewidth}} before it; type keeps its size. Other sizes of
-% type: define \poinsotsize (one argument, in big points) before it.
+% To change the width, write \def\figurewidth{{0.8\linewidth}} before \input; the size of type stays.
+% To change the size of type, define \poinsotsize (one argument, in big points) before \input.
 \begingroup
 \providecommand\color[2][]{{}}%
 \providecommand\boldsymbol[1]{{\mbox{{\boldmath$#1$}}}}%
@@ -28,7 +28,7 @@ constexpr std::string_view preamble = R"(%
 \providecommand\mathbb[1]{{\mathbf{{#1}}}}%
 \providecommand\poinsotsize[1]{{\fontsize{{#1bp}}{{#1bp}}\selectfont}}%
 \makeatletter
-% Characters that only some fonts have: where the document uses none of these, they are left out.
+% Characters that only some fonts have: they are left out if the document uses none of these fonts.
 \def\poinsotonly#1#2{{\@ifundefined{{T@TU}}%
 {{\@ifundefined{{T@#1}}{{}}{{{{\fontencoding{{#1}}\selectfont #2}}}}}}{{#2}}}}%
 \ifx\figurewidth\undefined \setlength\unitlength{{{1:.3f}bp}}%

@@ -8,8 +8,8 @@ namespace poinsot {
 
 class Constants {
  public:
-    // The largest number in any program: 17 of its own, and those of eight ellipsoids and four
-    // planes.
+    // The largest number of constants in any shader program: 17, and those of eight ellipsoids and
+    // four planes.
     static constexpr int capacity = 96;
 
     void add4(const Eigen::Vector4f& value) { values_[static_cast<std::size_t>(size_++)] = value; }
