@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "drawing/theme.h"
+#include "drawing/style/theme.h"
 #include "error/error.h"
 #include "image/alpha.h"
 #include "image/png.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "drawing/stage.h"
-#include "drawing/stage_data.h"
+#include "drawing/stage/stage.h"
+#include "drawing/stage/stage_data.h"
 #include "image/image.h"
 #include "production/print_size.h"
 #include "production/session.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "drawing/stage_data.h"
+#include "drawing/stage/stage_data.h"
 #include "mechanics/methods.h"
 #include "mechanics/stepped/integrated_rotation.h"
 #include "mechanics/top/heavy_top.h"

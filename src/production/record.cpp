@@ -6,7 +6,7 @@
 #include <cctype>
 #include <map>
 
-#include "drawing/stage_data.h"
+#include "drawing/stage/stage_data.h"
 #include "error/error.h"
 #include "image/pixels_xxh64.h"
 #include "image/png.h"

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/charts/chart_fit.h"
-#include "drawing/idle_keys.h"
-#include "drawing/theme_contrast.h"
-#include "drawing/type/overlay.h"
+#include "drawing/figures/charts/chart_fit.h"
+#include "drawing/figures/panels/idle_keys.h"
+#include "drawing/stage/overlay.h"
+#include "drawing/style/theme_contrast.h"
 #include "error/error.h"
 #include "mechanics/methods.h"
 #include "production/print_size.h"

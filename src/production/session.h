@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "construction/certificate.h"
-#include "drawing/accuracy.h"
+#include "drawing/stage/accuracy.h"
 #include "mechanics/motion.h"
 #include "mechanics/step_choice.h"
 #include "output/frame_sink.h"

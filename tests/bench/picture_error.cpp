@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/stage.h"
+#include "drawing/stage/stage.h"
 #include "production/picture.h"
 #include "production/session.h"
 #include "scene/load_scene.h"

@@ -1,12 +1,12 @@
 // Conversion of accuracy_px to other units, compared with the picture.
-#include "drawing/accuracy.h"
+#include "drawing/stage/accuracy.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <random>
 
-#include "drawing/marks.h"
+#include "drawing/stage/marks.h"
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"
 

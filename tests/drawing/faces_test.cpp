@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "drawing/elements/object_shapes.h"
+#include "drawing/figures/elements/object_shapes.h"
 #include "scene/body_faces.h"
 #include "scenes_by_hand.h"
 

@@ -5,10 +5,10 @@
 #include <deque>
 #include <set>
 
-#include "drawing/charts/plot_frame.h"
-#include "drawing/charts/plot_quantity.h"
-#include "drawing/elements/elements.h"
-#include "drawing/panel.h"
+#include "drawing/figures/charts/plot_frame.h"
+#include "drawing/figures/charts/plot_quantity.h"
+#include "drawing/figures/elements/elements.h"
+#include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "scenes_by_hand.h"
 

@@ -1,4 +1,4 @@
-#include "drawing/framing.h"
+#include "drawing/stage/framing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // The comparison motion is drawn as its method computes it, and is absent if there is none.
-#include "drawing/elements/ghost.h"
+#include "drawing/figures/elements/ghost.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "drawing/panel.h"
+#include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "numerics/least_turn.h"
 #include "scenes_by_hand.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "construction/adaptive_curve.h"
-#include "drawing/elements/trail.h"
-#include "drawing/panel.h"
+#include "drawing/figures/elements/trail.h"
+#include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "mechanics/half_life.h"
 #include "scenes_by_hand.h"

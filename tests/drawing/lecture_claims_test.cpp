@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/charts/plot_quantity.h"
+#include "drawing/figures/charts/plot_quantity.h"
 #include "places.h"
 #include "scene/load_scene.h"
 #include "scenes_by_hand.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "colour/srgb.h"
-#include "drawing/theme.h"
-#include "drawing/type/labels.h"
+#include "drawing/stage/type/labels.h"
+#include "drawing/style/theme.h"
 #include "places.h"
 #include "scene/load_scene.h"
 #include "scenes_by_hand.h"

@@ -1,6 +1,6 @@
 // Styles of hidden lines, gaps at crossings, and lower limits of line widths and text sizes on
 // paper.
-#include "drawing/line_style.h"
+#include "drawing/stage/line_style.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/theme.h"
-#include "drawing/type/labels.h"
+#include "drawing/stage/type/labels.h"
+#include "drawing/style/theme.h"
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"
 

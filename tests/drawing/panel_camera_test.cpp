@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "drawing/framing.h"
-#include "drawing/panel.h"
+#include "drawing/stage/framing.h"
+#include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "scene/load_scene.h"
 #include "scene/write_scene.h"

@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/charts/plot_quantity.h"
-#include "drawing/elements/elements.h"
-#include "drawing/elements/object_shapes.h"
-#include "drawing/panel.h"
-#include "drawing/theme.h"
+#include "drawing/figures/charts/plot_quantity.h"
+#include "drawing/figures/elements/elements.h"
+#include "drawing/figures/elements/object_shapes.h"
+#include "drawing/stage/panel.h"
+#include "drawing/style/theme.h"
 #include "error/error.h"
 #include "mechanics/top/heavy_top.h"
 #include "scenes_by_hand.h"

@@ -1,7 +1,7 @@
 // Supersampling refines a picture and does not move its contents.
 #include <gtest/gtest.h>
 
-#include "drawing/panel.h"
+#include "drawing/stage/panel.h"
 #include "scenes_by_hand.h"
 
 namespace poinsot {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "drawing/stage.h"
-#include "drawing/stage_data.h"
+#include "drawing/stage/stage.h"
+#include "drawing/stage/stage_data.h"
 #include "mechanics/motion.h"
 #include "mechanics/top/heavy_top.h"
 #include "scene/scene.h"

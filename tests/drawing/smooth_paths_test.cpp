@@ -1,13 +1,13 @@
 // Smooth forms of curves, compared with the exact curves: the polhode as the intersection of two
 // quadrics, and the motion at every instant.
-#include "drawing/elements/smooth_paths.h"
+#include "drawing/stage/smooth_paths.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "drawing/elements/trail.h"
+#include "drawing/figures/elements/trail.h"
 #include "scenes_by_hand.h"
 
 namespace poinsot {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "drawing/charts/plot_quantity.h"
-#include "drawing/charts/plot_record.h"
-#include "drawing/theme.h"
-#include "drawing/theme_contrast.h"
+#include "drawing/figures/charts/plot_quantity.h"
+#include "drawing/figures/charts/plot_record.h"
+#include "drawing/style/theme.h"
+#include "drawing/style/theme_contrast.h"
 #include "error/error.h"
 #include "mechanics/half_life.h"
 #include "scene/style_keys.h"

@@ -1,12 +1,12 @@
 // The film's timeline: moving cameras, fades, trails and direction marks.
-#include "drawing/timeline.h"
+#include "drawing/stage/timeline.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "drawing/panel.h"
+#include "drawing/stage/panel.h"
 #include "scene/camera_views.h"
 #include "scene/scene_error.h"
 #include "scenes_by_hand.h"

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/charts/plot_quantity.h"
-#include "drawing/elements/elements.h"
-#include "drawing/marks.h"
-#include "drawing/panel.h"
+#include "drawing/figures/charts/plot_quantity.h"
+#include "drawing/figures/elements/elements.h"
+#include "drawing/stage/marks.h"
+#include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "scenes_by_hand.h"
 #include "text/languages.h"

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/stage.h"
+#include "drawing/stage/stage.h"
 #include "error/error.h"
 #include "image/compare.h"
 #include "image/png.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/stage_data.h"
-#include "drawing/type/caption_template.h"
+#include "drawing/stage/stage_data.h"
+#include "drawing/stage/type/caption_template.h"
 #include "system/atomic_file.h"
 #include "system/file_contents.h"
 #include "system/file_kind.h"

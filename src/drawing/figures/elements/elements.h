@@ -1,0 +1,32 @@
+// The table of the elements that the space panel can show: each name with the function that makes
+// its drawer.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "drawing/stage/panel.h"
+
+namespace poinsot {
+
+struct Element {
+    std::string_view name;
+    std::string_view summary;
+    // Whether it is shown if the scene does not list elements.
+    bool (*by_default)(const StageData& stage);
+    // The quantities of an instant that its drawer reads besides ω.
+    Quantities needs;
+    // Makes what all instants share, stored in the stage, and the function that draws an instant.
+    Drawer (*make)(Panel& panel);
+};
+
+std::span<const Element> elements();
+
+// Whether the space panel shows it: the scene lists it, or lists no elements and it suits the
+// motion.
+bool is_shown(const StageData& stage, std::string_view name);
+
+// Throws InputError with the nearest name and the list.
+const Element& element_named(std::string_view name);
+
+}  // namespace poinsot

@@ -1,0 +1,16 @@
+// Fades: drawers whose shapes have the opacity that the film's timeline gives.
+#pragma once
+
+#include <string>
+
+#include "drawing/stage/stage_data.h"
+
+namespace poinsot {
+
+// Returns the drawer itself if no fade uses this name. Otherwise returns a drawer that scales the
+// opacity of every shape and draws nothing at opacity 0; the stage then records that fades may use
+// the name. If the scene says `labels = false` or lists this name among the unlabelled, its labels
+// are omitted.
+Drawer fading(StageData& stage, const std::string& name, Drawer draw);
+
+}  // namespace poinsot
