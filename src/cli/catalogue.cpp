@@ -10,7 +10,7 @@
 #include "drawing/figures/charts/plot_quantity.h"
 #include "drawing/figures/elements/elements.h"
 #include "drawing/stage/overlay.h"
-#include "drawing/stage/panel.h"
+#include "drawing/stage/panel_kind.h"
 #include "drawing/style/theme.h"
 #include "error/error.h"
 #include "mechanics/methods.h"

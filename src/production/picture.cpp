@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "drawing/stage/stage_store.h"
 #include "error/error.h"
 #include "image/downsample.h"
 #include "output/quality.h"
@@ -42,7 +43,7 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
 
 void tell_stage_notes(const Stage& stage, const ProgressSink& progress) {
     for (const std::string& note : stage.notes()) progress.say("note: " + note);
-    const std::vector<char32_t>& missing = stage.data().type_case.typesetter().missing();
+    const std::vector<char32_t>& missing = stage.store().text().typesetter().missing();
     if (missing.empty()) return;
     progress.say(
         fmt::format("note: no installed font has {}: drawn as boxes; install a font that has them, "

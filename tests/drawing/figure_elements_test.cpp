@@ -143,7 +143,7 @@ TEST(PlotQuantities, ThinPlateWobblesTwiceAsFastAsItSpins) {
     Scene scene = free_scene({1.0, 1.0, 2.0}, {1e-3, 0.0, 5.0}, "plot");
     scene.panels[0].quantity = "turns";
     const Motion motion(problem_of(scene));
-    const StageData stage(
+    const StageContext stage(
         scene, motion,
         {.width_px = 640, .height_px = 360, .first_time_s = 0.0, .last_time_s = 10.0}, nullptr);
     FrameInput instant;

@@ -55,7 +55,7 @@ TEST(Ghost, EllipsoidRotatesAsTheComparisonMethodComputes) {
         const auto& ellipsoids = drawing.views[0].ellipsoids;
         ASSERT_EQ(ellipsoids.size(), 2u);
         // Both ellipsoids are equal up to the rotation between the two attitudes, in picture axes.
-        const ConstructionPicture& picture = *staged.stage.data().rolling;
+        const ConstructionPicture& picture = *staged.stage.context().rolling;
         const Eigen::Quaterniond between = picture.picture_from_space *
                                            staged.beside.at(time_s).space_from_body *
                                            staged.motion.at(time_s).space_from_body.conjugate() *
@@ -77,13 +77,13 @@ TEST(Ghost, ExactMethodCoincidesWithItself) {
 double energy_at_end(const StagedBeside& staged) {
     const Drawing drawing = staged.stage.at(10.0);
     const View& view = drawing.views[0];
-    const Colour& grey = staged.stage.data().theme->ghost;
+    const Colour& grey = staged.stage.context().theme.ghost;
     for (const Curve& curve : view.curves) {
         if (!(curve.colour == grey)) continue;
         const auto last = static_cast<std::size_t>(
             std::min(curve.last, static_cast<double>(curve.geometry->points.size() - 1)));
         const Eigen::Vector3d point = curve.geometry->points[last];
-        return point.cwiseQuotient(staged.stage.data().rolling->half_axes).squaredNorm();
+        return point.cwiseQuotient(staged.stage.context().rolling->half_axes).squaredNorm();
     }
     return 0.0;
 }
@@ -119,7 +119,7 @@ TEST(Ghost, PlotHasCurvesOfBothMotions) {
 
 // The last curve in the ghost's colour in the only view.
 const Curve& last_grey_curve(const StagedBeside& staged, const Drawing& drawing) {
-    const Colour& grey = staged.stage.data().theme->ghost;
+    const Colour& grey = staged.stage.context().theme.ghost;
     const auto& curves = drawing.views[0].curves;
     return *std::find_if(curves.rbegin(), curves.rend(),
                          [&grey](const Curve& curve) { return curve.colour == grey; });

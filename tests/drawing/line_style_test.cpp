@@ -1,6 +1,6 @@
 // Styles of hidden lines, gaps at crossings, and lower limits of line widths and text sizes on
 // paper.
-#include "drawing/stage/line_style.h"
+#include "drawing/style/line_style.h"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "drawing/figures/panels/idle_keys.h"
 #include "drawing/stage/framing.h"
 #include "drawing/stage/panel.h"
 #include "error/error.h"
@@ -131,8 +132,13 @@ TEST(PanelCamera, KeysWithoutEffectAreRejected) {
 }
 
 TEST(PanelCamera, IdleCameraKeysAreListed) {
-    const auto idle = [](const std::string& more) { return idle_camera_keys(scene_of(more)); };
     using Keys = std::vector<std::string>;
+    const auto idle = [](const std::string& more) {
+        Keys keys;
+        for (const IdleKey& idle_key : idle_keys(scene_of(more)))
+            if (idle_key.key.starts_with("camera.")) keys.push_back(idle_key.key);
+        return keys;
+    };
     const std::string camera = "[camera]\nazimuth_deg = 3.0\ndistance = 3.0\nfield_deg = 20.0\n";
     EXPECT_EQ(idle(camera), Keys{});
     EXPECT_EQ(idle(camera + "[[panels]]\nkind = \"body\"\n"),

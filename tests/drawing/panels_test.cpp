@@ -14,7 +14,7 @@
 #include "drawing/figures/charts/plot_quantity.h"
 #include "drawing/figures/elements/elements.h"
 #include "drawing/figures/elements/object_shapes.h"
-#include "drawing/stage/panel.h"
+#include "drawing/stage/panel_kind.h"
 #include "drawing/style/theme.h"
 #include "error/error.h"
 #include "mechanics/top/heavy_top.h"
@@ -320,10 +320,10 @@ TEST(Panels, RejectMotionsThatTheyCannotShow) {
 TEST(Panels, DefaultSuitsTheMotion) {
     Scene top = top_scene({.theta_rad = 0.7, .omega3_rad_s = 5.0}, "top");
     top.panels.clear();
-    EXPECT_EQ(default_panel(StagedScene(top, 1.0).stage.data()), "top");
+    EXPECT_EQ(default_panel(StagedScene(top, 1.0).stage.context()), "top");
     Scene free = free_scene(generic_moments, generic_omega, "space");
     free.panels.clear();
-    EXPECT_EQ(default_panel(StagedScene(free, 1.0).stage.data()), "space");
+    EXPECT_EQ(default_panel(StagedScene(free, 1.0).stage.context()), "space");
 }
 
 TEST(BodyPanel, CurvesLieOnTheEllipsoid) {
@@ -389,7 +389,7 @@ TEST(MomentumPanel, CurvesLieOnSphereAndEnergyEllipsoid) {
             const Eigen::Vector3d half_axes = view.ellipsoids[1].half_axes.diagonal();
             std::vector<Eigen::Vector3d> points{view.arrows.back().tip};
             for (const Curve& curve : view.curves) {
-                if (curve.geometry == staged.stage.data().unit_segment) continue;  // a leader
+                if (curve.geometry == staged.stage.store().unit_segment()) continue;  // a leader
                 for (const Eigen::Vector3d& point : drawn_points(curve)) points.push_back(point);
             }
             for (const Eigen::Vector3d& point : points) {
@@ -527,7 +527,7 @@ TEST(TopPanel, AxisIsThatOfTheAttitude) {
             // The shown path ends there; leaders of labels follow it in the list.
             const auto& curves = view_of(drawing).curves;
             const auto path = std::find_if(curves.rbegin(), curves.rend(), [&](const Curve& curve) {
-                return curve.geometry != staged.stage.data().unit_segment;
+                return curve.geometry != staged.stage.store().unit_segment();
             });
             ASSERT_NE(path, curves.rend());
             const auto i = static_cast<std::size_t>(path->last);

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "drawing/stage/panel.h"
 #include "drawing/stage/stage.h"
-#include "drawing/stage/stage_data.h"
+#include "drawing/stage/stage_context.h"
+#include "drawing/stage/stage_store.h"
 #include "mechanics/motion.h"
 #include "mechanics/top/heavy_top.h"
 #include "scene/scene.h"

@@ -61,7 +61,7 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"production/parts", {"production/sidecars"}},
     {"drawing/style", {}},
     {"drawing/stage/type", {"drawing/style"}},
-    {"drawing/stage", {"drawing/style", "drawing/stage/type", "drawing/figures/elements"}},
+    {"drawing/stage", {"drawing/style", "drawing/stage/type"}},
     {"drawing/figures/charts", {"drawing/style", "drawing/stage", "drawing/stage/type"}},
     {"drawing/figures/elements", {"drawing/style", "drawing/stage", "drawing/stage/type"}},
     {"drawing/figures/panels",

@@ -50,8 +50,8 @@ Drawer without_names(Drawer draw) {
 
 }  // namespace
 
-Drawer fading(StageData& stage, const std::string& name, Drawer draw) {
-    stage.can_fade.insert(name);
+Drawer fading(const StageContext& stage, StageStore& store, const std::string& name, Drawer draw) {
+    store.add_name(name);
     const std::vector<std::string>& without = stage.scene.unlabelled;
     if (!stage.scene.labels || std::find(without.begin(), without.end(), name) != without.end())
         draw = without_names(std::move(draw));

@@ -1,4 +1,5 @@
-// The panels of a stage in the cells of their grid, and their keyframes and fades.
+#include "drawing/stage/layout.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,12 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/figures/elements/body_axes.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/marks.h"
 #include "drawing/stage/overlay.h"
-#include "drawing/stage/panel.h"
-#include "drawing/stage/stage_data.h"
+#include "drawing/stage/panel_kind.h"
 #include "scene/camera_views.h"
 #include "scene/scene_error.h"
 #include "text/languages.h"
@@ -25,7 +24,7 @@ namespace poinsot {
 namespace {
 
 // The scene's panels; if it lists none, the default one for its motion.
-std::vector<PanelSpec> panels_of(const StageData& stage) {
+std::vector<PanelSpec> panels_of(const StageContext& stage) {
     if (!stage.scene.panels.empty()) return stage.scene.panels;
     PanelSpec alone;
     alone.kind = default_panel(stage);
@@ -80,15 +79,14 @@ bool has_type(const StageOptions& options) {
 }
 
 // The name of a panel in its upper left corner.
-Drawer header_of(Panel& panel, std::string_view text) {
+Drawer header_of(Panel& panel, StageStore& store, std::string_view text) {
     // The same size in all panels, whatever their size.
-    const StageData& stage = *panel.stage;
+    const StageContext& stage = *panel.stage;
     const double size =
         std::max(24.0 * stage.scene.type_scale * stage.scene.style.heading_scale.value_or(1.0) *
                      std::max(header_share * stage.px, least_label_share * stage.options.samples),
                  least_type_px(stage));
-    const TextBlock type =
-        panel.stage->type_case.set(text, {.size_px = size, .mode = TypeMode::text});
+    const TextBlock type = store.set(text, {.size_px = size, .mode = TypeMode::text});
     panel.header_px = 1.7 * size;
     // In the first column it is left-aligned with the title.
     const double left =
@@ -99,8 +97,8 @@ Drawer header_of(Panel& panel, std::string_view text) {
         label.top_left_px = {
             stage.at_whole_pixel(left) + type.left_px,
             stage.at_whole_pixel(panel.box.y_px + 0.4 * size + size) - type.baseline_px};
-        label.colour = panel.stage->theme->text;
-        label.halo_colour = panel.stage->theme->halo;
+        label.colour = panel.stage->theme.text;
+        label.halo_colour = panel.stage->theme.halo;
         label.halo_px = 2.0 * panel.px;
         label.opacity = 0.88;
         label.held_at = 0.0;
@@ -152,8 +150,8 @@ void check_panel_camera(const Scene& scene, const PanelKind& kind, std::size_t p
 CameraSpec panel_camera(const Panel& panel, const PanelKind& kind) {
     const PanelCameraSpec& own = panel.spec.camera;
     CameraSpec camera = panel.stage->scene.camera;
-    if (kind.camera == CameraUse::given_direction) {
-        const Eigen::Vector3d from = principal_view_direction(panel);
+    if (kind.own_direction != nullptr) {
+        const Eigen::Vector3d from = kind.own_direction(panel);
         constexpr double deg = 180.0 / std::numbers::pi;
         camera.azimuth_deg = deg * std::atan2(from.y(), from.x());
         camera.elevation_deg = deg * std::atan2(from.z(), from.head<2>().norm());
@@ -201,13 +199,11 @@ void give_camera(Panel& panel, const PanelKind& kind, std::size_t index) {
         panel.stage->rolling ? panel.stage->rolling->foot() : Eigen::Vector3d::Zero().eval());
 }
 
-}  // namespace
-
-void StageData::check_fades() const {
+void check_fades(const Scene& scene, const StageStore& store) {
     for (std::size_t i = 0; i < scene.fades.size(); ++i) {
         for (const std::string& name : scene.fades[i].elements) {
-            if (can_fade.contains(name)) continue;
-            const std::vector<std::string_view> known(can_fade.begin(), can_fade.end());
+            if (store.names().contains(name)) continue;
+            const std::vector<std::string_view> known(store.names().begin(), store.names().end());
             throw SceneError(scene.location_of(fmt::format("fades[{}].elements", i)),
                              fmt::format("no element shown is called \"{}\"{}", printable(name),
                                          choose_instead(name, known)));
@@ -215,21 +211,22 @@ void StageData::check_fades() const {
     }
 }
 
-void StageData::check_unlabelled() const {
+void check_unlabelled(const Scene& scene, const StageStore& store) {
     for (const std::string& name : scene.unlabelled) {
-        if (can_fade.contains(name)) continue;
-        const std::vector<std::string_view> known(can_fade.begin(), can_fade.end());
+        if (store.names().contains(name)) continue;
+        const std::vector<std::string_view> known(store.names().begin(), store.names().end());
         throw SceneError(scene.location_of("unlabelled"),
                          fmt::format("no element shown is called \"{}\"{}", printable(name),
                                      choose_instead(name, known)));
     }
 }
 
-void StageData::check_keyframes() const {
+void check_keyframes(const StageContext& stage, const std::deque<Panel>& panels) {
     const auto moves = [](const Panel& panel) {
         return !panel.user_timeline && panel.camera_at != nullptr;
     };
-    if (!timeline.camera_moves() || std::any_of(panels.begin(), panels.end(), moves)) return;
+    const Scene& scene = stage.scene;
+    if (!stage.timeline.camera_moves() || std::any_of(panels.begin(), panels.end(), moves)) return;
     for (std::size_t i = 0; i < scene.keyframes.size(); ++i) {
         if (!says_camera(scene.keyframes[i]) || scene.keyframes[i].panel) continue;
         throw SceneError(
@@ -241,8 +238,12 @@ void StageData::check_keyframes() const {
     }
 }
 
-void StageData::make_panels() {
-    const std::vector<PanelSpec> specs = panels_of(*this);
+}  // namespace
+
+std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
+    const Scene& scene = stage.scene;
+    const StageOptions& options = stage.options;
+    const std::vector<PanelSpec> specs = panels_of(stage);
     std::vector<const PanelKind*> kinds;
     kinds.reserve(specs.size());
     for (const PanelSpec& spec : specs)
@@ -253,8 +254,8 @@ void StageData::make_panels() {
     // If there are several panels, or one that fills its box, the title and the caption get their
     // own rows.
     PanelBox room{0, 0, options.width_px, options.height_px};
+    const OverlayBands bands = overlay_bands(stage, store.text());
     if (specs.size() > 1 || kinds.front()->fills) {
-        const OverlayBands bands = overlay_bands(*this);
         room.y_px = bands.top_px;
         room.height_px = std::max(1, options.height_px - bands.top_px - bands.bottom_px);
     }
@@ -262,10 +263,11 @@ void StageData::make_panels() {
         boundaries(scene.grid.columns, room.x_px, room.width_px, options.samples);
     const std::vector<int> rows =
         boundaries(scene.grid.rows, room.y_px, room.height_px, options.samples);
+    std::deque<Panel> panels;
     for (const PanelSpec& spec : specs) {
         const PanelKind& kind = *kinds[panels.size()];
-        if (!kind.possible(*this)) {
-            const bool rests = motion.motion().problem().start.omega_body.isZero(0.0);
+        if (!kind.possible(stage)) {
+            const bool rests = stage.motion.motion().problem().start.omega_body.isZero(0.0);
             throw SceneError(scene.location_of(rests ? "start.omega_rad_s" : "panels"),
                              rests ? "omega_rad_s is zero, and a body at rest has no invariable "
                                      "plane; give an angular velocity"
@@ -273,31 +275,33 @@ void StageData::make_panels() {
                                          std::string(kind.requirement) + "; choose another panel");
         }
         Panel& panel = panels.emplace_back();
-        panel.stage = this;
+        panel.stage = &stage;
         panel.spec = spec;
-        panel.light = theme->light;
+        panel.light = stage.theme.light;
         panel.box = box_of(spec, columns, rows);
+        panel.overlays = bands;
+        panel.unit_circle = store.unit_circle();
+        panel.unit_segment = store.unit_segment();
         const auto index = static_cast<std::size_t>(&spec - specs.data());
         check_free_space(scene, panel.box, index);
         give_camera(panel, kind, index);
         const double share = line_scale(panel.box, options);
-        panel.px = px * share;
-        panel.type_px = has_type(options) ? std::max(px * std::max(share, least_type_share),
+        panel.px = stage.px * share;
+        panel.type_px = has_type(options) ? std::max(stage.px * std::max(share, least_type_share),
                                                      least_label_share * options.samples)
-                                          : px * share;
+                                          : stage.px * share;
         panel.type_px *= scene.type_scale;
         Drawer header;
         if (specs.size() > 1)
-            header = header_of(
-                panel, spec.title.value_or(std::string(phrase_in(scene.language, kind.title))));
+            header =
+                header_of(panel, store,
+                          spec.title.value_or(std::string(phrase_in(scene.language, kind.title))));
         // Errors of a chart refer to its quantity.
         if (spec.quantity.empty())
-            kind.make(panel);
+            kind.make(panel, store);
         else
             at_scene_key(scene, fmt::format("panels[{}].quantity", index),
-                         [&] { kind.make(panel); });
-        needs = united(needs, panel.needs);
-        shows_comparison = shows_comparison || panel.shows_comparison;
+                         [&] { kind.make(panel, store); });
         if (header) {
             panel.draw = [header, draw = std::move(panel.draw)](const FrameInput& instant,
                                                                 ViewBuilder& builder) {
@@ -305,8 +309,16 @@ void StageData::make_panels() {
                 header(instant, builder);
             };
         }
-        panel.draw = fading(*this, spec.kind, std::move(panel.draw));
+        panel.draw = fading(stage, store, spec.kind, std::move(panel.draw));
     }
+    return panels;
+}
+
+void check_targets(const StageContext& stage, const StageStore& store,
+                   const std::deque<Panel>& panels) {
+    check_fades(stage.scene, store);
+    check_unlabelled(stage.scene, store);
+    check_keyframes(stage, panels);
 }
 
 }  // namespace poinsot

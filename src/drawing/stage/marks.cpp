@@ -73,7 +73,7 @@ void mark_arrows_at_viewer(const Panel& panel, View& view) {
         ring.at = arrow.tip;
         ring.radius_px = 0.62 * arrow.head_px;
         ring.rim_px = 0.2 * arrow.head_px;
-        ring.colour = panel.stage->theme->halo;
+        ring.colour = panel.stage->theme.halo;
         ring.rim_colour = arrow.colour;
         ring.opacity = presence * arrow.opacity;
         ring.hidden_opacity = arrow.hidden_opacity;
@@ -90,22 +90,21 @@ void mark_arrows_at_viewer(const Panel& panel, View& view) {
 
 Ellipsoid ellipsoid_of(const Panel& panel) {
     Ellipsoid ellipsoid;
-    ellipsoid.colour = panel.stage->theme->ellipsoid;
-    ellipsoid.opacity = panel.stage->theme->ellipsoid_opacity;
-    ellipsoid.line_colour = panel.stage->theme->ellipsoid_lines;
+    ellipsoid.colour = panel.stage->theme.ellipsoid;
+    ellipsoid.opacity = panel.stage->theme.ellipsoid_opacity;
+    ellipsoid.line_colour = panel.stage->theme.ellipsoid_lines;
     ellipsoid.section_px = 1.7 * panel.px;
     ellipsoid.ruling_px = 0.9 * panel.px;
     return ellipsoid;
 }
 
-TextBlock set_label(const Panel& panel, std::string_view text, double scale) {
+TextBlock set_label(const Panel& panel, StageStore& store, std::string_view text, double scale) {
     const TypeStyle style{.size_px =
                               std::max(scale * label_size * panel.type_px *
                                            panel.stage->scene.style.label_scale.value_or(1.0),
                                        least_type_px(*panel.stage))};
-    return at_scene_key(panel.stage->scene, "symbols", [&] {
-        return panel.stage->type_case.set(named_by_scene(panel.stage->scene, text), style);
-    });
+    return at_scene_key(panel.stage->scene, "symbols",
+                        [&] { return store.set(named_by_scene(panel.stage->scene, text), style); });
 }
 
 namespace {
@@ -212,7 +211,7 @@ Dot dot_at(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour, 
     dot.radius_px = radius_px * panel.px;
     dot.rim_px = 1.6 * panel.px;
     dot.colour = colour;
-    dot.rim_colour = panel.stage->theme->halo;
+    dot.rim_colour = panel.stage->theme.halo;
     dot.hidden_opacity = 0.8;
     return dot;
 }
@@ -239,7 +238,7 @@ Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const LineStyl
     return curve;
 }
 
-double least_type_px(const StageData& stage) {
+double least_type_px(const StageContext& stage) {
     constexpr double least = 1080.0 / 45.0;
     return stage.options.line_scale > 0.0 ? stage.options.least.type_px
                                           : least * stage.scene.type_scale * stage.px;
@@ -248,7 +247,7 @@ double least_type_px(const StageData& stage) {
 Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,
                 const Eigen::Vector3d& towards, double radius, double angle_rad,
                 const LineStyle& ink, double width_px) {
-    const CurveGeometry* circle = panel.stage->unit_circle;
+    const CurveGeometry* circle = panel.unit_circle;
     Curve arc = curve_of(panel, circle, ink, width_px);
     const Eigen::Vector3d across = angle_rad < 0.0 ? Eigen::Vector3d(-towards) : towards;
     Eigen::Matrix3d axes;
@@ -263,7 +262,7 @@ Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::
 
 Curve line_between(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                    const LineStyle& ink, double width_px) {
-    Curve line = curve_of(panel, panel.stage->unit_segment, ink, width_px);
+    Curve line = curve_of(panel, panel.unit_segment, ink, width_px);
     const double length = (b - a).norm();
     if (!(length > 0.0)) {
         line.opacity = 0.0;

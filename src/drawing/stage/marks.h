@@ -60,7 +60,8 @@ Ellipsoid ellipsoid_of(const Panel& panel);
 void mark_arrows_at_viewer(const Panel& panel, View& view);
 
 // Sets a label at `scale` times the usual size of the panel.
-TextBlock set_label(const Panel& panel, std::string_view text, double scale = 1.0);
+TextBlock set_label(const Panel& panel, StageStore& store, std::string_view text,
+                    double scale = 1.0);
 
 // Replaces the built-in names of quantities in a formula by the scene's [symbols]:
 // \boldsymbol{\omega}, \mathbf{L}, \boldsymbol{\rho}, \mathbf{e}_1 … and the components \omega_…
@@ -94,7 +95,7 @@ Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const LineStyl
 
 // The least em size of text, in pixels of the rendered picture: in a film 1/45 of its height; on
 // paper the value of the stage's options.
-double least_type_px(const StageData& stage);
+double least_type_px(const StageContext& stage);
 
 // An arc of a circle about `centre` from the direction `from` towards the direction `towards`
 // (perpendicular unit vectors), over an angle from 0 to 2π; a whole circle from 2π on. Negative

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "drawing/stage/fade.h"
-#include "drawing/stage/panel.h"
+#include "drawing/stage/live_values.h"
 #include "drawing/stage/type/clock_text.h"
 #include "drawing/stage/type/time_unit.h"
 #include "scene/film_clock.h"
@@ -20,15 +20,15 @@ namespace poinsot {
 namespace {
 
 // Adds text at a corner of the picture; its pen may be between pixels.
-void add_text(const StageData& stage, const TextBlock& type, double pen_x, double baseline_y,
+void add_text(const StageContext& stage, const TextBlock& type, double pen_x, double baseline_y,
               LabelRank rank, ViewBuilder& builder) {
     if (type.mask->width == 0) return;
     Label label;
     label.mask = type.mask;
     label.top_left_px = {stage.at_whole_pixel(pen_x) + type.left_px,
                          stage.at_whole_pixel(baseline_y) - type.baseline_px};
-    label.colour = stage.theme->text;
-    label.halo_colour = stage.theme->halo;
+    label.colour = stage.theme.text;
+    label.halo_colour = stage.theme.halo;
     label.halo_px = 2.0 * stage.px;
     label.held_at = 0.0;
     label.rank = rank;
@@ -37,7 +37,7 @@ void add_text(const StageData& stage, const TextBlock& type, double pen_x, doubl
 
 // `px`: width of a line of one pixel at 1080 rows.
 double margin(double px) { return overlay_margin * px; }
-double margin(const StageData& stage) { return margin(stage.px); }
+double margin(const StageContext& stage) { return margin(stage.px); }
 
 constexpr double title_size = 40.0;
 constexpr double caption_size = 26.0;
@@ -54,13 +54,13 @@ TypeStyle text_style(const Scene& scene, int width_px, double px, double size, i
             .mode = TypeMode::text,
             .max_width_px = std::max(64.0 * samples, width_px - 2.0 * margin(px))};
 }
-TypeStyle text_style(const StageData& stage, double size) {
+TypeStyle text_style(const StageContext& stage, double size) {
     return text_style(stage.scene, stage.options.width_px, stage.px, size, stage.options.samples);
 }
 
-Drawer make_title(StageData& stage) {
+Drawer make_title(const StageContext& stage, StageStore& store) {
     const TextBlock type = at_scene_key(stage.scene, "title", [&] {
-        return stage.type_case.set(stage.scene.title, text_style(stage, title_size));
+        return store.set(stage.scene.title, text_style(stage, title_size));
     });
     return [&stage, type](const FrameInput&, ViewBuilder& builder) {
         add_text(stage, type, margin(stage), margin(stage) + type.baseline_px, rank_of_title,
@@ -68,7 +68,7 @@ Drawer make_title(StageData& stage) {
     };
 }
 
-Drawer make_caption(StageData& stage) {
+Drawer make_caption(const StageContext& stage, StageStore& store) {
     const TypeStyle style = text_style(stage, caption_size);
     const auto place = [&stage](const TextBlock& type, ViewBuilder& builder) {
         const double below = type.height_px() - type.baseline_px;
@@ -77,35 +77,35 @@ Drawer make_caption(StageData& stage) {
     };
     // Always set here, so that an invalid caption is rejected before the first frame.
     const TextBlock type = at_scene_key(stage.scene, "caption", [&] {
-        return stage.type_case.set(
-            expand_live_text(stage.scene.caption, StageData::live_values(stage.scene, {})), style);
+        return store.set(expand_live_text(stage.scene.caption, live_values(stage.scene, {})),
+                         style);
     });
     if (!is_live(stage.scene.caption)) {
         return [place, type](const FrameInput&, ViewBuilder& builder) { place(type, builder); };
     }
-    return [&stage, style, place](const FrameInput& instant, ViewBuilder& builder) {
-        const auto values = StageData::live_values(stage.scene, instant);
-        place(stage.type_case.set_live(expand_live_text(stage.scene.caption, values), style,
-                                       builder.view),
+    return [&stage, style, place, &text = std::as_const(store).text()](const FrameInput& instant,
+                                                                       ViewBuilder& builder) {
+        const auto values = live_values(stage.scene, instant);
+        place(text.set_live(expand_live_text(stage.scene.caption, values), style, builder.view),
               builder);
     };
 }
 
-Drawer make_clock(StageData& stage) {
+Drawer make_clock(const StageContext& stage, StageStore& store) {
     const ClockText clock(stage.film_first_s, stage.film_last_s);
     const TypeStyle style = text_style(stage, caption_size);
     // Its left end is fixed, with space for the widest text, so that it does not move as digits
     // change: all digits have the same width.
     double widest_px = 160.0 * stage.px;
     for (const double time_s : {stage.film_first_s, stage.film_last_s}) {
-        const TextBlock type = stage.type_case.set(clock.at(time_s), style);
+        const TextBlock type = store.set(clock.at(time_s), style);
         widest_px = std::max(widest_px, static_cast<double>(type.left_px + type.mask->width));
     }
     const double pen = stage.options.width_px - margin(stage) - widest_px;
     const double baseline = margin(stage) + std::max(style.size_px, stage.options.least.type_px);
-    return [&stage, clock, style, pen, baseline](const FrameInput& instant, ViewBuilder& builder) {
-        const TextBlock type =
-            stage.type_case.set_live(clock.at(instant.time_s), style, builder.view);
+    return [&stage, clock, style, pen, baseline, &text = std::as_const(store).text()](
+               const FrameInput& instant, ViewBuilder& builder) {
+        const TextBlock type = text.set_live(clock.at(instant.time_s), style, builder.view);
         add_text(stage, type, pen, baseline, rank_of_clock, builder);
     };
 }
@@ -132,18 +132,18 @@ struct TimedCaption {
 };
 
 // The top of the scene's own caption, or the picture's lower margin.
-double bottom_of_captions(const StageData& stage, const TypeStyle& style) {
+double bottom_of_captions(const StageContext& stage, const TypeStyle& style) {
     double bottom = stage.options.height_px - margin(stage);
     const Scene& scene = stage.scene;
     const bool captioned = !scene.caption.empty() && wants(scene, "caption");
     if (!captioned) return bottom;
     TextCache type_case(stage.options.samples, stage.options.least);
     const TextBlock type =
-        type_case.set(expand_live_text(scene.caption, StageData::live_values(scene, {})), style);
+        type_case.set(expand_live_text(scene.caption, live_values(scene, {})), style);
     return bottom - type.height_px() - 14.0 * stage.px;
 }
 
-Drawer make_timed_captions(StageData& stage) {
+Drawer make_timed_captions(const StageContext& stage, StageStore& store) {
     const Scene& scene = stage.scene;
     const TypeStyle style = text_style(stage, caption_size);
     std::vector<TimedCaption> captions;
@@ -154,8 +154,7 @@ Drawer make_timed_captions(StageData& stage) {
         caption.begin_s = begin_s;
         caption.end_s = end_s;
         const TextBlock type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
-            return stage.type_case.set(
-                expand_live_text(caption.spec->text, StageData::live_values(scene, {})), style);
+            return store.set(expand_live_text(caption.spec->text, live_values(scene, {})), style);
         });
         if (!is_live(caption.spec->text)) caption.still = type;
         captions.push_back(caption);
@@ -163,16 +162,16 @@ Drawer make_timed_captions(StageData& stage) {
     const double foot = bottom_of_captions(stage, style);
     const bool titled = !scene.title.empty() && wants(scene, "title");
     const double head = margin(stage) + (titled ? 62.0 * scene.type_scale * stage.px : 0.0);
-    return [&stage, captions, style, foot, head](const FrameInput& instant, ViewBuilder& builder) {
+    return [&stage, captions, style, foot, head, &text = std::as_const(store).text()](
+               const FrameInput& instant, ViewBuilder& builder) {
         for (const TimedCaption& caption : captions) {
             const double presence = caption.presence(instant.film_s);
             if (!(presence > 0.0)) continue;
             const TextBlock type =
                 caption.still ? *caption.still
-                              : stage.type_case.set_live(
-                                    expand_live_text(caption.spec->text,
-                                                     StageData::live_values(stage.scene, instant)),
-                                    style, builder.view);
+                              : text.set_live(expand_live_text(caption.spec->text,
+                                                               live_values(stage.scene, instant)),
+                                              style, builder.view);
             const double baseline = caption.spec->place == "top"
                                         ? head + type.baseline_px
                                         : foot - (type.height_px() - type.baseline_px);
@@ -197,13 +196,12 @@ bool wants_caption(const Scene& scene) { return !scene.caption.empty() && wants(
 // If one panel fills the picture and its camera moves close, the figure may run under the title and
 // the caption: then they get bands of the background's colour, which fade in as the camera leaves
 // the framed view.
-Drawer make_bands(StageData& stage) {
-    const Panel& panel = stage.panels.front();
-    const bool runs_under = stage.panels.size() == 1 &&
-                            panel.box.height_px == stage.options.height_px &&
-                            stage.theme->background.alpha >= 1.0;
+Drawer make_bands(const StageContext& stage, StageStore& store, const std::deque<Panel>& panels) {
+    const Panel& panel = panels.front();
+    const bool runs_under = panels.size() == 1 && panel.box.height_px == stage.options.height_px &&
+                            stage.theme.background.alpha >= 1.0;
     if (!runs_under) return {};
-    const OverlayBands rows = overlay_bands(stage);
+    const OverlayBands& rows = panel.overlays;
     const double width = stage.options.width_px;
     struct Band {
         TextBlock type;
@@ -212,12 +210,12 @@ Drawer make_bands(StageData& stage) {
         const char* of;
     };
     std::vector<Band> bands;
-    const Background& ground = stage.theme->background;
+    const Background& ground = stage.theme.background;
     if (wants_title(stage.scene))
         bands.push_back(
-            {stage.type_case.band(width, 1.9 * rows.top_px, true), 0.0, ground.top, "title"});
+            {store.text().band(width, 1.9 * rows.top_px, true), 0.0, ground.top, "title"});
     if (rows.bottom_px > 0) {
-        const TextBlock type = stage.type_case.band(width, 1.9 * rows.bottom_px, false);
+        const TextBlock type = store.text().band(width, 1.9 * rows.bottom_px, false);
         bands.push_back(
             {type, stage.options.height_px - type.height_px(), ground.bottom, "caption"});
     }
@@ -238,17 +236,19 @@ Drawer make_bands(StageData& stage) {
 
 }  // namespace
 
-std::vector<Drawer> make_overlays(StageData& stage) {
+std::vector<Drawer> make_overlays(const StageContext& stage, StageStore& store,
+                                  const std::deque<Panel>& panels) {
     std::vector<Drawer> overlays;
-    if (Drawer bands = make_bands(stage)) overlays.push_back(std::move(bands));
+    if (Drawer bands = make_bands(stage, store, panels)) overlays.push_back(std::move(bands));
     if (wants_title(stage.scene)) {
-        overlays.push_back(fading(stage, "title", make_title(stage)));
+        overlays.push_back(fading(stage, store, "title", make_title(stage, store)));
     }
     if (wants_caption(stage.scene)) {
-        overlays.push_back(fading(stage, "caption", make_caption(stage)));
+        overlays.push_back(fading(stage, store, "caption", make_caption(stage, store)));
     }
-    if (!stage.scene.captions.empty()) overlays.push_back(make_timed_captions(stage));
-    if (wants_clock(stage.scene)) overlays.push_back(fading(stage, "clock", make_clock(stage)));
+    if (!stage.scene.captions.empty()) overlays.push_back(make_timed_captions(stage, store));
+    if (wants_clock(stage.scene))
+        overlays.push_back(fading(stage, store, "clock", make_clock(stage, store)));
     return overlays;
 }
 
@@ -275,7 +275,7 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samp
     if (wants_caption(scene)) {
         // Changing numbers affect the text's width, but hardly its number of lines.
         const TextBlock type = at_scene_key(scene, "caption", [&] {
-            return type_case.set(expand_live_text(scene.caption, StageData::live_values(scene, {})),
+            return type_case.set(expand_live_text(scene.caption, live_values(scene, {})),
                                  text_style(scene, width_px, px, caption_size, samples));
         });
         bands.bottom_px = rows(margin(px) + type.height_px() + 18.0 * px);
@@ -286,7 +286,7 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samp
     for (std::size_t i = 0; i < scene.captions.size(); ++i) {
         const TimedCaptionSpec& caption = scene.captions[i];
         const TextBlock type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
-            return type_case.set(expand_live_text(caption.text, StageData::live_values(scene, {})),
+            return type_case.set(expand_live_text(caption.text, live_values(scene, {})),
                                  text_style(scene, width_px, px, caption_size, samples));
         });
         double& room_px = caption.place == "top" ? top_px : bottom_px;
@@ -298,9 +298,9 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samp
     return bands;
 }
 
-OverlayBands overlay_bands(StageData& stage) {
+OverlayBands overlay_bands(const StageContext& stage, TextCache& text) {
     return overlay_bands(stage.scene, stage.options.width_px, stage.px, stage.options.samples,
-                         stage.type_case);
+                         text);
 }
 
 int rows_of_overlays(const Scene& scene, int width_px, double px, const LeastSizes& least) {

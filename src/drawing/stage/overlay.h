@@ -1,25 +1,21 @@
 // Text over the whole picture: the scene's title and caption, and the clock.
 #pragma once
 
+#include <deque>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "drawing/stage/stage_data.h"
+#include "drawing/stage/panel.h"
 
 namespace poinsot {
 
 // Drawers of the overlays that the scene lists; by default, all for which it has text.
-std::vector<Drawer> make_overlays(StageData& stage);
+std::vector<Drawer> make_overlays(const StageContext& stage, StageStore& store,
+                                  const std::deque<Panel>& panels);
 
-// Rows that the overlays take at the top and at the bottom of the picture, and the right end of the
-// title.
-struct OverlayBands {
-    int top_px = 0;
-    int bottom_px = 0;
-    double title_right_px = 0.0;
-};
-OverlayBands overlay_bands(StageData& stage);
+// `text`: sets the overlays.
+OverlayBands overlay_bands(const StageContext& stage, TextCache& text);
 
 // Rows that the overlays of a picture with this width need beyond those on a screen. `px`: width of
 // a line of "one pixel at 1080 rows". Text whose size is given in points takes more rows of a

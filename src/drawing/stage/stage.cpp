@@ -2,44 +2,98 @@
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
-#include "drawing/stage/line_style.h"
+#include "drawing/stage/layout.h"
 #include "drawing/stage/marks.h"
+#include "drawing/stage/overlay.h"
 #include "drawing/stage/panel.h"
-#include "drawing/stage/stage_data.h"
+#include "drawing/stage/stage_context.h"
+#include "drawing/stage/stage_store.h"
 #include "drawing/stage/type/label_fit.h"
 #include "drawing/stage/type/labels.h"
-#include "scene/film_clock.h"
+#include "drawing/style/line_style.h"
+#include "scene/scene_error.h"
 
 namespace poinsot {
 
+struct Stage::Contents {
+    StageContext context;
+    StageStore store{context};
+    std::deque<Panel> panels = make_panels(context, store);
+    std::vector<Drawer> overlays;    // title, caption, clock: over the whole picture
+    Quantities needs = omega_alone;  // what all panels together read of an instant
+    bool shows_comparison = false;   // whether one of them shows the comparison motion
+
+    Contents(const Scene& scene, const Motion& motion, const StageOptions& options,
+             const Motion* comparison)
+        : context(scene, motion, options, comparison) {
+        for (const Panel& panel : panels) {
+            needs = united(needs, panel.needs);
+            shows_comparison = shows_comparison || panel.shows_comparison;
+        }
+        if (comparison != nullptr && !shows_comparison) {
+            throw SceneError(scene.location_of("beside"),
+                             "no panel here shows the comparison method; add a panel \"space\", "
+                             "\"body\", \"object\", \"top\", \"momentum\" or \"plot\"");
+        }
+        overlays = make_overlays(context, store, panels);
+        check_targets(context, store, panels);
+    }
+};
+
 Stage::Stage(const Scene& scene, const Motion& motion, const StageOptions& options,
              const Motion* comparison)
-    : data_(std::make_unique<StageData>(scene, motion, options, comparison)) {}
+    : contents_(std::make_unique<const Contents>(scene, motion, options, comparison)) {}
 Stage::~Stage() = default;
 Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&&) noexcept = default;
 
-const EvaluationCounts& Stage::counts() const { return data_->motion.counts(); }
+const Quantities& Stage::needs() const { return contents_->needs; }
 
-double Stage::curve_error_px() const { return data_->curve_error_px; }
+const EvaluationCounts& Stage::counts() const { return contents_->context.motion.counts(); }
 
-std::span<const std::string> Stage::notes() const { return data_->notes; }
+double Stage::curve_error_px() const { return contents_->store.curve_error_px(); }
+
+std::span<const std::string> Stage::notes() const { return contents_->store.notes(); }
+
+const StageContext& Stage::context() const { return contents_->context; }
+const StageStore& Stage::store() const { return contents_->store; }
+const std::deque<Panel>& Stage::panels() const { return contents_->panels; }
 
 Drawing Stage::at(double time_s) const {
-    return at(moment_of_time(FilmClock(data_->scene), time_s));
+    return at(moment_of_time(FilmClock(contents_->context.scene), time_s));
 }
 
+namespace {
+
+LineRules line_rules(const StageContext& stage, const StageStore& store) {
+    const auto said = [](std::string_view by_scene, std::string_view by_theme) {
+        return by_scene.empty() ? by_theme : by_scene;
+    };
+    return {.hidden = said(stage.scene.hidden, stage.theme.hidden),
+            .crossings = said(stage.scene.crossings, stage.theme.crossings),
+            .px = stage.px,
+            .least_px = stage.options.least.line_px,
+            .unit_circle = store.unit_circle(),
+            .unit_segment = store.unit_segment()};
+}
+
+}  // namespace
+
 Drawing Stage::at(const FilmTime& moment) const {
-    const FrameInput instant = data_->instant_at(moment);
+    const StageContext& context = contents_->context;
+    const FrameInput instant =
+        context.instant_at(moment, contents_->needs, contents_->shows_comparison);
+    const Background& ground = context.theme.background;
     Drawing drawing;
-    drawing.width_px = data_->options.width_px;
-    drawing.height_px = data_->options.height_px;
-    drawing.background = data_->theme->background;
+    drawing.width_px = context.options.width_px;
+    drawing.height_px = context.options.height_px;
+    drawing.background = ground;
     // Views own the text and curves made for this drawing alone; their shapes point to them, so
     // that views must not move once made.
-    drawing.views.reserve(data_->panels.size() + 1);
-    for (const Panel& panel : data_->panels) {
+    drawing.views.reserve(contents_->panels.size() + 1);
+    for (const Panel& panel : contents_->panels) {
         ViewBuilder builder;
         View& view = builder.view;
         view.x_px = panel.box.x_px;
@@ -49,7 +103,7 @@ Drawing Stage::at(const FilmTime& moment) const {
         view.camera = panel.camera_at ? panel.camera_at(moment.film_s) : panel.camera;
         view.light = panel.light;
         // Several panels share the picture's background.
-        view.background = data_->theme->background;
+        view.background = ground;
         if (panel.box.height_px < drawing.height_px || panel.box.width_px < drawing.width_px) {
             view.background.alpha = 0.0;
         }
@@ -61,9 +115,9 @@ Drawing Stage::at(const FilmTime& moment) const {
             for (LabelRequest& request : builder.requests)
                 if (request.at && (*request.at - ring->at).isZero(0.0))
                     request.gap_px += 2.0 * ring->opacity * ring->radius_px;
-        place_labels(builder.requests, data_->theme->halo, 4.0 * panel.px, view,
-                     data_->unit_segment);
-        follow_line_rules(*data_, view);
+        place_labels(builder.requests, context.theme.halo, 4.0 * panel.px, view,
+                     contents_->store.unit_segment());
+        follow_line_rules(line_rules(context, contents_->store), view);
         drawing.views.push_back(std::move(view));
     }
 
@@ -72,9 +126,9 @@ Drawing Stage::at(const FilmTime& moment) const {
     over.view.width_px = drawing.width_px;
     over.view.height_px = drawing.height_px;
     over.view.background.alpha = 0.0;
-    for (const Drawer& draw : data_->overlays) draw(instant, over);
+    for (const Drawer& draw : contents_->overlays) draw(instant, over);
     if (!over.view.labels.empty()) drawing.views.push_back(std::move(over.view));
-    if (data_->options.least.type_px > 0.0) leave_out_type(drawing);
+    if (context.options.least.type_px > 0.0) leave_out_type(drawing);
     return drawing;
 }
 

@@ -119,13 +119,14 @@ void aim_at_pixels(Panel& panel) {
     aim(panel, camera);
 }
 
-TextBlock set_chart_type(const Panel& panel, std::string_view text, TypeMode mode, double size_px) {
-    return panel.stage->type_case.set(text, {.size_px = size_px * panel.type_px, .mode = mode});
+TextBlock set_chart_type(const Panel& panel, StageStore& store, std::string_view text,
+                         TypeMode mode, double size_px) {
+    return store.set(text, {.size_px = size_px * panel.type_px, .mode = mode});
 }
 
 Label chart_label(const Panel& panel, const TextBlock& type, double x, double y, Anchor anchor,
                   const Colour& colour) {
-    const StageData& stage = *panel.stage;
+    const StageContext& stage = *panel.stage;
     const double width = type.width_px(), height = type.height_px();
     Eigen::Vector2d corner(panel.box.x_px + x, panel.box.y_px + panel.box.height_px - y);
     switch (anchor) {
@@ -149,7 +150,7 @@ Label chart_label(const Panel& panel, const TextBlock& type, double x, double y,
     label.mask = type.mask;
     label.top_left_px = {stage.at_whole_pixel(corner.x()), stage.at_whole_pixel(corner.y())};
     label.colour = colour;
-    label.halo_colour = stage.theme->halo;
+    label.halo_colour = stage.theme.halo;
     label.halo_px = 2.0 * panel.px;
     label.rank = rank_of_charts;
     const bool right = anchor == Anchor::right_middle || anchor == Anchor::bottom_right;
@@ -191,21 +192,22 @@ std::size_t first_label(const Axis& axis, std::size_t stride) {
 
 }  // namespace
 
-PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const Axis& y,
-                     std::string_view x_title, std::string_view y_title, double left_px,
-                     double right_px)
+PlotFrame::PlotFrame(const Panel& panel, StageStore& store, const ChartArea& region, const Axis& x,
+                     const Axis& y, std::string_view x_title, std::string_view y_title,
+                     double left_px, double right_px)
     : area_(region), x_(x), y_(y) {
-    const Theme& theme = *panel.stage->theme;
+    const Theme& theme = panel.stage->theme;
     const double gap = 9.0 * panel.type_px;
     const double tick_px = 7.0 * panel.px;
     const double number_px = chart_number_size * panel.type_px;
-    const StageData& stage = *panel.stage;
+    const StageContext& stage = *panel.stage;
 
     // Space for numbers at the left, for one row of them below, and for a title above.
     area_.left += left_px;
     area_.right -= right_px;
     if (!x_title.empty()) area_.bottom += tick_px + gap + 0.75 * number_px;
-    const TextBlock y_type = set_chart_type(panel, y_title, TypeMode::text, chart_title_size);
+    const TextBlock y_type =
+        set_chart_type(panel, store, y_title, TypeMode::text, chart_title_size);
     if (y_type.mask->height > 0) area_.top -= y_type.height_px() + 1.6 * gap;
     area_.right = std::max(area_.right, area_.left + 1.0);
     area_.top = std::max(area_.top, area_.bottom + 1.0);
@@ -221,7 +223,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
         rule.opacity = 0.45;
         lines_.push_back(rule);
         const TextBlock number =
-            set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
+            set_chart_type(panel, store, tick.label, TypeMode::math, chart_number_size);
         labels_.push_back(
             chart_label(panel, number, area_.left - gap, height, Anchor::right_middle, theme.text));
         labels_.back().rank = rank_of_numbers;
@@ -243,7 +245,8 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
         lines_.push_back(line(panel, {across, area_.bottom, 0.0},
                               {across, area_.bottom - tick_px, 0.0}, theme.text, 1.6));
         if (x_title.empty()) continue;
-        const TextBlock type = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
+        const TextBlock type =
+            set_chart_type(panel, store, tick.label, TypeMode::math, chart_number_size);
         Label number = chart_label(panel, type, across, 0.0, Anchor::top_centre, theme.text);
         number.rank = rank_of_numbers;
         number.top_left_px.y() =
@@ -254,7 +257,7 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     }
     if (x_title.empty()) return;
     // The title is at the right end of the row of numbers; numbers that it would cover are omitted.
-    const TextBlock type = set_chart_type(panel, x_title, TypeMode::text, chart_title_size);
+    const TextBlock type = set_chart_type(panel, store, x_title, TypeMode::text, chart_title_size);
     Label title = chart_label(panel, type, region.right, 0.0, Anchor::bottom_right, theme.text);
     title.top_left_px.y() =
         stage.at_whole_pixel(panel.box.y_px + panel.box.height_px - baseline) - type.baseline_px;
@@ -266,10 +269,11 @@ PlotFrame::PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const
     labels_.push_back(title);
 }
 
-double PlotFrame::numbers_px(const Panel& panel, const Axis& y) {
+double PlotFrame::numbers_px(const Panel& panel, StageStore& store, const Axis& y) {
     double widest = 0.0;
     for (const Tick& tick : y.ticks) {
-        const TextBlock type = set_chart_type(panel, tick.label, TypeMode::math, chart_number_size);
+        const TextBlock type =
+            set_chart_type(panel, store, tick.label, TypeMode::math, chart_number_size);
         widest = std::max(widest, type.width_px());
     }
     return widest + 9.0 * panel.type_px + 7.0 * panel.px;

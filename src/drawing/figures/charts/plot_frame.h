@@ -57,11 +57,12 @@ class PlotFrame {
     // the chart's. `left_px`: width for the numbers of y (see numbers_px); `right_px`: width for
     // names at the ends of curves. If the title of x is empty, the numbers below the axis are
     // omitted, too.
-    PlotFrame(Panel& panel, const ChartArea& region, const Axis& x, const Axis& y,
-              std::string_view x_title, std::string_view y_title, double left_px, double right_px);
+    PlotFrame(const Panel& panel, StageStore& store, const ChartArea& region, const Axis& x,
+              const Axis& y, std::string_view x_title, std::string_view y_title, double left_px,
+              double right_px);
 
     // Width of the numbers of an axis at the left of a frame.
-    static double numbers_px(const Panel& panel, const Axis& y);
+    static double numbers_px(const Panel& panel, StageStore& store, const Axis& y);
 
     const ChartArea& area() const { return area_; }
     const Axis& x() const { return x_; }
@@ -91,7 +92,8 @@ class PlotFrame {
 void aim_at_pixels(Panel& panel);
 
 // Sets text for a chart: numbers are smaller than names.
-TextBlock set_chart_type(const Panel& panel, std::string_view text, TypeMode mode, double size_px);
+TextBlock set_chart_type(const Panel& panel, StageStore& store, std::string_view text,
+                         TypeMode mode, double size_px);
 
 // Text at a point of the chart's view.
 Label chart_label(const Panel& panel, const TextBlock& type, double x, double y, Anchor anchor,

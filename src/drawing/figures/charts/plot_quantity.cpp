@@ -8,6 +8,7 @@
 #include <string>
 
 #include "drawing/figures/charts/plot_frame.h"
+#include "drawing/stage/possible_motions.h"
 #include "error/error.h"
 #include "text/nearest.h"
 
@@ -33,11 +34,7 @@ LineStyle plane_colour(const Theme& theme) { return theme.polhode; }
 LineStyle body_cone_colour(const Theme& theme) { return theme.body_cone; }
 LineStyle space_cone_colour(const Theme& theme) { return theme.space_cone; }
 
-bool any_motion(const StageData&) { return true; }
-bool is_heavy_top(const StageData& stage) { return stage.motion.motion().heavy_top() != nullptr; }
-bool keeps_momentum(const StageData& stage) { return stage.rolling.has_value(); }
-bool rolls(const StageData& stage) { return keeps_momentum(stage) && !stage.rolling->dissipates; }
-bool rolls_with_cones(const StageData& stage) { return rolls(stage) && stage.rolling->cones; }
+bool rolls_with_cones(const StageContext& stage) { return rolls(stage) && stage.rolling->cones; }
 
 constexpr Quantities euler_angles{.attitude = false, .herpolhode = false, .euler_angles = true};
 
@@ -67,7 +64,7 @@ constexpr PlotCurve omega_curves[] = {
     {formula("\\omega_3"), axis_colour<2>, DashPattern::dotted},
 };
 // Components along the principal axes.
-PlotValues omega_values(const StageData& stage, const FrameInput& instant) {
+PlotValues omega_values(const StageContext& stage, const FrameInput& instant) {
     const Eigen::Vector3d omega =
         stage.motion.motion().problem().inertia.body_from_principal().transpose() *
         instant.state.omega_body;
@@ -79,7 +76,7 @@ constexpr PlotCurve euler_curves[] = {
     {formula("\\varphi"), angle_colour<1>, DashPattern::solid},
     {formula("\\psi"), angle_colour<2>, DashPattern::solid},
 };
-PlotValues euler_values(const StageData&, const FrameInput& instant) {
+PlotValues euler_values(const StageContext&, const FrameInput& instant) {
     return {instant.euler.theta_rad, instant.euler.phi_rad, instant.euler.psi_rad};
 }
 
@@ -88,7 +85,7 @@ constexpr PlotCurve energy_curves[] = {
     {formula("V"), potential_colour, DashPattern::dashed},
     {formula("E"), momentum_colour, DashPattern::dotted},
 };
-PlotValues energy_values(const StageData& stage, const FrameInput& instant) {
+PlotValues energy_values(const StageContext& stage, const FrameInput& instant) {
     const MotionProblem& problem = stage.motion.motion().problem();
     const Eigen::Vector3d& omega = instant.state.omega_body;
     const double kinetic = 0.5 * omega.dot(problem.inertia.matrix_body() * omega);
@@ -108,7 +105,7 @@ constexpr PlotCurve momentum_curves[] = {
 };
 // Components along the principal axes, which change in the body, and the length, which is
 // conserved.
-PlotValues momentum_values(const StageData& stage, const FrameInput& instant) {
+PlotValues momentum_values(const StageContext& stage, const FrameInput& instant) {
     const InertiaTensor& inertia = stage.motion.motion().problem().inertia;
     const Eigen::Vector3d momentum = inertia.moments_kg_m2().cwiseProduct(
         inertia.body_from_principal().transpose() * instant.state.omega_body);
@@ -121,7 +118,7 @@ constexpr PlotCurve tilt_curves[] = {
     {formula("\\mathbf{e}_3"), axis_colour<2>, DashPattern::dotted},
 };
 // Angles of the principal axes from L, accurate also near 0 and π.
-PlotValues tilt_values(const StageData& stage, const FrameInput& instant) {
+PlotValues tilt_values(const StageContext& stage, const FrameInput& instant) {
     const PlotValues L = momentum_values(stage, instant);
     const auto angle = [&L](std::size_t i) {
         return std::atan2(std::hypot(L[(i + 1) % 3], L[(i + 2) % 3]), L[i]);
@@ -137,7 +134,7 @@ constexpr PlotCurve conserved_curves[] = {
 // p_φ = A φ̇ sin²θ + p_ψ cos θ is the vertical component of L, p_ψ = C ω₃ the component along the
 // top's axis; both, and E = T + Mgl cos θ, are computed from the state at the instant. Source:
 // Landau & Lifshitz §35, problem 1.
-PlotValues conserved_values(const StageData& stage, const FrameInput& instant) {
+PlotValues conserved_values(const StageContext& stage, const FrameInput& instant) {
     const MotionProblem& problem = stage.motion.motion().problem();
     const auto& gravity = std::get<GravityTorque>(problem.torque);
     const Eigen::Vector3d momentum_body = problem.inertia.matrix_body() * instant.state.omega_body;
@@ -152,7 +149,7 @@ constexpr PlotCurve turn_curves[] = {
 };
 // Turns since t = 0, seen along L: of the axis of symmetry, φ = L t/I₁, and of marks on the body
 // about it, φ + ψ with ψ = −Ω t; φ − ψ if the axis points downwards. Source: Landau & Lifshitz §35.
-PlotValues turn_values(const StageData& stage, const FrameInput& instant) {
+PlotValues turn_values(const StageContext& stage, const FrameInput& instant) {
     const MotionProblem& problem = stage.motion.motion().problem();
     const RollingCones& cones = *stage.rolling->cones;
     const double spin_rad_s = problem.inertia.body_from_principal()
@@ -173,7 +170,7 @@ constexpr PlotCurve residual_curves[] = {
 // Values below 10^-14 are rounding noise that depends on the last bit: they are drawn on the axis's
 // lowest line. The exact motion's residuals reach 2e-15.
 constexpr double rounding_decade = -14.0;
-PlotValues residual_values(const StageData& stage, const FrameInput& instant) {
+PlotValues residual_values(const StageContext& stage, const FrameInput& instant) {
     const RollingResiduals r = stage.rolling->construction.residuals(instant.state);
     const auto decade = [](double x) { return std::max(std::log10(x), rounding_decade); };
     return {decade(r.energy), decade(r.momentum),
@@ -185,7 +182,7 @@ constexpr PlotQuantity quantity_rows[] = {
     {"omega", "ω1, ω2, ω3 along the principal axes", formula("$\\omega_i$"), "rad/s", false, false,
      true, omega_alone, any_motion, "", omega_curves, omega_values},
     {"euler_angles", "θ, φ, ψ of a heavy top", no_words, "rad", true, false, false, euler_angles,
-     is_heavy_top, "a heavy symmetric top", euler_curves, euler_values},
+     is_heavy_top, needs_heavy_top, euler_curves, euler_values},
     {"energy", "kinetic energy T; under gravity also the potential energy V and the sum E",
      energy_title, "J", false, false, true, attitude_too, any_motion, "", energy_curves,
      energy_values},
@@ -196,13 +193,12 @@ constexpr PlotQuantity quantity_rows[] = {
      "a body that turns without torque; friction inside is allowed", tilt_curves, tilt_values},
     {"conserved", "p_φ, p_ψ and E of a heavy top",
      formula("$p_\\varphi$, $p_\\psi$ / (kg m²/s);  $E$"), "J", false, false, true, attitude_too,
-     is_heavy_top, "a heavy symmetric top", conserved_curves, conserved_values},
+     is_heavy_top, needs_heavy_top, conserved_curves, conserved_values},
     {"turns", "turns of a symmetric body's axis about L (wobble) and of a mark on the body (spin)",
      turns_title, "", false, false, true, omega_alone, rolls_with_cones,
      "a torque-free body with exactly two equal moments", turn_curves, turn_values},
     {"residuals", "relative errors of T, L, the contact point and the attitude", residual_title, "",
-     false, true, false, attitude_too, rolls, "a torque-free body that turns", residual_curves,
-     residual_values},
+     false, true, false, attitude_too, rolls, needs_free_turning, residual_curves, residual_values},
 };
 
 // Without a potential E is T, so that the curve of T is enough.
@@ -219,14 +215,14 @@ const PlotQuantity& without_potential(const PlotQuantity& energy) {
 
 std::span<const PlotQuantity> plot_quantities() { return quantity_rows; }
 
-ShownUnit unit_of(const StageData& stage, const PlotQuantity& quantity) {
+ShownUnit unit_of(const StageContext& stage, const PlotQuantity& quantity) {
     const bool one_unit =
         !quantity.unit.empty() && quantity.title.front().find(" / ") == std::string_view::npos;
     if (!one_unit) return {std::string(quantity.unit), 1.0};
     return unit_shown(stage.scene.units, quantity.unit);
 }
 
-PlotValues shown_values(const StageData& stage, const PlotQuantity& quantity,
+PlotValues shown_values(const StageContext& stage, const PlotQuantity& quantity,
                         const FrameInput& instant) {
     PlotValues values = quantity.values(stage, instant);
     const double per_SI = unit_of(stage, quantity).per_SI;
@@ -235,7 +231,7 @@ PlotValues shown_values(const StageData& stage, const PlotQuantity& quantity,
     return values;
 }
 
-const PlotQuantity& plot_quantity_of(const StageData& stage, std::string_view name) {
+const PlotQuantity& plot_quantity_of(const StageContext& stage, std::string_view name) {
     if (name.empty()) name = is_heavy_top(stage) ? "euler_angles" : "omega";
     const PlotQuantity* row = find_row(quantity_rows, name);
     if (row == nullptr) throw InputError(unknown("quantity", name, names_of(quantity_rows)));

@@ -30,22 +30,22 @@ struct PlotQuantity {
     bool decades;    // values are logarithms to base 10
     bool from_zero;  // the axis includes 0
     Quantities needs;
-    bool (*possible)(const StageData& stage);
+    bool (*possible)(const StageContext& stage);
     std::string_view requirement;
     std::span<const PlotCurve> curves;
-    PlotValues (*values)(const StageData& stage, const FrameInput& instant);
+    PlotValues (*values)(const StageContext& stage, const FrameInput& instant);
 };
 
 std::span<const PlotQuantity> plot_quantities();
 
 // The quantity with this name, or the default one for the motion if the name is empty. Throws
 // InputError with the nearest name and the list, or if the motion has no such quantity.
-const PlotQuantity& plot_quantity_of(const StageData& stage, std::string_view name);
+const PlotQuantity& plot_quantity_of(const StageContext& stage, std::string_view name);
 
 // The unit in which a scene shows a quantity, and its values in that unit. Quantities with several
 // units are not converted.
-ShownUnit unit_of(const StageData& stage, const PlotQuantity& quantity);
-PlotValues shown_values(const StageData& stage, const PlotQuantity& quantity,
+ShownUnit unit_of(const StageContext& stage, const PlotQuantity& quantity);
+PlotValues shown_values(const StageContext& stage, const PlotQuantity& quantity,
                         const FrameInput& instant);
 
 }  // namespace poinsot

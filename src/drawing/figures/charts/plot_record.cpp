@@ -31,7 +31,7 @@ FrameInput PlotRecord::instant(double time_s) const {
     return {time_s, sample.state, sample.herpolhode_space, sample.euler, {}};
 }
 
-int n_pieces_of(const StageData& stage, double width_px) {
+int n_pieces_of(const StageContext& stage, double width_px) {
     const double n_turns = (stage.film_last_s - stage.film_first_s) *
                            (2.0 * stage.quickest_rate_rad_s()) / std::numbers::pi;
     return static_cast<int>(std::clamp(n_turns, 16.0, std::max(16.0, 2.0 * width_px)));

@@ -14,7 +14,7 @@ namespace poinsot {
 // stage, the motion and the quantity must outlive it.
 class PlotRecord {
  public:
-    PlotRecord(const StageData& stage, const CountedMotion& motion, const PlotQuantity& quantity)
+    PlotRecord(const StageContext& stage, const CountedMotion& motion, const PlotQuantity& quantity)
         : stage_(&stage), motion_(&motion), quantity_(&quantity) {}
 
     const PlotValues& at(double time_s);
@@ -27,7 +27,7 @@ class PlotRecord {
  private:
     FrameInput instant(double time_s) const;
 
-    const StageData* stage_;
+    const StageContext* stage_;
     const CountedMotion* motion_;
     const PlotQuantity* quantity_;
     std::map<double, PlotValues> known_;
@@ -35,7 +35,7 @@ class PlotRecord {
 
 // Number of intervals to sample the film in: no curve turns by more than about half a turn in one,
 // limited to what a plot of this width can resolve.
-int n_pieces_of(const StageData& stage, double width_px);
+int n_pieces_of(const StageContext& stage, double width_px);
 
 // Whether the first instants widen the range so much that the later values would hardly be visible.
 bool is_ruined(const PlotQuantity& quantity, std::pair<double, double> whole,

@@ -35,7 +35,7 @@ void draw_chart(const Panel& panel, const PlottedChart& plotted, double time_s,
     const ChartArea& area = plotted.chart.area();
     const double across = plotted.chart.at(time_s, 0.0).x();
     Curve cursor = PlotFrame::line(panel, {across, area.bottom, 0.0}, {across, area.top, 0.0},
-                                   panel.stage->theme->text, 1.6);
+                                   panel.stage->theme.text, 1.6);
     cursor.opacity = 0.55;
     builder.view.curves.push_back(cursor);
     builder.view.curves.insert(builder.view.curves.end(), plotted.comparison.begin(),

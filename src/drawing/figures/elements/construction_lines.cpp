@@ -57,7 +57,7 @@ void add_right_angle(const Panel& panel, const Eigen::Vector3d& at, const Eigen:
     }
 }
 
-bool shows_plane(const StageData& stage) {
+bool shows_plane(const StageContext& stage) {
     return is_shown(stage, "plane") || is_shown(stage, "tangent");
 }
 
@@ -95,13 +95,13 @@ double radius_in_view(const Panel& panel, const Eigen::Vector3d& centre, double 
 }
 
 // L from the centre through the plane, its foot there marked with a right angle.
-Drawer make_momentum(Panel& panel) {
+Drawer make_momentum(const Panel& panel, StageStore& store) {
     const ConstructionPicture& picture = picture_of(panel);
-    Arrow arrow = arrow_to(panel, momentum_tip(picture), panel.stage->theme->momentum, 1.15);
+    Arrow arrow = arrow_to(panel, momentum_tip(picture), panel.stage->theme.momentum, 1.15);
     arrow.hidden_opacity = seen_through;
-    const TextBlock type = set_label(panel, "\\mathbf{L}");
+    const TextBlock type = set_label(panel, store, "\\mathbf{L}");
     const bool has_foot = shows_plane(*panel.stage);
-    const Dot foot = dot_at(panel, picture.foot(), panel.stage->theme->momentum, 4.0);
+    const Dot foot = dot_at(panel, picture.foot(), panel.stage->theme.momentum, 4.0);
     return [&panel, arrow, type, has_foot, foot](const FrameInput& instant, ViewBuilder& builder) {
         builder.view.arrows.push_back(arrow);
         if (has_foot) {
@@ -117,14 +117,14 @@ Drawer make_momentum(Panel& panel) {
 }
 
 // ω from the centre to the contact, or beyond it if ρ is shown as well.
-Drawer make_omega(Panel& panel) {
-    const TextBlock type = set_label(panel, "\\boldsymbol{\\omega}");
+Drawer make_omega(const Panel& panel, StageStore& store) {
+    const TextBlock type = set_label(panel, store, "\\boldsymbol{\\omega}");
     // With ρ shown, ω extends beyond its tip; without ρ, ω ends there.
     const bool beyond = is_shown(*panel.stage, "radius");
     return [&panel, type, beyond](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
         Arrow arrow =
-            arrow_to(panel, beyond ? spin_axis_end(rho) : rho, panel.stage->theme->omega, 1.15);
+            arrow_to(panel, beyond ? spin_axis_end(rho) : rho, panel.stage->theme.omega, 1.15);
         arrow.hidden_opacity = seen_through;
         builder.view.arrows.push_back(arrow);
         // The label is further along the line, away from the contact and the lines that meet there.
@@ -135,19 +135,19 @@ Drawer make_omega(Panel& panel) {
 }
 
 // The points of the body that are at rest at the instant: the line through centre and contact.
-Drawer make_spin_axis(Panel& panel) {
+Drawer make_spin_axis(const Panel& panel, StageStore&) {
     return [&panel](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
         Curve line = line_between(panel, -spin_axis_end(rho), past_contact(rho),
-                                  panel.stage->theme->omega, 2.0);
+                                  panel.stage->theme.omega, 2.0);
         line.hidden_opacity = 0.6;
         builder.view.curves.push_back(line);
     };
 }
 
 // The point where ellipsoid and plane touch: the tip of ρ.
-Drawer make_contact(Panel& panel) {
-    Dot dot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->contact);
+Drawer make_contact(const Panel& panel, StageStore&) {
+    Dot dot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme.contact);
     // Drawn over both curves and the ellipsoid, since it lies on them.
     dot.occlusion = Occlusion::none;
     return [&panel, dot](const FrameInput& instant, ViewBuilder& builder) {
@@ -157,12 +157,12 @@ Drawer make_contact(Panel& panel) {
 }
 
 // ρ = ω/√(2T), from the centre to the contact: F(ρ) = 1.
-Drawer make_radius(Panel& panel) {
-    const TextBlock type = set_label(panel, "\\boldsymbol{\\rho}");
+Drawer make_radius(const Panel& panel, StageStore& store) {
+    const TextBlock type = set_label(panel, store, "\\boldsymbol{\\rho}");
     return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
         // In the colour of the polhode, the curve of its tip.
-        const LineStyle& colour = panel.stage->theme->polhode;
+        const LineStyle& colour = panel.stage->theme.polhode;
         Arrow arrow = arrow_to(panel, rho, colour, 1.3);
         arrow.hidden_opacity = seen_through;
         builder.view.arrows.push_back(arrow);
@@ -171,14 +171,14 @@ Drawer make_radius(Panel& panel) {
 }
 
 // The plane that touches the ellipsoid at ρ: a patch of the invariable plane.
-Drawer make_tangent(Panel& panel) {
+Drawer make_tangent(const Panel& panel, StageStore&) {
     Plane plane;
     plane.radius = 0.75;
     plane.fade_from = 0.6;
     plane.grid_spacing = 0.15;
     plane.grid_px = 0.8 * panel.px;
-    plane.colour = panel.stage->theme->plane;
-    plane.grid_colour = panel.stage->theme->grid;
+    plane.colour = panel.stage->theme.plane;
+    plane.grid_colour = panel.stage->theme.grid;
     plane.opacity = 0.45;
     return [&panel, plane](const FrameInput& instant, ViewBuilder& builder) {
         builder.view.planes.push_back(plane);
@@ -187,13 +187,13 @@ Drawer make_tangent(Panel& panel) {
 }
 
 // ∇F at ρ: it points along L, as ∇F = 2 I ρ.
-Drawer make_gradient(Panel& panel) {
-    const TextBlock type = set_label(panel, "\\nabla F");
+Drawer make_gradient(const Panel& panel, StageStore& store) {
+    const TextBlock type = set_label(panel, store, "\\nabla F");
     return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
         constexpr double length = 0.55;
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
         Arrow arrow = arrow_between(panel, rho, rho + length * picture_of(panel).normal,
-                                    panel.stage->theme->energy, 1.1);
+                                    panel.stage->theme.energy, 1.1);
         arrow.hidden_opacity = seen_through;
         builder.view.arrows.push_back(arrow);
         wish_at_tip(panel, arrow, type, builder);
@@ -201,11 +201,11 @@ Drawer make_gradient(Panel& panel) {
 }
 
 // The projection of ρ on L: from the tip of ρ perpendicularly to L, and along L to the centre.
-Drawer make_projection(Panel& panel) {
-    const TextBlock type = set_label(panel, "\\boldsymbol{\\rho}\\cdot\\mathbf{L}/L", 0.85);
+Drawer make_projection(const Panel& panel, StageStore& store) {
+    const TextBlock type = set_label(panel, store, "\\boldsymbol{\\rho}\\cdot\\mathbf{L}/L", 0.85);
     return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = picture_of(panel);
-        const LineStyle& colour = panel.stage->theme->energy;
+        const LineStyle& colour = panel.stage->theme.energy;
         const Eigen::Vector3d rho = picture.contact(instant);
         const Eigen::Vector3d foot = picture.foot(instant);
         Curve along = line_between(panel, Eigen::Vector3d::Zero(), foot, colour, 9.0);
@@ -215,7 +215,7 @@ Drawer make_projection(Panel& panel) {
         across.hidden_opacity = seen_through;
         for (const Curve& line : {along, across}) builder.view.curves.push_back(line);
         // On the side of L away from ρ.
-        wish_beside_line(panel, Eigen::Vector3d::Zero(), foot, 0.55, type, panel.stage->theme->text,
+        wish_beside_line(panel, Eigen::Vector3d::Zero(), foot, 0.55, type, panel.stage->theme.text,
                          builder);
         const Eigen::Vector2d to_rho =
             project(builder.view, rho).px - project(builder.view, foot).px;
@@ -225,14 +225,14 @@ Drawer make_projection(Panel& panel) {
 }
 
 // The plane's distance √(2T)/L from the centre, as a dimension line beside the ellipsoid.
-Drawer make_distance(Panel& panel) {
-    const TextBlock type = set_label(panel, "\\sqrt{2T}/L", 0.9);
+Drawer make_distance(const Panel& panel, StageStore& store) {
+    const TextBlock type = set_label(panel, store, "\\sqrt{2T}/L", 0.9);
     return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
         // To the right of the ellipsoid's largest extent, in the camera's view.
         constexpr double aside = 1.22;
         const Eigen::Vector3d from = aside * right_of(builder);
         const Eigen::Vector3d to = from + picture_of(panel).foot(instant);
-        const LineStyle& colour = panel.stage->theme->text;
+        const LineStyle& colour = panel.stage->theme.text;
         Curve level = line_between(panel, Eigen::Vector3d::Zero(), 1.06 * from, colour, 1.6);
         level.hidden_opacity = 0.5;
         builder.view.curves.push_back(level);
@@ -249,11 +249,11 @@ Drawer make_distance(Panel& panel) {
     };
 }
 
-LevelScale::LevelScale(const Panel& panel) : panel_(&panel) {
+LevelScale::LevelScale(const Panel& panel, StageStore& store) : panel_(&panel) {
     for (std::size_t i = 0; i < 3; ++i) {
-        types_[i] = set_label(panel, fmt::format("1/\\sqrt{{I_{}}}", i + 1), 0.9);
+        types_[i] = set_label(panel, store, fmt::format("1/\\sqrt{{I_{}}}", i + 1), 0.9);
     }
-    distance_ = set_label(panel, "\\sqrt{2T}/L", 0.9);
+    distance_ = set_label(panel, store, "\\sqrt{2T}/L", 0.9);
 }
 
 double LevelScale::aside(const View& view, const Eigen::Vector3d& right) const {
@@ -269,7 +269,7 @@ double LevelScale::aside(const View& view, const Eigen::Vector3d& right) const {
 void LevelScale::add_to(ViewBuilder& builder, const Eigen::Vector3d& half_axes,
                         const Eigen::Vector3d& foot) const {
     const Panel& panel = *panel_;
-    const Theme& theme = *panel.stage->theme;
+    const Theme& theme = panel.stage->theme;
     const Eigen::Vector3d right = right_of(builder);
     const Eigen::Vector3d normal = foot.stableNormalized();
     const Eigen::Vector3d zero = aside(builder.view, right) * right;
@@ -321,8 +321,8 @@ void LevelScale::add_to(ViewBuilder& builder, const Eigen::Vector3d& half_axes,
 }
 
 // The scale of distances for the motion's own plane.
-Drawer make_levels(Panel& panel) {
-    const LevelScale levels(panel);
+Drawer make_levels(const Panel& panel, StageStore& store) {
+    const LevelScale levels(panel, store);
     return [&panel, levels](const FrameInput& instant, ViewBuilder& builder) {
         levels.add_to(builder, picture_of(panel).half_axes, picture_of(panel).foot(instant));
     };
@@ -331,8 +331,8 @@ Drawer make_levels(Panel& panel) {
 // ω × r of points of the ellipsoid along an arc on the camera's side, from the contact, where it is
 // zero, to the other end of the axis of rotation. The arc is rotated about the axis out of the
 // plane of the line of sight, in which it would cover the axis.
-Drawer make_velocity(Panel& panel) {
-    const TextBlock type = set_label(panel, "\\boldsymbol{\\omega}\\times\\mathbf{r}", 0.85);
+Drawer make_velocity(const Panel& panel, StageStore& store) {
+    const TextBlock type = set_label(panel, store, "\\boldsymbol{\\omega}\\times\\mathbf{r}", 0.85);
     return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = picture_of(panel);
         const Eigen::Vector3d rho = picture.contact(instant);
@@ -352,7 +352,7 @@ Drawer make_velocity(Panel& panel) {
                 (axes.transpose() * along).cwiseQuotient(picture.half_axes);
             return Eigen::Vector3d(along / scaled.norm());
         };
-        const LineStyle& colour = panel.stage->theme->potential;
+        const LineStyle& colour = panel.stage->theme.potential;
         constexpr int n = 9;
         constexpr double per_distance = 0.42;
         constexpr int named = n / 2;

@@ -23,7 +23,7 @@ double radius_in_view(const Panel& panel, const Eigen::Vector3d& centre, double 
 // √(2T)/L, on a scale along L beside the ellipsoid.
 class LevelScale {
  public:
-    explicit LevelScale(const Panel& panel);
+    explicit LevelScale(const Panel& panel, StageStore& store);
 
     // Lengths in picture units. Needs the builder's camera.
     void add_to(ViewBuilder& builder, const Eigen::Vector3d& half_axes,

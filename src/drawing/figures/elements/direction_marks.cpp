@@ -50,9 +50,9 @@ bool runs_backwards(const Panel& panel, const std::vector<Eigen::Vector3d>& poin
     return backwards;
 }
 
-DirectionMarks::DirectionMarks(Panel& panel, const CurveGeometry& geometry, double spacing,
-                               bool backwards)
-    : panel_(&panel), chevron_(panel.keep(chevron(), 0.0, "a direction mark")) {
+DirectionMarks::DirectionMarks(const Panel& panel, StageStore& store, const CurveGeometry& geometry,
+                               double spacing, bool backwards)
+    : panel_(&panel), chevron_(keep(panel, store, chevron(), 0.0, "a direction mark")) {
     const std::vector<Eigen::Vector3d>& points = geometry.points;
     double length = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();

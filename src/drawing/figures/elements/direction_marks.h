@@ -12,7 +12,8 @@ namespace poinsot {
 class DirectionMarks {
  public:
     // `backwards`: the curve's points are in the order opposite to the motion.
-    DirectionMarks(Panel& panel, const CurveGeometry& geometry, double spacing, bool backwards);
+    DirectionMarks(const Panel& panel, StageStore& store, const CurveGeometry& geometry,
+                   double spacing, bool backwards);
 
     // Adds the chevrons on the shown part of the curve, in the curve's colour and opacity; only the
     // newest ones, so that a long history costs no more than a short one. Needs the builder's
@@ -24,7 +25,7 @@ class DirectionMarks {
         double index = 0.0;  // in points of the curve
         Eigen::Vector3d at, ahead;
     };
-    Panel* panel_;
+    const Panel* panel_;
     const CurveGeometry* chevron_;
     std::vector<Mark> marks_;
 };

@@ -17,14 +17,15 @@
 namespace poinsot {
 
 // The axes x, y, z in which the scene's numbers are given.
-Drawer make_given_axes(Panel& panel) {
-    const std::array<TextBlock, 3> types{set_label(panel, "x", 0.85), set_label(panel, "y", 0.85),
-                                         set_label(panel, "z", 0.85)};
+Drawer make_given_axes(const Panel& panel, StageStore& store) {
+    const std::array<TextBlock, 3> types{set_label(panel, store, "x", 0.85),
+                                         set_label(panel, store, "y", 0.85),
+                                         set_label(panel, store, "z", 0.85)};
     return [&panel, types](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Matrix3d axes =
             picture_of(panel).picture_from_body(instant).toRotationMatrix();
         for (int i = 0; i < 3; ++i) {
-            Arrow arrow = arrow_to(panel, 1.25 * axes.col(i), panel.stage->theme->potential, 0.65);
+            Arrow arrow = arrow_to(panel, 1.25 * axes.col(i), panel.stage->theme.potential, 0.65);
             arrow.opacity = 0.85;
             builder.view.arrows.push_back(arrow);
             wish_at_tip(panel, arrow, types[static_cast<std::size_t>(i)], builder);
@@ -34,14 +35,14 @@ Drawer make_given_axes(Panel& panel) {
 
 // The rotation from x, y, z to e1, e2, e3: about its axis, an arc from each old to each new axis,
 // with the angle at the longest arc.
-Drawer make_turn(Panel& panel) {
+Drawer make_turn(const Panel& panel, StageStore& store) {
     // The rotation that takes x, y, z to e1, e2, e3: about one axis by one angle (Euler's theorem).
     const Eigen::AngleAxisd turn(picture_of(panel).construction.inertia().body_from_principal());
     const double degrees = turn.angle() * 180.0 / std::numbers::pi;
-    const TextBlock type = set_label(panel, fmt::format("{:.1f}°", degrees), 0.85);
+    const TextBlock type = set_label(panel, store, fmt::format("{:.1f}°", degrees), 0.85);
     return [&panel, turn, type](const FrameInput& instant, ViewBuilder& builder) {
         if (!(turn.angle() > 0.0)) return;
-        const LineStyle& colour = panel.stage->theme->angles[0];
+        const LineStyle& colour = panel.stage->theme.angles[0];
         const Eigen::Vector3d axis = picture_of(panel).picture_from_body(instant) * turn.axis();
         Curve line = line_between(panel, Eigen::Vector3d::Zero(), 1.3 * axis, colour, 2.0);
         line.hidden_opacity = 0.6;
@@ -68,41 +69,41 @@ Drawer make_turn(Panel& panel) {
 }
 
 // The half-axes from the centre to the surface along e1, e2, e3, labelled 1/√I.
-Drawer make_half_axes(Panel& panel) {
+Drawer make_half_axes(const Panel& panel, StageStore& store) {
     std::array<TextBlock, 3> types;
     for (std::size_t i = 0; i < 3; ++i) {
-        types[i] = set_label(panel, fmt::format("1/\\sqrt{{I_{}}}", i + 1), 0.8);
+        types[i] = set_label(panel, store, fmt::format("1/\\sqrt{{I_{}}}", i + 1), 0.8);
     }
     return [&panel, types](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
         for (int i = 0; i < 3; ++i) {
             const Eigen::Vector3d end = axes.col(i) * picture_of(panel).half_axes[i];
-            const LineStyle& colour = panel.stage->theme->axes[i];
+            const LineStyle& colour = panel.stage->theme.axes[i];
             Curve line = line_between(panel, Eigen::Vector3d::Zero(), end, colour, 5.0);
             line.hidden_opacity = 0.75;
             builder.view.curves.push_back(line);
             builder.view.dots.push_back(dot_at(panel, end, colour, 5.0));
             // The label is at the end: beside the middle it would be too near to that of ρ.
             wish_beside(panel, end, Eigen::Vector3d::Zero(), types[static_cast<std::size_t>(i)],
-                        panel.stage->theme->text, builder);
+                        panel.stage->theme.text, builder);
         }
     };
 }
 
 // Ω about the axis of symmetry, the rate of ω's precession in the body, and L/I₁ about L, the rate
 // of that axis's precession in space. Throws InputError for a body without two equal moments.
-Drawer make_precession(Panel& panel) {
+Drawer make_precession(const Panel& panel, StageStore& store) {
     if (!picture_of(panel).cones) {
         throw InputError(
             "show: precession needs a body with exactly two equal moments; leave it out");
     }
     const RollingCones cones = *picture_of(panel).cones;
     const int across = cones.symmetry_axis == 0 ? 2 : 1;
-    const TextBlock in_body = set_label(panel, "\\Omega", 0.9);
-    const TextBlock in_space = set_label(panel, fmt::format("L/I_{}", across), 0.85);
+    const TextBlock in_body = set_label(panel, store, "\\Omega", 0.9);
+    const TextBlock in_space = set_label(panel, store, fmt::format("L/I_{}", across), 0.85);
     return [&panel, cones, in_body, in_space](const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = picture_of(panel);
-        const Theme& theme = *panel.stage->theme;
+        const Theme& theme = panel.stage->theme;
         // Both rings are on the side away from the plane, each about a line along its axis.
         const Eigen::Vector3d axis = picture.principal_axes(instant).col(cones.symmetry_axis);
         const Eigen::Vector3d end = axis.dot(picture.normal) > 0.0 ? Eigen::Vector3d(-axis) : axis;
@@ -126,8 +127,8 @@ double body_in_ellipsoid(const ConstructionPicture& picture) {
 }
 
 // The body, inside its ellipsoid.
-Drawer make_body(Panel& panel) {
-    const BodyShape shape = body_shape(panel);
+Drawer make_body(const Panel& panel, StageStore& store) {
+    const BodyShape shape = body_shape(panel, store);
     const double scale = body_in_ellipsoid(picture_of(panel));
     return [&panel, shape, scale](const FrameInput& instant, ViewBuilder& builder) {
         Eigen::Affine3d turned = Eigen::Affine3d::Identity();

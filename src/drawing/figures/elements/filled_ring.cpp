@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "drawing/figures/elements/trail.h"
-#include "drawing/stage/panel.h"
 #include "mechanics/free/free_rotation.h"
 #include "numerics/three_gaps.h"
 
@@ -18,12 +17,12 @@ namespace {
 using std::numbers::pi;
 
 // How far the contact point gets about L in one polhode period, turns, in the axes shown.
-double advance_turns(const StageData& stage) {
+double advance_turns(const StageContext& stage) {
     if (stage.turns()) return 0.0;  // those axes turn with it
     return stage.motion.motion().free_constants().advance_per_period_rad.value_or(0.0) / (2.0 * pi);
 }
 
-Polhode::Annulus annulus_of(const StageData& stage) { return stage.rolling->polhode.annulus(); }
+Polhode::Annulus annulus_of(const StageContext& stage) { return stage.rolling->polhode.annulus(); }
 
 // An instant at which the curve touches a circle of the ring, searched through half a period, in
 // which it touches each once.
@@ -40,7 +39,7 @@ double touching_s(const PathPoint& point, double period_s, bool outer) {
 
 // By how much the curve has left a circle of the ring at most when it has turned about L by half of
 // `gap_rad` from where it touches it: where neighbouring turns meet that touch it so far apart.
-double notch(const StageData& stage, const PathPoint& point, double period_s, double gap_rad,
+double notch(const StageContext& stage, const PathPoint& point, double period_s, double gap_rad,
              bool outer) {
     const Polhode::Annulus annulus = annulus_of(stage);
     const double radius = outer ? annulus.outer : annulus.inner;
@@ -64,7 +63,7 @@ double notch(const StageData& stage, const PathPoint& point, double period_s, do
 
 }  // namespace
 
-std::optional<double> retracing_s(const StageData& stage, double span_s, double longest_s,
+std::optional<double> retracing_s(const StageContext& stage, double span_s, double longest_s,
                                   double tolerance) {
     const FreeRotationConstants constants = stage.motion.motion().free_constants();
     const double outer = annulus_of(stage).outer;
@@ -89,7 +88,7 @@ std::optional<double> retracing_s(const StageData& stage, double span_s, double 
     return static_cast<double>(*k) * period_s;
 }
 
-std::optional<FilledRing> filled_ring(const StageData& stage, const PathPoint& point,
+std::optional<FilledRing> filled_ring(const StageContext& stage, const PathPoint& point,
                                       double tolerance, double width, std::size_t most_points) {
     const FreeRotationConstants constants = stage.motion.motion().free_constants();
     const Polhode::Annulus annulus = annulus_of(stage);
@@ -138,14 +137,15 @@ std::optional<FilledRing> filled_ring(const StageData& stage, const PathPoint& p
 }
 
 std::optional<RingCurve> ring_of(
-    Panel& panel, const TimedCurve& timed, const Curve& curve,
+    const Panel& panel, StageStore& store, const TimedCurve& timed, const Curve& curve,
     const std::function<CurveGeometry(const std::vector<Eigen::Vector3d>& points)>& place) {
     if (!timed.ring) return std::nullopt;
     RingCurve ring{timed.ring->from_s, curve};
-    ring.curve.geometry = panel.keep(place(timed.ring->points), panel.curve_units(), "the ring");
+    ring.curve.geometry =
+        keep(panel, store, place(timed.ring->points), panel.curve_units(), "the ring");
     ring.curve.dash_px = 0.0;
     ring.curve.lasting = true;
-    panel.stage->note(
+    store.note(
         "the herpolhode has so many turns that its curve covers its ring; it is drawn as a filled "
         "ring");
     return ring;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "drawing/stage/stage_data.h"
+#include "drawing/stage/panel.h"
 
 namespace poinsot {
 
@@ -19,7 +19,7 @@ using PathPoint = std::function<Eigen::Vector3d(double time_s)>;
 // The time, up to `longest_s`, after which the herpolhode runs over itself: for as long as `span_s`
 // to within half of `tolerance`. None where it does not. Precondition, here and below: a motion in
 // closed form, whose herpolhode is no point.
-std::optional<double> retracing_s(const StageData& stage, double span_s, double longest_s,
+std::optional<double> retracing_s(const StageContext& stage, double span_s, double longest_s,
                                   double tolerance);
 
 // The ring as a line that is wound up in it, so closely that the line's width leaves nothing free.
@@ -31,7 +31,7 @@ struct FilledRing {
 // A line of `width` along the herpolhode leaves nothing of the ring free from that time on, and
 // what its edge then looks like is within `tolerance` of the ring's. None where that is never, or
 // where the line would need more than `most_points`.
-std::optional<FilledRing> filled_ring(const StageData& stage, const PathPoint& point,
+std::optional<FilledRing> filled_ring(const StageContext& stage, const PathPoint& point,
                                       double tolerance, double width, std::size_t most_points);
 
 // The ring in a panel, and the instant from which on it stands for the curve.
@@ -43,7 +43,7 @@ struct RingCurve {
 // The ring of a trail, where it has one, drawn as the trail's `curve` is; `place` takes its points
 // to the panel. Notes that it is drawn.
 std::optional<RingCurve> ring_of(
-    Panel& panel, const TimedCurve& timed, const Curve& curve,
+    const Panel& panel, StageStore& store, const TimedCurve& timed, const Curve& curve,
     const std::function<CurveGeometry(const std::vector<Eigen::Vector3d>& points)>& place);
 
 }  // namespace poinsot

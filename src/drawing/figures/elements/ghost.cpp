@@ -48,10 +48,10 @@ Eigen::Vector3d contact_of(const ConstructionPicture& picture, const RotationSta
 
 }  // namespace
 
-GhostPath ghost_path(Panel& panel,
+GhostPath ghost_path(const Panel& panel, StageStore& store,
                      const std::function<Eigen::Vector3d(const RotationState&)>& point,
                      double width_px) {
-    StageData& stage = *panel.stage;
+    const StageContext& stage = *panel.stage;
     const double half_turn_s = std::numbers::pi / stage.quickest_rate_rad_s();
     GhostPath ghost;
     ghost.path = sample_path(
@@ -60,9 +60,10 @@ GhostPath ghost_path(Panel& panel,
     cut(ghost.path);
     CurveGeometry geometry;
     geometry.points = std::move(ghost.path.points);
-    ghost.curve = curve_of(
-        panel, panel.keep(std::move(geometry), ghost.path.off, "the path of the comparison motion"),
-        panel.stage->theme->ghost, width_px);
+    ghost.curve = curve_of(panel,
+                           keep(panel, store, std::move(geometry), ghost.path.off,
+                                "the path of the comparison motion"),
+                           panel.stage->theme.ghost, width_px);
     ghost.curve.hidden_opacity = 0.45;
     ghost.curve.lasting = true;
     ghost.path.points.clear();
@@ -74,30 +75,30 @@ void add_ghost_path(const GhostPath& ghost, const FrameInput& instant, ViewBuild
     builder.view.curves.back().last = ghost.path.index_at(instant.time_s);
 }
 
-TextBlock set_ghost_label(const Panel& panel, std::string_view symbol, double scale) {
+TextBlock set_ghost_label(const Panel& panel, StageStore& store, std::string_view symbol,
+                          double scale) {
     const std::string& method = panel.stage->comparison->motion().problem().method.name;
-    return set_label(panel, fmt::format("{}_{{\\mathrm{{{}}}}}", symbol, method), scale);
+    return set_label(panel, store, fmt::format("{}_{{\\mathrm{{{}}}}}", symbol, method), scale);
 }
 
 void add_ghost_arrow(const Panel& panel, const Eigen::Vector3d& tip, const TextBlock& type,
                      ViewBuilder& builder) {
     if (!(tip.norm() <= out_of_picture)) return;
-    const Arrow arrow = arrow_to(panel, tip, panel.stage->theme->ghost, 0.95);
+    const Arrow arrow = arrow_to(panel, tip, panel.stage->theme.ghost, 0.95);
     builder.view.arrows.push_back(arrow);
     wish_at_tip(panel, arrow, type, builder);
 }
 
-Drawer make_ghost(Panel& panel) {
+Drawer make_ghost(const Panel& panel, StageStore& store) {
     require_beside(panel, "ghost");
-    panel.shows_comparison = true;
     Ellipsoid ellipsoid = ellipsoid_of(panel);
-    ellipsoid.colour = panel.stage->theme->ghost;
-    ellipsoid.line_colour = panel.stage->theme->ghost;
+    ellipsoid.colour = panel.stage->theme.ghost;
+    ellipsoid.line_colour = panel.stage->theme.ghost;
     ellipsoid.opacity = 0.22;
     ellipsoid.section_px = 1.6 * panel.px;
     ellipsoid.ruling_px = 0.0;
     ellipsoid.casts_shadow = false;
-    const TextBlock type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
+    const TextBlock type = set_ghost_label(panel, store, "\\boldsymbol{\\omega}");
     const bool beyond = is_shown(*panel.stage, "radius");
     return [&panel, ellipsoid, type, beyond](const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = *panel.stage->rolling;
@@ -111,17 +112,17 @@ Drawer make_ghost(Panel& panel) {
         // Ends like ω's arrow, which depends on whether ρ is shown.
         add_ghost_arrow(panel, beyond ? spin_axis_end(contact) : contact, type, builder);
         if (contact.norm() <= out_of_picture) {
-            builder.view.dots.push_back(dot_at(panel, contact, panel.stage->theme->ghost, 5.5));
+            builder.view.dots.push_back(dot_at(panel, contact, panel.stage->theme.ghost, 5.5));
         }
     };
 }
 
-Drawer make_drift(Panel& panel) {
+Drawer make_drift(const Panel& panel, StageStore& store) {
     require_beside(panel, "drift");
-    panel.shows_comparison = true;
     const ConstructionPicture& picture = *panel.stage->rolling;
     GhostPath ghost = ghost_path(
-        panel, [&picture](const RotationState& state) { return contact_of(picture, state); }, 3.2);
+        panel, store, [&picture](const RotationState& state) { return contact_of(picture, state); },
+        3.2);
     // Visible through the plane, too, since it shows how far the method's error lets it sink.
     ghost.curve.hidden_opacity = 0.75;
     return [ghost](const FrameInput& instant, ViewBuilder& builder) {

@@ -74,8 +74,9 @@ MeshGeometry geometry_of(const TriangleMesh& mesh, double reach_m) {
     return geometry;
 }
 
-BodyPart part_of(Panel& panel, const TriangleMesh& mesh, double reach_m, const Colour& colour) {
-    return {panel.stage->keep(geometry_of(mesh, reach_m)), colour};
+BodyPart part_of(StageStore& store, const TriangleMesh& mesh, double reach_m,
+                 const Colour& colour) {
+    return {store.keep(geometry_of(mesh, reach_m)), colour};
 }
 
 // The twelve edges of a box about the origin.
@@ -90,7 +91,7 @@ std::vector<Curve> edges_of_box(const Panel& panel, const Eigen::Vector3d& half_
             Eigen::Vector3d to = from;
             to[i] *= -1.0;
             edges.push_back(line_between(panel, body_from_principal * from,
-                                         body_from_principal * to, panel.stage->theme->solid_lines,
+                                         body_from_principal * to, panel.stage->theme.solid_lines,
                                          1.6));
             edges.back().hidden_opacity = 0.12;
         }
@@ -234,10 +235,10 @@ Eigen::Vector3d box_of_moments(const Eigen::Vector3d& moments_kg_m2) {
     return edges.cwiseMax(0.01 * edges.maxCoeff());
 }
 
-BodyShape body_shape(Panel& panel) {
+BodyShape body_shape(const Panel& panel, StageStore& store) {
     const Scene& scene = panel.stage->scene;
     const Eigen::Matrix3d body_from_principal = scene.body.inertia.body_from_principal();
-    const Theme& theme = *panel.stage->theme;
+    const Theme& theme = panel.stage->theme;
     std::vector<ColouredMesh> meshes = meshes_of(scene, theme);
     BodyShape shape;
     shape.reach_m = 0.0;
@@ -250,7 +251,7 @@ BodyShape body_shape(Panel& panel) {
             taken_face(meshes, body_face_named(spec.face).outward(body_from_principal));
         MeshGeometry geometry = geometry_of(face, shape.reach_m);
         lay_picture(spec, body_from_principal, theme.solid, geometry);
-        pictured.push_back({panel.stage->keep(std::move(geometry)), theme.solid});
+        pictured.push_back({store.keep(std::move(geometry)), theme.solid});
     }
     if (!scene.object.marked_face.empty()) {
         const BodyFace face = body_face_named(scene.object.marked_face);
@@ -259,7 +260,7 @@ BodyShape body_shape(Panel& panel) {
     }
     shape.extents.setZero();
     for (const ColouredMesh& part : meshes) {
-        shape.parts.push_back(part_of(panel, part.mesh, shape.reach_m, part.colour));
+        shape.parts.push_back(part_of(store, part.mesh, shape.reach_m, part.colour));
         for (const Eigen::Vector3d& vertex : part.mesh.vertices) {
             const Eigen::Vector3d along = body_from_principal.transpose() * vertex;
             shape.extents = shape.extents.cwiseMax(along / shape.reach_m);

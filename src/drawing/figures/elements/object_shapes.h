@@ -26,7 +26,7 @@ struct BodyShape {
 // The scene's object or mesh; the solid that the scene names; point masses as balls, with volumes
 // proportional to their masses, on thin rods from the centre of mass; for moments or a tensor alone
 // the uniform box with these moments.
-BodyShape body_shape(Panel& panel);
+BodyShape body_shape(const Panel& panel, StageStore& store);
 
 // Adds the body to a builder; `placement`: of body axes, in units of the body's reach.
 void add_body(const BodyShape& shape, const Eigen::Affine3d& placement, bool casts_shadow,

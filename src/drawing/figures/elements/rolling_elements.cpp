@@ -29,7 +29,7 @@ double plane_radius(const Panel& panel) {
 // A plane with a grid of circles about the foot of L. For a camera that turns about L circles stand
 // still; straight lines would turn, and lines that followed the camera would contradict the
 // rolling.
-Drawer ringed(Panel& panel, Plane plane) {
+Drawer ringed(const Panel& panel, Plane plane) {
     plane.grid_px = 0.0;
     std::vector<Curve> rings;
     for (int k = 1; k * plane.grid_spacing < plane.radius; ++k) {
@@ -53,15 +53,15 @@ Drawer ringed(Panel& panel, Plane plane) {
 }  // namespace
 
 // The invariable plane with a square grid, or with circles for a camera that turns about L.
-Drawer make_plane(Panel& panel) {
+Drawer make_plane(const Panel& panel, StageStore&) {
     Plane plane;
     plane.centre = picture_of(panel).foot();
     plane.radius = plane_radius(panel);
     plane.grid_spacing = 0.2;
     plane.grid_px = 1.1 * panel.px;
-    plane.colour = panel.stage->theme->plane;
-    plane.grid_colour = panel.stage->theme->grid;
-    plane.opacity = panel.stage->theme->plane_opacity;
+    plane.colour = panel.stage->theme.plane;
+    plane.grid_colour = panel.stage->theme.grid;
+    plane.opacity = panel.stage->theme.plane_opacity;
     if (panel.stage->turns()) return ringed(panel, plane);
     return [&panel, plane](const FrameInput& instant, ViewBuilder& builder) {
         builder.view.planes.push_back(plane);
@@ -80,7 +80,7 @@ constexpr double mark_spacing = 0.45;
 }  // namespace
 
 // The polhode and the part of it that is shown.
-Drawer make_polhode(Panel& panel) {
+Drawer make_polhode(const Panel& panel, StageStore& store) {
     const double per_rho = picture_of(panel).picture_per_rho;
     const double tolerance = panel.curve_units() / per_rho;
     const Polhode& polhode = picture_of(panel).polhode;
@@ -103,13 +103,14 @@ Drawer make_polhode(Panel& panel) {
     for (Eigen::Vector3d& point : geometry.points) point *= per_rho;
     if (geometry.smooth)
         geometry.smooth = placed(geometry.smooth, Eigen::Affine3d(Eigen::Scaling(per_rho)));
-    Curve curve = curve_of(panel, panel.keep(std::move(geometry), off * per_rho, "the polhode"),
-                           panel.stage->theme->polhode, 4.0);
+    Curve curve =
+        curve_of(panel, keep(panel, store, std::move(geometry), off * per_rho, "the polhode"),
+                 panel.stage->theme.polhode, 4.0);
     curve.on_surface = first_ellipsoid;
     curve.hidden_opacity = 0.72;
     std::optional<DirectionMarks> marks;
     if (wants_marks(panel)) {
-        marks.emplace(panel, *curve.geometry, mark_spacing,
+        marks.emplace(panel, store, *curve.geometry, mark_spacing,
                       whole && runs_backwards(panel, curve.geometry->points));
     }
     return [&panel, curve, trail, marks](const FrameInput& instant, ViewBuilder& builder) {
@@ -125,11 +126,11 @@ Drawer make_polhode(Panel& panel) {
 }
 
 // The herpolhode and the part of it that is shown.
-Drawer make_herpolhode(Panel& panel) {
+Drawer make_herpolhode(const Panel& panel, StageStore& store) {
     const ConstructionPicture& picture = picture_of(panel);
     const double per_rho = picture.picture_per_rho;
-    const LineStyle& ink = panel.stage->theme->herpolhode;
-    const double width_px = 4.0 * panel.stage->theme->herpolhode_weight;
+    const LineStyle& ink = panel.stage->theme.herpolhode;
+    const double width_px = 4.0 * panel.stage->theme.herpolhode_weight;
     TimedCurve timed =
         herpolhode_trail(*panel.stage, panel.curve_units() / per_rho,
                          width_px * ink.weight * panel.px * panel.units_per_px / per_rho);
@@ -152,15 +153,15 @@ Drawer make_herpolhode(Panel& panel) {
             Eigen::Scaling(per_rho) * picture.picture_from_space * Eigen::Translation3d(foot);
         geometry.smooth = placed(timed.smooth, map);
     }
-    Curve curve =
-        curve_of(panel, panel.keep(std::move(geometry), timed.off * per_rho, "the herpolhode"), ink,
-                 width_px);
+    Curve curve = curve_of(
+        panel, keep(panel, store, std::move(geometry), timed.off * per_rho, "the herpolhode"), ink,
+        width_px);
     curve.on_plane = the_plane;
     curve.hidden_opacity = 0.72;
     std::optional<DirectionMarks> marks;
-    if (wants_marks(panel)) marks.emplace(panel, *curve.geometry, mark_spacing, false);
-    const std::optional<RingCurve> ring =
-        ring_of(panel, timed, curve, [&](const auto& points) { return placed_points(points); });
+    if (wants_marks(panel)) marks.emplace(panel, store, *curve.geometry, mark_spacing, false);
+    const std::optional<RingCurve> ring = ring_of(
+        panel, store, timed, curve, [&](const auto& points) { return placed_points(points); });
     return [&picture, curve, ring, trail = std::move(timed.trail), marks](const FrameInput& instant,
                                                                           ViewBuilder& builder) {
         if (ring && instant.time_s >= ring->from_s)
@@ -200,16 +201,16 @@ CurveGeometry circle_on_plane(const Panel& panel, double radius) {
 }  // namespace
 
 // The circles on the plane that bound the herpolhode.
-Drawer make_annulus(Panel& panel) {
+Drawer make_annulus(const Panel& panel, StageStore& store) {
     const Polhode::Annulus annulus = picture_of(panel).polhode.annulus();
     std::vector<Curve> circles;
     for (const double radius : {annulus.inner, annulus.outer}) {
-        const LineStyle& ink = panel.stage->theme->annulus;
-        Curve curve =
-            curve_of(panel,
-                     panel.keep(circle_on_plane(panel, radius * picture_of(panel).picture_per_rho),
-                                panel.curve_units(), "a circle of the annulus"),
-                     ink, 1.5);
+        const LineStyle& ink = panel.stage->theme.annulus;
+        Curve curve = curve_of(
+            panel,
+            keep(panel, store, circle_on_plane(panel, radius * picture_of(panel).picture_per_rho),
+                 panel.curve_units(), "a circle of the annulus"),
+            ink, 1.5);
         curve.dash_px = dash_of(panel, ink, 7.0);
         curve.on_plane = the_plane;
         circles.push_back(curve);

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "drawing/stage/stage_data.h"
+#include "drawing/stage/stage_context.h"
 
 namespace poinsot {
 

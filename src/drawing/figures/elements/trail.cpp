@@ -17,7 +17,7 @@ namespace {
 constexpr double endless = std::numeric_limits<double>::infinity();
 
 // ω turns about L at L/I_min at most; a path is resolved if sampled every half turn at that rate.
-double feature_s(const StageData& stage) {
+double feature_s(const StageContext& stage) {
     const PoinsotConstruction& construction = stage.rolling->construction;
     const double fastest =
         construction.momentum_kg_m2_s() / construction.inertia().moments_kg_m2().minCoeff();
@@ -27,7 +27,7 @@ double feature_s(const StageData& stage) {
 // An eighth of the time that half a turn takes in the mean, on the ellipsoid or about L: of a
 // needle, whose least moment says nothing of how it moves, a million times as long as the above.
 // Zero where there is no mean.
-double mean_feature_s(const StageData& stage) {
+double mean_feature_s(const StageContext& stage) {
     if (stage.motion.motion().integrated() != nullptr || !stage.polhode_period_s) return 0.0;
     const double rate_rad_s =
         std::abs(stage.motion.motion().free_constants().mean_advance_rate_rad_s);
@@ -42,7 +42,7 @@ constexpr std::size_t most_ring_points = 1'000'000;
 
 }  // namespace
 
-Trail::Trail(const StageData& stage, const std::string& kind, const TimedPath& path,
+Trail::Trail(const StageContext& stage, const std::string& kind, const TimedPath& path,
              std::optional<double> period_s)
     : kind_(kind),
       times_{path.times_s, {}, {}, 0, path.off},
@@ -81,7 +81,7 @@ ShownStretch Trail::at(double time_s) const {
 namespace {
 
 // Samples a path over a stretch of time, and counts what that took.
-TimedPath sampled(const StageData& stage, const PathPoint& point, double from_s, double to_s,
+TimedPath sampled(const StageContext& stage, const PathPoint& point, double from_s, double to_s,
                   const Quantities& wanted, double tolerance, std::size_t most = most_points) {
     const double shortest_s = feature_s(stage);
     TimedPath path = sample_path(point, from_s, to_s, shortest_s, tolerance, most);
@@ -93,7 +93,7 @@ TimedPath sampled(const StageData& stage, const PathPoint& point, double from_s,
 
 // The whole stretch that is drawn; of a path that runs over itself, a period before the first
 // instant and one after it.
-TimedPath sampled(const StageData& stage, const PathPoint& point, std::optional<double> period_s,
+TimedPath sampled(const StageContext& stage, const PathPoint& point, std::optional<double> period_s,
                   const Quantities& wanted, double tolerance) {
     const StageOptions& options = stage.options;
     if (!period_s)
@@ -103,7 +103,7 @@ TimedPath sampled(const StageData& stage, const PathPoint& point, std::optional<
 }
 
 // How far the point of the last instants is from where the path of one period has it.
-double drift(const StageData& stage, const PathPoint& point, double period_s) {
+double drift(const StageContext& stage, const PathPoint& point, double period_s) {
     const StageOptions& options = stage.options;
     constexpr int n_looks = 8;
     double farthest = 0.0;
@@ -118,7 +118,7 @@ double drift(const StageData& stage, const PathPoint& point, double period_s) {
 }
 
 // The same, but for the rounding that no picture shows.
-double seen_drift(const StageData& stage, const PathPoint& point, double period_s,
+double seen_drift(const StageContext& stage, const PathPoint& point, double period_s,
                   double tolerance) {
     const double off = drift(stage, point, period_s);
     return off > 1e-6 * tolerance ? off : 0.0;
@@ -126,7 +126,8 @@ double seen_drift(const StageData& stage, const PathPoint& point, double period_
 
 // On the separatrix the contact point comes to rest. The instant from which on it stays within half
 // of the tolerance of where it ends; none where that is not soon enough for its path to be sampled.
-std::optional<double> resting_s(const StageData& stage, const PathPoint& point, double tolerance) {
+std::optional<double> resting_s(const StageContext& stage, const PathPoint& point,
+                                double tolerance) {
     const StageOptions& options = stage.options;
     const Eigen::Vector3d end = point(options.last_time_s);
     for (double after_s = feature_s(stage); after_s < 0.25 * most_points * 0.25 * feature_s(stage);
@@ -143,7 +144,7 @@ std::optional<double> resting_s(const StageData& stage, const PathPoint& point, 
 
 // Whether the motion has tangents that belong to its positions to the last digit: a stepped one has
 // them to its own accuracy.
-bool is_smooth(const StageData& stage) { return stage.motion.motion().integrated() == nullptr; }
+bool is_smooth(const StageContext& stage) { return stage.motion.motion().integrated() == nullptr; }
 
 // Euler's equations: I ω̇ = Iω × ω, body axes.
 Eigen::Vector3d omega_dot_body(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body) {
@@ -154,7 +155,7 @@ Eigen::Vector3d omega_dot_body(const InertiaTensor& inertia, const Eigen::Vector
 
 // The contact point's path on the plane, in the space axes of the stage's instants. Its velocity is
 // −ω̇/√(2T), since ω's component along L is constant.
-CurveFlow herpolhode_flow(const StageData& stage, double time_s) {
+CurveFlow herpolhode_flow(const StageContext& stage, double time_s) {
     const PoinsotConstruction& construction = stage.rolling->construction;
     const MotionSample sample = stage.motion.motion().sample(
         time_s, {.attitude = true, .herpolhode = true, .euler_angles = false});
@@ -175,7 +176,7 @@ CurveFlow herpolhode_flow(const StageData& stage, double time_s) {
 }
 
 // The contact point's path on the ellipsoid, body axes.
-CurveFlow polhode_flow(const StageData& stage, double time_s) {
+CurveFlow polhode_flow(const StageContext& stage, double time_s) {
     const PoinsotConstruction& construction = stage.rolling->construction;
     const Eigen::Vector3d omega =
         stage.motion.motion().sample(time_s, omega_alone).state.omega_body;
@@ -185,7 +186,7 @@ CurveFlow polhode_flow(const StageData& stage, double time_s) {
 
 }  // namespace
 
-TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double width) {
+TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double width) {
     const PoinsotConstruction& construction = stage.rolling->construction;
     const StageOptions& options = stage.options;
     const std::string& kind = stage.scene.trail.herpolhode;
@@ -259,7 +260,7 @@ TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double wid
     return timed;
 }
 
-TimedCurve polhode_trail(const StageData& stage, double tolerance, const BodyMap& map) {
+TimedCurve polhode_trail(const StageContext& stage, double tolerance, const BodyMap& map) {
     const PathPoint point = [&](double t) -> Eigen::Vector3d {
         const Eigen::Vector3d at = stage.rolling->contact_body(
             stage.motion.motion().sample(t, omega_alone).state.omega_body);

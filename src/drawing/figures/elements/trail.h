@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "construction/timed_path.h"
-#include "drawing/stage/stage_data.h"
+#include "drawing/stage/stage_context.h"
 #include "shapes/smooth_form.h"
 
 namespace poinsot {
@@ -33,7 +33,7 @@ class Trail {
  public:
     // `kind`: "whole", "history" or "fading". `period_s`: the time after which the path repeats, if
     // it does; then one period before the film's start was sampled, too.
-    Trail(const StageData& stage, const std::string& kind, const TimedPath& path,
+    Trail(const StageContext& stage, const std::string& kind, const TimedPath& path,
           std::optional<double> period_s);
 
     ShownStretch at(double time_s) const;
@@ -69,12 +69,12 @@ struct TimedCurve {
 // `width` is that of the line that will be drawn, in the same lengths: a path of too many turns is
 // a ring once such a line fills it; 0: never. Precondition, here and below: the stage has a
 // construction.
-TimedCurve herpolhode_trail(const StageData& stage, double tolerance, double width = 0.0);
+TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double width = 0.0);
 
 // Where a point of the ellipsoid, in body axes and its lengths, is drawn.
 using BodyMap = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 
 // The same on the ellipsoid, in body axes; or where `map` takes it, the tolerance being there.
-TimedCurve polhode_trail(const StageData& stage, double tolerance, const BodyMap& map = {});
+TimedCurve polhode_trail(const StageContext& stage, double tolerance, const BodyMap& map = {});
 
 }  // namespace poinsot

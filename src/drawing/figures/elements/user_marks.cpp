@@ -24,16 +24,16 @@ struct UserMark {
     TimedPath path;  // of the trail, without its points
 };
 
-TextBlock name_of(const Panel& panel, std::size_t i) {
-    StageData& stage = *panel.stage;
+TextBlock name_of(const Panel& panel, StageStore& store, std::size_t i) {
+    const StageContext& stage = *panel.stage;
     const double scale = 0.85 * stage.scene.style.label_scale.value_or(1.0);
     const TypeStyle style{.size_px =
                               std::max(scale * label_size * panel.type_px, least_type_px(stage))};
     return at_scene_key(stage.scene, fmt::format("marks[{}].name", i),
-                        [&] { return stage.type_case.set(stage.scene.marks[i].name, style); });
+                        [&] { return store.set(stage.scene.marks[i].name, style); });
 }
 
-RotationState state_at(const StageData& stage, double time_s) {
+RotationState state_at(const StageContext& stage, double time_s) {
     RotationState state = stage.motion.sample(time_s, attitude_too).state;
     if (stage.turns())
         state.space_from_body = stage.turned_from_space(time_s) * state.space_from_body;
@@ -41,8 +41,8 @@ RotationState state_at(const StageData& stage, double time_s) {
 }
 
 // Adds the path of a mark over the stage's span.
-void add_trail(Panel& panel, const MarkPlace& place, UserMark& mark) {
-    StageData& stage = *panel.stage;
+void add_trail(const Panel& panel, StageStore& store, const MarkPlace& place, UserMark& mark) {
+    const StageContext& stage = *panel.stage;
     const double rate_rad_s = stage.quickest_rate_rad_s();
     if (!(rate_rad_s > 0.0) || mark.spec->on == "space") return;
     mark.path =
@@ -52,9 +52,9 @@ void add_trail(Panel& panel, const MarkPlace& place, UserMark& mark) {
     CurveGeometry geometry;
     geometry.points = std::move(mark.path.points);
     mark.path.points.clear();
-    mark.trail =
-        curve_of(panel, panel.keep(std::move(geometry), mark.path.off, "the trail of a mark"),
-                 mark.ink, 2.6);
+    mark.trail = curve_of(
+        panel, keep(panel, store, std::move(geometry), mark.path.off, "the trail of a mark"),
+        mark.ink, 2.6);
     mark.trail->hidden_opacity = 0.35;
     mark.trail->lasting = true;
 }
@@ -72,20 +72,20 @@ Eigen::Vector3d on_body_m(const Scene& scene, const MarkSpec& mark) {
     return mark.at - scene.body.centre_of_mass_m_body;
 }
 
-Drawer make_user_marks(Panel& panel, const MarkPlace& place) {
-    StageData& stage = *panel.stage;
+Drawer make_user_marks(Panel& panel, StageStore& store, const MarkPlace& place) {
+    const StageContext& stage = *panel.stage;
     std::vector<UserMark> marks;
     for (std::size_t i = 0; i < stage.scene.marks.size(); ++i) {
         UserMark mark;
         mark.spec = &stage.scene.marks[i];
         if (!place(*mark.spec, RotationState{})) continue;
-        mark.ink = stage.theme->contact;
+        mark.ink = stage.theme.contact;
         if (mark.spec->srgb) {
             const auto [r, g, b] = *mark.spec->srgb;
             mark.ink = Colour{r, g, b};
         }
-        if (!mark.spec->name.empty()) mark.name = name_of(panel, i);
-        if (mark.spec->trail) add_trail(panel, place, mark);
+        if (!mark.spec->name.empty()) mark.name = name_of(panel, store, i);
+        if (mark.spec->trail) add_trail(panel, store, place, mark);
         marks.push_back(std::move(mark));
     }
     if (marks.empty()) return [](const FrameInput&, ViewBuilder&) {};
@@ -105,7 +105,7 @@ Drawer make_user_marks(Panel& panel, const MarkPlace& place) {
                 wish_beside(panel, at, Eigen::Vector3d::Zero(), mark.name, mark.ink, builder);
         }
     };
-    return fading(stage, "marks", std::move(draw));
+    return fading(stage, store, "marks", std::move(draw));
 }
 
 }  // namespace poinsot

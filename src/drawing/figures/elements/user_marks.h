@@ -22,6 +22,6 @@ Eigen::Vector3d on_body_m(const Scene& scene, const MarkSpec& mark);
 
 // Drawer of the marks that the panel shows, with their names and, if they move, their trails over
 // the stage's span. They fade by the name "marks". Empty if the scene has no marks.
-Drawer make_user_marks(Panel& panel, const MarkPlace& place);
+Drawer make_user_marks(Panel& panel, StageStore& store, const MarkPlace& place);
 
 }  // namespace poinsot

@@ -30,7 +30,7 @@ constexpr double omega_share = 0.88;
 constexpr double family_spacing_rad = 0.13;
 
 // A polhode as geometry in principal axes and picture lengths.
-const CurveGeometry* keep_polhode(Panel& panel, const Polhode& polhode) {
+const CurveGeometry* keep_polhode(const Panel& panel, StageStore& store, const Polhode& polhode) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     const double tolerance = panel.curve_units();
     CurveGeometry geometry;
@@ -43,12 +43,12 @@ const CurveGeometry* keep_polhode(Panel& panel, const Polhode& polhode) {
     const Eigen::Affine3d map =
         Eigen::Scaling(picture.picture_per_rho) * Eigen::Affine3d(principal_from_body(panel));
     geometry.smooth = placed(smooth_polhode(polhode, tolerance / picture.picture_per_rho), map);
-    return panel.keep(std::move(geometry), off * picture.picture_per_rho, "a polhode");
+    return keep(panel, store, std::move(geometry), off * picture.picture_per_rho, "a polhode");
 }
 
 // A thin line of the family; the mirror image of a polhode is a polhode, since F(ρ) = F(−ρ).
 Curve thin(const Panel& panel, const CurveGeometry* geometry) {
-    Curve curve = curve_of(panel, geometry, panel.stage->theme->polhode, 1.9);
+    Curve curve = curve_of(panel, geometry, panel.stage->theme.polhode, 1.9);
     curve.opacity = 0.85;
     curve.hidden_opacity = 0.16;
     curve.on_surface = first_ellipsoid;
@@ -73,7 +73,7 @@ Ranks ranks_of(const Eigen::Vector3d& moments) {
 // Polhodes in even steps from the axes of the lowest and the highest moment to the separatrices.
 // They cross the ellipse ρ = (cos u/√I_low, 0, sin u/√I_high); the separatrices cross it at tan u =
 // √((I_mid − I_low)/(I_high − I_mid)). None for a sphere.
-std::vector<Curve> family_of(Panel& panel) {
+std::vector<Curve> family_of(const Panel& panel, StageStore& store) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     const InertiaTensor& inertia = picture.construction.inertia();
     const Eigen::Vector3d I = inertia.moments_kg_m2() / inertia.moments_kg_m2().maxCoeff();
@@ -107,7 +107,7 @@ std::vector<Curve> family_of(Panel& panel) {
             rho[high] = std::sin(u) / std::sqrt(I[high]);
             const Polhode polhode(inertia, inertia.body_from_principal() * rho);
             if (polhode.kind() == Polhode::Kind::point) continue;
-            const Curve curve = thin(panel, keep_polhode(panel, polhode));
+            const Curve curve = thin(panel, keep_polhode(panel, store, polhode));
             curves.push_back(curve);
             curves.push_back(mirror_image(curve));
         }
@@ -118,7 +118,7 @@ std::vector<Curve> family_of(Panel& panel) {
 }
 
 // The two separatrices, dashed.
-std::vector<Curve> separatrices_of(Panel& panel) {
+std::vector<Curve> separatrices_of(const Panel& panel, StageStore& store) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     const double tolerance = panel.curve_units();
     std::vector<Curve> curves;
@@ -132,9 +132,10 @@ std::vector<Curve> separatrices_of(Panel& panel) {
                                          picture.picture_per_rho);
         }
         Curve curve = curve_of(
-            panel, panel.keep(std::move(geometry), off * picture.picture_per_rho, "a separatrix"),
-            panel.stage->theme->separatrix, 2.6);
-        curve.dash_px = dash_of(panel, panel.stage->theme->separatrix, 9.0);
+            panel,
+            keep(panel, store, std::move(geometry), off * picture.picture_per_rho, "a separatrix"),
+            panel.stage->theme.separatrix, 2.6);
+        curve.dash_px = dash_of(panel, panel.stage->theme.separatrix, 9.0);
         curve.hidden_opacity = 0.25;
         curve.on_surface = first_ellipsoid;
         curves.push_back(curve);
@@ -143,13 +144,13 @@ std::vector<Curve> separatrices_of(Panel& panel) {
 }
 
 // The polhode of the motion, bold, through the tip of ρ; its mirror image is part of the family.
-std::vector<Curve> motion_of(Panel& panel) {
+std::vector<Curve> motion_of(const Panel& panel, StageStore& store) {
     std::vector<Curve> curves;
     const Polhode& polhode = panel.stage->rolling->polhode;
     if (polhode.kind() == Polhode::Kind::point) return curves;
-    const CurveGeometry* geometry = keep_polhode(panel, polhode);
+    const CurveGeometry* geometry = keep_polhode(panel, store, polhode);
     curves.push_back(mirror_image(thin(panel, geometry)));
-    Curve curve = curve_of(panel, geometry, panel.stage->theme->polhode, 4.6);
+    Curve curve = curve_of(panel, geometry, panel.stage->theme.polhode, 4.6);
     curve.hidden_opacity = 0.72;
     curve.on_surface = first_ellipsoid;
     curves.push_back(curve);
@@ -157,7 +158,7 @@ std::vector<Curve> motion_of(Panel& panel) {
 }
 
 // With dissipation: the path so far, which spirals over the ellipsoid from polhode to polhode.
-Drawer make_spiral(Panel& panel) {
+Drawer make_spiral(const Panel& panel, StageStore& store) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     TimedCurve timed = polhode_trail(*panel.stage, panel.curve_units() / picture.picture_per_rho);
     CurveGeometry geometry;
@@ -165,8 +166,9 @@ Drawer make_spiral(Panel& panel) {
     for (const Eigen::Vector3d& point : timed.points)
         geometry.points.emplace_back(principal_from_body(panel) * point * picture.picture_per_rho);
     Curve curve = curve_of(
-        panel, panel.keep(std::move(geometry), timed.off * picture.picture_per_rho, "the polhode"),
-        panel.stage->theme->polhode, 4.0);
+        panel,
+        keep(panel, store, std::move(geometry), timed.off * picture.picture_per_rho, "the polhode"),
+        panel.stage->theme.polhode, 4.0);
     curve.hidden_opacity = 0.5;
     curve.on_surface = first_ellipsoid;
     return
@@ -186,12 +188,12 @@ Eigen::Vector3d rho_of(const Panel& panel, const RotationState& state) {
 }
 
 // The drifting polhode of the comparison motion up to the instant, with its ω. Empty without one.
-Drawer make_comparison(Panel& panel) {
+Drawer make_comparison(Panel& panel, StageStore& store) {
     if (!panel.stage->comparison) return [](const FrameInput&, ViewBuilder&) {};
     panel.shows_comparison = true;
     const GhostPath path = ghost_path(
-        panel, [&panel](const RotationState& state) { return rho_of(panel, state); }, 2.6);
-    const TextBlock type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
+        panel, store, [&panel](const RotationState& state) { return rho_of(panel, state); }, 2.6);
+    const TextBlock type = set_ghost_label(panel, store, "\\boldsymbol{\\omega}");
     return [&panel, path, type](const FrameInput& instant, ViewBuilder& builder) {
         add_ghost_path(path, instant, builder);
         add_ghost_arrow(panel, omega_share * omega_tip(rho_of(panel, *instant.comparison)), type,
@@ -201,17 +203,17 @@ Drawer make_comparison(Panel& panel) {
 
 // For a body with two equal moments: the circle of ω's tip about the axis of symmetry, its radius
 // A, and the rate Ω with its sense. Empty for other bodies.
-Drawer make_precession_circle(Panel& panel) {
+Drawer make_precession_circle(const Panel& panel, StageStore& store) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     if (!picture.cones || picture.polhode.kind() == Polhode::Kind::point) {
         return [](const FrameInput&, ViewBuilder&) {};
     }
     const RollingCones cones = *picture.cones;
-    const TextBlock amplitude = set_label(panel, "A", 0.9);
-    const TextBlock rate = set_label(panel, "\\Omega", 0.9);
+    const TextBlock amplitude = set_label(panel, store, "A", 0.9);
+    const TextBlock rate = set_label(panel, store, "\\Omega", 0.9);
     return [&panel, &picture, cones, amplitude, rate](const FrameInput& instant,
                                                       ViewBuilder& builder) {
-        const Theme& theme = *panel.stage->theme;
+        const Theme& theme = panel.stage->theme;
         const Eigen::Vector3d axis = Eigen::Vector3d::Unit(cones.symmetry_axis);
         const Eigen::Vector3d tip = omega_share * omega_tip(rho_in_principal_axes(panel, instant));
         const Eigen::Vector3d centre = tip.dot(axis) * axis;
@@ -246,7 +248,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
     const Eigen::Vector3d moments = picture.construction.inertia().moments_kg_m2();
     if (picture.dissipates) {
         // L and ω at equidistant instants of the film: their path is a steady spiral.
-        const StageData& stage = *panel.stage;
+        const StageContext& stage = *panel.stage;
         constexpr int n_looks = 512;
         for (int k = 0; k <= n_looks; ++k) {
             FrameInput instant;
@@ -274,7 +276,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
 
 }  // namespace
 
-void make_body_panel(Panel& panel) {
+void make_body_panel(Panel& panel, StageStore& store) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     const double margin = 0.6 * label_size * panel.type_px + 26.0 * panel.px;
     aim_in_principal_axes(panel, points_to_frame(panel), even_margins(panel.box, margin));
@@ -283,32 +285,32 @@ void make_body_panel(Panel& panel) {
     ellipsoid.half_axes = picture.half_axes.asDiagonal();
     ellipsoid.section_px = 0.8 * panel.px;  // the polhodes are more important
     ellipsoid.ruling_px = 0.0;
-    std::vector<Curve> curves = family_of(panel);
-    for (const auto& part :
-         {separatrices_of(panel), picture.dissipates ? std::vector<Curve>{} : motion_of(panel)}) {
+    std::vector<Curve> curves = family_of(panel, store);
+    for (const auto& part : {separatrices_of(panel, store),
+                             picture.dissipates ? std::vector<Curve>{} : motion_of(panel, store)}) {
         curves.insert(curves.end(), part.begin(), part.end());
     }
 
     std::array<TextBlock, 3> axis_types;
     for (std::size_t i = 0; i < 3; ++i) {
-        axis_types[i] = set_label(panel, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
+        axis_types[i] = set_label(panel, store, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
     }
-    const TextBlock omega_type = set_label(panel, "\\boldsymbol{\\omega}");
-    const TextBlock momentum_type = set_label(panel, "\\mathbf{L}");
-    const Drawer comparison = make_comparison(panel);
-    const Drawer precession = make_precession_circle(panel);
+    const TextBlock omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");
+    const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
+    const Drawer comparison = make_comparison(panel, store);
+    const Drawer precession = make_precession_circle(panel, store);
     const Drawer marks =
-        make_user_marks(panel,
+        make_user_marks(panel, store,
                         [&panel, &picture](const MarkSpec& mark,
                                            const RotationState&) -> std::optional<Eigen::Vector3d> {
                             if (mark.on != "ellipsoid") return std::nullopt;
                             return principal_from_body(panel) * on_ellipsoid(picture, mark);
                         });
-    const Drawer spiral = picture.dissipates ? make_spiral(panel) : Drawer();
+    const Drawer spiral = picture.dissipates ? make_spiral(panel, store) : Drawer();
     panel.draw = [&panel, &picture, precession, marks, spiral, ellipsoid, curves, axis_types,
                   omega_type, momentum_type,
                   comparison](const FrameInput& instant, ViewBuilder& builder) {
-        const Theme& theme = *panel.stage->theme;
+        const Theme& theme = panel.stage->theme;
         const auto add_arrow = [&](const Eigen::Vector3d& tip, const LineStyle& colour,
                                    double weight, const TextBlock& type, double turn_rad = 0.0) {
             builder.view.arrows.push_back(arrow_to(panel, tip, colour, weight));

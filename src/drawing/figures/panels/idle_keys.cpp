@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
+#include <string>
 #include <string_view>
 #include <utility>
 
+#include "drawing/figures/panels/panels.h"
 #include "drawing/stage/overlay.h"
-#include "drawing/stage/panel.h"
 
 namespace poinsot {
 
@@ -17,6 +19,40 @@ namespace {
 bool shows_element(const Scene& scene, std::string_view name) {
     return scene.show.empty() ||
            std::find(scene.show.begin(), scene.show.end(), name) != scene.show.end();
+}
+
+// Keys of [camera] that the scene gives and that none of its panels uses.
+std::vector<std::string> idle_camera_keys(const Scene& scene) {
+    // The part of [camera] that the panels without a direction of their own use.
+    CameraUse use = CameraUse::none;
+    bool any_view = scene.panels.empty();
+    for (const PanelSpec& spec : scene.panels) {
+        const auto kind =
+            std::find_if(std::begin(panel_rows), std::end(panel_rows),
+                         [&spec](const PanelKind& row) { return row.name == spec.kind; });
+        if (kind == std::end(panel_rows)) return {};
+        // The plan is flat, but follows the azimuth of the space panel's camera.
+        if (kind->name == "plan") return {};
+        any_view = any_view || kind->camera != CameraUse::none;
+        if (kind->own_direction == nullptr) use = std::max(use, kind->camera);
+    }
+    if (scene.panels.empty()) {
+        const bool keeps_L = std::holds_alternative<NoTorque>(scene.torque) ||
+                             std::holds_alternative<DissipationTorque>(scene.torque);
+        use = keeps_L && scene.construction.sweep.empty() ? CameraUse::all : CameraUse::direction;
+    }
+    std::vector<std::string> idle;
+    const auto add = [&](std::string_view leaf) {
+        std::string path = fmt::format("camera.{}", leaf);
+        if (scene.locations.contains(path)) idle.push_back(std::move(path));
+    };
+    if (!any_view)
+        for (const char* leaf : {"field_deg", "projection"}) add(leaf);
+    if (use < CameraUse::direction)
+        for (const char* leaf : {"azimuth_deg", "elevation_deg", "view"}) add(leaf);
+    if (use < CameraUse::all)
+        for (const char* leaf : {"distance", "target", "look_at"}) add(leaf);
+    return idle;
 }
 
 class UnusedKeys {

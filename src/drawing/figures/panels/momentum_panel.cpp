@@ -36,7 +36,7 @@ Eigen::Vector3d momentum_at(const Panel& panel, const Eigen::Vector3d& contact_b
 
 // One of the curves in which sphere and ellipsoid meet; its mirror image in the centre is the
 // other.
-const CurveGeometry* keep_meeting_curve(const Panel& panel) {
+const CurveGeometry* keep_meeting_curve(const Panel& panel, StageStore& store) {
     const Polhode& polhode = panel.stage->rolling->polhode;
     double off = 0.0;
     const auto samples = sample_adaptively(
@@ -46,7 +46,8 @@ const CurveGeometry* keep_meeting_curve(const Panel& panel) {
     geometry.closed = polhode.closed();
     for (const CurveSample& sample : samples) geometry.points.push_back(sample.point);
     if (geometry.closed) geometry.points.pop_back();
-    return panel.keep(std::move(geometry), off, "the curve in which sphere and ellipsoid meet");
+    return keep(panel, store, std::move(geometry), off,
+                "the curve in which sphere and ellipsoid meet");
 }
 
 // m of the comparison motion in units of the L of the start, principal axes: a drift of L moves it
@@ -63,13 +64,13 @@ Eigen::Vector3d comparison_momentum(const Panel& panel, const RotationState& sta
 }
 
 // The path of the comparison motion, which leaves the curve of intersection. Empty without one.
-Drawer make_momentum_comparison(Panel& panel) {
+Drawer make_momentum_comparison(Panel& panel, StageStore& store) {
     if (!panel.stage->comparison) return [](const FrameInput&, ViewBuilder&) {};
     panel.shows_comparison = true;
     const GhostPath path = ghost_path(
-        panel, [&panel](const RotationState& state) { return comparison_momentum(panel, state); },
-        2.6);
-    const TextBlock type = set_ghost_label(panel, "\\mathbf{L}");
+        panel, store,
+        [&panel](const RotationState& state) { return comparison_momentum(panel, state); }, 2.6);
+    const TextBlock type = set_ghost_label(panel, store, "\\mathbf{L}");
     return [&panel, path, type](const FrameInput& instant, ViewBuilder& builder) {
         add_ghost_path(path, instant, builder);
         add_ghost_arrow(panel, comparison_momentum(panel, *instant.comparison), type, builder);
@@ -77,14 +78,15 @@ Drawer make_momentum_comparison(Panel& panel) {
 }
 
 // With dissipation: the path of L over the sphere, as much of it as the trail of the polhode.
-Drawer make_momentum_spiral(Panel& panel) {
+Drawer make_momentum_spiral(const Panel& panel, StageStore& store) {
     TimedCurve timed =
         polhode_trail(*panel.stage, panel.curve_units(),
                       [&panel](const Eigen::Vector3d& point) { return momentum_at(panel, point); });
     CurveGeometry geometry;
     geometry.points = std::move(timed.points);
-    Curve curve = curve_of(panel, panel.keep(std::move(geometry), timed.off, "the path of L"),
-                           panel.stage->theme->polhode, 4.0);
+    Curve curve =
+        curve_of(panel, keep(panel, store, std::move(geometry), timed.off, "the path of L"),
+                 panel.stage->theme.polhode, 4.0);
     curve.on_surface = the_sphere;
     curve.hidden_opacity = 0.5;
     return
@@ -101,8 +103,8 @@ Eigen::Vector3d energy_half_axes(const Panel& panel) {
 }
 
 // The names of the two surfaces, in their colours, in the lower left corner.
-std::vector<Label> legend_of(const Panel& panel) {
-    const Theme& theme = *panel.stage->theme;
+std::vector<Label> legend_of(const Panel& panel, StageStore& store) {
+    const Theme& theme = panel.stage->theme;
     const std::array<std::pair<std::string_view, Colour>, 2> rows{{
         {"L_1^2 + L_2^2 + L_3^2 = L^2", theme.potential},
         {"L_1^2/I_1 + L_2^2/I_2 + L_3^2/I_3 = 2T", theme.energy},
@@ -113,7 +115,7 @@ std::vector<Label> legend_of(const Panel& panel) {
         panel.box.x_px == 0 ? overlay_margin * panel.stage->px : 0.6 * chart_margin * panel.px;
     double bottom = 0.5 * chart_margin * panel.px;
     for (const auto& [text, colour] : rows) {
-        const TextBlock type = set_label(panel, text, 0.72);
+        const TextBlock type = set_label(panel, store, text, 0.72);
         legend.push_back(chart_label(panel, type, left, bottom, Anchor::bottom_left, colour));
         bottom += type.height_px() + 10.0 * panel.px;
     }
@@ -134,7 +136,7 @@ double legend_rows(const Panel& panel, const std::vector<Label>& legend) {
 
 }  // namespace
 
-void make_momentum_panel(Panel& panel) {
+void make_momentum_panel(Panel& panel, StageStore& store) {
     const Eigen::Vector3d half_axes = energy_half_axes(panel);
     std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
     const Eigen::Vector3d framed_axes = half_axes.cwiseMin(longest_framed);
@@ -145,13 +147,13 @@ void make_momentum_panel(Panel& panel) {
     const Eigen::Vector3d axis_lengths = framed_axes.cwiseMax(1.0).array() + axis_overhang;
     for (int i = 0; i < 3; ++i) points.emplace_back(axis_lengths[i] * Eigen::Vector3d::Unit(i));
     const double margin = 0.6 * label_size * panel.type_px + 30.0 * panel.px;
-    const std::vector<Label> legend = legend_of(panel);
+    const std::vector<Label> legend = legend_of(panel, store);
     const Margins margins{margin, margin, margin + panel.header_px,
                           std::max(margin, legend_rows(panel, legend))};
     aim_in_principal_axes(panel, std::move(points), margins);
 
     Ellipsoid sphere = ellipsoid_of(panel);
-    sphere.colour = panel.stage->theme->sphere;
+    sphere.colour = panel.stage->theme.sphere;
     sphere.section_px = 0.0;
     sphere.ruling_px = 0.0;
     sphere.opacity = 0.26;
@@ -163,7 +165,8 @@ void make_momentum_panel(Panel& panel) {
     std::vector<Curve> curves;
     const bool dissipates = panel.stage->rolling->dissipates;
     if (!dissipates && panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
-        Curve curve = curve_of(panel, keep_meeting_curve(panel), panel.stage->theme->polhode, 4.6);
+        Curve curve =
+            curve_of(panel, keep_meeting_curve(panel, store), panel.stage->theme.polhode, 4.6);
         curve.on_surface = the_sphere;
         curve.hidden_opacity = 0.72;
         curves.push_back(curve);
@@ -177,14 +180,14 @@ void make_momentum_panel(Panel& panel) {
 
     std::array<TextBlock, 3> axis_types;
     for (std::size_t i = 0; i < 3; ++i) {
-        axis_types[i] = set_label(panel, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
+        axis_types[i] = set_label(panel, store, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
     }
-    const TextBlock momentum_type = set_label(panel, "\\mathbf{L}");
-    const Drawer comparison = make_momentum_comparison(panel);
-    const Drawer spiral = dissipates ? make_momentum_spiral(panel) : Drawer();
+    const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
+    const Drawer comparison = make_momentum_comparison(panel, store);
+    const Drawer spiral = dissipates ? make_momentum_spiral(panel, store) : Drawer();
     panel.draw = [&panel, spiral, sphere, energy, curves, axis_lengths, axis_types, momentum_type,
                   legend, comparison](const FrameInput& instant, ViewBuilder& builder) {
-        const Theme& theme = *panel.stage->theme;
+        const Theme& theme = panel.stage->theme;
         builder.view.labels = legend;
         builder.view.ellipsoids = {sphere, energy};
         builder.view.curves = curves;

@@ -31,13 +31,13 @@ constexpr double longest_omega = 1.22;
 constexpr double axis_beyond = 0.22;
 
 // Whether another panel shows the construction; then both have the same orientation.
-bool stands_beside_construction(const StageData& stage) {
+bool stands_beside_construction(const StageContext& stage) {
     return std::any_of(stage.scene.panels.begin(), stage.scene.panels.end(),
                        [](const PanelSpec& panel) { return panel.kind == "space"; });
 }
 
 // Rotation from space axes to the picture's axes.
-Eigen::Quaterniond picture_from_space(const StageData& stage) {
+Eigen::Quaterniond picture_from_space(const StageContext& stage) {
     if (!stage.rolling) return Eigen::Quaterniond::Identity();
     if (stands_beside_construction(stage)) return stage.rolling->picture_from_space;
     return least_turn(stage.rolling->construction.normal_space(), Eigen::Vector3d::UnitZ());
@@ -46,7 +46,7 @@ Eigen::Quaterniond picture_from_space(const StageData& stage) {
 // ω and L at an instant, picture axes; lengths relative to the largest of the film.
 class ArrowScale {
  public:
-    explicit ArrowScale(const StageData& stage)
+    explicit ArrowScale(const StageContext& stage)
         : stage_(&stage), inertia_(stage.motion.motion().problem().inertia.matrix_body()) {
         inertia_ /= inertia_.cwiseAbs().maxCoeff();
         // With L conserved, ω varies so little that the state at the start determines the scale.
@@ -76,7 +76,7 @@ class ArrowScale {
                (longest_arrow / most);
     }
 
-    const StageData* stage_;
+    const StageContext* stage_;
     Eigen::Matrix3d inertia_;
     double omega_most_ = 0.0;
     double momentum_most_ = 0.0;
@@ -85,7 +85,7 @@ class ArrowScale {
 // The torque N, picture axes, relative to the largest of the film.
 class TorqueScale {
  public:
-    explicit TorqueScale(const StageData& stage)
+    explicit TorqueScale(const StageContext& stage)
         : stage_(&stage),
           body_from_principal_(stage.motion.motion().problem().inertia.body_from_principal()),
           dynamics_(stage.motion.motion().problem().inertia,
@@ -104,7 +104,7 @@ class TorqueScale {
     }
 
  private:
-    const StageData* stage_;
+    const StageContext* stage_;
     Eigen::Matrix3d body_from_principal_;
     RotationDynamics dynamics_;
     double most_N_m_;
@@ -112,14 +112,14 @@ class TorqueScale {
 
 // The torque's arrow, if there is a torque: slightly to the left of the fixed point, because it may
 // be parallel to ω or L.
-Drawer make_torque(Panel& panel, const TorqueScale& torque) {
+Drawer make_torque(const Panel& panel, StageStore& store, const TorqueScale& torque) {
     if (!torque.acts()) return [](const FrameInput&, ViewBuilder&) {};
-    const TextBlock type = set_label(panel, "\\mathbf{N}");
+    const TextBlock type = set_label(panel, store, "\\mathbf{N}");
     return [&panel, torque, type](const FrameInput& instant, ViewBuilder& builder) {
         constexpr double aside = 0.16;
         const Eigen::Vector3d tail = -aside * camera_axes(builder.view.camera).col(0);
         Arrow arrow = arrow_between(panel, tail, tail + torque.along(instant.state),
-                                    panel.stage->theme->energy, 1.15);
+                                    panel.stage->theme.energy, 1.15);
         arrow.hidden_opacity = 0.85;
         builder.view.arrows.push_back(arrow);
         wish_at_tip(panel, arrow, type, builder, -omega_label_turn_rad);
@@ -128,10 +128,11 @@ Drawer make_torque(Panel& panel, const TorqueScale& torque) {
 
 // The body of the comparison motion in thin lines: the edges of a box, the principal axes up to the
 // body's surface, and ω. Empty without one.
-Drawer make_ghost_body(Panel& panel, const BodyShape& shape, const ArrowScale& arrows) {
+Drawer make_ghost_body(Panel& panel, StageStore& store, const BodyShape& shape,
+                       const ArrowScale& arrows) {
     if (!panel.stage->comparison) return [](const FrameInput&, ViewBuilder&) {};
     panel.shows_comparison = true;
-    const LineStyle& grey = panel.stage->theme->ghost;
+    const LineStyle& grey = panel.stage->theme.ghost;
     std::vector<Curve> lines = shape.edges;
     for (Curve& line : lines) line.colour = grey;
     const Eigen::Matrix3d& axes = panel.stage->scene.body.inertia.body_from_principal();
@@ -140,7 +141,7 @@ Drawer make_ghost_body(Panel& panel, const BodyShape& shape, const ArrowScale& a
         lines.push_back(line_between(panel, Eigen::Vector3d::Zero(), end, grey, 1.6));
     }
     for (Curve& line : lines) line.hidden_opacity = 0.45;
-    const TextBlock type = set_ghost_label(panel, "\\boldsymbol{\\omega}");
+    const TextBlock type = set_ghost_label(panel, store, "\\boldsymbol{\\omega}");
     return [&panel, lines, arrows, type](const FrameInput& instant, ViewBuilder& builder) {
         FrameInput comparison = instant;
         comparison.state = *instant.comparison;
@@ -156,10 +157,10 @@ Drawer make_ghost_body(Panel& panel, const BodyShape& shape, const ArrowScale& a
 }
 
 // Marks on a body of this reach.
-Drawer make_marks(Panel& panel, double reach_m) {
-    const StageData& stage = *panel.stage;
+Drawer make_marks(Panel& panel, StageStore& store, double reach_m) {
+    const StageContext& stage = *panel.stage;
     return make_user_marks(
-        panel,
+        panel, store,
         [&stage, reach_m](const MarkSpec& mark,
                           const RotationState& state) -> std::optional<Eigen::Vector3d> {
             if (mark.on != "body") return std::nullopt;
@@ -170,7 +171,7 @@ Drawer make_marks(Panel& panel, double reach_m) {
 
 // The extreme points of the body, its axes and the arrows over the film, sampled at their own
 // instants; with a comparison motion, for all attitudes.
-std::vector<Eigen::Vector3d> points_to_frame(const StageData& stage, const BodyShape& shape,
+std::vector<Eigen::Vector3d> points_to_frame(const StageContext& stage, const BodyShape& shape,
                                              const ArrowScale& arrows, const TorqueScale& torque) {
     if (stage.comparison) {
         std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
@@ -211,10 +212,10 @@ std::vector<Eigen::Vector3d> points_to_frame(const StageData& stage, const BodyS
 
 }  // namespace
 
-void make_object_panel(Panel& panel) {
+void make_object_panel(Panel& panel, StageStore& store) {
     panel.needs = {.attitude = true, .herpolhode = false, .euler_angles = false};
-    const StageData& stage = *panel.stage;
-    const BodyShape shape = body_shape(panel);
+    const StageContext& stage = *panel.stage;
+    const BodyShape shape = body_shape(panel, store);
     const ArrowScale arrows(stage);
 
     const TorqueScale torque_scale(stage);
@@ -223,16 +224,16 @@ void make_object_panel(Panel& panel) {
 
     std::array<TextBlock, 3> axis_types;
     for (std::size_t i = 0; i < 3; ++i) {
-        axis_types[i] = set_label(panel, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
+        axis_types[i] = set_label(panel, store, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
     }
-    const TextBlock omega_type = set_label(panel, "\\boldsymbol{\\omega}");
-    const TextBlock momentum_type = set_label(panel, "\\mathbf{L}");
-    const Drawer ghost = make_ghost_body(panel, shape, arrows);
-    const Drawer torque = make_torque(panel, torque_scale);
-    const Drawer marks = make_marks(panel, shape.reach_m);
+    const TextBlock omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");
+    const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
+    const Drawer ghost = make_ghost_body(panel, store, shape, arrows);
+    const Drawer torque = make_torque(panel, store, torque_scale);
+    const Drawer marks = make_marks(panel, store, shape.reach_m);
     panel.draw = [&panel, shape, arrows, axis_types, omega_type, momentum_type, ghost, torque,
                   marks](const FrameInput& instant, ViewBuilder& builder) {
-        const Theme& theme = *panel.stage->theme;
+        const Theme& theme = panel.stage->theme;
         const Eigen::Matrix3d attitude =
             (picture_from_space(*panel.stage) * instant.state.space_from_body).toRotationMatrix();
         Eigen::Affine3d turned = Eigen::Affine3d::Identity();

@@ -84,9 +84,9 @@ Plane plane_of(const Panel& panel) {
     plane.grid_spacing = 0.25;
     // Straight lines would turn in rotating axes; the annulus's circles stand still.
     plane.grid_px = panel.stage->turns() ? 0.0 : 1.0 * panel.px;
-    plane.colour = panel.stage->theme->plane;
-    plane.grid_colour = panel.stage->theme->grid;
-    plane.opacity = 0.8 * panel.stage->theme->plane_opacity;
+    plane.colour = panel.stage->theme.plane;
+    plane.grid_colour = panel.stage->theme.grid;
+    plane.opacity = 0.8 * panel.stage->theme.plane_opacity;
     return plane;
 }
 
@@ -98,9 +98,9 @@ struct HerpolhodeCurve {
     std::optional<RingCurve> ring;
 };
 
-HerpolhodeCurve herpolhode_of(Panel& panel, const PlanScale& scale) {
-    const LineStyle& ink = panel.stage->theme->herpolhode;
-    const double width_px = 4.0 * panel.stage->theme->herpolhode_weight;
+HerpolhodeCurve herpolhode_of(const Panel& panel, StageStore& store, const PlanScale& scale) {
+    const LineStyle& ink = panel.stage->theme.herpolhode;
+    const double width_px = 4.0 * panel.stage->theme.herpolhode_weight;
     TimedCurve timed = herpolhode_trail(
         *panel.stage, panel.curve_units() / scale.plan_per_rho,
         width_px * ink.weight * panel.px * panel.units_per_px / scale.plan_per_rho);
@@ -121,31 +121,32 @@ HerpolhodeCurve herpolhode_of(Panel& panel, const PlanScale& scale) {
         geometry.smooth = placed(timed.smooth, map);
     }
     Curve curve = curve_of(
-        panel, panel.keep(std::move(geometry), timed.off * scale.plan_per_rho, "the herpolhode"),
+        panel,
+        keep(panel, store, std::move(geometry), timed.off * scale.plan_per_rho, "the herpolhode"),
         ink, width_px);
     curve.on_plane = the_plane;
     curve.occlusion = Occlusion::none;
     // Spacing of direction marks, in radii of the outer circle.
     constexpr double mark_spacing = 1.1;
     std::optional<DirectionMarks> marks;
-    if (wants_marks(panel)) marks.emplace(panel, *curve.geometry, mark_spacing, false);
-    std::optional<RingCurve> ring =
-        ring_of(panel, timed, curve, [&](const auto& points) { return placed_points(points); });
+    if (wants_marks(panel)) marks.emplace(panel, store, *curve.geometry, mark_spacing, false);
+    std::optional<RingCurve> ring = ring_of(
+        panel, store, timed, curve, [&](const auto& points) { return placed_points(points); });
     return {curve, std::move(timed.trail), std::move(marks), std::move(ring)};
 }
 
 Curve circle_of(const Panel& panel, double radius) {
     Curve circle = arc_about(panel, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(),
                              Eigen::Vector3d::UnitY(), radius, 2.0 * std::numbers::pi,
-                             panel.stage->theme->annulus, 2.0);
-    circle.dash_px = dash_of(panel, panel.stage->theme->annulus, 8.0);
+                             panel.stage->theme.annulus, 2.0);
+    circle.dash_px = dash_of(panel, panel.stage->theme.annulus, 8.0);
     circle.occlusion = Occlusion::none;
     return circle;
 }
 
 }  // namespace
 
-void make_plan_panel(Panel& panel) {
+void make_plan_panel(Panel& panel, StageStore& store) {
     panel.needs = {.attitude = false, .herpolhode = true, .euler_angles = false};
     aim_from_above(panel);
     const PlanScale scale = scale_of(panel);
@@ -159,11 +160,11 @@ void make_plan_panel(Panel& panel) {
     }
     std::optional<HerpolhodeCurve> timed;
     if (panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
-        timed = herpolhode_of(panel, scale);
+        timed = herpolhode_of(panel, store, scale);
     }
-    Dot foot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->momentum, 5.0);
+    Dot foot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme.momentum, 5.0);
     foot.occlusion = Occlusion::none;
-    const TextBlock momentum_type = set_label(panel, "\\mathbf{L}", 0.85);
+    const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}", 0.85);
     const Plane plane = plane_of(panel);
     panel.draw = [&panel, scale, circles, timed, foot, momentum_type, plane](
                      const FrameInput& instant, ViewBuilder& builder) {
@@ -177,7 +178,7 @@ void make_plan_panel(Panel& panel) {
 
         // The radius from the foot of L to the contact point.
         Curve radius =
-            line_between(panel, Eigen::Vector3d::Zero(), contact, panel.stage->theme->omega, 1.6);
+            line_between(panel, Eigen::Vector3d::Zero(), contact, panel.stage->theme.omega, 1.6);
         radius.occlusion = Occlusion::none;
         builder.view.curves.push_back(radius);
         if (timed && timed->ring && instant.time_s >= timed->ring->from_s) {
@@ -193,16 +194,16 @@ void make_plan_panel(Panel& panel) {
         // The start of the film's curve; a loop has none.
         if (timed && !(panel.stage->options.loop_s > 0.0)) {
             Dot start = dot_at(panel, timed->curve.geometry->points.front(),
-                               panel.stage->theme->herpolhode, 4.5);
+                               panel.stage->theme.herpolhode, 4.5);
             start.occlusion = Occlusion::none;
             builder.view.dots.push_back(start);
         }
         builder.view.dots.push_back(foot);
-        Dot dot = dot_at(panel, contact, panel.stage->theme->contact);
+        Dot dot = dot_at(panel, contact, panel.stage->theme.contact);
         dot.occlusion = Occlusion::none;
         builder.view.dots.push_back(dot);
         wish_beside(panel, Eigen::Vector3d::Zero(), contact, momentum_type,
-                    panel.stage->theme->momentum, builder);
+                    panel.stage->theme.momentum, builder);
     };
 }
 

@@ -76,12 +76,13 @@ void cut_beginning(std::vector<CurveSample>& samples, const ChartArea& area) {
 
 class PlotMaker {
  public:
-    PlotMaker(Panel& panel, const PlotQuantity& quantity)
+    PlotMaker(Panel& panel, StageStore& store, const PlotQuantity& quantity)
         : panel_(&panel),
+          store_(&store),
           quantity_(&quantity),
           record_(*panel.stage, panel.stage->motion, quantity) {
         // The angles of a stepped motion are not continuous and cannot be drawn as a curve.
-        const StageData& stage = *panel.stage;
+        const StageContext& stage = *panel.stage;
         if (stage.comparison && !quantity.needs.euler_angles) {
             comparison_.emplace(stage, *stage.comparison, quantity);
             panel.shows_comparison = true;
@@ -89,7 +90,7 @@ class PlotMaker {
     }
 
     std::vector<PlottedChart> make() {
-        const StageData& stage = *panel_->stage;
+        const StageContext& stage = *panel_->stage;
         const double first = stage.film_first_s;
         const double last = stage.film_last_s;
         n_pieces_ = n_pieces_of(stage, panel_->box.width_px);
@@ -109,7 +110,7 @@ class PlotMaker {
         std::vector<Place> places;
         for (std::size_t i = 0; i < n_charts; ++i) {
             places.push_back(place_of(i, n_charts));
-            left_px = std::max(left_px, PlotFrame::numbers_px(*panel_, places.back().y));
+            left_px = std::max(left_px, PlotFrame::numbers_px(*panel_, *store_, places.back().y));
         }
         std::vector<PlottedChart> charts;
         charts.reserve(places.size());
@@ -130,8 +131,8 @@ class PlotMaker {
 
     void set_names() {
         for (const PlotCurve& curve : quantity_->curves) {
-            names_.push_back(
-                set_chart_type(*panel_, named_label(curve.label), TypeMode::math, chart_name_size));
+            names_.push_back(set_chart_type(*panel_, *store_, named_label(curve.label),
+                                            TypeMode::math, chart_name_size));
             widest_name_ = std::max(widest_name_, names_.back().width_px());
         }
     }
@@ -169,7 +170,7 @@ class PlotMaker {
 
     // Sets the range of a chart; without the first instants if they would widen it too much.
     void set_range(Place& place, std::size_t n_charts) const {
-        const StageData& stage = *panel_->stage;
+        const StageContext& stage = *panel_->stage;
         constexpr double first_share = 0.01;
         double from_s = stage.film_first_s + first_share * (stage.film_last_s - stage.film_first_s);
         const auto range_of = [&place](const PlotRecord& record, double since_s) {
@@ -185,7 +186,7 @@ class PlotMaker {
     }
 
     PlottedChart chart_of(const Place& place, double left_px) {
-        const StageData& stage = *panel_->stage;
+        const StageContext& stage = *panel_->stage;
         const TimeUnit unit = time_unit_of(stage.film_last_s - stage.film_first_s);
         const Axis x = time_axis(stage.film_first_s, stage.film_last_s, unit,
                                  n_ticks(place.region.width(), 120.0));
@@ -204,13 +205,13 @@ class PlotMaker {
             y_title += fmt::format(";  {}", phrase_in(stage.scene.language, begins_outside_note));
         const std::string x_title = place.is_lowest ? axis_title("$t$", unit.name, x.exponent) : "";
         const double names_px = widest_name_ + 16.0 * panel_->px;
-        PlottedChart plotted{
-            PlotFrame(*panel_, place.region, x, place.y, x_title, y_title, left_px, names_px),
-            {},
-            {},
-            {},
-            {},
-            place.begins_outside};
+        PlottedChart plotted{PlotFrame(*panel_, *store_, place.region, x, place.y, x_title, y_title,
+                                       left_px, names_px),
+                             {},
+                             {},
+                             {},
+                             {},
+                             place.begins_outside};
         for (std::size_t i = place.first_curve; i <= place.last_curve; ++i) {
             add_curve(plotted, i);
             if (comparison_) add_curve_beside(plotted, i);
@@ -221,7 +222,7 @@ class PlotMaker {
 
     // One curve of a record over the film, in the chart's pixels.
     std::vector<CurveSample> sampled(const PlotFrame& chart, PlotRecord& record, std::size_t i) {
-        const StageData& stage = *panel_->stage;
+        const StageContext& stage = *panel_->stage;
         const auto point = [&](double t) { return chart.at(t, record.at(t)[i]); };
         if (!quantity_->decades)
             return sample_adaptively(point, stage.film_first_s, stage.film_last_s, n_pieces_,
@@ -245,13 +246,13 @@ class PlotMaker {
             geometry.points.push_back(samples[i].point);
             if (i > 0) off_px = std::max(off_px, samples[i].off);
         }
-        return panel_->stage->keep(std::move(geometry), off_px,
-                                   fmt::format("the chart \"{}\"", quantity_->name));
+        return store_->keep(std::move(geometry), off_px,
+                            fmt::format("the chart \"{}\"", quantity_->name));
     }
 
     Curve line_of(const PlotCurve& kind, double width_px) const {
         Curve curve;
-        const LineStyle ink = kind.ink(*panel_->stage->theme);
+        const LineStyle ink = kind.ink(panel_->stage->theme);
         curve.colour = ink;
         curve.width_px = width_px * ink.weight * panel_->px;
         curve.dash_px = dash_of(ink.line.value_or(kind.style), *panel_);
@@ -290,7 +291,8 @@ class PlotMaker {
         plotted.comparison.push_back(curve);
     }
 
-    Panel* panel_;
+    const Panel* panel_;
+    StageStore* store_;
     const PlotQuantity* quantity_;
     PlotRecord record_;
     std::optional<PlotRecord> comparison_;
@@ -301,11 +303,11 @@ class PlotMaker {
 
 }  // namespace
 
-void make_plot_panel(Panel& panel) {
+void make_plot_panel(Panel& panel, StageStore& store) {
     aim_at_pixels(panel);
     const PlotQuantity& quantity = plot_quantity_of(*panel.stage, panel.spec.quantity);
     panel.needs = quantity.needs;
-    const std::vector<PlottedChart> charts = PlotMaker(panel, quantity).make();
+    const std::vector<PlottedChart> charts = PlotMaker(panel, store, quantity).make();
     panel.draw = [&panel, &quantity, charts](const FrameInput& instant, ViewBuilder& builder) {
         const PlotValues values = shown_values(*panel.stage, quantity, instant);
         for (const PlottedChart& plotted : charts) {

@@ -98,17 +98,18 @@ Well well_of(const HeavyTop& top) {
 
 }  // namespace
 
-void make_potential_panel(Panel& panel) {
+void make_potential_panel(Panel& panel, StageStore& store) {
     panel.needs = {.attitude = false, .herpolhode = false, .euler_angles = true};
     aim_at_pixels(panel);
     const HeavyTop& top = *panel.stage->motion.motion().heavy_top();
-    const Theme& theme = *panel.stage->theme;
+    const Theme& theme = panel.stage->theme;
     const Well well = well_of(top);
     const double energy = top.invariants().energy_J;
 
-    const TextBlock energy_type = set_chart_type(panel, "E", TypeMode::math, chart_name_size);
+    const TextBlock energy_type =
+        set_chart_type(panel, store, "E", TypeMode::math, chart_name_size);
     const TextBlock potential_type =
-        set_chart_type(panel, "V_{\\mathrm{eff}}", TypeMode::math, chart_name_size);
+        set_chart_type(panel, store, "V_{\\mathrm{eff}}", TypeMode::math, chart_name_size);
     const double margin = chart_margin * panel.px;
     const ChartArea region{margin, 0.5 * margin, panel.box.width_px - margin,
                            panel.box.height_px - 0.5 * margin - panel.header_px};
@@ -121,9 +122,9 @@ void make_potential_panel(Panel& panel) {
                     std::min(pi, well.last_theta + theta_margin), n_ticks(region.width(), 120.0));
     const Axis y = linear_axis(well.first_J, well.last_J, n_ticks(region.height(), 75.0));
     const PlotFrame chart(
-        panel, region, x, y, axis_title("$\\theta$", "rad", x.exponent),
+        panel, store, region, x, y, axis_title("$\\theta$", "rad", x.exponent),
         axis_title(phrase_in(panel.stage->scene.language, energy_title), "J", y.exponent),
-        PlotFrame::numbers_px(panel, y),
+        PlotFrame::numbers_px(panel, store, y),
         std::max(energy_type.width_px(), potential_type.width_px()) + 16.0 * panel.px);
 
     // The curve, clipped to the chart.
@@ -139,7 +140,7 @@ void make_potential_panel(Panel& panel) {
         geometry.points.push_back(sample.point);
     }
     const Eigen::Vector3d end = geometry.points.back();
-    Curve curve = curve_of(panel, panel.stage->keep(std::move(geometry), off_px, "the potential"),
+    Curve curve = curve_of(panel, store.keep(std::move(geometry), off_px, "the potential"),
                            theme.potential, 3.6);
     curve.occlusion = Occlusion::none;
 
@@ -164,7 +165,7 @@ void make_potential_panel(Panel& panel) {
             PlotFrame::line(panel, at, {at.x(), chart.area().bottom, 0.0}, theme.angles[0], 1.8);
         drop.dash_px = 7.0 * panel.px;
         lines.push_back(drop);
-        const TextBlock type = set_chart_type(panel,
+        const TextBlock type = set_chart_type(panel, store,
                                               turns.size() == 1 ? "\\theta_0"
                                               : i == 0          ? "\\theta_1"
                                                                 : "\\theta_2",
@@ -176,7 +177,7 @@ void make_potential_panel(Panel& panel) {
 
     panel.draw = [&panel, &top, chart, curve, lines, labels, turns, energy, well](
                      const FrameInput& instant, ViewBuilder& builder) {
-        const Theme& colours = *panel.stage->theme;
+        const Theme& colours = panel.stage->theme;
         chart.draw(builder);
         builder.view.curves.insert(builder.view.curves.end(), lines.begin(), lines.end());
         builder.view.curves.push_back(curve);

@@ -24,7 +24,7 @@ namespace {
 
 // Ends of elements beside the ellipsoid, for a camera at this azimuth.
 std::vector<Eigen::Vector3d> points_aside(const Panel& panel, double azimuth_deg) {
-    const StageData& stage = *panel.stage;
+    const StageContext& stage = *panel.stage;
     const Eigen::Vector3d right =
         Eigen::Vector3d::UnitZ().cross(direction_of(azimuth_deg, 0.0)).normalized();
     std::vector<Eigen::Vector3d> points;
@@ -69,7 +69,7 @@ Camera framing_camera(const Panel& panel, const CameraPose& pose) {
     Margins margins{gap, gap, gap + panel.header_px, gap};
     const StageOptions& picture = panel.stage->options;
     if (panel.box.height_px == picture.height_px) {
-        const OverlayBands bands = overlay_bands(*panel.stage);
+        const OverlayBands& bands = panel.overlays;
         margins.bottom_px += bands.bottom_px;
         // The figure is centred: a long title is above it, a short one beside it.
         if (bands.title_right_px > 0.38 * picture.width_px) margins.top_px += bands.top_px;
@@ -121,16 +121,16 @@ void aim_along(Panel& panel) {
 }
 
 // Marks on the ellipsoid and in space, and on the body if it is shown inside.
-Drawer make_marks(Panel& panel) {
-    const StageData& stage = *panel.stage;
+Drawer make_marks(Panel& panel, StageStore& store) {
+    const StageContext& stage = *panel.stage;
     const std::vector<MarkSpec>& marks = stage.scene.marks;
     const bool has_body = is_shown(stage, "body") &&
                           std::any_of(marks.begin(), marks.end(),
                                       [](const MarkSpec& mark) { return mark.on == "body"; });
     const double picture_per_m =
-        has_body ? body_in_ellipsoid(*stage.rolling) / body_shape(panel).reach_m : 0.0;
+        has_body ? body_in_ellipsoid(*stage.rolling) / body_shape(panel, store).reach_m : 0.0;
     return make_user_marks(
-        panel,
+        panel, store,
         [&stage, has_body, picture_per_m](
             const MarkSpec& mark, const RotationState& state) -> std::optional<Eigen::Vector3d> {
             if (mark.on == "space") return mark.at;
@@ -144,7 +144,7 @@ Drawer make_marks(Panel& panel) {
 
 }  // namespace
 
-void make_space_panel(Panel& panel) {
+void make_space_panel(Panel& panel, StageStore& store) {
     aim_along(panel);
 
     // The elements that the scene lists, or the default ones for this kind of motion.
@@ -157,10 +157,12 @@ void make_space_panel(Panel& panel) {
     for (const Element& element : elements()) {
         if (is_shown(*panel.stage, element.name)) {
             panel.needs = united(panel.needs, element.needs);
-            drawers.push_back(fading(*panel.stage, std::string(element.name), element.make(panel)));
+            panel.shows_comparison = panel.shows_comparison || element.reads_comparison;
+            drawers.push_back(
+                fading(*panel.stage, store, std::string(element.name), element.make(panel, store)));
         }
     }
-    if (!panel.stage->scene.marks.empty()) drawers.push_back(make_marks(panel));
+    if (!panel.stage->scene.marks.empty()) drawers.push_back(make_marks(panel, store));
     panel.draw = [drawers](const FrameInput& instant, ViewBuilder& builder) {
         for (const Drawer& draw : drawers) draw(instant, builder);
     };

@@ -32,7 +32,7 @@ namespace {
 using std::numbers::pi;
 
 // The elapsed fraction of the film at an instant, 0…1.
-double share_at(const StageData& stage, const FrameInput& instant) {
+double share_at(const StageContext& stage, const FrameInput& instant) {
     const double span_s = stage.film_last_s - stage.film_first_s;
     return std::clamp((instant.time_s - stage.film_first_s) / span_s, 0.0, 1.0);
 }
@@ -48,7 +48,7 @@ Eigen::Vector3d half_axes_of(const Panel& panel) {
 }
 
 // Rejects elements: a sweep shows only its own, with the title, the caption and the clock.
-void check_show(const StageData& stage) {
+void check_show(const StageContext& stage) {
     for (const std::string& name : stage.scene.show) {
         if (is_overlay(name)) continue;
         throw SceneError(stage.scene.location_of("show"),
@@ -63,10 +63,10 @@ Margins margins_of(const Panel& panel) {
     return {gap, gap, gap + panel.header_px, gap};
 }
 
-std::array<TextBlock, 3> axis_names(const Panel& panel) {
+std::array<TextBlock, 3> axis_names(const Panel& panel, StageStore& store) {
     std::array<TextBlock, 3> types;
     for (std::size_t i = 0; i < 3; ++i) {
-        types[i] = set_label(panel, fmt::format("\\mathbf{{e}}_{}", i + 1), 0.85);
+        types[i] = set_label(panel, store, fmt::format("\\mathbf{{e}}_{}", i + 1), 0.85);
     }
     return types;
 }
@@ -103,7 +103,7 @@ struct Trace {
     }
 };
 
-Trace trace_of(Panel& panel, const Eigen::Vector3d& half_axes) {
+Trace trace_of(const Panel& panel, StageStore& store, const Eigen::Vector3d& half_axes) {
     const double tolerance = panel.curve_units();
     Trace trace;
     CurveGeometry geometry;
@@ -117,8 +117,8 @@ Trace trace_of(Panel& panel, const Eigen::Vector3d& half_axes) {
         geometry.points.push_back(sample.point);
         trace.shares.push_back(sample.parameter);
     }
-    trace.curve = curve_of(panel, panel.keep(std::move(geometry), off, "the trace of ρ"),
-                           panel.stage->theme->polhode, 2.4);
+    trace.curve = curve_of(panel, keep(panel, store, std::move(geometry), off, "the trace of ρ"),
+                           panel.stage->theme.polhode, 2.4);
     trace.curve.on_surface = first_ellipsoid;
     trace.curve.hidden_opacity = 0.14;
     trace.curve.lasting = true;
@@ -126,8 +126,8 @@ Trace trace_of(Panel& panel, const Eigen::Vector3d& half_axes) {
 }
 
 // The body at rest, so small that it is inside its ellipsoid in every direction.
-Drawer resting_body(Panel& panel) {
-    const BodyShape shape = body_shape(panel);
+Drawer resting_body(const Panel& panel, StageStore& store) {
+    const BodyShape shape = body_shape(panel, store);
     Eigen::Affine3d placement = Eigen::Affine3d::Identity();
     placement.linear() =
         0.72 * half_axes_of(panel).minCoeff() * inertia_of(panel).body_from_principal().transpose();
@@ -136,25 +136,26 @@ Drawer resting_body(Panel& panel) {
     };
 }
 
-void make_axis_sweep(Panel& panel) {
+void make_axis_sweep(Panel& panel, StageStore& store) {
     const Eigen::Vector3d half_axes = half_axes_of(panel);
     std::vector<Eigen::Vector3d> points =
         points_of_ellipsoid((half_axes.array() + n_beyond).matrix().asDiagonal().toDenseMatrix());
     aim_around(panel, std::move(points),
                margins_of(panel).left_px + 0.4 * label_size * panel.type_px);
 
-    const Trace trace = trace_of(panel, half_axes);
-    const Drawer body = resting_body(panel);
-    const std::array<TextBlock, 3> axis_types = axis_names(panel);
-    const TextBlock n_type = set_label(panel, "\\mathbf{n}");
-    const TextBlock rho_type = set_label(panel, "\\boldsymbol{\\rho}");
+    const Trace trace = trace_of(panel, store, half_axes);
+    const Drawer body = resting_body(panel, store);
+    const std::array<TextBlock, 3> axis_types = axis_names(panel, store);
+    const TextBlock n_type = set_label(panel, store, "\\mathbf{n}");
+    const TextBlock rho_type = set_label(panel, store, "\\boldsymbol{\\rho}");
     Ellipsoid ellipsoid = ellipsoid_of(panel);
     ellipsoid.half_axes = half_axes.asDiagonal();
     ellipsoid.casts_shadow = false;
-    panel.draw = [&panel, half_axes, trace, body, axis_types, n_type, rho_type, ellipsoid](
-                     const FrameInput& instant, ViewBuilder& builder) {
-        const StageData& stage = *panel.stage;
-        const Theme& theme = *stage.theme;
+    panel.draw = [&panel, half_axes, trace, body, axis_types, n_type, rho_type, ellipsoid,
+                  &text = std::as_const(store).text()](const FrameInput& instant,
+                                                       ViewBuilder& builder) {
+        const StageContext& stage = *panel.stage;
+        const Theme& theme = stage.theme;
         const double share = share_at(stage, instant);
         const double swept = std::min(share / swept_share, 1.0);
         const double stands =
@@ -195,9 +196,9 @@ void make_axis_sweep(Panel& panel) {
         wish_beside(panel, 0.62 * rho, rho, rho_type, theme.polhode, builder);
         const double kg_m2 = moment * inertia_of(panel).moments_kg_m2().minCoeff();
         LabelRequest number;
-        number.type = stage.type_case.set_live(
-            fmt::format("I(\\mathbf{{n}}) = {:.3g}~\\mathrm{{kg\\,m^2}}", kg_m2),
-            {.size_px = label_size * panel.type_px}, builder.view);
+        number.type =
+            text.set_live(fmt::format("I(\\mathbf{{n}}) = {:.3g}~\\mathrm{{kg\\,m^2}}", kg_m2),
+                          {.size_px = label_size * panel.type_px}, builder.view);
         number.anchor_px = {panel.box.x_px + 0.76 * panel.box.width_px,
                             panel.box.y_px + 0.5 * panel.box.height_px};
         number.away = {0.0, 0.0};
@@ -253,7 +254,7 @@ class EnergySweep {
     int low_ = 0, high_ = 0;
 };
 
-void make_energy_sweep(Panel& panel) {
+void make_energy_sweep(Panel& panel, StageStore& store) {
     const bool above = panel.stage->scene.construction.plane == "above";
     const Eigen::Vector3d normal =
         above ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(-Eigen::Vector3d::UnitZ());
@@ -271,18 +272,18 @@ void make_energy_sweep(Panel& panel) {
     plane.radius = radius_in_view(panel, farthest * normal, 1.0, 2.0);
     plane.grid_spacing = 0.2;
     plane.grid_px = 1.1 * panel.px;
-    plane.colour = panel.stage->theme->plane;
-    plane.grid_colour = panel.stage->theme->grid;
-    plane.opacity = panel.stage->theme->plane_opacity;
+    plane.colour = panel.stage->theme.plane;
+    plane.grid_colour = panel.stage->theme.grid;
+    plane.opacity = panel.stage->theme.plane_opacity;
     Ellipsoid ellipsoid = ellipsoid_of(panel);
-    const TextBlock momentum_type = set_label(panel, "\\mathbf{L}");
-    const TextBlock omega_type = set_label(panel, "\\boldsymbol{\\omega}");
-    const std::array<TextBlock, 3> axis_types = axis_names(panel);
-    const LevelScale levels(panel);
+    const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
+    const TextBlock omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");
+    const std::array<TextBlock, 3> axis_types = axis_names(panel, store);
+    const LevelScale levels(panel, store);
     panel.draw = [&panel, sweep, normal, plane, ellipsoid, momentum_type, omega_type, axis_types,
                   levels](const FrameInput& instant, ViewBuilder& builder) {
-        const StageData& stage = *panel.stage;
-        const Theme& theme = *stage.theme;
+        const StageContext& stage = *panel.stage;
+        const Theme& theme = stage.theme;
         const EnergyState state = sweep.at(share_at(stage, instant));
         const Eigen::Vector3d foot = state.distance * normal;
         const Eigen::Vector3d contact = state.picture_from_principal * state.rho;
@@ -345,12 +346,12 @@ void make_energy_sweep(Panel& panel) {
 
 }  // namespace
 
-void make_sweep_panel(Panel& panel) {
+void make_sweep_panel(Panel& panel, StageStore& store) {
     check_show(*panel.stage);
     if (panel.stage->scene.construction.sweep == "axis") {
-        make_axis_sweep(panel);
+        make_axis_sweep(panel, store);
     } else {
-        make_energy_sweep(panel);
+        make_energy_sweep(panel, store);
     }
 }
 

@@ -48,7 +48,7 @@ double within_turn(double angle_rad) {
 }
 
 // A top about z with its point at the origin: cone, disc and stem.
-const MeshGeometry* keep_top(StageData& stage) {
+const MeshGeometry* keep_top(StageStore& store) {
     constexpr std::array<ProfilePoint, 13> profile{{{0.0, 0.0},
                                                     {0.018, 0.012},
                                                     {0.045, 0.10},
@@ -63,7 +63,7 @@ const MeshGeometry* keep_top(StageData& stage) {
                                                     {0.028, 0.66},
                                                     {0.0, 0.66}}};
     ShadedCorners corners = shaded_corners(revolved(profile));
-    return stage.keep({0, std::move(corners.positions), std::move(corners.normals)});
+    return store.keep({0, std::move(corners.positions), std::move(corners.normals)});
 }
 
 // Radii on the disc's upper face, which make the spin visible.
@@ -76,7 +76,7 @@ std::vector<Curve> spokes_of(const Panel& panel) {
             return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), z);
         };
         spokes.push_back(line_between(panel, point(0.09, 0.507), point(0.365, 0.465),
-                                      panel.stage->theme->solid_lines, k == 0 ? 4.0 : 1.6));
+                                      panel.stage->theme.solid_lines, k == 0 ? 4.0 : 1.6));
     }
     return spokes;
 }
@@ -87,8 +87,8 @@ struct Locus {
     TimedPath path;
 };
 
-Locus locus_of(Panel& panel) {
-    const StageData& stage = *panel.stage;
+Locus locus_of(const Panel& panel, StageStore& store) {
+    const StageContext& stage = *panel.stage;
     const auto axis_at = [&](double t) {
         const MotionSample sample =
             stage.motion.sample(t, {.attitude = false, .herpolhode = false, .euler_angles = true});
@@ -100,9 +100,9 @@ Locus locus_of(Panel& panel) {
     locus.path = sample_path(axis_at, stage.options.first_time_s, stage.options.last_time_s,
                              rate > 0.0 ? pi / rate : 1.0, panel.curve_units(), most_points);
     locus.curve = curve_of(panel,
-                           panel.keep({.points = std::move(locus.path.points)}, locus.path.off,
-                                      "the path of the top's axis"),
-                           stage.theme->axes[2], 4.0);
+                           keep(panel, store, {.points = std::move(locus.path.points)},
+                                locus.path.off, "the path of the top's axis"),
+                           stage.theme.axes[2], 4.0);
     locus.curve.on_surface = the_sphere;
     locus.curve.hidden_opacity = 0.4;
     locus.curve.lasting = true;
@@ -110,8 +110,8 @@ Locus locus_of(Panel& panel) {
 }
 
 // e3 of the comparison motion and its path on the sphere. Empty without one.
-Drawer make_ghost_axis(Panel& panel) {
-    const StageData& stage = *panel.stage;
+Drawer make_ghost_axis(Panel& panel, StageStore& store) {
+    const StageContext& stage = *panel.stage;
     if (!stage.comparison) return [](const FrameInput&, ViewBuilder&) {};
     panel.shows_comparison = true;
     // A stepped motion has no Euler angles: e3 in body axes is taken from the exact motion at one
@@ -123,8 +123,8 @@ Drawer make_ghost_axis(Panel& panel) {
     const auto axis_of = [e3_body](const RotationState& state) {
         return Eigen::Vector3d(state.space_from_body * e3_body);
     };
-    const GhostPath path = ghost_path(panel, axis_of, 3.2);
-    const TextBlock type = set_ghost_label(panel, "\\mathbf{e}");
+    const GhostPath path = ghost_path(panel, store, axis_of, 3.2);
+    const TextBlock type = set_ghost_label(panel, store, "\\mathbf{e}");
     return [&panel, path, axis_of, type](const FrameInput& instant, ViewBuilder& builder) {
         add_ghost_path(path, instant, builder);
         add_ghost_arrow(panel, axis_of(*instant.comparison), type, builder);
@@ -149,7 +149,7 @@ struct Stand {
 };
 
 Stand stand_of(const Panel& panel, const TopNutation& nutation) {
-    const Theme& theme = *panel.stage->theme;
+    const Theme& theme = panel.stage->theme;
     Stand stand;
     stand.sphere.colour = theme.sphere;
     stand.sphere.opacity = 0.10;
@@ -179,16 +179,16 @@ struct Names {
     TextBlock z, x, node, e1, e3, theta, phi, psi, height;
 };
 
-Names names_of(const Panel& panel) {
-    return {set_label(panel, "z", 0.9),
-            set_label(panel, "x", 0.8),
-            set_label(panel, "N", 0.8),
-            set_label(panel, "\\mathbf{e}_1", 0.8),
-            set_label(panel, "\\mathbf{e}_3", 0.95),
-            set_label(panel, "\\theta"),
-            set_label(panel, "\\varphi"),
-            set_label(panel, "\\psi"),
-            set_label(panel, "l\\cos\\theta", 0.75)};
+Names names_of(const Panel& panel, StageStore& store) {
+    return {set_label(panel, store, "z", 0.9),
+            set_label(panel, store, "x", 0.8),
+            set_label(panel, store, "N", 0.8),
+            set_label(panel, store, "\\mathbf{e}_1", 0.8),
+            set_label(panel, store, "\\mathbf{e}_3", 0.95),
+            set_label(panel, store, "\\theta"),
+            set_label(panel, store, "\\varphi"),
+            set_label(panel, store, "\\psi"),
+            set_label(panel, store, "l\\cos\\theta", 0.75)};
 }
 
 class TopDrawer {
@@ -202,7 +202,7 @@ class TopDrawer {
         mesh.geometry = geometry;
         mesh.placement.linear() =
             hangs ? Eigen::Matrix3d(axes_ * Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal()) : axes_;
-        mesh.colour = panel_->stage->theme->solid;
+        mesh.colour = panel_->stage->theme.solid;
         mesh.casts_shadow = false;
         sheet_->view.meshes.push_back(mesh);
         for (Curve spoke : spokes) {
@@ -213,7 +213,7 @@ class TopDrawer {
 
     // Arcs of θ, φ and ψ, the line of nodes between them, and e1, e3.
     void angles(const Names& names) {
-        const Theme& theme = *panel_->stage->theme;
+        const Theme& theme = panel_->stage->theme;
         const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
         const Eigen::Vector3d node(std::cos(euler_.phi_rad), std::sin(euler_.phi_rad), 0.0);
         const Eigen::Vector3d leaning(node.y(), -node.x(), 0.0);  // direction in which e3 leans
@@ -238,7 +238,7 @@ class TopDrawer {
 
     // The centre of mass on the axis and its height above the fixed point, as in V = Mgl cos θ.
     void height(const TextBlock& name, bool hangs) {
-        const LineStyle& colour = panel_->stage->theme->potential;
+        const LineStyle& colour = panel_->stage->theme.potential;
         const Eigen::Vector3d mass = (hangs ? -centre_of_mass : centre_of_mass) * axes_.col(2);
         const Eigen::Vector3d level(0.0, 0.0, mass.z());
         for (const auto& [a, b, width_px] :
@@ -278,7 +278,7 @@ class TopDrawer {
 
 }  // namespace
 
-void make_top_panel(Panel& panel) {
+void make_top_panel(Panel& panel, StageStore& store) {
     panel.needs = {.attitude = false, .herpolhode = false, .euler_angles = true};
     std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
     points.emplace_back(0.0, 0.0, vertical_length);
@@ -288,11 +288,11 @@ void make_top_panel(Panel& panel) {
     const auto& gravity = std::get<GravityTorque>(panel.stage->motion.motion().problem().torque);
     const bool hangs = gravity.mgl_N_m < 0.0;
     const Stand stand = stand_of(panel, top.nutation());
-    const Locus locus = locus_of(panel);
-    const MeshGeometry* body = keep_top(*panel.stage);
+    const Locus locus = locus_of(panel, store);
+    const MeshGeometry* body = keep_top(store);
     const std::vector<Curve> spokes = spokes_of(panel);
-    const Names names = names_of(panel);
-    const Drawer ghost = make_ghost_axis(panel);
+    const Names names = names_of(panel, store);
+    const Drawer ghost = make_ghost_axis(panel, store);
     panel.draw = [&panel, hangs, stand, locus, body, spokes, names, ghost](
                      const FrameInput& instant, ViewBuilder& builder) {
         builder.view.ellipsoids.push_back(stand.sphere);
@@ -308,9 +308,9 @@ void make_top_panel(Panel& panel) {
         builder.view.curves.back().last = locus.path.index_at(instant.time_s);
         ghost(instant, builder);
         builder.view.dots.push_back(
-            dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme->contact, 5.0));
+            dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme.contact, 5.0));
         builder.view.dots.push_back(
-            dot_at(panel, axes_of(instant.euler).col(2), panel.stage->theme->axes[2]));
+            dot_at(panel, axes_of(instant.euler).col(2), panel.stage->theme.axes[2]));
     };
 }
 

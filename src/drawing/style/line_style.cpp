@@ -1,4 +1,4 @@
-#include "drawing/stage/line_style.h"
+#include "drawing/style/line_style.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -29,14 +29,14 @@ Eigen::Affine3d placed(const Eigen::Vector3d& origin, const Eigen::Vector3d& x,
 
 // Removes the principal sections from the view's ellipsoids and returns them as curves on their
 // surfaces.
-std::vector<Curve> taken_sections(const StageData& stage, View& view) {
+std::vector<Curve> taken_sections(const LineRules& rules, View& view) {
     std::vector<Curve> sections;
     for (std::size_t k = 0; k < view.ellipsoids.size(); ++k) {
         Ellipsoid& ellipsoid = view.ellipsoids[k];
         if (!(ellipsoid.section_px > 0.0)) continue;
         for (int i = 0; i < 3; ++i) {
             Curve& section = sections.emplace_back();
-            section.geometry = stage.unit_circle;
+            section.geometry = rules.unit_circle;
             section.placement = placed(ellipsoid.centre, ellipsoid.half_axes.col(i),
                                        ellipsoid.half_axes.col((i + 1) % 3));
             section.width_px = ellipsoid.section_px;
@@ -51,11 +51,11 @@ std::vector<Curve> taken_sections(const StageData& stage, View& view) {
 
 // The axis of an arrow as a line, drawn only where the arrow is hidden: elsewhere its shaft covers
 // the line.
-Curve axis_of(const StageData& stage, const Arrow& arrow) {
+Curve axis_of(const LineRules& rules, const Arrow& arrow) {
     constexpr double share_of_shaft = 0.6;
     const Eigen::Vector3d run = arrow.tip - arrow.tail;
     Curve line;
-    line.geometry = stage.unit_segment;
+    line.geometry = rules.unit_segment;
     line.placement = placed(arrow.tail, run, run.unitOrthogonal());
     line.width_px = share_of_shaft * arrow.shaft_px;
     line.colour = arrow.colour;
@@ -79,15 +79,16 @@ void hide(std::string_view parts, Curve& curve) {
     curve.hidden_opacity = std::max(curve.hidden_opacity, least_opacity);
 }
 
-void style_hidden(const StageData& stage, std::string_view parts, View& view) {
-    std::vector<Curve> curves = taken_sections(stage, view);
+void style_hidden(const LineRules& rules, View& view) {
+    const std::string_view parts = rules.hidden;
+    std::vector<Curve> curves = taken_sections(rules, view);
     const bool dashed = parts == "dashed";
     for (Arrow& arrow : view.arrows) {
         if (arrow.occlusion != Occlusion::by_solids || arrow.tip == arrow.tail) continue;
         if (dashed) {
             if (arrow.dash_px > 0.0) arrow.shaft_px *= told_by_width;
             arrow.dash_px = 0.0;
-            curves.push_back(axis_of(stage, arrow));
+            curves.push_back(axis_of(rules, arrow));
         }
         arrow.hidden_opacity = -1.0;
     }
@@ -320,20 +321,14 @@ void break_shafts(View& view) {
     view.arrows = std::move(arrows);
 }
 
-std::string_view said(const std::string& by_scene, std::string_view by_theme) {
-    return by_scene.empty() ? by_theme : by_scene;
-}
-
 }  // namespace
 
-void follow_line_rules(const StageData& stage, View& view) {
+void follow_line_rules(const LineRules& rules, View& view) {
     if (has_solids(view)) {
-        const std::string_view hidden = said(stage.scene.hidden, stage.theme->hidden);
-        if (hidden != "pale") style_hidden(stage, hidden, view);
-        if (said(stage.scene.crossings, stage.theme->crossings) == "gap")
-            break_crossings(stage.px, view);
+        if (rules.hidden != "pale") style_hidden(rules, view);
+        if (rules.crossings == "gap") break_crossings(rules.px, view);
     }
-    if (stage.options.least.line_px > 0.0) thicken(stage.options.least.line_px, view);
+    if (rules.least_px > 0.0) thicken(rules.least_px, view);
     break_shafts(view);
 }
 
