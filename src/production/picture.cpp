@@ -36,7 +36,7 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     // In pixels of the rendered picture, which is `samples` times as large as the final one.
     options.curve_px = session.accuracy.curve_px(setting.curve_tolerance * setting.samples);
     return at_key_of_error(session.scene, "motion", "film", [&] {
-        return Stage(session.scene, session.motion, options,
+        return Stage(session.scene, session.theme, session.motion, options,
                      session.comparison ? &*session.comparison : nullptr);
     });
 }

@@ -144,7 +144,7 @@ TEST(PlotQuantities, ThinPlateWobblesTwiceAsFastAsItSpins) {
     scene.panels[0].quantity = "turns";
     const Motion motion(problem_of(scene));
     const StageContext stage(
-        scene, motion,
+        scene, theme_of(scene), motion,
         {.width_px = 640, .height_px = 360, .first_time_s = 0.0, .last_time_s = 10.0}, nullptr);
     FrameInput instant;
     instant.time_s = 6.283185307179586;

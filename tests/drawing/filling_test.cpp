@@ -127,7 +127,7 @@ TEST(Filling, FigureSpansFourFifthsOfItsPanel) {
             scene.film.height_px = height;
             const double last_s = scene.film.start_s + scene.film.duration_s.value_or(10.0);
             const Motion motion(problem_of(scene));
-            const Stage stage(scene, motion,
+            const Stage stage(scene, theme_of(scene), motion,
                               {.width_px = width,
                                .height_px = height,
                                .first_time_s = scene.film.start_s,

@@ -27,7 +27,8 @@ struct StagedBeside {
         : scene(with(scene_, choice)),
           motion(problem_of(scene)),
           beside(problem_beside()),
-          stage(scene, motion, {.width_px = 640, .height_px = 360, .last_time_s = 10.0}, &beside) {}
+          stage(scene, theme_of(scene), motion,
+                {.width_px = 640, .height_px = 360, .last_time_s = 10.0}, &beside) {}
 
     MotionProblem problem_beside() const {
         MotionProblem problem = motion.problem();

@@ -47,7 +47,7 @@ struct Drawn {
         : scene(scene_),
           motion(problem_of(scene)),
           beside(other(scene, last_time_s)),
-          stage(scene, motion,
+          stage(scene, theme_of(scene), motion,
                 {.width_px = samples * scene.film.width_px,
                  .height_px = samples * scene.film.height_px,
                  .samples = samples,

@@ -60,7 +60,7 @@ TEST_F(Legible, TextOfAFilmIsAtLeastAFortyFifthOfItsHeight) {
                 problem.method = *scene.beside;
                 beside.emplace(problem);
             }
-            const Stage stage(scene, motion,
+            const Stage stage(scene, theme_of(scene), motion,
                               {.width_px = width,
                                .height_px = height,
                                .first_time_s = scene.film.start_s,

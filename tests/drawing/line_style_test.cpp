@@ -28,7 +28,7 @@ struct OnPaper {
 
     OnPaper(const Scene& scene, const LeastSizes& sizes)
         : motion(problem_of(scene)),
-          stage(scene, motion,
+          stage(scene, theme_of(scene), motion,
                 {.width_px = 1004,
                  .height_px = 565,
                  .line_scale = 1.04,

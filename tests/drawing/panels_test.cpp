@@ -224,7 +224,7 @@ std::vector<double> places_of_element(const Element& element, const Eigen::Matri
     MotionProblem problem = motion.problem();
     problem.method = stepped;
     const Motion beside(problem);
-    const Stage stage(scene, motion,
+    const Stage stage(scene, theme_of(scene), motion,
                       {.width_px = 640, .height_px = 360, .last_time_s = last_time_s},
                       of_beside ? &beside : nullptr);
     const Drawing drawing = stage.at(0.37 * last_time_s);
@@ -320,10 +320,10 @@ TEST(Panels, RejectMotionsThatTheyCannotShow) {
 TEST(Panels, DefaultSuitsTheMotion) {
     Scene top = top_scene({.theta_rad = 0.7, .omega3_rad_s = 5.0}, "top");
     top.panels.clear();
-    EXPECT_EQ(default_panel(StagedScene(top, 1.0).stage.context()), "top");
+    EXPECT_EQ(StagedScene(top, 1.0).stage.panels().front().spec.kind, "top");
     Scene free = free_scene(generic_moments, generic_omega, "space");
     free.panels.clear();
-    EXPECT_EQ(default_panel(StagedScene(free, 1.0).stage.context()), "space");
+    EXPECT_EQ(StagedScene(free, 1.0).stage.panels().front().spec.kind, "space");
 }
 
 TEST(BodyPanel, CurvesLieOnTheEllipsoid) {

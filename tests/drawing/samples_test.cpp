@@ -16,7 +16,7 @@ struct Place {
 struct Sampled {
     Sampled(const Scene& scene, int samples)
         : motion(problem_of(scene)),
-          stage(scene, motion,
+          stage(scene, theme_of(scene), motion,
                 {.width_px = scene.film.width_px * samples,
                  .height_px = scene.film.height_px * samples,
                  .samples = samples,

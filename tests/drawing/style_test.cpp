@@ -11,6 +11,7 @@
 #include "drawing/figures/charts/plot_record.h"
 #include "drawing/style/theme.h"
 #include "drawing/style/theme_contrast.h"
+#include "drawing/style/theme_roles.h"
 #include "error/error.h"
 #include "mechanics/half_life.h"
 #include "scene/style_keys.h"
@@ -45,6 +46,22 @@ const Curve* curve_in(const View& view, const Colour& colour) {
     for (const Curve& curve : view.curves)
         if (curve.colour == colour) return &curve;
     return nullptr;
+}
+
+// What [style] can say of a role is what a theme keeps of it.
+TEST(Style, ThemesKeepWhatEveryRoleCanSay) {
+    Theme theme = theme_named("light");
+    EXPECT_EQ(theme_roles().size(), style_roles().size());
+    for (const StyleRole& role : style_roles()) {
+        const auto places =
+            std::count_if(theme_roles().begin(), theme_roles().end(),
+                          [&role](const ThemeRole& place) { return place.name == role.name; });
+        ASSERT_EQ(places, 1) << role.name;
+        const RoleLook look = look_of(theme, role.name);
+        EXPECT_NE(look.colour, nullptr) << role.name;
+        EXPECT_EQ(look.opacity != nullptr, role.kind == StyleKind::surface) << role.name;
+        if (role.kind == StyleKind::line) EXPECT_NE(look.line, nullptr) << role.name;
+    }
 }
 
 // Each role sets a different member of a theme.
@@ -122,7 +139,8 @@ TEST(Contrast, BuiltInThemesCauseNoNotes) {
         // The theme's own values, given as a style.
         scene.style.looks["omega"] = look(theme.omega.r, theme.omega.g, theme.omega.b);
         scene.style.looks["text"] = look(theme.text.r, theme.text.g, theme.text.b);
-        EXPECT_TRUE(contrast_notes(scene).empty()) << theme.name << contrast_notes(scene).front();
+        EXPECT_TRUE(contrast_notes(scene, theme_of(scene)).empty())
+            << theme.name << contrast_notes(scene, theme_of(scene)).front();
     }
 }
 
@@ -132,7 +150,7 @@ TEST(Contrast, LowContrastIsReportedInOneLine) {
     scene.theme = "print";
     scene.locations["style.text"] = {"a.toml", 7, 1};
     scene.style.looks["text"] = look(0x77 / 255.0, 0x77 / 255.0, 0x77 / 255.0);
-    const std::vector<std::string> notes = contrast_notes(scene);
+    const std::vector<std::string> notes = contrast_notes(scene, theme_of(scene));
     ASSERT_EQ(notes.size(), 1u);
     EXPECT_EQ(notes[0],
               "a.toml:7:1: style.text: text on ground has a contrast of 4.48, less than 4.5");
@@ -142,7 +160,7 @@ TEST(Contrast, ConfusableColoursAreReported) {
     Scene scene = a_scene();
     const Theme& light = theme_named("light");
     scene.style.looks["omega"] = look(light.polhode.r, light.polhode.g, light.polhode.b);
-    const std::vector<std::string> notes = contrast_notes(scene);
+    const std::vector<std::string> notes = contrast_notes(scene, theme_of(scene));
     ASSERT_FALSE(notes.empty());
     EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
         return note.find("polhode and omega hardly differ: 0.00") != std::string::npos;

@@ -108,7 +108,8 @@ TEST(UserStyle, ChartsUseTheRequestedUnits) {
     scene.panels[0].quantity = "omega";
     scene.units = {"rpm"};
     const StagedScene staged(scene, 10.0);
-    const StageContext data(scene, staged.motion, {.width_px = 640, .height_px = 360}, nullptr);
+    const StageContext data(scene, theme_of(scene), staged.motion,
+                            {.width_px = 640, .height_px = 360}, nullptr);
     const PlotQuantity& quantity = plot_quantity_of(data, "omega");
     EXPECT_EQ(unit_of(data, quantity).name, "rpm");
     const FrameInput instant = data.instant_at({1.0, 1.0}, quantity.needs, false);

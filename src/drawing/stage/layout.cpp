@@ -13,6 +13,7 @@
 #include "drawing/stage/marks.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
+#include "drawing/stage/possible_motions.h"
 #include "scene/camera_views.h"
 #include "scene/scene_error.h"
 #include "text/languages.h"
@@ -27,7 +28,7 @@ namespace {
 std::vector<PanelSpec> panels_of(const StageContext& stage) {
     if (!stage.scene.panels.empty()) return stage.scene.panels;
     PanelSpec alone;
-    alone.kind = default_panel(stage);
+    alone.kind = default_panel(stage.scene, is_heavy_top(stage));
     return {alone};
 }
 
@@ -222,6 +223,9 @@ void check_unlabelled(const Scene& scene, const StageStore& store) {
 }
 
 void check_keyframes(const StageContext& stage, const std::deque<Panel>& panels) {
+    const auto follows_camera = [](const PanelKind& kind) {
+        return kind.camera != CameraUse::none && kind.own_direction == nullptr;
+    };
     const auto moves = [](const Panel& panel) {
         return !panel.user_timeline && panel.camera_at != nullptr;
     };
@@ -233,8 +237,8 @@ void check_keyframes(const StageContext& stage, const std::deque<Panel>& panels)
             scene.location_of(fmt::format("keyframes[{}]", i)),
             fmt::format("keyframes[{0}] moves [camera], but no panel here uses [camera]; name a "
                         "panel by its index, as in keyframes[{0}].panel = 0, add a panel "
-                        "\"space\", \"object\" or \"top\", or leave the camera out",
-                        i));
+                        "{1}, or leave the camera out",
+                        i, panels_where(follows_camera, "or")));
     }
 }
 

@@ -7,7 +7,7 @@
 #include "drawing/stage/layout.h"
 #include "drawing/stage/marks.h"
 #include "drawing/stage/overlay.h"
-#include "drawing/stage/panel.h"
+#include "drawing/stage/panel_kind.h"
 #include "drawing/stage/stage_context.h"
 #include "drawing/stage/stage_store.h"
 #include "drawing/stage/type/label_fit.h"
@@ -25,26 +25,26 @@ struct Stage::Contents {
     Quantities needs = omega_alone;  // what all panels together read of an instant
     bool shows_comparison = false;   // whether one of them shows the comparison motion
 
-    Contents(const Scene& scene, const Motion& motion, const StageOptions& options,
-             const Motion* comparison)
-        : context(scene, motion, options, comparison) {
+    Contents(const Scene& scene, const Theme& theme, const Motion& motion,
+             const StageOptions& options, const Motion* comparison)
+        : context(scene, theme, motion, options, comparison) {
         for (const Panel& panel : panels) {
             needs = united(needs, panel.needs);
             shows_comparison = shows_comparison || panel.shows_comparison;
         }
         if (comparison != nullptr && !shows_comparison) {
             throw SceneError(scene.location_of("beside"),
-                             "no panel here shows the comparison method; add a panel \"space\", "
-                             "\"body\", \"object\", \"top\", \"momentum\" or \"plot\"");
+                             "no panel here shows the comparison method; add a panel " +
+                                 panels_that_take(takes_comparison, "or"));
         }
         overlays = make_overlays(context, store, panels);
         check_targets(context, store, panels);
     }
 };
 
-Stage::Stage(const Scene& scene, const Motion& motion, const StageOptions& options,
-             const Motion* comparison)
-    : contents_(std::make_unique<const Contents>(scene, motion, options, comparison)) {}
+Stage::Stage(const Scene& scene, const Theme& theme, const Motion& motion,
+             const StageOptions& options, const Motion* comparison)
+    : contents_(std::make_unique<const Contents>(scene, theme, motion, options, comparison)) {}
 Stage::~Stage() = default;
 Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&&) noexcept = default;

@@ -17,6 +17,7 @@ namespace poinsot {
 struct EvaluationCounts;
 struct Panel;
 struct StageContext;
+struct Theme;
 class StageStore;
 
 // Holds the geometry that all video frames share and makes the drawing of an instant. Immutable
@@ -24,9 +25,9 @@ class StageStore;
 class Stage {
  public:
     // Throws InputError for a scene without a picture (no invariable plane, unknown element).
-    // `comparison`: the same motion by another method, drawn as a ghost; both must outlive the
-    // stage.
-    Stage(const Scene& scene, const Motion& motion, const StageOptions& options,
+    // `theme`: the scene's, as theme_of gives it. `comparison`: the same motion by another method,
+    // drawn as a ghost; both must outlive the stage.
+    Stage(const Scene& scene, const Theme& theme, const Motion& motion, const StageOptions& options,
           const Motion* comparison = nullptr);
     ~Stage();
     Stage(Stage&&) noexcept;

@@ -8,12 +8,12 @@
 
 namespace poinsot {
 
-StageContext::StageContext(const Scene& scene_, const Motion& motion_, const StageOptions& options_,
-                           const Motion* comparison_)
+StageContext::StageContext(const Scene& scene_, const Theme& theme_, const Motion& motion_,
+                           const StageOptions& options_, const Motion* comparison_)
     : scene(scene_),
       motion(motion_),
       options(options_),
-      theme(theme_of(scene_)),
+      theme(theme_),
       px(options.line_scale > 0.0 ? options.line_scale : options.height_px / 1080.0),
       curve_px(options.curve_px > 0.0 ? options.curve_px : accuracy_of(scene).curve_px()),
       film_first_s(std::min(scene.film.start_s, options.first_time_s)),

@@ -35,8 +35,8 @@ struct StageContext {
     Timeline timeline;
 
     // Both motions must outlive it; `comparison`: null for none.
-    StageContext(const Scene& scene, const Motion& motion, const StageOptions& options,
-                 const Motion* comparison);
+    StageContext(const Scene& scene, const Theme& theme, const Motion& motion,
+                 const StageOptions& options, const Motion* comparison);
     StageContext(const StageContext&) = delete;
     StageContext& operator=(const StageContext&) = delete;
 
