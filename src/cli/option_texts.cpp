@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "cli/catalogue.h"
-#include "drawing/type/overlay.h"
+#include "drawing/stage/overlay.h"
 
 namespace poinsot {
 

@@ -4,7 +4,7 @@
 
 #include "cli/option_values.h"
 #include "cli/scenes.h"
-#include "drawing/theme.h"
+#include "drawing/style/theme.h"
 #include "error/error.h"
 #include "output/quality.h"
 #include "text/printable.h"

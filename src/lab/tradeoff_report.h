@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "drawing/charts/chart.h"
+#include "drawing/figures/charts/chart.h"
 #include "lab/tradeoff.h"
 
 namespace poinsot {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "drawing/theme.h"
 #include "error/error.h"
 #include "image/alpha.h"
 #include "image/png.h"
@@ -89,14 +88,14 @@ void note_others(const OutputPlan& plan, const ProgressSink& progress) {
 }
 
 // Reports a transparent theme in a format without (full) transparency.
-void note_transparency(const Scene& scene, const OutputFormat& format,
+void note_transparency(const Session& session, const OutputFormat& format,
                        const ProgressSink& progress) {
-    if (theme_of(scene).background.alpha >= 1.0) return;
+    if (session.theme.background.alpha >= 1.0) return;
     const bool one_bit = format.name == "gif";
     if (format.alpha && !one_bit) return;
     progress.say(fmt::format(
         "note: theme = \"{}\": {}; .webm and a .png sequence keep transparency",
-        printable(scene.theme),
+        printable(session.scene.theme),
         one_bit ? "a pixel of a GIF is either transparent or opaque"
                 : fmt::format(".{} has no transparency, so the background is white", format.name)));
 }
@@ -222,7 +221,7 @@ void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
     watch_for_interrupts();
     const OutputFormat& format = format_for(plan.path);
     if (request_.part && !take_part(plan, progress)) return;
-    note_transparency(scene, format, progress);
+    note_transparency(*session_, format, progress);
     if (request_.n_shown > 0 && request_.n_shown < plan.n_frames) {
         // Packets depend on the later frames of their chunk.
         const std::int64_t chunk = format.n_chunk_frames;

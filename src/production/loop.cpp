@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "construction/closed_herpolhode.h"
-#include "drawing/timeline.h"
+#include "drawing/stage/timeline.h"
 #include "error/error.h"
 #include "mechanics/free/free_rotation.h"
 #include "scene/film_clock.h"

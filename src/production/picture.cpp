@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "drawing/stage/stage_store.h"
 #include "error/error.h"
 #include "image/downsample.h"
 #include "output/quality.h"
@@ -35,14 +36,14 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     // In pixels of the rendered picture, which is `samples` times as large as the final one.
     options.curve_px = session.accuracy.curve_px(setting.curve_tolerance * setting.samples);
     return at_key_of_error(session.scene, "motion", "film", [&] {
-        return Stage(session.scene, session.motion, options,
+        return Stage(session.scene, session.theme, session.motion, options,
                      session.comparison ? &*session.comparison : nullptr);
     });
 }
 
 void tell_stage_notes(const Stage& stage, const ProgressSink& progress) {
     for (const std::string& note : stage.notes()) progress.say("note: " + note);
-    const std::vector<char32_t>& missing = stage.data().type_case.typesetter().missing();
+    const std::vector<char32_t>& missing = stage.store().text().typesetter().missing();
     if (missing.empty()) return;
     progress.say(
         fmt::format("note: no installed font has {}: drawn as boxes; install a font that has them, "

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "drawing/stage.h"
-#include "drawing/stage_data.h"
+#include "drawing/stage/stage.h"
+#include "drawing/stage/stage_context.h"
 #include "image/image.h"
 #include "production/print_size.h"
 #include "production/session.h"
@@ -123,8 +123,8 @@ class PictureMaker {
     void draw_part(const Drawing& whole, const PixelArea& area, Image& image);
     void draw_part(const Drawing& whole, const PixelArea& area, DeepImage& image);
 
-    int width_px() const { return stage().data().options.width_px / staging_.samples; }
-    int height_px() const { return stage().data().options.height_px / staging_.samples; }
+    int width_px() const { return stage().context().options.width_px / staging_.samples; }
+    int height_px() const { return stage().context().options.height_px / staging_.samples; }
     int samples_a_pixel() const { return staging_.samples * staging_.samples; }
 
     const ContextInfo& context_info() const { return context_->info(); }

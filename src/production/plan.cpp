@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "drawing/stage_data.h"
+#include "drawing/stage/evaluations.h"
+#include "drawing/stage/stage_store.h"
 #include "mechanics/methods.h"
 #include "mechanics/stepped/integrated_rotation.h"
 #include "mechanics/top/heavy_top.h"
@@ -79,8 +80,7 @@ PlanLine jobs_line(const Session& session, const FilmPlan& film) {
 }  // namespace
 
 std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, const Stage& stage) {
-    const StageData& data = stage.data();
-    const Quantities& needs = data.needs;
+    const Quantities& needs = stage.needs();
     const EvaluationCounts& made = stage.counts();
 
     std::vector<PlanLine> lines;
@@ -114,7 +114,7 @@ std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, cons
     lines.push_back(jobs_line(session, film));
     lines.push_back({"curves",
                      fmt::format("{} stored, within {:.2g} px of the exact curves",
-                                 data.curves.size(), stage.curve_error_px()),
+                                 stage.store().curves().size(), stage.curve_error_px()),
                      fmt::format("half of accuracy_px = {:g} at quality {}",
                                  session.accuracy.asked_px, session.scene.film.quality)});
     return lines;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/stage.h"
+#include "drawing/stage/stage.h"
 #include "production/session.h"
 
 namespace poinsot {

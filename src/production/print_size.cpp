@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "drawing/marks.h"
+#include "drawing/stage/marks.h"
 #include "error/error.h"
 #include "image/png.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "drawing/type/least_sizes.h"
+#include "drawing/stage/type/least_sizes.h"
 
 namespace poinsot {
 

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <map>
 
-#include "drawing/stage_data.h"
+#include "drawing/stage/stage_store.h"
 #include "error/error.h"
 #include "image/pixels_xxh64.h"
 #include "image/png.h"
@@ -67,7 +67,7 @@ constexpr std::string_view seal_key = "record-sha256: ";
 // The fonts used as fallback for the program's own fonts, each with its name and hash.
 std::string fonts_in_words(const Stage& stage) {
     std::string text;
-    for (const auto& file : stage.data().type_case.typesetter().fallbacks_used()) {
+    for (const auto& file : stage.store().text().typesetter().fallbacks_used()) {
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", file.filename().string(),
                             sha256_of(read_text(file)));
     }

@@ -10,7 +10,7 @@
 
 #include "construction/poinsot_construction.h"
 #include "construction/polhode.h"
-#include "drawing/stage.h"
+#include "drawing/stage/stage.h"
 #include "mechanics/free/free_rotation.h"
 #include "mechanics/motion_errors.h"
 #include "mechanics/top/heavy_top.h"

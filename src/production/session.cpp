@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/charts/chart_fit.h"
-#include "drawing/idle_keys.h"
-#include "drawing/theme_contrast.h"
-#include "drawing/type/overlay.h"
+#include "drawing/figures/charts/chart_fit.h"
+#include "drawing/figures/panels/idle_keys.h"
+#include "drawing/stage/overlay.h"
+#include "drawing/style/theme_contrast.h"
 #include "error/error.h"
 #include "mechanics/methods.h"
 #include "production/print_size.h"
@@ -116,10 +116,10 @@ SteppingPlan stepping_plan(const MotionProblem& problem) {
 }
 
 // Adds notes about keys without effect, and about styles that make colours indistinguishable.
-void note_idle_keys(Scene& scene) {
+void note_idle_keys(const Theme& theme, Scene& scene) {
     for (const auto& [key, why] : idle_keys(scene))
         scene.notes.push_back(fmt::format("{}{} changes nothing: {}", scene.where(key), key, why));
-    for (std::string& note : contrast_notes(scene)) scene.notes.push_back(std::move(note));
+    for (std::string& note : contrast_notes(scene, theme)) scene.notes.push_back(std::move(note));
 }
 
 }  // namespace
@@ -131,7 +131,8 @@ Session open_session(const SceneRequest& request, const ProgressSink& progress) 
 }
 
 Session session_of(Scene scene, std::span<const double> times_s, const ProgressSink& progress) {
-    note_idle_keys(scene);
+    const Theme theme = theme_of(scene);
+    note_idle_keys(theme, scene);
     std::optional<Loop> loop = resolve_loop(scene);
     MotionProblem problem = problem_of(scene);
     extend(problem, times_s);
@@ -170,7 +171,7 @@ Session session_of(Scene scene, std::span<const double> times_s, const ProgressS
         comparison = at_key_of_error(scene, key_of("beside", *scene.beside), "film",
                                      [&] { return Motion(problem, stop); });
     }
-    return {std::move(scene),      accuracy,       std::move(step), std::move(motion),
+    return {std::move(scene),      theme,          accuracy, std::move(step), std::move(motion),
             std::move(comparison), std::move(loop)};
 }
 

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "construction/certificate.h"
-#include "drawing/accuracy.h"
+#include "drawing/stage/accuracy.h"
+#include "drawing/style/theme.h"
 #include "mechanics/motion.h"
 #include "mechanics/step_choice.h"
 #include "output/frame_sink.h"
@@ -27,6 +28,7 @@ namespace poinsot {
 // A scene that was read, and its motion.
 struct Session {
     Scene scene;
+    Theme theme;  // the scene's, with its [style]
     Accuracy accuracy;
     StepChoice step;  // of a stepped method; derived from accuracy_px by default
     Motion motion;

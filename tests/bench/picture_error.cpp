@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/stage.h"
+#include "drawing/stage/stage.h"
 #include "production/picture.h"
 #include "production/session.h"
 #include "scene/load_scene.h"
@@ -64,7 +64,7 @@ void run(const std::string& scene, const std::string& size) {
         options.samples = samples;
         options.first_time_s = plan.time_of(0);
         options.last_time_s = time_s;
-        const Stage stage(large.scene, large.motion, options);
+        const Stage stage(large.scene, large.theme, large.motion, options);
         Drawing drawing = stage.at(time_s);
         for (View& view : drawing.views) view.labels.clear();
         return renderer.renderer().render(drawing);

@@ -1,12 +1,12 @@
 // Conversion of accuracy_px to other units, compared with the picture.
-#include "drawing/accuracy.h"
+#include "drawing/stage/accuracy.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <random>
 
-#include "drawing/marks.h"
+#include "drawing/stage/marks.h"
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"
 
@@ -48,9 +48,9 @@ TEST(Accuracy, CurveErrorIsHalfOfTheRequestedOne) {
     const Motion motion(problem_of(scene));
     EXPECT_EQ(accuracy_of(scene).curve_px(), 0.1);
     StageOptions options{.width_px = 640, .height_px = 360, .last_time_s = 10.0};
-    EXPECT_EQ(Stage(scene, motion, options).curve_error_px(), 0.1);
+    EXPECT_EQ(Stage(scene, theme_of(scene), motion, options).curve_error_px(), 0.1);
     options.curve_px = accuracy_of(scene).curve_px(4.0);
-    const Stage coarse(scene, motion, options);
+    const Stage coarse(scene, theme_of(scene), motion, options);
     EXPECT_EQ(coarse.curve_error_px(), 0.4);
     EXPECT_EQ(coarse.data().scene.accuracy_px, 0.2);
 }

@@ -1,4 +1,4 @@
-#include "drawing/type/caption_template.h"
+#include "drawing/stage/type/caption_template.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "drawing/charts/chart.h"
+#include "drawing/figures/charts/chart.h"
 
 #include <gtest/gtest.h>
 

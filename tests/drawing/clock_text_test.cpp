@@ -1,5 +1,5 @@
 // The clock changes during a film and fits its place, for all spans and start times.
-#include "drawing/type/clock_text.h"
+#include "drawing/stage/type/clock_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Contrast and difference of colours, compared with published values.
-#include "drawing/colour_vision.h"
+#include "drawing/style/colour_vision.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "drawing/panel.h"
+#include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "mechanics/half_life.h"
 #include "scenes_by_hand.h"

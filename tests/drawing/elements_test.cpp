@@ -1,5 +1,5 @@
 // Every element of the space panel is finite and independent of units.
-#include "drawing/elements/elements.h"
+#include "drawing/figures/elements/elements.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ std::vector<double> places_of_element(const Element& element, const Eigen::Matri
     MotionProblem problem = motion.problem();
     problem.method = stepped;
     const Motion beside(problem);
-    const Stage stage(scene, motion,
+    const Stage stage(scene, theme_of(scene), motion,
                       {.width_px = 640, .height_px = 360, .last_time_s = last_time_s},
                       of_beside ? &beside : nullptr);
     const Drawing drawing = stage.at(0.37 * last_time_s);

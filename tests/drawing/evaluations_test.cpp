@@ -1,5 +1,5 @@
 // Quantities that are not shown are not computed.
-#include "drawing/evaluations.h"
+#include "drawing/stage/evaluations.h"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include <deque>
 #include <set>
 
-#include "drawing/charts/plot_frame.h"
-#include "drawing/charts/plot_quantity.h"
-#include "drawing/elements/elements.h"
-#include "drawing/panel.h"
+#include "drawing/figures/charts/plot_frame.h"
+#include "drawing/figures/charts/plot_quantity.h"
+#include "drawing/figures/elements/elements.h"
+#include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "scenes_by_hand.h"
 
@@ -143,8 +143,8 @@ TEST(PlotQuantities, ThinPlateWobblesTwiceAsFastAsItSpins) {
     Scene scene = free_scene({1.0, 1.0, 2.0}, {1e-3, 0.0, 5.0}, "plot");
     scene.panels[0].quantity = "turns";
     const Motion motion(problem_of(scene));
-    const StageData stage(
-        scene, motion,
+    const StageContext stage(
+        scene, theme_of(scene), motion,
         {.width_px = 640, .height_px = 360, .first_time_s = 0.0, .last_time_s = 10.0}, nullptr);
     FrameInput instant;
     instant.time_s = 6.283185307179586;

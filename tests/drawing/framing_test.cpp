@@ -1,6 +1,6 @@
 // Framing: figures fill their panels, with cameras of single panels and in orthographic views,
 // measured with a projection that is independent of the program's.
-#include "drawing/framing.h"
+#include "drawing/stage/framing.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/panel.h"
+#include "drawing/figures/panels/idle_keys.h"
+#include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "places.h"
 #include "scene/load_scene.h"
@@ -188,8 +189,13 @@ TEST(PanelCamera, KeysWithoutEffectAreRejected) {
 }
 
 TEST(PanelCamera, IdleCameraKeysAreListed) {
-    const auto idle = [](const std::string& more) { return idle_camera_keys(scene_of(more)); };
     using Keys = std::vector<std::string>;
+    const auto idle = [](const std::string& more) {
+        Keys keys;
+        for (const IdleKey& idle_key : idle_keys(scene_of(more)))
+            if (idle_key.key.starts_with("camera.")) keys.push_back(idle_key.key);
+        return keys;
+    };
     const std::string camera = "[camera]\nazimuth_deg = 3.0\ndistance = 3.0\nfield_deg = 20.0\n";
     EXPECT_EQ(idle(camera), Keys{});
     EXPECT_EQ(idle(camera + "[[panels]]\nkind = \"body\"\n"),
@@ -353,7 +359,7 @@ TEST(Filling, FigureSpansFourFifthsOfItsPanel) {
             scene.film.height_px = height;
             const double last_s = scene.film.start_s + scene.film.duration_s.value_or(10.0);
             const Motion motion(problem_of(scene));
-            const Stage stage(scene, motion,
+            const Stage stage(scene, theme_of(scene), motion,
                               {.width_px = width,
                                .height_px = height,
                                .first_time_s = scene.film.start_s,

@@ -1,11 +1,11 @@
 // The comparison motion is drawn as its method computes it, and is absent if there is none.
-#include "drawing/elements/ghost.h"
+#include "drawing/figures/elements/ghost.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "drawing/panel.h"
+#include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "numerics/least_turn.h"
 #include "scenes_by_hand.h"
@@ -27,7 +27,8 @@ struct StagedBeside {
         : scene(with(scene_, choice)),
           motion(problem_of(scene)),
           beside(problem_beside()),
-          stage(scene, motion, {.width_px = 640, .height_px = 360, .last_time_s = 10.0}, &beside) {}
+          stage(scene, theme_of(scene), motion,
+                {.width_px = 640, .height_px = 360, .last_time_s = 10.0}, &beside) {}
 
     MotionProblem problem_beside() const {
         MotionProblem problem = motion.problem();
@@ -55,7 +56,7 @@ TEST(Ghost, EllipsoidRotatesAsTheComparisonMethodComputes) {
         const auto& ellipsoids = drawing.views[0].ellipsoids;
         ASSERT_EQ(ellipsoids.size(), 2u);
         // Both ellipsoids are equal up to the rotation between the two attitudes, in picture axes.
-        const ConstructionPicture& picture = *staged.stage.data().rolling;
+        const ConstructionPicture& picture = *staged.stage.context().rolling;
         const Eigen::Quaterniond between = picture.picture_from_space *
                                            staged.beside.at(time_s).space_from_body *
                                            staged.motion.at(time_s).space_from_body.conjugate() *
@@ -77,13 +78,13 @@ TEST(Ghost, ExactMethodCoincidesWithItself) {
 double energy_at_end(const StagedBeside& staged) {
     const Drawing drawing = staged.stage.at(10.0);
     const View& view = drawing.views[0];
-    const Colour& grey = staged.stage.data().theme->ghost;
+    const Colour& grey = staged.stage.context().theme.ghost;
     for (const Curve& curve : view.curves) {
         if (!(curve.colour == grey)) continue;
         const auto last = static_cast<std::size_t>(
             std::min(curve.last, static_cast<double>(curve.geometry->points.size() - 1)));
         const Eigen::Vector3d point = curve.geometry->points[last];
-        return point.cwiseQuotient(staged.stage.data().rolling->half_axes).squaredNorm();
+        return point.cwiseQuotient(staged.stage.context().rolling->half_axes).squaredNorm();
     }
     return 0.0;
 }
@@ -119,7 +120,7 @@ TEST(Ghost, PlotHasCurvesOfBothMotions) {
 
 // The last curve in the ghost's colour in the only view.
 const Curve& last_grey_curve(const StagedBeside& staged, const Drawing& drawing) {
-    const Colour& grey = staged.stage.data().theme->ghost;
+    const Colour& grey = staged.stage.context().theme.ghost;
     const auto& curves = drawing.views[0].curves;
     return *std::find_if(curves.rbegin(), curves.rend(),
                          [&grey](const Curve& curve) { return curve.colour == grey; });

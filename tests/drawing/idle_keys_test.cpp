@@ -1,5 +1,5 @@
 // Keys without effect are always reported.
-#include "drawing/idle_keys.h"
+#include "drawing/figures/panels/idle_keys.h"
 
 #include <gtest/gtest.h>
 

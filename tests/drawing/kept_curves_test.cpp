@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "construction/adaptive_curve.h"
-#include "drawing/elements/trail.h"
-#include "drawing/panel.h"
+#include "drawing/figures/elements/trail.h"
+#include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "mechanics/half_life.h"
 #include "scenes_by_hand.h"
@@ -48,7 +48,7 @@ struct Drawn {
         : scene(scene_),
           motion(problem_of(scene)),
           beside(other(scene, last_time_s)),
-          stage(scene, motion,
+          stage(scene, theme_of(scene), motion,
                 {.width_px = samples * scene.film.width_px,
                  .height_px = samples * scene.film.height_px,
                  .samples = samples,
@@ -140,16 +140,16 @@ TEST(KeptCurves, LieWithinTheBoundAtEveryQuality) {
             const Drawn drawn(each.scene, each.last_time_s, setting.samples, setting.curve_px);
             const Drawn fine(each.scene, each.last_time_s, setting.samples,
                              setting.curve_px / 200.0);
-            const StageData& data = drawn.stage.data();
-            ASSERT_EQ(data.curves.size(), fine.stage.data().curves.size()) << each.name;
+            const auto& curves = drawn.stage.store().curves();
+            ASSERT_EQ(curves.size(), fine.stage.store().curves().size()) << each.name;
             EXPECT_LE(drawn.stage.curve_error_px(), setting.curve_px * 1.000001) << each.name;
-            const double units_per_px = data.panels.front().units_per_px;
+            const double units_per_px = drawn.stage.panels().front().units_per_px;
             // The first two are the circle and the segment of unit size.
-            for (std::size_t i = 2; i < data.curves.size(); ++i) {
-                const CurveGeometry& curve = data.curves[i];
+            for (std::size_t i = 2; i < curves.size(); ++i) {
+                const CurveGeometry& curve = curves[i];
                 if (curve.points.size() < 4) continue;
                 const double off_px =
-                    farthest(fine.stage.data().curves[i].points, curve) / units_per_px;
+                    farthest(fine.stage.store().curves()[i].points, curve) / units_per_px;
                 const double share = off_px / drawn.stage.curve_error_px();
                 EXPECT_LE(share, 1.02) << each.name << " " << i;
                 worst_share = std::max(worst_share, share);
@@ -165,17 +165,16 @@ TEST(KeptCurves, LieWithinTheBoundAtEveryQuality) {
 TEST(KeptCurves, OfTheMomentumPanelFollowTheMotion) {
     constexpr double curve_px = 0.02;
     const Drawn drawn(burning("momentum"), 30.0, 1, curve_px);
-    const StageData& data = drawn.stage.data();
+    const auto& curves = drawn.stage.store().curves();
     std::vector<Eigen::Vector3d> exact;
     for (int k = 0; k <= 20'000; ++k) {
         const Eigen::Vector3d w = drawn.motion.at(30.0 * k / 20'000).omega_body;
         exact.push_back(Eigen::Vector3d(3.0, 2.0, 1.0).cwiseProduct(w).normalized());
     }
     double nearest = 1e9;
-    for (std::size_t i = 2; i < data.curves.size(); ++i)
-        if (data.curves[i].points.size() > 100)
-            nearest = std::min(nearest, farthest(exact, data.curves[i]));
-    EXPECT_LE(nearest / data.panels.front().units_per_px, 1.01 * curve_px);
+    for (std::size_t i = 2; i < curves.size(); ++i)
+        if (curves[i].points.size() > 100) nearest = std::min(nearest, farthest(exact, curves[i]));
+    EXPECT_LE(nearest / drawn.stage.panels().front().units_per_px, 1.01 * curve_px);
 }
 
 // The stage of a still: its history begins with the film, and one instant is shown.
@@ -209,11 +208,12 @@ TEST(FarTimes, KeepTheirBoundOrAreRings) {
 TEST(FarTimes, TheRingIsWhatTheHerpolhodeFills) {
     const Drawn still = still_of(generic("plan"), 1e9);
     const Drawing drawing = still.stage.at(1e9);
-    const StageData& data = still.stage.data();
-    const Curve* ring = curve_of_width(drawing, 4.0 * data.panels.front().px);
+    const StageContext& context = still.stage.context();
+    const Panel& panel = still.stage.panels().front();
+    const Curve* ring = curve_of_width(drawing, 4.0 * panel.px);
     ASSERT_NE(ring, nullptr);
     const auto& points = ring->geometry->points;
-    const Polhode::Annulus annulus = data.rolling->polhode.annulus();
+    const Polhode::Annulus annulus = context.rolling->polhode.annulus();
     const double inner = annulus.inner / annulus.outer;
     double least = 1e9, most = 0.0;
     for (const Eigen::Vector3d& point : points) {
@@ -223,7 +223,7 @@ TEST(FarTimes, TheRingIsWhatTheHerpolhodeFills) {
     EXPECT_NEAR(least, inner, 1e-12);
     EXPECT_NEAR(most, 1.0, 1e-12);
     // Turn by turn the spiral moves outwards by half a line's width at most.
-    const double half_width = 0.5 * ring->width_px * data.panels.front().units_per_px;
+    const double half_width = 0.5 * ring->width_px * panel.units_per_px;
     std::vector<double> radii;  // where it crosses the x axis of its own plane
     for (std::size_t i = 1; i < points.size(); ++i)
         if (points[i - 1].y() < 0.0 && points[i].y() >= 0.0)
@@ -234,19 +234,18 @@ TEST(FarTimes, TheRingIsWhatTheHerpolhodeFills) {
         EXPECT_LE(radii[i] - radii[i - 1], half_width * 1.01);
 
     // Turns of the motion that cross one circle, over the time in which the ring fills.
-    const TimedCurve timed =
-        herpolhode_trail(data, 0.05 * data.panels.front().units_per_px * annulus.outer,
-                         2.0 * half_width * annulus.outer);
+    const TimedCurve timed = herpolhode_trail(context, 0.05 * panel.units_per_px * annulus.outer,
+                                              2.0 * half_width * annulus.outer);
     ASSERT_TRUE(timed.ring);
     EXPECT_LT(timed.ring->from_s, 1e5);
     const double middle = 0.5 * (annulus.inner + annulus.outer);
     // ω comes back with two components reversed after half a period: the same curve, turned about
     // L.
-    const double period_s = 0.5 * *data.polhode_period_s;
+    const double period_s = 0.5 * *context.polhode_period_s;
     std::vector<double> angles;  // at which the curve crosses the middle circle, outwards
     const auto contact = [&](double t) -> Eigen::Vector3d {
-        return data.rolling->picture_from_space *
-               data.rolling->construction.contact_in_plane(
+        return context.rolling->picture_from_space *
+               context.rolling->construction.contact_in_plane(
                    still.motion
                        .sample(t, {.attitude = false, .herpolhode = true, .euler_angles = false})
                        .herpolhode_space);
@@ -278,7 +277,7 @@ TEST(FarTimes, AFilmGoesOverFromTheCurveToTheRing) {
     Scene scene = generic("space");
     const Drawn film(scene, 1e6, 1, 0.05);
     ASSERT_EQ(film.stage.notes().size(), 1u);
-    const double width_px = 4.0 * film.stage.data().panels.front().px;
+    const double width_px = 4.0 * film.stage.panels().front().px;
     const auto geometry_at = [&](double time_s) {
         const Drawing drawing = film.stage.at(time_s);
         for (const Curve& curve : drawing.views.front().curves)
@@ -315,7 +314,7 @@ TEST(FarTimes, OfCirclesLoopsAndShortTrailsAreCurves) {
     const Drawn still = still_of(circle, 1e9);
     const Drawing drawing = still.stage.at(1e9);
     const double off = [&] {
-        const ConstructionPicture& picture = *still.stage.data().rolling;
+        const ConstructionPicture& picture = *still.stage.context().rolling;
         const Eigen::Vector3d contact = picture.picture_from_space *
                                         picture.construction.contact_space(still.motion.at(1e9)) *
                                         picture.picture_per_rho;
@@ -327,7 +326,7 @@ TEST(FarTimes, OfCirclesLoopsAndShortTrailsAreCurves) {
         }
         return nearest;
     }();
-    EXPECT_LE(off / still.stage.data().panels.front().units_per_px, 0.05 * 1.1);
+    EXPECT_LE(off / still.stage.panels().front().units_per_px, 0.05 * 1.1);
 }
 
 // Other curves are never drawn with a larger bound than requested: charts and the tracks of tops,

@@ -1,5 +1,5 @@
 // Text that does not fit on paper.
-#include "drawing/type/label_fit.h"
+#include "drawing/stage/type/label_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/type/labels.h"
+#include "drawing/stage/type/labels.h"
 #include "error/error.h"
 
 namespace poinsot {

@@ -1,4 +1,4 @@
-#include "drawing/type/labels.h"
+#include "drawing/stage/type/labels.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/panel.h"
+#include "drawing/stage/panel.h"
 #include "panels_by_hand.h"
 #include "scenes_by_hand.h"
 

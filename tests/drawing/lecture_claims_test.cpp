@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "drawing/charts/plot_quantity.h"
+#include "drawing/figures/charts/plot_quantity.h"
+#include "drawing/stage/live_values.h"
 #include "places.h"
 #include "scene/load_scene.h"
 #include "scenes_by_hand.h"
@@ -40,7 +41,7 @@ struct Lecture {
         }
         return times;
     }
-    const Theme& theme() const { return *staged.stage.data().theme; }
+    const Theme& theme() const { return staged.stage.context().theme; }
     Vector3d moments() const { return scene.body.inertia.moments_kg_m2(); }
     // √(2T)/L in units of the largest half-axis, from the scene's numbers.
     double distance() const {
@@ -123,7 +124,7 @@ TEST(LectureClaims, MomentumRestsInSpaceAndMovesInTheBody) {  // pages 6, 8
     for (const double t : lecture.instants()) {
         FrameInput instant;
         instant.state = lecture.staged.motion.at(t);
-        for (const LiveValue& value : StageData::live_values(lecture.scene, instant)) {
+        for (const LiveValue& value : live_values(lecture.scene, instant)) {
             if (value.name == "kinetic_energy_J") {
                 EXPECT_NEAR(value.value, T, 4e-15 * T);
             }
@@ -247,7 +248,7 @@ TEST(LectureClaims, MatterAtTheContactIsAtRest) {  // page 13
         constexpr double h = 1e-5;
         const Vector3d material =
             lecture.staged.motion.at(t).space_from_body.conjugate() *
-            (lecture.staged.stage.data().rolling->picture_from_space.conjugate() * contact);
+            (lecture.staged.stage.context().rolling->picture_from_space.conjugate() * contact);
         const Vector3d moved = lecture.staged.motion.at(t + h).space_from_body * material -
                                lecture.staged.motion.at(t - h).space_from_body * material;
         EXPECT_LT(moved.norm() / (2.0 * h), 1e-8);
@@ -261,7 +262,7 @@ TEST(LectureClaims, BothCurvesRunThroughTheTipOfRho) {  // page 14
         const View& view = drawing.views.front();
         const Vector3d rho = arrow_of(view, lecture.theme().omega).tip;
         EXPECT_EQ(view.dots.back().at, rho);
-        const double px = lecture.staged.stage.data().panels.front().units_per_px;
+        const double px = lecture.staged.stage.panels().front().units_per_px;
         for (const Colour& colour : {lecture.theme().polhode, lecture.theme().herpolhode}) {
             const Curve& curve = *curves_of(view, colour).front();
             double nearest = 1e9;
@@ -469,7 +470,7 @@ TEST(LectureClaims, EulerAnglesAreTheDrawnAngles) {  // pages 20–21
 
 TEST(LectureClaims, MomentaAndEnergyOfATopStay) {  // page 22
     const Lecture lecture("heavy_top_conserved");
-    const StageData& stage = lecture.staged.stage.data();
+    const StageContext& stage = lecture.staged.stage.context();
     const PlotQuantity& quantity = plot_quantity_of(stage, "conserved");
     const TopStart& start = *lecture.scene.start.top;
     const double A = lecture.moments()[0];

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "colour/srgb.h"
-#include "drawing/theme.h"
-#include "drawing/type/labels.h"
+#include "drawing/stage/type/labels.h"
+#include "drawing/style/theme.h"
 #include "places.h"
 #include "scene/load_scene.h"
 #include "scenes_by_hand.h"
@@ -60,13 +60,13 @@ TEST_F(Legible, TextOfAFilmIsAtLeastAFortyFifthOfItsHeight) {
                 problem.method = *scene.beside;
                 beside.emplace(problem);
             }
-            const StageData data(scene, motion,
-                                 {.width_px = width,
-                                  .height_px = height,
-                                  .first_time_s = scene.film.start_s,
-                                  .last_time_s = scene.film.start_s + 1.0},
-                                 beside ? &*beside : nullptr);
-            EXPECT_GE(data.type_case.least_size_px(), height / 45.0 - 1e-9)
+            const Stage stage(scene, theme_of(scene), motion,
+                              {.width_px = width,
+                               .height_px = height,
+                               .first_time_s = scene.film.start_s,
+                               .last_time_s = scene.film.start_s + 1.0},
+                              beside ? &*beside : nullptr);
+            EXPECT_GE(stage.store().text().least_size_px(), height / 45.0 - 1e-9)
                 << file.filename() << " " << height;
         }
     }
@@ -125,7 +125,7 @@ TEST_F(Legible, ArrowTowardsTheViewerIsARingWithADot) {
     scene.panels[0].camera.elevation_deg = 0.0;
     const StagedScene staged(scene, 1.0);
     const View view = staged.stage.at(0.5).views[0];
-    const Colour& colour = staged.stage.data().theme->axes[1];
+    const Colour& colour = staged.stage.context().theme.axes[1];
     int n_dots = 0;
     const Arrow* axis = nullptr;
     for (const Arrow& arrow : view.arrows)

@@ -1,6 +1,6 @@
 // Styles of hidden lines, gaps at crossings, and lower limits of line widths and text sizes on
 // paper.
-#include "drawing/line_style.h"
+#include "drawing/style/line_style.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/theme.h"
-#include "drawing/type/labels.h"
+#include "drawing/stage/type/labels.h"
+#include "drawing/style/theme.h"
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"
 
@@ -28,7 +28,7 @@ struct OnPaper {
 
     OnPaper(const Scene& scene, const LeastSizes& sizes)
         : motion(problem_of(scene)),
-          stage(scene, motion,
+          stage(scene, theme_of(scene), motion,
                 {.width_px = 1004,
                  .height_px = 565,
                  .line_scale = 1.04,

@@ -18,7 +18,7 @@ TEST(MomentumPanel, CurvesLieOnSphereAndEnergyEllipsoid) {
             const Eigen::Vector3d half_axes = view.ellipsoids[1].half_axes.diagonal();
             std::vector<Eigen::Vector3d> points{view.arrows.back().tip};
             for (const Curve& curve : view.curves) {
-                if (curve.geometry == staged.stage.data().unit_segment) continue;  // a leader
+                if (curve.geometry == staged.stage.store().unit_segment()) continue;  // a leader
                 for (const Eigen::Vector3d& point : drawn_points(curve)) points.push_back(point);
             }
             for (const Eigen::Vector3d& point : points) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "drawing/elements/object_shapes.h"
+#include "drawing/figures/elements/object_shapes.h"
 #include "panels_by_hand.h"
 #include "scenes_by_hand.h"
 

@@ -1,5 +1,5 @@
 // The faces of a body: the marked face, and pictures in the correct orientation.
-#include "drawing/elements/object_shapes.h"
+#include "drawing/figures/elements/object_shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,11 @@
 // Every panel: finite for extreme motions, and refused for motions that it cannot show.
-#include "drawing/panel.h"
-
 #include <gtest/gtest.h>
 
 #include <optional>
 #include <string>
 
-#include "drawing/charts/plot_quantity.h"
+#include "drawing/figures/charts/plot_quantity.h"
+#include "drawing/stage/panel_kind.h"
 #include "error/error.h"
 #include "panels_by_hand.h"
 #include "scenes_by_hand.h"
@@ -88,10 +87,10 @@ TEST(Panels, RejectMotionsThatTheyCannotShow) {
 TEST(Panels, DefaultSuitsTheMotion) {
     Scene top = top_scene({.theta_rad = 0.7, .omega3_rad_s = 5.0}, "top");
     top.panels.clear();
-    EXPECT_EQ(default_panel(StagedScene(top, 1.0).stage.data()), "top");
+    EXPECT_EQ(StagedScene(top, 1.0).stage.panels().front().spec.kind, "top");
     Scene free = free_scene(generic_moments, generic_omega, "space");
     free.panels.clear();
-    EXPECT_EQ(default_panel(StagedScene(free, 1.0).stage.data()), "space");
+    EXPECT_EQ(StagedScene(free, 1.0).stage.panels().front().spec.kind, "space");
 }
 
 }  // namespace

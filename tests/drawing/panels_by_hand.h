@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/panel.h"
+#include "drawing/stage/panel_kind.h"
 #include "scenes_by_hand.h"
 
 namespace poinsot::panels_tests {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "drawing/theme.h"
+#include "drawing/style/theme.h"
 #include "panels_by_hand.h"
 #include "scenes_by_hand.h"
 

@@ -1,4 +1,4 @@
-#include "drawing/charts/plot_frame.h"
+#include "drawing/figures/charts/plot_frame.h"
 
 #include <gtest/gtest.h>
 

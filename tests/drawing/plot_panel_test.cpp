@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "drawing/charts/plot_quantity.h"
+#include "drawing/figures/charts/plot_quantity.h"
 #include "error/error.h"
 #include "panels_by_hand.h"
 #include "scenes_by_hand.h"

@@ -1,5 +1,5 @@
 // Ranges of charts.
-#include "drawing/charts/plot_record.h"
+#include "drawing/figures/charts/plot_record.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "drawing/charts/plot_quantity.h"
-#include "drawing/theme.h"
+#include "drawing/figures/charts/plot_quantity.h"
+#include "drawing/style/theme.h"
 #include "mechanics/half_life.h"
 #include "scenes_by_hand.h"
 #include "styled_scenes.h"

@@ -1,7 +1,7 @@
 // Supersampling refines a picture and does not move its contents.
 #include <gtest/gtest.h>
 
-#include "drawing/panel.h"
+#include "drawing/stage/panel.h"
 #include "scenes_by_hand.h"
 
 namespace poinsot {
@@ -16,7 +16,7 @@ struct Place {
 struct Sampled {
     Sampled(const Scene& scene, int samples)
         : motion(problem_of(scene)),
-          stage(scene, motion,
+          stage(scene, theme_of(scene), motion,
                 {.width_px = scene.film.width_px * samples,
                  .height_px = scene.film.height_px * samples,
                  .samples = samples,

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "drawing/stage.h"
-#include "drawing/stage_data.h"
+#include "drawing/stage/panel.h"
+#include "drawing/stage/stage.h"
+#include "drawing/stage/stage_context.h"
+#include "drawing/stage/stage_store.h"
 #include "mechanics/motion.h"
 #include "mechanics/top/heavy_top.h"
 #include "scene/scene.h"
@@ -53,7 +55,7 @@ struct StagedScene {
     StagedScene(const Scene& scene_, double last_time_s, double line_scale = 0.0)
         : scene(scene_),
           motion(problem_of(scene)),
-          stage(scene, motion,
+          stage(scene, theme_of(scene), motion,
                 {.width_px = scene.film.width_px,
                  .height_px = scene.film.height_px,
                  .line_scale = line_scale,

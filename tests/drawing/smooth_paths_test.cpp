@@ -1,13 +1,13 @@
 // Smooth forms of curves, compared with the exact curves: the polhode as the intersection of two
 // quadrics, and the motion at every instant.
-#include "drawing/elements/smooth_paths.h"
+#include "drawing/stage/smooth_paths.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "drawing/elements/trail.h"
+#include "drawing/figures/elements/trail.h"
 #include "scenes_by_hand.h"
 
 namespace poinsot {
@@ -119,7 +119,7 @@ TEST(SmoothForms, OfAllPanelsPassThroughTheirPoints) {
                 scene.trail.polhode = scene.trail.herpolhode = trail;
                 scene.camera.motion = panel == "space" || panel == "plan" ? camera : "fixed";
                 const StagedScene staged(scene, 4.0);
-                for (const CurveGeometry& curve : staged.stage.data().curves) {
+                for (const CurveGeometry& curve : staged.stage.store().curves()) {
                     if (!curve.smooth) continue;
                     ++n_smooth;
                     const SmoothForm smooth = curve.smooth(1e-7);
@@ -142,7 +142,7 @@ TEST(SmoothForms, OfAllPanelsPassThroughTheirPoints) {
 TEST(SmoothForms, OfTheHerpolhodeFollowTheContactPoint) {
     const Scene scene = free_scene({1.0, 2.0, 2.9}, {0.4, 0.3, 1.1}, "space");
     const StagedScene staged(scene, 4.0);
-    const StageData& stage = staged.stage.data();
+    const StageContext& stage = staged.stage.context();
     const TimedCurve timed = herpolhode_trail(stage, 1e-3);
     for (const double tolerance : {1e-4, 1e-8}) {
         const SmoothForm smooth = timed.smooth(tolerance);
@@ -166,8 +166,8 @@ TEST(SmoothForms, DoNotExistForSteppedMotions) {
     scene.method.name = "rk4";
     scene.method.step_s = 0.01;
     const StagedScene staged(scene, 4.0);
-    EXPECT_FALSE(herpolhode_trail(staged.stage.data(), 1e-3).smooth);
-    EXPECT_FALSE(polhode_trail(staged.stage.data(), 1e-3).smooth);
+    EXPECT_FALSE(herpolhode_trail(staged.stage.context(), 1e-3).smooth);
+    EXPECT_FALSE(polhode_trail(staged.stage.context(), 1e-3).smooth);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Names at the ends of curves do not overlap and stay near their curves.
-#include "drawing/type/spread_apart.h"
+#include "drawing/stage/type/spread_apart.h"
 
 #include <gtest/gtest.h>
 

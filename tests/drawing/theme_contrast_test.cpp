@@ -1,5 +1,5 @@
 // Notes about colours that can hardly be seen or distinguished.
-#include "drawing/theme_contrast.h"
+#include "drawing/style/theme_contrast.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/theme.h"
+#include "drawing/style/theme.h"
 #include "scenes_by_hand.h"
 #include "styled_scenes.h"
 
@@ -21,7 +21,8 @@ TEST(Contrast, BuiltInThemesCauseNoNotes) {
         // The theme's own values, given as a style.
         scene.style.looks["omega"] = look(theme.omega.r, theme.omega.g, theme.omega.b);
         scene.style.looks["text"] = look(theme.text.r, theme.text.g, theme.text.b);
-        EXPECT_TRUE(contrast_notes(scene).empty()) << theme.name << contrast_notes(scene).front();
+        EXPECT_TRUE(contrast_notes(scene, theme_of(scene)).empty())
+            << theme.name << contrast_notes(scene, theme_of(scene)).front();
     }
 }
 
@@ -31,7 +32,7 @@ TEST(Contrast, LowContrastIsReportedInOneLine) {
     scene.theme = "print";
     scene.locations["style.text"] = {"a.toml", 7, 1};
     scene.style.looks["text"] = look(0x77 / 255.0, 0x77 / 255.0, 0x77 / 255.0);
-    const std::vector<std::string> notes = contrast_notes(scene);
+    const std::vector<std::string> notes = contrast_notes(scene, theme_of(scene));
     ASSERT_EQ(notes.size(), 1u);
     EXPECT_EQ(notes[0],
               "a.toml:7:1: style.text: text on ground has a contrast of 4.48, less than 4.5");
@@ -41,7 +42,7 @@ TEST(Contrast, ConfusableColoursAreReported) {
     Scene scene = a_scene();
     const Theme& light = theme_named("light");
     scene.style.looks["omega"] = look(light.polhode.r, light.polhode.g, light.polhode.b);
-    const std::vector<std::string> notes = contrast_notes(scene);
+    const std::vector<std::string> notes = contrast_notes(scene, theme_of(scene));
     ASSERT_FALSE(notes.empty());
     EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
         return note.find("polhode and omega hardly differ: 0.00") != std::string::npos;

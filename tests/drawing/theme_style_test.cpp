@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "drawing/theme.h"
+#include "drawing/style/theme.h"
+#include "drawing/style/theme_roles.h"
 #include "error/error.h"
 #include "scene/style_keys.h"
 #include "scenes_by_hand.h"
@@ -11,6 +12,22 @@
 
 namespace poinsot::style_tests {
 namespace {
+
+// What [style] can say of a role is what a theme keeps of it.
+TEST(Style, ThemesKeepWhatEveryRoleCanSay) {
+    Theme theme = theme_named("light");
+    EXPECT_EQ(theme_roles().size(), style_roles().size());
+    for (const StyleRole& role : style_roles()) {
+        const auto places =
+            std::count_if(theme_roles().begin(), theme_roles().end(),
+                          [&role](const ThemeRole& place) { return place.name == role.name; });
+        ASSERT_EQ(places, 1) << role.name;
+        const RoleLook look = look_of(theme, role.name);
+        EXPECT_NE(look.colour, nullptr) << role.name;
+        EXPECT_EQ(look.opacity != nullptr, role.kind == StyleKind::surface) << role.name;
+        if (role.kind == StyleKind::line) EXPECT_NE(look.line, nullptr) << role.name;
+    }
+}
 
 // Each role sets a different member of a theme.
 TEST(Style, EveryRoleChangesItsOwnMember) {

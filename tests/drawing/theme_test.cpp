@@ -1,6 +1,6 @@
 // Whether a theme's lines are visible and distinguishable, for all common kinds of colour vision
 // and in greyscale.
-#include "drawing/theme.h"
+#include "drawing/style/theme.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/colour_vision.h"
+#include "drawing/style/colour_vision.h"
 #include "error/error.h"
 
 namespace poinsot {

@@ -1,12 +1,12 @@
 // The film's timeline: moving cameras, fades, trails and direction marks.
-#include "drawing/timeline.h"
+#include "drawing/stage/timeline.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "drawing/panel.h"
+#include "drawing/stage/panel.h"
 #include "scene/camera_views.h"
 #include "scene/scene_error.h"
 #include "scenes_by_hand.h"
@@ -69,7 +69,7 @@ TEST(Timeline, MovingCameraHasThePoseOfItsTimeline) {
     scene.camera.target = Eigen::Vector3d(0.0, 0.0, 0.3);
     const StagedScene staged(scene, 10.0);
     for (const double film_s : {0.0, 1.0, 3.0, 8.0}) {
-        const CameraPose pose = staged.stage.data().timeline.camera_at(film_s);
+        const CameraPose pose = staged.stage.context().timeline.camera_at(film_s);
         const Camera camera = view_at(staged, film_s).camera;
         const Eigen::Vector3d from = camera.eye - camera.target;
         EXPECT_NEAR(from.norm(), pose.distance, 1e-12);
@@ -178,7 +178,7 @@ TEST(Trails, EndAtTheContactPoint) {
         for (const double t : {0.5, 2.0, period_s - 1e-6, period_s + 1e-6, 15.0, 40.0}) {
             const View view = view_at(staged, t);
             ASSERT_EQ(view.curves.size(), 2u);
-            const double px = staged.stage.data().panels.front().units_per_px;
+            const double px = staged.stage.panels().front().units_per_px;
             for (const Curve& curve : view.curves) {
                 // The polyline is within half of accuracy_px = 0.1 of the path; between two points
                 // the time is interpolated linearly, which adds a few times that. Measured 0.3.
@@ -218,7 +218,7 @@ TEST(DirectionMarks, PointInTheDirectionOfTheContactPoint) {
         const View view = view_at(staged, t);
         ASSERT_GT(view.curves.size(), 4u);
         // The contact point moves past the marks; the nearest one points along its velocity.
-        const ConstructionPicture& picture = *staged.stage.data().rolling;
+        const ConstructionPicture& picture = *staged.stage.context().rolling;
         double least = 1e9;
         double along = 0.0;
         for (int k = 0; k < 4000; ++k) {
@@ -276,7 +276,7 @@ TEST(CoPrecessing, SeesAClosedHerpolhode) {
     // After one period it is back at its start; in fixed axes it is not.
     const Curve whole = view_at(staged, period_s).curves.at(0);
     // To accuracy_px, the polyline's bound; measured 0.03 px.
-    const double px = staged.stage.data().panels.front().units_per_px;
+    const double px = staged.stage.panels().front().units_per_px;
     EXPECT_LT((end_of(whole) - points.front()).norm() / px, 0.1);
     scene.camera.motion = "fixed";
     const StagedScene fixed(scene, period_s);

@@ -22,7 +22,7 @@ TEST(TopPanel, AxisIsThatOfTheAttitude) {
             // The shown path ends there; leaders of labels follow it in the list.
             const auto& curves = view_of(drawing).curves;
             const auto path = std::find_if(curves.rbegin(), curves.rend(), [&](const Curve& curve) {
-                return curve.geometry != staged.stage.data().unit_segment;
+                return curve.geometry != staged.stage.store().unit_segment();
             });
             ASSERT_NE(path, curves.rend());
             const auto i = static_cast<std::size_t>(path->last);

@@ -9,10 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/charts/plot_quantity.h"
-#include "drawing/elements/elements.h"
-#include "drawing/marks.h"
-#include "drawing/panel.h"
+#include "drawing/figures/charts/plot_quantity.h"
+#include "drawing/figures/elements/elements.h"
+#include "drawing/stage/live_values.h"
+#include "drawing/stage/marks.h"
+#include "drawing/stage/panel_kind.h"
 #include "error/error.h"
 #include "scenes_by_hand.h"
 #include "text/languages.h"
@@ -107,10 +108,11 @@ TEST(UserStyle, ChartsUseTheRequestedUnits) {
     scene.panels[0].quantity = "omega";
     scene.units = {"rpm"};
     const StagedScene staged(scene, 10.0);
-    const StageData data(scene, staged.motion, {.width_px = 640, .height_px = 360}, nullptr);
+    const StageContext data(scene, theme_of(scene), staged.motion,
+                            {.width_px = 640, .height_px = 360}, nullptr);
     const PlotQuantity& quantity = plot_quantity_of(data, "omega");
     EXPECT_EQ(unit_of(data, quantity).name, "rpm");
-    const FrameInput instant = data.instant_at({1.0, 1.0});
+    const FrameInput instant = data.instant_at({1.0, 1.0}, quantity.needs, false);
     const PlotValues in_SI = quantity.values(data, instant);
     const PlotValues shown = shown_values(data, quantity, instant);
     for (std::size_t i = 0; i < 3; ++i)
@@ -124,7 +126,7 @@ TEST(UserStyle, LiveNumbersUseTheRequestedUnits) {
     scene.units = {"rpm", "mJ"};
     FrameInput instant;
     instant.state.omega_body = {0.0, 0.0, 2.0 * std::numbers::pi};
-    const auto values = StageData::live_values(scene, instant);
+    const auto values = live_values(scene, instant);
     EXPECT_EQ(expand_live_text("{omega_3:.0f} and {omega_3_rad_s:.3f}", values), "60 and 6.283");
     EXPECT_EQ(expand_live_text("{kinetic_energy:.1f}", values),
               fmt::format("{:.1f}", 1e3 * 0.5 * 2.9 * std::pow(2.0 * std::numbers::pi, 2.0)));

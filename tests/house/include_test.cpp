@@ -59,10 +59,14 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"mechanics/stepped", {}},
     {"production/sidecars", {}},
     {"production/parts", {"production/sidecars"}},
-    {"drawing/type", {}},
-    {"drawing/charts", {"drawing/type"}},
-    {"drawing/elements", {"drawing/type"}},
-    {"drawing/panels", {"drawing/type", "drawing/charts", "drawing/elements"}},
+    {"drawing/style", {}},
+    {"drawing/stage/type", {"drawing/style"}},
+    {"drawing/stage", {"drawing/style", "drawing/stage/type"}},
+    {"drawing/figures/charts", {"drawing/style", "drawing/stage", "drawing/stage/type"}},
+    {"drawing/figures/elements", {"drawing/style", "drawing/stage", "drawing/stage/type"}},
+    {"drawing/figures/panels",
+     {"drawing/style", "drawing/stage", "drawing/stage/type", "drawing/figures/charts",
+      "drawing/figures/elements"}},
     {"production/sampling", {}},
     {"production/vectors", {}},
     {"render/context", {}},
@@ -160,7 +164,7 @@ TEST(House, EveryIncludeFollowsTheLayers) {
     }
 }
 
-// "drawing/panels" for "drawing/panels/panel.h"; empty for files outside of subfolders.
+// "drawing/panels" for "drawing/stage/panel.h"; empty for files outside of subfolders.
 std::string room_of(const std::string& file) {
     const auto last = file.rfind('/');
     return file.find('/') == last ? "" : file.substr(0, last);
@@ -175,6 +179,43 @@ TEST(House, SubfoldersIncludeOnlyAllowedSubfolders) {
         if (to.empty() || to == from || to.substr(0, to.find('/')) != include.from_folder) continue;
         EXPECT_TRUE(allowed_rooms.at(from).contains(to))
             << include.from_file << " must not include \"" << include.header << "\"";
+    }
+}
+
+// Files directly in a folder may be included by all of its subfolders and may include all of them.
+// Where the subfolders see each other one way, such a file would be a way round.
+TEST(House, FoldersWhoseSubfoldersAreLayersHaveNoFilesOfTheirOwn) {
+    const std::set<std::string> layered{"drawing", "drawing/figures"};
+    const fs::path src = poinsot::source_folder() / "src";
+    for (const std::string& folder : layered) {
+        int n_subfolders = 0;
+        for (const auto& entry : fs::directory_iterator(src / folder)) {
+            n_subfolders += entry.is_directory();
+            const std::string extension = entry.path().extension().string();
+            EXPECT_TRUE(extension != ".h" && extension != ".cpp") << entry.path();
+        }
+        EXPECT_GE(n_subfolders, 3) << folder;
+    }
+}
+
+// The headers that a header includes, and those that these include, and so on.
+TEST(House, NoHeaderIncludesItself) {
+    std::map<std::string, std::vector<std::string>> included;
+    for (const Include& include : includes_of_sources())
+        if (include.quoted && include.from_file.ends_with(".h"))
+            included[include.from_file].push_back(include.header);
+    EXPECT_GT(included.size(), 100u);
+    for (const auto& [header, first] : included) {
+        std::set<std::string> reached;
+        std::vector<std::string> next = first;
+        while (!next.empty()) {
+            const std::string at = next.back();
+            next.pop_back();
+            if (!reached.insert(at).second) continue;
+            if (const auto found = included.find(at); found != included.end())
+                next.insert(next.end(), found->second.begin(), found->second.end());
+        }
+        EXPECT_FALSE(reached.contains(header)) << header;
     }
 }
 

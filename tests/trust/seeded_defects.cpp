@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/stage.h"
+#include "drawing/stage/stage.h"
 #include "error/error.h"
 #include "image/compare.h"
 #include "image/png.h"
@@ -47,7 +47,7 @@ struct Subject {
 
     Subject(Scene scene, const Size& size)
         : session(session_of(std::move(scene))),
-          stage(session.scene, session.motion,
+          stage(session.scene, session.theme, session.motion,
                 {.width_px = size.width_px, .height_px = size.height_px, .last_time_s = 10.0}) {}
 };
 

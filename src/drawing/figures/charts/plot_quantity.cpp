@@ -1,0 +1,247 @@
+#include "drawing/figures/charts/plot_quantity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "drawing/figures/charts/plot_frame.h"
+#include "drawing/stage/possible_motions.h"
+#include "error/error.h"
+#include "text/nearest.h"
+
+namespace poinsot {
+
+namespace {
+
+template <int axis>
+LineStyle axis_colour(const Theme& theme) {
+    return theme.axes[axis];
+}
+template <int angle>
+LineStyle angle_colour(const Theme& theme) {
+    return theme.angles[angle];
+}
+LineStyle energy_colour(const Theme& theme) { return theme.energy; }
+LineStyle potential_colour(const Theme& theme) { return theme.potential; }
+LineStyle omega_colour(const Theme& theme) { return theme.omega; }
+LineStyle momentum_colour(const Theme& theme) { return theme.momentum; }
+LineStyle contact_colour(const Theme& theme) { return theme.herpolhode; }
+LineStyle plane_colour(const Theme& theme) { return theme.polhode; }
+
+LineStyle body_cone_colour(const Theme& theme) { return theme.body_cone; }
+LineStyle space_cone_colour(const Theme& theme) { return theme.space_cone; }
+
+bool rolls_with_cones(const StageContext& stage) { return rolls(stage) && stage.rolling->cones; }
+
+constexpr Quantities euler_angles{.attitude = false, .herpolhode = false, .euler_angles = true};
+
+// Words of the rows below, in all languages.
+constexpr Phrase turns_title{"turns", "Umdrehungen", "tours", "vueltas", "giri", "回転数"};
+constexpr Phrase angle_title{"angle from L", "Winkel zu L",  "angle avec L",
+                             "ángulo con L", "angolo con L", "Lとの角度"};
+constexpr Phrase residual_title{"relative residual", "relativer Rest",   "résidu relatif",
+                                "residuo relativo",  "residuo relativo", "相対残差"};
+constexpr Phrase wobble_label{"\\mathrm{wobble}",  "\\mathrm{Taumeln}",   "\\mathrm{nutation}",
+                              "\\mathrm{cabeceo}", "\\mathrm{nutazione}", "\\mathrm{ふらつき}"};
+constexpr Phrase spin_label{"\\mathrm{spin}",
+                            "\\mathrm{Spin}",
+                            "\\mathrm{rotation propre}",
+                            "\\mathrm{giro propio}",
+                            "\\mathrm{rotazione propria}",
+                            "\\mathrm{自転}"};
+constexpr Phrase gap_label{"\\mathrm{gap}",        "\\mathrm{Abstand}", "\\mathrm{écart}",
+                           "\\mathrm{separación}", "\\mathrm{scarto}",  "\\mathrm{隙間}"};
+constexpr Phrase slip_label{"\\mathrm{slip}",        "\\mathrm{Schlupf}",
+                            "\\mathrm{glissement}",  "\\mathrm{deslizamiento}",
+                            "\\mathrm{slittamento}", "\\mathrm{滑り}"};
+
+constexpr PlotCurve omega_curves[] = {
+    {formula("\\omega_1"), axis_colour<0>, DashPattern::solid},
+    {formula("\\omega_2"), axis_colour<1>, DashPattern::dashed},
+    {formula("\\omega_3"), axis_colour<2>, DashPattern::dotted},
+};
+// Components along the principal axes.
+PlotValues omega_values(const StageContext& stage, const FrameInput& instant) {
+    const Eigen::Vector3d omega =
+        stage.motion.motion().problem().inertia.body_from_principal().transpose() *
+        instant.state.omega_body;
+    return {omega[0], omega[1], omega[2]};
+}
+
+constexpr PlotCurve euler_curves[] = {
+    {formula("\\theta"), angle_colour<0>, DashPattern::solid},
+    {formula("\\varphi"), angle_colour<1>, DashPattern::solid},
+    {formula("\\psi"), angle_colour<2>, DashPattern::solid},
+};
+PlotValues euler_values(const StageContext&, const FrameInput& instant) {
+    return {instant.euler.theta_rad, instant.euler.phi_rad, instant.euler.psi_rad};
+}
+
+constexpr PlotCurve energy_curves[] = {
+    {formula("T"), energy_colour, DashPattern::solid},
+    {formula("V"), potential_colour, DashPattern::dashed},
+    {formula("E"), momentum_colour, DashPattern::dotted},
+};
+PlotValues energy_values(const StageContext& stage, const FrameInput& instant) {
+    const MotionProblem& problem = stage.motion.motion().problem();
+    const Eigen::Vector3d& omega = instant.state.omega_body;
+    const double kinetic = 0.5 * omega.dot(problem.inertia.matrix_body() * omega);
+    double potential = 0.0;
+    if (const auto* gravity = std::get_if<GravityTorque>(&problem.torque)) {
+        const Eigen::Vector3d arm = instant.state.space_from_body * gravity->arm_body;
+        potential = gravity->mgl_N_m * arm.z();
+    }
+    return {kinetic, potential, kinetic + potential};
+}
+
+constexpr PlotCurve momentum_curves[] = {
+    {formula("L_1"), axis_colour<0>, DashPattern::solid},
+    {formula("L_2"), axis_colour<1>, DashPattern::dashed},
+    {formula("L_3"), axis_colour<2>, DashPattern::dotted},
+    {formula("L"), momentum_colour, DashPattern::solid},
+};
+// Components along the principal axes, which change in the body, and the length, which is
+// conserved.
+PlotValues momentum_values(const StageContext& stage, const FrameInput& instant) {
+    const InertiaTensor& inertia = stage.motion.motion().problem().inertia;
+    const Eigen::Vector3d momentum = inertia.moments_kg_m2().cwiseProduct(
+        inertia.body_from_principal().transpose() * instant.state.omega_body);
+    return {momentum[0], momentum[1], momentum[2], momentum.stableNorm()};
+}
+
+constexpr PlotCurve tilt_curves[] = {
+    {formula("\\mathbf{e}_1"), axis_colour<0>, DashPattern::solid},
+    {formula("\\mathbf{e}_2"), axis_colour<1>, DashPattern::dashed},
+    {formula("\\mathbf{e}_3"), axis_colour<2>, DashPattern::dotted},
+};
+// Angles of the principal axes from L, accurate also near 0 and π.
+PlotValues tilt_values(const StageContext& stage, const FrameInput& instant) {
+    const PlotValues L = momentum_values(stage, instant);
+    const auto angle = [&L](std::size_t i) {
+        return std::atan2(std::hypot(L[(i + 1) % 3], L[(i + 2) % 3]), L[i]);
+    };
+    return {angle(0), angle(1), angle(2)};
+}
+
+constexpr PlotCurve conserved_curves[] = {
+    {formula("p_\\varphi"), angle_colour<1>, DashPattern::solid},
+    {formula("p_\\psi"), angle_colour<2>, DashPattern::dashed},
+    {formula("E"), energy_colour, DashPattern::dotted},
+};
+// p_φ = A φ̇ sin²θ + p_ψ cos θ is the vertical component of L, p_ψ = C ω₃ the component along the
+// top's axis; both, and E = T + Mgl cos θ, are computed from the state at the instant. Source:
+// Landau & Lifshitz §35, problem 1.
+PlotValues conserved_values(const StageContext& stage, const FrameInput& instant) {
+    const MotionProblem& problem = stage.motion.motion().problem();
+    const auto& gravity = std::get<GravityTorque>(problem.torque);
+    const Eigen::Vector3d momentum_body = problem.inertia.matrix_body() * instant.state.omega_body;
+    const double along_axis = momentum_body.dot(gravity.arm_body);
+    const double along_vertical = (instant.state.space_from_body * momentum_body).z();
+    return {along_vertical, along_axis, energy_values(stage, instant)[2]};
+}
+
+constexpr PlotCurve turn_curves[] = {
+    {wobble_label, space_cone_colour, DashPattern::solid},
+    {spin_label, body_cone_colour, DashPattern::dashed},
+};
+// Turns since t = 0, seen along L: of the axis of symmetry, φ = L t/I₁, and of marks on the body
+// about it, φ + ψ with ψ = −Ω t; φ − ψ if the axis points downwards. Source: Landau & Lifshitz §35.
+PlotValues turn_values(const StageContext& stage, const FrameInput& instant) {
+    const MotionProblem& problem = stage.motion.motion().problem();
+    const RollingCones& cones = *stage.rolling->cones;
+    const double spin_rad_s = problem.inertia.body_from_principal()
+                                  .col(cones.symmetry_axis)
+                                  .dot(problem.start.omega_body);
+    const double turns = instant.time_s / (2.0 * std::numbers::pi);
+    const double psi_dot = -std::copysign(1.0, spin_rad_s) * cones.body_precession_rad_s;
+    return {cones.space_precession_rad_s * turns, (cones.space_precession_rad_s + psi_dot) * turns};
+}
+
+constexpr PlotCurve residual_curves[] = {
+    {formula("\\Delta T"), energy_colour, DashPattern::solid},
+    {formula("\\Delta\\mathbf{L}"), momentum_colour, DashPattern::dashed},
+    {gap_label, contact_colour, DashPattern::dotted},
+    {slip_label, omega_colour, DashPattern::solid},
+    {formula("|q|-1"), plane_colour, DashPattern::dashed},
+};
+// Values below 10^-14 are rounding noise that depends on the last bit: they are drawn on the axis's
+// lowest line. The exact motion's residuals reach 2e-15.
+constexpr double rounding_decade = -14.0;
+PlotValues residual_values(const StageContext& stage, const FrameInput& instant) {
+    const RollingResiduals r = stage.rolling->construction.residuals(instant.state);
+    const auto decade = [](double x) { return std::max(std::log10(x), rounding_decade); };
+    return {decade(r.energy), decade(r.momentum),
+            decade(std::max(r.contact_plane_gap, r.tangency_gap)), decade(r.slip),
+            decade(r.unit_quaternion)};
+}
+
+constexpr PlotQuantity quantity_rows[] = {
+    {"omega", "ω1, ω2, ω3 along the principal axes", formula("$\\omega_i$"), "rad/s", false, false,
+     true, omega_alone, any_motion, "", omega_curves, omega_values},
+    {"euler_angles", "θ, φ, ψ of a heavy top", no_words, "rad", true, false, false, euler_angles,
+     is_heavy_top, needs_heavy_top, euler_curves, euler_values},
+    {"energy", "kinetic energy T; under gravity also the potential energy V and the sum E",
+     energy_title, "J", false, false, true, attitude_too, any_motion, "", energy_curves,
+     energy_values},
+    {"momentum", "L1, L2, L3 along the principal axes, and L", formula("$L_i$, $L$"), "kg m²/s",
+     false, false, true, omega_alone, any_motion, "", momentum_curves, momentum_values},
+    {"tilt", "angles of the principal axes e1, e2, e3 from L", angle_title, "rad", false, false,
+     true, omega_alone, keeps_momentum,
+     "a body that turns without torque; friction inside is allowed", tilt_curves, tilt_values},
+    {"conserved", "p_φ, p_ψ and E of a heavy top",
+     formula("$p_\\varphi$, $p_\\psi$ / (kg m²/s);  $E$"), "J", false, false, true, attitude_too,
+     is_heavy_top, needs_heavy_top, conserved_curves, conserved_values},
+    {"turns", "turns of a symmetric body's axis about L (wobble) and of a mark on the body (spin)",
+     turns_title, "", false, false, true, omega_alone, rolls_with_cones,
+     "a torque-free body with exactly two equal moments", turn_curves, turn_values},
+    {"residuals", "relative errors of T, L, the contact point and the attitude", residual_title, "",
+     false, true, false, attitude_too, rolls, needs_free_turning, residual_curves, residual_values},
+};
+
+// Without a potential E is T, so that the curve of T is enough.
+const PlotQuantity& without_potential(const PlotQuantity& energy) {
+    static const PlotQuantity kinetic = [&energy] {
+        PlotQuantity alone = energy;
+        alone.curves = energy.curves.first(1);
+        return alone;
+    }();
+    return kinetic;
+}
+
+}  // namespace
+
+std::span<const PlotQuantity> plot_quantities() { return quantity_rows; }
+
+ShownUnit unit_of(const StageContext& stage, const PlotQuantity& quantity) {
+    const bool one_unit =
+        !quantity.unit.empty() && quantity.title.front().find(" / ") == std::string_view::npos;
+    if (!one_unit) return {std::string(quantity.unit), 1.0};
+    return unit_shown(stage.scene.units, quantity.unit);
+}
+
+PlotValues shown_values(const StageContext& stage, const PlotQuantity& quantity,
+                        const FrameInput& instant) {
+    PlotValues values = quantity.values(stage, instant);
+    const double per_SI = unit_of(stage, quantity).per_SI;
+    if (per_SI != 1.0)
+        for (double& value : values) value *= per_SI;
+    return values;
+}
+
+const PlotQuantity& plot_quantity_of(const StageContext& stage, std::string_view name) {
+    if (name.empty()) name = is_heavy_top(stage) ? "euler_angles" : "omega";
+    const PlotQuantity* row = find_row(quantity_rows, name);
+    if (row == nullptr) throw InputError(unknown("quantity", name, names_of(quantity_rows)));
+    if (!row->possible(stage)) {
+        throw InputError(fmt::format("a plot of \"{}\" needs {}; choose another quantity",
+                                     row->name, row->requirement));
+    }
+    const bool falls =
+        std::holds_alternative<GravityTorque>(stage.motion.motion().problem().torque);
+    return row->values == energy_values && !falls ? without_potential(*row) : *row;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,372 @@
+// Elements on the lines of the construction: L through its foot on the plane, ρ to the contact, ω
+// and the axis of rotation along it, ∇F, and the distances between them. Rows of the table in
+// elements.cpp; picture axes.
+#include "drawing/figures/elements/construction_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "drawing/figures/elements/elements.h"
+#include "drawing/stage/marks.h"
+#include "shapes/projection.h"
+
+namespace poinsot {
+
+namespace {
+
+// Opacity of lines inside of the translucent ellipsoid and beyond the plane: they keep nearly all
+// of their hue.
+constexpr double seen_through = 0.9;
+
+// A label beside the middle part of a line, on the left in the line's direction in the picture.
+void wish_beside_line(const Panel& panel, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                      double share, const TextBlock& type, const LineStyle& colour,
+                      ViewBuilder& builder) {
+    const Eigen::Vector2d a = project(builder.view, from).px;
+    const Eigen::Vector2d b = project(builder.view, to).px;
+    LabelRequest request;
+    request.type = type;
+    request.anchor_px = a + share * (b - a);
+    request.away = Eigen::Vector2d((b - a).y(), -(b - a).x()) / (100.0 * panel.px);
+    request.gap_px = 7.0 * panel.px;
+    request.colour = colour;
+    builder.requests.push_back(request);
+}
+
+// The camera's right, projected onto the plane.
+Eigen::Vector3d right_of(const ViewBuilder& builder) {
+    Eigen::Vector3d right = camera_axes(builder.view.camera).col(0);
+    right.z() = 0.0;
+    return right.normalized();
+}
+
+// The corner of a square in the right angle between two directions (unit vectors).
+void add_right_angle(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& a,
+                     const Eigen::Vector3d& b, const LineStyle& colour, ViewBuilder& builder) {
+    constexpr double side = 0.085;
+    const Eigen::Vector3d corner = at + side * (a + b);
+    for (const Eigen::Vector3d& leg : {a, b}) {
+        Curve line = line_between(panel, at + side * leg, corner, colour, 1.8);
+        line.hidden_opacity = 0.7;
+        builder.view.curves.push_back(line);
+    }
+}
+
+bool shows_plane(const StageContext& stage) {
+    return is_shown(stage, "plane") || is_shown(stage, "tangent");
+}
+
+}  // namespace
+
+double plane_presence(const Eigen::Vector3d& foot, const Camera& camera) {
+    constexpr double glass = 0.38;
+    const Eigen::Vector3d from_foot = camera.eye - foot;
+    const double sine = foot.stableNormalized().dot(from_foot) / from_foot.norm();
+    const double beyond = std::clamp(sine / 0.06, 0.0, 1.0);
+    return 1.0 + (glass - 1.0) * beyond * beyond * (3.0 - 2.0 * beyond);
+}
+
+double radius_in_view(const Panel& panel, const Eigen::Vector3d& centre, double least,
+                      double wanted) {
+    const double bottom_px = panel.box.y_px + panel.box.height_px;
+    View view;
+    view.x_px = panel.box.x_px, view.y_px = panel.box.y_px;
+    view.width_px = panel.box.width_px, view.height_px = panel.box.height_px;
+    view.camera = panel.camera;
+    Eigen::Vector3d towards_us = panel.camera.eye - panel.camera.target;
+    towards_us.z() = 0.0;
+    if (!(towards_us.norm() > 0.0)) return wanted;
+    const auto is_seen = [&](double radius) {
+        const Eigen::Vector3d rim = centre + radius * towards_us.normalized();
+        return project(view, rim).depth > 0.0 && project(view, rim).px.y() < bottom_px;
+    };
+    double seen = 0.0;
+    double cut = wanted;
+    for (int round = 0; round < 40 && !is_seen(wanted); ++round) {
+        const double middle = 0.5 * (seen + cut);
+        (is_seen(middle) ? seen : cut) = middle;
+    }
+    return is_seen(wanted) ? wanted : std::max(seen, least);
+}
+
+// L from the centre through the plane, its foot there marked with a right angle.
+Drawer make_momentum(const Panel& panel, StageStore& store) {
+    const ConstructionPicture& picture = picture_of(panel);
+    Arrow arrow = arrow_to(panel, momentum_tip(picture), panel.stage->theme.momentum, 1.15);
+    arrow.hidden_opacity = seen_through;
+    const TextBlock type = set_label(panel, store, "\\mathbf{L}");
+    const bool has_foot = shows_plane(*panel.stage);
+    const Dot foot = dot_at(panel, picture.foot(), panel.stage->theme.momentum, 4.0);
+    return [&panel, arrow, type, has_foot, foot](const FrameInput& instant, ViewBuilder& builder) {
+        builder.view.arrows.push_back(arrow);
+        if (has_foot) {
+            Dot here = foot;
+            here.at = picture_of(panel).foot(instant);
+            // On the side where the plane is visible: away from the camera's right.
+            add_right_angle(panel, here.at, -right_of(builder), -picture_of(panel).normal,
+                            arrow.colour, builder);
+            builder.view.dots.push_back(here);
+        }
+        wish_at_tip(panel, arrow, type, builder);
+    };
+}
+
+// ω from the centre to the contact, or beyond it if ρ is shown as well.
+Drawer make_omega(const Panel& panel, StageStore& store) {
+    const TextBlock type = set_label(panel, store, "\\boldsymbol{\\omega}");
+    // With ρ shown, ω extends beyond its tip; without ρ, ω ends there.
+    const bool beyond = is_shown(*panel.stage, "radius");
+    return [&panel, type, beyond](const FrameInput& instant, ViewBuilder& builder) {
+        const Eigen::Vector3d rho = picture_of(panel).contact(instant);
+        Arrow arrow =
+            arrow_to(panel, beyond ? spin_axis_end(rho) : rho, panel.stage->theme.omega, 1.15);
+        arrow.hidden_opacity = seen_through;
+        builder.view.arrows.push_back(arrow);
+        // The label is further along the line, away from the contact and the lines that meet there.
+        wish_beside(panel, beyond ? arrow.tip : past_contact(rho), arrow.tail, type, arrow.colour,
+                    builder);
+        builder.requests.back().side = 1;
+    };
+}
+
+// The points of the body that are at rest at the instant: the line through centre and contact.
+Drawer make_spin_axis(const Panel& panel, StageStore&) {
+    return [&panel](const FrameInput& instant, ViewBuilder& builder) {
+        const Eigen::Vector3d rho = picture_of(panel).contact(instant);
+        Curve line = line_between(panel, -spin_axis_end(rho), past_contact(rho),
+                                  panel.stage->theme.omega, 2.0);
+        line.hidden_opacity = 0.6;
+        builder.view.curves.push_back(line);
+    };
+}
+
+// The point where ellipsoid and plane touch: the tip of ρ.
+Drawer make_contact(const Panel& panel, StageStore&) {
+    Dot dot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme.contact);
+    // Drawn over both curves and the ellipsoid, since it lies on them.
+    dot.occlusion = Occlusion::none;
+    return [&panel, dot](const FrameInput& instant, ViewBuilder& builder) {
+        builder.view.dots.push_back(dot);
+        builder.view.dots.back().at = picture_of(panel).contact(instant);
+    };
+}
+
+// ρ = ω/√(2T), from the centre to the contact: F(ρ) = 1.
+Drawer make_radius(const Panel& panel, StageStore& store) {
+    const TextBlock type = set_label(panel, store, "\\boldsymbol{\\rho}");
+    return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
+        const Eigen::Vector3d rho = picture_of(panel).contact(instant);
+        // In the colour of the polhode, the curve of its tip.
+        const LineStyle& colour = panel.stage->theme.polhode;
+        Arrow arrow = arrow_to(panel, rho, colour, 1.3);
+        arrow.hidden_opacity = seen_through;
+        builder.view.arrows.push_back(arrow);
+        wish_beside_line(panel, Eigen::Vector3d::Zero(), rho, 0.5, type, colour, builder);
+    };
+}
+
+// The plane that touches the ellipsoid at ρ: a patch of the invariable plane.
+Drawer make_tangent(const Panel& panel, StageStore&) {
+    Plane plane;
+    plane.radius = 0.75;
+    plane.fade_from = 0.6;
+    plane.grid_spacing = 0.15;
+    plane.grid_px = 0.8 * panel.px;
+    plane.colour = panel.stage->theme.plane;
+    plane.grid_colour = panel.stage->theme.grid;
+    plane.opacity = 0.45;
+    return [&panel, plane](const FrameInput& instant, ViewBuilder& builder) {
+        builder.view.planes.push_back(plane);
+        builder.view.planes.back().centre = picture_of(panel).contact(instant);
+    };
+}
+
+// ∇F at ρ: it points along L, as ∇F = 2 I ρ.
+Drawer make_gradient(const Panel& panel, StageStore& store) {
+    const TextBlock type = set_label(panel, store, "\\nabla F");
+    return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
+        constexpr double length = 0.55;
+        const Eigen::Vector3d rho = picture_of(panel).contact(instant);
+        Arrow arrow = arrow_between(panel, rho, rho + length * picture_of(panel).normal,
+                                    panel.stage->theme.energy, 1.1);
+        arrow.hidden_opacity = seen_through;
+        builder.view.arrows.push_back(arrow);
+        wish_at_tip(panel, arrow, type, builder);
+    };
+}
+
+// The projection of ρ on L: from the tip of ρ perpendicularly to L, and along L to the centre.
+Drawer make_projection(const Panel& panel, StageStore& store) {
+    const TextBlock type = set_label(panel, store, "\\boldsymbol{\\rho}\\cdot\\mathbf{L}/L", 0.85);
+    return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
+        const ConstructionPicture& picture = picture_of(panel);
+        const LineStyle& colour = panel.stage->theme.energy;
+        const Eigen::Vector3d rho = picture.contact(instant);
+        const Eigen::Vector3d foot = picture.foot(instant);
+        Curve along = line_between(panel, Eigen::Vector3d::Zero(), foot, colour, 9.0);
+        along.opacity = 0.55;
+        along.hidden_opacity = 0.55;
+        Curve across = line_between(panel, rho, foot, colour, 2.4);
+        across.hidden_opacity = seen_through;
+        for (const Curve& line : {along, across}) builder.view.curves.push_back(line);
+        // On the side of L away from ρ.
+        wish_beside_line(panel, Eigen::Vector3d::Zero(), foot, 0.55, type, panel.stage->theme.text,
+                         builder);
+        const Eigen::Vector2d to_rho =
+            project(builder.view, rho).px - project(builder.view, foot).px;
+        Eigen::Vector2d& away = builder.requests.back().away;
+        if (away.dot(to_rho) > 0.0) away = -away;
+    };
+}
+
+// The plane's distance √(2T)/L from the centre, as a dimension line beside the ellipsoid.
+Drawer make_distance(const Panel& panel, StageStore& store) {
+    const TextBlock type = set_label(panel, store, "\\sqrt{2T}/L", 0.9);
+    return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
+        // To the right of the ellipsoid's largest extent, in the camera's view.
+        constexpr double aside = 1.22;
+        const Eigen::Vector3d from = aside * right_of(builder);
+        const Eigen::Vector3d to = from + picture_of(panel).foot(instant);
+        const LineStyle& colour = panel.stage->theme.text;
+        Curve level = line_between(panel, Eigen::Vector3d::Zero(), 1.06 * from, colour, 1.6);
+        level.hidden_opacity = 0.5;
+        builder.view.curves.push_back(level);
+        const Eigen::Vector3d middle = 0.5 * (from + to);
+        for (const Eigen::Vector3d& end : {from, to}) {
+            Arrow arrow = arrow_between(panel, middle, end, colour, 0.6);
+            arrow.hidden_opacity = seen_through;
+            builder.view.arrows.push_back(arrow);
+        }
+        wish_beside_line(panel, from, to, 0.5, type, colour, builder);
+        // Away from the ellipsoid, for both directions of the line.
+        Eigen::Vector2d& away = builder.requests.back().away;
+        away.x() = std::abs(away.x());
+    };
+}
+
+LevelScale::LevelScale(const Panel& panel, StageStore& store) : panel_(&panel) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        types_[i] = set_label(panel, store, fmt::format("1/\\sqrt{{I_{}}}", i + 1), 0.9);
+    }
+    distance_ = set_label(panel, store, "\\sqrt{2T}/L", 0.9);
+}
+
+double LevelScale::aside(const View& view, const Eigen::Vector3d& right) const {
+    constexpr double usual = 1.3, least = 1.08;
+    double names_px = 0.0;
+    for (const TextBlock& type : types_) names_px = std::max(names_px, type.width_px());
+    const Projected end = project(view, (usual + 1.6 * tick) * right);
+    const double over_px =
+        end.px.x() + 2.0 * gap * panel_->px + names_px - (view.x_px + view.width_px);
+    return std::clamp(usual - over_px * units_per_pixel(view, end.depth), least, usual);
+}
+
+void LevelScale::add_to(ViewBuilder& builder, const Eigen::Vector3d& half_axes,
+                        const Eigen::Vector3d& foot) const {
+    const Panel& panel = *panel_;
+    const Theme& theme = panel.stage->theme;
+    const Eigen::Vector3d right = right_of(builder);
+    const Eigen::Vector3d normal = foot.stableNormalized();
+    const Eigen::Vector3d zero = aside(builder.view, right) * right;
+    const auto at = [&](double distance) { return Eigen::Vector3d(zero + distance * normal); };
+    const auto add = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                         const LineStyle& colour, double width_px) {
+        Curve line = line_between(panel, a, b, colour, width_px);
+        line.hidden_opacity = seen_through;
+        builder.view.curves.push_back(line);
+    };
+    const auto name = [&](const Eigen::Vector3d& place, double side, const TextBlock& type,
+                          const LineStyle& colour) -> LabelRequest& {
+        LabelRequest request;
+        request.type = type;
+        request.anchor_px = project(builder.view, place).px;
+        request.away = {side, 0.0};
+        request.gap_px = gap * panel.px;
+        request.colour = colour;
+        return builder.requests.emplace_back(request);
+    };
+    // The scale begins at the centre's height.
+    add(zero - tick * right, zero + tick * right, theme.text, 1.8);
+    add(zero, at(half_axes.maxCoeff() + 0.08), theme.text, 1.8);
+    for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector3d end = at(half_axes[i]) + 1.6 * tick * right;
+        add(at(half_axes[i]), end, theme.axes[i], 4.0);
+        name(end, 1.0, types_[static_cast<std::size_t>(i)], theme.axes[i]);
+    }
+    // The plane's own distance, connected with the foot of L.
+    const Eigen::Vector3d here = at(foot.norm());
+    add(foot, here, theme.contact, 1.6);
+    builder.view.dots.push_back(dot_at(panel, here, theme.contact, 5.5));
+    // The label is above the line to the foot and beside the scale; it is below that line if
+    // another distance's tick is nearer above it, and further left if ticks are near on both sides,
+    // where it would seem to name a tick.
+    constexpr double beyond = 0.13, preferred = 0.02, level = 0.06;
+    const auto free_at = [&](double distance) {
+        return (half_axes.array() - distance).abs().minCoeff();
+    };
+    const double over = free_at(foot.norm() - beyond), below = free_at(foot.norm() + beyond);
+    const double along = over + preferred >= below ? -beyond : beyond;
+    const double off = std::max(over, below) < level ? 0.6 : 0.22;
+    LabelRequest& request =
+        name(here - off * right + along * normal, 0.0, distance_, theme.contact);
+    request.away = {-0.2, 0.0};  // the label's middle is at the anchor
+    const double half_px = 0.5 * distance_.width_px();
+    request.anchor_px.x() = std::min(request.anchor_px.x() + 0.62 * (request.gap_px + half_px),
+                                     project(builder.view, here).px.x() - request.gap_px - half_px);
+}
+
+// The scale of distances for the motion's own plane.
+Drawer make_levels(const Panel& panel, StageStore& store) {
+    const LevelScale levels(panel, store);
+    return [&panel, levels](const FrameInput& instant, ViewBuilder& builder) {
+        levels.add_to(builder, picture_of(panel).half_axes, picture_of(panel).foot(instant));
+    };
+}
+
+// ω × r of points of the ellipsoid along an arc on the camera's side, from the contact, where it is
+// zero, to the other end of the axis of rotation. The arc is rotated about the axis out of the
+// plane of the line of sight, in which it would cover the axis.
+Drawer make_velocity(const Panel& panel, StageStore& store) {
+    const TextBlock type = set_label(panel, store, "\\boldsymbol{\\omega}\\times\\mathbf{r}", 0.85);
+    return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
+        const ConstructionPicture& picture = picture_of(panel);
+        const Eigen::Vector3d rho = picture.contact(instant);
+        const Eigen::Vector3d axis = rho.stableNormalized();
+        const Eigen::Vector3d towards_eye = builder.view.camera.eye;
+        const double aside_rad = 35.0 * std::numbers::pi / 180.0;
+        const Eigen::Vector3d facing =
+            Eigen::AngleAxisd(aside_rad, axis) *
+            (towards_eye - towards_eye.dot(axis) * axis).stableNormalized();
+        const Eigen::Vector3d sideways = axis.cross(facing);
+
+        // Intersections of rays from the centre with the ellipsoid.
+        const Eigen::Matrix3d axes = picture.principal_axes(instant);
+        const auto surface = [&](double angle) {
+            const Eigen::Vector3d along = std::cos(angle) * axis + std::sin(angle) * facing;
+            const Eigen::Vector3d scaled =
+                (axes.transpose() * along).cwiseQuotient(picture.half_axes);
+            return Eigen::Vector3d(along / scaled.norm());
+        };
+        const LineStyle& colour = panel.stage->theme.potential;
+        constexpr int n = 9;
+        constexpr double per_distance = 0.42;
+        constexpr int named = n / 2;
+        for (int k = 1; k < n; ++k) {
+            const Eigen::Vector3d point = surface(std::numbers::pi * k / n);
+            const double distance = (point - point.dot(axis) * axis).norm();
+            Arrow arrow = arrow_between(panel, point, point + per_distance * distance * sideways,
+                                        colour, 0.7);
+            arrow.hidden_opacity = 0.8;
+            builder.view.arrows.push_back(arrow);
+            builder.view.dots.push_back(dot_at(panel, point, colour, 3.0));
+            if (k == named) wish_at_tip(panel, arrow, type, builder);
+        }
+    };
+}
+
+}  // namespace poinsot

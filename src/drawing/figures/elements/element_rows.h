@@ -1,0 +1,95 @@
+// The rows of the table of elements, with the functions that make them. The functions are in the
+// other files of this folder.
+#pragma once
+
+#include "drawing/figures/elements/elements.h"
+
+namespace poinsot {
+
+Drawer make_plane(const Panel& panel, StageStore& store);
+Drawer make_polhode(const Panel& panel, StageStore& store);
+Drawer make_herpolhode(const Panel& panel, StageStore& store);
+Drawer make_annulus(const Panel& panel, StageStore& store);
+Drawer make_given_axes(const Panel& panel, StageStore& store);
+Drawer make_turn(const Panel& panel, StageStore& store);
+Drawer make_half_axes(const Panel& panel, StageStore& store);
+Drawer make_precession(const Panel& panel, StageStore& store);
+Drawer make_body(const Panel& panel, StageStore& store);
+Drawer make_momentum(const Panel& panel, StageStore& store);
+Drawer make_omega(const Panel& panel, StageStore& store);
+Drawer make_spin_axis(const Panel& panel, StageStore& store);
+Drawer make_contact(const Panel& panel, StageStore& store);
+Drawer make_radius(const Panel& panel, StageStore& store);
+Drawer make_tangent(const Panel& panel, StageStore& store);
+Drawer make_gradient(const Panel& panel, StageStore& store);
+Drawer make_projection(const Panel& panel, StageStore& store);
+Drawer make_distance(const Panel& panel, StageStore& store);
+Drawer make_levels(const Panel& panel, StageStore& store);
+Drawer make_velocity(const Panel& panel, StageStore& store);
+Drawer make_ghost(const Panel& panel, StageStore& store);
+Drawer make_drift(const Panel& panel, StageStore& store);
+Drawer make_ellipsoid(const Panel& panel, StageStore& store);
+Drawer make_axes(const Panel& panel, StageStore& store);
+Drawer make_cones(const Panel& panel, StageStore& store);
+
+// Whether an element is shown if the scene does not list elements.
+inline bool always_shown(const StageContext&) { return true; }
+inline bool never_shown(const StageContext&) { return false; }
+inline bool has_cones(const StageContext& stage) { return stage.rolling->cones.has_value(); }
+inline bool has_curves(const StageContext& stage) {
+    return stage.rolling->dissipates || stage.rolling->polhode.kind() != Polhode::Kind::point;
+}
+inline bool comparison_given(const StageContext& stage) { return stage.comparison.has_value(); }
+
+inline constexpr Element element_rows[] = {
+    {"plane", "the invariable plane with its grid", always_shown, omega_alone, make_plane},
+    {"tangent", "a patch of the ellipsoid's tangent plane at ρ, which is the invariable plane",
+     never_shown, attitude_too, make_tangent},
+    {"ellipsoid", "the inertia ellipsoid with body-fixed lines", always_shown, attitude_too,
+     make_ellipsoid},
+    {"body", "the body itself, inside its ellipsoid", never_shown, attitude_too, make_body},
+    {"annulus", "the ring that the herpolhode fills", never_shown, omega_alone, make_annulus},
+    {"polhode", "path of the contact point on the ellipsoid", has_curves, attitude_too,
+     make_polhode},
+    {"herpolhode", "path of the contact point on the plane", has_curves, omega_alone,
+     make_herpolhode},
+    {"cones", "body cone rolling on space cone (symmetric bodies)", has_cones, attitude_too,
+     make_cones},
+    {"spin-axis", "the instantaneous axis of rotation, through centre and contact", always_shown,
+     attitude_too, make_spin_axis},
+    {"momentum", "the angular momentum L, normal to the plane", always_shown, omega_alone,
+     make_momentum},
+    {"omega",
+     "the angular velocity ω, drawn up to the contact point, or beyond it if radius is shown",
+     always_shown, attitude_too, make_omega},
+    {"axes", "the principal axes e1, e2, e3", always_shown, attitude_too, make_axes},
+    {"given-axes", "the body axes x, y, z in which the scene gives its numbers", never_shown,
+     attitude_too, make_given_axes},
+    {"turn", "the rotation from the given axes to the principal axes", never_shown, attitude_too,
+     make_turn},
+    {"half-axes", "the half-axes 1/√I1, 1/√I2, 1/√I3 of the ellipsoid", never_shown, attitude_too,
+     make_half_axes},
+    {"radius", "the radius vector ρ = ω/√(2T), whose tip lies on the ellipsoid F(ρ) = 1",
+     never_shown, attitude_too, make_radius},
+    {"gradient", "the gradient ∇F at the tip of ρ, parallel to L", never_shown, attitude_too,
+     make_gradient},
+    {"projection", "the projection of ρ on L, of length √(2T)/L", never_shown, attitude_too,
+     make_projection},
+    {"distance", "the plane's distance √(2T)/L from the centre", never_shown, omega_alone,
+     make_distance},
+    {"levels", "√(2T)/L and 1/√I1, 1/√I2, 1/√I3 as marks along L", never_shown, omega_alone,
+     make_levels},
+    {"velocity", "the velocity ω × r of points on the ellipsoid, zero at the contact point",
+     never_shown, attitude_too, make_velocity},
+    {"precession",
+     "the angular velocities of precession: Ω about the symmetry axis, L/I1 about L (symmetric "
+     "bodies)",
+     never_shown, attitude_too, make_precession},
+    {"contact", "the contact point", always_shown, attitude_too, make_contact},
+    {"ghost", "the ellipsoid and ω of the comparison method in [beside]", comparison_given,
+     omega_alone, make_ghost, true},
+    {"drift", "path of the contact point by the comparison method in [beside]", comparison_given,
+     omega_alone, make_drift, true},
+};
+
+}  // namespace poinsot

@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "drawing/figures/elements/element_rows.h"
+#include "drawing/stage/marks.h"
+#include "error/error.h"
+#include "text/nearest.h"
+
+namespace poinsot {
+
+Drawer make_ellipsoid(const Panel& panel, StageStore&) {
+    const Ellipsoid ellipsoid = ellipsoid_of(panel);
+    return [&panel, ellipsoid](const FrameInput& instant, ViewBuilder& builder) {
+        builder.view.ellipsoids.push_back(ellipsoid);
+        builder.view.ellipsoids.back().half_axes =
+            picture_of(panel).principal_axes(instant) * picture_of(panel).half_axes.asDiagonal();
+    };
+}
+
+Drawer make_axes(const Panel& panel, StageStore& store) {
+    std::array<TextBlock, 3> types;
+    for (std::size_t i = 0; i < 3; ++i) {
+        types[i] = set_label(panel, store, fmt::format("\\mathbf{{e}}_{}", i + 1), 0.85);
+    }
+    return [&panel, types](const FrameInput& instant, ViewBuilder& builder) {
+        const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
+        for (int i = 0; i < 3; ++i) {
+            const double length = picture_of(panel).half_axes[i] + axis_overhang;
+            const Arrow arrow =
+                arrow_to(panel, axes.col(i) * length, panel.stage->theme.axes[i], 0.85);
+            builder.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, types[static_cast<std::size_t>(i)], builder,
+                        axis_label_turn_rad);
+        }
+    };
+}
+
+Drawer make_cones(const Panel& panel, StageStore&) {
+    if (!picture_of(panel).cones) {
+        throw InputError("show: cones need a body with exactly two equal moments; leave them out");
+    }
+    // Both cones have their apex at the centre and share a generator along ω that ends at the
+    // plane: their rims touch at the contact point.
+    return [&panel, cones = *picture_of(panel).cones](const FrameInput& instant,
+                                                      ViewBuilder& builder) {
+        const double reach = picture_of(panel).contact(instant).norm();
+        const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
+        const Eigen::Vector3d symmetry = axes.col(cones.symmetry_axis);
+        Cone body;
+        body.axis = picture_of(panel).contact(instant).dot(symmetry) < 0.0
+                        ? Eigen::Vector3d(-symmetry)
+                        : symmetry;
+        body.half_angle_rad = cones.body_half_angle_rad;
+        body.length = reach * std::cos(cones.body_half_angle_rad);
+        body.colour = panel.stage->theme.body_cone;
+        body.reference = axes.col((cones.symmetry_axis + 1) % 3);
+        body.rim_px = 2.0 * panel.px;
+        builder.view.cones.push_back(body);
+
+        Cone space;
+        space.axis = picture_of(panel).normal;
+        space.half_angle_rad = cones.space_half_angle_rad;
+        space.length = reach * std::cos(cones.space_half_angle_rad);
+        space.colour = panel.stage->theme.space_cone;
+        space.reference = Eigen::Vector3d::UnitX();
+        space.rim_px = 2.0 * panel.px;
+        builder.view.cones.push_back(space);
+    };
+}
+
+std::span<const Element> elements() { return element_rows; }
+
+bool is_shown(const StageContext& stage, std::string_view name) {
+    const std::vector<std::string>& show = stage.scene.show;
+    if (show.empty()) return element_named(name).by_default(stage);
+    return std::find(show.begin(), show.end(), name) != show.end();
+}
+
+const Element& element_named(std::string_view name) {
+    if (const Element* row = find_row(element_rows, name)) return *row;
+    throw InputError(unknown("element", name, names_of(element_rows)));
+}
+
+}  // namespace poinsot

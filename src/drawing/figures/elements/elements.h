@@ -1,0 +1,33 @@
+// The elements that the space panel can show: each name with the function that makes its drawer.
+// The rows are in element_rows.h.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "drawing/stage/panel.h"
+
+namespace poinsot {
+
+struct Element {
+    std::string_view name;
+    std::string_view summary;
+    // Whether it is shown if the scene does not list elements.
+    bool (*by_default)(const StageContext& stage);
+    // The quantities of an instant that its drawer reads besides ω.
+    Quantities needs;
+    // Makes what all instants share, kept in the store, and the function that draws an instant.
+    Drawer (*make)(const Panel& panel, StageStore& store);
+    bool reads_comparison = false;  // whether its drawer reads FrameInput::comparison
+};
+
+std::span<const Element> elements();
+
+// Whether the space panel shows it: the scene lists it, or lists no elements and it suits the
+// motion.
+bool is_shown(const StageContext& stage, std::string_view name);
+
+// Throws InputError with the nearest name and the list.
+const Element& element_named(std::string_view name);
+
+}  // namespace poinsot

@@ -1,0 +1,140 @@
+// Elements of textbook figures of the body and its rates: axes, half-axes, rates of precession.
+// Rows of the table in elements.cpp; picture axes.
+#include "drawing/figures/elements/figure_elements.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "drawing/figures/elements/object_shapes.h"
+#include "drawing/stage/marks.h"
+#include "error/error.h"
+#include "shapes/projection.h"
+
+namespace poinsot {
+
+// The axes x, y, z in which the scene's numbers are given.
+Drawer make_given_axes(const Panel& panel, StageStore& store) {
+    const std::array<TextBlock, 3> types{set_label(panel, store, "x", 0.85),
+                                         set_label(panel, store, "y", 0.85),
+                                         set_label(panel, store, "z", 0.85)};
+    return [&panel, types](const FrameInput& instant, ViewBuilder& builder) {
+        const Eigen::Matrix3d axes =
+            picture_of(panel).picture_from_body(instant).toRotationMatrix();
+        for (int i = 0; i < 3; ++i) {
+            Arrow arrow = arrow_to(panel, 1.25 * axes.col(i), panel.stage->theme.potential, 0.65);
+            arrow.opacity = 0.85;
+            builder.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, types[static_cast<std::size_t>(i)], builder);
+        }
+    };
+}
+
+// The rotation from x, y, z to e1, e2, e3: about its axis, an arc from each old to each new axis,
+// with the angle at the longest arc.
+Drawer make_turn(const Panel& panel, StageStore& store) {
+    // The rotation that takes x, y, z to e1, e2, e3: about one axis by one angle (Euler's theorem).
+    const Eigen::AngleAxisd turn(picture_of(panel).construction.inertia().body_from_principal());
+    const double degrees = turn.angle() * 180.0 / std::numbers::pi;
+    const TextBlock type = set_label(panel, store, fmt::format("{:.1f}°", degrees), 0.85);
+    return [&panel, turn, type](const FrameInput& instant, ViewBuilder& builder) {
+        if (!(turn.angle() > 0.0)) return;
+        const LineStyle& colour = panel.stage->theme.angles[0];
+        const Eigen::Vector3d axis = picture_of(panel).picture_from_body(instant) * turn.axis();
+        Curve line = line_between(panel, Eigen::Vector3d::Zero(), 1.3 * axis, colour, 2.0);
+        line.hidden_opacity = 0.6;
+        builder.view.curves.push_back(line);
+        const Eigen::Matrix3d given =
+            picture_of(panel).picture_from_body(instant).toRotationMatrix();
+        constexpr double reach = 1.12;
+        double longest = 0.0;
+        Eigen::Vector3d middle = axis;
+        for (int i = 0; i < 3; ++i) {
+            const Eigen::Vector3d tip = given.col(i);
+            const Eigen::Vector3d centre = reach * tip.dot(axis) * axis;
+            const Eigen::Vector3d from = reach * tip - centre;
+            const double radius = from.norm();
+            if (!(radius > 0.1)) continue;
+            const double arc_rad = std::max(0.0, turn.angle() - 0.8 * arc_head_rad(radius));
+            add_arc_arrow(panel, {centre, axis, radius, arc_rad}, from / radius, colour, builder);
+            if (radius <= longest) continue;
+            longest = radius;
+            middle = centre + Eigen::AngleAxisd(0.5 * turn.angle(), axis) * from;
+        }
+        wish_beside(panel, middle, Eigen::Vector3d::Zero(), type, colour, builder);
+    };
+}
+
+// The half-axes from the centre to the surface along e1, e2, e3, labelled 1/√I.
+Drawer make_half_axes(const Panel& panel, StageStore& store) {
+    std::array<TextBlock, 3> types;
+    for (std::size_t i = 0; i < 3; ++i) {
+        types[i] = set_label(panel, store, fmt::format("1/\\sqrt{{I_{}}}", i + 1), 0.8);
+    }
+    return [&panel, types](const FrameInput& instant, ViewBuilder& builder) {
+        const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
+        for (int i = 0; i < 3; ++i) {
+            const Eigen::Vector3d end = axes.col(i) * picture_of(panel).half_axes[i];
+            const LineStyle& colour = panel.stage->theme.axes[i];
+            Curve line = line_between(panel, Eigen::Vector3d::Zero(), end, colour, 5.0);
+            line.hidden_opacity = 0.75;
+            builder.view.curves.push_back(line);
+            builder.view.dots.push_back(dot_at(panel, end, colour, 5.0));
+            // The label is at the end: beside the middle it would be too near to that of ρ.
+            wish_beside(panel, end, Eigen::Vector3d::Zero(), types[static_cast<std::size_t>(i)],
+                        panel.stage->theme.text, builder);
+        }
+    };
+}
+
+// Ω about the axis of symmetry, the rate of ω's precession in the body, and L/I₁ about L, the rate
+// of that axis's precession in space. Throws InputError for a body without two equal moments.
+Drawer make_precession(const Panel& panel, StageStore& store) {
+    if (!picture_of(panel).cones) {
+        throw InputError(
+            "show: precession needs a body with exactly two equal moments; leave it out");
+    }
+    const RollingCones cones = *picture_of(panel).cones;
+    const int across = cones.symmetry_axis == 0 ? 2 : 1;
+    const TextBlock in_body = set_label(panel, store, "\\Omega", 0.9);
+    const TextBlock in_space = set_label(panel, store, fmt::format("L/I_{}", across), 0.85);
+    return [&panel, cones, in_body, in_space](const FrameInput& instant, ViewBuilder& builder) {
+        const ConstructionPicture& picture = picture_of(panel);
+        const Theme& theme = panel.stage->theme;
+        // Both rings are on the side away from the plane, each about a line along its axis.
+        const Eigen::Vector3d axis = picture.principal_axes(instant).col(cones.symmetry_axis);
+        const Eigen::Vector3d end = axis.dot(picture.normal) > 0.0 ? Eigen::Vector3d(-axis) : axis;
+        const double beyond = picture.half_axes[cones.symmetry_axis] + 0.62 * axis_overhang;
+        builder.view.curves.push_back(line_between(panel, Eigen::Vector3d::Zero(),
+                                                   (beyond + 0.5 * axis_overhang) * end,
+                                                   theme.axes[cones.symmetry_axis], 3.0));
+        add_turn(panel, {beyond * end, axis, 0.2, std::copysign(5.0, cones.body_precession_rad_s)},
+                 theme.body_cone, in_body, builder);
+        constexpr double about_momentum = 1.22;
+        builder.view.curves.push_back(line_between(panel, Eigen::Vector3d::Zero(),
+                                                   -(about_momentum + 0.14) * picture.normal,
+                                                   theme.momentum, 2.0));
+        add_turn(panel, {-about_momentum * picture.normal, picture.normal, 0.2, 5.0},
+                 theme.space_cone, in_space, builder);
+    };
+}
+
+double body_in_ellipsoid(const ConstructionPicture& picture) {
+    return 0.85 * picture.half_axes.minCoeff();
+}
+
+// The body, inside its ellipsoid.
+Drawer make_body(const Panel& panel, StageStore& store) {
+    const BodyShape shape = body_shape(panel, store);
+    const double scale = body_in_ellipsoid(picture_of(panel));
+    return [&panel, shape, scale](const FrameInput& instant, ViewBuilder& builder) {
+        Eigen::Affine3d turned = Eigen::Affine3d::Identity();
+        turned.linear() = scale * picture_of(panel).picture_from_body(instant).toRotationMatrix();
+        add_body(shape, turned, false, builder);
+    };
+}
+
+}  // namespace poinsot

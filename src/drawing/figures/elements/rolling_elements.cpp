@@ -1,0 +1,223 @@
+// Elements of the rolling: the plane, and the contact point's paths on it and on the ellipsoid.
+// Rows of the table in elements.cpp; picture axes, z along L.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "drawing/figures/elements/construction_lines.h"
+#include "drawing/figures/elements/direction_marks.h"
+#include "drawing/figures/elements/filled_ring.h"
+#include "drawing/figures/elements/trail.h"
+#include "drawing/stage/marks.h"
+#include "drawing/stage/smooth_paths.h"
+#include "shapes/projection.h"
+
+namespace poinsot {
+
+namespace {
+
+// Radius of the plane, which contains the herpolhode.
+double plane_radius(const Panel& panel) {
+    const double herpolhode = picture_of(panel).herpolhode_radius;
+    return radius_in_view(panel, picture_of(panel).foot(), std::max(1.0, 1.3 * herpolhode),
+                          std::max(2.4, 2.2 * herpolhode));
+}
+
+// A plane with a grid of circles about the foot of L. For a camera that turns about L, circles do
+// not move; straight lines would turn, and lines that followed the camera would contradict the
+// rolling.
+Drawer ringed(const Panel& panel, Plane plane) {
+    plane.grid_px = 0.0;
+    std::vector<Curve> rings;
+    for (int k = 1; k * plane.grid_spacing < plane.radius; ++k) {
+        const double radius = k * plane.grid_spacing;
+        const double share = (radius / plane.radius - plane.fade_from) / (1.0 - plane.fade_from);
+        const double u = std::clamp(share, 0.0, 1.0);
+        Curve ring =
+            arc_about(panel, plane.centre, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
+                      radius, 2.0 * std::numbers::pi, plane.grid_colour, 1.1);
+        ring.on_plane = the_plane;
+        ring.opacity = plane.opacity * (1.0 - u * u * (3.0 - 2.0 * u));
+        rings.push_back(ring);
+    }
+    return [plane, rings](const FrameInput&, ViewBuilder& builder) {
+        builder.view.planes.push_back(plane);
+        builder.view.planes.back().opacity *= plane_presence(plane.centre, builder.view.camera);
+        builder.view.curves.insert(builder.view.curves.end(), rings.begin(), rings.end());
+    };
+}
+
+}  // namespace
+
+// The invariable plane with a square grid, or with circles for a camera that turns about L.
+Drawer make_plane(const Panel& panel, StageStore&) {
+    Plane plane;
+    plane.centre = picture_of(panel).foot();
+    plane.radius = plane_radius(panel);
+    plane.grid_spacing = 0.2;
+    plane.grid_px = 1.1 * panel.px;
+    plane.colour = panel.stage->theme.plane;
+    plane.grid_colour = panel.stage->theme.grid;
+    plane.opacity = panel.stage->theme.plane_opacity;
+    if (panel.stage->turns()) return ringed(panel, plane);
+    return [&panel, plane](const FrameInput& instant, ViewBuilder& builder) {
+        builder.view.planes.push_back(plane);
+        Plane& shown = builder.view.planes.back();
+        shown.centre = picture_of(panel).foot(instant);
+        shown.opacity *= plane_presence(shown.centre, builder.view.camera);
+    };
+}
+
+namespace {
+
+// Distance between direction marks, in largest half-axes; the same on both curves, since they roll
+// on each other.
+constexpr double mark_spacing = 0.45;
+
+}  // namespace
+
+// The polhode and the part of it that is shown.
+Drawer make_polhode(const Panel& panel, StageStore& store) {
+    const double per_rho = picture_of(panel).picture_per_rho;
+    const double tolerance = panel.curve_units() / per_rho;
+    const Polhode& polhode = picture_of(panel).polhode;
+    // With dissipation the path never repeats: it is sampled in time.
+    const bool whole = panel.stage->scene.trail.polhode == "whole" && !picture_of(panel).dissipates;
+    CurveGeometry geometry;
+    std::optional<Trail> trail;
+    double off = 0.0;
+    if (whole) {
+        geometry.closed = polhode.closed();
+        geometry.points = polhode.sampled(tolerance, &off);
+        geometry.smooth = smooth_polhode(polhode, tolerance);
+    } else {
+        TimedCurve timed = polhode_trail(*panel.stage, tolerance);
+        geometry.points = std::move(timed.points);
+        geometry.smooth = std::move(timed.smooth);
+        trail = std::move(timed.trail);
+        off = timed.off;
+    }
+    for (Eigen::Vector3d& point : geometry.points) point *= per_rho;
+    if (geometry.smooth)
+        geometry.smooth = placed(geometry.smooth, Eigen::Affine3d(Eigen::Scaling(per_rho)));
+    Curve curve =
+        curve_of(panel, keep(panel, store, std::move(geometry), off * per_rho, "the polhode"),
+                 panel.stage->theme.polhode, 4.0);
+    curve.on_surface = first_ellipsoid;
+    curve.hidden_opacity = 0.72;
+    std::optional<DirectionMarks> marks;
+    if (wants_marks(panel)) {
+        marks.emplace(panel, store, *curve.geometry, mark_spacing,
+                      whole && runs_backwards(panel, curve.geometry->points));
+    }
+    return [&panel, curve, trail, marks](const FrameInput& instant, ViewBuilder& builder) {
+        Curve shown = curve;
+        shown.placement.linear() = picture_of(panel).picture_from_body(instant).toRotationMatrix();
+        ShownStretch stretch{0.0, curve.last, 0.0, false};
+        if (trail) stretch = trail->at(instant.time_s);
+        stretch.apply_to(shown);
+        shown.lasting = false;  // the curve rotates with the body
+        builder.view.curves.push_back(shown);
+        if (marks) marks->add_to(builder, shown, stretch.grows);
+    };
+}
+
+// The herpolhode and the part of it that is shown.
+Drawer make_herpolhode(const Panel& panel, StageStore& store) {
+    const ConstructionPicture& picture = picture_of(panel);
+    const double per_rho = picture.picture_per_rho;
+    const LineStyle& ink = panel.stage->theme.herpolhode;
+    const double width_px = 4.0 * panel.stage->theme.herpolhode_weight;
+    TimedCurve timed =
+        herpolhode_trail(*panel.stage, panel.curve_units() / per_rho,
+                         width_px * ink.weight * panel.px * panel.units_per_px / per_rho);
+
+    // If the plane moves, the path traced on it moves with it.
+    const Eigen::Vector3d foot = picture.dissipates
+                                     ? Eigen::Vector3d::Zero()
+                                     : Eigen::Vector3d(picture.construction.plane_distance() *
+                                                       picture.construction.normal_space());
+    const auto placed_points = [&](const std::vector<Eigen::Vector3d>& points) {
+        CurveGeometry geometry;
+        geometry.points.reserve(points.size());
+        for (const Eigen::Vector3d& point : points)
+            geometry.points.emplace_back(picture.picture_from_space * (foot + point) * per_rho);
+        return geometry;
+    };
+    CurveGeometry geometry = placed_points(timed.points);
+    if (timed.smooth) {
+        const Eigen::Affine3d map =
+            Eigen::Scaling(per_rho) * picture.picture_from_space * Eigen::Translation3d(foot);
+        geometry.smooth = placed(timed.smooth, map);
+    }
+    Curve curve = curve_of(
+        panel, keep(panel, store, std::move(geometry), timed.off * per_rho, "the herpolhode"), ink,
+        width_px);
+    curve.on_plane = the_plane;
+    curve.hidden_opacity = 0.72;
+    std::optional<DirectionMarks> marks;
+    if (wants_marks(panel)) marks.emplace(panel, store, *curve.geometry, mark_spacing, false);
+    const std::optional<RingCurve> ring = ring_of(
+        panel, store, timed, curve, [&](const auto& points) { return placed_points(points); });
+    return [&picture, curve, ring, trail = std::move(timed.trail), marks](const FrameInput& instant,
+                                                                          ViewBuilder& builder) {
+        if (ring && instant.time_s >= ring->from_s)
+            return builder.view.curves.push_back(ring->curve);
+        Curve shown = curve;
+        const ShownStretch stretch = trail.at(instant.time_s);
+        stretch.apply_to(shown);
+        if (picture.dissipates) {
+            shown.placement.translation() = picture.foot(instant);
+            shown.lasting = false;
+        }
+        builder.view.curves.push_back(shown);
+        if (marks) marks->add_to(builder, shown, stretch.grows);
+    };
+}
+
+namespace {
+
+CurveGeometry circle_on_plane(const Panel& panel, double radius) {
+    CurveGeometry circle;
+    circle.closed = true;
+    // The sagitta r(1 − cos(π/n)) stays below the tolerance.
+    const double tolerance = panel.curve_units();
+    const double least =
+        std::numbers::pi / std::sqrt(2.0 * tolerance / std::max(radius, tolerance));
+    const int n_points = static_cast<int>(std::clamp(std::ceil(least), 256.0, 65536.0));
+    for (int k = 0; k < n_points; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / n_points;
+        circle.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                                   picture_of(panel).foot().z());
+    }
+    circle.smooth =
+        smooth_circle({0.0, 0.0, circle.points.front().z()}, radius, circle.points.size());
+    return circle;
+}
+
+}  // namespace
+
+// The circles on the plane that bound the herpolhode.
+Drawer make_annulus(const Panel& panel, StageStore& store) {
+    const Polhode::Annulus annulus = picture_of(panel).polhode.annulus();
+    std::vector<Curve> circles;
+    for (const double radius : {annulus.inner, annulus.outer}) {
+        const LineStyle& ink = panel.stage->theme.annulus;
+        Curve curve = curve_of(
+            panel,
+            keep(panel, store, circle_on_plane(panel, radius * picture_of(panel).picture_per_rho),
+                 panel.curve_units(), "a circle of the annulus"),
+            ink, 1.5);
+        curve.dash_px = dash_of(panel, ink, 7.0);
+        curve.on_plane = the_plane;
+        circles.push_back(curve);
+    }
+    return [circles](const FrameInput&, ViewBuilder& builder) {
+        builder.view.curves.insert(builder.view.curves.end(), circles.begin(), circles.end());
+    };
+}
+
+}  // namespace poinsot

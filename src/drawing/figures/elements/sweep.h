@@ -1,0 +1,18 @@
+// The region that the rolling ellipsoid and its arrows pass through over all time.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "drawing/stage/stage_context.h"
+
+namespace poinsot {
+
+// Points that bound the space panel's figure over all time, picture axes: L's arrow; the circles
+// about L that the ellipsoid's outline and the tips of ω, e1, e2, e3 describe, for attitudes all
+// along the polhode; and a disc of the plane about the foot of L. Tips extend `beyond` further, for
+// their labels. `azimuth_rad`: one point of every circle lies in this direction.
+std::vector<Eigen::Vector3d> swept_points(const ConstructionPicture& picture, double azimuth_rad,
+                                          double beyond);
+
+}  // namespace poinsot

@@ -1,0 +1,80 @@
+// The part of a contact point's path that is shown at an instant: all of it, the part traversed so
+// far, or the last part, fading.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "construction/timed_path.h"
+#include "drawing/stage/stage_context.h"
+#include "shapes/smooth_form.h"
+
+namespace poinsot {
+
+// A part of a path, from and to as fractional point indices, as in Curve.
+struct ShownStretch {
+    double first = 0.0;
+    double last = 0.0;
+    double fade_points = 0.0;  // as in Curve
+    bool grows = false;        // whether it ends at the contact point
+    bool lasting = false;      // as in Curve, for fixed points
+
+    void apply_to(Curve& curve) const {
+        curve.first = first, curve.last = last, curve.fade_points = fade_points;
+        curve.lasting = lasting;
+    }
+};
+
+// A path sampled exactly over the time span that its trail needs.
+class Trail {
+ public:
+    // `kind`: "whole", "history" or "fading". `period_s`: the time after which the path repeats, if
+    // it does; then one period before the film's start was sampled, too.
+    Trail(const StageContext& stage, const std::string& kind, const TimedPath& path,
+          std::optional<double> period_s);
+
+    ShownStretch at(double time_s) const;
+
+ private:
+    std::string kind_;
+    TimedPath times_;  // without its points
+    double first_time_s_;
+    double last_time_s_;
+    std::optional<double> period_s_;
+    double length_s_;
+    bool loops_;  // whether the film loops: then motion precedes the first instant
+};
+
+// What is drawn instead of a curve from an instant on: the line that fills the ring, in the axes of
+// the curve's points.
+struct RingFromThen {
+    double from_s = 0.0;
+    std::vector<Eigen::Vector3d> points;
+};
+
+// A path's points with the part of them that an instant shows.
+struct TimedCurve {
+    std::vector<Eigen::Vector3d> points;
+    Trail trail;
+    double off = 0.0;      // as in TimedPath; more than the tolerance: it cannot be drawn
+    SmoothMaker smooth{};  // of motions in closed form
+    std::optional<RingFromThen> ring{};
+};
+
+// The path of the contact point on the plane, measured from the foot of L in the ellipsoid's
+// lengths, to a tolerance in them; in the space axes that the stage's instants are given in.
+// `width` is that of the line that will be drawn, in the same lengths: a path of too many turns is
+// a ring once such a line fills it; 0: never. Precondition, here and below: the stage has a
+// construction.
+TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double width = 0.0);
+
+// Where a point of the ellipsoid, in body axes and its lengths, is drawn.
+using BodyMap = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
+
+// The same on the ellipsoid, in body axes; or where `map` takes it, the tolerance being there.
+TimedCurve polhode_trail(const StageContext& stage, double tolerance, const BodyMap& map = {});
+
+}  // namespace poinsot

@@ -1,0 +1,167 @@
+#include "drawing/figures/panels/idle_keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "drawing/stage/overlay.h"
+#include "drawing/stage/panel_kind.h"
+#include "text/nearest.h"
+
+namespace poinsot {
+
+namespace {
+
+bool shows_element(const Scene& scene, std::string_view name) {
+    return scene.show.empty() ||
+           std::find(scene.show.begin(), scene.show.end(), name) != scene.show.end();
+}
+
+class UnusedKeys {
+ public:
+    explicit UnusedKeys(const Scene& scene)
+        : scene_(scene), dissipates_(std::holds_alternative<DissipationTorque>(scene.torque)) {
+        // Without a motion a heavy top is not known. "object", the panel of other falling bodies,
+        // takes every key that "top" takes.
+        if (scene.panels.empty()) kinds_ = {&panel_kind_named(default_panel(scene, false))};
+        for (const PanelSpec& spec : scene.panels)
+            if (const PanelKind* kind = find_row(panel_kinds(), spec.kind)) kinds_.push_back(kind);
+    }
+
+    std::vector<IdleKey> made() && {
+        // The stage refuses a panel that does not exist.
+        if (kinds_.size() < scene_.panels.size()) return {};
+        add_camera();
+        add_trails();
+        add_elements();
+        add_panels();
+        add_marks();
+        return std::move(idle_);
+    }
+
+ private:
+    template <typename Predicate>
+    bool any_kind(Predicate holds) const {
+        return std::any_of(kinds_.begin(), kinds_.end(),
+                           [&holds](const PanelKind* kind) { return holds(*kind); });
+    }
+    bool any(TakenKeys key) const {
+        return any_kind([key](const PanelKind& kind) { return (kind.takes & key) != 0; });
+    }
+
+    void add(std::string key, std::string why) {
+        if (scene_.locations.contains(key)) idle_.push_back({std::move(key), std::move(why)});
+    }
+
+    void add_camera() {
+        if (any(takes_azimuth)) return;
+        const bool any_view =
+            any_kind([](const PanelKind& kind) { return kind.camera != CameraUse::none; });
+        // The part of [camera] that the panels without a direction of their own use.
+        CameraUse use = CameraUse::none;
+        for (const PanelKind* kind : kinds_)
+            if (kind->own_direction == nullptr) use = std::max(use, kind->camera);
+        const auto add_leaves = [this](std::initializer_list<std::string_view> leaves) {
+            for (const std::string_view leaf : leaves)
+                add(fmt::format("camera.{}", leaf),
+                    "no panel here uses this key of [camera]; set it in [panels.camera] of a "
+                    "panel, or leave it out");
+        };
+        if (!any_view) add_leaves({"field_deg", "projection"});
+        if (use < CameraUse::direction) add_leaves({"azimuth_deg", "elevation_deg", "view"});
+        if (use < CameraUse::all) add_leaves({"distance", "target", "look_at"});
+    }
+
+    void add_trails() {
+        const bool polhode = (any(takes_elements) && shows_element(scene_, "polhode")) ||
+                             (dissipates_ && any(takes_spiral));
+        const bool herpolhode =
+            (any(takes_elements) && shows_element(scene_, "herpolhode")) || any(takes_herpolhode);
+        if (!polhode) add("trail.polhode", "no panel here draws the polhode as a trail");
+        if (!herpolhode) add("trail.herpolhode", "no panel here shows the herpolhode");
+        const bool fades = scene_.trail.polhode == "fading" || scene_.trail.herpolhode == "fading";
+        if (!fades)
+            add("trail.length_s",
+                "no trail is \"fading\"; set trail.polhode or trail.herpolhode to it, or leave "
+                "this key out");
+        if (!any(takes_direction_marks))
+            add("trail.direction_marks",
+                fmt::format("only panels {} show direction marks",
+                            panels_that_take(takes_direction_marks, "and")));
+    }
+
+    void add_elements() {
+        for (const std::string& name : scene_.show) {
+            if (any(takes_elements) || is_overlay(name)) continue;
+            add("show", fmt::format("\"{}\" is an element of panel \"space\"; add such a panel, or "
+                                    "leave the element out",
+                                    name));
+            break;
+        }
+        const bool body = any(takes_object) || (any(takes_elements) && !scene_.show.empty() &&
+                                                shows_element(scene_, "body"));
+        for (const char* key : {"object.name", "object.mesh"})
+            if (!body)
+                add(key,
+                    "no panel here shows the body itself; add a panel \"object\", or leave "
+                    "it out");
+    }
+
+    void add_panels() {
+        for (std::size_t i = 0; i < scene_.panels.size(); ++i) {
+            const auto only_of = [&](std::string_view leaf, TakenKeys key) {
+                if ((kinds_[i]->takes & key) == 0)
+                    add(fmt::format("panels[{}].{}", i, leaf),
+                        fmt::format("only panel {} uses it, and this panel is \"{}\"",
+                                    panels_that_take(key, "and"), kinds_[i]->name));
+            };
+            only_of("quantity", takes_quantity);
+            only_of("curves", takes_curves);
+            if (scene_.panels.size() == 1 && !scene_.panels[0].title.value_or("").empty())
+                add("panels[0].title", "a single panel shows no heading; give the scene a title");
+        }
+        // A keyframe of all cameras whose distance or aim no panel uses.
+        const auto aims = [](const PanelKind& kind) { return kind.camera == CameraUse::all; };
+        if (any_kind(aims) || any(takes_azimuth)) return;
+        for (std::size_t i = 0; i < scene_.keyframes.size(); ++i)
+            for (const char* leaf : {"distance", "target", "look_at"})
+                if (!scene_.keyframes[i].panel)
+                    add(fmt::format("keyframes[{}].{}", i, leaf),
+                        fmt::format("every panel here fits all of its content into its frame; only "
+                                    "panel {} uses it",
+                                    panels_where(aims, "and")));
+    }
+
+    void add_marks() {
+        const bool body_inside =
+            any(takes_elements) && !scene_.show.empty() && shows_element(scene_, "body");
+        for (std::size_t i = 0; i < scene_.marks.size(); ++i) {
+            const std::string key = fmt::format("marks[{}]", i);
+            const std::string& on = scene_.marks[i].on;
+            if (on == "ellipsoid" && !any(takes_marks_on_ellipsoid))
+                add(key, "no panel here shows the ellipsoid; add a panel \"space\" or \"body\"");
+            if (on == "space" && !any(takes_marks_in_space))
+                add(key, "only panel \"space\" shows marks in space; add such a panel");
+            if (on == "body" && !any(takes_marks_on_body) && !body_inside)
+                add(key, "no panel here shows the body itself; add a panel \"object\"");
+            if (scene_.marks[i].trail && (on == "space" || !any(takes_mark_trails)))
+                add(key + ".trail", "this mark does not move in the panels here");
+        }
+    }
+
+    const Scene& scene_;
+    bool dissipates_;
+    std::vector<const PanelKind*> kinds_;  // of the scene's panels, or the default one
+    std::vector<IdleKey> idle_;
+};
+
+}  // namespace
+
+std::vector<IdleKey> idle_keys(const Scene& scene) { return UnusedKeys(scene).made(); }
+
+}  // namespace poinsot

@@ -1,0 +1,217 @@
+// The momentum panel: in body axes, L moves on the sphere |m| = L and on the ellipsoid of energy Σ
+// mᵢ²/2Iᵢ = T, both conserved, so it moves on the curves in which they intersect. In units of L the
+// sphere has radius 1 and the ellipsoid the half-axes √(2TIᵢ)/L.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "construction/adaptive_curve.h"
+#include "drawing/figures/charts/plot_frame.h"
+#include "drawing/figures/elements/body_axes.h"
+#include "drawing/figures/elements/ghost.h"
+#include "drawing/figures/elements/trail.h"
+#include "drawing/stage/framing.h"
+#include "drawing/stage/marks.h"
+#include "drawing/stage/overlay.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr int the_sphere = 0;
+
+// An ellipsoid longer than this, in radii of the sphere, would make the sphere too small: its ends
+// are left out of the frame.
+constexpr double longest_framed = 2.2;
+
+// m/L in principal axes at a point ρ of the polhode: Jρ·√(2T)/L.
+Eigen::Vector3d momentum_at(const Panel& panel, const Eigen::Vector3d& contact_body) {
+    const Eigen::Vector3d moments = panel.stage->rolling->construction.inertia().moments_kg_m2();
+    return moments.cwiseProduct(principal_from_body(panel) * contact_body).stableNormalized();
+}
+
+// One of the curves in which sphere and ellipsoid meet; its mirror image in the centre is the
+// other.
+const CurveGeometry* keep_meeting_curve(const Panel& panel, StageStore& store) {
+    const Polhode& polhode = panel.stage->rolling->polhode;
+    double off = 0.0;
+    const auto samples = sample_adaptively(
+        [&](double chi) { return momentum_at(panel, polhode.at(chi)); }, polhode.first_chi_rad(),
+        polhode.last_chi_rad(), 16, panel.curve_units(), most_curve_points, &off);
+    CurveGeometry geometry;
+    geometry.closed = polhode.closed();
+    for (const CurveSample& sample : samples) geometry.points.push_back(sample.point);
+    if (geometry.closed) geometry.points.pop_back();
+    return keep(panel, store, std::move(geometry), off,
+                "the curve in which sphere and ellipsoid meet");
+}
+
+// m of the comparison motion in units of the L of the start, principal axes: a drift of L moves it
+// off the sphere.
+Eigen::Vector3d comparison_momentum(const Panel& panel, const RotationState& state) {
+    const MotionProblem& problem = panel.stage->motion.motion().problem();
+    const Eigen::Vector3d& moments = problem.inertia.moments_kg_m2();
+    const Eigen::Vector3d weights = moments / moments.maxCoeff();
+    const double rate = problem.start.omega_body.stableNorm();
+    const auto momentum = [&](const Eigen::Vector3d& omega_body) -> Eigen::Vector3d {
+        return weights.cwiseProduct(principal_from_body(panel) * (omega_body / rate));
+    };
+    return momentum(state.omega_body) / momentum(problem.start.omega_body).norm();
+}
+
+// The path of the comparison motion, which leaves the curve of intersection. Empty without one.
+Drawer make_momentum_comparison(Panel& panel, StageStore& store) {
+    if (!panel.stage->comparison) return [](const FrameInput&, ViewBuilder&) {};
+    panel.shows_comparison = true;
+    const GhostPath path = ghost_path(
+        panel, store,
+        [&panel](const RotationState& state) { return comparison_momentum(panel, state); }, 2.6);
+    const TextBlock type = set_ghost_label(panel, store, "\\mathbf{L}");
+    return [&panel, path, type](const FrameInput& instant, ViewBuilder& builder) {
+        add_ghost_path(path, instant, builder);
+        add_ghost_arrow(panel, comparison_momentum(panel, *instant.comparison), type, builder);
+    };
+}
+
+// With dissipation: the path of L over the sphere, as much of it as the trail of the polhode.
+Drawer make_momentum_spiral(const Panel& panel, StageStore& store) {
+    TimedCurve timed =
+        polhode_trail(*panel.stage, panel.curve_units(),
+                      [&panel](const Eigen::Vector3d& point) { return momentum_at(panel, point); });
+    CurveGeometry geometry;
+    geometry.points = std::move(timed.points);
+    Curve curve =
+        curve_of(panel, keep(panel, store, std::move(geometry), timed.off, "the path of L"),
+                 panel.stage->theme.polhode, 4.0);
+    curve.on_surface = the_sphere;
+    curve.hidden_opacity = 0.5;
+    return
+        [curve, trail = std::move(timed.trail)](const FrameInput& instant, ViewBuilder& builder) {
+            Curve shown = curve;
+            trail.at(instant.time_s).apply_to(shown);
+            builder.view.curves.push_back(shown);
+        };
+}
+
+Eigen::Vector3d energy_half_axes(const Panel& panel) {
+    const PoinsotConstruction& construction = panel.stage->rolling->construction;
+    return construction.plane_distance() * construction.inertia().moments_kg_m2().cwiseSqrt();
+}
+
+// The names of the two surfaces, in their colours, in the lower left corner.
+std::vector<Label> legend_of(const Panel& panel, StageStore& store) {
+    const Theme& theme = panel.stage->theme;
+    const std::array<std::pair<std::string_view, Colour>, 2> rows{{
+        {"L_1^2 + L_2^2 + L_3^2 = L^2", theme.potential},
+        {"L_1^2/I_1 + L_2^2/I_2 + L_3^2/I_3 = 2T", theme.energy},
+    }};
+    std::vector<Label> legend;
+    // In the first column it is left-aligned with the title.
+    const double left =
+        panel.box.x_px == 0 ? overlay_margin * panel.stage->px : 0.6 * chart_margin * panel.px;
+    double bottom = 0.5 * chart_margin * panel.px;
+    for (const auto& [text, colour] : rows) {
+        const TextBlock type = set_label(panel, store, text, 0.72);
+        legend.push_back(chart_label(panel, type, left, bottom, Anchor::bottom_left, colour));
+        bottom += type.height_px() + 10.0 * panel.px;
+    }
+    return legend;
+}
+
+// Rows reserved for the legend: none if it leaves the middle of the panel free.
+double legend_rows(const Panel& panel, const std::vector<Label>& legend) {
+    double top = panel.box.y_px + panel.box.height_px;
+    double right = panel.box.x_px;
+    for (const Label& label : legend) {
+        top = std::min(top, label.top_left_px.y());
+        right = std::max(right, label.top_left_px.x() + label.mask->width_px());
+    }
+    const bool in_the_way = right - panel.box.x_px > 0.35 * panel.box.width_px;
+    return in_the_way ? panel.box.y_px + panel.box.height_px - top : 0.0;
+}
+
+}  // namespace
+
+void make_momentum_panel(Panel& panel, StageStore& store) {
+    const Eigen::Vector3d half_axes = energy_half_axes(panel);
+    std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
+    const Eigen::Vector3d framed_axes = half_axes.cwiseMin(longest_framed);
+    for (const Eigen::Vector3d& point :
+         points_of_ellipsoid(framed_axes.asDiagonal().toDenseMatrix())) {
+        points.push_back(point);
+    }
+    const Eigen::Vector3d axis_lengths = framed_axes.cwiseMax(1.0).array() + axis_overhang;
+    for (int i = 0; i < 3; ++i) points.emplace_back(axis_lengths[i] * Eigen::Vector3d::Unit(i));
+    const double margin = 0.6 * label_size * panel.type_px + 30.0 * panel.px;
+    const std::vector<Label> legend = legend_of(panel, store);
+    const Margins margins{margin, margin, margin + panel.header_px,
+                          std::max(margin, legend_rows(panel, legend))};
+    aim_in_principal_axes(panel, std::move(points), margins);
+
+    Ellipsoid sphere = ellipsoid_of(panel);
+    sphere.colour = panel.stage->theme.sphere;
+    sphere.section_px = 0.0;
+    sphere.ruling_px = 0.0;
+    sphere.opacity = 0.26;
+    Ellipsoid energy = ellipsoid_of(panel);
+    energy.half_axes = half_axes.asDiagonal();
+    energy.section_px = 0.8 * panel.px;
+    energy.ruling_px = 0.0;
+
+    std::vector<Curve> curves;
+    const bool dissipates = panel.stage->rolling->dissipates;
+    if (!dissipates && panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
+        Curve curve =
+            curve_of(panel, keep_meeting_curve(panel, store), panel.stage->theme.polhode, 4.6);
+        curve.on_surface = the_sphere;
+        curve.hidden_opacity = 0.72;
+        curves.push_back(curve);
+        // The other curve of intersection, which this motion does not reach.
+        curve.placement.linear() = -Eigen::Matrix3d::Identity();
+        curve.width_px = 1.9 * panel.px;
+        curve.opacity = 0.85;
+        curve.hidden_opacity = 0.16;
+        curves.push_back(curve);
+    }
+
+    std::array<TextBlock, 3> axis_types;
+    for (std::size_t i = 0; i < 3; ++i) {
+        axis_types[i] = set_label(panel, store, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
+    }
+    const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
+    const Drawer comparison = make_momentum_comparison(panel, store);
+    const Drawer spiral = dissipates ? make_momentum_spiral(panel, store) : Drawer();
+    panel.draw = [&panel, spiral, sphere, energy, curves, axis_lengths, axis_types, momentum_type,
+                  legend, comparison](const FrameInput& instant, ViewBuilder& builder) {
+        const Theme& theme = panel.stage->theme;
+        builder.view.labels = legend;
+        builder.view.ellipsoids = {sphere, energy};
+        builder.view.curves = curves;
+        if (spiral) {
+            // The ellipsoid of the remaining T.
+            builder.view.ellipsoids.back().half_axes =
+                energy.half_axes / panel.stage->rolling->rho_growth(instant.state.omega_body);
+            spiral(instant, builder);
+        }
+        for (int i = 0; i < 3; ++i) {
+            const Arrow arrow =
+                arrow_to(panel, axis_lengths[i] * Eigen::Vector3d::Unit(i), theme.axes[i], 0.85);
+            builder.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder);
+        }
+        const PoinsotConstruction& construction = panel.stage->rolling->construction;
+        const Eigen::Vector3d momentum =
+            momentum_at(panel, construction.contact_body(instant.state.omega_body));
+        Arrow arrow = arrow_to(panel, momentum, theme.momentum, 1.15);
+        arrow.hidden_opacity = 0.7;
+        builder.view.arrows.push_back(arrow);
+        wish_at_tip(panel, arrow, momentum_type, builder);
+        comparison(instant, builder);
+    };
+}
+
+}  // namespace poinsot

@@ -1,0 +1,210 @@
+// The plan panel: the herpolhode on the invariable plane, viewed along its normal, between the
+// circles of its annulus.
+//
+// The plan has its own scale, at which the annulus fills the panel, so that the smallest wobble is
+// visible; distances are measured from the foot of L, which avoids cancellation. The view is that
+// of the space panel's camera after rising to the zenith or, if it is under the plane, sinking to
+// the nadir, so that the herpolhode has the same sense of rotation in both.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "drawing/figures/elements/direction_marks.h"
+#include "drawing/figures/elements/filled_ring.h"
+#include "drawing/figures/elements/trail.h"
+#include "drawing/stage/framing.h"
+#include "drawing/stage/marks.h"
+
+namespace poinsot {
+
+namespace {
+
+// From space axes to the plan: z towards the viewer, y up in the panel, the outer circle's radius
+// 1.
+struct PlanScale {
+    Eigen::Matrix3d plan_from_space;
+    double plan_per_rho = 1.0;
+    double inner = 0.0;  // radii of the annulus
+    double outer = 0.0;
+};
+
+// Whether the space panel's camera, as aimed or framed, is above the plane: far away, its elevation
+// alone decides.
+bool camera_is_above(const Panel& panel) {
+    const CameraPose pose = panel.stage->timeline.camera_at(0.0);
+    const Eigen::Vector3d towards = direction_of(pose.azimuth_deg, pose.elevation_deg);
+    const double height = pose.target.z() + pose.distance * towards.z();
+    return height >= panel.stage->rolling->foot().z();
+}
+
+PlanScale scale_of(const Panel& panel) {
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    const Polhode::Annulus annulus = picture.polhode.annulus();
+    PlanScale scale;
+    // A herpolhode that is a point is drawn at the space panel's scale.
+    scale.plan_per_rho = annulus.outer > 0.0 ? 1.0 / annulus.outer : picture.picture_per_rho;
+    scale.inner = annulus.outer > 0.0 ? annulus.inner / annulus.outer : 0.0;
+    scale.outer = annulus.outer > 0.0 ? 1.0 : 0.0;
+
+    // Columns are the picture's axes: right, up, and towards the viewer.
+    const double azimuth = panel.stage->scene.camera.azimuth_deg * std::numbers::pi / 180.0;
+    const Eigen::Vector3d outwards(std::cos(azimuth), std::sin(azimuth), 0.0);
+    const double side = camera_is_above(panel) ? 1.0 : -1.0;
+    Eigen::Matrix3d axes;
+    axes.col(1) = -side * outwards;
+    axes.col(2) = side * Eigen::Vector3d::UnitZ();
+    axes.col(0) = axes.col(1).cross(axes.col(2));
+    scale.plan_from_space = axes.transpose() * picture.picture_from_space.toRotationMatrix();
+    return scale;
+}
+
+void aim_from_above(Panel& panel) {
+    const double margin_px = 26.0 * panel.px + 0.5 * label_size * panel.type_px + panel.header_px;
+    const double room_px =
+        std::max(0.4 * std::min(panel.box.width_px, panel.box.height_px),
+                 std::min(panel.box.width_px, panel.box.height_px) - 2.0 * margin_px);
+    Camera camera;
+    camera.eye = {0.0, 0.0, 4.0};
+    camera.target = Eigen::Vector3d::Zero();
+    camera.up = Eigen::Vector3d::UnitY();
+    camera.orthographic = true;
+    camera.height_units = 2.0 * panel.box.height_px / room_px;
+    aim(panel, camera);
+}
+
+Plane plane_of(const Panel& panel) {
+    Plane plane;
+    // It fades out inside the panel.
+    plane.radius = std::max(1.5, 0.5 * panel.camera.height_units *
+                                     std::min(1.0, 1.0 * panel.box.width_px / panel.box.height_px));
+    plane.fade_from = 0.6;
+    plane.grid_spacing = 0.25;
+    // Straight lines would turn in rotating axes; the annulus's circles do not.
+    plane.grid_px = panel.stage->turns() ? 0.0 : 1.0 * panel.px;
+    plane.colour = panel.stage->theme.plane;
+    plane.grid_colour = panel.stage->theme.grid;
+    plane.opacity = 0.8 * panel.stage->theme.plane_opacity;
+    return plane;
+}
+
+// The herpolhode, and the part of it that is shown.
+struct HerpolhodeCurve {
+    Curve curve;
+    Trail trail;
+    std::optional<DirectionMarks> marks;
+    std::optional<RingCurve> ring;
+};
+
+HerpolhodeCurve herpolhode_of(const Panel& panel, StageStore& store, const PlanScale& scale) {
+    const LineStyle& ink = panel.stage->theme.herpolhode;
+    const double width_px = 4.0 * panel.stage->theme.herpolhode_weight;
+    TimedCurve timed = herpolhode_trail(
+        *panel.stage, panel.curve_units() / scale.plan_per_rho,
+        width_px * ink.weight * panel.px * panel.units_per_px / scale.plan_per_rho);
+    const auto placed_points = [&](const std::vector<Eigen::Vector3d>& points) {
+        CurveGeometry geometry;
+        for (const Eigen::Vector3d& point : points) {
+            Eigen::Vector3d at = scale.plan_from_space * point * scale.plan_per_rho;
+            at.z() = 0.0;
+            geometry.points.push_back(at);
+        }
+        return geometry;
+    };
+    CurveGeometry geometry = placed_points(timed.points);
+    if (timed.smooth) {
+        const Eigen::Matrix3d flattened = Eigen::Vector3d(1.0, 1.0, 0.0).asDiagonal();
+        Eigen::Affine3d map = Eigen::Affine3d::Identity();
+        map.linear() = scale.plan_per_rho * flattened * scale.plan_from_space;
+        geometry.smooth = placed(timed.smooth, map);
+    }
+    Curve curve = curve_of(
+        panel,
+        keep(panel, store, std::move(geometry), timed.off * scale.plan_per_rho, "the herpolhode"),
+        ink, width_px);
+    curve.on_plane = the_plane;
+    curve.occlusion = Occlusion::none;
+    // Spacing of direction marks, in radii of the outer circle.
+    constexpr double mark_spacing = 1.1;
+    std::optional<DirectionMarks> marks;
+    if (wants_marks(panel)) marks.emplace(panel, store, *curve.geometry, mark_spacing, false);
+    std::optional<RingCurve> ring = ring_of(
+        panel, store, timed, curve, [&](const auto& points) { return placed_points(points); });
+    return {curve, std::move(timed.trail), std::move(marks), std::move(ring)};
+}
+
+Curve circle_of(const Panel& panel, double radius) {
+    Curve circle = arc_about(panel, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(),
+                             Eigen::Vector3d::UnitY(), radius, 2.0 * std::numbers::pi,
+                             panel.stage->theme.annulus, 2.0);
+    circle.dash_px = dash_of(panel, panel.stage->theme.annulus, 8.0);
+    circle.occlusion = Occlusion::none;
+    return circle;
+}
+
+}  // namespace
+
+void make_plan_panel(Panel& panel, StageStore& store) {
+    panel.needs = {.attitude = false, .herpolhode = true, .euler_angles = false};
+    aim_from_above(panel);
+    const PlanScale scale = scale_of(panel);
+
+    std::vector<Curve> circles;
+    if (scale.outer > 0.0) {
+        circles.push_back(circle_of(panel, 1.0));
+        // Near the separatrix, or for a circular herpolhode, one circle is enough.
+        if (scale.inner > 1e-3 && scale.inner < 0.999)
+            circles.push_back(circle_of(panel, scale.inner));
+    }
+    std::optional<HerpolhodeCurve> timed;
+    if (panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
+        timed = herpolhode_of(panel, store, scale);
+    }
+    Dot foot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme.momentum, 5.0);
+    foot.occlusion = Occlusion::none;
+    const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}", 0.85);
+    const Plane plane = plane_of(panel);
+    panel.draw = [&panel, scale, circles, timed, foot, momentum_type, plane](
+                     const FrameInput& instant, ViewBuilder& builder) {
+        const ConstructionPicture& picture = *panel.stage->rolling;
+        builder.view.planes.push_back(plane);
+        builder.view.curves = circles;
+        Eigen::Vector3d contact = scale.plan_from_space *
+                                  picture.construction.contact_in_plane(instant.herpolhode_space) *
+                                  scale.plan_per_rho;
+        contact.z() = 0.0;
+
+        // The radius from the foot of L to the contact point.
+        Curve radius =
+            line_between(panel, Eigen::Vector3d::Zero(), contact, panel.stage->theme.omega, 1.6);
+        radius.occlusion = Occlusion::none;
+        builder.view.curves.push_back(radius);
+        if (timed && timed->ring && instant.time_s >= timed->ring->from_s) {
+            builder.view.curves.push_back(timed->ring->curve);
+        } else if (timed) {
+            Curve shown = timed->curve;
+            const ShownStretch stretch = timed->trail.at(instant.time_s);
+            stretch.apply_to(shown);
+            builder.view.curves.push_back(shown);
+            if (timed->marks) timed->marks->add_to(builder, shown, stretch.grows);
+        }
+
+        // The start of the film's curve; a loop has none.
+        if (timed && !(panel.stage->options.loop_s > 0.0)) {
+            Dot start = dot_at(panel, timed->curve.geometry->points.front(),
+                               panel.stage->theme.herpolhode, 4.5);
+            start.occlusion = Occlusion::none;
+            builder.view.dots.push_back(start);
+        }
+        builder.view.dots.push_back(foot);
+        Dot dot = dot_at(panel, contact, panel.stage->theme.contact);
+        dot.occlusion = Occlusion::none;
+        builder.view.dots.push_back(dot);
+        wish_beside(panel, Eigen::Vector3d::Zero(), contact, momentum_type,
+                    panel.stage->theme.momentum, builder);
+    };
+}
+
+}  // namespace poinsot

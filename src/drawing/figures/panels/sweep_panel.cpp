@@ -1,0 +1,358 @@
+// The sweep panel: the quantity that [construction] sweep varies over the film instead of a motion.
+//
+// axis: the body is at rest, and an axis n takes all directions in turn; the tip of ρ = n/√I(n)
+// traces the inertia ellipsoid until it is complete. energy: at fixed L the plane's distance
+// √(2T)/L rises from the least possible value, 1/√I of the largest moment, to the greatest; the
+// ellipsoid touches the plane at each distance, and its polhode changes from a point to small
+// closed curves, to the separatrix, and on to a point about the other axis.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "construction/adaptive_curve.h"
+#include "drawing/figures/elements/construction_lines.h"
+#include "drawing/figures/elements/object_shapes.h"
+#include "drawing/stage/framing.h"
+#include "drawing/stage/marks.h"
+#include "drawing/stage/overlay.h"
+#include "scene/scene_error.h"
+#include "shapes/identity.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+using std::numbers::pi;
+
+// The elapsed fraction of the film at an instant, 0…1.
+double share_at(const StageContext& stage, const FrameInput& instant) {
+    const double span_s = stage.film_last_s - stage.film_first_s;
+    return std::clamp((instant.time_s - stage.film_first_s) / span_s, 0.0, 1.0);
+}
+
+const InertiaTensor& inertia_of(const Panel& panel) {
+    return panel.stage->motion.motion().problem().inertia;
+}
+
+// Half-axes 1/√I in units of the largest.
+Eigen::Vector3d half_axes_of(const Panel& panel) {
+    const Eigen::Vector3d& moments = inertia_of(panel).moments_kg_m2();
+    return (moments / moments.minCoeff()).cwiseSqrt().cwiseInverse();
+}
+
+// Rejects elements: a sweep shows only its own, with the title, the caption and the clock.
+void check_show(const StageContext& stage) {
+    for (const std::string& name : stage.scene.show) {
+        if (is_overlay(name)) continue;
+        throw SceneError(stage.scene.location_of("show"),
+                         fmt::format("show names \"{}\", but panel \"sweep\" has its own elements; "
+                                     "let show name only title, caption and clock, or leave it out",
+                                     printable(name)));
+    }
+}
+
+Margins margins_of(const Panel& panel) {
+    const double gap = 18.0 * panel.px;
+    return {gap, gap, gap + panel.header_px, gap};
+}
+
+std::array<TextBlock, 3> axis_names(const Panel& panel, StageStore& store) {
+    std::array<TextBlock, 3> types;
+    for (std::size_t i = 0; i < 3; ++i) {
+        types[i] = set_label(panel, store, fmt::format("\\mathbf{{e}}_{}", i + 1), 0.85);
+    }
+    return types;
+}
+
+// The direction n at a fraction of the sweep, principal axes: a spiral from e3 to −e3 whose turns
+// are equally spaced on the sphere.
+Eigen::Vector3d direction_at(double share) {
+    constexpr double n_turns = 15.0;
+    const double theta = pi * share;
+    const double phi = 2.0 * pi * n_turns * share;
+    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
+// I(n) = Σ I_i n_i² in units of the least moment.
+double moment_about(const Eigen::Vector3d& half_axes, const Eigen::Vector3d& n) {
+    return n.cwiseQuotient(half_axes).squaredNorm();
+}
+
+constexpr double n_beyond = 0.3;  // length of the arrow along n beyond the ellipsoid
+
+// Fraction of the film that the sweep of n takes; after it the ellipsoid is shown alone.
+constexpr double swept_share = 0.86;
+
+struct Trace {
+    Curve curve;
+    std::vector<double> shares;  // fraction of the sweep at each point
+
+    double index_at(double share) const {
+        const auto after = std::upper_bound(shares.begin(), shares.end(), share);
+        if (after == shares.begin()) return 0.0;
+        const auto i = static_cast<double>(after - shares.begin()) - 1.0;
+        if (after == shares.end()) return i;
+        return i + (share - *(after - 1)) / (*after - *(after - 1));
+    }
+};
+
+Trace trace_of(const Panel& panel, StageStore& store, const Eigen::Vector3d& half_axes) {
+    const double tolerance = panel.curve_units();
+    Trace trace;
+    CurveGeometry geometry;
+    double off = 0.0;
+    for (const CurveSample& sample : sample_adaptively(
+             [&](double share) {
+                 const Eigen::Vector3d n = direction_at(share);
+                 return Eigen::Vector3d(n / std::sqrt(moment_about(half_axes, n)));
+             },
+             0.0, 1.0, 256, tolerance, 200'000, &off)) {
+        geometry.points.push_back(sample.point);
+        trace.shares.push_back(sample.parameter);
+    }
+    trace.curve = curve_of(panel, keep(panel, store, std::move(geometry), off, "the trace of ρ"),
+                           panel.stage->theme.polhode, 2.4);
+    trace.curve.on_surface = first_ellipsoid;
+    trace.curve.hidden_opacity = 0.14;
+    trace.curve.lasting = true;
+    return trace;
+}
+
+// The body at rest, so small that it is inside its ellipsoid in every direction.
+Drawer resting_body(const Panel& panel, StageStore& store) {
+    const BodyShape shape = body_shape(panel, store);
+    Eigen::Affine3d placement = Eigen::Affine3d::Identity();
+    placement.linear() =
+        0.72 * half_axes_of(panel).minCoeff() * inertia_of(panel).body_from_principal().transpose();
+    return [shape, placement](const FrameInput&, ViewBuilder& builder) {
+        add_body(shape, placement, false, builder);
+    };
+}
+
+void make_axis_sweep(Panel& panel, StageStore& store) {
+    const Eigen::Vector3d half_axes = half_axes_of(panel);
+    std::vector<Eigen::Vector3d> points =
+        points_of_ellipsoid((half_axes.array() + n_beyond).matrix().asDiagonal().toDenseMatrix());
+    aim_around(panel, std::move(points),
+               margins_of(panel).left_px + 0.4 * label_size * panel.type_px);
+
+    const Trace trace = trace_of(panel, store, half_axes);
+    const Drawer body = resting_body(panel, store);
+    const std::array<TextBlock, 3> axis_types = axis_names(panel, store);
+    const TextBlock n_type = set_label(panel, store, "\\mathbf{n}");
+    const TextBlock rho_type = set_label(panel, store, "\\boldsymbol{\\rho}");
+    Ellipsoid ellipsoid = ellipsoid_of(panel);
+    ellipsoid.half_axes = half_axes.asDiagonal();
+    ellipsoid.casts_shadow = false;
+    panel.draw = [&panel, half_axes, trace, body, axis_types, n_type, rho_type, ellipsoid,
+                  &text = std::as_const(store).text()](const FrameInput& instant,
+                                                       ViewBuilder& builder) {
+        const StageContext& stage = *panel.stage;
+        const Theme& theme = stage.theme;
+        const double share = share_at(stage, instant);
+        const double swept = std::min(share / swept_share, 1.0);
+        const double stands =
+            std::clamp((share - swept_share) / (0.7 * (1.0 - swept_share)), 0.0, 1.0);
+
+        body(instant, builder);
+        // Nearly transparent until its points have been traced, but hiding objects behind it.
+        builder.view.ellipsoids.push_back(ellipsoid);
+        Ellipsoid& shown = builder.view.ellipsoids.back();
+        constexpr double faint = 0.16;
+        shown.opacity = (faint + (1.0 - faint) * stands) * ellipsoid.opacity;
+        shown.section_px *= stands;
+        shown.ruling_px *= stands;
+
+        for (int i = 0; i < 3; ++i) {
+            const Arrow arrow =
+                arrow_to(panel, (half_axes[i] + axis_overhang) * Eigen::Vector3d::Unit(i),
+                         theme.axes[i], 0.75);
+            builder.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder);
+        }
+        builder.view.curves.push_back(trace.curve);
+        builder.view.curves.back().last = trace.index_at(swept);
+
+        // n through the body, ρ along it up to the surface, and the number I(n).
+        const Eigen::Vector3d n = direction_at(swept);
+        const double moment = moment_about(half_axes, n);
+        const Eigen::Vector3d rho = n / std::sqrt(moment);
+        Curve axis = line_between(panel, -rho - n_beyond * n, rho, theme.text, 2.0);
+        axis.hidden_opacity = 0.5;
+        builder.view.curves.push_back(axis);
+        const Arrow n_arrow = arrow_between(panel, rho, rho + n_beyond * n, theme.text, 0.9);
+        builder.view.arrows.push_back(n_arrow);
+        wish_at_tip(panel, n_arrow, n_type, builder);
+        Arrow rho_arrow = arrow_to(panel, rho, theme.polhode, 1.35);
+        rho_arrow.hidden_opacity = 0.9;
+        builder.view.arrows.push_back(rho_arrow);
+        wish_beside(panel, 0.62 * rho, rho, rho_type, theme.polhode, builder);
+        const double kg_m2 = moment * inertia_of(panel).moments_kg_m2().minCoeff();
+        LabelRequest number;
+        number.type =
+            text.set_live(fmt::format("I(\\mathbf{{n}}) = {:.3g}~\\mathrm{{kg\\,m^2}}", kg_m2),
+                          {.size_px = label_size * panel.type_px}, builder.view);
+        number.anchor_px = {panel.box.x_px + 0.76 * panel.box.width_px,
+                            panel.box.y_px + 0.5 * panel.box.height_px};
+        number.away = {0.0, 0.0};
+        number.gap_px = 6.0 * stage.options.samples;
+        number.colour = theme.text;
+        builder.requests.push_back(number);
+    };
+}
+
+// The construction at fixed L for a fraction of the sweep: in the body, L moves along the quarter
+// circle from the axis of the largest moment to that of the smallest.
+struct EnergyState {
+    Eigen::Vector3d rho;    // principal axes, in units of the largest half-axis
+    double distance = 1.0;  // √(2T)/L in the same units
+    Eigen::Matrix3d picture_from_principal;
+};
+
+class EnergySweep {
+ public:
+    EnergySweep(const Panel& panel, const Eigen::Vector3d& normal)
+        : half_axes_(half_axes_of(panel)), normal_(normal) {
+        half_axes_.minCoeff(&high_);
+        half_axes_.maxCoeff(&low_);
+        if (high_ == low_) low_ = (high_ + 1) % 3;
+        // The middle axis is horizontal, rotated by a quarter turn from the camera.
+        const double azimuth = (panel.stage->scene.camera.azimuth_deg + 35.0) * pi / 180.0;
+        level_ = {std::cos(azimuth), std::sin(azimuth), 0.0};
+    }
+
+    const Eigen::Vector3d& half_axes() const { return half_axes_; }
+
+    EnergyState at(double share) const {
+        const double angle = 0.5 * pi * share;
+        Eigen::Vector3d n = Eigen::Vector3d::Zero();  // direction of L in the body
+        n[high_] = std::cos(angle);
+        n[low_] = std::sin(angle);
+        EnergyState state;
+        const Eigen::Vector3d towards = half_axes_.cwiseProduct(n);
+        state.distance = towards.norm();
+        state.rho = half_axes_.cwiseProduct(towards) / state.distance;
+
+        // n is along the plane's normal and the middle axis horizontal: two right-handed frames.
+        Eigen::Vector3d middle = Eigen::Vector3d::Unit(3 - high_ - low_);
+        Eigen::Matrix3d in_body, in_picture;
+        in_body << n, middle, n.cross(middle);
+        in_picture << normal_, level_, normal_.cross(level_);
+        state.picture_from_principal = in_picture * in_body.transpose();
+        return state;
+    }
+
+ private:
+    Eigen::Vector3d half_axes_, normal_, level_;
+    int low_ = 0, high_ = 0;
+};
+
+void make_energy_sweep(Panel& panel, StageStore& store) {
+    const bool above = panel.stage->scene.construction.plane == "above";
+    const Eigen::Vector3d normal =
+        above ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(-Eigen::Vector3d::UnitZ());
+    const EnergySweep sweep(panel, normal);
+    const double farthest = sweep.half_axes().maxCoeff();
+
+    std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
+    points.push_back((farthest + momentum_beyond_plane) * normal);
+    const double azimuth = timeline_of(panel).camera_at(0.0).azimuth_deg * pi / 180.0;
+    const Eigen::Vector3d right(-std::sin(azimuth), std::cos(azimuth), 0.0);
+    for (const double side : {1.85, -1.85}) points.emplace_back(side * right);
+    aim_around(panel, std::move(points), margins_of(panel).left_px);
+
+    Plane plane;
+    plane.radius = radius_in_view(panel, farthest * normal, 1.0, 2.0);
+    plane.grid_spacing = 0.2;
+    plane.grid_px = 1.1 * panel.px;
+    plane.colour = panel.stage->theme.plane;
+    plane.grid_colour = panel.stage->theme.grid;
+    plane.opacity = panel.stage->theme.plane_opacity;
+    Ellipsoid ellipsoid = ellipsoid_of(panel);
+    const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
+    const TextBlock omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");
+    const std::array<TextBlock, 3> axis_types = axis_names(panel, store);
+    const LevelScale levels(panel, store);
+    panel.draw = [&panel, sweep, normal, plane, ellipsoid, momentum_type, omega_type, axis_types,
+                  levels](const FrameInput& instant, ViewBuilder& builder) {
+        const StageContext& stage = *panel.stage;
+        const Theme& theme = stage.theme;
+        const EnergyState state = sweep.at(share_at(stage, instant));
+        const Eigen::Vector3d foot = state.distance * normal;
+        const Eigen::Vector3d contact = state.picture_from_principal * state.rho;
+        builder.view.planes.push_back(plane);
+        builder.view.planes.back().centre = foot;
+        builder.view.planes.back().opacity *= plane_presence(foot, builder.view.camera);
+        builder.view.ellipsoids.push_back(ellipsoid);
+        builder.view.ellipsoids.back().half_axes =
+            state.picture_from_principal * sweep.half_axes().asDiagonal();
+
+        // The polhode of this distance, through the contact; it depends only on ω, which is along
+        // ρ.
+        const InertiaTensor principal =
+            InertiaTensor::from_principal_moments(inertia_of(panel).moments_kg_m2());
+        const Polhode polhode(principal, state.rho);
+        if (polhode.kind() != Polhode::Kind::point) {
+            const double per_rho = std::sqrt(inertia_of(panel).moments_kg_m2().minCoeff());
+            const double tolerance = panel.curve_units() / per_rho;
+            CurveGeometry& geometry = builder.view.live_curves.emplace_back();
+            geometry.id = next_identity();
+            geometry.closed = polhode.closed();
+            for (const Eigen::Vector3d& point : polhode.sampled(tolerance)) {
+                geometry.points.push_back(point * per_rho);
+            }
+            Curve curve = curve_of(panel, &geometry, theme.polhode, 4.6);
+            curve.placement.linear() = state.picture_from_principal;
+            curve.on_surface = first_ellipsoid;
+            curve.hidden_opacity = 0.72;
+            builder.view.curves.push_back(curve);
+        }
+
+        for (int i = 0; i < 3; ++i) {
+            const Arrow arrow = arrow_to(
+                panel, state.picture_from_principal.col(i) * (sweep.half_axes()[i] + axis_overhang),
+                theme.axes[i], 0.85);
+            builder.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder,
+                        axis_label_turn_rad);
+        }
+        Arrow momentum = arrow_to(panel, (state.distance + momentum_beyond_plane) * normal,
+                                  theme.momentum, 1.15);
+        Arrow omega = arrow_to(panel, contact, theme.omega, 1.15);
+        for (Arrow* arrow : {&momentum, &omega}) {
+            arrow->hidden_opacity = 0.9;
+            builder.view.arrows.push_back(*arrow);
+        }
+        wish_at_tip(panel, momentum, momentum_type, builder);
+        // The axis continues beyond the contact, where its label is.
+        Curve axis = line_between(panel, contact, past_contact(contact), theme.omega, 2.0);
+        axis.hidden_opacity = 0.6;
+        builder.view.curves.push_back(axis);
+        wish_beside(panel, past_contact(contact), Eigen::Vector3d::Zero(), omega_type, theme.omega,
+                    builder);
+        Dot dot = dot_at(panel, contact, theme.contact);
+        dot.occlusion = Occlusion::none;
+        builder.view.dots.push_back(dot);
+        levels.add_to(builder, sweep.half_axes(), foot);
+    };
+}
+
+}  // namespace
+
+void make_sweep_panel(Panel& panel, StageStore& store) {
+    check_show(*panel.stage);
+    if (panel.stage->scene.construction.sweep == "axis") {
+        make_axis_sweep(panel, store);
+    } else {
+        make_energy_sweep(panel, store);
+    }
+}
+
+}  // namespace poinsot

@@ -1,0 +1,328 @@
+#include "drawing/stage/layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "drawing/stage/fade.h"
+#include "drawing/stage/marks.h"
+#include "drawing/stage/overlay.h"
+#include "drawing/stage/panel_kind.h"
+#include "drawing/stage/possible_motions.h"
+#include "scene/camera_views.h"
+#include "scene/scene_error.h"
+#include "text/languages.h"
+#include "text/nearest.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+// The scene's panels; if it lists none, the default one for its motion.
+std::vector<PanelSpec> panels_of(const StageContext& stage) {
+    if (!stage.scene.panels.empty()) return stage.scene.panels;
+    PanelSpec alone;
+    alone.kind = default_panel(stage.scene, is_heavy_top(stage));
+    return {alone};
+}
+
+// Boundaries of the columns or rows in pixels, in proportion to their relative sizes; multiples of
+// `step_px`, so that they are whole final pixels. The last one is the end of the available length.
+std::vector<int> boundaries(const std::vector<double>& sizes, int from_px, int total_px,
+                            int step_px) {
+    double sum = 0.0;
+    for (const double size : sizes) sum += size;
+    std::vector<int> edges{from_px};
+    double at = 0.0;
+    for (const double size : sizes) {
+        at += size;
+        edges.push_back(from_px +
+                        step_px * static_cast<int>(std::lround(at / sum * total_px / step_px)));
+    }
+    return edges;
+}
+
+PanelBox box_of(const PanelSpec& spec, const std::vector<int>& columns,
+                const std::vector<int>& rows) {
+    const auto at = [](const std::vector<int>& edges, int i) {
+        return edges[static_cast<std::size_t>(i)];
+    };
+    PanelBox box;
+    box.x_px = at(columns, spec.column);
+    box.y_px = at(rows, spec.row);
+    box.width_px = at(columns, spec.column + spec.columns) - box.x_px;
+    box.height_px = at(rows, spec.row + spec.rows) - box.y_px;
+    return box;
+}
+
+// Scale of a panel's lines: they shrink less than the panel. Text shrinks even less, and not below
+// a legible size.
+double line_scale(const PanelBox& box, const StageOptions& options) {
+    const double share =
+        std::min(1.0 * box.height_px / options.height_px, 1.5 * box.width_px / options.width_px);
+    return std::sqrt(std::min(1.0, share));
+}
+constexpr double least_type_share = 0.72;
+constexpr double least_label_share = 0.36;  // a label of 12 px
+constexpr double header_share = 0.85;
+
+// Whether a picture is high enough for six labels one above another. Smaller pictures are for
+// shapes alone: text shrinks with them until it is omitted.
+bool has_type(const StageOptions& options) {
+    constexpr int least_side_px = 72;
+    return std::min(options.width_px, options.height_px) >= least_side_px * options.samples;
+}
+
+// The name of a panel in its upper left corner.
+Drawer header_of(Panel& panel, StageStore& store, std::string_view text) {
+    // The same size in all panels, whatever their size.
+    const StageContext& stage = *panel.stage;
+    const double size =
+        std::max(24.0 * stage.scene.type_scale * stage.scene.style.heading_scale.value_or(1.0) *
+                     std::max(header_share * stage.px, least_label_share * stage.options.samples),
+                 least_type_px(stage));
+    const TextBlock type = store.set(text, {.size_px = size, .mode = TypeMode::text});
+    panel.header_px = 1.7 * size;
+    // In the first column it is left-aligned with the title.
+    const double left =
+        panel.box.x_px == 0 ? overlay_margin * panel.stage->px : panel.box.x_px + 0.7 * size;
+    return [&panel, &stage, type, size, left](const FrameInput&, ViewBuilder& builder) {
+        Label label;
+        label.mask = type.mask;
+        label.top_left_px = {
+            stage.at_whole_pixel(left) + type.left_px,
+            stage.at_whole_pixel(panel.box.y_px + 0.4 * size + size) - type.baseline_px};
+        label.colour = panel.stage->theme.text;
+        label.halo_colour = panel.stage->theme.halo;
+        label.halo_px = 2.0 * panel.px;
+        label.opacity = 0.88;
+        label.held_at = 0.0;
+        label.rank = rank_of_headings;
+        if (type.mask->width > 0) builder.view.labels.push_back(label);
+    };
+}
+
+// Rejects cells that are too small to show anything.
+void check_free_space(const Scene& scene, const PanelBox& box, std::size_t panel) {
+    constexpr int least_px = 8;
+    if (scene.panels.size() < 2 || std::min(box.width_px, box.height_px) >= least_px) return;
+    throw SceneError(scene.location_of(fmt::format("panels[{}]", panel)),
+                     fmt::format("panels[{}] has {}x{} pixels without title and caption; a panel "
+                                 "needs {} per side: make the picture larger, or the grid coarser",
+                                 panel, box.width_px, box.height_px, least_px));
+}
+
+bool says_camera(const KeyframeSpec& key) {
+    return key.azimuth_deg || key.elevation_deg || key.distance || key.field_deg || key.target ||
+           !key.look_at.empty();
+}
+
+// Rejects keys of a panel's own camera that the panel does not use; keys of a named view are
+// exempt, since a view sets all of them.
+void check_panel_camera(const Scene& scene, const PanelKind& kind, std::size_t panel) {
+    const auto refuse = [&](const std::string& key, std::string_view why) {
+        if (scene.locations.contains(key))
+            throw SceneError(scene.location_of(key),
+                             fmt::format("{} changes nothing: panel \"{}\" {}; leave it out", key,
+                                         kind.name, why));
+    };
+    std::vector<std::string> tables{fmt::format("panels[{}].camera", panel)};
+    for (std::size_t k = 0; k < scene.keyframes.size(); ++k)
+        if (scene.keyframes[k].panel == static_cast<int>(panel) && says_camera(scene.keyframes[k]))
+            tables.push_back(fmt::format("keyframes[{}]", k));
+    for (const std::string& table : tables) {
+        if (kind.camera == CameraUse::none)
+            refuse(table.starts_with("panels") ? table : table + ".panel",
+                   "is flat and has no camera");
+        if (kind.camera == CameraUse::all) continue;
+        for (const char* leaf : {"distance", "target", "look_at"})
+            refuse(fmt::format("{}.{}", table, leaf), "fits all of its content into its frame");
+    }
+}
+
+// The camera of one panel: [camera], in body axes with the panel's default direction; then the keys
+// of the panel's view and its own keys.
+CameraSpec panel_camera(const Panel& panel, const PanelKind& kind) {
+    const PanelCameraSpec& own = panel.spec.camera;
+    CameraSpec camera = panel.stage->scene.camera;
+    if (kind.own_direction != nullptr) {
+        const Eigen::Vector3d from = kind.own_direction(panel);
+        constexpr double deg = 180.0 / std::numbers::pi;
+        camera.azimuth_deg = deg * std::atan2(from.y(), from.x());
+        camera.elevation_deg = deg * std::atan2(from.z(), from.head<2>().norm());
+    }
+    if (!own.view.empty()) {
+        const CameraView& view = camera_view_named(own.view);
+        camera.azimuth_deg = view.azimuth_deg;
+        camera.elevation_deg = view.elevation_deg;
+        camera.distance = view.distance;
+        camera.field_deg = view.field_deg;
+        camera.look_at = view.look_at;
+        camera.target.reset();
+    }
+    camera.azimuth_deg = own.azimuth_deg.value_or(camera.azimuth_deg);
+    camera.elevation_deg = own.elevation_deg.value_or(camera.elevation_deg);
+    camera.distance = own.distance.value_or(camera.distance);
+    camera.field_deg = own.field_deg.value_or(camera.field_deg);
+    if (own.target) camera.target = own.target;
+    if (!own.look_at.empty()) {
+        camera.look_at = own.look_at;
+        camera.target.reset();
+    }
+    return camera;
+}
+
+bool says_camera(const PanelCameraSpec& own) {
+    return own.azimuth_deg || own.elevation_deg || own.distance || own.field_deg || own.target ||
+           !own.look_at.empty() || !own.view.empty();
+}
+
+// Gives a panel its own camera if the panel or a keyframe for it defines one.
+void give_camera(Panel& panel, const PanelKind& kind, std::size_t index) {
+    const Scene& scene = panel.stage->scene;
+    const int number = static_cast<int>(index);
+    const bool moved = std::any_of(
+        scene.keyframes.begin(), scene.keyframes.end(),
+        [number](const KeyframeSpec& k) { return k.panel == number && says_camera(k); });
+    check_panel_camera(scene, kind, index);
+    const std::string& projection = panel.spec.camera.projection;
+    panel.orthographic =
+        (projection.empty() ? scene.camera.projection : projection) == "orthographic";
+    if (!moved && !says_camera(panel.spec.camera)) return;
+    panel.user_timeline.emplace(
+        scene, panel_camera(panel, kind), number,
+        panel.stage->rolling ? panel.stage->rolling->foot() : Eigen::Vector3d::Zero().eval());
+}
+
+void check_fades(const Scene& scene, const StageStore& store) {
+    for (std::size_t i = 0; i < scene.fades.size(); ++i) {
+        for (const std::string& name : scene.fades[i].elements) {
+            if (store.names().contains(name)) continue;
+            const std::vector<std::string_view> known(store.names().begin(), store.names().end());
+            throw SceneError(scene.location_of(fmt::format("fades[{}].elements", i)),
+                             fmt::format("no element shown is called \"{}\"{}", printable(name),
+                                         choose_instead(name, known)));
+        }
+    }
+}
+
+void check_unlabelled(const Scene& scene, const StageStore& store) {
+    for (const std::string& name : scene.unlabelled) {
+        if (store.names().contains(name)) continue;
+        const std::vector<std::string_view> known(store.names().begin(), store.names().end());
+        throw SceneError(scene.location_of("unlabelled"),
+                         fmt::format("no element shown is called \"{}\"{}", printable(name),
+                                     choose_instead(name, known)));
+    }
+}
+
+void check_keyframes(const StageContext& stage, const std::deque<Panel>& panels) {
+    const auto follows_camera = [](const PanelKind& kind) {
+        return kind.camera != CameraUse::none && kind.own_direction == nullptr;
+    };
+    const auto moves = [](const Panel& panel) {
+        return !panel.user_timeline && panel.camera_at != nullptr;
+    };
+    const Scene& scene = stage.scene;
+    if (!stage.timeline.camera_moves() || std::any_of(panels.begin(), panels.end(), moves)) return;
+    for (std::size_t i = 0; i < scene.keyframes.size(); ++i) {
+        if (!says_camera(scene.keyframes[i]) || scene.keyframes[i].panel) continue;
+        throw SceneError(
+            scene.location_of(fmt::format("keyframes[{}]", i)),
+            fmt::format("keyframes[{0}] moves [camera], but no panel here uses [camera]; name a "
+                        "panel by its index, as in keyframes[{0}].panel = 0, add a panel "
+                        "{1}, or leave the camera out",
+                        i, panels_where(follows_camera, "or")));
+    }
+}
+
+}  // namespace
+
+std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
+    const Scene& scene = stage.scene;
+    const StageOptions& options = stage.options;
+    const std::vector<PanelSpec> specs = panels_of(stage);
+    std::vector<const PanelKind*> kinds;
+    kinds.reserve(specs.size());
+    for (const PanelSpec& spec : specs)
+        // Returned as a pointer: g++ 14 warns that a reference may dangle.
+        kinds.push_back(at_scene_key(scene, fmt::format("panels[{}].kind", kinds.size()),
+                                     [&spec] { return &panel_kind_named(spec.kind); }));
+
+    // If there are several panels, or one that fills its box, the title and the caption get their
+    // own rows.
+    PanelBox room{0, 0, options.width_px, options.height_px};
+    const OverlayBands bands = overlay_bands(stage, store.text());
+    if (specs.size() > 1 || kinds.front()->fills) {
+        room.y_px = bands.top_px;
+        room.height_px = std::max(1, options.height_px - bands.top_px - bands.bottom_px);
+    }
+    const std::vector<int> columns =
+        boundaries(scene.grid.columns, room.x_px, room.width_px, options.samples);
+    const std::vector<int> rows =
+        boundaries(scene.grid.rows, room.y_px, room.height_px, options.samples);
+    std::deque<Panel> panels;
+    for (const PanelSpec& spec : specs) {
+        const PanelKind& kind = *kinds[panels.size()];
+        if (!kind.possible(stage)) {
+            const bool rests = stage.motion.motion().problem().start.omega_body.isZero(0.0);
+            throw SceneError(scene.location_of(rests ? "start.omega_rad_s" : "panels"),
+                             rests ? "omega_rad_s is zero, and a body at rest has no invariable "
+                                     "plane; give an angular velocity"
+                                   : "panel \"" + spec.kind + "\" needs " +
+                                         std::string(kind.requirement) + "; choose another panel");
+        }
+        Panel& panel = panels.emplace_back();
+        panel.stage = &stage;
+        panel.spec = spec;
+        panel.light = stage.theme.light;
+        panel.box = box_of(spec, columns, rows);
+        panel.overlays = bands;
+        panel.unit_circle = store.unit_circle();
+        panel.unit_segment = store.unit_segment();
+        const auto index = static_cast<std::size_t>(&spec - specs.data());
+        check_free_space(scene, panel.box, index);
+        give_camera(panel, kind, index);
+        const double share = line_scale(panel.box, options);
+        panel.px = stage.px * share;
+        panel.type_px = has_type(options) ? std::max(stage.px * std::max(share, least_type_share),
+                                                     least_label_share * options.samples)
+                                          : stage.px * share;
+        panel.type_px *= scene.type_scale;
+        Drawer header;
+        if (specs.size() > 1)
+            header =
+                header_of(panel, store,
+                          spec.title.value_or(std::string(phrase_in(scene.language, kind.title))));
+        // Errors of a chart refer to its quantity.
+        if (spec.quantity.empty())
+            kind.make(panel, store);
+        else
+            at_scene_key(scene, fmt::format("panels[{}].quantity", index),
+                         [&] { kind.make(panel, store); });
+        if (header) {
+            panel.draw = [header, draw = std::move(panel.draw)](const FrameInput& instant,
+                                                                ViewBuilder& builder) {
+                draw(instant, builder);
+                header(instant, builder);
+            };
+        }
+        panel.draw = fading(stage, store, spec.kind, std::move(panel.draw));
+    }
+    return panels;
+}
+
+void check_targets(const StageContext& stage, const StageStore& store,
+                   const std::deque<Panel>& panels) {
+    check_fades(stage.scene, store);
+    check_unlabelled(stage.scene, store);
+    check_keyframes(stage, panels);
+}
+
+}  // namespace poinsot

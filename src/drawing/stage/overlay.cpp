@@ -1,0 +1,333 @@
+#include "drawing/stage/overlay.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "drawing/stage/fade.h"
+#include "drawing/stage/live_values.h"
+#include "drawing/stage/type/clock_text.h"
+#include "drawing/stage/type/time_unit.h"
+#include "scene/film_clock.h"
+#include "scene/scene_error.h"
+
+namespace poinsot {
+
+namespace {
+
+// Adds text at a corner of the picture; its pen may be between pixels.
+void add_text(const StageContext& stage, const TextBlock& type, double pen_x, double baseline_y,
+              LabelRank rank, ViewBuilder& builder) {
+    if (type.mask->width == 0) return;
+    Label label;
+    label.mask = type.mask;
+    label.top_left_px = {stage.at_whole_pixel(pen_x) + type.left_px,
+                         stage.at_whole_pixel(baseline_y) - type.baseline_px};
+    label.colour = stage.theme.text;
+    label.halo_colour = stage.theme.halo;
+    label.halo_px = 2.0 * stage.px;
+    label.held_at = 0.0;
+    label.rank = rank;
+    builder.view.labels.push_back(label);
+}
+
+// `px`: width of a line of one pixel at 1080 rows.
+double margin(double px) { return overlay_margin * px; }
+double margin(const StageContext& stage) { return margin(stage.px); }
+
+constexpr double title_size = 40.0;
+constexpr double caption_size = 26.0;
+
+// The scale that [style] gives text of this size.
+double scale_of(const Scene& scene, double size) {
+    const auto& own = size == title_size ? scene.style.title_scale : scene.style.caption_scale;
+    return scene.type_scale * own.value_or(1.0);
+}
+
+// The style of text wrapped to a picture of this width, with samples × samples per pixel.
+TypeStyle text_style(const Scene& scene, int width_px, double px, double size, int samples) {
+    return {.size_px = size * px * scale_of(scene, size),
+            .mode = TypeMode::text,
+            .max_width_px = std::max(64.0 * samples, width_px - 2.0 * margin(px))};
+}
+TypeStyle text_style(const StageContext& stage, double size) {
+    return text_style(stage.scene, stage.options.width_px, stage.px, size, stage.options.samples);
+}
+
+Drawer make_title(const StageContext& stage, StageStore& store) {
+    const TextBlock type = at_scene_key(stage.scene, "title", [&] {
+        return store.set(stage.scene.title, text_style(stage, title_size));
+    });
+    return [&stage, type](const FrameInput&, ViewBuilder& builder) {
+        add_text(stage, type, margin(stage), margin(stage) + type.baseline_px, rank_of_title,
+                 builder);
+    };
+}
+
+Drawer make_caption(const StageContext& stage, StageStore& store) {
+    const TypeStyle style = text_style(stage, caption_size);
+    const auto place = [&stage](const TextBlock& type, ViewBuilder& builder) {
+        const double below = type.height_px() - type.baseline_px;
+        add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
+                 rank_of_caption, builder);
+    };
+    // Always set here, so that an invalid caption is rejected before the first frame.
+    const TextBlock type = at_scene_key(stage.scene, "caption", [&] {
+        return store.set(expand_live_text(stage.scene.caption, live_values(stage.scene, {})),
+                         style);
+    });
+    if (!is_live(stage.scene.caption)) {
+        return [place, type](const FrameInput&, ViewBuilder& builder) { place(type, builder); };
+    }
+    return [&stage, style, place, &text = std::as_const(store).text()](const FrameInput& instant,
+                                                                       ViewBuilder& builder) {
+        const auto values = live_values(stage.scene, instant);
+        place(text.set_live(expand_live_text(stage.scene.caption, values), style, builder.view),
+              builder);
+    };
+}
+
+Drawer make_clock(const StageContext& stage, StageStore& store) {
+    const ClockText clock(stage.film_first_s, stage.film_last_s);
+    const TypeStyle style = text_style(stage, caption_size);
+    // Its left end is fixed, with space for the widest text, so that it does not move as digits
+    // change: all digits have the same width.
+    double widest_px = 160.0 * stage.px;
+    for (const double time_s : {stage.film_first_s, stage.film_last_s}) {
+        const TextBlock type = store.set(clock.at(time_s), style);
+        widest_px = std::max(widest_px, static_cast<double>(type.left_px + type.mask->width));
+    }
+    const double pen = stage.options.width_px - margin(stage) - widest_px;
+    const double baseline = margin(stage) + std::max(style.size_px, stage.options.least.type_px);
+    return [&stage, clock, style, pen, baseline, &text = std::as_const(store).text()](
+               const FrameInput& instant, ViewBuilder& builder) {
+        const TextBlock type = text.set_live(clock.at(instant.time_s), style, builder.view);
+        add_text(stage, type, pen, baseline, rank_of_clock, builder);
+    };
+}
+
+bool wants(const Scene& scene, const char* name) {
+    const auto& show = scene.show;
+    return show.empty() || std::find(show.begin(), show.end(), name) != show.end();
+}
+
+// One of [[captions]], set, and the part of the film in which it is shown.
+struct TimedCaption {
+    const TimedCaptionSpec* spec = nullptr;
+    double begin_s = 0.0, end_s = 0.0;
+    std::optional<TextBlock> still;  // empty: contains numbers that change
+
+    // Opacity: fades in and out within a third of a second, or of the caption's duration.
+    double presence(double film_s) const {
+        const double ramp_s = std::min(0.33, (end_s - begin_s) / 3.0);
+        const double in = (film_s - begin_s) / ramp_s;
+        const double out = (end_s - film_s) / ramp_s;
+        const double u = std::clamp(std::min(in, out), 0.0, 1.0);
+        return u * u * (3.0 - 2.0 * u);
+    }
+};
+
+// The top of the scene's own caption, or the picture's lower margin.
+double bottom_of_captions(const StageContext& stage, const TypeStyle& style) {
+    double bottom = stage.options.height_px - margin(stage);
+    const Scene& scene = stage.scene;
+    const bool captioned = !scene.caption.empty() && wants(scene, "caption");
+    if (!captioned) return bottom;
+    TextCache type_case(stage.options.samples, stage.options.least);
+    const TextBlock type =
+        type_case.set(expand_live_text(scene.caption, live_values(scene, {})), style);
+    return bottom - type.height_px() - 14.0 * stage.px;
+}
+
+Drawer make_timed_captions(const StageContext& stage, StageStore& store) {
+    const Scene& scene = stage.scene;
+    const TypeStyle style = text_style(stage, caption_size);
+    std::vector<TimedCaption> captions;
+    for (std::size_t i = 0; i < scene.captions.size(); ++i) {
+        TimedCaption caption;
+        caption.spec = &scene.captions[i];
+        const auto [begin_s, end_s] = caption_span(scene, i);
+        caption.begin_s = begin_s;
+        caption.end_s = end_s;
+        const TextBlock type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
+            return store.set(expand_live_text(caption.spec->text, live_values(scene, {})), style);
+        });
+        if (!is_live(caption.spec->text)) caption.still = type;
+        captions.push_back(caption);
+    }
+    const double foot = bottom_of_captions(stage, style);
+    const bool titled = !scene.title.empty() && wants(scene, "title");
+    const double head = margin(stage) + (titled ? 62.0 * scene.type_scale * stage.px : 0.0);
+    return [&stage, captions, style, foot, head, &text = std::as_const(store).text()](
+               const FrameInput& instant, ViewBuilder& builder) {
+        for (const TimedCaption& caption : captions) {
+            const double presence = caption.presence(instant.film_s);
+            if (!(presence > 0.0)) continue;
+            const TextBlock type =
+                caption.still ? *caption.still
+                              : text.set_live(expand_live_text(caption.spec->text,
+                                                               live_values(stage.scene, instant)),
+                                              style, builder.view);
+            const double baseline = caption.spec->place == "top"
+                                        ? head + type.baseline_px
+                                        : foot - (type.height_px() - type.baseline_px);
+            const std::size_t n_before = builder.view.labels.size();
+            add_text(stage, type, margin(stage), baseline, rank_of_caption, builder);
+            if (builder.view.labels.size() > n_before)
+                builder.view.labels.back().opacity *= presence;
+        }
+    };
+}
+
+// By default a loop has no clock, since it has no first instant.
+bool wants_clock(const Scene& scene) {
+    if (scene.clock) return *scene.clock;
+    if (!scene.film.loop.empty() && scene.show.empty()) return false;
+    return wants(scene, "clock");
+}
+
+bool wants_title(const Scene& scene) { return !scene.title.empty() && wants(scene, "title"); }
+bool wants_caption(const Scene& scene) { return !scene.caption.empty() && wants(scene, "caption"); }
+
+// If one panel fills the picture and its camera moves close, the figure may run under the title and
+// the caption: then they get bands of the background's colour, which fade in as the camera leaves
+// the framed view.
+Drawer make_bands(const StageContext& stage, StageStore& store, const std::deque<Panel>& panels) {
+    const Panel& panel = panels.front();
+    const bool runs_under = panels.size() == 1 && panel.box.height_px == stage.options.height_px &&
+                            stage.theme.background.alpha >= 1.0;
+    if (!runs_under) return {};
+    const OverlayBands& rows = panel.overlays;
+    const double width = stage.options.width_px;
+    struct Band {
+        TextBlock type;
+        double top_px;
+        Colour colour;
+        const char* of;
+    };
+    std::vector<Band> bands;
+    const Background& ground = stage.theme.background;
+    if (wants_title(stage.scene))
+        bands.push_back(
+            {store.text().band(width, 1.9 * rows.top_px, true), 0.0, ground.top, "title"});
+    if (rows.bottom_px > 0) {
+        const TextBlock type = store.text().band(width, 1.9 * rows.bottom_px, false);
+        bands.push_back(
+            {type, stage.options.height_px - type.height_px(), ground.bottom, "caption"});
+    }
+    return [&stage, &panel, bands](const FrameInput& instant, ViewBuilder& builder) {
+        constexpr double density = 0.86;
+        const double nearness = 1.0 - timeline_of(panel).camera_at(instant.film_s).framing;
+        if (!(nearness > 0.0)) return;
+        for (const Band& band : bands) {
+            Label label;
+            label.mask = band.type.mask;
+            label.top_left_px = {0.0, band.top_px};
+            label.colour = band.colour;
+            label.opacity = density * nearness * stage.timeline.opacity_of(band.of, instant.film_s);
+            builder.view.labels.push_back(label);
+        }
+    };
+}
+
+}  // namespace
+
+std::vector<Drawer> make_overlays(const StageContext& stage, StageStore& store,
+                                  const std::deque<Panel>& panels) {
+    std::vector<Drawer> overlays;
+    if (Drawer bands = make_bands(stage, store, panels)) overlays.push_back(std::move(bands));
+    if (wants_title(stage.scene)) {
+        overlays.push_back(fading(stage, store, "title", make_title(stage, store)));
+    }
+    if (wants_caption(stage.scene)) {
+        overlays.push_back(fading(stage, store, "caption", make_caption(stage, store)));
+    }
+    if (!stage.scene.captions.empty()) overlays.push_back(make_timed_captions(stage, store));
+    if (wants_clock(stage.scene))
+        overlays.push_back(fading(stage, store, "clock", make_clock(stage, store)));
+    return overlays;
+}
+
+// `type_case` sets text for a picture with samples × samples per pixel.
+OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samples,
+                           TextCache& type_case) {
+    // Whole rows of final pixels, so that panels do not depend on the number of samples.
+    const auto rows = [samples](double high_px) {
+        return samples * static_cast<int>(std::ceil(high_px / samples));
+    };
+    OverlayBands bands;
+    if (wants_title(scene) || wants_clock(scene)) {
+        bands.top_px =
+            rows(margin(px) + (wants_title(scene) ? 56.0 * scale_of(scene, title_size)
+                                                  : 40.0 * scale_of(scene, caption_size)) *
+                                  px);
+    }
+    if (wants_title(scene)) {
+        const TextBlock type = at_scene_key(scene, "title", [&] {
+            return type_case.set(scene.title, text_style(scene, width_px, px, title_size, samples));
+        });
+        bands.title_right_px = margin(px) + type.width_px();
+    }
+    if (wants_caption(scene)) {
+        // Changing numbers affect the text's width, but hardly its number of lines.
+        const TextBlock type = at_scene_key(scene, "caption", [&] {
+            return type_case.set(expand_live_text(scene.caption, live_values(scene, {})),
+                                 text_style(scene, width_px, px, caption_size, samples));
+        });
+        bands.bottom_px = rows(margin(px) + type.height_px() + 18.0 * px);
+    }
+    // Rows of timed captions are reserved throughout, so that panels do not move.
+    double top_px = 0.0;
+    double bottom_px = 0.0;
+    for (std::size_t i = 0; i < scene.captions.size(); ++i) {
+        const TimedCaptionSpec& caption = scene.captions[i];
+        const TextBlock type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
+            return type_case.set(expand_live_text(caption.text, live_values(scene, {})),
+                                 text_style(scene, width_px, px, caption_size, samples));
+        });
+        double& room_px = caption.place == "top" ? top_px : bottom_px;
+        room_px = std::max(room_px, type.height_px() + 14.0 * px);
+    }
+    if (top_px > 0.0) bands.top_px = std::max(bands.top_px, rows(margin(px))) + rows(top_px);
+    if (bottom_px > 0.0)
+        bands.bottom_px = std::max(bands.bottom_px, rows(margin(px))) + rows(bottom_px);
+    return bands;
+}
+
+OverlayBands overlay_bands(const StageContext& stage, TextCache& text) {
+    return overlay_bands(stage.scene, stage.options.width_px, stage.px, stage.options.samples,
+                         text);
+}
+
+int rows_of_overlays(const Scene& scene, int width_px, double px, const LeastSizes& least) {
+    TextCache type_case(1, least);
+    const OverlayBands bands = overlay_bands(scene, width_px, px, 1, type_case);
+    return bands.top_px + bands.bottom_px;
+}
+
+int rows_added_by_type(const Scene& scene, int width_px, double px, const LeastSizes& least) {
+    const double screen_px = width_px / 1920.0;
+    return std::max(0, rows_of_overlays(scene, width_px, px, least) -
+                           rows_of_overlays(scene, width_px, screen_px, {}));
+}
+
+std::span<const OverlayName> overlays() {
+    static constexpr std::array<OverlayName, 3> names{{
+        {"title", "the scene's title, at the top left"},
+        {"caption", "the scene's caption, at the bottom, with live numbers"},
+        {"clock", "the instant of the motion, at the top right"},
+    }};
+    return names;
+}
+
+bool is_overlay(std::string_view name) {
+    const auto names = overlays();
+    return std::any_of(names.begin(), names.end(),
+                       [name](const OverlayName& overlay) { return overlay.name == name; });
+}
+
+}  // namespace poinsot

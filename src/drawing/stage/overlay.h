@@ -1,0 +1,41 @@
+// Text over the whole picture: the scene's title and caption, and the clock.
+#pragma once
+
+#include <deque>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "drawing/stage/panel.h"
+
+namespace poinsot {
+
+// Drawers of the overlays that the scene lists; by default, all for which it has text.
+std::vector<Drawer> make_overlays(const StageContext& stage, StageStore& store,
+                                  const std::deque<Panel>& panels);
+
+// `text`: sets the overlays.
+OverlayBands overlay_bands(const StageContext& stage, TextCache& text);
+
+// Rows that the overlays of a picture with this width need beyond those on a screen. `px`: width of
+// a line of "one pixel at 1080 rows". Text whose size is given in points takes more rows of a
+// narrow page.
+int rows_added_by_type(const Scene& scene, int width_px, double px, const LeastSizes& least);
+
+// Rows that the overlays of such a picture take in total.
+int rows_of_overlays(const Scene& scene, int width_px, double px, const LeastSizes& least);
+
+// Distance between the overlays and the picture's sides, pixels at 1080 rows.
+constexpr double overlay_margin = 40.0;
+
+// Names of the overlays in `show` and in fades.
+struct OverlayName {
+    std::string_view name;
+    std::string_view summary;
+};
+std::span<const OverlayName> overlays();
+
+// Whether a name in `show` is an overlay.
+bool is_overlay(std::string_view name);
+
+}  // namespace poinsot

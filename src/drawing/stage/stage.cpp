@@ -1,0 +1,135 @@
+#include "drawing/stage/stage.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "drawing/stage/layout.h"
+#include "drawing/stage/marks.h"
+#include "drawing/stage/overlay.h"
+#include "drawing/stage/panel_kind.h"
+#include "drawing/stage/stage_context.h"
+#include "drawing/stage/stage_store.h"
+#include "drawing/stage/type/label_fit.h"
+#include "drawing/stage/type/labels.h"
+#include "drawing/style/line_style.h"
+#include "scene/scene_error.h"
+
+namespace poinsot {
+
+struct Stage::Contents {
+    StageContext context;
+    StageStore store{context};
+    std::deque<Panel> panels = make_panels(context, store);
+    std::vector<Drawer> overlays;    // title, caption, clock: over the whole picture
+    Quantities needs = omega_alone;  // what all panels together read of an instant
+    bool shows_comparison = false;   // whether one of them shows the comparison motion
+
+    Contents(const Scene& scene, const Theme& theme, const Motion& motion,
+             const StageOptions& options, const Motion* comparison)
+        : context(scene, theme, motion, options, comparison) {
+        for (const Panel& panel : panels) {
+            needs = united(needs, panel.needs);
+            shows_comparison = shows_comparison || panel.shows_comparison;
+        }
+        if (comparison != nullptr && !shows_comparison) {
+            throw SceneError(scene.location_of("beside"),
+                             "no panel here shows the comparison method; add a panel " +
+                                 panels_that_take(takes_comparison, "or"));
+        }
+        overlays = make_overlays(context, store, panels);
+        check_targets(context, store, panels);
+    }
+};
+
+Stage::Stage(const Scene& scene, const Theme& theme, const Motion& motion,
+             const StageOptions& options, const Motion* comparison)
+    : contents_(std::make_unique<const Contents>(scene, theme, motion, options, comparison)) {}
+Stage::~Stage() = default;
+Stage::Stage(Stage&&) noexcept = default;
+Stage& Stage::operator=(Stage&&) noexcept = default;
+
+const Quantities& Stage::needs() const { return contents_->needs; }
+
+const EvaluationCounts& Stage::counts() const { return contents_->context.motion.counts(); }
+
+double Stage::curve_error_px() const { return contents_->store.curve_error_px(); }
+
+std::span<const std::string> Stage::notes() const { return contents_->store.notes(); }
+
+const StageContext& Stage::context() const { return contents_->context; }
+const StageStore& Stage::store() const { return contents_->store; }
+const std::deque<Panel>& Stage::panels() const { return contents_->panels; }
+
+Drawing Stage::at(double time_s) const {
+    return at(moment_of_time(FilmClock(contents_->context.scene), time_s));
+}
+
+namespace {
+
+LineRules line_rules(const StageContext& stage, const StageStore& store) {
+    const auto said = [](std::string_view by_scene, std::string_view by_theme) {
+        return by_scene.empty() ? by_theme : by_scene;
+    };
+    return {.hidden = said(stage.scene.hidden, stage.theme.hidden),
+            .crossings = said(stage.scene.crossings, stage.theme.crossings),
+            .px = stage.px,
+            .least_px = stage.options.least.line_px,
+            .unit_circle = store.unit_circle(),
+            .unit_segment = store.unit_segment()};
+}
+
+}  // namespace
+
+Drawing Stage::at(const FilmTime& moment) const {
+    const StageContext& context = contents_->context;
+    const FrameInput instant =
+        context.instant_at(moment, contents_->needs, contents_->shows_comparison);
+    const Background& ground = context.theme.background;
+    Drawing drawing;
+    drawing.width_px = context.options.width_px;
+    drawing.height_px = context.options.height_px;
+    drawing.background = ground;
+    // Views own the text and curves made for this drawing alone; their shapes point to them, so
+    // that views must not move once made.
+    drawing.views.reserve(contents_->panels.size() + 1);
+    for (const Panel& panel : contents_->panels) {
+        ViewBuilder builder;
+        View& view = builder.view;
+        view.x_px = panel.box.x_px;
+        view.y_px = panel.box.y_px;
+        view.width_px = panel.box.width_px;
+        view.height_px = panel.box.height_px;
+        view.camera = panel.camera_at ? panel.camera_at(moment.film_s) : panel.camera;
+        view.light = panel.light;
+        // Several panels share the picture's background.
+        view.background = ground;
+        if (panel.box.height_px < drawing.height_px || panel.box.width_px < drawing.width_px) {
+            view.background.alpha = 0.0;
+        }
+        panel.draw(instant, builder);
+        const auto n_dots = static_cast<std::ptrdiff_t>(view.dots.size());
+        mark_arrows_at_viewer(panel, view);
+        // A label keeps its distance from the ring that replaces its arrow.
+        for (auto ring = view.dots.begin() + n_dots; ring != view.dots.end(); ++ring)
+            for (LabelRequest& request : builder.requests)
+                if (request.at && (*request.at - ring->at).isZero(0.0))
+                    request.gap_px += 2.0 * ring->opacity * ring->radius_px;
+        place_labels(builder.requests, context.theme.halo, 4.0 * panel.px, view,
+                     contents_->store.unit_segment());
+        follow_line_rules(line_rules(context, contents_->store), view);
+        drawing.views.push_back(std::move(view));
+    }
+
+    // Title, caption and clock are in a view of their own over all panels.
+    ViewBuilder over;
+    over.view.width_px = drawing.width_px;
+    over.view.height_px = drawing.height_px;
+    over.view.background.alpha = 0.0;
+    for (const Drawer& draw : contents_->overlays) draw(instant, over);
+    if (!over.view.labels.empty()) drawing.views.push_back(std::move(over.view));
+    if (context.options.least.type_px > 0.0) leave_out_type(drawing);
+    return drawing;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,62 @@
+// (Scene, Motion) → Drawing at any instant. Prepares everything that all instants share.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "drawing/stage/stage_options.h"
+#include "mechanics/motion.h"
+#include "scene/film_clock.h"
+#include "scene/scene.h"
+#include "shapes/views.h"
+
+namespace poinsot {
+
+struct EvaluationCounts;
+struct Panel;
+struct StageContext;
+struct Theme;
+class StageStore;
+
+// Holds the geometry that all video frames share and makes the drawing of an instant. Immutable
+// once constructed; drawings refer to it and must not outlive it. Move-only.
+class Stage {
+ public:
+    // Throws InputError for a scene without a picture (no invariable plane, unknown element).
+    // `theme`: the scene's, from theme_of. `comparison`: the same motion by another method, drawn
+    // as a ghost. Both motions must outlive the stage.
+    Stage(const Scene& scene, const Theme& theme, const Motion& motion, const StageOptions& options,
+          const Motion* comparison = nullptr);
+    ~Stage();
+    Stage(Stage&&) noexcept;
+    Stage& operator=(Stage&&) noexcept;
+
+    // The drawing of an instant, at the film time of this instant.
+    Drawing at(double time_s) const;
+    Drawing at(const FilmTime& moment) const;
+
+    // What all panels together read of an instant.
+    const Quantities& needs() const;
+
+    // Evaluations of the motion since the construction of the stage, which is included.
+    const EvaluationCounts& counts() const;
+
+    // The largest measured distance of a polyline from its curve, in pixels.
+    double curve_error_px() const;
+
+    // What is drawn otherwise than the scene says, and why: one line each.
+    std::span<const std::string> notes() const;
+
+    // What it was given, what was made of it for all instants, and its panels.
+    const StageContext& context() const;
+    const StageStore& store() const;
+    const std::deque<Panel>& panels() const;
+
+ private:
+    struct Contents;
+    std::unique_ptr<const Contents> contents_;
+};
+
+}  // namespace poinsot

@@ -1,0 +1,101 @@
+#include "drawing/stage/stage_context.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "drawing/stage/accuracy.h"
+
+namespace poinsot {
+
+StageContext::StageContext(const Scene& scene_, const Theme& theme_, const Motion& motion_,
+                           const StageOptions& options_, const Motion* comparison_)
+    : scene(scene_),
+      motion(motion_),
+      options(options_),
+      theme(theme_),
+      px(options.line_scale > 0.0 ? options.line_scale : options.height_px / 1080.0),
+      curve_px(options.curve_px > 0.0 ? options.curve_px : accuracy_of(scene).curve_px()),
+      film_first_s(std::min(scene.film.start_s, options.first_time_s)),
+      film_last_s(std::max(film_end_time_s(scene), options.last_time_s)) {
+    if (comparison_ != nullptr) comparison.emplace(*comparison_);
+    make_construction();
+    timeline = Timeline(scene, rolling ? rolling->foot() : Eigen::Vector3d::Zero().eval());
+}
+
+void StageContext::make_construction() {
+    const MotionProblem& problem = motion.motion().problem();
+    const bool dissipates = std::holds_alternative<DissipationTorque>(problem.torque);
+    if (!(dissipates || std::holds_alternative<NoTorque>(problem.torque)) ||
+        problem.start.omega_body.isZero(0.0)) {
+        return;
+    }
+    rolling.emplace(problem.inertia, problem.start, scene.construction.plane);
+    if (dissipates) {
+        rolling->dissipates = true;
+        rolling->cones.reset();  // their angles change
+        widen_herpolhode();
+        return;
+    }
+    const FreeRotationConstants constants = motion.motion().free_constants();
+    polhode_period_s = constants.polhode_period_s;
+    if (scene.camera.motion == "co-precessing") turn_rate_rad_s = constants.mean_advance_rate_rad_s;
+}
+
+// Enlarges the herpolhode's radius to the largest component of ρ in the plane over the film.
+void StageContext::widen_herpolhode() {
+    constexpr int n_looks = 512;
+    constexpr Quantities in_plane{.attitude = false, .herpolhode = true, .euler_angles = false};
+    for (int k = 0; k <= n_looks; ++k) {
+        const double time_s =
+            options.first_time_s + (options.last_time_s - options.first_time_s) * k / n_looks;
+        const MotionSample sample = motion.motion().sample(time_s, in_plane);
+        const Eigen::Vector3d rho =
+            rolling->construction.contact_in_plane(sample.herpolhode_space) *
+            rolling->rho_growth(sample.state.omega_body);
+        rolling->herpolhode_radius =
+            std::max(rolling->herpolhode_radius, rho.norm() * rolling->picture_per_rho);
+    }
+}
+
+FrameInput StageContext::instant_at(const FilmTime& moment, const Quantities& needs,
+                                    bool with_comparison) const {
+    const MotionSample sample = motion.sample(moment.time_s, needs);
+    FrameInput instant{moment.time_s, sample.state,  sample.herpolhode_space,
+                       sample.euler,  moment.film_s, {}};
+    if (with_comparison) {
+        constexpr Quantities whole_state{
+            .attitude = true, .herpolhode = false, .euler_angles = false};
+        instant.comparison = comparison->sample(moment.time_s, whole_state).state;
+    }
+    if (turns()) {
+        const Eigen::Quaterniond turn = turned_from_space(moment.time_s);
+        instant.state.space_from_body = turn * instant.state.space_from_body;
+        instant.herpolhode_space = turn * instant.herpolhode_space;
+        if (instant.comparison) {
+            instant.comparison->space_from_body = turn * instant.comparison->space_from_body;
+        }
+    }
+    return instant;
+}
+
+Eigen::Quaterniond StageContext::turned_from_space(double time_s) const {
+    const double angle_rad = turn_rate_rad_s * (time_s - scene.film.start_s);
+    return Eigen::Quaterniond(Eigen::AngleAxisd(-angle_rad, rolling->construction.normal_space()));
+}
+
+double StageContext::quickest_rate_rad_s() const {
+    const MotionProblem& problem = motion.motion().problem();
+    const double I_least = problem.inertia.moments_kg_m2().minCoeff();
+    const Eigen::Vector3d omega =
+        problem.inertia.body_from_principal().transpose() * problem.start.omega_body;
+    // In units of the least moment, so that T neither overflows nor underflows.
+    const Eigen::Vector3d weights = (problem.inertia.moments_kg_m2() / I_least).cwiseSqrt();
+    double rate = weights.cwiseProduct(omega).stableNorm();
+    if (const auto* gravity = std::get_if<GravityTorque>(&problem.torque)) {
+        rate = std::hypot(rate, 2.0 * std::sqrt(std::abs(gravity->mgl_N_m) / I_least));
+    }
+    return rate;
+}
+
+}  // namespace poinsot

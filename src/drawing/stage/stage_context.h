@@ -1,0 +1,68 @@
+// What a stage is given, and what follows from it: the scene, its motion, the construction's
+// picture, the theme, sizes and times. Complete before the first panel is made; panels, elements
+// and drawers read it, and nobody changes it.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <optional>
+
+#include "drawing/stage/construction_picture.h"
+#include "drawing/stage/drawer.h"
+#include "drawing/stage/evaluations.h"
+#include "drawing/stage/stage_options.h"
+#include "drawing/stage/timeline.h"
+#include "drawing/style/theme.h"
+#include "scene/film_clock.h"
+#include "scene/scene.h"
+
+namespace poinsot {
+
+struct StageContext {
+    Scene scene;
+    CountedMotion motion;
+    std::optional<CountedMotion> comparison;  // by the scene's second method
+    StageOptions options;
+    Theme theme;                // the scene's theme, with its [style]
+    double px = 1.0;            // pixels of the picture for one pixel at 1080 rows
+    double curve_px = 0.05;     // largest distance of polylines from their curves
+    double film_first_s = 0.0;  // time span of the film and of time axes
+    double film_last_s = 1.0;
+
+    std::optional<ConstructionPicture> rolling;  // of motions that rotate and conserve L
+    std::optional<double> polhode_period_s;      // if it has one
+    double turn_rate_rad_s = 0.0;  // of the shown space axes about L (co-precessing camera)
+    Timeline timeline;
+
+    // Both motions must outlive it; `comparison`: null for none.
+    StageContext(const Scene& scene, const Theme& theme, const Motion& motion,
+                 const StageOptions& options, const Motion* comparison);
+    StageContext(const StageContext&) = delete;
+    StageContext& operator=(const StageContext&) = delete;
+
+    // The nearest boundary between final pixels: a shape placed there does not move with the number
+    // of samples per pixel.
+    double at_whole_pixel(double at_px) const {
+        return options.samples * std::round(at_px / options.samples);
+    }
+
+    // The state at an instant, with only these quantities; attitude and herpolhode in the shown
+    // space axes. `with_comparison`: also that of the comparison motion.
+    FrameInput instant_at(const FilmTime& moment, const Quantities& needs,
+                          bool with_comparison) const;
+
+    // Rotation from space axes to the shown axes. For a co-precessing camera, the camera, its light
+    // and its view of the plane turn about L together; this equals a fixed camera and
+    // rotating space axes. Both axes coincide at the film's start.
+    bool turns() const { return turn_rate_rad_s != 0.0; }
+    Eigen::Quaterniond turned_from_space(double time_s) const;
+
+    // An upper bound of |ω|, rad/s: from the energy at the start and the work of gravity.
+    double quickest_rate_rad_s() const;
+
+ private:
+    void make_construction();
+    void widen_herpolhode();
+};
+
+}  // namespace poinsot

@@ -1,0 +1,25 @@
+// The size and the times of a drawing.
+#pragma once
+
+#include <optional>
+
+#include "drawing/stage/type/least_sizes.h"
+
+namespace poinsot {
+
+struct StageOptions {
+    int width_px = 1920;
+    int height_px = 1080;
+    int samples = 1;          // samples × samples rendered pixels form one final pixel
+    double line_scale = 0.0;  // pixels for a line of "one pixel at 1080 rows"; 0: height_px / 1080
+    double curve_px =
+        0.0;  // largest distance of polylines from their curves; 0: from the scene's accuracy
+    LeastSizes least{};         // on paper, of the picture drawn
+    double first_time_s = 0.0;  // the instants that are drawn lie between these; histories begin
+    double last_time_s = 0.0;   // with the first and are made up to the last
+    std::optional<double> first_shown_s{};  // no instant before it is drawn; else the first
+    double loop_s = 0.0;  // after which the picture is the same again, seconds of motion; 0:
+                          // it never is
+};
+
+}  // namespace poinsot

@@ -1,0 +1,267 @@
+#include "drawing/stage/type/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "shapes/identity.h"
+#include "shapes/projection.h"
+
+namespace poinsot {
+
+namespace {
+
+// 1 for a point in the view, falling to 0 a little way outside: a label fades out as its point
+// leaves the view.
+double nearness_to_view(const Eigen::Vector2d& at_px, const View& view) {
+    const double reach_px = 0.06 * view.height_px;
+    const double outside_px =
+        std::max({view.x_px - at_px.x(), at_px.x() - view.x_px - view.width_px,
+                  view.y_px - at_px.y(), at_px.y() - view.y_px - view.height_px, 0.0});
+    return std::clamp(1.0 - outside_px / reach_px, 0.0, 1.0);
+}
+
+double smooth_step(double u) {
+    const double v = std::clamp(u, 0.0, 1.0);
+    return v * v * (3.0 - 2.0 * v);
+}
+
+struct PlacedBox {
+    Eigen::Vector2d centre;
+    Eigen::Vector2d half;
+};
+
+// An arrow's projection to the picture.
+struct Shaft {
+    Eigen::Vector3d tip, direction;  // a unit vector
+    Eigen::Vector2d from, along;     // px; `along` is a unit vector
+    double length_px = 0.0, half_px = 0.0, opacity = 1.0;
+};
+
+std::vector<Shaft> shafts_of(const View& view) {
+    std::vector<Shaft> shafts;
+    shafts.reserve(view.arrows.size());
+    for (const Arrow& arrow : view.arrows) {
+        const Eigen::Vector2d from = project(view, arrow.tail).px;
+        const Eigen::Vector2d way = project(view, arrow.tip).px - from;
+        const double length = way.norm();
+        if (!(length > 0.0)) continue;
+        const Eigen::Vector3d direction = (arrow.tip - arrow.tail).stableNormalized();
+        shafts.push_back({arrow.tip, direction, from, way / length, length, 0.5 * arrow.shaft_px,
+                          std::clamp(arrow.opacity, 0.0, 1.0)});
+    }
+    return shafts;
+}
+
+// Moves a box to its side of shafts that pass through it, of arrows nearly parallel to its own.
+// Other shafts pass under the label: avoiding them would make it move back and forth. The label
+// starts to move while the shaft approaches, and is clear of it when the shaft reaches the
+// requested position.
+void keep_off(const std::vector<Shaft>& shafts, const LabelRequest& request, PlacedBox& box) {
+    constexpr double clear = 1.15;                        // of the box's size
+    constexpr double passes = 0.90, accompanies = 0.985;  // cosines: 26° and 10°
+    const auto own = std::find_if(shafts.begin(), shafts.end(), [&request](const Shaft& shaft) {
+        return request.at && (*request.at - shaft.tip).isZero(0.0);
+    });
+    if (own == shafts.end()) return;
+    for (const Shaft& shaft : shafts) {
+        if (&shaft == &*own) continue;
+        const double company =
+            smooth_step((own->direction.dot(shaft.direction) - passes) / (accompanies - passes));
+        const Eigen::Vector2d normal =
+            request.side * Eigen::Vector2d(-shaft.along.y(), shaft.along.x());
+        const Eigen::Vector2d from = box.centre - shaft.from;
+        const double reach =
+            clear * box.half.dot(normal.cwiseAbs()) + shaft.half_px + 0.3 * request.gap_px;
+        const double aside = from.dot(normal);
+        const double reach_along = box.half.dot(shaft.along.cwiseAbs());
+        const double past = from.dot(shaft.along);
+        const double beside = std::min(past, shaft.length_px - past) + reach_along;
+        const double move =
+            std::min(reach * smooth_step(1.0 + 0.5 * aside / reach), std::max(reach - aside, 0.0));
+        box.centre += company * move * smooth_step(beside / reach_along) * shaft.opacity * normal;
+    }
+}
+
+// Adds a leader from the named point to the nearest point of the label's box, if their distance
+// exceeds the requested one.
+void add_leader(const LabelRequest& request, const PlacedBox& box, double before_px, double halo_px,
+                double opacity, const CurveGeometry* segment, View& view) {
+    const Eigen::Vector2d nearest =
+        request.anchor_px.cwiseMax(box.centre - box.half).cwiseMin(box.centre + box.half);
+    const Eigen::Vector2d way = nearest - request.anchor_px;
+    const double height = 2.0 * box.half.y();
+    const double presence = smooth_step((way.norm() - before_px - 0.35 * height) / (0.4 * height));
+    if (!(presence > 0.0)) return;
+    const Projected anchor = project(view, *request.at);
+    const Eigen::Matrix3d axes = camera_axes(view.camera);
+    const Eigen::Vector3d along =
+        units_per_pixel(view, anchor.depth) * (axes.col(0) * way.x() - axes.col(1) * way.y());
+    Curve line;
+    line.geometry = segment;
+    line.placement.linear() << along, along.norm() * axes.col(2).cross(along).normalized(),
+        along.norm() * axes.col(2);
+    line.placement.translation() = *request.at;
+    line.width_px = 0.4 * halo_px;
+    line.colour = request.colour;
+    line.opacity = 0.85 * presence * opacity;
+    line.occlusion = Occlusion::none;
+    view.curves.push_back(line);
+}
+
+// Sets text at the given size, or larger, so that no sub- or superscript is smaller than
+// `script_px`; on return the style has the size used.
+TypesetMask set_no_smaller(const Typesetter& typesetter, std::string_view text, double script_px,
+                           TypeStyle& style) {
+    TypesetMask set = typesetter.set(text, style);
+    double least_px = script_px;
+    for (const SetGlyph& glyph : set.glyphs) least_px = std::min(least_px, glyph.em_px);
+    if (least_px >= script_px) return set;
+    style.size_px *= script_px / least_px;
+    return typesetter.set(text, style);
+}
+
+}  // namespace
+
+TypesetMask TextCache::set_legible(std::string_view text, TypeStyle& style) const {
+    style.size_px = std::max(style.size_px / samples_, least_.type_px);
+    style.max_width_px /= samples_;
+    if (style.size_px >= least_legible_px || !(style.size_px > 0.0))
+        return set_no_smaller(typesetter_, text, least_.script_px, style);
+    style.size_px = least_legible_px;
+    typesetter_.measure(text, style);
+    return {};
+}
+
+TextBlock TextCache::keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const {
+    GlyphMask& mask = masks.emplace_back();
+    mask.id = next_identity();
+    mask.width = set.width;
+    mask.height = set.height;
+    mask.samples = samples_;
+    mask.coverage = std::move(set.coverage);
+    for (const SetGlyph& glyph : set.glyphs)
+        mask.letters.push_back(
+            {glyph.font_file, glyph.glyph, glyph.x_px, glyph.baseline_px, glyph.em_px});
+    for (const SetRule& rule : set.rules)
+        mask.rules.push_back({rule.left_px, rule.top_px, rule.width_px, rule.height_px});
+    return {&mask, samples_ * set.left_px, samples_ * set.baseline_px};
+}
+
+TextBlock TextCache::set_among(std::deque<GlyphMask>& masks, std::string_view text,
+                               const TypeStyle& style) const {
+    TypeStyle used = style;
+    TypesetMask set = set_legible(text, used);
+    const bool is_formula = style.mode == TypeMode::math;
+    SetText source{std::string(text), is_formula, used.size_px, set.baseline_px,
+                   is_formula ? 0.0 : used.max_width_px};
+    const TextBlock type = keep(std::move(set), masks);
+    masks.back().source = std::move(source);
+    return type;
+}
+
+TextBlock TextCache::set(std::string_view text, const TypeStyle& style) {
+    const auto key = std::make_tuple(std::string(text), style.size_px, static_cast<int>(style.mode),
+                                     style.max_width_px);
+    if (const auto found = known_.find(key); found != known_.end()) return found->second;
+    const TextBlock type = set_among(masks_, text, style);
+    known_.emplace(key, type);
+    return type;
+}
+
+TextBlock TextCache::band(double width_px, double height_px, bool dense_at_top) {
+    TypesetMask set;
+    set.width = static_cast<int>(std::lround(width_px / samples_));
+    set.height = static_cast<int>(std::lround(height_px / samples_));
+    set.coverage.resize(static_cast<std::size_t>(set.width) * static_cast<std::size_t>(set.height));
+    for (int row = 0; row < set.height; ++row) {
+        const int from_end = dense_at_top ? set.height - 1 - row : row;
+        const double density = smooth_step(1.8 * (from_end + 0.5) / set.height);
+        const auto begin = set.coverage.begin() + static_cast<std::ptrdiff_t>(row) * set.width;
+        std::fill(begin, begin + set.width, static_cast<std::uint8_t>(std::lround(255 * density)));
+    }
+    set.glyphs.clear();
+    set.rules = {{0.0, 0.0, static_cast<double>(set.width), static_cast<double>(set.height)}};
+    return keep(std::move(set), masks_);
+}
+
+double TextCache::least_size_px() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [key, type] : known_)
+        if (type.mask->width > 0) least = std::min(least, std::get<1>(key));
+    return least;
+}
+
+TextBlock TextCache::set_live(std::string_view text, const TypeStyle& style, View& view) const {
+    return set_among(view.live_masks, text, style);
+}
+
+void place_labels(const std::vector<LabelRequest>& requests, const Colour& halo, double halo_px,
+                  View& view, const CurveGeometry* segment) {
+    const std::vector<Shaft> shafts = shafts_of(view);
+    std::vector<PlacedBox> boxes;
+    std::vector<double> gaps;  // requested distance between the named point and the label
+    boxes.reserve(requests.size());
+    gaps.reserve(requests.size());
+    for (const LabelRequest& request : requests) {
+        const Eigen::Vector2d half =
+            0.5 * Eigen::Vector2d(request.type.width_px(), request.type.height_px());
+        // The distance is that of an ellipse about the box: smooth in the direction. If the
+        // direction vanishes (an arrow that points at the eye), it blends into "to the right". No
+        // function of the direction alone is continuous there: the box also moves nearer to the
+        // anchor.
+        const Eigen::Vector2d leaning = request.away + Eigen::Vector2d(0.2, 0.0);
+        const double length = std::max(leaning.norm(), 1e-9);
+        const Eigen::Vector2d away = leaning / length;
+        const double reach = std::hypot(half.x() * away.x(), half.y() * away.y());
+        const double nearness = length / std::hypot(length, 0.25);
+        boxes.push_back({request.anchor_px + away * (nearness * (request.gap_px + reach)), half});
+        gaps.push_back(nearness * request.gap_px);
+        if (request.side != 0) keep_off(shafts, request, boxes.back());
+    }
+
+    // Overlapping pairs are moved apart along the line between their centres; boxes are treated as
+    // ellipses.
+    constexpr int n_rounds = 40;
+    for (int round = 0; round < n_rounds; ++round) {
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+                const Eigen::Vector2d sum = 1.25 * (boxes[i].half + boxes[j].half);
+                const Eigen::Vector2d between = boxes[j].centre - boxes[i].centre;
+                const double nearness = between.cwiseQuotient(sum).norm();
+                // NaN for two omitted labels.
+                if (!(nearness < 1.0)) continue;
+                const Eigen::Vector2d push =
+                    0.5 * (1.0 - nearness) * between.cwiseQuotient(sum).cwiseProduct(sum) /
+                    std::max(nearness, 1e-3) * requests[i].opacity * requests[j].opacity;
+                boxes[i].centre -= 0.5 * push;
+                boxes[j].centre += 0.5 * push;
+            }
+        }
+    }
+
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (requests[i].type.mask->width == 0) continue;
+        const double margin = halo_px + 2.0 * requests[i].type.mask->samples;
+        Eigen::Vector2d corner = boxes[i].centre - boxes[i].half;
+        const auto keep = [&](double value, double from, double size, double box) {
+            return std::max(from + margin, std::min(value, from + size - box - margin));
+        };
+        corner.x() = keep(corner.x(), view.x_px, view.width_px, 2.0 * boxes[i].half.x());
+        corner.y() = keep(corner.y(), view.y_px, view.height_px, 2.0 * boxes[i].half.y());
+        Label label;
+        label.mask = requests[i].type.mask;
+        label.top_left_px = corner;
+        label.colour = requests[i].colour;
+        label.halo_colour = halo;
+        label.halo_px = halo_px;
+        label.opacity = requests[i].opacity * nearness_to_view(requests[i].anchor_px, view);
+        if (!(label.opacity > 0.0)) continue;
+        view.labels.push_back(label);
+        const PlacedBox placed{corner + boxes[i].half, boxes[i].half};
+        if (segment != nullptr && requests[i].at)
+            add_leader(requests[i], placed, gaps[i], halo_px, label.opacity, segment, view);
+    }
+}
+
+}  // namespace poinsot

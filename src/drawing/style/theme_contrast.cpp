@@ -1,0 +1,119 @@
+#include "drawing/style/theme_contrast.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "drawing/style/colour_vision.h"
+#include "drawing/style/theme_roles.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+class ContrastChecks {
+ public:
+    ContrastChecks(const Scene& scene, const Theme& theme) : scene_(scene), theme_(theme) {}
+
+    std::vector<std::string> notes() && {
+        look_at_grounds();
+        look_at_pairs();
+        return std::move(notes_);
+    }
+
+ private:
+    // The key that changed one of two colours, that of `a` if both were changed; empty if neither
+    // was.
+    std::optional<std::string> key_of(std::string_view a, std::string_view b) const {
+        for (const std::string_view name : {a, b}) {
+            const auto found = scene_.style.looks.find(name);
+            if (found != scene_.style.looks.end() && found->second.srgb)
+                return fmt::format("style.{}", name);
+        }
+        return std::nullopt;
+    }
+
+    Colour colour(std::string_view role) { return *look_of(theme_, role).colour; }
+
+    void ask_contrast(std::string_view line, std::string_view ground, double least) {
+        const double ratio = contrast(colour(line), colour(ground));
+        if (ratio >= least) return;
+        const auto key = key_of(line, ground);
+        if (!key) return;
+        notes_.push_back(fmt::format("{}{}: {} on {} has a contrast of {:.2f}, less than {}",
+                                     scene_.where(*key), *key, line, ground, ratio, least));
+    }
+
+    void look_at_grounds() {
+        ask_contrast("polhode", "ellipsoid", 3.0);
+        ask_contrast("separatrix", "ellipsoid", 3.0);
+        ask_contrast("polhode", "plane", 3.0);
+        ask_contrast("herpolhode", "plane", 3.0);
+        std::vector<std::string_view> grounds{"halo"};
+        if (theme_.background.alpha > 0.0) {
+            grounds = {"ground"};
+            if (!(theme_.background.top == theme_.background.bottom))
+                grounds.emplace_back("ground_top");
+        }
+        for (const std::string_view ground : grounds) {
+            ask_contrast("text", ground, 4.5);
+            for (const std::string_view line : {"momentum", "omega", "e1", "e2", "e3", "theta",
+                                                "phi", "psi", "energy", "potential"})
+                ask_contrast(line, ground, 3.0);
+        }
+    }
+
+    // Pairs of the same kind of object in one view that are distinguished by colour alone.
+    void look_at_pairs() {
+        constexpr std::pair<std::string_view, std::string_view> pairs[] = {
+            {"polhode", "herpolhode"},
+            {"polhode", "momentum"},
+            {"polhode", "omega"},
+            {"herpolhode", "omega"},
+            {"herpolhode", "momentum"},
+            {"momentum", "omega"},
+            {"e1", "e2"},
+            {"e2", "e3"},
+            {"e3", "e1"},
+            {"theta", "phi"},
+            {"phi", "psi"},
+            {"psi", "theta"},
+            {"energy", "potential"}};
+        for (const auto& [a, b] : pairs) ask_difference(a, b);
+    }
+
+    // Adds one line per pair, for the kind of colour vision with the smallest difference.
+    void ask_difference(std::string_view a, std::string_view b) {
+        const auto key = key_of(a, b);
+        if (!key) return;
+        const auto difference = [&](const Vision& vision) {
+            return line_difference(colour(a), colour(b), vision);
+        };
+        const Vision& worst = *std::min_element(visions().begin(), visions().end(),
+                                                [&](const Vision& one, const Vision& other) {
+                                                    return difference(one) < difference(other);
+                                                });
+        const double apart = difference(worst);
+        if (apart >= 1.0) return;
+        notes_.push_back(
+            fmt::format("{}{}: {} and {} hardly differ{}: {:.2f} of the just-noticeable difference",
+                        scene_.where(*key), *key, a, b, worst.eye, apart));
+    }
+
+    const Scene& scene_;
+    Theme theme_;
+    std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+std::vector<std::string> contrast_notes(const Scene& scene, const Theme& theme) {
+    if (scene.style.looks.empty()) return {};
+    return ContrastChecks(scene, theme).notes();
+}
+
+}  // namespace poinsot
