@@ -7,6 +7,7 @@
 #include <random>
 
 #include "drawing/stage/marks.h"
+#include "drawing/stage/stage_context.h"
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"
 
@@ -52,7 +53,7 @@ TEST(Accuracy, CurveErrorIsHalfOfTheRequestedOne) {
     options.curve_px = accuracy_of(scene).curve_px(4.0);
     const Stage coarse(scene, theme_of(scene), motion, options);
     EXPECT_EQ(coarse.curve_error_px(), 0.4);
-    EXPECT_EQ(coarse.data().scene.accuracy_px, 0.2);
+    EXPECT_EQ(coarse.context().scene.accuracy_px, 0.2);
 }
 
 }  // namespace
