@@ -12,7 +12,7 @@
 #include "cli/progress_bar.h"
 #include "cli/sweep.h"
 #include "error/error.h"
-#include "production/scene_summary.h"
+#include "production/session/scene_summary.h"
 #include "text/json_text.h"
 #include "text/printable.h"
 #include "text/say.h"

@@ -18,7 +18,7 @@
 #include "error/error.h"
 #include "output/frame_name.h"
 #include "production/sampling/sample_table.h"
-#include "production/session.h"
+#include "production/session/session.h"
 #include "text/numbers.h"
 #include "text/printable.h"
 

@@ -8,9 +8,9 @@
 #include "cli/progress_bar.h"
 #include "image/png.h"
 #include "lab/tradeoff_report.h"
-#include "production/output_place.h"
-#include "production/picture.h"
-#include "system/atomic_file.h"
+#include "production/jobs/output_place.h"
+#include "production/jobs/picture.h"
+#include "system/files/atomic_file.h"
 
 namespace poinsot {
 

@@ -11,7 +11,7 @@
 #include "error/error.h"
 #include "image/pixels_xxh64.h"
 #include "image/png_chunks.h"
-#include "system/atomic_file.h"
+#include "system/files/atomic_file.h"
 
 namespace poinsot {
 

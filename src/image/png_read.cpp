@@ -13,8 +13,8 @@
 #include "error/error.h"
 #include "image/pixels_xxh64.h"
 #include "image/png.h"
-#include "system/file_contents.h"
-#include "system/file_kind.h"
+#include "system/files/file_contents.h"
+#include "system/files/file_kind.h"
 #include "system/sha256.h"
 #include "text/utf8.h"
 

@@ -11,7 +11,7 @@
 #include "image/alpha.h"
 #include "image/png.h"
 #include "image/png_chunks.h"
-#include "system/atomic_file.h"
+#include "system/files/atomic_file.h"
 
 namespace poinsot {
 

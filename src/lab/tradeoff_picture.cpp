@@ -9,7 +9,7 @@
 #include "lab/measure.h"
 #include "lab/tradeoff.h"
 #include "output/quality.h"
-#include "production/picture.h"
+#include "production/jobs/picture.h"
 
 namespace poinsot {
 

@@ -8,8 +8,8 @@
 
 #include "error/error.h"
 #include "mesh/mesh_reader.h"
-#include "system/file_contents.h"
-#include "system/file_kind.h"
+#include "system/files/file_contents.h"
+#include "system/files/file_kind.h"
 #include "text/printable.h"
 
 namespace poinsot {

@@ -15,8 +15,8 @@
 #include "output/formats.h"
 #include "output/frame_name.h"
 #include "output/pipeline.h"
-#include "system/atomic_file.h"
-#include "system/free_space.h"
+#include "system/files/atomic_file.h"
+#include "system/files/free_space.h"
 
 namespace poinsot {
 

@@ -7,7 +7,7 @@
 #include "error/error.h"
 #include "image/pixels_sha256.h"
 #include "image/png.h"
-#include "system/file_contents.h"
+#include "system/files/file_contents.h"
 
 namespace poinsot {
 

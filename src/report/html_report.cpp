@@ -9,7 +9,7 @@
 
 #include "image/png.h"
 #include "report/report_page.h"
-#include "system/file_contents.h"
+#include "system/files/file_contents.h"
 #include "system/in_parallel.h"
 #include "system/processor.h"
 #include "text/markup.h"

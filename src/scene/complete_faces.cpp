@@ -13,7 +13,7 @@
 #include "mesh/solid_meshes.h"
 #include "scene/body_faces.h"
 #include "scene/draft_checks.h"
-#include "system/file_kind.h"
+#include "system/files/file_kind.h"
 
 namespace poinsot {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <thread>
 
-#include "system/control_group.h"
+#include "system/files/control_group.h"
 
 namespace poinsot {
 

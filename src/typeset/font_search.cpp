@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "error/error.h"
-#include "system/program_files.h"
+#include "system/files/program_files.h"
 
 namespace poinsot {
 

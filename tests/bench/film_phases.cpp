@@ -22,8 +22,8 @@
 #include "output/quality.h"
 #include "output/video_encoder.h"
 #include "output/yuv.h"
-#include "production/picture.h"
-#include "production/session.h"
+#include "production/jobs/picture.h"
+#include "production/session/session.h"
 #include "scene/load_scene.h"
 
 namespace poinsot {

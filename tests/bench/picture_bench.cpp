@@ -7,8 +7,8 @@
 
 #include "image/png.h"
 #include "output/yuv.h"
-#include "production/picture.h"
-#include "production/session.h"
+#include "production/jobs/picture.h"
+#include "production/session/session.h"
 #include "scene/load_scene.h"
 
 namespace {

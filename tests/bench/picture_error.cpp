@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "drawing/stage.h"
-#include "production/picture.h"
-#include "production/session.h"
+#include "production/jobs/picture.h"
+#include "production/session/session.h"
 #include "scene/load_scene.h"
 
 namespace {

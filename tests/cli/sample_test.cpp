@@ -15,7 +15,7 @@
 #include "cli/instants.h"
 #include "cli/sweep.h"
 #include "error/error.h"
-#include "production/session.h"
+#include "production/session/session.h"
 #include "program_run.h"
 #include "scene/load_scene.h"
 #include "text/random_decimals.h"

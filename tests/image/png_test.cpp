@@ -15,8 +15,8 @@
 #include "image/pixels_sha256.h"
 #include "image/png_bands.h"
 #include "image/synthetic.h"
-#include "system/atomic_file.h"
 #include "system/faults.h"
+#include "system/files/atomic_file.h"
 
 namespace poinsot {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "production/picture.h"
-#include "production/session.h"
+#include "production/jobs/picture.h"
+#include "production/session/session.h"
 #include "scene/load_scene.h"
 
 namespace poinsot {

@@ -1,6 +1,6 @@
 // Output of `check` for a heavy top, compared with closed forms for a start with no rate but the
 // spin.
-#include "production/scene_summary.h"
+#include "production/session/scene_summary.h"
 
 #include <gtest/gtest.h>
 

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "image/image.h"
-#include "production/picture.h"
-#include "production/session.h"
-#include "production/still_job.h"
+#include "production/jobs/picture.h"
+#include "production/jobs/still_job.h"
+#include "production/session/session.h"
 #include "scene/load_scene.h"
 
 namespace poinsot::testing {

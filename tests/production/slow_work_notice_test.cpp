@@ -1,5 +1,5 @@
 // Estimates of the time that stepping takes.
-#include "production/slow_work_notice.h"
+#include "production/session/slow_work_notice.h"
 
 #include <gtest/gtest.h>
 

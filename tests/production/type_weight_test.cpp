@@ -6,7 +6,7 @@
 #include <string>
 
 #include "drawing/scenes_by_hand.h"
-#include "production/picture.h"
+#include "production/jobs/picture.h"
 #include "render/pictures.h"
 
 namespace poinsot::testing {

@@ -23,7 +23,7 @@
 #include "image/compare.h"
 #include "image/png.h"
 #include "places.h"
-#include "production/session.h"
+#include "production/session/session.h"
 #include "render/renderer.h"
 #include "scene/load_scene.h"
 

@@ -9,7 +9,7 @@
 #include "output/frame_sink.h"
 #include "output/quality.h"
 #include "scene/scene_error.h"
-#include "system/file_kind.h"
+#include "system/files/file_kind.h"
 #include "system/processor.h"
 
 namespace poinsot {

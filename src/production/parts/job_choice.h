@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "production/session.h"
+#include "production/session/session.h"
 
 namespace poinsot {
 

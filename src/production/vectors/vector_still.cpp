@@ -7,8 +7,8 @@
 
 #include "error/error.h"
 #include "production/vectors/latex_figure.h"
-#include "system/file_contents.h"
-#include "system/file_kind.h"
+#include "system/files/file_contents.h"
+#include "system/files/file_kind.h"
 #include "system/sha256.h"
 #include "text/nearest.h"
 #include "text/printable.h"

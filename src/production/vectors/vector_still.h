@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "production/picture.h"
-#include "production/record.h"
-#include "production/session.h"
+#include "production/jobs/picture.h"
+#include "production/provenance/record.h"
+#include "production/session/session.h"
 #include "typeset/latex.h"
 #include "vector/picture.h"
 
