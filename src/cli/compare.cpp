@@ -7,7 +7,7 @@
 #include "cli/command.h"
 #include "cli/options.h"
 #include "error/error.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 #include "production/provenance/record.h"
 #include "report/compared_picture.h"
 #include "report/html_report.h"

@@ -9,6 +9,7 @@
 #include "production/jobs/redraw.h"
 #include "production/provenance/record.h"
 #include "production/provenance/record_fields.h"
+#include "production/provenance/verify.h"
 #include "text/json_text.h"
 #include "text/printable.h"
 #include "text/say.h"

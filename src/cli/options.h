@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/option.h"
+#include "production/jobs/open_session.h"
 #include "production/jobs/picture.h"
 #include "production/session/session.h"
 

@@ -12,6 +12,7 @@
 #include "scene/film_clock.h"
 #include "scene/scene.h"
 #include "shapes/views.h"
+#include "typeset/font_source.h"
 
 namespace poinsot {
 
@@ -31,6 +32,7 @@ struct StageOptions {
     std::optional<double> first_shown_s{};  // no instant before it is drawn; else the first
     double loop_s = 0.0;  // after which the picture is the same again, seconds of motion; 0:
                           // it never is
+    FontSource fonts{};
 };
 
 // Holds the geometry that all video frames share and makes the drawing of an instant. Immutable

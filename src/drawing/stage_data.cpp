@@ -180,9 +180,7 @@ const MeshGeometry* StageData::keep(MeshGeometry geometry) {
 }
 
 FrameInput StageData::instant_at(const FilmTime& moment) const {
-    const MotionSample sample = motion.sample(moment.time_s, needs);
-    FrameInput instant{moment.time_s, sample.state,  sample.herpolhode_space,
-                       sample.euler,  moment.film_s, {}};
+    FrameInput instant{motion.sample(moment.time_s, needs), moment.time_s, moment.film_s};
     if (shows_comparison) {
         constexpr Quantities whole_state{
             .attitude = true, .herpolhode = false, .euler_angles = false};

@@ -25,13 +25,11 @@
 
 namespace poinsot {
 
-// The state at one instant, as the panels use it.
-struct FrameInput {
+// The motion's state at one instant, as the panels use it, and the film's second. The attitude is
+// the identity unless a panel needs it.
+struct FrameInput : MotionSample {
     double time_s = 0.0;
-    RotationState state;  // the attitude is the identity unless a panel needs it
-    Eigen::Vector3d herpolhode_space = Eigen::Vector3d::Zero();  // if requested, as in MotionSample
-    EulerAngles euler;                                           // if requested
-    double film_s = 0.0;                                         // second of the film
+    double film_s = 0.0;
     std::optional<RotationState>
         comparison{};  // state of the comparison motion, if a panel shows it
 };
@@ -106,7 +104,7 @@ struct StageData {
     std::set<std::string, std::less<>> can_fade;  // names that fades may use
 
     // Created once for all instants; addresses stay valid for the stage's lifetime.
-    TextCache type_case{options.samples, options.least};
+    TextCache type_case{options.fonts, options.samples, options.least};
     std::deque<CurveGeometry> curves;
     std::deque<MeshGeometry> meshes;
     std::deque<Panel> panels;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "error/error.h"
+#include "image/files/png_files.h"
 #include "image/pixels_xxh64.h"
-#include "image/png.h"
 #include "output/film_metadata.h"
 #include "output/formats.h"
 #include "output/frame_name.h"

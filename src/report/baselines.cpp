@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "error/error.h"
+#include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
-#include "image/png.h"
 #include "system/files/file_contents.h"
 
 namespace poinsot {

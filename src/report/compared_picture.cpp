@@ -9,8 +9,8 @@
 #include <tuple>
 
 #include "error/error.h"
+#include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
-#include "image/png.h"
 #include "production/provenance/record.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"

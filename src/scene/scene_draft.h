@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/scene_files.h"
 
 namespace poinsot {
 
 // The rows of the key table fill it; it holds values that are determined by several keys.
 struct SceneDraft {
     Scene scene;
-    OutsideFiles outside = OutsideFiles::refused;
+    SceneFiles files = no_scene_file;
 
     // [body]
     std::optional<Eigen::Vector3d> moments_kg_m2;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/program_run.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 #include "output/video_reader.h"
 #include "places.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/program_run.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 #include "places.h"
 
 namespace poinsot::testing {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "cli/program_run.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 
 namespace poinsot::testing::messages_tests {
 namespace {

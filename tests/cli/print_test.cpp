@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cli/program_run.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 #include "places.h"
 
 namespace poinsot::testing::print_tests {

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "cli/program_run.h"
-#include "image/png.h"
-#include "image/png_bands.h"
+#include "image/files/png_bands.h"
+#include "image/files/png_files.h"
 #include "places.h"
 #include "system/sha256.h"
 

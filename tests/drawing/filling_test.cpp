@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "places.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 #include "scenes_by_hand.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 namespace {
@@ -131,7 +132,8 @@ TEST(Filling, FigureSpansFourFifthsOfItsPanel) {
                               {.width_px = width,
                                .height_px = height,
                                .first_time_s = scene.film.start_s,
-                               .last_time_s = last_s});
+                               .last_time_s = last_s,
+                               .fonts = installed_fonts()});
             std::vector<Eigen::AlignedBox2d> boxes;
             constexpr int n_instants = 24;
             for (int k = 0; k <= n_instants; ++k) {

@@ -12,7 +12,7 @@
 
 #include "drawing/charts/plot_quantity.h"
 #include "places.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 #include "scenes_by_hand.h"
 
 namespace poinsot {

@@ -10,7 +10,7 @@
 #include "drawing/framing.h"
 #include "drawing/panel.h"
 #include "error/error.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 #include "scene/write_scene.h"
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"

@@ -58,23 +58,55 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"mechanics/top", {}},
     {"mechanics/stepped", {}},
     {"system/files", {}},
-    {"production/session", {"production/parts", "production/jobs"}},
+    {"image/files", {}},
+    {"mesh/files", {}},
+    {"scene/files", {}},
+    {"typeset/files", {}},
+    {"production/session", {}},
+    {"production/sampling", {}},
     {"production/sidecars", {"production/session"}},
-    {"production/provenance", {"production/session", "production/jobs", "production/vectors"}},
+    {"production/provenance", {"production/session"}},
+    {"production/vectors", {"production/session", "production/provenance"}},
     {"production/jobs",
-     {"production/session", "production/sidecars", "production/provenance", "production/vectors"}},
+     {"production/session", "production/sampling", "production/sidecars", "production/provenance",
+      "production/vectors"}},
     {"production/parts",
      {"production/session", "production/sidecars", "production/provenance", "production/jobs"}},
     {"drawing/type", {}},
     {"drawing/charts", {"drawing/type"}},
     {"drawing/elements", {"drawing/type"}},
     {"drawing/panels", {"drawing/type", "drawing/charts", "drawing/elements"}},
-    {"production/sampling", {}},
-    {"production/vectors", {"production/session", "production/provenance", "production/jobs"}},
     {"render/context", {}},
     {"render/passes", {"render/context", "render/cache"}},
     {"render/cache", {"render/context", "render/passes"}},
 };
+
+// Subfolders that may include less than their folder: a page in a browser and a Python module need
+// no output.
+const std::map<std::string, std::set<std::string>> allowed_for_rooms{
+    {"production/session",
+     {"error", "text", "system", "image", "mesh", "mechanics", "scene", "construction", "typeset",
+      "shapes", "drawing"}},
+    {"production/sampling", {"error", "text", "system", "mechanics", "construction"}},
+};
+
+// Parsers take text and a name; only the subfolders files/ of these folders read or write the disk.
+const std::set<std::string> without_files{"libm",
+                                          "error",
+                                          "colour",
+                                          "text",
+                                          "system",
+                                          "numerics",
+                                          "mesh",
+                                          "mechanics",
+                                          "image",
+                                          "typeset",
+                                          "scene",
+                                          "construction",
+                                          "shapes",
+                                          "drawing",
+                                          "production/session",
+                                          "production/sampling"};
 
 // A list of this length is still readable.
 constexpr int most_headers = 20;
@@ -162,6 +194,34 @@ TEST(House, SubfoldersIncludeOnlyAllowedSubfolders) {
         EXPECT_TRUE(allowed_rooms.at(from).contains(to))
             << include.from_file << " must not include \"" << include.header << "\"";
     }
+}
+
+TEST(House, RoomsWithoutOutputIncludeNone) {
+    int n_includes = 0;
+    for (const Include& include : includes_of_sources()) {
+        const auto room = allowed_for_rooms.find(room_of(include.from_file));
+        if (room == allowed_for_rooms.end() || !include.quoted) continue;
+        ++n_includes;
+        const std::string folder = include.header.substr(0, include.header.find('/'));
+        EXPECT_TRUE(folder == include.from_folder || room->second.contains(folder))
+            << include.from_file << " must not include \"" << include.header << "\"";
+    }
+    EXPECT_GT(n_includes, 50);
+}
+
+TEST(House, ReadingFilesStandsApartFromParsing) {
+    int n_in_files = 0;
+    for (const Include& include : includes_of_sources()) {
+        const std::string room = room_of(include.from_file);
+        const bool reads = include.quoted ? room_of(include.header).ends_with("/files")
+                                          : include.header == "fstream";
+        if (room.ends_with("/files")) n_in_files += reads ? 1 : 0;
+        if (!reads || room.ends_with("/files")) continue;
+        EXPECT_FALSE(without_files.contains(include.from_folder) || without_files.contains(room))
+            << include.from_file << " must not include " << include.header
+            << "; what reads the disk stands in a subfolder files/";
+    }
+    EXPECT_GT(n_in_files, 10);
 }
 
 TEST(House, FoldersHaveFewHeaders) {

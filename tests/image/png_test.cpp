@@ -1,6 +1,4 @@
 // PNG files: libpng reads the pixels that were written, and damaged files are rejected.
-#include "image/png.h"
-
 #include <gtest/gtest.h>
 #include <libdeflate.h>
 #include <png.h>
@@ -12,8 +10,9 @@
 #include <functional>
 
 #include "error/error.h"
+#include "image/files/png_bands.h"
+#include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
-#include "image/png_bands.h"
 #include "image/synthetic.h"
 #include "system/faults.h"
 #include "system/files/atomic_file.h"

@@ -9,7 +9,7 @@
 #include "error/error.h"
 #include "mechanics/motion.h"
 #include "mechanics/step_choice.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 #include "scene/scene.h"
 
 namespace poinsot {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "system/faults.h"
-#include "system/processor.h"
+#include "system/files/processor.h"
 
 namespace poinsot {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "error/error.h"
-#include "image/png_bands.h"
+#include "image/files/png_bands.h"
 #include "shapes/part.h"
 #include "system/interrupt.h"
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "error/error.h"
+#include "image/files/png_files.h"
 #include "image/pixels_xxh64.h"
-#include "image/png.h"
 #include "output/film_metadata.h"
 #include "production/jobs/still_job.h"
 #include "production/provenance/record.h"
@@ -17,6 +17,7 @@
 #include "system/interrupt.h"
 #include "text/label_text.h"
 #include "text/printable.h"
+#include "typeset/files/installed_fonts.h"
 #include "typeset/typesetter.h"
 
 namespace poinsot {
@@ -104,7 +105,7 @@ class ContactSheet {
     int width_px_, height_px_, caption_px_;
     Rgba8 ground_;
     Image image_;
-    Typesetter typesetter_;
+    Typesetter typesetter_{installed_fonts()};
 };
 
 }  // namespace

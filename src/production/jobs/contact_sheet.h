@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "production/jobs/open_session.h"
 #include "production/jobs/picture.h"
 #include "production/session/progress_sink.h"
 #include "production/session/session.h"

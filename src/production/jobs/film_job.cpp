@@ -213,7 +213,7 @@ void FilmJob::end_sequence(const std::filesystem::path& pattern,
 
 void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
     const Scene& scene = session_->scene;
-    tell_notes(scene, progress);
+    tell_notes(*session_, progress);
     const OutputPlace place(
         request_.output, scene,
         request_.part ? fmt::format(".{}-of-{}.mp4", request_.part->first, request_.part->second)

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "error/error.h"
+#include "image/files/png_files.h"
 #include "image/pixels_xxh64.h"
-#include "image/png.h"
 #include "output/film_metadata.h"
 #include "production/jobs/film_job.h"
 #include "production/jobs/output_place.h"
@@ -18,6 +18,7 @@
 #include "production/vectors/journal.h"
 #include "system/files/file_kind.h"
 #include "text/printable.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 
@@ -97,8 +98,7 @@ RedrawRequest with_its_names(RedrawRequest request, const Record& record) {
 // The session of the record's scene; checks that meshes and pictures are unchanged.
 Session session_of_record(const RedrawRequest& request, const Record& record,
                           const ProgressSink& progress) {
-    Scene scene = scene_of(record, request.outside);
-    scene.notes.clear();
+    const Scene scene = scene_of(record, request.outside);
     if (mesh_hash_of(scene) != record.mesh_hash) {
         std::string files = scene.body.mesh.empty() ? scene.object.mesh : scene.body.mesh;
         for (const FacePictureSpec& picture : scene.object.pictures)
@@ -107,8 +107,12 @@ Session session_of_record(const RedrawRequest& request, const Record& record,
             fmt::format("{} has changed since the file was drawn; restore the earlier version",
                         printable(files)));
     }
-    const double time_s = record.time_s.value_or(0.0);
-    return session_of(std::move(scene), {&time_s, 1}, progress);
+    SessionRequest needs{.fonts = installed_fonts()};
+    if (record.time_s) needs.times_s.push_back(*record.time_s);
+    Session session = session_of(scene, needs, progress);
+    // What was chosen then has been in the scene since.
+    session.as_read = record.as_read;
+    return session;
 }
 
 ContextChoice context_for(const RedrawRequest& request, const Record& record) {

@@ -8,7 +8,7 @@
 #include "production/jobs/picture.h"
 #include "production/provenance/record.h"
 #include "production/session/progress_sink.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 
 namespace poinsot {
 

@@ -176,7 +176,7 @@ Record StillJob::draw_into(LazyRenderer& renderer, Image& image) {
 
 void StillJob::draw(LazyRenderer& renderer, StillWriter& writer, const ProgressSink& progress) {
     const Scene& scene = session_.scene;
-    tell_notes(scene, progress);
+    tell_notes(session_, progress);
     tell_stage_notes(staging_.stage, progress);
     OutputPlace place(request_.output, scene, ".png");
     if (is_vector_name(request_.output)) {

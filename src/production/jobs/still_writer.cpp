@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "image/files/png_files.h"
+
 namespace poinsot {
 
 void StillWriter::write(OutputPlace&& place, Image&& picture, PngOptions&& png,

@@ -24,8 +24,8 @@
 #include "production/parts/join.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
+#include "system/files/processor.h"
 #include "system/interrupt.h"
-#include "system/processor.h"
 #include "text/printable.h"
 
 namespace poinsot {

@@ -15,6 +15,7 @@
 #include "production/parts/part_mismatch.h"
 #include "production/parts/recovery.h"
 #include "production/provenance/record.h"
+#include "production/provenance/verify.h"
 #include "production/sidecars/chapters.h"
 #include "production/sidecars/subtitles.h"
 #include "system/files/atomic_file.h"

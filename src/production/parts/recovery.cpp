@@ -17,13 +17,13 @@ namespace poinsot {
 
 void write_what_lies_beside(const std::filesystem::path& path, const Record& record,
                             const ProgressSink& progress) {
-    Scene scene = scene_of(record, OutsideFiles::refused);
+    const Scene scene = scene_of(record, OutsideFiles::refused);
     if ((scene.chapters.empty() && scene.captions.empty()) || !record.frames) {
         remove_stale_chapters(path);
         if (!has_frame_number(path)) write_subtitles(path, {});
         return;
     }
-    const Session session = session_of(std::move(scene), {}, progress);
+    const Session session = session_of(scene, {}, progress);
     const FilmPlan film = film_plan(session);
     const auto [first, last] = *record.frames;
     OutputPlan plan;

@@ -9,9 +9,11 @@
 #include <string_view>
 #include <utility>
 
+#include "drawing/stage.h"
 #include "output/frame_sink.h"
-#include "production/jobs/picture.h"
 #include "production/session/session.h"
+#include "render/context/offscreen_context.h"
+#include "scene/files/load_scene.h"
 
 namespace poinsot {
 
@@ -45,7 +47,8 @@ struct Record {
     std::string
         sheet;  // of a contact sheet: "2x1: fps = 30; fps = 60"; other fields are the first cell's
     bool sealed = false;     // it was read and its hash is correct
-    std::string scene_toml;  // every key, defaults included
+    std::string as_read;     // values of the scene file that others replaced; see ResolvedScene
+    std::string scene_toml;  // as it is drawn: every key, defaults included
     std::string text;        // of a record that was read: all of it
 
     bool operator==(const Record&) const = default;
@@ -64,9 +67,6 @@ Record record_of(const Session& session, const Stage& stage, const std::string& 
 void record_context(const ContextInfo& context, bool portable, Record& record);
 // The same for vectors without pixels, which do not depend on a renderer.
 void record_without_context(Record& record);
-
-// The record of pictures of a session, without time or frames.
-Record record_of(const Session& session, const PictureMaker& pictures, bool portable);
 
 // "poinsot VERSION", one line "key: value" per field, an empty line, the scene.
 std::string to_text(const Record& record);
@@ -93,20 +93,6 @@ Scene scene_of(const Record& record, OutsideFiles outside);
 // Why the scene's text is not a scene of this program, in one line; empty if it is, whether or not
 // the files that it names exist.
 std::string fault_of_scene(const Record& record);
-
-// Whether a file's pixels or packets are those for which its record was written, and nothing was
-// appended to it.
-enum class Verified { yes, no, cannot_be };
-struct Verification {
-    Verified verified = Verified::cannot_be;
-    std::string sentence;  // about the file, one line
-};
-
-// Reads the whole file. Throws InputError if it cannot be read.
-Verification verify(const std::filesystem::path& file, const Record& record);
-
-// Whether verification is nearly instantaneous.
-bool is_quickly_verified(const std::filesystem::path& file, const Record& record);
 
 // The number at the end of a sequence's file name: 7 for "turn_0007.png".
 std::optional<std::int64_t> frame_of_name(const std::filesystem::path& file);

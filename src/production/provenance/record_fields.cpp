@@ -130,6 +130,7 @@ constexpr RecordField field_table[] = {
     frames_field<&Record::run>("run"),
     number_field<&Record::frame>("frame"),
     text_field<&Record::sheet>("sheet"),
+    text_field<&Record::as_read>("scene-as-read"),
     text_field<&Record::pixels>("pixels-xxh64"),
     text_field<&Record::packets>("packets-sha256"),
     text_field<&Record::page>("page-sha256"),

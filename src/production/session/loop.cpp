@@ -38,7 +38,7 @@ std::optional<Loop> one_period(Scene& scene) {
     return std::nullopt;
 }
 
-Loop closed(Scene& scene, const LoopRatio& ratio) {
+Loop closed(Scene& scene, const LoopRatio& ratio, std::vector<std::string>& notes) {
     std::optional<int> component;
     for (int i = 0; i < 3; ++i) {
         if (loop_values()[static_cast<std::size_t>(i)] == scene.film.loop_changes) component = i;
@@ -58,21 +58,20 @@ Loop closed(Scene& scene, const LoopRatio& ratio) {
             "{} was changed from {:.6g} to {:.9g} rad/s (by {:+.3g} rad/s, {:.2g} % of |omega|)",
             loop_values()[static_cast<std::size_t>(*start.changed)], from, to, to - from,
             100.0 * std::abs(to - from) / scene.start.omega_rad_s.stableNorm());
-        scene.notes.push_back(fmt::format("film.loop = \"{}\": {}, so that the herpolhode closes",
-                                          scene.film.loop, loop.change));
+        notes.push_back(fmt::format("film.loop = \"{}\": {}, so that the herpolhode closes",
+                                    scene.film.loop, loop.change));
         scene.start.omega_rad_s = start.omega_body;
     }
     return loop;
 }
 
 // Fits one loop to the film, from the film's given length or its given speed.
-void fit_film(Scene& scene, double loop_s) {
+void fit_film(Scene& scene, double loop_s, std::vector<std::string>& notes) {
     FilmSpec& film = scene.film;
     constexpr double rounding = 1e-12;
     if (film.duration_s && std::abs(*film.duration_s - loop_s) > rounding * loop_s) {
-        scene.notes.push_back(
-            fmt::format("film.duration_s = {:g} is ignored: the loop lasts {:.6g} s",
-                        *film.duration_s, loop_s));
+        notes.push_back(fmt::format("film.duration_s = {:g} is ignored: the loop lasts {:.6g} s",
+                                    *film.duration_s, loop_s));
     }
     if (film.length_s) {
         const FilmClock clock(scene);
@@ -101,18 +100,18 @@ void fit_film(Scene& scene, double loop_s) {
 
 }  // namespace
 
-std::optional<Loop> resolve_loop(Scene& scene) {
+std::optional<Loop> resolve_loop(Scene& scene, std::vector<std::string>& notes) {
     if (scene.film.loop.empty()) return std::nullopt;
     const auto ratio = loop_ratio_of(scene.film.loop);
-    auto loop = ratio ? std::optional(closed(scene, *ratio)) : one_period(scene);
+    auto loop = ratio ? std::optional(closed(scene, *ratio, notes)) : one_period(scene);
     if (loop) {
-        fit_film(scene, loop->loop_s);
-        note_jumps(scene);
+        fit_film(scene, loop->loop_s, notes);
+        note_jumps(scene, notes);
     }
     return loop;
 }
 
-void note_jumps(Scene& scene) {
+void note_jumps(const Scene& scene, std::vector<std::string>& notes) {
     const double end_s = FilmClock(scene).length_s().value_or(0.0);
     const Timeline timeline(scene, Eigen::Vector3d::Zero());
     const CameraPose a = timeline.camera_at(0.0);
@@ -121,7 +120,7 @@ void note_jumps(Scene& scene) {
     if (differs(std::remainder(a.azimuth_deg - b.azimuth_deg, 360.0), 0.0) ||
         differs(a.elevation_deg, b.elevation_deg) || differs(a.distance, b.distance) ||
         differs(a.field_deg, b.field_deg) || (a.target - b.target).norm() > 1e-9) {
-        scene.notes.emplace_back(
+        notes.emplace_back(
             "the camera does not end where it begins, so the loop jumps; bring it back with a last "
             "keyframe");
     }
@@ -133,8 +132,8 @@ void note_jumps(Scene& scene) {
                 "\"{}\" does not end with the opacity of the beginning, so the loop jumps; fade it "
                 "back",
                 printable(name));
-            if (std::find(scene.notes.begin(), scene.notes.end(), note) == scene.notes.end()) {
-                scene.notes.push_back(note);
+            if (std::find(notes.begin(), notes.end(), note) == notes.end()) {
+                notes.push_back(note);
             }
         }
     }

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -15,12 +16,13 @@ struct Loop {
     std::string change;    // changes of the start, with their size; empty: none
 };
 
-// Changes the scene so that it loops: adjusts its start and sets the film's length to one loop.
-// Scenes without a loop are unchanged. Throws SceneError at film.loop if there is no loop nearby.
-std::optional<Loop> resolve_loop(Scene& scene);
+// Makes a scene that loops of the scene to be drawn: adjusts its start and sets the film's length
+// to one loop, and adds notes about it. Scenes without a loop are unchanged. Throws SceneError at
+// film.loop if there is no loop nearby.
+std::optional<Loop> resolve_loop(Scene& scene, std::vector<std::string>& notes);
 
 // Adds notes about elements that jump when the film repeats: a camera or an opacity that differs
 // between the film's end and start.
-void note_jumps(Scene& scene);
+void note_jumps(const Scene& scene, std::vector<std::string>& notes);
 
 }  // namespace poinsot

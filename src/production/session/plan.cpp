@@ -6,7 +6,6 @@
 #include "mechanics/methods.h"
 #include "mechanics/stepped/integrated_rotation.h"
 #include "mechanics/top/heavy_top.h"
-#include "production/parts/job_choice.h"
 
 namespace poinsot {
 
@@ -58,24 +57,6 @@ PlanLine frames_line(const char* what, bool asked, std::int64_t n_frames, const 
             asked ? why : why_not};
 }
 
-// The positions at which a film may be divided into parts.
-PlanLine parts_line(const FilmPlan& film) {
-    const std::int64_t chunk = format_for("film.mp4").n_chunk_frames;
-    const std::int64_t n_parts = (film.n_frames + chunk - 1) / chunk;
-    return {
-        "parts",
-        n_parts <= 1 ? "one: the film is shorter than two parts"
-                     : fmt::format("at most {}, a part begins every {} frames", n_parts, chunk),
-        "the encoders of MP4 and WebM restart there; GIF and PNG can be divided at every frame"};
-}
-
-// The default of --jobs on this machine, with the reason.
-PlanLine jobs_line(const Session& session, const FilmPlan& film) {
-    const JobChoice choice =
-        choose_jobs(work_of(session, film.n_frames, "film.mp4"), this_machine());
-    return {"jobs", in_words(choice), choice.why};
-}
-
 }  // namespace
 
 std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, const Stage& stage) {
@@ -110,8 +91,6 @@ std::vector<PlanLine> plan_of(const Session& session, const FilmPlan& film, cons
                                      stepped != nullptr ? stepped->counters().n_steps : 0),
                          "the scene has [beside]"});
     }
-    lines.push_back(parts_line(film));
-    lines.push_back(jobs_line(session, film));
     lines.push_back({"curves",
                      fmt::format("{} stored, within {:.2g} px of the exact curves",
                                  data.curves.size(), stage.curve_error_px()),

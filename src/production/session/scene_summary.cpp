@@ -14,7 +14,7 @@
 #include "mechanics/free/free_rotation.h"
 #include "mechanics/motion_errors.h"
 #include "mechanics/top/heavy_top.h"
-#include "production/jobs/picture.h"
+#include "production/session/picture_setting.h"
 #include "text/json_text.h"
 
 namespace poinsot {

@@ -41,11 +41,4 @@ std::string_view in_words(FileKind kind) {
     return "a pipe or a device, not a regular file; name a file on the disk";
 }
 
-std::string suffix_of(const std::filesystem::path& path) {
-    std::string suffix = path.extension().string();
-    for (char& c : suffix)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return suffix;
-}
-
 }  // namespace poinsot

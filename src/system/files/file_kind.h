@@ -3,8 +3,9 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <string_view>
+
+#include "system/suffix.h"
 
 namespace poinsot {
 
@@ -22,9 +23,5 @@ FileKind kind_of_file(const std::filesystem::path& path) noexcept;
 
 // A description for messages: "a pipe or a device, not a regular file". Precondition: not regular.
 std::string_view in_words(FileKind kind);
-
-// The suffix of a path in lower case, as ".png": suffixes are case-insensitive. Only A to Z are
-// converted.
-std::string suffix_of(const std::filesystem::path& path);
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// The input for the numbers of one row of a table of samples. Used only by the table.
+// What the numbers of all rows of a table of samples share. Used only by the table.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,9 +9,7 @@
 
 namespace poinsot {
 
-struct SampledInstant {
-    double time_s = 0.0;  // as requested
-    MotionSample sample;
+struct SampledMotion {
     bool has_angles = false;  // whether the motion itself has Euler angles
     Eigen::Matrix3d tensor_body = Eigen::Matrix3d::Identity();  // kg m²
     std::optional<PoinsotConstruction> construction;            // if a column needs it

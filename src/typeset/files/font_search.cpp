@@ -1,4 +1,4 @@
-#include "typeset/font_search.h"
+#include "typeset/files/font_search.h"
 
 #include <fmt/format.h>
 
@@ -58,14 +58,6 @@ std::vector<std::filesystem::path> fonts_below(const std::vector<std::filesystem
     files.reserve(found.size());
     for (auto& [order, name, path] : found) files.push_back(std::move(path));
     return files;
-}
-
-const std::array<std::string_view, 7>& font_names() {
-    static constexpr std::array<std::string_view, 7> names{
-        "latinmodern-math.otf", "lmsans10-regular.otf",  "lmsans10-bold.otf",
-        "lmsans10-oblique.otf", "lmroman10-regular.otf", "lmroman10-bold.otf",
-        "lmroman10-italic.otf"};
-    return names;
 }
 
 std::filesystem::path find_font(std::string_view name, const FontSearch& search) {

@@ -1,4 +1,4 @@
-#include "image/png_bands.h"
+#include "image/files/png_bands.h"
 
 #include <fmt/format.h>
 #include <zlib.h>

@@ -1,4 +1,4 @@
-#include "system/processor.h"
+#include "system/files/processor.h"
 
 #include <unistd.h>
 

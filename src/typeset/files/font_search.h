@@ -1,7 +1,6 @@
 // Finds the fonts of labels and captions.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -24,10 +23,6 @@ struct FontSearch {
 // The font files in and below these folders: plain sans-serif faces first, then by path. The order
 // is the same on every machine with the same fonts.
 std::vector<std::filesystem::path> fonts_below(const std::vector<std::filesystem::path>& folders);
-
-// File names of the fonts: mathematics; regular, bold and italic face of captions; the same three
-// faces for text inside formulas.
-const std::array<std::string_view, 7>& font_names();
 
 // Returns the font's path in the first folder that has it. throws: EnvironmentError that names the
 // package to install if no folder has it.

@@ -1,10 +1,9 @@
-#include "scene/load_scene.h"
+#include "scene/parse_scene.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
-#include <system_error>
 #include <vector>
 
 #include "scene/given_value.h"
@@ -12,38 +11,12 @@
 #include "scene/scene_error.h"
 #include "scene/scene_keys.h"
 #include "scene/toml_document.h"
-#include "system/files/file_contents.h"
-#include "system/files/file_kind.h"
 #include "text/label_text.h"
-#include "text/nearest.h"
 #include "text/printable.h"
 
 namespace poinsot {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-[[noreturn]] void refuse_file(const fs::path& file, std::string_view what_and_remedy) {
-    throw SceneError({file.string(), 0, 0}, what_and_remedy);
-}
-
-// "; did you mean "scenes/generic.toml"?", from the folder where the file was expected.
-std::string near_file(const fs::path& file) {
-    std::vector<std::string> names;
-    std::error_code failed;
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    constexpr std::size_t most_names = 1000;
-    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
-         entry.increment(failed)) {
-        if (entry->path().extension() != ".toml" || names.size() >= most_names) continue;
-        names.push_back((file.parent_path() / entry->path().filename()).string());
-    }
-    std::sort(names.begin(), names.end());
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    const std::string near = printable(did_you_mean(file.string(), views));
-    return near.empty() ? "; name a scene file, see `poinsot list scenes`" : near;
-}
 
 // A --set, split at its first "=".
 struct Override {
@@ -249,20 +222,9 @@ class Reader {
 
 }  // namespace
 
-std::string text_of_file(const fs::path& file) {
-    const FileKind kind = kind_of_file(file);
-    if (kind == FileKind::missing) refuse_file(file, "no such file" + near_file(file));
-    if (kind == FileKind::folder) {
-        refuse_file(file, "this is a folder; name a scene file in it, ending in .toml");
-    }
-    if (kind != FileKind::regular) refuse_file(file, in_words(kind));
-
-    // Reads one byte more than is accepted, to detect a file that is too large.
-    std::string text = read_beginning(file, most_scene_file_bytes + 1);
-    if (text.size() > most_scene_file_bytes) {
-        refuse_file(file, "larger than 1 MiB; a scene is a short text file, name that one");
-    }
-    return text;
+FileBytes no_scene_file(const NamedFile& file) {
+    throw InputError(fmt::format("{} = \"{}\": no files can be read here; leave it out", file.key,
+                                 printable(file.name)));
 }
 
 std::string_view assignment_of(std::string_view override_text) {
@@ -272,7 +234,7 @@ std::string_view assignment_of(std::string_view override_text) {
 }
 
 Scene parse_scene(std::string_view text, const std::string& file_name,
-                  std::span<const std::string> overrides, OutsideFiles outside) {
+                  std::span<const std::string> overrides, const SceneFiles& files) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
         throw SceneError({file_name, 1, 1},
                          "the file is empty; a scene needs at least [body] and [start]");
@@ -281,17 +243,12 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
     for (const std::string& text_of_override : overrides) apply_override(root, text_of_override);
 
     SceneDraft draft;
-    draft.outside = outside;
+    draft.files = files;
     draft.scene.file = file_name;
-    draft.scene.name = fs::path(file_name).stem().string();
+    draft.scene.name = std::filesystem::path(file_name).stem().string();
     draft.scene.title = as_caption(draft.scene.name);
     Reader(draft).read_table(root, "", "", 0);
     return complete_scene(std::move(draft));
-}
-
-Scene load_scene(const fs::path& file, std::span<const std::string> overrides,
-                 OutsideFiles outside) {
-    return parse_scene(text_of_file(file), file.string(), overrides, outside);
 }
 
 }  // namespace poinsot
