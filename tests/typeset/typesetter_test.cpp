@@ -14,6 +14,7 @@
 #include <numeric>
 #include <string>
 
+#include "system/files/file_contents.h"
 #include "typeset/files/installed_fonts.h"
 #include "typeset/label_cursor.h"
 #include "typeset/symbols.h"
@@ -436,6 +437,28 @@ TEST(RandomLabels, BytesAreSetOrRejected) {
             }
         }
     }));
+}
+
+// A program without files, such as a page in a browser, hands the bytes of its fonts over.
+TEST(Typesetter, FontsInMemoryGiveTheSameMasks) {
+    std::vector<std::string> bytes;
+    std::vector<FontBytes> fonts;
+    for (const std::string_view name : font_names()) bytes.push_back(read_text(find_font(name)));
+    for (std::size_t i = 0; i < bytes.size(); ++i) fonts.push_back({font_names()[i], bytes[i]});
+    const Typesetter typesetter(fonts_in_memory(fonts)), of_files(installed_fonts());
+    for (const TypeMode mode : {TypeMode::math, TypeMode::text}) {
+        const std::string text =
+            mode == TypeMode::math ? "\\frac{\\boldsymbol\\omega}{\\sqrt{2T}}" : "a $L$ efficient";
+        const TypesetMask given = typesetter.set(text, {.size_px = 40.0, .mode = mode});
+        const TypesetMask read = of_files.set(text, {.size_px = 40.0, .mode = mode});
+        EXPECT_GT(given.width, 20);
+        EXPECT_EQ(given.coverage, read.coverage);
+    }
+    // Without fallbacks, a character that they lack is a box.
+    typesetter.set("\u4e00", {.mode = TypeMode::text});
+    EXPECT_EQ(typesetter.missing(), std::vector<char32_t>{U'\u4e00'});
+    EXPECT_TRUE(typesetter.fallbacks_used().empty());
+    EXPECT_THROW(Typesetter(FontSource{}).set("a"), EnvironmentError);
 }
 
 }  // namespace
