@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/parse_scene.h"
 #include "scene/scene.h"
-#include "scene/scene_files.h"
 
 namespace poinsot {
 

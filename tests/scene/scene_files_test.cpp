@@ -1,6 +1,4 @@
 // The files that a scene names, as bytes in memory.
-#include "scene/scene_files.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
