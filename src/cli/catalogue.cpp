@@ -22,7 +22,7 @@
 #include "production/vectors/journal.h"
 #include "scene/camera_views.h"
 #include "scene/easing.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 #include "scene/scene_keys.h"
 
 namespace poinsot {

@@ -12,7 +12,8 @@
 #include "cli/progress_bar.h"
 #include "cli/sweep.h"
 #include "error/error.h"
-#include "production/scene_summary.h"
+#include "production/parts/job_choice.h"
+#include "production/session/scene_summary.h"
 #include "text/json_text.h"
 #include "text/printable.h"
 #include "text/say.h"
@@ -45,8 +46,13 @@ SceneSummary summary_of(const CheckChoices& choices, const SweepPoint& point,
                         const ProgressSink& progress) {
     const Session session = open_session(
         scene_request_of(choices.scenes.at(0), choices.scene, overrides_of(point)), progress);
-    tell_notes(session.scene, progress);
-    return summarise(session, choices.plan, progress);
+    tell_notes(session, progress);
+    SceneSummary summary = summarise(session, choices.plan, progress);
+    if (choices.plan) {
+        const std::vector<PlanLine> of_parts = plan_of_parts(session, film_plan(session));
+        summary.plan.insert(summary.plan.end() - 1, of_parts.begin(), of_parts.end());
+    }
+    return summary;
 }
 
 int code_of(const SceneSummary& summary) {

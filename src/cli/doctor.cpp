@@ -7,7 +7,8 @@
 #include "output/codecs.h"
 #include "render/renderer.h"
 #include "text/json_text.h"
-#include "typeset/font_search.h"
+#include "typeset/files/font_search.h"
+#include "typeset/font_source.h"
 
 namespace poinsot {
 

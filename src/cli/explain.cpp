@@ -6,9 +6,10 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
-#include "production/record.h"
-#include "production/record_fields.h"
-#include "production/redraw.h"
+#include "production/jobs/redraw.h"
+#include "production/provenance/record.h"
+#include "production/provenance/record_fields.h"
+#include "production/provenance/verify.h"
 #include "text/json_text.h"
 #include "text/printable.h"
 #include "text/say.h"

@@ -113,7 +113,7 @@ std::string all_of(const std::string& file) {
 }
 
 // Appends the instants of one line; places in the line are counted from 1.
-void append_line(std::string_view line, const std::string& file, std::size_t line_number,
+void append_line(std::string_view line, const std::string& name, std::size_t line_number,
                  std::vector<double>& times) {
     constexpr std::string_view between = " \t\r,";
     std::size_t begin = 0;
@@ -124,8 +124,7 @@ void append_line(std::string_view line, const std::string& file, std::size_t lin
         if (!time)
             throw InputError(
                 fmt::format("{}:{}:{}: \"{}\" is not a time in seconds; write one instant per line",
-                            file == "-" ? "standard input" : printable(file), line_number,
-                            begin + 1, printable(item)));
+                            printable(name), line_number, begin + 1, printable(item)));
         times.push_back(*time);
         begin = end;
     }
@@ -144,20 +143,22 @@ std::vector<double> parse_times(std::string_view text) {
     }
 }
 
-std::vector<double> instants_in(const std::string& file) {
-    const std::string text = all_of(file);
+std::vector<double> instants_of(std::string_view text, const std::string& name) {
     std::vector<double> times;
-    std::string_view rest = text;
-    for (std::size_t line_number = 1; !rest.empty(); ++line_number) {
-        const std::size_t end = std::min(rest.find('\n'), rest.size());
-        const std::string_view line = rest.substr(0, end);
-        append_line(line.substr(0, line.find('#')), file, line_number, times);
-        rest.remove_prefix(std::min(end + 1, rest.size()));
+    for (std::size_t line_number = 1; !text.empty(); ++line_number) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        append_line(line.substr(0, line.find('#')), name, line_number, times);
+        text.remove_prefix(std::min(end + 1, text.size()));
     }
     if (times.empty())
         throw InputError(fmt::format("{}: contains no instants; write one per line, in seconds",
-                                     file == "-" ? "standard input" : printable(file)));
+                                     printable(name)));
     return times;
+}
+
+std::vector<double> instants_in(const std::string& file) {
+    return instants_of(all_of(file), file == "-" ? "standard input" : file);
 }
 
 }  // namespace poinsot

@@ -14,8 +14,11 @@ namespace poinsot {
 // InputError.
 std::vector<double> parse_times(std::string_view text);
 
-// Reads a file of instants separated by white space or commas; '#' begins a comment; "-" is
-// standard input. Throws InputError with the place of a text that is not an instant.
+// Parses instants separated by white space or commas; '#' begins a comment. `name` is used in
+// messages. Throws InputError with the place of a text that is not an instant.
+std::vector<double> instants_of(std::string_view text, const std::string& name);
+
+// Reads a file of such instants; "-" is standard input. Throws InputError.
 std::vector<double> instants_in(const std::string& file);
 
 }  // namespace poinsot

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "cli/option.h"
-#include "production/picture.h"
-#include "production/session.h"
+#include "production/jobs/open_session.h"
+#include "production/jobs/picture.h"
+#include "production/session/session.h"
 
 namespace poinsot {
 

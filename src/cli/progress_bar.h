@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "production/progress_sink.h"
+#include "production/session/progress_sink.h"
 
 namespace poinsot {
 

@@ -14,9 +14,9 @@
 #include "cli/sweep.h"
 #include "error/error.h"
 #include "output/frame_name.h"
-#include "production/film_job.h"
+#include "production/jobs/film_job.h"
 #include "production/parts/jobs.h"
-#include "system/file_kind.h"
+#include "system/files/file_kind.h"
 
 namespace poinsot {
 

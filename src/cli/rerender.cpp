@@ -3,7 +3,7 @@
 #include "cli/options.h"
 #include "cli/progress_bar.h"
 #include "error/error.h"
-#include "production/redraw.h"
+#include "production/jobs/redraw.h"
 
 namespace poinsot {
 

@@ -17,8 +17,10 @@
 #include "cli/sweep.h"
 #include "error/error.h"
 #include "output/frame_name.h"
+#include "production/jobs/open_session.h"
+#include "production/jobs/table_file.h"
 #include "production/sampling/sample_table.h"
-#include "production/session.h"
+#include "production/session/session.h"
 #include "text/numbers.h"
 #include "text/printable.h"
 
@@ -61,7 +63,7 @@ SampleTable table_of(const SampleChoices& choices, const std::string& scene,
     SceneRequest request = scene_request_of(scene, choices.scene, overrides);
     request.times_s = times_s;
     const Session session = open_session(request, progress);
-    tell_notes(session.scene, progress);
+    tell_notes(session, progress);
     const std::vector<ChosenColumn> columns = choices.columns.empty()
                                                   ? default_columns(session.motion)
                                                   : columns_named(session.motion, choices.columns);

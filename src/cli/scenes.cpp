@@ -11,9 +11,9 @@
 
 #include "error/error.h"
 #include "output/frame_name.h"
-#include "production/output_place.h"
-#include "system/file_kind.h"
-#include "system/program_files.h"
+#include "production/jobs/output_place.h"
+#include "system/files/file_kind.h"
+#include "system/files/program_files.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 #include "text/say.h"

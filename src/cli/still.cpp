@@ -16,8 +16,8 @@
 #include "cli/scenes.h"
 #include "cli/sweep.h"
 #include "error/error.h"
-#include "production/contact_sheet.h"
-#include "production/still_job.h"
+#include "production/jobs/contact_sheet.h"
+#include "production/jobs/still_job.h"
 #include "production/vectors/journal.h"
 
 namespace poinsot {

@@ -18,10 +18,10 @@
 #include "cli/sweep.h"
 #include "error/error.h"
 #include "output/frame_sink.h"
-#include "production/film_job.h"
+#include "production/jobs/film_job.h"
 #include "production/parts/slurm.h"
 #include "production/parts/submission.h"
-#include "production/record.h"
+#include "production/provenance/record.h"
 #include "system/run_program.h"
 #include "text/printable.h"
 

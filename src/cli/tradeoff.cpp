@@ -6,11 +6,12 @@
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/progress_bar.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 #include "lab/tradeoff_report.h"
-#include "production/output_place.h"
-#include "production/picture.h"
-#include "system/atomic_file.h"
+#include "production/jobs/output_place.h"
+#include "production/jobs/picture.h"
+#include "system/files/atomic_file.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 
@@ -27,7 +28,7 @@ struct TradeoffChoices {
 };
 
 void write_chart(const Chart& chart, const ContextChoice& context_choice, const fs::path& path) {
-    const ChartSheet sheet(chart, theme_named("light"), 1600, 1000);
+    const ChartSheet sheet(chart, theme_named("light"), installed_fonts(), 1600, 1000);
     const OffscreenContext context = make_context(context_choice);
     Renderer renderer(context);
     write_png(path, renderer.render(sheet.drawing()));
@@ -38,7 +39,7 @@ int run(const TradeoffChoices& choices) {
     const ProgressSink progress = bar.sink();
     const Session session =
         open_session(scene_request_of(choices.scenes.at(0), choices.scene), progress);
-    tell_notes(session.scene, progress);
+    tell_notes(session, progress);
     const ContextChoice context = context_choice_of(choices.context);
     const Tradeoff t = trade(session, context);
 

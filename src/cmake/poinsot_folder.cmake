@@ -1,4 +1,5 @@
-# One CMake target per folder: every .cpp of the folder and its subfolders, without a list of files.
+# One CMake target per folder: every .cpp of the folder and its subfolders, without a list of files. A
+# subfolder that has a CMakeLists.txt is a target of its own.
 
 # poinsot_folder(NAME [FUZZED] [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from
 # ./**.cpp. FUZZED: it reads untrusted input and is instrumented for coverage in fuzzing builds. The
@@ -6,6 +7,12 @@
 function(poinsot_folder name)
     cmake_parse_arguments(arg "FUZZED" "" "PUBLIC;PRIVATE" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    file(GLOB libraries ${CMAKE_CURRENT_SOURCE_DIR}/*/CMakeLists.txt)
+    foreach(library ${libraries})
+        cmake_path(GET library PARENT_PATH library)
+        list(FILTER sources EXCLUDE REGEX "^${library}/")
+        add_subdirectory(${library})
+    endforeach()
     if(NOT sources)
         add_library(poinsot_${name} INTERFACE)
         target_link_libraries(poinsot_${name} INTERFACE poinsot_options ${arg_PUBLIC} ${arg_PRIVATE})

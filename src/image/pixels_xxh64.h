@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -47,7 +46,8 @@ class PixelsXxh64 {
 std::string pixels_xxh64(const Image& image);
 std::string pixels_xxh64(const StoredPicture& picture);
 
-// The hash of the pixels of a PNG file of any size; reads it row by row. Throws: as read_png.
-std::string pixels_xxh64_of(const std::filesystem::path& png);
+// The hash of the pixels of a PNG file's bytes, of any size; decodes it row by row. Throws: as
+// decode_png.
+std::string pixels_xxh64_of(std::span<const std::uint8_t> file, const std::string& name);
 
 }  // namespace poinsot

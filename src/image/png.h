@@ -1,8 +1,8 @@
-// PNG files with 8 bits per channel in sRGB: the format of stills and of golden pictures.
+// The bytes of PNG files with 8 bits per channel in sRGB: the format of stills and of golden
+// pictures.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <span>
@@ -73,27 +73,17 @@ class PngEncoder {
 // Encodes one picture with a temporary PngEncoder.
 std::vector<std::uint8_t> encode_png(const Image& image, const PngOptions& options = {});
 
-// Writes the file atomically: to a temporary file, which is synced and renamed. On failure throws
-// EnvironmentError with path and reason, and leaves no file.
-void write_png(const std::filesystem::path& path, const Image& image,
-               const PngOptions& options = {});
-
 // Decodes any PNG to 8-bit RGBA: palettes and greys are expanded, 16 bits rounded to 8, other
 // samples unchanged. `name` is used in messages. Throws: InputError for an incomplete or invalid
 // PNG, an animation, or more than most_png_pixels.
 Image decode_png(std::span<const std::uint8_t> file, const std::string& name,
                  PngInfo* info = nullptr);
 
-// Throws: InputError as decode_png does, and for a missing file; EnvironmentError if the file
-// cannot be read.
-Image read_png(const std::filesystem::path& path, PngInfo* info = nullptr);
-
-// The same with every stored bit. Throws: as read_png.
+// The same with every stored bit. Throws: as decode_png.
 StoredPicture decode_stored_png(std::span<const std::uint8_t> file, const std::string& name);
-StoredPicture read_stored_png(const std::filesystem::path& path);
 
 // Reads the metadata before and after the pixels without decoding the pixels; the picture may have
-// any size. Throws: as read_png.
-PngInfo read_png_info(const std::filesystem::path& path);
+// any size. Throws: as decode_png.
+PngInfo decode_png_info(std::span<const std::uint8_t> file, const std::string& name);
 
 }  // namespace poinsot

@@ -8,19 +8,14 @@
 #include <csetjmp>
 #include <cstring>
 #include <map>
-#include <system_error>
 
 #include "error/error.h"
 #include "image/pixels_xxh64.h"
 #include "image/png.h"
-#include "system/file_contents.h"
-#include "system/file_kind.h"
 #include "system/sha256.h"
 #include "text/utf8.h"
 
 namespace poinsot {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -28,7 +23,6 @@ namespace {
 constexpr png_alloc_size_t largest_chunk_bytes = 4u << 20;
 // Deflate encodes at most 258 bytes in 2 bits.
 constexpr std::size_t largest_deflate_ratio = 1032;
-constexpr std::uintmax_t largest_file_bytes = std::uintmax_t{5} << 28;
 
 struct Source {
     std::span<const std::uint8_t> file;
@@ -236,25 +230,6 @@ void begin(std::span<const std::uint8_t> file, const std::string& name, bool wit
     begin_checked(file, name, source);
 }
 
-std::vector<std::uint8_t> read_file(const fs::path& path) {
-    const FileKind kind = kind_of_file(path);
-    if (kind == FileKind::missing)
-        throw InputError(fmt::format("{} does not exist", path.string()));
-    if (kind == FileKind::folder)
-        throw InputError(fmt::format("{} is a folder, not a PNG picture", path.string()));
-    if (kind != FileKind::regular)
-        throw InputError(fmt::format("{}: {}", path.string(), in_words(kind)));
-    std::error_code error;
-    if (const std::uintmax_t size = fs::file_size(path, error); !error && size > largest_file_bytes)
-        throw InputError(
-            fmt::format("{} is too large for a picture that poinsot reads", path.string()));
-    return read_bytes(path);
-}
-
-}  // namespace
-
-namespace {
-
 // Reads the pixels into rows of 8-bit or 16-bit samples.
 template <typename Picture, typename Sample>
 Picture read_samples(Source& source, const std::string& name,
@@ -313,14 +288,6 @@ StoredPicture decode_stored_png(std::span<const std::uint8_t> file, const std::s
     return picture;
 }
 
-StoredPicture read_stored_png(const fs::path& path) {
-    return decode_stored_png(read_file(path), path.string());
-}
-
-Image read_png(const fs::path& path, PngInfo* info) {
-    return decode_png(read_file(path), path.string(), info);
-}
-
 namespace {
 
 // The file with all metadata moved before the pixels, and only the beginning of the pixels.
@@ -367,25 +334,23 @@ std::string check_of_rows(Source& source, const std::string& name) {
 
 }  // namespace
 
-std::string pixels_xxh64_of(const fs::path& path) {
-    const std::vector<std::uint8_t> file = read_file(path);
+std::string pixels_xxh64_of(std::span<const std::uint8_t> file, const std::string& name) {
     Source source;
-    begin(file, path.string(), false, source);
+    begin(file, name, false, source);
     // An interlaced picture has its rows in seven passes: read it whole.
     if (png_get_interlace_type(source.png, source.info) != PNG_INTERLACE_NONE)
-        return pixels_xxh64(decode_stored_png(file, path.string()));
+        return pixels_xxh64(decode_stored_png(file, name));
     return png_get_bit_depth(source.png, source.info) == 16
-               ? check_of_rows<std::uint16_t>(source, path.string())
-               : check_of_rows<std::uint8_t>(source, path.string());
+               ? check_of_rows<std::uint16_t>(source, name)
+               : check_of_rows<std::uint8_t>(source, name);
 }
 
-PngInfo read_png_info(const fs::path& path) {
-    const std::vector<std::uint8_t> file = read_file(path);
-    check_start(file, path.string(), false);
+PngInfo decode_png_info(std::span<const std::uint8_t> file, const std::string& name) {
+    check_start(file, name, false);
     Source source;
-    source.n_bytes_behind = check_chunks(file, path.string());
+    source.n_bytes_behind = check_chunks(file, name);
     const std::vector<std::uint8_t> said = without_pixels(file);
-    begin_checked(said, path.string(), source);
+    begin_checked(said, name, source);
     return info_of(source);
 }
 

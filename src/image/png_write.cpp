@@ -11,7 +11,6 @@
 #include "image/alpha.h"
 #include "image/png.h"
 #include "image/png_chunks.h"
-#include "system/atomic_file.h"
 
 namespace poinsot {
 
@@ -123,12 +122,6 @@ std::vector<std::uint8_t> encode_png(const Image& image, const PngOptions& optio
     PngEncoder encoder(options);
     const std::span<const std::uint8_t> file = encoder.encode(image);
     return {file.begin(), file.end()};
-}
-
-void write_png(const std::filesystem::path& path, const Image& image, const PngOptions& options) {
-    PngEncoder encoder(options);
-    const std::span<const std::uint8_t> contents = encoder.encode(image);
-    write_whole(path, contents);
 }
 
 }  // namespace poinsot

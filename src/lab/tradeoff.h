@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "production/picture.h"
-#include "production/session.h"
+#include "production/jobs/picture.h"
+#include "production/session/session.h"
 
 namespace poinsot {
 

@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "drawing/stage/picture_quality.h"
 #include "lab/measure.h"
 #include "lab/tradeoff.h"
-#include "output/quality.h"
-#include "production/picture.h"
+#include "production/jobs/picture.h"
 
 namespace poinsot {
 
@@ -24,7 +24,7 @@ constexpr std::array<Setting, 9> settings{
     {{100.0, 1}, {10.0, 1}, {1.0, 1}, {0.1, 1}, {10.0, 2}, {1.0, 2}, {0.5, 2}, {0.5, 3}, {0.1, 4}}};
 
 std::string quality_of(const Setting& setting) {
-    for (const Quality& quality : qualities()) {
+    for (const PictureQuality& quality : picture_qualities()) {
         if (quality.curve_tolerance == setting.curve_tolerance &&
             quality.samples == setting.samples) {
             return std::string(quality.name);

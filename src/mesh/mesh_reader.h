@@ -6,7 +6,8 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "mesh/solid_check.h"
@@ -32,7 +33,11 @@ TriangleMesh read_obj(std::string_view text, std::string_view name);
 TriangleMesh read_stl(std::string_view bytes, std::string_view name);
 
 // Reads the solid in an .obj or .stl file, checked and repaired by checked_solid. Throws InputError
-// also for a file that is missing, not a regular file, too large or of another type.
-SolidMesh read_solid(const std::filesystem::path& file);
+// also for bytes that are too many and for another type of file.
+SolidMesh read_solid(std::string_view bytes, const std::string& name);
+
+// The checks that are possible before the bytes are read. Throw InputError.
+void check_mesh_name(const std::string& name);
+void check_mesh_size(std::uintmax_t n_bytes, const std::string& name);
 
 }  // namespace poinsot

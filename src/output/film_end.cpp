@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "output/film_packets.h"
-#include "system/file_contents.h"
+#include "system/files/file_contents.h"
 
 namespace poinsot {
 

@@ -12,7 +12,7 @@
 #include "output/formats.h"
 #include "output/libav.h"
 #include "output/video_encoder.h"
-#include "system/file_contents.h"
+#include "system/files/file_contents.h"
 
 namespace poinsot {
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "error/error.h"
-#include "system/file_contents.h"
-#include "system/file_kind.h"
+#include "system/files/file_contents.h"
+#include "system/files/file_kind.h"
 #include "system/interrupt.h"
 
 namespace poinsot {

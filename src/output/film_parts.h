@@ -11,7 +11,7 @@
 
 #include "output/frame_log.h"
 #include "output/frame_sink.h"
-#include "system/file_contents.h"
+#include "system/files/file_contents.h"
 
 namespace poinsot {
 

@@ -9,7 +9,7 @@
 
 #include "error/error.h"
 #include "output/frame_name.h"
-#include "system/file_kind.h"
+#include "system/files/file_kind.h"
 #include "text/nearest.h"
 
 namespace poinsot {

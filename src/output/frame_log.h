@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "output/frame_sink.h"
-#include "system/atomic_file.h"
+#include "system/files/atomic_file.h"
 
 namespace poinsot {
 

@@ -11,18 +11,11 @@
 #include <string_view>
 #include <vector>
 
+#include "image/frame_rate.h"
 #include "image/image.h"
 #include "output/film_part.h"
 
 namespace poinsot {
-
-struct FrameRate {
-    std::int64_t numerator = 30;
-    std::int64_t denominator = 1;
-    double per_second() const {
-        return static_cast<double>(numerator) / static_cast<double>(denominator);
-    }
-};
 
 // A named section; its frames are counted from the output's first frame.
 struct FilmChapter {

@@ -15,8 +15,8 @@
 #include "output/frame_log.h"
 #include "output/palette.h"
 #include "output/video_encoder.h"
-#include "system/atomic_file.h"
-#include "system/free_space.h"
+#include "system/files/atomic_file.h"
+#include "system/files/free_space.h"
 
 namespace poinsot {
 

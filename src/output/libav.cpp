@@ -12,8 +12,8 @@
 
 #include "error/error.h"
 #include "output/video_encoder.h"
-#include "system/atomic_file.h"
-#include "system/file_kind.h"
+#include "system/files/atomic_file.h"
+#include "system/files/file_kind.h"
 
 namespace poinsot::libav {
 

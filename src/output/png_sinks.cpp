@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "error/error.h"
+#include "image/files/png_files.h"
 #include "image/pixels_xxh64.h"
-#include "image/png.h"
 #include "output/film_metadata.h"
 #include "output/formats.h"
 #include "output/frame_name.h"
 #include "output/pipeline.h"
-#include "system/atomic_file.h"
-#include "system/free_space.h"
+#include "system/files/atomic_file.h"
+#include "system/files/free_space.h"
 
 namespace poinsot {
 

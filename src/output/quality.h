@@ -1,5 +1,5 @@
-// The meaning of the --quality names: settings of the picture and of each encoder, and their
-// measured results.
+// What the names of --quality mean for encoders, and the measured results of the whole;
+// drawing/picture_quality.h has what they mean for drawings.
 #pragma once
 
 #include <span>
@@ -27,8 +27,6 @@ struct Vp9Effort {
 
 struct Quality {
     std::string_view name;
-    double curve_tolerance;  // factor on the scene's accuracy_px for the sampling of curves
-    int samples;  // the picture is rendered samples × samples times as large and averaged
     X264Effort x264;
     Vp9Effort vp9;
     std::string_view summary;

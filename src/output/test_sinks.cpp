@@ -8,7 +8,7 @@
 #include "output/formats.h"
 #include "output/frame_log.h"
 #include "output/libav_calls.h"
-#include "system/atomic_file.h"
+#include "system/files/atomic_file.h"
 
 namespace poinsot {
 

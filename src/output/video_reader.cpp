@@ -9,7 +9,7 @@
 #include "image/png.h"
 #include "output/libav.h"
 #include "output/video_encoder.h"
-#include "system/file_kind.h"
+#include "system/files/file_kind.h"
 
 namespace poinsot {
 

@@ -19,8 +19,8 @@
 #include "output/quality.h"
 #include "output/video_encoder.h"
 #include "output/yuv.h"
-#include "system/atomic_file.h"
-#include "system/free_space.h"
+#include "system/files/atomic_file.h"
+#include "system/files/free_space.h"
 
 namespace poinsot {
 

@@ -6,12 +6,13 @@
 #include <system_error>
 
 #include "error/error.h"
+#include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
-#include "image/png.h"
-#include "production/record.h"
+#include "production/provenance/record.h"
+#include "production/provenance/verify.h"
 #include "report/baselines.h"
 #include "report/compared_picture.h"
-#include "system/file_kind.h"
+#include "system/files/file_kind.h"
 #include "text/printable.h"
 
 namespace poinsot {

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "error/error.h"
-#include "system/atomic_file.h"
-#include "system/file_contents.h"
-#include "system/file_kind.h"
+#include "system/files/atomic_file.h"
+#include "system/files/file_contents.h"
+#include "system/files/file_kind.h"
 #include "text/printable.h"
 
 namespace poinsot {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "error/error.h"
+#include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
-#include "image/png.h"
-#include "system/file_contents.h"
+#include "system/files/file_contents.h"
 
 namespace poinsot {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "report/baseline_manifest.h"
-#include "system/atomic_file.h"
+#include "system/files/atomic_file.h"
 
 namespace poinsot {
 

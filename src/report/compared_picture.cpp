@@ -9,11 +9,11 @@
 #include <tuple>
 
 #include "error/error.h"
+#include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
-#include "image/png.h"
-#include "production/record.h"
-#include "system/file_contents.h"
-#include "system/file_kind.h"
+#include "production/provenance/record.h"
+#include "system/files/file_contents.h"
+#include "system/files/file_kind.h"
 #include "system/in_parallel.h"
 #include "text/printable.h"
 

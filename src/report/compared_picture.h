@@ -13,7 +13,7 @@
 #include "image/compare.h"
 #include "image/png.h"
 #include "report/baselines.h"
-#include "system/processor.h"
+#include "system/files/processor.h"
 
 namespace poinsot {
 

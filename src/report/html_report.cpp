@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <vector>
 
-#include "image/png.h"
+#include "image/files/png_files.h"
 #include "report/report_page.h"
-#include "system/file_contents.h"
+#include "system/files/file_contents.h"
+#include "system/files/processor.h"
 #include "system/in_parallel.h"
-#include "system/processor.h"
 #include "text/markup.h"
 
 namespace poinsot {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "error/error.h"
-#include "system/file_kind.h"
+#include "system/files/file_kind.h"
 #include "system/run_program.h"
 #include "text/printable.h"
 

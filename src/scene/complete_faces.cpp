@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <filesystem>
-#include <system_error>
+#include <span>
 #include <vector>
 
 #include "image/png.h"
@@ -13,17 +12,13 @@
 #include "mesh/solid_meshes.h"
 #include "scene/body_faces.h"
 #include "scene/draft_checks.h"
-#include "system/file_kind.h"
 
 namespace poinsot {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 // The largest picture of a face: both the program and the renderer hold it in memory.
 constexpr int most_picture_px = 4096;  // a side
-constexpr std::uintmax_t most_picture_bytes = std::uintmax_t{128} << 20;
 
 // Refuses a face where the body is not flat. Bodies of moments and tensors are drawn as boxes.
 void check_face(const Scene& scene, const std::string& key, const std::string& name) {
@@ -45,12 +40,13 @@ void check_face(const Scene& scene, const std::string& key, const std::string& n
                            key, name));
 }
 
-// Reads a picture from a file. Throws InputError with the reason.
-Image picture_in(const fs::path& file, const std::string& shown) {
-    std::error_code failed;
-    if (kind_of_file(file) == FileKind::regular && fs::file_size(file, failed) > most_picture_bytes)
+// Throws InputError with the reason for a picture that cannot be used.
+Image picture_in(const FileBytes& file, const std::string& shown) {
+    if (file.bytes.size() > most_face_picture_bytes)
         throw InputError(fmt::format("{} is larger than {} MiB; make it smaller", shown,
-                                     most_picture_bytes >> 20));
+                                     most_face_picture_bytes >> 20));
+    const std::span bytes(reinterpret_cast<const std::uint8_t*>(file.bytes.data()),
+                          file.bytes.size());
     const auto read = [&](auto call) {
         try {
             return call();
@@ -58,12 +54,12 @@ Image picture_in(const fs::path& file, const std::string& shown) {
             throw InputError(fmt::format("{}; name a whole PNG picture", error.what()));
         }
     };
-    const PngInfo info = read([&] { return read_png_info(file); });
+    const PngInfo info = read([&] { return decode_png_info(bytes, file.name); });
     if (info.width_px > most_picture_px || info.height_px > most_picture_px)
         throw InputError(fmt::format(
             "{} is {}×{} pixels; a picture on a face has at most {} per side, so make it smaller",
             shown, info.width_px, info.height_px, most_picture_px));
-    return read([&] { return read_png(file); });
+    return read([&] { return decode_png(bytes, file.name); });
 }
 
 void complete_picture(SceneDraft& draft, std::size_t number) {
@@ -88,7 +84,8 @@ void complete_picture(SceneDraft& draft, std::size_t number) {
         refuse(scene, item + ".up",
                fmt::format("{}.up = \"{}\" points through the face {}; give a direction along it",
                            item, picture.up, picture.face));
-    const fs::path file = file_named(draft, item + ".file", picture.file);
+    const FileBytes file =
+        file_named(draft, NamedFile::Kind::picture, item + ".file", picture.file);
     picture.image = at_file_key(scene, item + ".file",
                                 [&] { return picture_in(file, printable(picture.file)); });
 }

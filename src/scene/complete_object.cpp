@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -17,8 +16,6 @@
 namespace poinsot {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 // A body of parts with its mass, in the axes that the parts were given in.
 struct Thing {
@@ -36,8 +33,9 @@ Thing thing_named(std::string_view name) {
 
 // Reads the solid in a file, with unit density; repairs are noted.
 Thing thing_in_file(SceneDraft& draft, const std::string& key, const std::string& name) {
+    const FileBytes file = file_named(draft, NamedFile::Kind::mesh, key, name);
     SolidMesh solid =
-        at_file_key(draft.scene, key, [&] { return read_solid(file_named(draft, key, name)); });
+        at_file_key(draft.scene, key, [&] { return read_solid(file.bytes, file.name); });
     for (const std::string& note : solid.notes) {
         draft.scene.notes.push_back(fmt::format("{}: {}: {}", key, name, note));
     }
@@ -106,26 +104,12 @@ void fit(std::vector<BodySurface>& surfaces, const Eigen::Vector3d& extents_m) {
 
 }  // namespace
 
-fs::path file_named(const SceneDraft& draft, const std::string& key, const std::string& name) {
-    const fs::path scene_folder = draft.scene.file.parent_path();
-    const fs::path folder = scene_folder.empty() ? fs::path(".") : scene_folder;
-    fs::path file = folder / name;  // an absolute name is used as it is
-    if (draft.outside == OutsideFiles::allowed) return file;
-
-    // Links are resolved before the location is checked.
-    std::error_code failed;
-    const fs::path true_folder = fs::weakly_canonical(folder, failed);
-    const fs::path true_file = failed ? fs::path() : fs::weakly_canonical(file, failed);
-    const auto [end_of_folder, rest] =
-        std::mismatch(true_folder.begin(), true_folder.end(), true_file.begin(), true_file.end());
-    if (failed || name.empty() || end_of_folder != true_folder.end() ||
-        fs::path(name).is_absolute()) {
-        throw SceneFileError(draft.scene.location_of(key),
-                             fmt::format("{} = \"{}\" does not lie in the scene's folder; move it "
-                                         "there, or give --allow-outside if you trust the scene",
-                                         key, printable(name)));
-    }
-    return file;
+FileBytes file_named(const SceneDraft& draft, NamedFile::Kind kind, const std::string& key,
+                     const std::string& name) {
+    const Scene& scene = draft.scene;
+    return at_file_key(scene, key, [&] {
+        return draft.files({kind, key, name, scene.location_of(key).line == 0, scene.file});
+    });
 }
 
 void complete_object_body(SceneDraft& draft) {

@@ -2,11 +2,8 @@
 // them.
 #include <fmt/format.h>
 
-#include <system_error>
-
 #include "scene/draft_checks.h"
 #include "scene/given_value.h"
-#include "scene/load_scene.h"
 #include "scene/scene_key_rows.h"
 #include "scene/toml_document.h"
 #include "text/printable.h"
@@ -14,16 +11,6 @@
 namespace poinsot {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-// A theme named on the command line is looked for in the current folder, then in the scene's.
-fs::path theme_file(const SceneDraft& draft) {
-    const std::string& name = draft.scene.theme;
-    std::error_code failed;
-    if (draft.scene.location_of("theme").line == 0 && fs::exists(name, failed)) return name;
-    return file_named(draft, "theme", name);
-}
 
 // Passes every entry of the file to its row of [style], except `extends`.
 void read_theme(const TomlValue& root, SceneDraft& theme) {
@@ -51,11 +38,10 @@ void read_theme(const TomlValue& root, SceneDraft& theme) {
 void complete_style(SceneDraft& draft) {
     Scene& scene = draft.scene;
     if (!scene.theme.ends_with(".toml")) return;
-    const fs::path file = theme_file(draft);
-    const std::string text = at_file_key(scene, "theme", [&] { return text_of_file(file); });
+    const FileBytes file = file_named(draft, NamedFile::Kind::theme, "theme", scene.theme);
     SceneDraft theme;
     theme.scene.theme = "light";
-    read_theme(parse_toml(text, file.string()), theme);
+    read_theme(parse_toml(file.bytes, file.name), theme);
 
     // The scene's own values take precedence.
     StyleSpec& below = theme.scene.style;

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,10 +22,9 @@ namespace poinsot {
 void refuse_mixed(const Scene& scene, std::span<const std::vector<std::string>> ways,
                   std::string_view remedy);
 
-// The file that a key names, relative to the scene's folder. Throws SceneError at the key for a
-// file outside that folder, also through a link, unless the draft allows outside files.
-std::filesystem::path file_named(const SceneDraft& draft, const std::string& key,
-                                 const std::string& name);
+// The bytes of the file that a key names. Throws SceneFileError at the key.
+FileBytes file_named(const SceneDraft& draft, NamedFile::Kind kind, const std::string& key,
+                     const std::string& name);
 
 // Returns the unit vector along the given one. A vector of length 1 to rounding is kept exactly, so
 // that a scene written out reads back the same; any other is normalised with a note to the user.

@@ -19,9 +19,6 @@
 
 namespace poinsot {
 
-// Whether a scene may name files outside its own folder.
-enum class OutsideFiles { refused, allowed };
-
 // Where a value was given. line 0: by --set (then `file` is "--set key=value"), or it is a default.
 struct SourceLocation {
     std::string file;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/parse_scene.h"
 #include "scene/scene.h"
 
 namespace poinsot {
@@ -14,7 +15,7 @@ namespace poinsot {
 // The rows of the key table fill it; it holds values that are determined by several keys.
 struct SceneDraft {
     Scene scene;
-    OutsideFiles outside = OutsideFiles::refused;
+    SceneFiles files = no_scene_file;
 
     // [body]
     std::optional<Eigen::Vector3d> moments_kg_m2;

@@ -40,6 +40,27 @@ class Tables {
 
 }  // namespace
 
+std::string values_differing(const Scene& scene, const Scene& other) {
+    std::string text;
+    const auto compare = [&](const SceneKey& key, std::string_view path, std::size_t item) {
+        const std::string value = key.write(scene, item);
+        if (value == key.write(other, item)) return;
+        text += fmt::format("{}{}{}", text.empty() ? "" : "; ", path,
+                            value.empty() ? " not given" : " = " + value);
+    };
+    for (const SceneKey& key : scene_keys())
+        if (key.path.find("[]") == std::string_view::npos) compare(key, key.path, 0);
+    for (const SceneArray& array : scene_arrays())
+        for (std::size_t i = 0; i < array.n_items(scene); ++i)
+            for (const SceneKey& key : scene_keys())
+                if (key.path.starts_with(fmt::format("{}[]", array.path)))
+                    compare(key,
+                            fmt::format("{}[{}]{}", array.path, i,
+                                        key.path.substr(array.path.size() + 2)),
+                            i);
+    return text;
+}
+
 std::string to_toml(const Scene& scene) {
     Tables tables("");
     for (const SceneKey& key : scene_keys()) {

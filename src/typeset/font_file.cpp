@@ -22,7 +22,6 @@ struct Deleter {
         Destroy(handle);
     }
 };
-using Blob = std::unique_ptr<hb_blob_t, Deleter<hb_blob_destroy>>;
 using Face = std::unique_ptr<hb_face_t, Deleter<hb_face_destroy>>;
 using Font = std::unique_ptr<hb_font_t, Deleter<hb_font_destroy>>;
 using Buffer = std::unique_ptr<hb_buffer_t, Deleter<hb_buffer_destroy>>;
@@ -64,7 +63,7 @@ int cubic_to(const FT_Vector* c1, const FT_Vector* c2, const FT_Vector* to, void
 }  // namespace
 
 struct FontFile::Handles {
-    Blob blob;
+    FontBlob blob;
     Face face;
     Font font;
     Buffer buffer;
@@ -72,7 +71,12 @@ struct FontFile::Handles {
     FreeTypeFace outlines;
 };
 
-FontFile::FontFile(const std::filesystem::path& file)
+FontFile::FontFile(std::string_view bytes, const std::filesystem::path& file)
+    : FontFile(FontBlob(hb_blob_create(bytes.data(), static_cast<unsigned>(bytes.size()),
+                                       HB_MEMORY_MODE_READONLY, nullptr, nullptr)),
+               file) {}
+
+FontFile::FontFile(FontBlob blob, const std::filesystem::path& file)
     : handles_(std::make_unique<Handles>()), file_(file) {
     const auto unreadable = [&file] {
         return EnvironmentError(
@@ -80,7 +84,7 @@ FontFile::FontFile(const std::filesystem::path& file)
                         "fonts-lmodern",
                         file.string()));
     };
-    handles_->blob.reset(hb_blob_create_from_file_or_fail(file.c_str()));
+    handles_->blob = std::move(blob);
     if (!handles_->blob || hb_face_count(handles_->blob.get()) == 0) throw unreadable();
     handles_->face.reset(hb_face_create(handles_->blob.get(), 0));
     handles_->font.reset(hb_font_create(handles_->face.get()));

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -45,11 +46,19 @@ struct TallGlyph {
     double extent = 0.0;
 };
 
+struct FreeBlob {
+    void operator()(hb_blob_t* blob) const { hb_blob_destroy(blob); }
+};
+using FontBlob = std::unique_ptr<hb_blob_t, FreeBlob>;
+
 // Caches metrics, shapes and outlines. Not safe for use by two threads at once.
 class FontFile {
  public:
-    // throws: EnvironmentError if the file cannot be read as a font.
-    explicit FontFile(const std::filesystem::path& file);
+    // A font in memory, which must outlive it; `file` is its name. throws: EnvironmentError if it
+    // cannot be read as a font.
+    FontFile(std::string_view bytes, const std::filesystem::path& file);
+    // The same for a file that HarfBuzz holds; null: it could not be read.
+    FontFile(FontBlob blob, const std::filesystem::path& file);
     ~FontFile();
     FontFile(FontFile&&) noexcept;
     FontFile& operator=(FontFile&&) noexcept;

@@ -4,14 +4,13 @@
 #include <string_view>
 
 #include "error/error.h"
-#include "typeset/font_search.h"
 #include "typeset/label_cursor.h"
 
 namespace poinsot {
 
 FontFile& FontSet::open(std::size_t index) {
     std::optional<FontFile>& font = fonts_.at(index);
-    if (!font) font.emplace(find_font(font_names().at(index), search_));
+    if (!font) font.emplace(source_.open(font_names().at(index)));
     return *font;
 }
 
@@ -24,12 +23,12 @@ FontFile& FontSet::text(TextFamily family, TextFace face) {
 FontFile* FontSet::fallback(char32_t character) {
     if (const auto known = fallback_of_.find(character); known != fallback_of_.end())
         return known->second;
-    if (!fallback_files_) fallback_files_ = fonts_below(search_.fallback_folders);
+    if (!fallback_files_) fallback_files_ = source_.fallbacks();
     for (std::size_t i = 0; i < fallback_files_->size(); ++i) {
         const std::filesystem::path& file = (*fallback_files_)[i];
         try {
             auto& font = fallbacks_[i];
-            if (!font) font = std::make_unique<FontFile>(file);
+            if (!font) font = std::make_unique<FontFile>(source_.open_fallback(file));
             const std::optional<GlyphId> glyph = font->glyph(character);
             // Bitmap and colour fonts have glyphs without outlines.
             if (!glyph || font->outline(*glyph).steps.empty()) continue;

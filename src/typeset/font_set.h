@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "typeset/font_file.h"
-#include "typeset/font_search.h"
+#include "typeset/font_source.h"
 #include "typeset/label_tree.h"
 #include "typeset/type_box.h"
 
@@ -23,7 +22,7 @@ enum class TextFamily { caption, formula };
 
 class FontSet {
  public:
-    explicit FontSet(FontSearch search) : search_(std::move(search)) {}
+    explicit FontSet(FontSource source) : source_(std::move(source)) {}
 
     // throws: EnvironmentError that names the package if a font is not found.
     FontFile& math();
@@ -43,7 +42,7 @@ class FontSet {
     FontFile& open(std::size_t index);
     FontFile* fallback(char32_t character);
 
-    FontSearch search_;
+    FontSource source_;
     std::array<std::optional<FontFile>, 7> fonts_;
     std::optional<std::vector<std::filesystem::path>> fallback_files_;  // empty until searched
     std::map<std::size_t, std::unique_ptr<FontFile>> fallbacks_;  // by index in fallback_files_;

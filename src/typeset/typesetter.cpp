@@ -137,8 +137,8 @@ struct Typesetter::State {
     FontSet fonts;
 };
 
-Typesetter::Typesetter(FontSearch search)
-    : state_(std::make_unique<State>(State{FontSet(std::move(search))})) {}
+Typesetter::Typesetter(FontSource fonts)
+    : state_(std::make_unique<State>(State{FontSet(std::move(fonts))})) {}
 Typesetter::~Typesetter() = default;
 Typesetter::Typesetter(Typesetter&&) noexcept = default;
 Typesetter& Typesetter::operator=(Typesetter&&) noexcept = default;

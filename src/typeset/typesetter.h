@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "typeset/font_search.h"
+#include "typeset/font_source.h"
 #include "typeset/label_error.h"
 
 namespace poinsot {
@@ -66,7 +66,7 @@ struct TypesetMask : TypeExtent {
 class Typesetter {
  public:
     // Opens fonts only when they are needed.
-    explicit Typesetter(FontSearch search = {});
+    explicit Typesetter(FontSource fonts);
     ~Typesetter();
     Typesetter(Typesetter&&) noexcept;
     Typesetter& operator=(Typesetter&&) noexcept;

@@ -22,9 +22,10 @@
 #include "output/quality.h"
 #include "output/video_encoder.h"
 #include "output/yuv.h"
-#include "production/picture.h"
-#include "production/session.h"
-#include "scene/load_scene.h"
+#include "production/jobs/picture.h"
+#include "production/session/session.h"
+#include "scene/files/load_scene.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 namespace {
@@ -124,7 +125,7 @@ int run(const std::string& phase, const std::string& scene, const std::string& s
     using Clock = std::chrono::steady_clock;
     std::vector<std::string> overrides{"film.size=" + size};
     if (is_quality(settings)) overrides.push_back("film.quality=" + settings);
-    const Session session = session_of(load_scene(scene, overrides));
+    const Session session = session_of(load_scene(scene, overrides), {installed_fonts()});
     const FilmPlan plan = film_plan(session);
     LazyRenderer renderer;
     PictureMaker pictures(session, renderer, {plan.time_of(0), plan.last_time_s()});

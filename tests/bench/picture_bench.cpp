@@ -7,9 +7,10 @@
 
 #include "image/png.h"
 #include "output/yuv.h"
-#include "production/picture.h"
-#include "production/session.h"
-#include "scene/load_scene.h"
+#include "production/jobs/picture.h"
+#include "production/session/session.h"
+#include "scene/files/load_scene.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace {
 
@@ -32,7 +33,7 @@ class Film {
  public:
     explicit Film(const std::vector<std::string>& overrides, std::int64_t first = 100)
         : n_drawn_(first),
-          session_(session_of(load_scene(scene_file, overrides))),
+          session_(session_of(load_scene(scene_file, overrides), {installed_fonts()})),
           plan_(film_plan(session_)),
           pictures_(session_, easel_, {plan_.time_of(0), plan_.last_time_s()}) {
         for (int k = 0; k < 3; ++k) draw();

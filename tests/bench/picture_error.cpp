@@ -16,9 +16,10 @@
 #include <vector>
 
 #include "drawing/stage/stage.h"
-#include "production/picture.h"
-#include "production/session.h"
-#include "scene/load_scene.h"
+#include "production/jobs/picture.h"
+#include "production/session/session.h"
+#include "scene/files/load_scene.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace {
 
@@ -49,7 +50,7 @@ struct Sum {
 
 void run(const std::string& scene, const std::string& size) {
     const std::vector<std::string> overrides{"film.size=" + size, "title=", "caption="};
-    const Session session = session_of(load_scene(scene, overrides));
+    const Session session = session_of(load_scene(scene, overrides), {installed_fonts()});
     const FilmPlan plan = film_plan(session);
     const double time_s = plan.time_of(plan.n_frames / 2);
     LazyRenderer renderer;
@@ -59,6 +60,7 @@ void run(const std::string& scene, const std::string& size) {
         large.scene.film.height_px *= samples;
         large.scene.accuracy_px *= samples;
         StageOptions options;
+        options.fonts = installed_fonts();
         options.width_px = large.scene.film.width_px;
         options.height_px = large.scene.film.height_px;
         options.samples = samples;

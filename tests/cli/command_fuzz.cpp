@@ -17,7 +17,7 @@
 #include "cli/program.h"
 #include "cli/scenes.h"
 #include "error/error.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include "cli/program_run.h"
 #include "cli/recorded_pictures.h"
 #include "cli/small_scene.h"
+#include "image/files/png_bands.h"
 #include "image/png.h"
-#include "image/png_bands.h"
 
 namespace poinsot::testing {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/program_run.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 
 namespace poinsot::testing::extremes_tests {
 namespace {

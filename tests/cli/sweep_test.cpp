@@ -11,7 +11,7 @@
 
 #include "cli/program_run.h"
 #include "error/error.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 
 namespace poinsot::testing::sweep_tests {
 namespace {

@@ -10,6 +10,7 @@
 #include "drawing/stage/stage_context.h"
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 namespace {
@@ -48,7 +49,8 @@ TEST(Accuracy, CurveErrorIsHalfOfTheRequestedOne) {
     scene.accuracy_px = 0.2;
     const Motion motion(problem_of(scene));
     EXPECT_EQ(accuracy_of(scene).curve_px(), 0.1);
-    StageOptions options{.width_px = 640, .height_px = 360, .last_time_s = 10.0};
+    StageOptions options{
+        .width_px = 640, .height_px = 360, .last_time_s = 10.0, .fonts = installed_fonts()};
     EXPECT_EQ(Stage(scene, theme_of(scene), motion, options).curve_error_px(), 0.1);
     options.curve_px = accuracy_of(scene).curve_px(4.0);
     const Stage coarse(scene, theme_of(scene), motion, options);

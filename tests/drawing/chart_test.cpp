@@ -5,13 +5,14 @@
 #include <cmath>
 
 #include "error/error.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 namespace {
 
 TEST(Chart, DecadesAreEquallySpaced) {
     const Chart chart{"t", "x", "y", {{"s", {{1.0, 1e-6}, {10.0, 1e-4}, {100.0, 1e-2}}}}};
-    const ChartSheet builder(chart, theme_named("light"), 960, 540);
+    const ChartSheet builder(chart, theme_named("light"), installed_fonts(), 960, 540);
     const Drawing drawing = builder.drawing();
     const std::vector<Dot>& dots = drawing.views.at(0).dots;
     ASSERT_EQ(dots.size(), 3u);
@@ -30,7 +31,7 @@ TEST(Chart, SmallRangesSpanOneTwoOrFive) {
     // From 2 to 20: the axis's middle is the geometric mean.
     const Chart chart{
         "t", "x", "y", {{"s", {{2.5, 3.0}, {std::sqrt(40.0), 6.0}, {15.0, 12.0, true, "name"}}}}};
-    const ChartSheet builder(chart, theme_named("light"), 960, 540);
+    const ChartSheet builder(chart, theme_named("light"), installed_fonts(), 960, 540);
     const Drawing drawing = builder.drawing();
     const View& view = drawing.views.at(0);
     ASSERT_EQ(view.dots.size(), 3u);
@@ -45,7 +46,7 @@ TEST(Chart, SmallRangesSpanOneTwoOrFive) {
 
 TEST(Chart, RejectsEmptyCharts) {
     const Chart chart{"t", "x", "y", {{"s", {{0.0, 1.0}}}}};
-    EXPECT_THROW(ChartSheet(chart, theme_named("light"), 960, 540), InputError);
+    EXPECT_THROW(ChartSheet(chart, theme_named("light"), installed_fonts(), 960, 540), InputError);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "typeset/files/installed_fonts.h"
 #include "typeset/typesetter.h"
 
 namespace poinsot {
@@ -34,7 +35,7 @@ TEST(ClockText, HasUnitsFromPicosecondsToGigayears) {
 
 // The clock's width is 270 pixels at 1080 rows, an eighth of the picture's width.
 TEST(ClockText, ChangesAndFitsAtAnySpan) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     const TypeStyle style{.size_px = 26.0, .mode = TypeMode::text};
     for (int power = -320; power <= 300; power += 5) {
         const double span_s = std::pow(10.0, power);

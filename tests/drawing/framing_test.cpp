@@ -17,7 +17,7 @@
 #include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "places.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 #include "scene/write_scene.h"
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "places.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 
 namespace poinsot {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "drawing/stage/type/labels.h"
 #include "error/error.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 namespace {
@@ -40,7 +41,7 @@ class Line {
     }
 
  private:
-    TextCache types_;
+    TextCache types_{installed_fonts()};
     View view_;
 };
 

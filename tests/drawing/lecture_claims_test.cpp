@@ -13,7 +13,7 @@
 #include "drawing/figures/charts/plot_quantity.h"
 #include "drawing/stage/live_values.h"
 #include "places.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 #include "scenes_by_hand.h"
 
 namespace poinsot {

@@ -12,7 +12,7 @@
 #include "drawing/stage/type/labels.h"
 #include "drawing/style/theme.h"
 #include "places.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 #include "scenes_by_hand.h"
 
 namespace poinsot {

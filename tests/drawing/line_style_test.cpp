@@ -13,6 +13,7 @@
 #include "drawing/style/theme.h"
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 namespace {
@@ -79,7 +80,8 @@ TEST(LineStyles, OnPaperLinesAndTextHaveTheirLeastSizes) {
 }
 
 TEST(LineStyles, TextIsEnlargedForItsScripts) {
-    TextCache plain(1, {20.0, 0.0, 0.0}), scripts(1, {20.0, 18.0, 0.0});
+    TextCache plain(installed_fonts(), 1, {20.0, 0.0, 0.0}),
+        scripts(installed_fonts(), 1, {20.0, 18.0, 0.0});
     for (const char* text : {"I_1", "\\mathrm{kg}\\,\\mathrm{m}^2", "x^{a_b}"}) {
         const TextBlock before = plain.set(text, {.size_px = 10.0});
         EXPECT_DOUBLE_EQ(before.mask->source.em_px, 20.0);

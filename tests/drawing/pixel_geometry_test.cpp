@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "places.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"
 

@@ -13,6 +13,7 @@
 #include "mechanics/top/heavy_top.h"
 #include "scene/scene.h"
 #include "shapes/views.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 
@@ -60,7 +61,8 @@ struct StagedScene {
                  .height_px = scene.film.height_px,
                  .line_scale = line_scale,
                  .first_time_s = scene.film.start_s,
-                 .last_time_s = last_time_s}) {}
+                 .last_time_s = last_time_s,
+                 .fonts = installed_fonts()}) {}
 };
 
 }  // namespace poinsot

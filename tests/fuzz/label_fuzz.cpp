@@ -3,10 +3,11 @@
 #include <cstdint>
 #include <string_view>
 
+#include "typeset/files/installed_fonts.h"
 #include "typeset/typesetter.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const poinsot::Typesetter typesetter;
+    static const poinsot::Typesetter typesetter(poinsot::installed_fonts());
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     poinsot::TypeStyle style;
     style.size_px = 12.0;

@@ -10,7 +10,7 @@
 #include "error/error.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
-#include "production/record.h"
+#include "production/provenance/record.h"
 #include "system/sha256.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 #include "scene/scene_error.h"
 #include "scene/write_scene.h"
 

@@ -53,12 +53,25 @@ const std::map<std::string, std::set<std::string>> allowed{
 
 // Subfolder → the other subfolders of its folder that it may include. Files directly in the folder
 // may be included by all subfolders and may include all of them.
-const std::map<std::string, std::set<std::string>> allowed_rooms{
+const std::map<std::string, std::set<std::string>> allowed_subfolders{
     {"mechanics/free", {}},
     {"mechanics/top", {}},
     {"mechanics/stepped", {}},
-    {"production/sidecars", {}},
-    {"production/parts", {"production/sidecars"}},
+    {"system/files", {}},
+    {"image/files", {}},
+    {"mesh/files", {}},
+    {"scene/files", {}},
+    {"typeset/files", {}},
+    {"production/session", {}},
+    {"production/sampling", {}},
+    {"production/sidecars", {"production/session"}},
+    {"production/provenance", {"production/session"}},
+    {"production/vectors", {"production/session", "production/provenance"}},
+    {"production/jobs",
+     {"production/session", "production/sampling", "production/sidecars", "production/provenance",
+      "production/vectors"}},
+    {"production/parts",
+     {"production/session", "production/sidecars", "production/provenance", "production/jobs"}},
     {"drawing/style", {}},
     {"drawing/stage/type", {"drawing/style"}},
     {"drawing/stage", {"drawing/style", "drawing/stage/type"}},
@@ -67,12 +80,37 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"drawing/figures/panels",
      {"drawing/style", "drawing/stage", "drawing/stage/type", "drawing/figures/charts",
       "drawing/figures/elements"}},
-    {"production/sampling", {}},
-    {"production/vectors", {}},
     {"render/context", {}},
     {"render/passes", {"render/context", "render/cache"}},
     {"render/cache", {"render/context", "render/passes"}},
 };
+
+// Subfolders that may include less than their folder: a page in a browser and a Python module need
+// no output.
+const std::map<std::string, std::set<std::string>> allowed_folders{
+    {"production/session",
+     {"error", "text", "system", "image", "mesh", "mechanics", "scene", "construction", "typeset",
+      "shapes", "drawing"}},
+    {"production/sampling", {"error", "text", "system", "mechanics", "construction"}},
+};
+
+// Parsers take text and a name; only the subfolders files/ of these folders read or write the disk.
+const std::set<std::string> without_files{"libm",
+                                          "error",
+                                          "colour",
+                                          "text",
+                                          "system",
+                                          "numerics",
+                                          "mesh",
+                                          "mechanics",
+                                          "image",
+                                          "typeset",
+                                          "scene",
+                                          "construction",
+                                          "shapes",
+                                          "drawing",
+                                          "production/session",
+                                          "production/sampling"};
 
 // A list of this length is still readable.
 constexpr int most_headers = 20;
@@ -165,19 +203,19 @@ TEST(House, EveryIncludeFollowsTheLayers) {
 }
 
 // "drawing/panels" for "drawing/stage/panel.h"; empty for files outside of subfolders.
-std::string room_of(const std::string& file) {
+std::string subfolder_of(const std::string& file) {
     const auto last = file.rfind('/');
     return file.find('/') == last ? "" : file.substr(0, last);
 }
 
 TEST(House, SubfoldersIncludeOnlyAllowedSubfolders) {
     for (const Include& include : includes_of_sources()) {
-        const std::string from = room_of(include.from_file);
+        const std::string from = subfolder_of(include.from_file);
         if (from.empty()) continue;
-        ASSERT_TRUE(allowed_rooms.contains(from)) << from;
-        const std::string to = include.quoted ? room_of(include.header) : "";
+        ASSERT_TRUE(allowed_subfolders.contains(from)) << from;
+        const std::string to = include.quoted ? subfolder_of(include.header) : "";
         if (to.empty() || to == from || to.substr(0, to.find('/')) != include.from_folder) continue;
-        EXPECT_TRUE(allowed_rooms.at(from).contains(to))
+        EXPECT_TRUE(allowed_subfolders.at(from).contains(to))
             << include.from_file << " must not include \"" << include.header << "\"";
     }
 }
@@ -219,13 +257,42 @@ TEST(House, NoHeaderIncludesItself) {
     }
 }
 
+TEST(House, SubfoldersWithoutOutputIncludeNone) {
+    int n_includes = 0;
+    for (const Include& include : includes_of_sources()) {
+        const auto subfolder = allowed_folders.find(subfolder_of(include.from_file));
+        if (subfolder == allowed_folders.end() || !include.quoted) continue;
+        ++n_includes;
+        const std::string folder = include.header.substr(0, include.header.find('/'));
+        EXPECT_TRUE(folder == include.from_folder || subfolder->second.contains(folder))
+            << include.from_file << " must not include \"" << include.header << "\"";
+    }
+    EXPECT_GT(n_includes, 50);
+}
+
+TEST(House, ReadingFilesStandsApartFromParsing) {
+    int n_in_files = 0;
+    for (const Include& include : includes_of_sources()) {
+        const std::string subfolder = subfolder_of(include.from_file);
+        const bool reads = include.quoted ? subfolder_of(include.header).ends_with("/files")
+                                          : include.header == "fstream";
+        if (subfolder.ends_with("/files")) n_in_files += reads ? 1 : 0;
+        if (!reads || subfolder.ends_with("/files")) continue;
+        EXPECT_FALSE(without_files.contains(include.from_folder) ||
+                     without_files.contains(subfolder))
+            << include.from_file << " must not include " << include.header
+            << "; code that reads the disk belongs to a subfolder files/";
+    }
+    EXPECT_GT(n_in_files, 10);
+}
+
 TEST(House, FoldersHaveFewHeaders) {
     std::map<std::string, int> n_headers;
     for (const auto& entry : fs::recursive_directory_iterator(poinsot::source_folder() / "src"))
         if (entry.path().extension() == ".h") ++n_headers[entry.path().parent_path().string()];
     EXPECT_GT(n_headers.size(), 20u);
     for (const auto& [folder, n] : n_headers)
-        EXPECT_LE(n, most_headers) << folder << ": give it rooms";
+        EXPECT_LE(n, most_headers) << folder << ": give it subfolders";
 }
 
 TEST(House, LibrariesAreUsedOnlyInTheirFolders) {

@@ -5,7 +5,8 @@
 
 #include <random>
 
-#include "image/png_bands.h"
+#include "image/files/png_bands.h"
+#include "image/files/png_files.h"
 #include "image/synthetic.h"
 #include "system/faults.h"
 

@@ -1,9 +1,10 @@
 // Pictures written band by band equal those written whole.
-#include "image/png_bands.h"
+#include "image/files/png_bands.h"
 
 #include <gtest/gtest.h>
 
 #include "error/error.h"
+#include "image/files/png_files.h"
 #include "image/synthetic.h"
 #include "system/faults.h"
 

@@ -1,6 +1,4 @@
 // PNG files: libpng reads the pixels that were written, and damaged files are rejected.
-#include "image/png.h"
-
 #include <gtest/gtest.h>
 #include <libdeflate.h>
 #include <png.h>
@@ -12,11 +10,12 @@
 #include <functional>
 
 #include "error/error.h"
+#include "image/files/png_bands.h"
+#include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
-#include "image/png_bands.h"
 #include "image/synthetic.h"
-#include "system/atomic_file.h"
 #include "system/faults.h"
+#include "system/files/atomic_file.h"
 
 namespace poinsot {
 namespace {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "error/error.h"
+#include "mesh/files/mesh_file.h"
 #include "mesh/mass_properties.h"
 #include "mesh/solid_meshes.h"
 #include "mesh_files.h"
@@ -205,15 +206,19 @@ TEST(StlReader, ErrorsNameLineOrByte) {
     }
 }
 
+SolidMesh solid_in(const fs::path& file) {
+    return read_solid(bytes_of_mesh_file(file), file.string());
+}
+
 TEST(MeshFiles, BecomeSolids) {
     const TriangleMesh box = box_mesh({1.0, 2.0, 3.0});
     const TemporaryFile obj("a.OBJ", mesh_files::obj_text(inside_out(box)));
-    const SolidMesh solid = read_solid(obj.path());
+    const SolidMesh solid = solid_in(obj.path());
     EXPECT_DOUBLE_EQ(mass_properties(solid.mesh).volume_m3, 6.0);
     ASSERT_EQ(solid.notes.size(), 1u);
     EXPECT_NE(solid.notes[0].find("inside out"), std::string::npos);
     const TemporaryFile stl("a.stl", mesh_files::binary_stl(box));
-    EXPECT_DOUBLE_EQ(mass_properties(read_solid(stl.path()).mesh).volume_m3, 6.0);
+    EXPECT_DOUBLE_EQ(mass_properties(solid_in(stl.path()).mesh).volume_m3, 6.0);
 }
 
 TEST(MeshFiles, ErrorsAreOneLine) {
@@ -232,12 +237,12 @@ TEST(MeshFiles, ErrorsAreOneLine) {
         {large.path(), "256 MiB, more than 256; simplify"},
     };
     for (const auto& c : cases) {
-        const std::string message = message_of([&] { read_solid(c.file); });
+        const std::string message = message_of([&] { solid_in(c.file); });
         EXPECT_TRUE(message.starts_with(c.file.string() + ": " + c.message)) << message;
     }
     const fs::path folder = fs::path(testing::TempDir()) / "poinsot_folder.obj";
     fs::create_directory(folder);
-    EXPECT_NE(message_of([&] { read_solid(folder); }).find("this is a folder"), std::string::npos);
+    EXPECT_NE(message_of([&] { solid_in(folder); }).find("this is a folder"), std::string::npos);
     fs::remove(folder);
 }
 

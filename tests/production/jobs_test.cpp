@@ -8,23 +8,26 @@
 #include <vector>
 
 #include "error/error.h"
+#include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
-#include "image/png.h"
-#include "production/film_job.h"
-#include "production/record.h"
-#include "production/redraw.h"
-#include "production/still_job.h"
-#include "scene/load_scene.h"
+#include "production/jobs/film_job.h"
+#include "production/jobs/redraw.h"
+#include "production/jobs/still_job.h"
+#include "production/provenance/record.h"
+#include "scene/files/load_scene.h"
 #include "system/faults.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 namespace {
 
 Session small_session() {
-    return session_of(parse_scene(
-        "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [1.5, 0.3, 0.75]\n"
-        "[film]\nlength_s = 1.0\nfps = 10\n",
-        "a.toml", std::vector<std::string>{"film.size=[96, 54]"}));
+    return session_of(
+        parse_scene(
+            "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [1.5, 0.3, 0.75]\n"
+            "[film]\nlength_s = 1.0\nfps = 10\n",
+            "a.toml", std::vector<std::string>{"film.size=[96, 54]"}),
+        {installed_fonts()});
 }
 
 // All messages of a job, in order.

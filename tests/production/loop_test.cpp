@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "production/picture.h"
-#include "production/session.h"
-#include "scene/load_scene.h"
+#include "production/jobs/picture.h"
+#include "production/session/session.h"
+#include "scene/files/load_scene.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 
@@ -19,7 +20,8 @@ const std::string motion =
 
 Session session_from(const std::string& text) {
     return session_of(
-        parse_scene(motion + text, "a.toml", std::vector<std::string>{"film.size=[240, 136]"}));
+        parse_scene(motion + text, "a.toml", std::vector<std::string>{"film.size=[240, 136]"}),
+        {installed_fonts()});
 }
 
 // Largest difference of any component of any pixel, in levels of 255.
@@ -131,8 +133,8 @@ TEST(Loop, FitsTheGivenLengthAndKeepsSlowMotion) {
 
 TEST(Loop, ReportsChangesOfTheStartWithTheirSize) {
     const Session session = session_from("[film]\nloop = \"5/3\"\nloop_changes = \"omega_1\"\n");
-    ASSERT_EQ(session.scene.notes.size(), 1u);
-    const std::string& note = session.scene.notes[0];
+    ASSERT_EQ(session.notes.size(), 1u);
+    const std::string& note = session.notes[0];
     EXPECT_EQ(note.rfind("film.loop = \"5/3\": omega_1 was changed from 1.5 to ", 0), 0u) << note;
     EXPECT_NE(note.find("% of |omega|"), std::string::npos) << note;
     EXPECT_EQ(session.scene.start.omega_rad_s[1], 0.3);

@@ -1,5 +1,5 @@
 // Conversion of sizes on paper to pixels.
-#include "production/print_size.h"
+#include "production/session/print_size.h"
 
 #include <gtest/gtest.h>
 

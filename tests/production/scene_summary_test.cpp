@@ -1,6 +1,6 @@
 // Output of `check` for a heavy top, compared with closed forms for a start with no rate but the
 // spin.
-#include "production/scene_summary.h"
+#include "production/session/scene_summary.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,9 @@
 #include <map>
 #include <string>
 
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 #include "scene/scene.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 namespace {
@@ -22,7 +23,7 @@ using Found = std::map<std::string, std::string>;
 Found found_of(const std::string& scene) {
     Found found;
     for (const SummaryLine& fact :
-         summarise(session_of(parse_scene(scene, "scene.toml")), false).lines)
+         summarise(session_of(parse_scene(scene, "scene.toml"), {installed_fonts()}), false).lines)
         found[fact.key] = fact.json;
     return found;
 }

@@ -14,10 +14,11 @@
 #include <vector>
 
 #include "image/image.h"
-#include "production/picture.h"
-#include "production/session.h"
-#include "production/still_job.h"
-#include "scene/load_scene.h"
+#include "production/jobs/picture.h"
+#include "production/jobs/still_job.h"
+#include "production/session/session.h"
+#include "scene/files/load_scene.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot::testing {
 
@@ -65,7 +66,8 @@ inline Image seen_alone(LazyRenderer& renderer, const std::string& scene,
     settings.push_back("theme=\"transparent\"");
     settings.push_back("construction.plane=\"" + plane + "\"");
     settings.push_back("show=[" + elements + "]");
-    StillJob job(session_of(parse_scene(scene, "scene.toml", settings), std::vector{time_s}),
+    StillJob job(session_of(parse_scene(scene, "scene.toml", settings),
+                            {.fonts = installed_fonts(), .times_s = {time_s}}),
                  {.time_s = time_s});
     Image image;
     job.draw_into(renderer, image);

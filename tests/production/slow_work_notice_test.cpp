@@ -1,5 +1,5 @@
 // Estimates of the time that stepping takes.
-#include "production/slow_work_notice.h"
+#include "production/session/slow_work_notice.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "error/error.h"
 #include "mechanics/motion.h"
 #include "mechanics/step_choice.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
 #include "scene/scene.h"
 
 namespace poinsot {

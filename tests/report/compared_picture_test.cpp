@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "error/error.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 #include "image/synthetic.h"
 #include "report/html_report.h"
 #include "report/json_report.h"

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-#include "image/png.h"
+#include "image/files/png_files.h"
 #include "mesh_folder.h"
 #include "scene/write_scene.h"
 #include "scene_text.h"

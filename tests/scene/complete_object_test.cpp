@@ -91,7 +91,8 @@ TEST(ObjectScene, FilesOutsideTheFolderNeedPermission) {
         EXPECT_EQ(refusal(text), "scenes/a.toml:2:1: body.mesh = \"" + name +
                                      "\" does not lie in the scene's folder; move it there, or "
                                      "give --allow-outside if you trust the scene");
-        const Scene scene = parse_scene(text, "scenes/a.toml", {}, OutsideFiles::allowed);
+        const Scene scene =
+            parse_scene(text, "scenes/a.toml", {}, files_of_folder(OutsideFiles::allowed));
         EXPECT_EQ(scene.body.mass_kg, 1.0) << name;
     }
     // A path that leaves the folder and returns to it is allowed.

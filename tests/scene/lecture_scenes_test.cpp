@@ -9,8 +9,8 @@
 #include "mechanics/free/free_rotation.h"
 #include "mechanics/motion.h"
 #include "places.h"
+#include "scene/files/load_scene.h"
 #include "scene/film_clock.h"
-#include "scene/load_scene.h"
 
 namespace poinsot {
 

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "image/png.h"
+#include "image/files/png_files.h"
 
 namespace poinsot {
 

@@ -1,5 +1,5 @@
 // Files are written atomically: complete under their name, or absent.
-#include "system/atomic_file.h"
+#include "system/files/atomic_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,5 +1,5 @@
 // Limits of containers and clusters are respected.
-#include "system/control_group.h"
+#include "system/files/control_group.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "system/faults.h"
-#include "system/processor.h"
+#include "system/files/processor.h"
 
 namespace poinsot {
 namespace {

@@ -1,5 +1,5 @@
 // Reading whole files, and the errors of unreadable ones.
-#include "system/file_contents.h"
+#include "system/files/file_contents.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,5 +1,5 @@
 // Kinds of files.
-#include "system/file_kind.h"
+#include "system/files/file_kind.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

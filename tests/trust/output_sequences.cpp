@@ -26,8 +26,8 @@
 #include <vector>
 
 #include "error/error.h"
+#include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
-#include "image/png.h"
 #include "image/synthetic.h"
 #include "output/frame_sink.h"
 #include "report/baselines.h"

@@ -21,11 +21,12 @@
 #include "drawing/stage/stage.h"
 #include "error/error.h"
 #include "image/compare.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 #include "places.h"
-#include "production/session.h"
+#include "production/session/session.h"
 #include "render/renderer.h"
-#include "scene/load_scene.h"
+#include "scene/files/load_scene.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 namespace {
@@ -46,7 +47,7 @@ struct Subject {
     Stage stage;
 
     Subject(Scene scene, const Size& size)
-        : session(session_of(std::move(scene))),
+        : session(session_of(scene, {installed_fonts()})),
           stage(session.scene, session.theme, session.motion,
                 {.width_px = size.width_px, .height_px = size.height_px, .last_time_s = 10.0}) {}
 };

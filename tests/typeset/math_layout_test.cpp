@@ -7,7 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "typeset/font_search.h"
+#include "typeset/files/font_search.h"
+#include "typeset/files/installed_fonts.h"
 #include "typeset/label_parser.h"
 
 namespace poinsot {
@@ -18,7 +19,7 @@ constexpr double em_px = 1000.0;  // px per em: 1 px is one font unit
 // Reads the math font with HarfBuzz alone.
 class MathTable : public testing::Test {
  protected:
-    MathTable() : fonts_(FontSearch{}) {
+    MathTable() : fonts_(installed_fonts()) {
         const std::string file = find_font("latinmodern-math.otf").string();
         hb_blob_t* blob = hb_blob_create_from_file(file.c_str());
         hb_face_t* face = hb_face_create(blob, 0);

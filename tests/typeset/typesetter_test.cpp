@@ -14,6 +14,8 @@
 #include <numeric>
 #include <string>
 
+#include "system/files/file_contents.h"
+#include "typeset/files/installed_fonts.h"
 #include "typeset/label_cursor.h"
 #include "typeset/symbols.h"
 
@@ -48,7 +50,7 @@ void expect_tight(const TypesetMask& mask) {
 
 class FieldSymbols : public testing::TestWithParam<const char*> {};
 TEST_P(FieldSymbols, HaveInkAtEverySize) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     for (const double size : {8.0, 12.0, 24.0, 48.0, 200.0}) {
         const TypesetMask mask = typesetter.set(GetParam(), label(size));
         expect_tight(mask);
@@ -68,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Labels, FieldSymbols,
                                          "ω\u0307", "√2", "\\lambda \\propto \\infty"));
 
 TEST(Labels, EveryCommandOfTheTableIsInTheFonts) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     for (const LabelCommand& command : label_commands()) {
         const std::string name(command.name);
         std::string text;
@@ -97,7 +99,7 @@ TEST(Labels, EveryCommandOfTheTableIsInTheFonts) {
 }
 
 TEST(Labels, EveryAlphabetHasAllItsLettersInTheFonts) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     for (const char* alphabet : {"mathbf", "boldsymbol", "mathrm", "mathit", "mathcal", "mathbb"}) {
         for (char letter = 'A'; letter <= 'Z'; ++letter) {
             EXPECT_NO_THROW(typesetter.set(fmt::format("\\{}{{{}}}", alphabet, letter)));
@@ -113,7 +115,7 @@ TEST(Labels, EveryAlphabetHasAllItsLettersInTheFonts) {
 }
 
 TEST(Labels, SameStringGivesTheSameBytes) {
-    const Typesetter one, other;
+    const Typesetter one(installed_fonts()), other(installed_fonts());
     const char* text = "\\sqrt{2T}/L = \\dot\\omega_1^2";
     const TypesetMask a = one.set(text), b = one.set(text);
     other.set("\\frac{a}{b}");  // used and new typesetters agree
@@ -124,7 +126,7 @@ TEST(Labels, SameStringGivesTheSameBytes) {
 }
 
 TEST(Labels, MeasureEqualsTheMasksExtent) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     for (const char* text : {"\\omega_1", "\\frac{a}{b}", "", "\\quad"}) {
         const TypesetMask mask = typesetter.set(text, label(30.0));
         const TypeExtent extent = typesetter.measure(text, label(30.0));
@@ -137,7 +139,7 @@ TEST(Labels, MeasureEqualsTheMasksExtent) {
 }
 
 TEST(Labels, EmptyLabelsGiveAnEmptyMask) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     for (const TypeStyle& style : {label(20.0), caption(20.0)}) {
         const TypesetMask mask = typesetter.set("", style);
         EXPECT_EQ(mask.width, 0);
@@ -150,7 +152,7 @@ TEST(Labels, EmptyLabelsGiveAnEmptyMask) {
 TEST(Labels, BarsHaveASharpUpperEdge) {
     // The rows at and above a fraction's bar: the bar's first row is full if it is at least a pixel
     // thick, and the row above it is empty.
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     for (const double size : {30.0, 41.7, 64.3}) {
         const TypesetMask mask = typesetter.set("\\frac{\\quad\\quad x}{x}", label(size));
         // A column to the left of the numerator's only letter crosses only the bar.
@@ -177,7 +179,7 @@ TEST(Captions, WidthEqualsHarfBuzzsAdvance) {
     double advance = 0.0;
     for (unsigned i = 0; i < n; ++i) advance += positions[i].x_advance;
     EXPECT_LT(n, word.size());
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     EXPECT_NEAR(typesetter.measure(word, caption(50.0)).advance_px,
                 50.0 * advance / hb_face_get_upem(face), 1e-9);
     hb_buffer_destroy(buffer);
@@ -187,7 +189,7 @@ TEST(Captions, WidthEqualsHarfBuzzsAdvance) {
 }
 
 TEST(Captions, WrapToTheirWidth) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     const char* text =
         "The inertia ellipsoid rolls without slipping on the invariable plane at distance "
         "$\\sqrt{2T}/L$ from its centre, and the contact point traces polhode and herpolhode.";
@@ -205,14 +207,14 @@ TEST(Captions, WrapToTheirWidth) {
 }
 
 TEST(Captions, WordWiderThanTheLineHasItsOwnLine) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     const TypeExtent extent = typesetter.measure("a Herpolhodenkegel b", caption(24.0, 50.0));
     EXPECT_EQ(extent.n_lines, 3);
     EXPECT_GT(extent.advance_px, 50.0);
 }
 
 TEST(Captions, TooWideFormulaBreaksAfterARelation) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     const char* text = "$I_1 = I_2 = I_3 = I_4 = I_5$";
     const double whole = typesetter.measure(text, caption(24.0)).advance_px;
     EXPECT_EQ(typesetter.measure(text, caption(24.0, 1.01 * whole)).n_lines, 1);
@@ -220,7 +222,7 @@ TEST(Captions, TooWideFormulaBreaksAfterARelation) {
 }
 
 TEST(Captions, LineSpacingAndBreaksFollowTheStyle) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     TypeStyle style = caption(20.0);
     const TypeExtent one = typesetter.measure("x", style);
     for (const double spacing : {1.2, 1.5, 2.0}) {
@@ -238,7 +240,7 @@ TEST(Captions, LineSpacingAndBreaksFollowTheStyle) {
 }
 
 TEST(Captions, AlignmentMovesTheShortLine) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     TypeStyle style = caption(24.0);
     double before = -1.0;
     for (const TypeAlignment alignment :
@@ -262,7 +264,7 @@ TEST(Captions, AlignmentMovesTheShortLine) {
 }
 
 TEST(Captions, ChangingNumbersDoNotMoveTheirNeighbours) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     const TypeExtent first = typesetter.measure("t = 0.00 s", caption(24.0));
     for (int i = 1; i < 100; ++i) {
         const TypeExtent now =
@@ -276,7 +278,7 @@ TEST(Captions, ChangingNumbersDoNotMoveTheirNeighbours) {
 TEST(MissingCharacters, AreBoxesIfNoFontHasThem) {
     FontSearch search;
     search.fallback_folders.clear();
-    const Typesetter typesetter(search);
+    const Typesetter typesetter(installed_fonts(search));
     const TypesetMask with = typesetter.set("ab字字", caption(40.0));
     EXPECT_EQ(typesetter.missing(), std::vector<char32_t>{U'字'});
     EXPECT_TRUE(typesetter.fallbacks_used().empty());
@@ -298,7 +300,7 @@ TEST(MissingCharacters, AreBoxesIfNoFontHasThem) {
 TEST(MissingCharacters, AreBoxesInFormulas) {
     FontSearch search;
     search.fallback_folders.clear();
-    const Typesetter typesetter(search);
+    const Typesetter typesetter(installed_fonts(search));
     const double box = 0.6 * 40.0;
     const TypesetMask with = typesetter.set("ab字", label(40.0));
     EXPECT_EQ(typesetter.missing(), std::vector<char32_t>{U'字'});
@@ -316,7 +318,7 @@ TEST(MissingCharacters, AreBoxesInFormulas) {
 TEST(MissingCharacters, InFormulasComeFromASystemFont) {
     const std::string file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "no fonts-dejavu here";
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     EXPECT_GT(typesetter.set("Ж_1", label(40.0)).width, 20);
     EXPECT_TRUE(typesetter.missing().empty());
     ASSERT_EQ(typesetter.fallbacks_used().size(), 1u);
@@ -326,7 +328,7 @@ TEST(MissingCharacters, InFormulasComeFromASystemFont) {
 TEST(MissingCharacters, ComeFromASystemFont) {
     const std::string file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "no fonts-dejavu here";
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     const TypesetMask mask = typesetter.set("Волчок", caption(40.0));
     EXPECT_TRUE(typesetter.missing().empty());
     ASSERT_EQ(typesetter.fallbacks_used().size(), 1u);
@@ -334,7 +336,7 @@ TEST(MissingCharacters, ComeFromASystemFont) {
     EXPECT_GT(mask.width, 100);
     // The other letters of the caption do not change.
     EXPECT_EQ(typesetter.set("ab", caption(40.0)).coverage,
-              Typesetter().set("ab", caption(40.0)).coverage);
+              Typesetter(installed_fonts()).set("ab", caption(40.0)).coverage);
 }
 
 TEST(MissingCharacters, AreSearchedInAFixedOrder) {
@@ -344,7 +346,7 @@ TEST(MissingCharacters, AreSearchedInAFixedOrder) {
 }
 
 TEST(Mistakes, MissingFontNamesItsPackage) {
-    const Typesetter typesetter(FontSearch{{"/nonexistent"}});
+    const Typesetter typesetter(installed_fonts(FontSearch{{"/nonexistent"}}));
     try {
         typesetter.set("x");
         FAIL();
@@ -356,7 +358,7 @@ TEST(Mistakes, MissingFontNamesItsPackage) {
 }
 
 TEST(Mistakes, InvalidStylesAreRejected) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double size : {0.0, -1.0, 0.5, 5000.0, nan}) {
         EXPECT_THROW(typesetter.set("x", label(size)), InputError) << size;
@@ -370,7 +372,7 @@ TEST(Mistakes, InvalidStylesAreRejected) {
 }
 
 TEST(Mistakes, TooLargeMasksAreRejected) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     EXPECT_THROW(typesetter.set(std::string(1000, 'x'), label(80.0)), InputError);
     EXPECT_THROW(typesetter.set("x\\quad\\quad\\quad\\quad x", caption(4096.0)), Error);
     // Space without ink needs no mask.
@@ -402,7 +404,7 @@ rc::Gen<std::string> random_label() {
 
 TEST(RandomLabels, AreSetOrRejected) {
     ASSERT_TRUE(is_seeded);
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     int n_set = 0, n_refused = 0;
     const bool holds = rc::check("a label is set, or refused with a column within it", [&] {
         const std::string text = *random_label();
@@ -425,7 +427,7 @@ TEST(RandomLabels, AreSetOrRejected) {
 }
 
 TEST(RandomLabels, BytesAreSetOrRejected) {
-    const Typesetter typesetter;
+    const Typesetter typesetter(installed_fonts());
     EXPECT_TRUE(rc::check("any bytes", [&](const std::string& bytes) {
         for (const TypeStyle& style : {label(12.0), caption(12.0, 80.0)}) {
             try {
@@ -435,6 +437,28 @@ TEST(RandomLabels, BytesAreSetOrRejected) {
             }
         }
     }));
+}
+
+// A program without files, such as a page in a browser, hands the bytes of its fonts over.
+TEST(Typesetter, FontsInMemoryGiveTheSameMasks) {
+    std::vector<std::string> bytes;
+    std::vector<FontBytes> fonts;
+    for (const std::string_view name : font_names()) bytes.push_back(read_text(find_font(name)));
+    for (std::size_t i = 0; i < bytes.size(); ++i) fonts.push_back({font_names()[i], bytes[i]});
+    const Typesetter typesetter(fonts_in_memory(fonts)), of_files(installed_fonts());
+    for (const TypeMode mode : {TypeMode::math, TypeMode::text}) {
+        const std::string text =
+            mode == TypeMode::math ? "\\frac{\\boldsymbol\\omega}{\\sqrt{2T}}" : "a $L$ efficient";
+        const TypesetMask given = typesetter.set(text, {.size_px = 40.0, .mode = mode});
+        const TypesetMask read = of_files.set(text, {.size_px = 40.0, .mode = mode});
+        EXPECT_GT(given.width, 20);
+        EXPECT_EQ(given.coverage, read.coverage);
+    }
+    // Without fallbacks, a character that they lack is a box.
+    typesetter.set("\u4e00", {.mode = TypeMode::text});
+    EXPECT_EQ(typesetter.missing(), std::vector<char32_t>{U'\u4e00'});
+    EXPECT_TRUE(typesetter.fallbacks_used().empty());
+    EXPECT_THROW(Typesetter(FontSource{}).set("a"), EnvironmentError);
 }
 
 }  // namespace

@@ -13,13 +13,11 @@
 
 namespace poinsot {
 
-// The state at one instant, as the panels use it.
-struct FrameInput {
+// The motion's state at one instant, as the panels use it, and the film's second. The attitude is
+// the identity unless a panel needs it.
+struct FrameInput : MotionSample {
     double time_s = 0.0;
-    RotationState state;  // the attitude is the identity unless a panel needs it
-    Eigen::Vector3d herpolhode_space = Eigen::Vector3d::Zero();  // if requested, as in MotionSample
-    EulerAngles euler;                                           // if requested
-    double film_s = 0.0;                                         // second of the film
+    double film_s = 0.0;
     std::optional<RotationState>
         comparison{};  // state of the comparison motion, if a panel shows it
 };

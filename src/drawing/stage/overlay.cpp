@@ -137,7 +137,7 @@ double bottom_of_captions(const StageContext& stage, const TypeStyle& style) {
     const Scene& scene = stage.scene;
     const bool captioned = !scene.caption.empty() && wants(scene, "caption");
     if (!captioned) return bottom;
-    TextCache type_case(stage.options.samples, stage.options.least);
+    TextCache type_case(stage.options.fonts, stage.options.samples, stage.options.least);
     const TextBlock type =
         type_case.set(expand_live_text(scene.caption, live_values(scene, {})), style);
     return bottom - type.height_px() - 14.0 * stage.px;
@@ -303,16 +303,18 @@ OverlayBands overlay_bands(const StageContext& stage, TextCache& text) {
                          text);
 }
 
-int rows_of_overlays(const Scene& scene, int width_px, double px, const LeastSizes& least) {
-    TextCache type_case(1, least);
+int rows_of_overlays(const Scene& scene, const FontSource& fonts, int width_px, double px,
+                     const LeastSizes& least) {
+    TextCache type_case(fonts, 1, least);
     const OverlayBands bands = overlay_bands(scene, width_px, px, 1, type_case);
     return bands.top_px + bands.bottom_px;
 }
 
-int rows_added_by_type(const Scene& scene, int width_px, double px, const LeastSizes& least) {
+int rows_added_by_type(const Scene& scene, const FontSource& fonts, int width_px, double px,
+                       const LeastSizes& least) {
     const double screen_px = width_px / 1920.0;
-    return std::max(0, rows_of_overlays(scene, width_px, px, least) -
-                           rows_of_overlays(scene, width_px, screen_px, {}));
+    return std::max(0, rows_of_overlays(scene, fonts, width_px, px, least) -
+                           rows_of_overlays(scene, fonts, width_px, screen_px, {}));
 }
 
 std::span<const OverlayName> overlays() {

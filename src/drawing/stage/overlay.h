@@ -20,10 +20,12 @@ OverlayBands overlay_bands(const StageContext& stage, TextCache& text);
 // Rows that the overlays of a picture with this width need beyond those on a screen. `px`: width of
 // a line of "one pixel at 1080 rows". Text whose size is given in points takes more rows of a
 // narrow page.
-int rows_added_by_type(const Scene& scene, int width_px, double px, const LeastSizes& least);
+int rows_added_by_type(const Scene& scene, const FontSource& fonts, int width_px, double px,
+                       const LeastSizes& least);
 
 // Rows that the overlays of such a picture take in total.
-int rows_of_overlays(const Scene& scene, int width_px, double px, const LeastSizes& least);
+int rows_of_overlays(const Scene& scene, const FontSource& fonts, int width_px, double px,
+                     const LeastSizes& least);
 
 // Distance between the overlays and the picture's sides, pixels at 1080 rows.
 constexpr double overlay_margin = 40.0;

@@ -11,6 +11,7 @@
 #include "scene/film_clock.h"
 #include "scene/scene.h"
 #include "shapes/views.h"
+#include "typeset/font_source.h"
 
 namespace poinsot {
 

@@ -60,9 +60,7 @@ void StageContext::widen_herpolhode() {
 
 FrameInput StageContext::instant_at(const FilmTime& moment, const Quantities& needs,
                                     bool with_comparison) const {
-    const MotionSample sample = motion.sample(moment.time_s, needs);
-    FrameInput instant{moment.time_s, sample.state,  sample.herpolhode_space,
-                       sample.euler,  moment.film_s, {}};
+    FrameInput instant{motion.sample(moment.time_s, needs), moment.time_s, moment.film_s};
     if (with_comparison) {
         constexpr Quantities whole_state{
             .attitude = true, .herpolhode = false, .euler_angles = false};

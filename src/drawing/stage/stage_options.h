@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "drawing/stage/type/least_sizes.h"
+#include "typeset/font_source.h"
 
 namespace poinsot {
 
@@ -20,6 +21,7 @@ struct StageOptions {
     std::optional<double> first_shown_s{};  // no instant before it is drawn; else the first
     double loop_s = 0.0;  // after which the picture is the same again, seconds of motion; 0:
                           // it never is
+    FontSource fonts{};
 };
 
 }  // namespace poinsot

@@ -36,7 +36,7 @@ CurveGeometry circle_of_radius_1(const StageOptions& options, double curve_px) {
 // Curves are subdivided to curve_px, those that are made for one instant as well.
 StageStore::StageStore(const StageContext& context)
     : context_(&context),
-      text_(context.options.samples, context.options.least),
+      text_(context.options.fonts, context.options.samples, context.options.least),
       curve_error_px_(context.curve_px),
       unit_circle_(keep(circle_of_radius_1(context.options, context.curve_px), context.curve_px,
                         "a circle")),

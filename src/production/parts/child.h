@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "production/progress_sink.h"
+#include "production/session/progress_sink.h"
 
 namespace poinsot {
 

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/stage/picture_quality.h"
 #include "output/film_part.h"
 #include "output/frame_sink.h"
 #include "output/quality.h"
 #include "scene/scene_error.h"
-#include "system/file_kind.h"
-#include "system/processor.h"
+#include "system/files/file_kind.h"
+#include "system/files/processor.h"
 
 namespace poinsot {
 
@@ -34,7 +35,7 @@ constexpr double least_job_s = 0.5;
 // 320×180, 357 at 1920×1080, 1,089 at 3840×2160; 505 at 1920×1080 with 2×2 samples per pixel, 1,052
 // with 4×4.
 std::int64_t job_MiB(const FilmWork& film) {
-    const int samples = quality_named(film.quality).samples;
+    const int samples = picture_quality_named(film.quality).samples;
     return 120 + std::int64_t{film.width_px} * film.height_px *
                      (94 + std::int64_t{23} * samples * samples) / 1000000;
 }
@@ -105,6 +106,32 @@ std::string in_words(const JobChoice& choice) {
         "{} processes, each drawing with {}, about {} MiB together", choice.n_jobs,
         choice.n_threads == 1 ? "one thread" : fmt::format("{} threads", choice.n_threads),
         choice.memory_MiB);
+}
+
+namespace {
+
+// The positions at which a film may be divided into parts.
+PlanLine parts_line(const FilmPlan& film) {
+    const std::int64_t chunk = format_for("film.mp4").n_chunk_frames;
+    const std::int64_t n_parts = (film.n_frames + chunk - 1) / chunk;
+    return {
+        "parts",
+        n_parts <= 1 ? "one: the film is shorter than two parts"
+                     : fmt::format("at most {}, a part begins every {} frames", n_parts, chunk),
+        "the encoders of MP4 and WebM restart there; GIF and PNG can be divided at every frame"};
+}
+
+// The default of --jobs on this machine, with the reason.
+PlanLine jobs_line(const Session& session, const FilmPlan& film) {
+    const JobChoice choice =
+        choose_jobs(work_of(session, film.n_frames, "film.mp4"), this_machine());
+    return {"jobs", in_words(choice), choice.why};
+}
+
+}  // namespace
+
+std::vector<PlanLine> plan_of_parts(const Session& session, const FilmPlan& film) {
+    return {parts_line(film), jobs_line(session, film)};
 }
 
 }  // namespace poinsot

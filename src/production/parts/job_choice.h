@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
-#include "production/session.h"
+#include "production/session/plan.h"
+#include "production/session/session.h"
 
 namespace poinsot {
 
@@ -39,6 +41,9 @@ JobChoice choose_jobs(const FilmWork& film, const Machine& machine);
 
 // "2 processes, each drawing with one thread, about 900 MiB together"
 std::string in_words(const JobChoice& choice);
+
+// How a film can be divided, and into how many processes it is by default.
+std::vector<PlanLine> plan_of_parts(const Session& session, const FilmPlan& film);
 
 // Drawing threads per process for this number of processes.
 int n_drawing_threads(int n_jobs, int n_cores);

@@ -18,14 +18,14 @@
 #include "output/film_part.h"
 #include "output/film_parts.h"
 #include "output/frame_log.h"
-#include "production/output_place.h"
+#include "production/jobs/output_place.h"
 #include "production/parts/child.h"
 #include "production/parts/job_choice.h"
 #include "production/parts/join.h"
-#include "system/atomic_file.h"
-#include "system/file_kind.h"
+#include "system/files/atomic_file.h"
+#include "system/files/file_kind.h"
+#include "system/files/processor.h"
 #include "system/interrupt.h"
-#include "system/processor.h"
 #include "text/printable.h"
 
 namespace poinsot {

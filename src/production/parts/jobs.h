@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "production/film_job.h"
-#include "production/picture.h"
-#include "production/progress_sink.h"
-#include "production/session.h"
+#include "production/jobs/film_job.h"
+#include "production/jobs/picture.h"
+#include "production/session/progress_sink.h"
+#include "production/session/session.h"
 
 namespace poinsot {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "production/record.h"
+#include "production/provenance/record.h"
 
 namespace poinsot {
 

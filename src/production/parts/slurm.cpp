@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "error/error.h"
-#include "system/file_contents.h"
+#include "system/files/file_contents.h"
 #include "system/run_program.h"
 #include "text/printable.h"
 

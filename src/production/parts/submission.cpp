@@ -13,9 +13,9 @@
 #include "output/film_parts.h"
 #include "output/frame_log.h"
 #include "output/frame_sink.h"
-#include "system/atomic_file.h"
-#include "system/file_contents.h"
-#include "system/program_files.h"
+#include "system/files/atomic_file.h"
+#include "system/files/file_contents.h"
+#include "system/files/program_files.h"
 #include "system/run_program.h"
 #include "text/printable.h"
 

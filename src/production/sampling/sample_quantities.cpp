@@ -8,7 +8,7 @@
 
 #include "error/error.h"
 #include "mechanics/euler_angles.h"
-#include "production/sampling/sampled_instant.h"
+#include "production/sampling/sampled_motion.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 
@@ -17,22 +17,22 @@ namespace poinsot {
 namespace {
 
 using Values = double*;
+using Of = const SampledMotion&;
+using At = const MotionSample&;
 
 void put(const Eigen::Vector3d& vector, Values values) {
     for (int i = 0; i < 3; ++i) values[i] = vector[i];
 }
 
-Eigen::Vector3d space_of(const SampledInstant& at, const Eigen::Vector3d& body) {
-    return at.sample.state.space_from_body * body;
+Eigen::Vector3d space_of(At at, const Eigen::Vector3d& body) {
+    return at.state.space_from_body * body;
 }
 
-Eigen::Vector3d momentum_body(const SampledInstant& at) {
-    return at.tensor_body * at.sample.state.omega_body;
-}
+Eigen::Vector3d momentum_body(Of of, At at) { return of.tensor_body * at.state.omega_body; }
 
 // ρ = ω/√(2T) with the T of the instant, scaled by a power of two so that nothing overflows.
-Eigen::Vector3d contact_body(const SampledInstant& at) {
-    const Eigen::Vector3d& omega = at.sample.state.omega_body;
+Eigen::Vector3d contact_body(Of of, At at) {
+    const Eigen::Vector3d& omega = at.state.omega_body;
     const double largest = omega.cwiseAbs().maxCoeff();
     if (!(largest > 0.0))
         throw InputError("a body at rest touches no invariable plane; leave contact out");
@@ -40,11 +40,11 @@ Eigen::Vector3d contact_body(const SampledInstant& at) {
     std::frexp(largest, &exponent);
     const Eigen::Vector3d scaled =
         omega.unaryExpr([exponent](double w) { return std::ldexp(w, -exponent); });
-    return scaled / std::sqrt(scaled.dot(at.tensor_body * scaled));
+    return scaled / std::sqrt(scaled.dot(of.tensor_body * scaled));
 }
 
-void put_residuals(const SampledInstant& at, Values values) {
-    const RollingResiduals r = at.construction->residuals(at.sample.state);
+void put_residuals(Of of, At at, Values values) {
+    const RollingResiduals r = of.construction->residuals(at.state);
     values[0] = r.contact_plane_gap;
     values[1] = r.tangency_gap;
     values[2] = r.slip;
@@ -54,9 +54,8 @@ void put_residuals(const SampledInstant& at, Values values) {
 }
 
 // φ and ψ of a heavy top are unwrapped; of any other motion they are those of its attitude.
-void put_euler_angles(const SampledInstant& at, Values values) {
-    const EulerAngles angles =
-        at.has_angles ? at.sample.euler : euler_angles_of(at.sample.state.space_from_body);
+void put_euler_angles(Of of, At at, Values values) {
+    const EulerAngles angles = of.has_angles ? at.euler : euler_angles_of(at.state.space_from_body);
     values[0] = angles.theta_rad;
     values[1] = angles.phi_rad;
     values[2] = angles.psi_rad;
@@ -106,13 +105,13 @@ constexpr Quantities attitude{};
 
 const std::array<SampleQuantity, 13> sample_rows{{
     {"time", "the instant", time_columns, no_attitude, nullptr, "",
-     [](const SampledInstant& at, Values v) { v[0] = at.time_s; }},
+     [](Of, At at, Values v) { v[0] = at.state.time_s; }},
     {"omega_body", "ω in body axes; also called omega", omega_body_columns, no_attitude, nullptr,
-     "", [](const SampledInstant& at, Values v) { put(at.sample.state.omega_body, v); }},
+     "", [](Of, At at, Values v) { put(at.state.omega_body, v); }},
     {"q", "the attitude space_from_body as a unit quaternion", attitude_columns, attitude, nullptr,
      "",
-     [](const SampledInstant& at, Values v) {
-         const Eigen::Quaterniond& q = at.sample.state.space_from_body;
+     [](Of, At at, Values v) {
+         const Eigen::Quaterniond& q = at.state.space_from_body;
          v[0] = q.w();
          put(q.vec(), v + 1);
      }},
@@ -122,7 +121,7 @@ const std::array<SampleQuantity, 13> sample_rows{{
      {.attitude = true, .herpolhode = true},
      nullptr,
      "",
-     [](const SampledInstant& at, Values v) { put(at.sample.herpolhode_space, v); }},
+     [](Of, At at, Values v) { put(at.herpolhode_space, v); }},
     {"euler",
      "Euler's angles z-x-z of the attitude; a heavy top's φ and ψ are continuous",
      angle_columns,
@@ -131,24 +130,22 @@ const std::array<SampleQuantity, 13> sample_rows{{
      "",
      put_euler_angles},
     {"omega_space", "ω in space axes", omega_space_columns, attitude, nullptr, "",
-     [](const SampledInstant& at, Values v) { put(space_of(at, at.sample.state.omega_body), v); }},
+     [](Of, At at, Values v) { put(space_of(at, at.state.omega_body), v); }},
     {"kinetic_energy", "the kinetic energy; also called T", energy_columns, no_attitude, nullptr,
      "",
-     [](const SampledInstant& at, Values v) {
-         v[0] = 0.5 * at.sample.state.omega_body.dot(momentum_body(at));
-     }},
+     [](Of of, At at, Values v) { v[0] = 0.5 * at.state.omega_body.dot(momentum_body(of, at)); }},
     {"momentum", "the length |L| of the angular momentum; also called L", momentum_columns,
      no_attitude, nullptr, "",
-     [](const SampledInstant& at, Values v) { v[0] = momentum_body(at).stableNorm(); }},
+     [](Of of, At at, Values v) { v[0] = momentum_body(of, at).stableNorm(); }},
     {"momentum_body", "L in body axes", momentum_body_columns, no_attitude, nullptr, "",
-     [](const SampledInstant& at, Values v) { put(momentum_body(at), v); }},
+     [](Of of, At at, Values v) { put(momentum_body(of, at), v); }},
     {"momentum_space", "L in space axes", momentum_space_columns, attitude, nullptr, "",
-     [](const SampledInstant& at, Values v) { put(space_of(at, momentum_body(at)), v); }},
+     [](Of of, At at, Values v) { put(space_of(at, momentum_body(of, at)), v); }},
     {"contact_body", "the contact point ρ = ω/√(2T) in body axes; also called rho",
      contact_body_columns, no_attitude, nullptr, "",
-     [](const SampledInstant& at, Values v) { put(contact_body(at), v); }},
+     [](Of of, At at, Values v) { put(contact_body(of, at), v); }},
     {"contact_space", "the contact point ρ in space axes", contact_space_columns, attitude, nullptr,
-     "", [](const SampledInstant& at, Values v) { put(space_of(at, contact_body(at)), v); }},
+     "", [](Of of, At at, Values v) { put(space_of(at, contact_body(of, at)), v); }},
     {"residuals", "relative errors against Poinsot's construction; see render --certify",
      residual_columns, attitude, turns_freely, "a body that turns without torque", put_residuals},
 }};

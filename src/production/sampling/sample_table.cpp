@@ -11,9 +11,8 @@
 #include <iterator>
 
 #include "error/error.h"
-#include "production/sampling/sampled_instant.h"
-#include "system/atomic_file.h"
-#include "system/file_kind.h"
+#include "production/sampling/sampled_motion.h"
+#include "system/suffix.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -123,11 +122,11 @@ std::vector<Run> runs_of(std::span<const ChosenColumn> columns) {
     return runs;
 }
 
-void append_row(const SampledInstant& instant, std::span<const Run> runs,
+void append_row(const SampledMotion& motion, const MotionSample& sample, std::span<const Run> runs,
                 std::vector<double>& values) {
     std::array<double, 8> of_quantity{};
     for (const Run& run : runs) {
-        run.quantity->values(instant, of_quantity.data());
+        run.quantity->values(motion, sample, of_quantity.data());
         for (const std::size_t index : run.indices) values.push_back(of_quantity[index]);
     }
 }
@@ -146,18 +145,14 @@ SampleTable sample_table(const Motion& motion, std::span<const ChosenColumn> col
     table.values.reserve(times_s.size() * columns.size());
     const Quantities wanted = wanted_of(motion, columns);
     const std::vector<Run> runs = runs_of(columns);
-    SampledInstant instant;
-    instant.has_angles = wanted.euler_angles;
-    instant.tensor_body = motion.problem().inertia.matrix_body();
+    SampledMotion sampled{wanted.euler_angles, motion.problem().inertia.matrix_body(), {}};
     const bool certifies = std::any_of(columns.begin(), columns.end(), [](const auto& column) {
         return column.quantity->offered != nullptr;
     });
-    if (certifies) instant.construction.emplace(motion.problem().inertia, motion.problem().start);
+    if (certifies) sampled.construction.emplace(motion.problem().inertia, motion.problem().start);
     for (const double time_s : times_s) {
         try {
-            instant.time_s = time_s;
-            instant.sample = motion.sample(time_s, wanted);
-            append_row(instant, runs, table.values);
+            append_row(sampled, motion.sample(time_s, wanted), runs, table.values);
         } catch (const InputError& error) {
             throw InputError(fmt::format("{} {}: {}", asked_by, time_s, error.what()));
         }
@@ -176,15 +171,6 @@ const TableFormat& table_format_for(const std::filesystem::path& path) {
     }
     throw InputError(fmt::format("{}: no table format has this suffix; end the name with {}",
                                  printable(path.string()), known));
-}
-
-void write_table(const SampleTable& table, const TableFormat& format,
-                 const std::filesystem::path& path) {
-    AtomicFile file(path);
-    format.write(table, [&file](std::string_view bytes) {
-        file.write({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
-    });
-    file.commit();
 }
 
 }  // namespace poinsot

@@ -20,7 +20,7 @@ struct SampleColumn {
     std::string_view unit;
 };
 
-struct SampledInstant;  // input of a quantity's values
+struct SampledMotion;
 
 // Columns that are computed together: a row of the table of quantities.
 struct SampleQuantity {
@@ -30,7 +30,8 @@ struct SampleQuantity {
     Quantities wanted;               // from the motion
     bool (*offered)(const Motion&);  // null: by every motion
     std::string_view offered_by;     // description of those motions, for messages
-    void (*values)(const SampledInstant& instant, double* values);  // one per column
+    // One value per column.
+    void (*values)(const SampledMotion& motion, const MotionSample& sample, double* values);
 };
 
 std::span<const SampleQuantity> sample_quantities();
@@ -81,9 +82,5 @@ std::span<const TableFormat> table_formats();
 
 // The format of a suffix, which is case-insensitive. Throws InputError with the list of formats.
 const TableFormat& table_format_for(const std::filesystem::path& path);
-
-// Writes a table to a file atomically. Throws EnvironmentError.
-void write_table(const SampleTable& table, const TableFormat& format,
-                 const std::filesystem::path& path);
 
 }  // namespace poinsot

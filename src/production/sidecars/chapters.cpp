@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 
-#include "system/atomic_file.h"
-#include "system/file_contents.h"
-#include "system/file_kind.h"
+#include "system/files/atomic_file.h"
+#include "system/files/file_contents.h"
+#include "system/files/file_kind.h"
 #include "text/json_text.h"
 
 namespace poinsot {

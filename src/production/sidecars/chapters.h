@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "output/frame_sink.h"
-#include "production/session.h"
+#include "production/session/session.h"
 
 namespace poinsot {
 

@@ -7,9 +7,9 @@
 
 #include "drawing/stage/live_values.h"
 #include "drawing/stage/type/caption_template.h"
-#include "system/atomic_file.h"
-#include "system/file_contents.h"
-#include "system/file_kind.h"
+#include "system/files/atomic_file.h"
+#include "system/files/file_contents.h"
+#include "system/files/file_kind.h"
 #include "text/markup.h"
 #include "typeset/plain_text.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "production/print_size.h"
+#include "production/session/print_size.h"
 
 namespace poinsot {
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "error/error.h"
-#include "system/file_contents.h"
-#include "system/file_kind.h"
+#include "system/files/file_contents.h"
+#include "system/files/file_kind.h"
 #include "text/printable.h"
 
 namespace poinsot {

@@ -7,8 +7,6 @@
 
 #include "error/error.h"
 #include "production/vectors/latex_figure.h"
-#include "system/file_contents.h"
-#include "system/file_kind.h"
 #include "system/sha256.h"
 #include "text/nearest.h"
 #include "text/printable.h"
@@ -21,7 +19,6 @@ namespace poinsot {
 
 namespace {
 
-constexpr std::string_view text_name = "Poinsot";
 constexpr double longest_inches = 200.0;  // ISO 32000-1, annex C: 14,400 units
 
 enum class Lettering { font, paths, latex };
@@ -51,22 +48,7 @@ Lettering lettering_named(const std::string& name) {
     return value_named("--text", letterings, name);
 }
 
-bool is_svg(const std::filesystem::path& name) { return suffix_of(name) == ".svg"; }
-
-// The file without its record.
-std::string without_text(std::string svg, const std::string& text) {
-    const std::string empty = vector::svg_text(svg);
-    if (empty != text) return svg;
-    const std::size_t from = svg.find("<metadata"), end = svg.find("</metadata>", from);
-    if (from != std::string::npos && end != std::string::npos) svg.erase(from, end - from);
-    return svg;
-}
-
 }  // namespace
-
-bool is_vector_name(const std::filesystem::path& name) {
-    return suffix_of(name) == ".pdf" || suffix_of(name) == ".svg";
-}
 
 PrintChoices on_paper(PrintChoices print, int width_px, int height_px) {
     if (!print.dpi) print.dpi = default_dpi;
@@ -116,33 +98,16 @@ VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
     record.bounds = fmt::format("{}; paths within {:.2g} um of what they show, before rounding",
                                 record.bounds, still.off_um);
     const std::string& title = record.scene_name;
-    if (is_svg(path)) {
-        record.page = sha256_of(without_text(vector::svg_of(page, title, "record"), "record"));
+    if (is_svg_name(path)) {
+        record.page = hash_of_svg(vector::svg_of(page, title, "record"), "record");
         still.bytes = vector::svg_of(page, title, sealed_text(record));
     } else {
         std::string pdf = vector::pdf_of(page);
         record.page = sha256_of(pdf);
-        still.bytes = vector::with_pdf_text(std::move(pdf), title, text_name, sealed_text(record));
+        still.bytes =
+            vector::with_pdf_text(std::move(pdf), title, pdf_text_name, sealed_text(record));
     }
     return still;
-}
-
-VectorText read_vector_text(const std::filesystem::path& file) {
-    const FileKind kind = kind_of_file(file);
-    if (kind != FileKind::regular)
-        throw InputError(fmt::format("{}: {}", printable(file.string()), in_words(kind)));
-    const std::string bytes = read_text(file);
-    VectorText found;
-    if (is_svg(file)) {
-        found.text = vector::svg_text(bytes);
-        found.page_hash = sha256_of(without_text(bytes, found.text));
-    } else {
-        vector::PdfText text = vector::pdf_text(bytes, text_name);
-        found.page_hash = sha256_of(std::string(text.before));
-        found.is_last = text.is_last;
-        found.text = std::move(text.text);
-    }
-    return found;
 }
 
 }  // namespace poinsot

@@ -7,9 +7,10 @@
 #include <string>
 #include <string_view>
 
-#include "production/picture.h"
-#include "production/record.h"
-#include "production/session.h"
+#include "production/provenance/page_text.h"
+#include "production/provenance/record.h"
+#include "production/session/picture_setting.h"
+#include "production/session/session.h"
 #include "typeset/latex.h"
 #include "vector/picture.h"
 
@@ -20,9 +21,6 @@ struct VectorChoices {
     std::string text = "font";     // representation of text: font, paths, latex
     bool operator==(const VectorChoices&) const = default;
 };
-
-// Whether a file name is that of a vector format: it ends in .pdf or .svg.
-bool is_vector_name(const std::filesystem::path& name);
 
 // The choices with default dots per inch, in which sizes are measured, since vectors are always on
 // paper. Throws InputError for a side longer than PDF allows (200 inches).
@@ -49,14 +47,5 @@ bool has_pixels(const VectorChoices& choices);
 VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
                          const FilmTime& moment, const VectorChoices& choices, double dpi,
                          Record record, const vector::DrawPixels& draw_pixels);
-
-// The record's text in such a file, and the hash of the rest of the file. The text is empty if
-// there is none.
-struct VectorText {
-    std::string text;
-    std::string page_hash;
-    bool is_last = true;  // of a PDF: nothing was appended after the text
-};
-VectorText read_vector_text(const std::filesystem::path& file);
 
 }  // namespace poinsot

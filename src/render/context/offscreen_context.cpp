@@ -12,7 +12,7 @@
 #include "error/error.h"
 #include "render/context/driver_environment.h"
 #include "render/context/native_context.h"
-#include "system/processor.h"
+#include "system/files/processor.h"
 
 namespace poinsot {
 namespace {

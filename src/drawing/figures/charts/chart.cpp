@@ -94,13 +94,15 @@ std::string ChartSheet::tick_text(const Axis& axis, double value) {
     return fmt::format("$10^{{{:.0f}}}$", std::log10(value));
 }
 
-ChartSheet::ChartSheet(const Chart& chart, const Theme& theme, int width_px, int height_px)
+ChartSheet::ChartSheet(const Chart& chart, const Theme& theme, FontSource fonts, int width_px,
+                       int height_px)
     : theme_(&theme),
       width_px_(width_px),
       height_px_(height_px),
       px_(height_px / 1080.0),
       x_(axis_of(chart, &ChartPoint::x)),
-      y_(axis_of(chart, &ChartPoint::y)) {
+      y_(axis_of(chart, &ChartPoint::y)),
+      type_case_(std::move(fonts)) {
     x_.first_px = 150.0 * px_;
     x_.last_px = width_px - 190.0 * px_;
     y_.first_px = height_px - 130.0 * px_;

@@ -31,7 +31,8 @@ struct Chart {
 class ChartSheet {
  public:
     // Throws InputError if no point can be shown.
-    ChartSheet(const Chart& chart, const Theme& theme, int width_px, int height_px);
+    ChartSheet(const Chart& chart, const Theme& theme, FontSource fonts, int width_px,
+               int height_px);
     ChartSheet(const ChartSheet&) = delete;
     ChartSheet& operator=(const ChartSheet&) = delete;
 

@@ -27,8 +27,7 @@ std::pair<double, double> PlotRecord::range(std::size_t first, std::size_t last,
 }
 
 FrameInput PlotRecord::instant(double time_s) const {
-    const MotionSample sample = motion_->sample(time_s, quantity_->needs);
-    return {time_s, sample.state, sample.herpolhode_space, sample.euler, {}};
+    return {motion_->sample(time_s, quantity_->needs), time_s};
 }
 
 int n_pieces_of(const StageContext& stage, double width_px) {

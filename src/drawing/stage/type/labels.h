@@ -52,8 +52,8 @@ class TextCache {
     // For pictures rendered with samples × samples per pixel: styles are in rendered pixels, masks
     // in final pixels. Text smaller than `least` is enlarged; a string with too small sub- and
     // superscripts is enlarged as a whole.
-    explicit TextCache(int samples = 1, const LeastSizes& least = {})
-        : samples_(samples), least_(least.times(1.0 / samples)) {}
+    explicit TextCache(FontSource fonts, int samples = 1, const LeastSizes& least = {})
+        : samples_(samples), least_(least.times(1.0 / samples)), typesetter_(std::move(fonts)) {}
 
     TextBlock set(std::string_view text, const TypeStyle& style);
 

@@ -1,0 +1,20 @@
+// What the names of --quality mean for drawings; output/quality.h has what they mean for encoders.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace poinsot {
+
+struct PictureQuality {
+    std::string_view name;
+    double curve_tolerance;  // factor on the scene's accuracy_px for the sampling of curves
+    int samples;  // the picture is rendered samples × samples times as large and averaged
+};
+
+std::span<const PictureQuality> picture_qualities();
+
+// Returns a quality by name. Throws InputError with the nearest name.
+const PictureQuality& picture_quality_named(std::string_view name);
+
+}  // namespace poinsot

@@ -1,0 +1,151 @@
+#include "production/jobs/contact_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <utility>
+
+#include "error/error.h"
+#include "image/files/png_files.h"
+#include "image/pixels_xxh64.h"
+#include "output/film_metadata.h"
+#include "production/jobs/still_job.h"
+#include "production/provenance/record.h"
+#include "system/files/file_kind.h"
+#include "system/interrupt.h"
+#include "text/label_text.h"
+#include "text/printable.h"
+#include "typeset/files/installed_fonts.h"
+#include "typeset/typesetter.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr int most_pixels = 16384;  // per side
+
+// A caption's share of a picture's height, and its font size as a share of that.
+constexpr double caption_share = 0.09, type_share = 0.62;
+
+class ContactSheet {
+ public:
+    // For pictures of the first one's size, on the colour of its corner.
+    ContactSheet(const SheetRequest& request, const Image& first)
+        : request_(&request),
+          width_px_(first.width()),
+          height_px_(first.height()),
+          caption_px_(std::max(14, static_cast<int>(caption_share * first.height()))),
+          ground_(first.at(0, 0)) {
+        const std::int64_t width = std::int64_t{width_px_} * request.n_columns;
+        const std::int64_t height = std::int64_t{height_px_ + caption_px_} * request.n_rows;
+        if (width > most_pixels || height > most_pixels)
+            throw InputError(fmt::format(
+                "--sheet {}x{}: the sheet would have {}×{} pixels, more than {} a side; draw "
+                "smaller pictures with --size",
+                request.n_columns, request.n_rows, width, height, most_pixels));
+        image_ = Image(static_cast<int>(width), static_cast<int>(height));
+        for (int y = 0; y < image_.height(); ++y)
+            for (int x = 0; x < image_.width(); ++x) image_.set(x, y, ground_);
+    }
+
+    void put(std::size_t index, const Image& picture) {
+        if (picture.width() != width_px_ || picture.height() != height_px_)
+            throw InputError(fmt::format(
+                "--sheet: all pictures must have one size, but {}×{} differs from {}×{}",
+                picture.width(), picture.height(), width_px_, height_px_));
+        const auto columns = static_cast<std::size_t>(request_->n_columns);
+        const int left = static_cast<int>(index % columns) * width_px_;
+        const int top = static_cast<int>(index / columns) * (height_px_ + caption_px_);
+        for (int y = 0; y < height_px_; ++y)
+            for (int x = 0; x < width_px_; ++x) image_.set(left + x, top + y, picture.at(x, y));
+        write(request_->cells[index].caption, left, top + height_px_);
+    }
+
+    const Image& image() const { return image_; }
+
+ private:
+    // Centred, at the largest size that fits.
+    void write(const std::string& caption, int left, int top) {
+        TypeStyle style;
+        style.mode = TypeMode::text;
+        style.size_px = type_share * caption_px_;
+        const std::string text = as_caption(caption);
+        const double room_px = 0.94 * width_px_;
+        const TypeExtent extent = typesetter_.measure(text, style);
+        if (extent.width > room_px) style.size_px *= room_px / extent.width;
+        style.size_px = std::max(1.0, style.size_px);
+        const TypesetMask mask = typesetter_.set(text, style);
+        const int x0 = left + (width_px_ - mask.width) / 2;
+        const int y0 = top + (caption_px_ - mask.height) / 2;
+        for (int y = 0; y < mask.height; ++y)
+            for (int x = 0; x < mask.width; ++x)
+                ink(x0 + x, y0 + y,
+                    mask.coverage[static_cast<std::size_t>(y) *
+                                      static_cast<std::size_t>(mask.width) +
+                                  static_cast<std::size_t>(x)]);
+    }
+
+    // Dark text on a light background, light text on a dark one.
+    void ink(int x, int y, int coverage) {
+        if (x < 0 || y < 0 || x >= image_.width() || y >= image_.height() || coverage == 0) return;
+        const int brightness = (2 * ground_.r + 5 * ground_.g + ground_.b) / 8;
+        const int shade = ground_.a < 128 || brightness > 127 ? 24 : 232;
+        const auto mixed = [&](int under) {
+            return static_cast<std::uint8_t>((under * (255 - coverage) + shade * coverage) / 255);
+        };
+        const Rgba8 under = image_.at(x, y);
+        image_.set(x, y,
+                   {mixed(under.r), mixed(under.g), mixed(under.b),
+                    std::max(under.a, static_cast<std::uint8_t>(coverage))});
+    }
+
+    const SheetRequest* request_;
+    int width_px_, height_px_, caption_px_;
+    Rgba8 ground_;
+    Image image_;
+    Typesetter typesetter_{installed_fonts()};
+};
+
+}  // namespace
+
+void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const ProgressSink& progress) {
+    const auto n_places =
+        static_cast<std::size_t>(request.n_columns) * static_cast<std::size_t>(request.n_rows);
+    if (request.cells.size() > n_places)
+        throw InputError(
+            fmt::format("--sheet {}x{}: has {} places for {} pictures; give more columns or rows",
+                        request.n_columns, request.n_rows, n_places, request.cells.size()));
+    if (suffix_of(request.output) != ".png")
+        throw InputError(fmt::format("{}: a sheet is a PNG; name it with -o FILE.png",
+                                     printable(request.output)));
+    watch_for_interrupts();
+    progress.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
+    std::optional<ContactSheet> sheet;
+    Record record;
+    Image picture;
+    for (std::size_t k = 0; k < request.cells.size(); ++k) {
+        stop_if_interrupted();
+        const SheetCell& cell = request.cells[k];
+        const Record of_cell = StillJob(open_session(cell.scene, progress), {"", request.time_s})
+                                   .draw_into(renderer, picture);
+        if (!sheet) {
+            sheet.emplace(request, picture);
+            record = of_cell;
+            record.sheet = fmt::format("{}x{}: ", request.n_columns, request.n_rows);
+        }
+        record.sheet += (k > 0 ? "; " : "") + cell.caption;
+        sheet->put(k, picture);
+        progress.done(static_cast<std::int64_t>(k + 1));
+    }
+    record.width_px = sheet->image().width();
+    record.height_px = sheet->image().height();
+    record.pixels = pixels_xxh64(sheet->image());
+    PngOptions png;
+    png.texts[metadata_name] = sealed_text(record);
+    write_png(request.output, sheet->image(), png);
+    progress.finish(printable(request.output));
+}
+
+}  // namespace poinsot

@@ -1,0 +1,32 @@
+// Many pictures in one, each with its values below.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "production/jobs/open_session.h"
+#include "production/jobs/picture.h"
+#include "production/session/progress_sink.h"
+#include "production/session/session.h"
+
+namespace poinsot {
+
+struct SheetCell {
+    SceneRequest scene;
+    std::string caption;
+};
+
+struct SheetRequest {
+    std::vector<SheetCell> cells;  // row by row
+    int n_columns = 1, n_rows = 1;
+    std::string output;              // a PNG
+    std::optional<double> time_s{};  // of the motion; empty: each scene's own
+};
+
+// Draws the sheet; places after the last cell stay empty. Throws InputError for more cells than
+// places, for pictures of different sizes, and for a sheet larger than the largest picture;
+// EnvironmentError.
+void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const ProgressSink& progress);
+
+}  // namespace poinsot

@@ -1,0 +1,219 @@
+#include "production/jobs/still_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "error/error.h"
+#include "image/pixels_xxh64.h"
+#include "image/png.h"
+#include "output/film_metadata.h"
+#include "production/jobs/banded_still.h"
+#include "production/jobs/output_place.h"
+#include "production/provenance/record.h"
+#include "production/vectors/latex_figure.h"
+#include "system/files/atomic_file.h"
+#include "system/files/file_kind.h"
+#include "system/interrupt.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr int most_side_px = 16384;  // limit of a framebuffer
+
+FilmTime moment_asked(const Session& session, const StillRequest& request) {
+    const FilmPlan film = film_plan(session);
+    const auto asked_s = request.time_s ? request.time_s : session.scene.film.still_s;
+    const FilmTime moment =
+        asked_s ? moment_of_time(film.clock, *asked_s) : film.moment_of(film.n_frames - 1);
+    // An instant for which the motion fails is reported with its option.
+    if (request.time_s) {
+        try {
+            session.motion.at(moment.time_s);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("--time {}: {}", *request.time_s, error.what()));
+        }
+    } else {
+        at_key_of_error(session.scene, "motion",
+                        session.scene.film.still_s ? "film.still_s" : "film",
+                        [&] { return session.motion.at(moment.time_s); });
+    }
+    return moment;
+}
+
+// Checks a request and returns it.
+StillRequest accepted(StillRequest request) {
+    const std::filesystem::path output(request.output);
+    const bool is_vectors = is_vector_name(request.output);
+    const bool is_named = !output.empty() && output != "-";
+    if (is_named && !is_vectors && suffix_of(output) != ".png")
+        throw InputError(
+            fmt::format("{}: a still is a PNG, a PDF or an SVG; end its name in .png, .pdf or .svg",
+                        printable(request.output)));
+    check_vector_choices(request.vectors);
+    if (!is_vectors && request.vectors != VectorChoices{}) {
+        const VectorChoices& vectors = request.vectors;
+        const bool is_shading = vectors.shading != VectorChoices{}.shading;
+        throw InputError(fmt::format("--{} {}: is for vectors; name the output .pdf or .svg",
+                                     is_shading ? "shading" : "text",
+                                     is_shading ? vectors.shading : vectors.text));
+    }
+    if (request.vectors.text == "latex") check_latex_place(output);
+    if (is_vectors && request.bit_depth != 8)
+        throw InputError(
+            fmt::format("--depth {}: vectors have no pixels; leave it out, or name the output .png",
+                        request.bit_depth));
+    if (request.bit_depth != 8 && request.bit_depth != 16)
+        throw InputError(
+            fmt::format("--depth {}: a component has 8 or 16 bits", request.bit_depth));
+    return request;
+}
+
+// The histories start with the film and end at the instant.
+PictureSpan span_of(const Session& session, double time_s) {
+    return {.first_time_s = std::min(film_plan(session).start_s, time_s),
+            .last_time_s = time_s,
+            .first_shown_s = time_s};
+}
+
+// The pixels of a drawing of surfaces alone.
+vector::Raster pixels_of(const Drawing& drawing, LazyRenderer& renderer) {
+    constexpr double most_pixels = 1e8;
+    if (1.0 * drawing.width_px * drawing.height_px > most_pixels ||
+        std::max(drawing.width_px, drawing.height_px) > most_side_px)
+        throw InputError(
+            fmt::format("--shading picture: {}x{} pixels at 600 dpi; at most {} per side and "
+                        "{:.0f} million in all: make the figure smaller",
+                        drawing.width_px, drawing.height_px, most_side_px, most_pixels / 1e6));
+    Image image;
+    renderer.renderer().render_into(drawing, image);
+    const auto bytes = image.bytes();
+    return {image.width(), image.height(), {bytes.begin(), bytes.end()}};
+}
+
+PictureSetting setting_for(const Scene& scene, const StillRequest& request) {
+    return is_vector_name(request.output) ? vector_setting(scene, request.print)
+                                          : setting_of(scene, request.print);
+}
+
+// Reports text that LaTeX may set differently than the figure shows.
+void note_gaps(const LatexGaps& gaps, const std::filesystem::path& file,
+               const ProgressSink& progress) {
+    const std::string name = printable(file.filename().string());
+    if (!gaps.hidden.empty())
+        progress.say(fmt::format("note: {} leaves out {}, which LaTeX cannot set", name,
+                                 listed(gaps.hidden)));
+    if (!gaps.need_t1.empty())
+        progress.say(fmt::format(
+            "note: {}: pdfLaTeX leaves out {}; \\usepackage[T1]{{fontenc}} lets it set them", name,
+            listed(gaps.need_t1)));
+    if (!gaps.need_unicode.empty())
+        progress.say(fmt::format(
+            "note: {}: pdfLaTeX leaves out {}; XeLaTeX and LuaLaTeX set those that their font has",
+            name, listed(gaps.need_unicode)));
+}
+
+}  // namespace
+
+StillJob::StillJob(Session&& session, StillRequest request)
+    : session_(std::move(session)),
+      request_(accepted(std::move(request))),
+      moment_(moment_asked(session_, request_)),
+      staging_(session_, span_of(session_, moment_.time_s), setting_for(session_.scene, request_)) {
+}
+
+std::int64_t StillJob::n_pixels() const {
+    return std::int64_t{session_.scene.film.width_px} * session_.scene.film.height_px;
+}
+
+Record StillJob::record() const {
+    return record_of(session_, staging_.stage,
+                     in_words(staging_.bound, session_.accuracy.asked_px));
+}
+
+void StillJob::draw_vectors(OutputPlace place, Record record, LazyRenderer& renderer,
+                            const ProgressSink& progress) {
+    record.time_s = moment_.time_s;
+    record.dpi = request_.print.dpi;
+    record.type_pt = request_.print.type_pt.value_or(default_type_pt);
+    record.shading = request_.vectors.shading;
+    record.journal = request_.print.journal;
+    if (request_.vectors.text != VectorChoices{}.text) record.lettering = request_.vectors.text;
+    vector::DrawPixels draw_pixels;
+    if (has_pixels(request_.vectors)) {
+        record_context(renderer.context().info(), renderer.is_portable(), record);
+        draw_pixels = [&renderer](const Drawing& drawing) { return pixels_of(drawing, renderer); };
+    } else {
+        record_without_context(record);
+    }
+    const double dpi = record.dpi.value_or(default_dpi);
+    const VectorStill still = vector_still(place.path(), staging_.stage, moment_, request_.vectors,
+                                           dpi, std::move(record), draw_pixels);
+    write_whole(place.path(), still.bytes);
+    std::string files = printable(place.path().string());
+    if (!still.latex.empty()) {
+        const std::filesystem::path beside = latex_path_of(place.path());
+        write_whole(beside, still.latex);
+        note_gaps(still.latex_gaps, beside, progress);
+        files += "\n" + printable(beside.string());
+    }
+    progress.say(fmt::format("{}\npaths within {:.2g} um of what they show", files, still.off_um));
+}
+
+Record StillJob::draw_into(LazyRenderer& renderer, Image& image) {
+    PictureMaker pictures(std::move(staging_), renderer);
+    Record record = record_of(session_, pictures, renderer.is_portable());
+    record.time_s = moment_.time_s;
+    pictures.draw(moment_, image);
+    return record;
+}
+
+void StillJob::draw(LazyRenderer& renderer, StillWriter& writer, const ProgressSink& progress) {
+    const Scene& scene = session_.scene;
+    tell_notes(session_, progress);
+    tell_stage_notes(staging_.stage, progress);
+    OutputPlace place(request_.output, scene, ".png");
+    if (is_vector_name(request_.output)) {
+        draw_vectors(std::move(place), record(), renderer, progress);
+        return;
+    }
+    PictureMaker pictures(std::move(staging_), renderer);
+    Record record = record_of(session_, pictures, renderer.is_portable());
+    record.time_s = moment_.time_s;
+    PngOptions png;
+    if (const auto paper =
+            print_size_of(request_.print, scene.film.width_px, scene.film.height_px)) {
+        png.pixels_per_metre = paper->pixels_per_metre;
+        record.dpi = request_.print.dpi.value_or(default_dpi);
+        record.type_pt = request_.print.type_pt.value_or(default_type_pt);
+        record.journal = request_.print.journal;
+    }
+    record.bit_depth = request_.bit_depth;
+    std::string words = fmt::format("{}\n{}", printable(place.path().string()),
+                                    in_words(pictures.bound(), session_.accuracy.asked_px));
+    if (record.bit_depth == 16 || wants_bands(pictures)) {
+        writer.finish();
+        watch_for_interrupts();
+        const auto texts = [&record](const std::string& pixels) {
+            record.pixels = pixels;
+            return std::map<std::string, std::string>{{metadata_name, sealed_text(record)}};
+        };
+        write_in_bands(pictures, moment_, place.path(), png, record.bit_depth, texts);
+        progress.say(words);
+    } else {
+        Image image;
+        pictures.draw(moment_, image);
+        record.pixels = pixels_xxh64(image);
+        png.texts[metadata_name] = sealed_text(record);
+        writer.write(std::move(place), std::move(image), std::move(png),
+                     [say = progress.say, words = std::move(words)] { say(words); });
+    }
+}
+
+}  // namespace poinsot

@@ -1,0 +1,60 @@
+// One picture of a scene, from a session to its file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "production/jobs/output_place.h"
+#include "production/jobs/picture.h"
+#include "production/jobs/still_writer.h"
+#include "production/provenance/record.h"
+#include "production/session/print_size.h"
+#include "production/session/progress_sink.h"
+#include "production/session/session.h"
+#include "production/vectors/vector_still.h"
+
+namespace poinsot {
+
+struct StillRequest {
+    std::string output{};            // empty: output/<scene>.png
+    std::optional<double> time_s{};  // of the motion; empty: the scene's own
+    PrintChoices print{};
+    int bit_depth = 8;  // of a component
+    VectorChoices vectors{};
+};
+
+// A prepared picture. Any thread may construct it.
+class StillJob {
+ public:
+    // Throws InputError.
+    StillJob(Session&& session, StillRequest request);
+    StillJob(const StillJob&) = delete;
+    StillJob& operator=(const StillJob&) = delete;
+
+    std::int64_t n_pixels() const;
+    // Whether drawing opens the renderer's context.
+    bool opens_context() const {
+        return !is_vector_name(request_.output) || has_pixels(request_.vectors);
+    }
+    // Its record, except for the renderer and the instant.
+    Record record() const;
+
+    // Draws and writes the picture; the writer may finish later. Throws InputError,
+    // EnvironmentError, and the writer's error for an earlier picture.
+    void draw(LazyRenderer& renderer, StillWriter& writer, const ProgressSink& progress);
+
+    // Draws into memory only, for a contact sheet; returns the record. Throws as draw does.
+    Record draw_into(LazyRenderer& renderer, Image& image);
+
+ private:
+    void draw_vectors(OutputPlace place, Record record, LazyRenderer& renderer,
+                      const ProgressSink& progress);
+
+    Session session_;
+    StillRequest request_;
+    FilmTime moment_;
+    PreparedPicture staging_;
+};
+
+}  // namespace poinsot

@@ -1,0 +1,77 @@
+#include "production/session/picture_setting.h"
+
+#include <fmt/format.h>
+
+#include "drawing/stage/picture_quality.h"
+#include "drawing/stage/stage_store.h"
+#include "scene/scene_error.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+PictureSetting setting_of(const Scene& scene, const PrintChoices& print) {
+    // Returned as a pointer: g++ 14 warns that a reference may dangle.
+    const PictureQuality& quality = *at_scene_key(
+        scene, "film.quality", [&scene] { return &picture_quality_named(scene.film.quality); });
+    const auto paper = print_size_of(print, scene.film.width_px, scene.film.height_px);
+    PictureSetting setting{quality.curve_tolerance, quality.samples};
+    if (paper) setting.put_on(*paper);
+    return setting;
+}
+
+Stage stage_of(const Session& session, const PictureSpan& span, const PictureSetting& setting) {
+    StageOptions options;
+    options.width_px = session.scene.film.width_px * setting.samples;
+    options.height_px = session.scene.film.height_px * setting.samples;
+    options.samples = setting.samples;
+    options.line_scale = setting.line_scale * setting.samples;
+    options.least = setting.least.times(setting.samples);
+    options.first_time_s = span.first_time_s;
+    options.last_time_s = span.last_time_s;
+    options.fonts = session.fonts;
+    options.first_shown_s = span.first_shown_s;
+    options.loop_s = session.loop ? session.loop->loop_s : 0.0;
+    // In pixels of the rendered picture, which is `samples` times as large as the final one.
+    options.curve_px = session.accuracy.curve_px(setting.curve_tolerance * setting.samples);
+    return at_key_of_error(session.scene, "motion", "film", [&] {
+        return Stage(session.scene, session.theme, session.motion, options,
+                     session.comparison ? &*session.comparison : nullptr);
+    });
+}
+
+void tell_stage_notes(const Stage& stage, const ProgressSink& progress) {
+    for (const std::string& note : stage.notes()) progress.say("note: " + note);
+    const std::vector<char32_t>& missing = stage.store().text().typesetter().missing();
+    if (missing.empty()) return;
+    progress.say(
+        fmt::format("note: no installed font has {}: drawn as boxes; install a font that has them, "
+                    "as fonts-noto or fonts-dejavu",
+                    listed(missing)));
+}
+
+PictureBound bound_of(const Session& session, const Stage& stage, int samples) {
+    return {motion_error_px(session),
+            stage.curve_error_px() / samples,
+            {stage.notes().begin(), stage.notes().end()}};
+}
+
+std::string in_words(const PictureBound& bound, double accuracy_px) {
+    std::string words = fmt::format(
+        "within {:.2g} px of the truth (motion {:.2g} px, curves {:.2g} px; {:g} px "
+        "asked)",
+        bound.total_px(), bound.motion_px, bound.curves_px, accuracy_px);
+    for (const std::string& note : bound.notes) words += "; " + note;
+    return words;
+}
+
+PreparedPicture::PreparedPicture(const Session& session, const PictureSpan& span,
+                                 const PictureSetting& setting)
+    : samples(setting.samples),
+      stage(stage_of(session, span, setting)),
+      bound(bound_of(session, stage, samples)) {}
+
+PreparedPicture::PreparedPicture(const Session& session, const PictureSpan& span,
+                                 const PrintChoices& print)
+    : PreparedPicture(session, span, setting_of(session.scene, print)) {}
+
+}  // namespace poinsot
