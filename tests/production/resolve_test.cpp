@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -68,8 +69,8 @@ TEST(Resolve, ChangesNothingASecondTime) {
     const ResolvedScene twice = resolve(drawn, request);
     EXPECT_EQ(twice.as_read, "");
     EXPECT_EQ(to_toml(twice.scene), to_toml(once.scene));
-    const ResolvedScene plain =
-        resolve(parse_scene(looping, "a.toml", std::vector<std::string>{"film.loop="}), request);
+    const std::string without = looping.substr(0, looping.find("[film]"));
+    const ResolvedScene plain = resolve(parse_scene(without, "a.toml"), request);
     EXPECT_EQ(plain.as_read, "");
 }
 
