@@ -7,7 +7,7 @@
 #include "cli/program_run.h"
 #include "cli/recorded_pictures.h"
 #include "cli/small_scene.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 
 namespace poinsot::testing {
 namespace {

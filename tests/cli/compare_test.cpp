@@ -8,7 +8,7 @@
 #include "cli/recorded_pictures.h"
 #include "cli/small_scene.h"
 #include "image/files/png_bands.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 
 namespace poinsot::testing {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "cli/program_run.h"
 #include "cli/recorded_pictures.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 #include "system/sha256.h"
 
 namespace poinsot::testing {

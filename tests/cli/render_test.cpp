@@ -8,7 +8,7 @@
 
 #include "cli/program_run.h"
 #include "cli/small_scene.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 #include "output/video_reader.h"
 
 namespace poinsot::testing {

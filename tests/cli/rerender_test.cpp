@@ -6,7 +6,7 @@
 
 #include "cli/program_run.h"
 #include "cli/recorded_pictures.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 
 namespace poinsot::testing {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "cli/program_run.h"
 #include "cli/small_scene.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 #include "places.h"
 
 namespace poinsot::testing {

@@ -11,6 +11,7 @@
 #include "error/error.h"
 #include "panels_by_hand.h"
 #include "scenes_by_hand.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot::panels_tests {
 namespace {
@@ -59,9 +60,10 @@ std::vector<double> places_of_element(const Element& element, const Eigen::Matri
     MotionProblem problem = motion.problem();
     problem.method = stepped;
     const Motion beside(problem);
-    const Stage stage(scene, theme_of(scene), motion,
-                      {.width_px = 640, .height_px = 360, .last_time_s = last_time_s},
-                      of_beside ? &beside : nullptr);
+    const Stage stage(
+        scene, theme_of(scene), motion,
+        {.width_px = 640, .height_px = 360, .last_time_s = last_time_s, .fonts = installed_fonts()},
+        of_beside ? &beside : nullptr);
     const Drawing drawing = stage.at(0.37 * last_time_s);
     expect_finite(drawing.views.front(), std::string(element.name));
     return places_of(view_of(drawing));

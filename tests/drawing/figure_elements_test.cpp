@@ -11,6 +11,7 @@
 #include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "scenes_by_hand.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot::figure_elements_tests {
 namespace {
@@ -143,9 +144,13 @@ TEST(PlotQuantities, ThinPlateWobblesTwiceAsFastAsItSpins) {
     Scene scene = free_scene({1.0, 1.0, 2.0}, {1e-3, 0.0, 5.0}, "plot");
     scene.panels[0].quantity = "turns";
     const Motion motion(problem_of(scene));
-    const StageContext stage(
-        scene, theme_of(scene), motion,
-        {.width_px = 640, .height_px = 360, .first_time_s = 0.0, .last_time_s = 10.0}, nullptr);
+    const StageContext stage(scene, theme_of(scene), motion,
+                             {.width_px = 640,
+                              .height_px = 360,
+                              .first_time_s = 0.0,
+                              .last_time_s = 10.0,
+                              .fonts = installed_fonts()},
+                             nullptr);
     FrameInput instant;
     instant.time_s = 6.283185307179586;
     const PlotValues values = plot_quantity_of(stage, "turns").values(stage, instant);

@@ -21,6 +21,7 @@
 #include "scene/write_scene.h"
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 namespace {
@@ -363,7 +364,8 @@ TEST(Filling, FigureSpansFourFifthsOfItsPanel) {
                               {.width_px = width,
                                .height_px = height,
                                .first_time_s = scene.film.start_s,
-                               .last_time_s = last_s});
+                               .last_time_s = last_s,
+                               .fonts = installed_fonts()});
             std::vector<Eigen::AlignedBox2d> boxes;
             constexpr int n_instants = 24;
             for (int k = 0; k <= n_instants; ++k) {

@@ -9,6 +9,7 @@
 #include "error/error.h"
 #include "numerics/least_turn.h"
 #include "scenes_by_hand.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot::ghost_tests {
 namespace {
@@ -27,8 +28,10 @@ struct StagedBeside {
         : scene(with(scene_, choice)),
           motion(problem_of(scene)),
           beside(problem_beside()),
-          stage(scene, theme_of(scene), motion,
-                {.width_px = 640, .height_px = 360, .last_time_s = 10.0}, &beside) {}
+          stage(
+              scene, theme_of(scene), motion,
+              {.width_px = 640, .height_px = 360, .last_time_s = 10.0, .fonts = installed_fonts()},
+              &beside) {}
 
     MotionProblem problem_beside() const {
         MotionProblem problem = motion.problem();

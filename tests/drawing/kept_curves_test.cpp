@@ -14,6 +14,7 @@
 #include "error/error.h"
 #include "mechanics/half_life.h"
 #include "scenes_by_hand.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot::kept_curves_tests {
 namespace {
@@ -55,7 +56,8 @@ struct Drawn {
                  .curve_px = curve_px,
                  .first_time_s = scene.film.start_s,
                  .last_time_s = last_time_s,
-                 .first_shown_s = first_shown_s},
+                 .first_shown_s = first_shown_s,
+                 .fonts = installed_fonts()},
                 beside ? &*beside : nullptr) {}
 
     static std::optional<Motion> other(const Scene& scene, double last_time_s) {

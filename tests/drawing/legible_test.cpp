@@ -14,6 +14,7 @@
 #include "places.h"
 #include "scene/files/load_scene.h"
 #include "scenes_by_hand.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 namespace {
@@ -64,7 +65,8 @@ TEST_F(Legible, TextOfAFilmIsAtLeastAFortyFifthOfItsHeight) {
                               {.width_px = width,
                                .height_px = height,
                                .first_time_s = scene.film.start_s,
-                               .last_time_s = scene.film.start_s + 1.0},
+                               .last_time_s = scene.film.start_s + 1.0,
+                               .fonts = installed_fonts()},
                               beside ? &*beside : nullptr);
             EXPECT_GE(stage.store().text().least_size_px(), height / 45.0 - 1e-9)
                 << file.filename() << " " << height;

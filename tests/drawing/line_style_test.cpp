@@ -34,7 +34,8 @@ struct OnPaper {
                  .height_px = 565,
                  .line_scale = 1.04,
                  .least = sizes,
-                 .last_time_s = 10.0}),
+                 .last_time_s = 10.0,
+                 .fonts = installed_fonts()}),
           drawing(stage.at(5.0)) {}
 };
 

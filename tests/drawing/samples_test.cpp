@@ -3,6 +3,7 @@
 
 #include "drawing/stage/panel.h"
 #include "scenes_by_hand.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 namespace {
@@ -20,7 +21,8 @@ struct Sampled {
                 {.width_px = scene.film.width_px * samples,
                  .height_px = scene.film.height_px * samples,
                  .samples = samples,
-                 .last_time_s = 3.0}),
+                 .last_time_s = 3.0,
+                 .fonts = installed_fonts()}),
           drawing(stage.at(1.0)) {}
     Motion motion;
     Stage stage;

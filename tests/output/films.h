@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "error/error.h"
-#include "image/png.h"
+#include "image/files/png_files.h"
 #include "image/synthetic.h"
 #include "output/frame_sink.h"
 #include "output/video_reader.h"

@@ -14,6 +14,7 @@
 #include "drawing/scenes_by_hand.h"
 #include "render/pictures.h"
 #include "shapes/part.h"
+#include "typeset/files/installed_fonts.h"
 
 namespace poinsot::testing {
 namespace {
@@ -227,7 +228,7 @@ Session session_with_type(const std::string& theme) {
     scene.grid.columns = {1.0, 1.0};
     scene.film.width_px = width_px;
     scene.film.height_px = height_px;
-    return session_of(scene);
+    return session_of(scene, {installed_fonts()});
 }
 
 // The text of a scene's picture alone, with this number of samples per side of a pixel.

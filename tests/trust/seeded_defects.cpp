@@ -49,7 +49,10 @@ struct Subject {
     Subject(Scene scene, const Size& size)
         : session(session_of(scene, {installed_fonts()})),
           stage(session.scene, session.theme, session.motion,
-                {.width_px = size.width_px, .height_px = size.height_px, .last_time_s = 10.0}) {}
+                {.width_px = size.width_px,
+                 .height_px = size.height_px,
+                 .last_time_s = 10.0,
+                 .fonts = installed_fonts()}) {}
 };
 
 Scene scene_named(const std::string& name) {
