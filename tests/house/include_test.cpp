@@ -141,6 +141,7 @@ const std::map<std::string, std::string> tests_without_source{
     {"drawing/user_style", "words, symbols, units and sizes that a scene chooses"},
     {"house/include", "reads all source files"},
     {"mechanics/extremes", "free motions at every extreme"},
+    {"production/alone", "a drawing made without files, OpenGL or FFmpeg"},
     {"production/drawn_geometry", "pixels compared with geometry computed independently of src/"},
     {"production/taught_construction", "pixels compared with the textbooks' construction"},
     {"scene/lecture_scenes", "the files of scenes/"},

@@ -7,7 +7,7 @@ namespace poinsot::testing {
 namespace {
 
 TEST(OffscreenContext, ReportsItsProperties) {
-    close_studio();
+    close_shared_renderer();
     const OffscreenContext context(Backend::egl);
     EXPECT_EQ(context.info().backend, "EGL");
     EXPECT_FALSE(context.info().renderer.empty());

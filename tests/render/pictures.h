@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <numbers>
@@ -12,24 +13,28 @@ namespace poinsot::testing {
 
 // One context and renderer for the whole test program: making them for each test costs more than
 // the tests.
-struct Studio {
+struct SharedRenderer {
     OffscreenContext context;
     Renderer renderer{context};
 };
 
-inline std::unique_ptr<Studio>& kept_studio() {
-    static std::unique_ptr<Studio> kept;
+inline std::unique_ptr<SharedRenderer>& kept_renderer() {
+    static std::unique_ptr<SharedRenderer> kept;
     return kept;
-}
-inline Studio& studio() {
-    if (!kept_studio()) kept_studio() = std::make_unique<Studio>();
-    return *kept_studio();
 }
 // A test that makes its own context closes the shared one first: when its context ends, none is
 // current, and the next test makes a new shared one.
-inline void close_studio() { kept_studio().reset(); }
-inline Renderer& renderer() { return studio().renderer; }
-inline const OffscreenContext& context() { return studio().context; }
+inline void close_shared_renderer() { kept_renderer().reset(); }
+inline SharedRenderer& shared_renderer() {
+    if (!kept_renderer()) {
+        kept_renderer() = std::make_unique<SharedRenderer>();
+        // Registered after the OpenGL library is loaded, so that the context ends before it.
+        [[maybe_unused]] static const int registered = std::atexit(close_shared_renderer);
+    }
+    return *kept_renderer();
+}
+inline Renderer& renderer() { return shared_renderer().renderer; }
+inline const OffscreenContext& context() { return shared_renderer().context; }
 
 // A transparent picture with one orthographic view along -z: x right, y up, centred on the origin.
 inline Drawing flat_drawing(int width_px, int height_px, double units_high) {

@@ -280,7 +280,7 @@ TEST(Renderer, PartsEqualTheWholePicture) {
 }
 
 TEST(Renderer, IsMovable) {
-    close_studio();
+    close_shared_renderer();
     OffscreenContext context;
     const std::string backend = context.info().backend;
     Renderer first(context);
