@@ -154,6 +154,9 @@ struct StageData {
 
     // The numbers that captions may refer to, at an instant.
     static std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant);
+    // A caption with these numbers, in the scene's units and language.
+    static std::string live_text(const Scene& scene, std::string_view text,
+                                 const FrameInput& instant);
 
  private:
     void make_construction();

@@ -115,11 +115,13 @@ SteppingPlan stepping_plan(const MotionProblem& problem) {
     return plan;
 }
 
-// Adds notes about keys without effect, and about styles that make colours indistinguishable.
+// Adds notes about keys without effect, about styles that make colours indistinguishable, and about
+// units in captions.
 void note_idle_keys(Scene& scene) {
     for (const auto& [key, why] : idle_keys(scene))
         scene.notes.push_back(fmt::format("{}{} changes nothing: {}", scene.where(key), key, why));
     for (std::string& note : contrast_notes(scene)) scene.notes.push_back(std::move(note));
+    for (std::string& note : caption_notes(scene)) scene.notes.push_back(std::move(note));
 }
 
 }  // namespace

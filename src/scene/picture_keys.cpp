@@ -76,10 +76,14 @@ std::span<const SceneKey> picture_keys() {
                "factor on all type in the picture, as for a hall")
             .omitted_if_default(),
         one_of("language", &Scene::language, languages(), R"("de")",
-               "of the words that are not the scene's own")
+               "of the words that are not the scene's own, and of decimal marks (a comma in de, "
+               "fr, es "
+               "and it)")
             .omitted_if_default(),
         texts("units", &Scene::units, R"(["rpm", "deg", "g cm²"])",
-              "units in which charts and live numbers are shown, each for what it measures")
+              "units in which charts and live numbers are shown, each for what it measures; a unit "
+              "of "
+              "angle also gives that of rates: deg/s")
             .default_is("SI")
             .read_by(read_units),
         text("symbols.omega", symbol(&SymbolsSpec::omega), R"('\Omega')",

@@ -23,6 +23,7 @@
 #include "drawing/type/overlay.h"
 #include "scene/scene_error.h"
 #include "shapes/identity.h"
+#include "text/languages.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -196,7 +197,8 @@ void make_axis_sweep(Panel& panel) {
         const double kg_m2 = moment * inertia_of(panel).moments_kg_m2().minCoeff();
         LabelRequest number;
         number.type = stage.type_case.set_live(
-            fmt::format("I(\\mathbf{{n}}) = {:.3g}~\\mathrm{{kg\\,m^2}}", kg_m2),
+            with_decimal_mark(fmt::format("I(\\mathbf{{n}}) = {:.3g}~\\mathrm{{kg\\,m^2}}", kg_m2),
+                              decimal_mark_in_formula(stage.scene.language)),
             {.size_px = label_size * panel.type_px}, builder.view);
         number.anchor_px = {panel.box.x_px + 0.76 * panel.box.width_px,
                             panel.box.y_px + 0.5 * panel.box.height_px};

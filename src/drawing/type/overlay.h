@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,6 +29,10 @@ int rows_added_by_type(const Scene& scene, int width_px, double px, const LeastS
 
 // Rows that the overlays of such a picture take in total.
 int rows_of_overlays(const Scene& scene, int width_px, double px, const LeastSizes& least);
+
+// Names the units in the scene's captions that do not belong to the number beside them, with their
+// places. Throws SceneError for an invalid caption.
+std::vector<std::string> caption_notes(const Scene& scene);
 
 // Distance between the overlays and the picture's sides, pixels at 1080 rows.
 constexpr double overlay_margin = 40.0;
