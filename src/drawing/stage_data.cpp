@@ -39,11 +39,10 @@ CurveGeometry circle_of_radius_1(const StageOptions& options, double curve_px) {
 
 }  // namespace
 
-ConstructionPicture::ConstructionPicture(const InertiaTensor& inertia, const RotationState& start,
-                                         std::string_view plane)
-    : construction(inertia, start),
-      polhode(inertia, start.omega_body),
-      cones(rolling_cones(inertia, start.omega_body)) {
+ConstructionPicture::ConstructionPicture(const MotionProblem& problem, std::string_view plane)
+    : construction(problem.inertia, problem.start),
+      polhode(problem.inertia, problem.start.omega_body, problem.on_separatrix),
+      cones(rolling_cones(problem.inertia, problem.start.omega_body)) {
     picture_per_rho = 1.0 / construction.half_axes().maxCoeff();
     half_axes = construction.half_axes() * picture_per_rho;
     plane_distance = construction.plane_distance() * picture_per_rho;
@@ -122,7 +121,7 @@ void StageData::make_construction() {
         problem.start.omega_body.isZero(0.0)) {
         return;
     }
-    rolling.emplace(problem.inertia, problem.start, scene.construction.plane);
+    rolling.emplace(problem, scene.construction.plane);
     if (dissipates) {
         rolling->dissipates = true;
         rolling->cones.reset();  // their angles change

@@ -65,8 +65,7 @@ struct ConstructionPicture {
     bool dissipates = false;
 
     // `plane`: "below" or "above", as [construction] says.
-    ConstructionPicture(const InertiaTensor& inertia, const RotationState& start,
-                        std::string_view plane);
+    ConstructionPicture(const MotionProblem& problem, std::string_view plane);
 
     // Foot of L on the plane; of a dissipating body, at the start or at an instant.
     Eigen::Vector3d foot() const { return plane_distance * normal; }

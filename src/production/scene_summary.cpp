@@ -94,7 +94,8 @@ void add_free_motion(const Session& session, std::vector<SummaryLine>& lines) {
                          fmt::format("{:.9g} rad ({:.6g} turns) a period",
                                      *constants.advance_per_period_rad, turns)});
     }
-    const Polhode::Annulus annulus = Polhode(problem.inertia, problem.start.omega_body).annulus();
+    const Polhode::Annulus annulus =
+        Polhode(problem.inertia, problem.start.omega_body, problem.on_separatrix).annulus();
     lines.push_back({"herpolhode_radii", json_numbers(annulus.inner, annulus.outer),
                      "herpolhode's radii",
                      fmt::format("{:.9g} … {:.9g} 1/√(kg m²)", annulus.inner, annulus.outer)});
