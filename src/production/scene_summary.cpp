@@ -14,6 +14,7 @@
 #include "mechanics/free/free_rotation.h"
 #include "mechanics/motion_errors.h"
 #include "mechanics/top/heavy_top.h"
+#include "production/motion_hints.h"
 #include "production/picture.h"
 #include "text/json_text.h"
 
@@ -288,6 +289,10 @@ SceneSummary summarise(const Session& session, bool plan, const ProgressSink& pr
     std::vector<SummaryLine>& lines = summary.lines;
     const FilmPlan film = film_plan(session);
     add_motion(session, lines);
+    if (can_certify(session)) {
+        add_flips(session, film, lines);
+        add_near_loops(session, lines);
+    }
     add_film(session, film, lines);
     // Making the stage checks that the scene can be drawn; it opens no context.
     const PictureSetting setting = setting_of(session.scene);
