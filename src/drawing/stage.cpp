@@ -20,6 +20,23 @@ Stage::~Stage() = default;
 Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&&) noexcept = default;
 
+namespace {
+
+// A panel's view before anything is drawn.
+ViewBuilder begun(const Panel& panel, const FilmTime& moment) {
+    ViewBuilder builder;
+    View& view = builder.view;
+    view.x_px = panel.box.x_px;
+    view.y_px = panel.box.y_px;
+    view.width_px = panel.box.width_px;
+    view.height_px = panel.box.height_px;
+    view.camera = panel.camera_at ? panel.camera_at(moment.film_s) : panel.camera;
+    view.light = panel.light;
+    return builder;
+}
+
+}  // namespace
+
 const EvaluationCounts& Stage::counts() const { return data_->motion.counts(); }
 
 double Stage::curve_error_px() const { return data_->curve_error_px; }
@@ -40,14 +57,8 @@ Drawing Stage::at(const FilmTime& moment) const {
     // that views must not move once made.
     drawing.views.reserve(data_->panels.size() + 1);
     for (const Panel& panel : data_->panels) {
-        ViewBuilder builder;
+        ViewBuilder builder = begun(panel, moment);
         View& view = builder.view;
-        view.x_px = panel.box.x_px;
-        view.y_px = panel.box.y_px;
-        view.width_px = panel.box.width_px;
-        view.height_px = panel.box.height_px;
-        view.camera = panel.camera_at ? panel.camera_at(moment.film_s) : panel.camera;
-        view.light = panel.light;
         // Several panels share the picture's background.
         view.background = data_->theme->background;
         if (panel.box.height_px < drawing.height_px || panel.box.width_px < drawing.width_px) {
@@ -76,6 +87,18 @@ Drawing Stage::at(const FilmTime& moment) const {
     if (!over.view.labels.empty()) drawing.views.push_back(std::move(over.view));
     if (data_->options.least.type_px > 0.0) leave_out_type(drawing);
     return drawing;
+}
+
+std::vector<PlacedArrow> Stage::arrows_at(const FilmTime& moment) const {
+    const FrameInput instant = data_->instant_at(moment);
+    std::vector<PlacedArrow> arrows;
+    int index = 0;
+    for (const Panel& panel : data_->panels) {
+        ViewBuilder builder = begun(panel, moment);
+        panel.draw(instant, builder);
+        append_arrows(builder.view, index++, arrows);
+    }
+    return arrows;
 }
 
 }  // namespace poinsot

@@ -6,11 +6,13 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "drawing/type/least_sizes.h"
 #include "mechanics/motion.h"
 #include "scene/film_clock.h"
 #include "scene/scene.h"
+#include "shapes/arrow_separation.h"
 #include "shapes/views.h"
 
 namespace poinsot {
@@ -48,6 +50,9 @@ class Stage {
     // The drawing of an instant, at the film time of this instant.
     Drawing at(double time_s) const;
     Drawing at(const FilmTime& moment) const;
+
+    // The arrows of all panels at an instant, without the rest of the drawing.
+    std::vector<PlacedArrow> arrows_at(const FilmTime& moment) const;
 
     // Evaluations of the motion since the construction of the stage, which is included.
     const EvaluationCounts& counts() const;

@@ -11,6 +11,7 @@
 #include "production/progress_sink.h"
 #include "production/record.h"
 #include "production/session.h"
+#include "production/still_moment.h"
 #include "production/still_writer.h"
 #include "production/vectors/vector_still.h"
 
@@ -18,10 +19,11 @@ namespace poinsot {
 
 struct StillRequest {
     std::string output{};            // empty: output/<scene>.png
-    std::optional<double> time_s{};  // of the motion; empty: the scene's own
+    std::optional<double> time_s{};  // of the motion; empty: see `when`
     PrintChoices print{};
     int bit_depth = 8;  // of a component
     VectorChoices vectors{};
+    StillTime when = StillTime::of_scene;
 };
 
 // A prepared picture. Any thread may construct it.

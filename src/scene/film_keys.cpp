@@ -106,7 +106,7 @@ std::span<const SceneKey> film_keys() {
                "length of the film instead, in seconds of film: keyframes and fades count those"),
         number("film.still_s", film(&FilmSpec::still_s), no_bounds, "s", "9.5",
                "instant of the motion that `still` draws if --time does not say")
-            .default_is("the film's last"),
+            .default_is("where the arrows are farthest apart in the picture"),
         text("film.loop", film(&FilmSpec::loop), R"("5/3")",
              "\"p/q\": start so that the herpolhode closes after q polhode periods with p turns "
              "about L, and show that; \"period\": one polhode period, for a co-precessing camera")
