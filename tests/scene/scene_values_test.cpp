@@ -175,7 +175,7 @@ TEST(ConservedStart, AcceptsUnitsAndIsWrittenAsGiven) {
 }
 
 TEST(ConservedStart, OnTheSeparatrixIsExact) {
-    // L² = 2T·I₂ = 8 has no exact root; the nearest double stands for it.
+    // L² = 2T·I₂ = 8 has no exact root; its nearest double stands for it.
     const Scene scene = scene_of(by_energy + "momentum_kg_m2_s = 2.8284271247461903\n");
     EXPECT_TRUE(problem_of(scene).on_separatrix);
     EXPECT_TRUE(problem_of(scene_of(to_toml(scene))).on_separatrix);

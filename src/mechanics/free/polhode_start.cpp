@@ -20,12 +20,19 @@ std::array<int, 3> ranked_axes(const Eigen::Vector3d& I) {
     return order;
 }
 
-// Whether the given L or distance is the double nearest to that of a rotation about this axis.
+// Whether a number is the double nearest to a value, or one beside it: what a calculation in
+// doubles gives for a root.
+bool stands_for(double number, const WideDouble& value) {
+    const double nearest = value.rounded();
+    return std::nextafter(nearest, number) == number;
+}
+
+// Whether the given L or distance is that of a rotation about this axis.
 bool is_that_of_axis(const ConservedQuantities& conserved, double I) {
     if (conserved.plane_distance)
-        return *conserved.plane_distance == (WideDouble(1.0) / sqrt(WideDouble(I))).rounded();
+        return stands_for(*conserved.plane_distance, WideDouble(1.0) / sqrt(WideDouble(I)));
     const WideDouble L2 = WideDouble(2.0) * conserved.energy_J * I;
-    return *conserved.momentum_kg_m2_s == sqrt(L2).rounded();
+    return stands_for(*conserved.momentum_kg_m2_s, sqrt(L2));
 }
 
 // L² − 2T·I of the three axes, in units of 2T.

@@ -28,8 +28,9 @@ struct PolhodeStart {
 // default, or for a direction along that axis, the half-plane is spanned by the axes of the largest
 // and the smallest moment.
 //
-// L counts as √(2T·I) of a principal moment I exactly if it is the double nearest to this, and the
-// plane's distance likewise as 1/√I: most such numbers have no exact decimal.
+// L counts as √(2T·I) of a principal moment I exactly if it is the double nearest to this or one
+// beside it, and the plane's distance likewise as 1/√I: most such numbers have no exact decimal,
+// and a calculation in doubles misses the nearest.
 //
 // Throws InputError that names the quantity and gives its range if no rotation of the body has
 // these.
