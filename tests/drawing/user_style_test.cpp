@@ -169,7 +169,8 @@ TEST(UserStyle, ChartsHaveTheDecimalMarkOfTheLanguage) {
     scene.panels[0].quantity = "omega";
     const auto widths = [&scene](const char* language) {
         scene.language = language;
-        const Drawing drawing = StagedScene(scene, 1.0).stage.at(0.5);
+        const StagedScene staged(scene, 1.0);
+        const Drawing drawing = staged.stage.at(0.5);
         std::vector<double> found;
         for (const View& view : drawing.views)
             for (const Label& label : view.labels) found.push_back(label.mask->width);

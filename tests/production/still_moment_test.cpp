@@ -50,8 +50,8 @@ TEST(StillMoment, IsOneAtWhichNoTwoArrowsCoincide) {
 
 TEST(StillMoment, IsTheLastOfTheFilmWhereArrowsAreApart) {
     const Session session = session_with(
-        "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [1.5, 0.3, 0.75]\n"
-        "show = [\"plane\", \"momentum\"]\n[film]\nduration_s = 3\n");
+        "show = [\"plane\", \"momentum\"]\n[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n"
+        "[start]\nomega_rad_s = [1.5, 0.3, 0.75]\n[film]\nduration_s = 3\n");
     const FilmPlan film = film_plan(session);
     EXPECT_EQ(still_moment(session, {}, StillTime::of_scene).time_s, film.last_time_s());
 }
