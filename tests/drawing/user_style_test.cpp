@@ -147,7 +147,7 @@ TEST(UserStyle, AUnitThatDoesNotBelongToItsNumberIsNotedWithItsPlace) {
     scene.units = {"deg"};
     scene.caption = "$\\omega_3$ = {omega_3} rad/s";
     scene.locations["caption"] = {"a.toml", 7, 3};
-    scene.captions.push_back({.at_s = 0.0, .text = "{T:.1f}~J and {omega_1_rad_s}~rpm"});
+    scene.captions.emplace_back().text = "{T:.1f}~J and {omega_1_rad_s}~rpm";
     scene.locations["captions[0].text"] = {"a.toml", 12, 5};
     const std::vector<std::string> notes = caption_notes(scene);
     ASSERT_EQ(notes.size(), 2u);
