@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "cli/command.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/progress_bar.h"
 #include "cli/scenes.h"
@@ -34,6 +35,7 @@ struct StillChoices {
     int bit_depth = 8;
     VectorChoices vectors;
     std::optional<double> time_s;
+    bool clearest = false;                     // --time auto
     std::optional<std::pair<int, int>> sheet;  // columns, rows
     bool quiet = false;
 };
@@ -66,6 +68,7 @@ int draw_sheet_of(const StillChoices& choices) {
     std::tie(sheet.n_columns, sheet.n_rows) = *choices.sheet;
     sheet.output = choices.output;
     sheet.time_s = choices.time_s;
+    if (choices.clearest) sheet.when = StillTime::clearest;
     for (const std::string& scene : choices.scenes) {
         for (const SweepPoint& point : points_of(choices.sweeps)) {
             SheetCell& cell = sheet.cells.emplace_back();
@@ -98,9 +101,10 @@ std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choi
     // Vector output is for paper, with or without a print option.
     if (is_vector_name(job.output) && !request.print.dpi) request.print.dpi = default_dpi;
     if (choices.time_s) request.times_s = {*choices.time_s};
-    return std::make_unique<StillJob>(open_session(request, progress),
-                                      StillRequest{job.output, choices.time_s, request.print,
-                                                   choices.bit_depth, choices.vectors});
+    return std::make_unique<StillJob>(
+        open_session(request, progress),
+        StillRequest{job.output, choices.time_s, request.print, choices.bit_depth, choices.vectors,
+                     choices.clearest ? StillTime::clearest : StillTime::of_scene});
 }
 
 // Each scene is read and prepared while the previous one is drawn.
@@ -196,9 +200,14 @@ CommandLine still_line(std::any& storage) {
          quality_option(c.scene),
          theme_option(c.scene),
          {"--time",
-          "instant of the motion in seconds; default: film.still_s of the scene, else the film's "
-          "last instant",
-          &c.time_s, "an instant in seconds"},
+          "instant of the motion in seconds, or auto: the instant of the film at which the arrows "
+          "are farthest apart; default: film.still_s of the scene, else auto (on a sheet: the "
+          "film's last)",
+          ReadText{[&c](const std::string& text) {
+              c.clearest = text == "auto";
+              if (!c.clearest)
+                  c.time_s = parse_number("--time", text, "an instant in seconds, or auto");
+          }}},
          quiet_option(c.quiet),
          backend_option(c.context),
          portable_option(c.context),

@@ -13,7 +13,8 @@ namespace poinsot {
 
 using std::numbers::pi;
 
-Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body)
+Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body,
+                 bool on_separatrix)
     : body_from_principal_(inertia.body_from_principal()), moments_(inertia.moments_kg_m2()) {
     // Scaled to order one; only ratios matter from here on.
     const double I_largest = moments_.maxCoeff();
@@ -41,6 +42,7 @@ Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body
                            .double_double()
                            .hi;
     }
+    if (on_separatrix) delta_middle = 0.0;
     a_ = delta_middle >= 0.0 ? high : low;
     b_ = middle;
     c_ = delta_middle >= 0.0 ? low : high;

@@ -21,8 +21,10 @@ class Polhode {
  public:
     enum class Kind { point, circle, closed, separatrix };
 
-    // Through the contact point that belongs to ω (body axes, rad/s, not zero).
-    Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body);
+    // Through the contact point that belongs to ω (body axes, rad/s, not zero). `on_separatrix`:
+    // see MotionProblem.
+    Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body,
+            bool on_separatrix = false);
 
     Kind kind() const { return kind_; }
     // Index of the principal axis that the curve encircles.

@@ -15,7 +15,7 @@ Solution solve(const MotionProblem& problem, const std::stop_token& stop) {
     if (gravity != nullptr && HeavyTop::accepts(problem.inertia, *gravity)) {
         return HeavyTop(problem.inertia, *gravity, problem.start, problem.top_start);
     }
-    return FreeRotation(problem.inertia, problem.start);
+    return FreeRotation(problem.inertia, problem.start, problem.on_separatrix);
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ Regime Motion::regime() const {
 
 FreeRotationConstants Motion::free_constants() const {
     if (const FreeRotation* free = free_rotation()) return free->constants();
-    return FreeRotation(problem_.inertia, problem_.start).constants();
+    return FreeRotation(problem_.inertia, problem_.start, problem_.on_separatrix).constants();
 }
 
 bool Motion::sums_theta_series() const {

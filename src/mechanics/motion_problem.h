@@ -52,6 +52,9 @@ struct MotionProblem {
     RotationState start;  // at time_s = 0
     std::optional<TopStart>
         top_start;  // unrounded form of start, if known; the exact heavy top begins from it
+    // Whether the start is known to lie on the separatrix exactly, L² = 2T·I₂, of a body with three
+    // different moments: ω, which is rounded, seldom says so itself.
+    bool on_separatrix = false;
     Torque torque;
     MethodChoice method;
     double first_time_s = 0.0;  // span that stepped methods must cover; exact ones cover all times

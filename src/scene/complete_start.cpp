@@ -67,6 +67,44 @@ void complete_top(SceneDraft& draft) {
     scene.start.omega_rad_s = state.omega_body;
 }
 
+const std::vector<std::string> conserved_keys{"start.energy_J", "start.momentum_kg_m2_s",
+                                              "start.plane_distance"};
+
+// ω from T, and L or the plane's distance.
+void complete_conserved(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    if (!draft.energy_J) {
+        const std::string& given = draft.momentum_kg_m2_s ? conserved_keys[1] : conserved_keys[2];
+        refuse(scene, given,
+               fmt::format("{} is given but start.energy_J is not; give the kinetic energy, as in "
+                           "energy_J = 2.0",
+                           given));
+    }
+    if (!draft.momentum_kg_m2_s && !draft.plane_distance)
+        refuse(scene, "start.energy_J",
+               "start.energy_J needs start.momentum_kg_m2_s or start.plane_distance beside it: T "
+               "alone does not choose a polhode");
+    const std::array<std::vector<std::string>, 2> ways{{{conserved_keys[1]}, {conserved_keys[2]}}};
+    refuse_mixed(scene, ways, "with energy_J give one of them");
+
+    ConservedStartSpec conserved;
+    conserved.quantities = {*draft.energy_J, draft.momentum_kg_m2_s, draft.plane_distance};
+    if (draft.has("start.omega_rad_s")) {
+        conserved.direction_rad_s = scene.start.omega_rad_s;
+        if (scene.start.omega_rad_s.isZero(0.0))
+            refuse(scene, "start.omega_rad_s",
+                   "start.omega_rad_s is zero; with energy_J it says in which direction ω starts: "
+                   "give a direction, or leave it out");
+    }
+    const std::string& key = draft.momentum_kg_m2_s ? conserved_keys[1] : conserved_keys[2];
+    conserved.start = at_scene_key(scene, key, [&] {
+        return start_on_polhode(scene.body.inertia, conserved.quantities,
+                                conserved.direction_rad_s);
+    });
+    scene.start.omega_rad_s = conserved.start.omega_body;
+    scene.start.conserved = conserved;
+}
+
 }  // namespace
 
 void complete_start(SceneDraft& draft) {
@@ -74,6 +112,9 @@ void complete_start(SceneDraft& draft) {
     const std::array<std::vector<std::string>, 2> ways_of_start{{{"start.omega_rad_s"}, top_keys}};
     refuse_mixed(scene, ways_of_start,
                  "give omega_rad_s, or the Euler angles and rates of a top, not both");
+    const std::array<std::vector<std::string>, 2> conserved_or_top{{conserved_keys, top_keys}};
+    refuse_mixed(scene, conserved_or_top,
+                 "give T and L, or the Euler angles and rates of a top, not both");
     const std::array<std::vector<std::string>, 3> ways_of_attitude{
         {{"start.attitude"}, {"start.attitude_matrix"}, top_keys}};
     refuse_mixed(scene, ways_of_attitude, "give the attitude in one way only");
@@ -81,7 +122,11 @@ void complete_start(SceneDraft& draft) {
     const bool top = std::any_of(top_keys.begin(), top_keys.end(),
                                  [&](const std::string& key) { return draft.has(key); });
     if (top) return complete_top(draft);
-    if (!draft.has("start.omega_rad_s")) {
+    const bool conserved = std::any_of(conserved_keys.begin(), conserved_keys.end(),
+                                       [&](const std::string& key) { return draft.has(key); });
+    if (conserved) {
+        complete_conserved(draft);
+    } else if (!draft.has("start.omega_rad_s")) {
         refuse(scene, "start",
                "start.omega_rad_s is missing; under [start] give the angular velocity at t = 0 in "
                "body axes, as in omega_rad_s = [0.01, 2.0, 0.01]");

@@ -107,7 +107,7 @@ std::span<const SceneKey> film_keys() {
                "keyframes and fades"),
         number("film.still_s", film(&FilmSpec::still_s), no_bounds, "s", "9.5",
                "time of the motion that `still` draws without --time")
-            .default_is("the end of the film"),
+            .default_is("the time at which the arrows are farthest apart in the picture"),
         text("film.loop", film(&FilmSpec::loop), R"("5/3")",
              "\"p/q\": changes the start so that the herpolhode closes after q polhode periods and "
              "p turns about L, and shows one such loop; \"period\": shows one polhode period, for "

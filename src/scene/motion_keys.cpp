@@ -18,7 +18,6 @@ constexpr auto top(double TopStart::*member) { return in(&SceneDraft::top, membe
 auto top_text(double TopStart::*member) {
     return key_rows::from(in(&Scene::start, &StartSpec::top, member));
 }
-bool has_no_top(const Scene& scene) { return !scene.start.top; }
 
 // Writes a value of one kind of torque if the torque is of that kind.
 template <typename Kind, typename Value>
@@ -26,6 +25,21 @@ auto torque_text(Value Kind::*value) {
     return [value](const Scene& scene, std::size_t) {
         const auto* torque = std::get_if<Kind>(&scene.torque);
         return torque != nullptr ? toml_text(torque->*value) : "";
+    };
+}
+
+// ω, or what chooses it: its direction and the conserved quantities.
+std::string omega_text(const Scene& scene, std::size_t) {
+    if (scene.start.top) return "";
+    const ConservedStartSpec* conserved = scene.start.given_by_conserved();
+    if (conserved == nullptr) return toml_text(scene.start.omega_rad_s);
+    return conserved->direction_rad_s ? toml_text(*conserved->direction_rad_s) : "";
+}
+template <typename Value>
+auto conserved_text(Value ConservedQuantities::*value) {
+    return [value](const Scene& scene, std::size_t) -> std::string {
+        const ConservedStartSpec* conserved = scene.start.given_by_conserved();
+        return conserved != nullptr ? key_rows::text_of(conserved->quantities.*value) : "";
     };
 }
 
@@ -57,10 +71,28 @@ std::span<const SceneKey> motion_keys() {
     constexpr Bounds tolerances = within(1e-300, 1.0), orders = within(1, 20);
     static const SceneKey rows[] = {
         // The state at t = 0, from ω or from the Euler angles of a top.
-        numbers("start.omega_rad_s", in(&Scene::start, &StartSpec::omega_rad_s), no_bounds, "rad/s",
-                "[0.01, 2.0, 0.01]", "angular velocity at t = 0, in body axes")
+        numbers(
+            "start.omega_rad_s", in(&Scene::start, &StartSpec::omega_rad_s), no_bounds, "rad/s",
+            "[0.01, 2.0, 0.01]",
+            "angular velocity at t = 0, in body axes; with energy_J, only its direction matters")
             .without_default()
-            .written_if(has_no_top),
+            .written_by(omega_text),
+        number("start.energy_J", &SceneDraft::energy_J, positive, "J", "2.0",
+               "kinetic energy T at t = 0; with momentum_kg_m2_s or plane_distance it sets the "
+               "polhode, and "
+               "omega_rad_s sets only the point of the polhode where the motion starts")
+            .default_is("that of omega_rad_s")
+            .written_by(conserved_text(&ConservedQuantities::energy_J)),
+        number("start.momentum_kg_m2_s", &SceneDraft::momentum_kg_m2_s, positive, "kg m²/s", "2.8",
+               "length of the angular momentum L; needs energy_J")
+            .without_default()
+            .written_by(conserved_text(&ConservedQuantities::momentum_kg_m2_s)),
+        number(
+            "start.plane_distance", &SceneDraft::plane_distance, positive, "", "0.71",
+            "distance √(2T)/L of the invariable plane from the centre, in 1/√(kg m²), instead of "
+            "momentum_kg_m2_s; needs energy_J")
+            .without_default()
+            .written_by(conserved_text(&ConservedQuantities::plane_distance)),
         numbers("start.attitude", &SceneDraft::attitude, no_bounds, "", "[0.5, 0.5, 0.5, 0.5]",
                 "rotation from body axes to space axes at t = 0, as a quaternion")
             .values_named("w, x, y, z")

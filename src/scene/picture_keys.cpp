@@ -78,10 +78,12 @@ std::span<const SceneKey> picture_keys() {
                "factor on the size of all type, such as 1.25 for a large room")
             .omitted_if_default(),
         one_of("language", &Scene::language, languages(), R"("de")",
-               "language of the built-in headings and labels")
+               "language of the built-in headings and labels, and of decimal marks (a comma in de, "
+               "fr, es and it)")
             .omitted_if_default(),
         texts("units", &Scene::units, R"(["rpm", "deg", "g cm²"])",
-              "units of charts and live numbers; each unit applies to its own quantity")
+              "units of charts and live numbers; each unit applies to its own quantity, and a unit "
+              "of angle also to rates (deg/s)")
             .default_is("SI")
             .read_by(read_units),
         text("symbols.omega", symbol(&SymbolsSpec::omega), R"('\Omega')", "symbol for ω"),

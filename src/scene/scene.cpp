@@ -42,6 +42,8 @@ MotionProblem problem_of(const Scene& scene) {
     problem.inertia = scene.body.inertia;
     problem.start = {0.0, scene.start.space_from_body, scene.start.omega_rad_s};
     problem.top_start = scene.start.top;
+    const ConservedStartSpec* conserved = scene.start.given_by_conserved();
+    problem.on_separatrix = conserved != nullptr && conserved->start.on_separatrix;
     problem.torque = scene.torque;
     problem.method = scene.method;
 

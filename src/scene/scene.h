@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "mechanics/free/polhode_start.h"
 #include "mechanics/inertia.h"
 #include "mechanics/motion_problem.h"
 #include "mechanics/solids.h"
@@ -69,11 +70,25 @@ struct ObjectSpec {
     std::vector<FacePictureSpec> pictures;
 };
 
+// ω at t = 0 as given by T, and by L or the plane's distance.
+struct ConservedStartSpec {
+    ConservedQuantities quantities;
+    std::optional<Eigen::Vector3d> direction_rad_s;  // ω as given: where on the polhode
+    PolhodeStart start;                              // what follows
+};
+
 // [start]: ω and attitude at t = 0, or the top's Euler angles and rates.
 struct StartSpec {
     Eigen::Vector3d omega_rad_s = Eigen::Vector3d::Zero();  // body axes
+    std::optional<ConservedStartSpec> conserved;            // if ω follows from it
     Eigen::Quaterniond space_from_body = Eigen::Quaterniond::Identity();
     std::optional<TopStart> top;
+
+    // How ω was given by conserved quantities; null if it was not, or was changed since, as for a
+    // loop.
+    const ConservedStartSpec* given_by_conserved() const {
+        return conserved && conserved->start.omega_body == omega_rad_s ? &*conserved : nullptr;
+    }
 };
 
 // Length of a film whose scene gives no length, in seconds of film.

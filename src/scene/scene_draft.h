@@ -25,6 +25,7 @@ struct SceneDraft {
     std::vector<PointMass> masses;
 
     // [start]
+    std::optional<double> energy_J, momentum_kg_m2_s, plane_distance;
     std::optional<Eigen::Vector4d> attitude;  // w, x, y, z
     std::optional<Eigen::Matrix3d> attitude_matrix;
     TopStart top;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace poinsot {
@@ -21,5 +22,14 @@ inline std::span<const std::string_view> languages() { return language_codes; }
 
 // The word in this language. Precondition: `language` is in languages().
 std::string_view phrase_in(std::string_view language, const Phrase& phrase);
+
+// The decimal mark of numbers in this language: "," or ".".
+std::string_view decimal_mark_of(std::string_view language);
+
+// The same in a $formula$, where a comma outside of braces would have a space after it.
+std::string_view decimal_mark_in_formula(std::string_view language);
+
+// Digits with this decimal mark in place of their point.
+std::string with_decimal_mark(std::string digits, std::string_view mark);
 
 }  // namespace poinsot

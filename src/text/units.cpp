@@ -234,15 +234,42 @@ std::optional<Unit> unit_named(std::string_view text) {
 
 ShownUnit unit_shown(std::span<const std::string> wanted, std::string_view si_unit) {
     const auto plain = unit_named(si_unit);
-    if (plain) {
-        for (const std::string& name : wanted) {
-            const auto unit = unit_named(name);
-            if (unit && unit->dimension == plain->dimension)
-                return {name, with_pi(plain->factor / unit->factor,
-                                      plain->power_of_pi - unit->power_of_pi)};
-        }
+    if (!plain) return {std::string(si_unit), 1.0};
+    const auto shown_in = [&plain](const std::string& name) -> std::optional<ShownUnit> {
+        const auto unit = unit_named(name);
+        if (!unit || unit->dimension != plain->dimension) return std::nullopt;
+        return ShownUnit{
+            name, with_pi(plain->factor / unit->factor, plain->power_of_pi - unit->power_of_pi)};
+    };
+    for (const std::string& name : wanted)
+        if (auto shown = shown_in(name)) return *shown;
+    for (const std::string& name : wanted) {
+        const auto unit = unit_named(name);
+        if (!unit || unit->dimension.powers != angle) continue;
+        if (auto shown = shown_in(name + "/s")) return *shown;
     }
     return {std::string(si_unit), 1.0};
+}
+
+std::string printed_unit(std::string_view name) {
+    std::string printed;
+    std::string_view rest = name;
+    if (take(rest, "1/")) printed = "1/";
+    while (!rest.empty()) {
+        if (take(rest, "**") || take(rest, "^")) continue;
+        if (take(rest, "*")) {
+            printed += "\u00b7";
+        } else if (take(rest, "-")) {
+            printed += "\u207b";
+        } else if (rest.front() >= '0' && rest.front() <= '9') {
+            printed += superscripts.at(static_cast<std::size_t>(rest.front() - '0'));
+            rest.remove_prefix(1);
+        } else {
+            printed += rest.front();
+            rest.remove_prefix(1);
+        }
+    }
+    return printed;
 }
 
 std::optional<Measured> measured(std::string_view text) {

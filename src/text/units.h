@@ -41,12 +41,16 @@ std::optional<Measured> measured(std::string_view text);
 // none or measures something else.
 std::optional<double> measured_in(std::string_view text, const Unit& wanted);
 
-// The unit in which numbers of an SI unit are shown: the wanted unit of the same dimension, or the
+// The unit in which numbers of an SI unit are shown: the wanted unit of the same dimension; for a
+// rate of rotation otherwise the wanted unit of angle a second ("deg" gives "deg/s"); or else the
 // SI unit itself.
 struct ShownUnit {
     std::string name;
     double per_SI = 1.0;  // shown number = number in SI · per_SI
 };
 ShownUnit unit_shown(std::span<const std::string> wanted, std::string_view si_unit);
+
+// A unit's name as it is printed: "g*cm^2/s" is "g·cm²/s".
+std::string printed_unit(std::string_view name);
 
 }  // namespace poinsot

@@ -79,8 +79,8 @@ BROKEN = [
 ]
 # The unit of a key by the end of its name; longer ends first.
 UNITS = {
-    "_kg_m2": "kg m²", "_kg_m3": "kg/m³", "_rad_s": "rad/s", "_N_m": "N m", "_1_s": "1/s", "_deg": "degrees", "_rad": "rad", "_kg": "kg",
-    "_px": "pixels", "_m": "m", "_s": "s",
+    "_kg_m2_s": "kg m²/s", "_kg_m2": "kg m²", "_kg_m3": "kg/m³", "_rad_s": "rad/s", "_N_m": "N m", "_1_s": "1/s", "_deg": "degrees", "_rad": "rad",
+    "_kg": "kg", "_px": "pixels", "_m": "m", "_s": "s",
 }
 
 

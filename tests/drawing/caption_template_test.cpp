@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "error/error.h"
 
@@ -44,6 +46,65 @@ TEST(CaptionTemplate, DoesNotChangeArgumentsOfCommands) {
 TEST(CaptionTemplate, DoubledBracesAreLiteralBraces) {
     EXPECT_EQ(expand_live_text("{{x}}", values), "{x}");
     EXPECT_FALSE(is_live("{{x}}"));
+}
+
+// One turn a second in units = ["deg"], 2.5 J in SI.
+const std::array<LiveValue, 4> with_units{{{"omega_3", 360.0, "deg/s", true},
+                                           {"omega_3_rad_s", 6.283185307179586, "rad/s"},
+                                           {"T", 2.5, "J", true},
+                                           {"L", 1.5, "kg m\u00b2/s", true}}};
+std::string printed(std::string_view text) { return expand_live_text(text, with_units); }
+std::vector<std::string> noted(std::string_view text) { return unit_notes(text, with_units); }
+
+TEST(CaptionTemplate, BringsUnitsWhereTheNameHasNone) {
+    EXPECT_EQ(printed("$\\omega_3$ = {omega_3:.0f}, and"), "$\\omega_3$ = 360~deg/s, and");
+    EXPECT_EQ(printed("{L} and {T}"), "1.5~kg~m\u00b2/s and 2.5~J");
+    EXPECT_EQ(printed("{omega_3_rad_s:.3f}"), "6.283");
+    EXPECT_TRUE(noted("{omega_3}, {L} and {T}.").empty());
+    const std::array<LiveValue, 1> angle{{{"theta", 30.0, "\u00b0", true}}};
+    EXPECT_EQ(expand_live_text("{theta}", angle), "30\u00b0");
+}
+
+TEST(CaptionTemplate, ShowsANumberInTheUnitBesideIt) {
+    // However it is written.
+    for (const char* unit :
+         {"~rad/s", " rad/s", "\\,rad/s", "~$\\mathrm{rad/s}$", " $\\mathrm{rad\\,s^{-1}}$"})
+        EXPECT_EQ(printed(std::string("{omega_3:.4f}") + unit), std::string("6.2832") + unit);
+    EXPECT_EQ(printed("{L} kg m\u00b2/s"), "1.5 kg m\u00b2/s");
+    EXPECT_EQ(printed("{T}~mJ"), "2500~mJ");
+    // The unit of the scene, in another spelling.
+    EXPECT_EQ(printed("{omega_3} \u00b0/s."), "360 \u00b0/s.");
+    EXPECT_TRUE(noted("{omega_3} \u00b0/s.").empty());
+    EXPECT_EQ(
+        noted("{omega_3} rad/s"),
+        std::vector<std::string>{"{omega_3} is shown in rad/s, which stands beside it, although "
+                                 "its unit here is deg/s; leave the unit out, and the number "
+                                 "brings its own"});
+}
+
+TEST(CaptionTemplate, NamesUnitsOfOtherKinds) {
+    EXPECT_EQ(printed("{T}~rad/s"), "2.5~J~rad/s");
+    EXPECT_EQ(noted("{T}~rad/s"), std::vector<std::string>{
+                                      "\"rad/s\" stands beside {T}, which is shown in J; leave the "
+                                      "unit out, since the number brings its own"});
+    EXPECT_EQ(printed("{omega_3_rad_s:.2f}~deg/s"), "6.28~deg/s");
+    EXPECT_EQ(noted("{omega_3_rad_s:.2f}~deg/s"),
+              std::vector<std::string>{"\"deg/s\" stands beside {omega_3_rad_s}, which is a number "
+                                       "in rad/s; write rad/s there"});
+    EXPECT_EQ(noted("{omega_3_rad_s}~J, {T}~s").size(), 2u);
+}
+
+TEST(CaptionTemplate, TakesWordsForNoUnits) {
+    for (const char* text :
+         {"{omega_3} in the body", "{T} at every instant", "{T} J in the body", "{omega_3}: done",
+          "{omega_3} m\u00eame", "{omega_3}", "{omega_3} $\\to$ {T}", "{omega_3_rad_s}~rad/s falls",
+          "{omega_3} deg a day"})
+        EXPECT_TRUE(noted(text).empty()) << text << ": " << noted(text).front();
+}
+
+TEST(CaptionTemplate, HasTheDecimalMarkOfTheLanguage) {
+    EXPECT_EQ(expand_live_text("t. {omega_3_rad_s:.2f}. {T:.1e}", with_units, ","),
+              "t. 6,28. 2,5e+00~J");
 }
 
 TEST(CaptionTemplate, ReportsErrorsWithTheirColumn) {

@@ -13,6 +13,7 @@
 #include "drawing/figures/elements/elements.h"
 #include "drawing/stage/live_values.h"
 #include "drawing/stage/marks.h"
+#include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
 #include "error/error.h"
 #include "scenes_by_hand.h"
@@ -126,10 +127,58 @@ TEST(UserStyle, LiveNumbersUseTheRequestedUnits) {
     scene.units = {"rpm", "mJ"};
     FrameInput instant;
     instant.state.omega_body = {0.0, 0.0, 2.0 * std::numbers::pi};
-    const auto values = live_values(scene, instant);
-    EXPECT_EQ(expand_live_text("{omega_3:.0f} and {omega_3_rad_s:.3f}", values), "60 and 6.283");
-    EXPECT_EQ(expand_live_text("{kinetic_energy:.1f}", values),
-              fmt::format("{:.1f}", 1e3 * 0.5 * 2.9 * std::pow(2.0 * std::numbers::pi, 2.0)));
+    const auto live = [&](std::string_view text) { return live_text(scene, text, instant); };
+    EXPECT_EQ(live("{omega_3:.0f} and {omega_3_rad_s:.3f}"), "60~rpm and 6.283");
+    const double mJ = 1e3 * 0.5 * 2.9 * std::pow(2.0 * std::numbers::pi, 2.0);
+    EXPECT_EQ(live("{kinetic_energy:.1f}"), fmt::format("{:.1f}~mJ", mJ));
+    EXPECT_EQ(live("{T:.1f}"), live("{kinetic_energy:.1f}"));
+    EXPECT_EQ(live("{L:.3f}"), fmt::format("{:.3f}~kg~m\u00b2/s", 2.9 * 2.0 * std::numbers::pi));
+    EXPECT_EQ(live("{L:.3f}"), live("{momentum:.3f}"));
+    instant.time_s = 1.5;
+    EXPECT_EQ(live("{t}"), "1.5~s");
+    scene.units = {"deg", "ms"};
+    EXPECT_EQ(live("{omega:.0f}, {t}"), "360~deg/s, 1500~ms");
+    scene.language = "de";
+    EXPECT_EQ(live("{omega:.1f}, {time_s:.2f}~s"), "360,0~deg/s, 1,50~s");
+}
+
+TEST(UserStyle, AUnitThatDoesNotBelongToItsNumberIsNotedWithItsPlace) {
+    Scene scene = free_scene(moments, omega, "space");
+    scene.units = {"deg"};
+    scene.caption = "$\\omega_3$ = {omega_3} rad/s";
+    scene.locations["caption"] = {"a.toml", 7, 3};
+    scene.captions.emplace_back().text = "{T:.1f}~J and {omega_1_rad_s}~rpm";
+    scene.locations["captions[0].text"] = {"a.toml", 12, 5};
+    const std::vector<std::string> notes = caption_notes(scene);
+    ASSERT_EQ(notes.size(), 2u);
+    EXPECT_EQ(notes[0].find("a.toml:7:3: caption: {omega_3} is shown in rad/s"), 0u) << notes[0];
+    EXPECT_EQ(notes[1].find("a.toml:12:5: captions[0].text: \"rpm\" stands beside {omega_1_rad_s}"),
+              0u)
+        << notes[1];
+    scene.captions.clear();
+    scene.show = {"plane"};  // no caption
+    EXPECT_TRUE(caption_notes(scene).empty());
+    scene.show.clear();
+    scene.caption = "$\\omega_3$ = {omega_3}";
+    EXPECT_TRUE(caption_notes(scene).empty());
+}
+
+// The same picture but for the mark: a comma in a formula has no space after it.
+TEST(UserStyle, ChartsHaveTheDecimalMarkOfTheLanguage) {
+    Scene scene = free_scene(moments, {0.14, 0.05, 0.16}, "plot");
+    scene.panels[0].quantity = "omega";
+    const auto widths = [&scene](const char* language) {
+        scene.language = language;
+        const StagedScene staged(scene, 1.0);
+        const Drawing drawing = staged.stage.at(0.5);
+        std::vector<double> found;
+        for (const View& view : drawing.views)
+            for (const Label& label : view.labels) found.push_back(label.mask->width);
+        return found;
+    };
+    const std::vector<double> en = widths("en"), de = widths("de");
+    ASSERT_EQ(en.size(), de.size());
+    for (std::size_t i = 0; i < en.size(); ++i) EXPECT_NEAR(en[i], de[i], 2.0) << i;
 }
 
 std::size_t n_overlaid(const Scene& scene, double film_s) {

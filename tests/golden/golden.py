@@ -24,7 +24,7 @@ SIZE = "240x135"
 
 
 def draw(program, name, folder):
-    """Draws the scene's picture into the folder, at the last instant of its film, when every curve has its full length."""
+    """Draws the scene's picture into the folder, at film.still_s or, without it, at an instant where no arrows coincide."""
     picture = folder / f"{name}.png"
     subprocess.run([program, "still", str(SCENES / f"{name}.toml"), "--portable", "--size", SIZE, "-q", "-o", str(picture)],
                    check=True)

@@ -141,6 +141,22 @@ TEST(Loop, ReportsChangesOfTheStartWithTheirSize) {
     EXPECT_EQ(session.scene.start.omega_rad_s[2], 0.75);
 }
 
+// I₂ = 2: L² = 2T·I₂ holds exactly, though ω is rounded.
+TEST(Loop, OfAStartOnTheSeparatrixIsRefused) {
+    const std::string start =
+        "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nenergy_J = 1.0\nmomentum_kg_m2_s = "
+        "2.0\n";
+    const auto open = [&](const std::string& text) {
+        return session_of(parse_scene(start + text, "a.toml"));
+    };
+    EXPECT_EQ(open("").motion.regime(), Regime::separatrix);
+    EXPECT_THROW(open("[film]\nloop = \"5/3\"\n"), SceneError);
+    EXPECT_THROW(open("[film]\nloop = \"period\"\n[camera]\nmotion = \"co-precessing\"\n"),
+                 SceneError);
+    // Where a loop is the default only, the film has none.
+    EXPECT_FALSE(open("[camera]\nmotion = \"co-precessing\"\n").loop);
+}
+
 }  // namespace
 
 }  // namespace poinsot

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <random>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -249,6 +250,21 @@ inline void write_body(Dice& dice, Text& text) {
     }
 }
 
+// T, and L or the distance for an L²/2T that is the mean of the moments, which a body always has.
+inline void write_conserved(Dice& dice, Text& text) {
+    const auto moments = text.values().find("body.moments_kg_m2");
+    if (moments == text.values().end()) return;
+    double mean = 0.0;
+    std::istringstream numbers(moments->second.substr(1));
+    for (std::string number; std::getline(numbers, number, ',');) mean += std::stod(number) / 3.0;
+    const double energy_J = dice.between(0.5, 2.0);
+    text.set_number("start.energy_J", energy_J);
+    if (dice.one_in(2))
+        text.set_number("start.momentum_kg_m2_s", std::sqrt(2.0 * energy_J * mean));
+    else
+        text.set_number("start.plane_distance", 1.0 / std::sqrt(mean));
+}
+
 inline void write_motion(Dice& dice, Text& text) {
     if (dice.one_in(3)) {
         text.set_number("start.theta_rad", dice.between(0.0, 3.14));
@@ -260,6 +276,7 @@ inline void write_motion(Dice& dice, Text& text) {
         const double x = dice.between(-3.0, 3.0), y = dice.between(-3.0, 3.0);
         text.set("start.omega_rad_s",
                  any ? any_vector(dice) : vector_text(x, y, dice.between(0.1, 3.0)));
+        if (!any && dice.one_in(3)) write_conserved(dice, text);
         if (dice.one_in(3)) {
             Eigen::Vector4d q;
             for (double& entry : q.reshaped())

@@ -40,6 +40,13 @@ inline std::string with(const std::string& table, const std::string& line) {
     return a_scene + (table.empty() ? "" : "[" + table + "]\n") + line + "\n";
 }
 
+// By T = 2 J, with moments 3, 2, 1.
+inline const std::string conserved = a_body + "[start]\nenergy_J = 2.0\n";
+inline Eigen::Vector3d momentum(const Scene& s) {
+    return s.body.inertia.matrix_body() * s.start.omega_rad_s;
+}
+inline double energy_J(const Scene& s) { return 0.5 * momentum(s).dot(s.start.omega_rad_s); }
+
 inline const Torque& torque(const Scene& s) { return s.torque; }
 
 inline const std::map<std::string, Claim> claims_of_rows{
@@ -206,6 +213,18 @@ inline const std::map<std::string, Claim> claims_of_rows{
     {"start.omega_rad_s",
      {a_scene,
       [](const Scene& s) { return s.start.omega_rad_s == Eigen::Vector3d(0.5, 2.0, 0.25); }}},
+    {"start.energy_J",
+     {conserved + "momentum_kg_m2_s = 2.5\n",
+      [](const Scene& s) { return std::abs(energy_J(s) - 2.0) < 1e-15; }}},
+    {"start.momentum_kg_m2_s",
+     {conserved + "momentum_kg_m2_s = 2.5\n",
+      [](const Scene& s) { return std::abs(momentum(s).norm() - 2.5) < 1e-15; }}},
+    {"start.plane_distance",
+     {conserved + "plane_distance = 0.75\nomega_rad_s = [-1, 2, 3]\n",
+      [](const Scene& s) {
+          return std::abs(std::sqrt(2.0 * energy_J(s)) / momentum(s).norm() - 0.75) < 1e-15 &&
+                 std::abs(s.start.omega_rad_s[0] / s.start.omega_rad_s[1] + 0.5) < 1e-15;
+      }}},
     {"start.attitude",
      {a_scene + "attitude = [0.5, 0.5, 0.5, -0.5]\n",
       [](const Scene& s) {

@@ -69,6 +69,36 @@ TEST(Units, AreShownInTheWantedUnitOfTheSameDimension) {
     EXPECT_EQ(unit_shown(wanted, "J").per_SI, 1.0);
 }
 
+TEST(Units, OfAngleAlsoGiveThoseOfRates) {
+    const std::vector<std::string> degrees{"deg"};
+    EXPECT_EQ(unit_shown(degrees, "rad/s").name, "deg/s");
+    EXPECT_DOUBLE_EQ(pi * unit_shown(degrees, "rad/s").per_SI, 180.0);
+    EXPECT_EQ(unit_shown(degrees, "J").name, "J");
+    // Other rates are no angles, and a unit of rates comes first.
+    EXPECT_EQ(unit_shown(degrees, "1/s").name, "1/s");
+    const std::vector<std::string> both{"turn", "rpm"};
+    EXPECT_EQ(unit_shown(both, "rad/s").name, "rpm");
+    EXPECT_EQ(unit_shown(both, "rad").name, "turn");
+}
+
+TEST(Units, ArePrintedWithSuperscripts) {
+    EXPECT_EQ(printed_unit("g*cm^2/s"), "g\u00b7cm\u00b2/s");
+    EXPECT_EQ(printed_unit("kg m2 s^-1"), "kg m\u00b2 s\u207b\u00b9");
+    EXPECT_EQ(printed_unit("1/s"), "1/s");
+    EXPECT_EQ(printed_unit("m**3"), "m\u00b3");
+    EXPECT_EQ(printed_unit("kg m\u00b2/s"), "kg m\u00b2/s");
+}
+
+TEST(Languages, ChooseTheDecimalMark) {
+    for (const std::string_view language : languages()) {
+        const bool comma = language != "en" && language != "ja";
+        EXPECT_EQ(decimal_mark_of(language), comma ? "," : ".") << language;
+        EXPECT_EQ(decimal_mark_in_formula(language), comma ? "{,}" : ".") << language;
+    }
+    EXPECT_EQ(with_decimal_mark("-12.50", ","), "-12,50");
+    EXPECT_EQ(with_decimal_mark("12", ","), "12");
+}
+
 TEST(Languages, SelectTheWord) {
     EXPECT_EQ(languages().size(), 6u);
     constexpr Phrase top{"top", "Kreisel", "toupie", "peonza", "trottola", "こま"};

@@ -6,11 +6,10 @@
 
 namespace poinsot {
 
-ConstructionPicture::ConstructionPicture(const InertiaTensor& inertia, const RotationState& start,
-                                         std::string_view plane)
-    : construction(inertia, start),
-      polhode(inertia, start.omega_body),
-      cones(rolling_cones(inertia, start.omega_body)) {
+ConstructionPicture::ConstructionPicture(const MotionProblem& problem, std::string_view plane)
+    : construction(problem.inertia, problem.start),
+      polhode(problem.inertia, problem.start.omega_body, problem.on_separatrix),
+      cones(rolling_cones(problem.inertia, problem.start.omega_body)) {
     picture_per_rho = 1.0 / construction.half_axes().maxCoeff();
     half_axes = construction.half_axes() * picture_per_rho;
     plane_distance = construction.plane_distance() * picture_per_rho;

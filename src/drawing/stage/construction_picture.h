@@ -9,6 +9,7 @@
 #include "construction/poinsot_construction.h"
 #include "construction/polhode.h"
 #include "drawing/stage/drawer.h"
+#include "mechanics/motion_problem.h"
 
 namespace poinsot {
 
@@ -32,8 +33,7 @@ struct ConstructionPicture {
     bool dissipates = false;
 
     // `plane`: "below" or "above", as [construction] says.
-    ConstructionPicture(const InertiaTensor& inertia, const RotationState& start,
-                        std::string_view plane);
+    ConstructionPicture(const MotionProblem& problem, std::string_view plane);
 
     // Foot of L on the plane; of a dissipating body, at the start or at an instant.
     Eigen::Vector3d foot() const { return plane_distance * normal; }

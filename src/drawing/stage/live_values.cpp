@@ -1,7 +1,6 @@
 #include "drawing/stage/live_values.h"
 
-#include <string_view>
-
+#include "text/languages.h"
 #include "text/units.h"
 
 namespace poinsot {
@@ -9,24 +8,33 @@ namespace poinsot {
 std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant) {
     const Eigen::Vector3d& omega = instant.state.omega_body;
     const Eigen::Vector3d momentum = scene.body.inertia.matrix_body() * omega;
-    // In the unit in which the scene shows such a quantity.
-    const auto shown = [&scene](double value, std::string_view unit) {
-        return value * unit_shown(scene.units, unit).per_SI;
+    const double energy_J = 0.5 * omega.dot(momentum);
+    std::vector<LiveValue> values{{"time_s", instant.time_s, "s"},
+                                  {"time_h", instant.time_s / 3600.0, "h"},
+                                  {"time_d", instant.time_s / 86400.0, "d"},
+                                  {"omega_1_rad_s", omega[0], "rad/s"},
+                                  {"omega_2_rad_s", omega[1], "rad/s"},
+                                  {"omega_3_rad_s", omega[2], "rad/s"},
+                                  {"kinetic_energy_J", energy_J, "J"},
+                                  {"momentum_kg_m2_s", momentum.stableNorm(), "kg m²/s"}};
+    // In the unit in which the scene shows such a quantity, which the number brings along.
+    const auto add = [&](std::string_view name, double value, std::string_view unit) {
+        const ShownUnit shown = unit_shown(scene.units, unit);
+        values.push_back({name, value * shown.per_SI, shown.name, true});
     };
-    return {{"time_s", instant.time_s},
-            {"time_h", instant.time_s / 3600.0},
-            {"time_d", instant.time_s / 86400.0},
-            {"omega_1_rad_s", omega[0]},
-            {"omega_2_rad_s", omega[1]},
-            {"omega_3_rad_s", omega[2]},
-            {"kinetic_energy_J", 0.5 * omega.dot(momentum)},
-            {"momentum_kg_m2_s", momentum.stableNorm()},
-            {"omega_1", shown(omega[0], "rad/s")},
-            {"omega_2", shown(omega[1], "rad/s")},
-            {"omega_3", shown(omega[2], "rad/s")},
-            {"omega", shown(omega.stableNorm(), "rad/s")},
-            {"kinetic_energy", shown(0.5 * omega.dot(momentum), "J")},
-            {"momentum", shown(momentum.stableNorm(), "kg m²/s")}};
+    add("t", instant.time_s, "s");
+    add("omega_1", omega[0], "rad/s");
+    add("omega_2", omega[1], "rad/s");
+    add("omega_3", omega[2], "rad/s");
+    add("omega", omega.stableNorm(), "rad/s");
+    for (const std::string_view name : {"T", "kinetic_energy"}) add(name, energy_J, "J");
+    for (const std::string_view name : {"L", "momentum"})
+        add(name, momentum.stableNorm(), "kg m²/s");
+    return values;
+}
+
+std::string live_text(const Scene& scene, std::string_view text, const FrameInput& instant) {
+    return expand_live_text(text, live_values(scene, instant), decimal_mark_of(scene.language));
 }
 
 }  // namespace poinsot

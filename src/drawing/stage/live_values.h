@@ -1,6 +1,8 @@
 // The numbers that captions may refer to.
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "drawing/stage/drawer.h"
@@ -11,5 +13,8 @@ namespace poinsot {
 
 // Their values at an instant.
 std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant);
+
+// A caption with these numbers, in the scene's units and language.
+std::string live_text(const Scene& scene, std::string_view text, const FrameInput& instant);
 
 }  // namespace poinsot

@@ -14,6 +14,7 @@
 #include "drawing/stage/type/time_unit.h"
 #include "scene/film_clock.h"
 #include "scene/scene_error.h"
+#include "text/languages.h"
 
 namespace poinsot {
 
@@ -77,35 +78,37 @@ Drawer make_caption(const StageContext& stage, StageStore& store) {
     };
     // Always set here, so that an invalid caption is rejected before the first frame.
     const TextBlock type = at_scene_key(stage.scene, "caption", [&] {
-        return store.set(expand_live_text(stage.scene.caption, live_values(stage.scene, {})),
-                         style);
+        return store.set(live_text(stage.scene, stage.scene.caption, {}), style);
     });
     if (!is_live(stage.scene.caption)) {
         return [place, type](const FrameInput&, ViewBuilder& builder) { place(type, builder); };
     }
     return [&stage, style, place, &text = std::as_const(store).text()](const FrameInput& instant,
                                                                        ViewBuilder& builder) {
-        const auto values = live_values(stage.scene, instant);
-        place(text.set_live(expand_live_text(stage.scene.caption, values), style, builder.view),
+        place(text.set_live(live_text(stage.scene, stage.scene.caption, instant), style,
+                            builder.view),
               builder);
     };
 }
 
 Drawer make_clock(const StageContext& stage, StageStore& store) {
-    const ClockText clock(stage.film_first_s, stage.film_last_s);
+    const auto clock = [text = ClockText(stage.film_first_s, stage.film_last_s),
+                        mark = decimal_mark_of(stage.scene.language)](double time_s) {
+        return with_decimal_mark(text.at(time_s), mark);
+    };
     const TypeStyle style = text_style(stage, caption_size);
     // Its left end is fixed, with space for the widest text, so that it does not move as digits
     // change: all digits have the same width.
     double widest_px = 160.0 * stage.px;
     for (const double time_s : {stage.film_first_s, stage.film_last_s}) {
-        const TextBlock type = store.set(clock.at(time_s), style);
+        const TextBlock type = store.set(clock(time_s), style);
         widest_px = std::max(widest_px, static_cast<double>(type.left_px + type.mask->width));
     }
     const double pen = stage.options.width_px - margin(stage) - widest_px;
     const double baseline = margin(stage) + std::max(style.size_px, stage.options.least.type_px);
     return [&stage, clock, style, pen, baseline, &text = std::as_const(store).text()](
                const FrameInput& instant, ViewBuilder& builder) {
-        const TextBlock type = text.set_live(clock.at(instant.time_s), style, builder.view);
+        const TextBlock type = text.set_live(clock(instant.time_s), style, builder.view);
         add_text(stage, type, pen, baseline, rank_of_clock, builder);
     };
 }
@@ -138,8 +141,7 @@ double bottom_of_captions(const StageContext& stage, const TypeStyle& style) {
     const bool captioned = !scene.caption.empty() && wants(scene, "caption");
     if (!captioned) return bottom;
     TextCache type_case(stage.options.fonts, stage.options.samples, stage.options.least);
-    const TextBlock type =
-        type_case.set(expand_live_text(scene.caption, live_values(scene, {})), style);
+    const TextBlock type = type_case.set(live_text(scene, scene.caption, {}), style);
     return bottom - type.height_px() - 14.0 * stage.px;
 }
 
@@ -154,7 +156,7 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store) {
         caption.begin_s = begin_s;
         caption.end_s = end_s;
         const TextBlock type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
-            return store.set(expand_live_text(caption.spec->text, live_values(scene, {})), style);
+            return store.set(live_text(scene, caption.spec->text, {}), style);
         });
         if (!is_live(caption.spec->text)) caption.still = type;
         captions.push_back(caption);
@@ -169,8 +171,7 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store) {
             if (!(presence > 0.0)) continue;
             const TextBlock type =
                 caption.still ? *caption.still
-                              : text.set_live(expand_live_text(caption.spec->text,
-                                                               live_values(stage.scene, instant)),
+                              : text.set_live(live_text(stage.scene, caption.spec->text, instant),
                                               style, builder.view);
             const double baseline = caption.spec->place == "top"
                                         ? head + type.baseline_px
@@ -275,7 +276,7 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samp
     if (wants_caption(scene)) {
         // Changing numbers affect the text's width, but hardly its number of lines.
         const TextBlock type = at_scene_key(scene, "caption", [&] {
-            return type_case.set(expand_live_text(scene.caption, live_values(scene, {})),
+            return type_case.set(live_text(scene, scene.caption, {}),
                                  text_style(scene, width_px, px, caption_size, samples));
         });
         bands.bottom_px = rows(margin(px) + type.height_px() + 18.0 * px);
@@ -286,7 +287,7 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samp
     for (std::size_t i = 0; i < scene.captions.size(); ++i) {
         const TimedCaptionSpec& caption = scene.captions[i];
         const TextBlock type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
-            return type_case.set(expand_live_text(caption.text, live_values(scene, {})),
+            return type_case.set(live_text(scene, caption.text, {}),
                                  text_style(scene, width_px, px, caption_size, samples));
         });
         double& room_px = caption.place == "top" ? top_px : bottom_px;
@@ -315,6 +316,20 @@ int rows_added_by_type(const Scene& scene, const FontSource& fonts, int width_px
     const double screen_px = width_px / 1920.0;
     return std::max(0, rows_of_overlays(scene, fonts, width_px, px, least) -
                            rows_of_overlays(scene, fonts, width_px, screen_px, {}));
+}
+
+std::vector<std::string> caption_notes(const Scene& scene) {
+    std::vector<std::string> notes;
+    const auto add = [&](const std::string& key, std::string_view text) {
+        const auto of_text =
+            at_scene_key(scene, key, [&] { return unit_notes(text, live_values(scene, {})); });
+        for (const std::string& note : of_text)
+            notes.push_back(fmt::format("{}{}: {}", scene.where(key), key, note));
+    };
+    if (wants_caption(scene)) add("caption", scene.caption);
+    for (std::size_t i = 0; i < scene.captions.size(); ++i)
+        add(fmt::format("captions[{}].text", i), scene.captions[i].text);
+    return notes;
 }
 
 std::span<const OverlayName> overlays() {

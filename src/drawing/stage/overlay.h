@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +27,10 @@ int rows_added_by_type(const Scene& scene, const FontSource& fonts, int width_px
 // Rows that the overlays of such a picture take in total.
 int rows_of_overlays(const Scene& scene, const FontSource& fonts, int width_px, double px,
                      const LeastSizes& least);
+
+// Names the units in the scene's captions that do not belong to the number beside them, with their
+// places. Throws SceneError for an invalid caption.
+std::vector<std::string> caption_notes(const Scene& scene);
 
 // Distance between the overlays and the picture's sides, pixels at 1080 rows.
 constexpr double overlay_margin = 40.0;

@@ -67,6 +67,19 @@ Drawing Stage::at(double time_s) const {
 
 namespace {
 
+// A panel's view before anything is drawn.
+ViewBuilder begun(const Panel& panel, const FilmTime& moment) {
+    ViewBuilder builder;
+    View& view = builder.view;
+    view.x_px = panel.box.x_px;
+    view.y_px = panel.box.y_px;
+    view.width_px = panel.box.width_px;
+    view.height_px = panel.box.height_px;
+    view.camera = panel.camera_at ? panel.camera_at(moment.film_s) : panel.camera;
+    view.light = panel.light;
+    return builder;
+}
+
 LineRules line_rules(const StageContext& stage, const StageStore& store) {
     const auto said = [](std::string_view by_scene, std::string_view by_theme) {
         return by_scene.empty() ? by_theme : by_scene;
@@ -94,14 +107,8 @@ Drawing Stage::at(const FilmTime& moment) const {
     // that views must not move once made.
     drawing.views.reserve(contents_->panels.size() + 1);
     for (const Panel& panel : contents_->panels) {
-        ViewBuilder builder;
+        ViewBuilder builder = begun(panel, moment);
         View& view = builder.view;
-        view.x_px = panel.box.x_px;
-        view.y_px = panel.box.y_px;
-        view.width_px = panel.box.width_px;
-        view.height_px = panel.box.height_px;
-        view.camera = panel.camera_at ? panel.camera_at(moment.film_s) : panel.camera;
-        view.light = panel.light;
         // Several panels share the picture's background.
         view.background = ground;
         if (panel.box.height_px < drawing.height_px || panel.box.width_px < drawing.width_px) {
@@ -130,6 +137,19 @@ Drawing Stage::at(const FilmTime& moment) const {
     if (!over.view.labels.empty()) drawing.views.push_back(std::move(over.view));
     if (context.options.least.type_px > 0.0) leave_out_type(drawing);
     return drawing;
+}
+
+std::vector<PlacedArrow> Stage::arrows_at(const FilmTime& moment) const {
+    const FrameInput instant =
+        contents_->context.instant_at(moment, contents_->needs, contents_->shows_comparison);
+    std::vector<PlacedArrow> arrows;
+    int index = 0;
+    for (const Panel& panel : contents_->panels) {
+        ViewBuilder builder = begun(panel, moment);
+        panel.draw(instant, builder);
+        append_arrows(builder.view, index++, arrows);
+    }
+    return arrows;
 }
 
 }  // namespace poinsot

@@ -5,11 +5,13 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "drawing/stage/stage_options.h"
 #include "mechanics/motion.h"
 #include "scene/film_clock.h"
 #include "scene/scene.h"
+#include "shapes/arrow_separation.h"
 #include "shapes/views.h"
 #include "typeset/font_source.h"
 
@@ -37,6 +39,9 @@ class Stage {
     // The drawing of an instant, at the film time of this instant.
     Drawing at(double time_s) const;
     Drawing at(const FilmTime& moment) const;
+
+    // The arrows of all panels at an instant, without the rest of the drawing.
+    std::vector<PlacedArrow> arrows_at(const FilmTime& moment) const;
 
     // What all panels together read of an instant.
     const Quantities& needs() const;

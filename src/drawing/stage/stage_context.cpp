@@ -30,7 +30,7 @@ void StageContext::make_construction() {
         problem.start.omega_body.isZero(0.0)) {
         return;
     }
-    rolling.emplace(problem.inertia, problem.start, scene.construction.plane);
+    rolling.emplace(problem, scene.construction.plane);
     if (dissipates) {
         rolling->dissipates = true;
         rolling->cones.reset();  // their angles change

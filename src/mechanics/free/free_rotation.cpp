@@ -50,11 +50,13 @@ WideDouble length(const WideDouble& x, const WideDouble& y) { return sqrt(square
 
 }  // namespace
 
-FreeRotation::FreeRotation(const InertiaTensor& inertia, const RotationState& start)
+FreeRotation::FreeRotation(const InertiaTensor& inertia, const RotationState& start,
+                           bool on_separatrix)
     : start_(start) {
     check_start(start.omega_body, start.space_from_body, start.time_s);
     const Vector3d omega = principal(inertia, start.omega_body);
-    const JacobiSolution solution = solve_free_rotation(inertia.moments_kg_m2(), omega);
+    const JacobiSolution solution =
+        solve_free_rotation(inertia.moments_kg_m2(), omega, on_separatrix);
     regime_ = solution.regime;
     set_constants(solution, inertia, start);
     DoubleDouble kappa = 1.0;
@@ -98,6 +100,14 @@ void FreeRotation::set_constants(const JacobiSolution& j, const InertiaTensor& i
     const double at_b = length(h[0] * j.complementary_modulus, h[1]).rounded();
     k.least_herpolhode_radius_rad_s = std::min(at_b, at_c);
     k.greatest_herpolhode_radius_rad_s = std::max(at_b, at_c);
+
+    // sn u vanishes at u = 0, which lies at most a quarter of a period from the start.
+    if (regime_ != Regime::symmetric) {
+        const WideDouble half =
+            regime_ == Regime::separatrix ? WideDouble(1.0) : ldexp(j.quarter_period, 1);
+        const double before_s = (j.start_phase * half / j.rate).rounded();
+        k.middle_axis_crossing_s = start.time_s - before_s;
+    }
 
     // In a polhode period ω turns once about a, backwards for s = +1, in the axes that follow a.
     WideDouble advance = j.mean_turn_rate;

@@ -30,6 +30,9 @@ struct FreeRotationConstants {
     std::optional<double> polhode_period_s;        // time in which ω returns in body axes
     double mean_advance_rate_rad_s = 0.0;          // mean rate of ω about L, space axes
     std::optional<double> advance_per_period_rad;  // herpolhode's angle in one polhode period
+    // The instant nearest to the start's at which ω along the middle axis changes its sign; it does
+    // so every half period, and once on the separatrix.
+    std::optional<double> middle_axis_crossing_s;
     // Least and greatest |ω perpendicular to L|, rad/s: the annulus that the herpolhode fills.
     double least_herpolhode_radius_rad_s = 0.0;
     double greatest_herpolhode_radius_rad_s = 0.0;
@@ -38,9 +41,11 @@ struct FreeRotationConstants {
 // Immutable; every instant costs the same.
 class FreeRotation {
  public:
-    // Constructs the motion through a state at start.time_s. Throws InputError if ω, the attitude
-    // or the time is not finite, if the attitude is zero, or if L overflows.
-    FreeRotation(const InertiaTensor& inertia, const RotationState& start);
+    // Constructs the motion through a state at start.time_s. `on_separatrix`: see MotionProblem.
+    // Throws InputError if ω, the attitude or the time is not finite, if the attitude is zero, or
+    // if L overflows.
+    FreeRotation(const InertiaTensor& inertia, const RotationState& start,
+                 bool on_separatrix = false);
 
     // Throws InputError if ω t overflows.
     RotationState at(double time_s) const;

@@ -98,9 +98,9 @@ WideDouble start_phase(const JacobiSolution& j) {
 }
 
 // Chooses a, b, c and their signs.
-void choose_axes(JacobiSolution& j, const Vector3d& I, const Vector3d& w) {
+void choose_axes(JacobiSolution& j, const Vector3d& I, const Vector3d& w, bool on_separatrix) {
     const auto [lowest, middle, highest] = ranked(I);
-    const bool about_highest = momentum_difference(I, w, middle).sign() >= 0;
+    const bool about_highest = on_separatrix || momentum_difference(I, w, middle).sign() >= 0;
     const int a = about_highest ? highest : lowest;
     const int c = about_highest ? lowest : highest;
     j.axis = {a, middle, c};
@@ -152,9 +152,28 @@ WideDouble mean_turn_rate(const JacobiSolution& j, const WideDouble& ba, const W
     return along_c + across + (j.s > 0 ? spin : -spin);
 }
 
+// L and its differences on the separatrix, from 2T.
+void put_momentum_on_separatrix(JacobiSolution& j) {
+    j.momentum = sqrt(j.twice_energy * j.moments[1]);
+    for (std::size_t i = 0; i < 3; ++i)
+        j.delta[i] = i == 1 ? WideDouble() : j.twice_energy * (j.moments[1] - j.moments[i]);
+}
+
+// The start on the separatrix, where cn = dn, from the smaller of sn and cn.
+void put_start_on_separatrix(JacobiSolution& j) {
+    const double side = j.sn.sign() < 0 ? -1.0 : 1.0;
+    if (abs(j.sn) < j.cn)
+        j.cn = sqrt(WideDouble(1.0) - square(j.sn));
+    else
+        j.sn = sqrt(WideDouble(1.0) - square(j.cn)) * side;
+    j.dn = j.cn;
+    j.start = {j.amplitude[0] * j.dn, j.amplitude[1] * j.sn, j.amplitude[2] * j.cn * j.s};
+}
+
 }  // namespace
 
-JacobiSolution solve_free_rotation(const Vector3d& moments_kg_m2, const Vector3d& omega_principal) {
+JacobiSolution solve_free_rotation(const Vector3d& moments_kg_m2, const Vector3d& omega_principal,
+                                   bool on_separatrix) {
     const Vector3d& I = moments_kg_m2;
     const Vector3d& w = omega_principal;
     JacobiSolution j;
@@ -166,7 +185,7 @@ JacobiSolution solve_free_rotation(const Vector3d& moments_kg_m2, const Vector3d
     }
     j.momentum = sqrt(L2);
     if (L2.is_zero()) return j;
-    choose_axes(j, I, w);
+    choose_axes(j, I, w, on_separatrix);
     if (is_steady(I, w)) {
         j.regime = Regime::permanent;
         return j;
@@ -179,10 +198,12 @@ JacobiSolution solve_free_rotation(const Vector3d& moments_kg_m2, const Vector3d
         j.start[i] = WideDouble(I[axis]) * (j.sign[i] * w[axis]);
         j.delta[i] = momentum_difference(I, w, axis);
     }
+    if (on_separatrix) put_momentum_on_separatrix(j);
     const WideDouble ba = exact_difference(I[b], I[a]);
     const WideDouble bc = exact_difference(I[b], I[c]);
     const WideDouble ca = exact_difference(I[c], I[a]);
     set_periods(j, ba, bc, ca);
+    if (on_separatrix) put_start_on_separatrix(j);
     j.start_phase = start_phase(j);
     j.mean_turn_rate = mean_turn_rate(j, ba, bc, ca);
     j.regime = j.complementary_modulus.is_zero() ? Regime::separatrix

@@ -53,7 +53,10 @@ WideDouble momentum_difference(const Eigen::Vector3d& moments_kg_m2,
 // Source: Jacobi 1849; van Zon & Schofield 2007; Celledoni, Fassò, Säfström & Zanna, SIAM J. Sci.
 // Comput. 30 (2008) 2084. Departures: k′² is computed from L² − 2T·Ib, not as 1 − k², and that
 // difference is exact (Shewchuk's expansions); the sum for Ω does not cancel for needles.
+// `on_separatrix`: L² = 2T·Ib is known to hold exactly, and ω is the rounding of a point of the
+// separatrix, to which the start is moved.
 JacobiSolution solve_free_rotation(const Eigen::Vector3d& moments_kg_m2,
-                                   const Eigen::Vector3d& omega_principal);
+                                   const Eigen::Vector3d& omega_principal,
+                                   bool on_separatrix = false);
 
 }  // namespace poinsot

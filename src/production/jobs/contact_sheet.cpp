@@ -128,7 +128,8 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Progr
     for (std::size_t k = 0; k < request.cells.size(); ++k) {
         stop_if_interrupted();
         const SheetCell& cell = request.cells[k];
-        const Record of_cell = StillJob(open_session(cell.scene, progress), {"", request.time_s})
+        const Record of_cell = StillJob(open_session(cell.scene, progress),
+                                        {.time_s = request.time_s, .when = request.when})
                                    .draw_into(renderer, picture);
         if (!sheet) {
             sheet.emplace(request, picture);

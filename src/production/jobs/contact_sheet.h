@@ -9,6 +9,7 @@
 #include "production/jobs/picture.h"
 #include "production/session/progress_sink.h"
 #include "production/session/session.h"
+#include "production/session/still_moment.h"
 
 namespace poinsot {
 
@@ -21,7 +22,8 @@ struct SheetRequest {
     std::vector<SheetCell> cells;  // row by row
     int n_columns = 1, n_rows = 1;
     std::string output;              // a PNG
-    std::optional<double> time_s{};  // of the motion; empty: each scene's own
+    std::optional<double> time_s{};  // of the motion; empty: see `when`
+    StillTime when = StillTime::common;
 };
 
 // Draws the sheet; places after the last cell stay empty. Throws InputError for more cells than

@@ -27,26 +27,6 @@ namespace {
 
 constexpr int most_side_px = 16384;  // limit of a framebuffer
 
-FilmTime moment_asked(const Session& session, const StillRequest& request) {
-    const FilmPlan film = film_plan(session);
-    const auto asked_s = request.time_s ? request.time_s : session.scene.film.still_s;
-    const FilmTime moment =
-        asked_s ? moment_of_time(film.clock, *asked_s) : film.moment_of(film.n_frames - 1);
-    // An instant for which the motion fails is reported with its option.
-    if (request.time_s) {
-        try {
-            session.motion.at(moment.time_s);
-        } catch (const InputError& error) {
-            throw InputError(fmt::format("--time {}: {}", *request.time_s, error.what()));
-        }
-    } else {
-        at_key_of_error(session.scene, "motion",
-                        session.scene.film.still_s ? "film.still_s" : "film",
-                        [&] { return session.motion.at(moment.time_s); });
-    }
-    return moment;
-}
-
 // Checks a request and returns it.
 StillRequest accepted(StillRequest request) {
     const std::filesystem::path output(request.output);
@@ -124,7 +104,7 @@ void note_gaps(const LatexGaps& gaps, const std::filesystem::path& file,
 StillJob::StillJob(Session&& session, StillRequest request)
     : session_(std::move(session)),
       request_(accepted(std::move(request))),
-      moment_(moment_asked(session_, request_)),
+      moment_(still_moment(session_, request_.time_s, request_.when)),
       staging_(session_, span_of(session_, moment_.time_s), setting_for(session_.scene, request_)) {
 }
 

@@ -12,16 +12,18 @@
 #include "production/session/print_size.h"
 #include "production/session/progress_sink.h"
 #include "production/session/session.h"
+#include "production/session/still_moment.h"
 #include "production/vectors/vector_still.h"
 
 namespace poinsot {
 
 struct StillRequest {
     std::string output{};            // empty: output/<scene>.png
-    std::optional<double> time_s{};  // of the motion; empty: the scene's own
+    std::optional<double> time_s{};  // of the motion; empty: see `when`
     PrintChoices print{};
     int bit_depth = 8;  // of a component
     VectorChoices vectors{};
+    StillTime when = StillTime::of_scene;
 };
 
 // A prepared picture. Any thread may construct it.

@@ -26,7 +26,9 @@ std::string counted(int n, std::string_view what) {
 std::optional<Loop> one_period(Scene& scene) {
     RotationState start;
     start.omega_body = scene.start.omega_rad_s;
-    const auto period_s = FreeRotation(scene.body.inertia, start).constants().polhode_period_s;
+    const bool on_separatrix = problem_of(scene).on_separatrix;
+    const auto period_s =
+        FreeRotation(scene.body.inertia, start, on_separatrix).constants().polhode_period_s;
     if (period_s) return Loop{*period_s, "one polhode period, seen from the turning camera", ""};
     if (scene.locations.contains("film.loop")) {
         throw SceneError(scene.location_of("film.loop"),
@@ -39,6 +41,10 @@ std::optional<Loop> one_period(Scene& scene) {
 }
 
 Loop closed(Scene& scene, const LoopRatio& ratio, std::vector<std::string>& notes) {
+    if (problem_of(scene).on_separatrix)
+        throw SceneError(scene.location_of("film.loop"),
+                         "film.loop needs a polhode period, but this motion lies exactly on the "
+                         "separatrix; change the start's energy, momentum or plane distance");
     std::optional<int> component;
     for (int i = 0; i < 3; ++i) {
         if (loop_values()[static_cast<std::size_t>(i)] == scene.film.loop_changes) component = i;

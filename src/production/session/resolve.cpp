@@ -89,12 +89,14 @@ double estimated_s(const MotionProblem& problem) {
     return 0.0;
 }
 
-// Notes about keys without effect, and about styles that make colours indistinguishable.
+// Notes about keys without effect, about styles that make colours indistinguishable, and about
+// units in captions.
 std::vector<std::string> notes_about(const Scene& scene, const Theme& theme) {
     std::vector<std::string> notes;
     for (const auto& [key, why] : idle_keys(scene))
         notes.push_back(fmt::format("{}{} changes nothing: {}", scene.where(key), key, why));
     for (std::string& note : contrast_notes(scene, theme)) notes.push_back(std::move(note));
+    for (std::string& note : caption_notes(scene)) notes.push_back(std::move(note));
     return notes;
 }
 

@@ -14,6 +14,7 @@
 #include "mechanics/free/free_rotation.h"
 #include "mechanics/motion_errors.h"
 #include "mechanics/top/heavy_top.h"
+#include "production/session/motion_hints.h"
 #include "production/session/picture_setting.h"
 #include "text/json_text.h"
 
@@ -94,7 +95,8 @@ void add_free_motion(const Session& session, std::vector<SummaryLine>& lines) {
                          fmt::format("{:.9g} rad ({:.6g} turns) a period",
                                      *constants.advance_per_period_rad, turns)});
     }
-    const Polhode::Annulus annulus = Polhode(problem.inertia, problem.start.omega_body).annulus();
+    const Polhode::Annulus annulus =
+        Polhode(problem.inertia, problem.start.omega_body, problem.on_separatrix).annulus();
     lines.push_back({"herpolhode_radii", json_numbers(annulus.inner, annulus.outer),
                      "herpolhode's radii",
                      fmt::format("{:.9g} … {:.9g} 1/√(kg m²)", annulus.inner, annulus.outer)});
@@ -287,6 +289,10 @@ SceneSummary summarise(const Session& session, bool plan, const ProgressSink& pr
     std::vector<SummaryLine>& lines = summary.lines;
     const FilmPlan film = film_plan(session);
     add_motion(session, lines);
+    if (can_certify(session)) {
+        add_flips(session, film, lines);
+        add_near_loops(session, lines);
+    }
     add_film(session, film, lines);
     // Making the stage checks that the scene can be drawn; it opens no context.
     const PictureSetting setting = setting_of(session.scene);

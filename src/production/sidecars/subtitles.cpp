@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "drawing/stage/live_values.h"
-#include "drawing/stage/type/caption_template.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
@@ -67,8 +66,7 @@ std::vector<FilmSubtitle> subtitles_of(const Session& session, const FilmPlan& f
         FrameInput instant;
         instant.time_s = film.clock.time_at(comes_s);
         instant.state = session.motion.at(instant.time_s);
-        const std::string said =
-            expand_live_text(scene.captions[i].text, live_values(scene, instant));
+        const std::string said = live_text(scene, scene.captions[i].text, instant);
         subtitles.push_back({without_empty_lines(plain_text(said)), milliseconds(begin_s),
                              milliseconds(gone_s), scene.captions[i].place == "top"});
     }

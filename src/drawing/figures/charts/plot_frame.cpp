@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "drawing/stage/marks.h"
+#include "text/languages.h"
 
 namespace poinsot {
 
@@ -190,6 +191,13 @@ std::size_t first_label(const Axis& axis, std::size_t stride) {
     return 0;
 }
 
+// The number of a tick, with the decimal mark of the scene's language.
+TextBlock set_tick_number(const Panel& panel, StageStore& store, const Tick& tick) {
+    const std::string_view mark = decimal_mark_in_formula(panel.stage->scene.language);
+    return set_chart_type(panel, store, with_decimal_mark(tick.label, mark), TypeMode::math,
+                          chart_number_size);
+}
+
 }  // namespace
 
 PlotFrame::PlotFrame(const Panel& panel, StageStore& store, const ChartArea& region, const Axis& x,
@@ -222,8 +230,7 @@ PlotFrame::PlotFrame(const Panel& panel, StageStore& store, const ChartArea& reg
             line(panel, {area_.left, height, 0.0}, {area_.right, height, 0.0}, theme.rule, 1.0);
         rule.opacity = 0.45;
         lines_.push_back(rule);
-        const TextBlock number =
-            set_chart_type(panel, store, tick.label, TypeMode::math, chart_number_size);
+        const TextBlock number = set_tick_number(panel, store, tick);
         labels_.push_back(
             chart_label(panel, number, area_.left - gap, height, Anchor::right_middle, theme.text));
         labels_.back().rank = rank_of_numbers;
@@ -245,8 +252,7 @@ PlotFrame::PlotFrame(const Panel& panel, StageStore& store, const ChartArea& reg
         lines_.push_back(line(panel, {across, area_.bottom, 0.0},
                               {across, area_.bottom - tick_px, 0.0}, theme.text, 1.6));
         if (x_title.empty()) continue;
-        const TextBlock type =
-            set_chart_type(panel, store, tick.label, TypeMode::math, chart_number_size);
+        const TextBlock type = set_tick_number(panel, store, tick);
         Label number = chart_label(panel, type, across, 0.0, Anchor::top_centre, theme.text);
         number.rank = rank_of_numbers;
         number.top_left_px.y() =
@@ -272,8 +278,7 @@ PlotFrame::PlotFrame(const Panel& panel, StageStore& store, const ChartArea& reg
 double PlotFrame::numbers_px(const Panel& panel, StageStore& store, const Axis& y) {
     double widest = 0.0;
     for (const Tick& tick : y.ticks) {
-        const TextBlock type =
-            set_chart_type(panel, store, tick.label, TypeMode::math, chart_number_size);
+        const TextBlock type = set_tick_number(panel, store, tick);
         widest = std::max(widest, type.width_px());
     }
     return widest + 9.0 * panel.type_px + 7.0 * panel.px;

@@ -13,6 +13,7 @@
 #include "drawing/stage/marks.h"
 #include "error/error.h"
 #include "shapes/projection.h"
+#include "text/languages.h"
 
 namespace poinsot {
 
@@ -39,7 +40,9 @@ Drawer make_turn(const Panel& panel, StageStore& store) {
     // The rotation that takes x, y, z to e1, e2, e3: about one axis by one angle (Euler's theorem).
     const Eigen::AngleAxisd turn(picture_of(panel).construction.inertia().body_from_principal());
     const double degrees = turn.angle() * 180.0 / std::numbers::pi;
-    const TextBlock type = set_label(panel, store, fmt::format("{:.1f}°", degrees), 0.85);
+    const std::string number = with_decimal_mark(
+        fmt::format("{:.1f}°", degrees), decimal_mark_in_formula(panel.stage->scene.language));
+    const TextBlock type = set_label(panel, store, number, 0.85);
     return [&panel, turn, type](const FrameInput& instant, ViewBuilder& builder) {
         if (!(turn.angle() > 0.0)) return;
         const LineStyle& colour = panel.stage->theme.angles[0];

@@ -23,6 +23,7 @@
 #include "drawing/stage/overlay.h"
 #include "scene/scene_error.h"
 #include "shapes/identity.h"
+#include "text/languages.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -196,9 +197,10 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
         wish_beside(panel, 0.62 * rho, rho, rho_type, theme.polhode, builder);
         const double kg_m2 = moment * inertia_of(panel).moments_kg_m2().minCoeff();
         LabelRequest number;
-        number.type =
-            text.set_live(fmt::format("I(\\mathbf{{n}}) = {:.3g}~\\mathrm{{kg\\,m^2}}", kg_m2),
-                          {.size_px = label_size * panel.type_px}, builder.view);
+        number.type = text.set_live(
+            with_decimal_mark(fmt::format("I(\\mathbf{{n}}) = {:.3g}~\\mathrm{{kg\\,m^2}}", kg_m2),
+                              decimal_mark_in_formula(panel.stage->scene.language)),
+            {.size_px = label_size * panel.type_px}, builder.view);
         number.anchor_px = {panel.box.x_px + 0.76 * panel.box.width_px,
                             panel.box.y_px + 0.5 * panel.box.height_px};
         number.away = {0.0, 0.0};

@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <functional>
+#include <optional>
+#include <utility>
 
+#include "drawing/stage/type/written_unit.h"
 #include "error/error.h"
+#include "text/languages.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 
@@ -33,14 +38,16 @@ bool is_number_format(std::string_view rest) {
     return rest.empty() || rest == "e" || rest == "f" || rest == "g";
 }
 
-std::string formatted(double value, std::string_view format, std::size_t column) {
+std::string formatted(double value, std::string_view format, std::string_view decimal_mark,
+                      std::size_t column) {
     if (!is_number_format(format)) {
         throw InputError(
             fmt::format("caption column {}: bad number format \"{}\"; write digits as in .2f",
                         column + 1, printable(format)));
     }
     // A minus sign instead of a hyphen, as in printed formulas.
-    std::string digits = fmt::format(fmt::runtime(fmt::format("{{:{}}}", format)), value);
+    std::string digits = with_decimal_mark(
+        fmt::format(fmt::runtime(fmt::format("{{:{}}}", format)), value), decimal_mark);
     if (!digits.empty() && digits.front() == '-') digits.replace(0, 1, "\u2212");
     return digits;
 }
@@ -62,9 +69,17 @@ std::size_t end_of_group(std::string_view text, std::size_t at) {
     return text.size();
 }
 
-}  // namespace
+// A reference to a number, and what follows it.
+struct Reference {
+    const LiveValue& value;
+    std::string_view format;
+    std::string_view after;
+    std::size_t column;
+};
 
-std::string expand_live_text(std::string_view text, std::span<const LiveValue> values) {
+// The text with every reference replaced by what the function returns for it.
+std::string replaced(std::string_view text, std::span<const LiveValue> values,
+                     const std::function<std::string(const Reference&)>& printed) {
     std::string out;
     bool formula = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -100,10 +115,80 @@ std::string expand_live_text(std::string_view text, std::span<const LiveValue> v
             throw InputError(fmt::format("caption column {}: no number called \"{}\"{}", i + 2,
                                          printable(name), choose_instead(name, names_of(values))));
         }
-        out += formatted(found->value, format, i);
+        out += printed({*found, format, text.substr(close + 1), i});
         i = close;
     }
     return out;
+}
+
+// The unit that the text has beside a number, and the factor from the number's unit to it: nothing
+// if they are of different kinds.
+struct Beside {
+    WrittenUnit written;
+    std::optional<double> per_own;
+};
+std::optional<Beside> unit_beside(const Reference& reference) {
+    const auto own = unit_named(reference.value.unit);
+    if (!own) return std::nullopt;
+    auto written = written_unit(reference.after, own->dimension);
+    if (!written) return std::nullopt;
+    Beside beside{std::move(*written), {}};
+    if (beside.written.unit.dimension == own->dimension) {
+        const std::string name[] = {beside.written.text};
+        beside.per_own = unit_shown(name, reference.value.unit).per_SI;
+    }
+    return beside;
+}
+
+// A unit after its number: a space that does not break lines, none before a degree sign.
+std::string after_number(std::string_view unit) {
+    std::string set = unit.starts_with("\u00b0") ? "" : "~";
+    for (const char c : printed_unit(unit)) set += c == ' ' ? '~' : c;
+    return set;
+}
+
+}  // namespace
+
+std::string expand_live_text(std::string_view text, std::span<const LiveValue> values,
+                             std::string_view decimal_mark) {
+    return replaced(text, values, [decimal_mark](const Reference& reference) {
+        const LiveValue& live = reference.value;
+        const auto number = [&](double value) {
+            return formatted(value, reference.format, decimal_mark, reference.column);
+        };
+        if (!live.brings_unit) return number(live.value);
+        const auto beside = unit_beside(reference);
+        if (!beside) return number(live.value) + after_number(live.unit);
+        if (beside->written.goes_on) return number(live.value);
+        if (!beside->per_own) return number(live.value) + after_number(live.unit);
+        return number(live.value * *beside->per_own);
+    });
+}
+
+std::vector<std::string> unit_notes(std::string_view text, std::span<const LiveValue> values) {
+    std::vector<std::string> notes;
+    replaced(text, values, [&notes](const Reference& reference) -> std::string {
+        const LiveValue& live = reference.value;
+        const auto beside = unit_beside(reference);
+        if (!beside || beside->written.goes_on || beside->per_own == 1.0) return "";
+        const std::string_view written = beside->written.text;
+        if (!live.brings_unit)
+            notes.push_back(
+                fmt::format("\"{}\" stands beside {{{}}}, which is a number in {}; write {} there",
+                            written, live.name, live.unit, live.unit));
+        else if (beside->per_own)
+            notes.push_back(
+                fmt::format("{{{}}} is shown in {}, which stands beside it, although its unit here "
+                            "is {}; leave the unit out, and the number brings its own",
+                            live.name, written, live.unit));
+        else
+            notes.push_back(
+                fmt::format("\"{}\" stands beside {{{}}}, which is shown in {}; leave the unit "
+                            "out, since the number brings its own",
+                            written, live.name, live.unit));
+        return "";
+    });
+    return notes;
 }
 
 bool is_live(std::string_view text) {

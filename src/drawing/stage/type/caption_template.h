@@ -4,20 +4,29 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace poinsot {
 
 // A number that a caption may refer to.
 struct LiveValue {
-    std::string_view name;  // "time_s"
+    std::string_view name;  // "omega_3"
     double value = 0.0;
+    std::string unit{};        // of the value: "deg/s"
+    bool brings_unit = false;  // whether the unit is printed; it is not where the name says it
 };
 
 // Replaces every {name} or {name:FORMAT} outside $formulas$ by its number; FORMAT is as in C++20's
-// <format> for a double ("." digits and one of e, f, g). "{{" and "}}" produce braces. Throws
-// InputError with the column for an unknown name (with the list), an invalid format or an unclosed
-// brace.
-std::string expand_live_text(std::string_view text, std::span<const LiveValue> values);
+// <format> for a double ("." digits and one of e, f, g). "{{" and "}}" produce braces. A number
+// that brings its unit is printed with it, unless the text has a unit of the same kind beside it:
+// then the number is in that unit. Throws InputError with the column for an unknown name (with the
+// list), an invalid format or an unclosed brace.
+std::string expand_live_text(std::string_view text, std::span<const LiveValue> values,
+                             std::string_view decimal_mark = ".");
+
+// Names the units that the text has beside a number and that are not the number's: one line each.
+// Throws as expand_live_text does.
+std::vector<std::string> unit_notes(std::string_view text, std::span<const LiveValue> values);
 
 // Whether a caption contains numbers that change.
 bool is_live(std::string_view text);

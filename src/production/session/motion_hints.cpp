@@ -1,0 +1,90 @@
+#include "production/session/motion_hints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "construction/flips.h"
+#include "construction/near_closures.h"
+#include "scene/loop_text.h"
+#include "text/json_text.h"
+
+namespace poinsot {
+
+namespace {
+
+// Instants named in words, and in JSON.
+constexpr int most_named = 12;
+constexpr int most_listed = 1000;
+
+// Polhode periods of the longest loop suggested.
+constexpr int most_loop_periods = 12;
+
+std::string named_times(const std::vector<double>& times) {
+    std::string text;
+    for (std::size_t i = 0; i < times.size() && i < most_named; ++i)
+        text += fmt::format("{}{:.6g}", i == 0 ? "" : ", ", times[i]);
+    return times.size() > most_named ? text + ", \u2026" : text;
+}
+
+std::string json_times(const std::vector<double>& times) {
+    std::vector<std::string> numbers;
+    for (const double time : times) numbers.push_back(json_number(time));
+    return json_list(numbers);
+}
+
+}  // namespace
+
+void add_flips(const Session& session, const FilmPlan& film, std::vector<SummaryLine>& lines) {
+    const auto flips = flips_of(session.motion.problem(), session.motion.free_constants());
+    if (!flips) return;
+    const auto [first_s, last_s] = std::minmax({film.start_s, film.last_time_s()});
+    const std::vector<double> times = flips->between(first_s, last_s, most_listed);
+    std::vector<double> film_times;
+    for (const double time_s : times)
+        film_times.push_back(film.clock.film_second_of(time_s).value_or(0.0));
+    const std::string interval =
+        flips->interval_s ? fmt::format(", every {:.6g} s", *flips->interval_s) : ", once";
+    const std::string text =
+        times.empty()
+            ? fmt::format("none in the film; one at t = {:.6g} s{}", flips->one_s, interval)
+            : fmt::format("at t = {} s of the motion ({} s of the film){}", named_times(times),
+                          named_times(film_times), interval);
+    lines.push_back({"flips_s", json_times(times),
+                     fmt::format("flips (\u03c9 along e{}, the middle axis, changes its sign)",
+                                 flips->axis + 1),
+                     text});
+    lines.push_back({"flips_film_s", json_times(film_times), "", ""});
+    if (flips->interval_s)
+        lines.push_back({"flip_interval_s", json_number(*flips->interval_s), "", ""});
+}
+
+void add_near_loops(const Session& session, std::vector<SummaryLine>& lines) {
+    if (session.loop) return;
+    const MotionProblem& problem = session.motion.problem();
+    if (problem.on_separatrix) return;
+    std::vector<std::string> loops;
+    std::string text;
+    for (const NearClosure& near :
+         near_closures(problem.inertia, problem.start.omega_body, most_loop_periods)) {
+        const std::string loop = fmt::format("{}/{}", near.closure.turns, near.closure.periods);
+        const std::string changed =
+            near.start.changed
+                ? std::string(loop_values()[static_cast<std::size_t>(*near.start.changed)])
+                : "";
+        const Eigen::Vector3d& omega = near.start.omega_body;
+        loops.push_back(fmt::format(
+            "{{\"loop\": {}, \"changes\": {}, \"relative_change\": {}, \"omega_rad_s\": {}}}",
+            json_string(loop), json_string(changed), json_number(near.relative_change),
+            json_numbers(omega[0], omega[1], omega[2])));
+        text += fmt::format("{}\"{}\" ({})", text.empty() ? "" : ", ", loop,
+                            near.start.changed ? fmt::format("{} changes by {:.2g} % of |\u03c9|",
+                                                             changed, 100.0 * near.relative_change)
+                                               : "closed already");
+    }
+    if (text.empty()) return;
+    lines.push_back({"near_loops", json_list(loops), "film.loop nearby", text});
+}
+
+}  // namespace poinsot

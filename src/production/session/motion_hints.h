@@ -1,0 +1,18 @@
+// What `check` says about a torque-free motion beyond its constants: when the body flips, and which
+// loops are near.
+#pragma once
+
+#include <vector>
+
+#include "production/session/scene_summary.h"
+
+namespace poinsot {
+
+// The instants within the film at which ω along the middle axis changes its sign, if the body
+// flips.
+void add_flips(const Session& session, const FilmPlan& film, std::vector<SummaryLine>& lines);
+
+// The values of film.loop that take a small change of the start, unless the film loops already.
+void add_near_loops(const Session& session, std::vector<SummaryLine>& lines);
+
+}  // namespace poinsot
