@@ -200,9 +200,9 @@ CommandLine still_line(std::any& storage) {
          quality_option(c.scene),
          theme_option(c.scene),
          {"--time",
-          "instant of the motion in seconds, or auto: the instant of the film at which the arrows "
-          "are farthest apart; default: film.still_s of the scene, else auto (on a sheet: the "
-          "film's last)",
+          "T|auto: instant of the motion in seconds, or auto, the instant of the film at which the "
+          "arrows are farthest apart; default: film.still_s of the scene, else auto (on a sheet: "
+          "the film's last instant)",
           ReadText{[&c](const std::string& text) {
               c.clearest = text == "auto";
               if (!c.clearest)
