@@ -220,7 +220,7 @@ TEST_F(Swept, IsRefusedInASentence) {
 TEST_F(Swept, IsArrangedInASheet) {
     const std::string key = "start.omega_rad_s[1]";
     const ProgramRun done =
-        run("still a.toml -q -o sheet.png --sheet 2x2 --sweep '" + key + "=1,1.5,2'");
+        run("still a.toml -q -o sheet.png --sheet 2x2 --time auto --sweep '" + key + "=1,1.5,2'");
     ASSERT_EQ(done.code, 0) << done.err;
     ASSERT_EQ(run("still a.toml -q -o '#.png' --sweep '" + key + "=1,1.5,2'").code, 0);
     const Image sheet = image("sheet.png");
@@ -243,6 +243,20 @@ TEST_F(Swept, IsArrangedInASheet) {
         EXPECT_TRUE(written) << k;
     }
     for (int x = 192; x < 384; ++x) EXPECT_TRUE(sheet.at(x, row + 50) == sheet.at(0, 0));
+}
+
+// So that its pictures can be compared.
+TEST_F(Swept, SheetShowsTheFilmsLastInstantByDefault) {
+    const auto sheet_at = [this](const std::string& time) {
+        const ProgramRun done = run("still a.toml -q -o sheet.png --sheet 2x1 " + time +
+                                    " --sweep 'start.omega_rad_s[1]=1,2'");
+        EXPECT_EQ(done.code, 0) << done.err;
+        return image("sheet.png");
+    };
+    const Image sheet = sheet_at(""), last = sheet_at("--time 0.06666666666666667"),
+                clearest = sheet_at("--time auto");
+    EXPECT_TRUE(std::ranges::equal(sheet.bytes(), last.bytes()));
+    EXPECT_FALSE(std::ranges::equal(sheet.bytes(), clearest.bytes()));
 }
 
 // One table with the values in each row, or a file for each value.
