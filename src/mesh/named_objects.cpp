@@ -45,8 +45,8 @@ constexpr std::array<NamedObject, 15> object_rows{{
     {"cylinder", "international prototype of the kilogram: height equal to diameter, so prolate",
      "BIPM: platinum-iridium, 1 kg, height and diameter 39.17 mm", object_makers::cylinder},
     {"cone", "wooden cone, three times as high as its base's radius",
-     "size chosen here; sugar maple at 12 % moisture, 705 kg/m^3: Wood Handbook, USDA FPL-GTR-282 "
-     "(2021), table 5-3",
+     "the size is poinsot's own choice; sugar maple at 12 % moisture, 705 kg/m^3: Wood Handbook, "
+     "USDA FPL-GTR-282 (2021), table 5-3",
      object_makers::cone},
     {"ellipsoid", "dwarf planet Haumea, a triaxial ellipsoid",
      "Ortiz et al., Nature 550 (2017) 219: half-axes 1161, 852, 513 km, 1885 kg/m^3",

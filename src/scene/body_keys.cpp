@@ -90,8 +90,8 @@ std::span<const SceneKey> body_keys() {
             .written_by(as_given(&PointMass::mass_kg)),
         numbers("body.masses[].at_m", in(&SceneDraft::masses, &PointMass::at_m), no_bounds, "m",
                 "[0.5, 0.0, -0.25]",
-                "position of the point in body axes, from any origin; poinsot computes the centre "
-                "of mass")
+                "position of the point in body axes, measured from any origin; poinsot computes "
+                "the centre of mass")
             .without_default()
             .written_by(as_given(&PointMass::at_m)),
 

@@ -111,7 +111,7 @@ std::span<const SceneKey> film_keys() {
         text("film.loop", film(&FilmSpec::loop), R"("5/3")",
              "\"p/q\": changes the start so that the herpolhode closes after q polhode periods and "
              "p turns about L, and shows one such loop; \"period\": shows one polhode period, for "
-             "a co-precessing camera")
+             "a co-precessing camera (camera.motion)")
             .default_is("no loop")
             .read_by(read_loop),
         one_of("film.loop_changes", film(&FilmSpec::loop_changes), loop_values(), R"("omega_2")",

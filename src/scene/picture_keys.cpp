@@ -58,8 +58,8 @@ std::span<const SceneKey> picture_keys() {
             .default_is("none")
             .written_if_empty(),
         number("accuracy_px", &Scene::accuracy_px, within(1e-6, 100.0), "pixels", "0.1",
-               "largest position error of the motion in the picture; curves are sampled to half of "
-               "it"),
+               "largest position error of the motion in the picture; curves are drawn within half "
+               "of this value"),
         text("theme", &Scene::theme, R"("light")",
              "theme (colours and line styles), by name or as the path of a theme file (.toml)")
             .from_list("themes")
@@ -68,8 +68,8 @@ std::span<const SceneKey> picture_keys() {
                "style of hidden lines; if dashed, all other broken lines become thin solid lines")
             .default_is("that of the theme (pale in every supplied theme)"),
         one_of("crossings", &Scene::crossings, crossing_styles, R"("gap")",
-               "how the lower of two crossing lines is drawn: through, or with a gap on both sides "
-               "of the upper line")
+               "how the line that is farther from the viewer is drawn at a crossing: through, or "
+               "with a gap on both sides of the nearer line")
             .default_is("that of the theme (through in every supplied theme)"),
         boolean("clock", &Scene::clock, "false",
                 "whether the clock, which shows the time of the motion, is drawn")
@@ -82,8 +82,8 @@ std::span<const SceneKey> picture_keys() {
                "fr, es and it)")
             .omitted_if_default(),
         texts("units", &Scene::units, R"(["rpm", "deg", "g cm²"])",
-              "units of charts and live numbers; each unit applies to its own quantity, and a unit "
-              "of angle also to rates (deg/s)")
+              "units of charts and live numbers; each unit is used for the quantity that it "
+              "measures, and a unit of angle also for rates (deg/s)")
             .default_is("SI")
             .read_by(read_units),
         text("symbols.omega", symbol(&SymbolsSpec::omega), R"('\Omega')", "symbol for ω"),
@@ -102,7 +102,8 @@ std::span<const SceneKey> picture_keys() {
         boolean("labels", &Scene::labels, "false", "whether elements have labels")
             .omitted_if_default(),
         texts("unlabelled", &Scene::unlabelled, R"(["omega", "momentum"])",
-              "elements without a label; a kind of panel hides all labels in its panels")
+              "elements without a label; the name of a kind of panel hides all labels in panels of "
+              "this kind")
             .default_is("none"),
     };
     return rows;
@@ -152,7 +153,8 @@ std::span<const SceneKey> panel_keys() {
             "as in [camera]; in body and momentum: angle from the plane of e1 and e2 towards e3"),
         number("panels[].camera.distance", camera_of_panel(&PanelCameraSpec::distance), distances,
                "units of the largest half-axis", "4.0",
-               "as in [camera]; only for panels of kind space, because poinsot frames all others"),
+               "as in [camera]; only for panels of kind space, because poinsot chooses the "
+               "distance in all others"),
         number("panels[].camera.field_deg", camera_of_panel(&PanelCameraSpec::field_deg),
                fields_deg, "degrees", "20.0", "as in [camera]"),
         numbers("panels[].camera.target", camera_of_panel(&PanelCameraSpec::target), coordinates,

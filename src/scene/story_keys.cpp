@@ -75,7 +75,8 @@ std::span<const SceneKey> story_keys() {
             .from_list("easings")
             .checked_by(easing_named),
         texts("fades[].elements", fade(&FadeSpec::elements), R"(["plane", "momentum"])",
-              "elements, overlays or kinds of panels that fade; what fades in is invisible before")
+              "elements, overlays or kinds of panels that fade; an element that fades in is "
+              "invisible before the fade")
             .without_default(),
         number("fades[].opacity", fade(&FadeSpec::opacity), within(0.0, 1.0), "", "1.0",
                "opacity at the end of the fade: 1 is opaque, 0 is invisible"),

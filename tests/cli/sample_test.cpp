@@ -204,7 +204,9 @@ TEST(SampleFiles, OmegaAndAttitudeAreExactlyThoseOfTheMotion) {
     folder.write("scene.toml", tilted);
     const auto rows = rows_of(run_program_in(folder, "sample scene.toml --times 0.3,3.7,90").out);
     ASSERT_EQ(rows.size(), 3u);
-    const Session session = session_of(parse_scene(tilted, "scene.toml"), {.times_s = {90.0}});
+    SessionRequest request;
+    request.times_s = {90.0};
+    const Session session = session_of(parse_scene(tilted, "scene.toml"), request);
     for (const std::vector<double>& row : rows) {
         const RotationState state = session.motion.at(row.at(0));
         const Eigen::Quaterniond& q = state.space_from_body;

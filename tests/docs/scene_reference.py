@@ -53,6 +53,11 @@ def listed(program, what):
     return [(row["name"], row["summary"]) for row in json.loads(done.stdout)]
 
 
+def summary_in_page(what, summary):
+    """The summary of a name; the measured numbers of qualities are in docs/accuracy.md."""
+    return summary.split("; picture: relative time ")[0] if what == "qualities" else summary
+
+
 def header_of(table):
     if not table:
         return "Top of the file"
@@ -94,9 +99,10 @@ def page(program):
     for what, key in LISTS.items():
         if what not in known:
             continue
-        lines += [f"### {what.capitalize()}", "", f"For `{key}`; `poinsot list {what}`." if "." in key or key in ("show", "theme")
-                  else f"By {key}; `poinsot list {what}`.", "", "| name | |", "|---|---|"]
-        lines += [f"| `{name}` | {in_table(summary)} |" for name, summary in listed(program, what)]
+        numbers = ", which also prints measured times and errors ([accuracy](accuracy.md#pixels))" if what == "qualities" else ""
+        preposition = f"For `{key}`" if "." in key or key in ("show", "theme") else f"By {key}"
+        lines += [f"### {what.capitalize()}", "", f"{preposition}; `poinsot list {what}`{numbers}.", "", "| name | |", "|---|---|"]
+        lines += [f"| `{name}` | {in_table(summary_in_page(what, summary))} |" for name, summary in listed(program, what)]
         lines.append("")
     return "\n".join(lines).rstrip() + "\n"
 

@@ -67,8 +67,9 @@ TEST(DrawingAlone, IsMadeFromBytesWithNoFileToOpen) {
         const std::string said =
             printed_by(std::string(program) + " 1.5 < " + given.path().string());
 
-        const Session session =
-            session_of(load_scene(file), {.fonts = installed_fonts(), .times_s = {1.5}});
+        SessionRequest request{installed_fonts()};
+        request.times_s = {1.5};
+        const Session session = session_of(load_scene(file), request);
         const Stage stage =
             stage_of(session, {.first_time_s = 0.0, .last_time_s = 1.5}, setting_of(session.scene));
         const std::size_t n = n_shapes(stage.at(1.5));

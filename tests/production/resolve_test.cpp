@@ -34,11 +34,16 @@ std::vector<std::string> overrides_of(const std::string& as_read) {
     return overrides;
 }
 
+SessionRequest of_width_mm(double width_mm) {
+    SessionRequest request{installed_fonts()};
+    request.print.width_mm = width_mm;
+    return request;
+}
+
 TEST(Resolve, LeavesTheSceneThatWasReadAlone) {
     const Scene read = parse_scene(looping, "a.toml");
     const std::string before = to_toml(read);
-    const ResolvedScene resolved =
-        resolve(read, {.fonts = installed_fonts(), .print = {.width_mm = 85.0}});
+    const ResolvedScene resolved = resolve(read, of_width_mm(85.0));
     EXPECT_EQ(to_toml(read), before);
     EXPECT_TRUE(read.notes.empty());
     ASSERT_TRUE(resolved.loop.has_value());
@@ -53,8 +58,7 @@ TEST(Resolve, SaysEveryValueThatItReplaced) {
                                     "length_s = 6.0\nspeed = 2.0\n"
                                     "[[keyframes]]\nat_s = 3.0\nspeed = 1.0\n";
     const Scene read = parse_scene(with_length, "a.toml");
-    const ResolvedScene resolved =
-        resolve(read, {.fonts = installed_fonts(), .print = {.width_mm = 85.0}});
+    const ResolvedScene resolved = resolve(read, of_width_mm(85.0));
     const std::vector<std::string> before = overrides_of(resolved.as_read);
     EXPECT_EQ(before.size(), 4u) << resolved.as_read;
     EXPECT_NE(to_toml(resolved.scene), to_toml(read));

@@ -66,8 +66,9 @@ inline Image seen_alone(LazyRenderer& renderer, const std::string& scene,
     settings.push_back("theme=\"transparent\"");
     settings.push_back("construction.plane=\"" + plane + "\"");
     settings.push_back("show=[" + elements + "]");
-    StillJob job(session_of(parse_scene(scene, "scene.toml", settings),
-                            {.fonts = installed_fonts(), .times_s = {time_s}}),
+    SessionRequest request{installed_fonts()};
+    request.times_s = {time_s};
+    StillJob job(session_of(parse_scene(scene, "scene.toml", settings), request),
                  {.time_s = time_s});
     Image image;
     job.draw_into(renderer, image);

@@ -1,4 +1,6 @@
 // The files that a scene names, as bytes in memory.
+#include "scene/parse_scene.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -6,7 +8,6 @@
 
 #include "image/png.h"
 #include "mesh_folder.h"
-#include "scene/parse_scene.h"
 #include "scene/scene_error.h"
 #include "scene_text.h"
 

@@ -40,7 +40,7 @@ struct PanelKind {
     std::string_view name;
     std::string_view summary;
     Phrase title;  // shown above it if there are several panels
-    bool fills;    // alone, it still leaves rows for the title and the caption
+    bool fills;    // its figure extends to the box's edges: title and caption get rows of their own
     // Whether it can show this motion; `requirement` completes the sentence "this panel needs …".
     bool (*possible)(const StageContext& stage);
     std::string_view requirement;

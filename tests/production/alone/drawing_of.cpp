@@ -48,9 +48,11 @@ void draw(double time_s) {
         fonts.push_back({name, bytes});
         std::tie(name, bytes) = take(rest);
     }
+    poinsot::SessionRequest request;
+    request.fonts = poinsot::fonts_in_memory(fonts);
+    request.times_s = {time_s};
     const poinsot::Session session =
-        poinsot::session_of(poinsot::parse_scene(bytes, std::string(name)),
-                            {.fonts = poinsot::fonts_in_memory(fonts), .times_s = {time_s}});
+        poinsot::session_of(poinsot::parse_scene(bytes, std::string(name)), request);
     const poinsot::Stage stage = poinsot::stage_of(
         session, {.first_time_s = 0.0, .last_time_s = time_s}, poinsot::setting_of(session.scene));
     std::printf("%zu\n", poinsot::n_shapes(stage.at(time_s)));
