@@ -14,6 +14,7 @@
 #include "drawing/elements/body_axes.h"
 #include "drawing/elements/ghost.h"
 #include "drawing/elements/trail.h"
+#include "drawing/fade.h"
 #include "drawing/framing.h"
 #include "drawing/marks.h"
 #include "drawing/type/overlay.h"
@@ -194,12 +195,14 @@ void make_momentum_panel(Panel& panel) {
                 energy.half_axes / panel.stage->rolling->rho_growth(instant.state.omega_body);
             spiral(instant, builder);
         }
+        name_shapes("momentum-sphere", builder);
         for (int i = 0; i < 3; ++i) {
             const Arrow arrow =
                 arrow_to(panel, axis_lengths[i] * Eigen::Vector3d::Unit(i), theme.axes[i], 0.85);
             builder.view.arrows.push_back(arrow);
             wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder);
         }
+        name_shapes("axes", builder);
         const PoinsotConstruction& construction = panel.stage->rolling->construction;
         const Eigen::Vector3d momentum =
             momentum_at(panel, construction.contact_body(instant.state.omega_body));
@@ -207,7 +210,9 @@ void make_momentum_panel(Panel& panel) {
         arrow.hidden_opacity = 0.7;
         builder.view.arrows.push_back(arrow);
         wish_at_tip(panel, arrow, momentum_type, builder);
+        name_shapes("momentum", builder);
         comparison(instant, builder);
+        name_shapes("ghost", builder);
     };
 }
 

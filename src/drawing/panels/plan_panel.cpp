@@ -15,6 +15,7 @@
 #include "drawing/elements/direction_marks.h"
 #include "drawing/elements/filled_ring.h"
 #include "drawing/elements/trail.h"
+#include "drawing/fade.h"
 #include "drawing/framing.h"
 #include "drawing/marks.h"
 
@@ -169,7 +170,9 @@ void make_plan_panel(Panel& panel) {
                      const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = *panel.stage->rolling;
         builder.view.planes.push_back(plane);
+        name_shapes("plane", builder);
         builder.view.curves = circles;
+        name_shapes("annulus", builder);
         Eigen::Vector3d contact = scale.plan_from_space *
                                   picture.construction.contact_in_plane(instant.herpolhode_space) *
                                   scale.plan_per_rho;
@@ -180,6 +183,7 @@ void make_plan_panel(Panel& panel) {
             line_between(panel, Eigen::Vector3d::Zero(), contact, panel.stage->theme->omega, 1.6);
         radius.occlusion = Occlusion::none;
         builder.view.curves.push_back(radius);
+        name_shapes("radius", builder);
         if (timed && timed->ring && instant.time_s >= timed->ring->from_s) {
             builder.view.curves.push_back(timed->ring->curve);
         } else if (timed) {
@@ -197,12 +201,15 @@ void make_plan_panel(Panel& panel) {
             start.occlusion = Occlusion::none;
             builder.view.dots.push_back(start);
         }
+        name_shapes("herpolhode", builder);
         builder.view.dots.push_back(foot);
         Dot dot = dot_at(panel, contact, panel.stage->theme->contact);
         dot.occlusion = Occlusion::none;
         builder.view.dots.push_back(dot);
+        name_shapes("contact", builder);
         wish_beside(panel, Eigen::Vector3d::Zero(), contact, momentum_type,
                     panel.stage->theme->momentum, builder);
+        name_shapes("momentum", builder);
     };
 }
 

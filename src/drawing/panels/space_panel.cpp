@@ -160,7 +160,12 @@ void make_space_panel(Panel& panel) {
             drawers.push_back(fading(*panel.stage, std::string(element.name), element.make(panel)));
         }
     }
-    if (!panel.stage->scene.marks.empty()) drawers.push_back(make_marks(panel));
+    if (!panel.stage->scene.marks.empty())
+        drawers.emplace_back(
+            [marks = make_marks(panel)](const FrameInput& instant, ViewBuilder& builder) {
+                marks(instant, builder);
+                name_shapes("marks", builder);
+            });
     panel.draw = [drawers](const FrameInput& instant, ViewBuilder& builder) {
         for (const Drawer& draw : drawers) draw(instant, builder);
     };
