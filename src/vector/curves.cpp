@@ -104,10 +104,10 @@ SmoothForm form_of(const Canvas& canvas, const Curve& curve) {
 // Parameters at which the opacity changes by a step: a trail fades behind its head.
 std::vector<double> fading_steps(const Curve& curve, double last_point, const SmoothForm& smooth) {
     std::vector<double> steps;
-    constexpr int n_steps = 16;
-    for (int k = 0; k < n_steps && curve.fade_points > 0.0; ++k)
+    constexpr int n_fades = 16;
+    for (int k = 0; k < n_fades && curve.fade_points > 0.0; ++k)
         steps.push_back(
-            smooth.parameter_at(last_point - curve.fade_points * (1.0 - 1.0 * k / n_steps)));
+            smooth.parameter_at(last_point - curve.fade_points * (1.0 - 1.0 * k / n_fades)));
     return steps;
 }
 
