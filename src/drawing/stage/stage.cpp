@@ -100,6 +100,7 @@ Drawing Stage::at(const FilmTime& moment) const {
         view.y_px = panel.box.y_px;
         view.width_px = panel.box.width_px;
         view.height_px = panel.box.height_px;
+        view.name = panel.spec.kind;
         view.camera = panel.camera_at ? panel.camera_at(moment.film_s) : panel.camera;
         view.light = panel.light;
         // Several panels share the picture's background.
