@@ -20,6 +20,7 @@
 #include "production/jobs/contact_sheet.h"
 #include "production/jobs/still_job.h"
 #include "production/vectors/journal.h"
+#include "text/label_text.h"
 
 namespace poinsot {
 
@@ -50,21 +51,30 @@ int draw_sheet_of(const StillChoices& choices) {
     };
     const char* const paper = "for paper";
     const char* const alone = "for single pictures";
-    const Unfit unfit[] = {{"--journal", !print.journal.empty(), paper},
-                           {"--width-mm", print.width_mm.has_value(), paper},
-                           {"--height-mm", print.height_mm.has_value(), paper},
-                           {"--dpi", print.dpi.has_value(), paper},
-                           {"--type-pt", print.type_pt.has_value(), paper},
-                           {"--depth", choices.bit_depth != 8, alone},
-                           {"--shading", choices.vectors.shading != VectorChoices().shading, alone},
-                           {"--text", choices.vectors.text != VectorChoices().text, alone}};
-    for (const Unfit& one : unfit)
-        if (one.is_given)
-            throw InputError(
-                fmt::format("--sheet writes an 8-bit PNG for the screen, but {0} is {1}; leave {0} "
-                            "out, or draw stills without --sheet",
-                            one.option, one.kind));
+    const bool is_png = !is_vector_name(choices.output);
+    const VectorChoices& vectors = choices.vectors;
+    const Unfit unfit[] = {
+        {"--journal", !print.journal.empty(), is_png ? paper : alone},
+        {"--width-mm", is_png && print.width_mm.has_value(), paper},
+        {"--height-mm", print.height_mm.has_value(), is_png ? paper : alone},
+        {"--dpi", is_png && print.dpi.has_value(), paper},
+        {"--type-pt", is_png && print.type_pt.has_value(), paper},
+        {"--depth", choices.bit_depth != 8, alone},
+        {"--shading", is_png && vectors.shading != VectorChoices().shading, alone},
+        {"--text", is_png && vectors.text != VectorChoices().text, alone}};
+    for (const Unfit& one : unfit) {
+        if (!one.is_given) continue;
+        throw InputError(
+            is_png
+                ? fmt::format("--sheet writes an 8-bit PNG for the screen, but {0} is {1}; leave "
+                              "{0} out, or draw stills without --sheet",
+                              one.option, one.kind)
+                : fmt::format("--sheet: {0} is {1}; leave {0} out, or draw stills without --sheet",
+                              one.option, one.kind));
+    }
     SheetRequest sheet;
+    sheet.print = print;
+    sheet.vectors = vectors;
     std::tie(sheet.n_columns, sheet.n_rows) = *choices.sheet;
     sheet.output = choices.output;
     sheet.time_s = choices.time_s;
@@ -74,10 +84,14 @@ int draw_sheet_of(const StillChoices& choices) {
             SheetCell& cell = sheet.cells.emplace_back();
             cell.scene = scene_request_of(scene, choices.scene, overrides_of(point));
             if (choices.time_s) cell.scene.times_s = {*choices.time_s};
-            cell.caption = caption_of(point);
-            if (choices.scenes.size() > 1 || point.empty())
-                cell.caption = std::filesystem::path(scene).stem().string() +
-                               (point.empty() ? "" : ": ") + cell.caption;
+            cell.caption = formula_of(point);
+            cell.values = caption_of(point);
+            if (choices.scenes.size() > 1 || point.empty()) {
+                const std::string name = std::filesystem::path(scene).stem().string();
+                const std::string colon = point.empty() ? "" : ": ";
+                cell.caption.insert(0, as_caption(name) + colon);
+                cell.values.insert(0, name + colon);
+            }
         }
     }
     ProgressBar bar(choices.quiet);

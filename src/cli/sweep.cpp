@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "error/error.h"
+#include "text/label_text.h"
 #include "text/numbers.h"
 #include "text/printable.h"
 #include "text/rational.h"
@@ -72,6 +73,56 @@ std::string with_values(std::string output, const SweepPoint& point) {
     for (const auto& [key, value] : point) replace_all(output, "{" + key + "}", value);
     if (point.size() == 1) replace_all(output, "{key}", point.front().second);
     return output;
+}
+
+// Units at the end of a key, the longest first, and as they are set.
+constexpr std::pair<std::string_view, std::string_view> units_of_keys[] = {{"_kg_m2_s", "kg~m²/s"},
+                                                                           {"_kg_m2", "kg~m²"},
+                                                                           {"_rad_s", "rad/s"},
+                                                                           {"_N_m", "N~m"},
+                                                                           {"_rad", "rad"},
+                                                                           {"_deg", "°"},
+                                                                           {"_kg", "kg"},
+                                                                           {"_J", "J"},
+                                                                           {"_m", "m"},
+                                                                           {"_s", "s"}};
+
+// Symbols of quantities in keys.
+constexpr std::pair<std::string_view, std::string_view> symbols_of_keys[] = {
+    {"omega", "\\omega"},
+    {"omega3", "\\omega_3"},
+    {"moments", "I"},
+    {"theta", "\\theta"},
+    {"theta_dot", "\\dot{\\theta}"},
+    {"phi_dot", "\\dot{\\varphi}"},
+    {"mgl", "Mgl"},
+    {"mass", "m"},
+    {"energy", "T"},
+    {"momentum", "L"}};
+
+// "$\omega_2 = 0.057$~rad/s" for start.omega_rad_s[1] and 0.057; if the quantity has no symbol or
+// the value is no number, the last part of the key and the value as they are.
+std::string formula_of(std::string_view key, const std::string& value) {
+    std::string_view name = key.substr(key.rfind('.') + 1);
+    const std::string plain = as_caption(fmt::format("{} = {}", name, value));
+    std::optional<int> index;
+    if (const std::size_t bracket = name.find('['); bracket != std::string_view::npos) {
+        index = number_of<int>(name.substr(bracket + 1, name.size() - bracket - 2));
+        if (!index || name.back() != ']') return plain;
+        name = name.substr(0, bracket);
+    }
+    std::string_view unit;
+    for (const auto& [suffix, set] : units_of_keys)
+        if (unit.empty() && name.ends_with(suffix)) {
+            unit = set;
+            name.remove_suffix(suffix.size());
+        }
+    const auto* row = std::find_if(std::begin(symbols_of_keys), std::end(symbols_of_keys),
+                                   [name](const auto& symbol) { return symbol.first == name; });
+    if (row == std::end(symbols_of_keys) || unit.empty() || !number_of<double>(value)) return plain;
+    const std::string subscript = index ? fmt::format("_{}", *index + 1) : "";
+    return fmt::format("${}{} = {}${}{}", row->second, subscript, value, unit == "°" ? "" : "~",
+                       unit);
 }
 
 }  // namespace
@@ -141,6 +192,15 @@ std::string caption_of(const SweepPoint& point) {
     SweepPoint named = point;
     for (auto& [key, value] : named) key.erase(0, key.rfind('.') + 1);
     return in_words(named);
+}
+
+std::string formula_of(const SweepPoint& point) {
+    std::string text;
+    for (const auto& [key, value] : point) {
+        if (!text.empty()) text += ", ";
+        text += formula_of(key, value);
+    }
+    return text;
 }
 
 std::pair<int, int> parse_sheet(std::string_view text) {

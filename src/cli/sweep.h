@@ -39,6 +39,10 @@ std::string in_words(const SweepPoint& point);
 // 2".
 std::string caption_of(const SweepPoint& point);
 
+// Returns the same as a caption with formulas and units: "$\omega_2 = 2$~rad/s". Keys without a
+// usual symbol keep their names.
+std::string formula_of(const SweepPoint& point);
+
 // Parses "CxR", columns and rows. Throws InputError.
 std::pair<int, int> parse_sheet(std::string_view text);
 

@@ -4,10 +4,12 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "shapes/colour.h"
+#include "shapes/shape_name.h"
 
 namespace poinsot {
 
@@ -65,8 +67,13 @@ struct Label {
     // The share of its width, from the left, that stays in place if another program typesets the
     // text wider or narrower.
     double held_at = 0.5;
+    // The named point, view axes; if `with_point`, a renderer that knows the point's visibility
+    // omits the label where bodies hide the point.
+    std::optional<Eigen::Vector3d> at{};
+    bool with_point = false;
     int rank = 0;  // if there is not enough room on paper, labels with the highest rank are omitted
                    // first
+    ShapeName name{};
 };
 
 }  // namespace poinsot

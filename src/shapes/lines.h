@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shapes/colour.h"
+#include "shapes/shape_name.h"
 #include "shapes/smooth_form.h"
 
 namespace poinsot {
@@ -47,10 +48,14 @@ struct Curve {
     double fade_points = 0.0;  // opacity falls linearly to 0 over this many points before `last`;
                                // 0: constant opacity
     Occlusion occlusion = Occlusion::by_solids;
-    int on_surface = -1;   // index of the ellipsoid of this view on which the curve lies; it is
-                           // visible where the surface faces the eye
-    int on_plane = -1;     // index of the plane on which the curve lies
+    int on_surface = -1;  // index of the ellipsoid of this view on which the curve lies; it is
+                          // visible where the surface faces the eye
+    int on_plane = -1;    // index of the plane on which the curve lies
+    // Whether the curve is the axis or the outline of an arrow, which covers it where the arrow is
+    // visible; renderers may leave it out there.
+    bool stands_for_hidden = false;
     bool lasting = false;  // whether only `last` changes from picture to picture
+    ShapeName name{};
 };
 
 // A straight arrow with a shaded round shaft and a conical head. The drawing layer adapts the
@@ -67,6 +72,7 @@ struct Arrow {
     double opacity = 1.0;
     double hidden_opacity = 0.45;  // below 0: omitted where hidden
     Occlusion occlusion = Occlusion::by_solids;
+    ShapeName name{};
 };
 
 // A dot with a rim: contact point, point masses.
@@ -79,6 +85,7 @@ struct Dot {
     double opacity = 1.0;
     double hidden_opacity = 0.4;  // below 0: omitted where hidden
     Occlusion occlusion = Occlusion::by_solids;
+    ShapeName name{};
 };
 
 // The curves, arrows and dots of a view; used like SolidLists.

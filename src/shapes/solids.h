@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shapes/colour.h"
+#include "shapes/shape_name.h"
 
 namespace poinsot {
 
@@ -26,6 +27,7 @@ struct Ellipsoid {
     int n_meridians = 12;
     int n_parallels = 5;       // between the poles
     bool casts_shadow = true;  // contact shadow on the planes below it
+    ShapeName name{};
 };
 
 // A disc with a grid of lines through its centre; it fades towards its rim.
@@ -41,6 +43,7 @@ struct Plane {
     Colour colour{0.80, 0.85, 0.92};
     Colour grid_colour{0.45, 0.52, 0.62};
     double opacity = 0.9;
+    ShapeName name{};
     bool operator==(const Plane&) const = default;
 };
 
@@ -57,6 +60,7 @@ struct Cone {
     int n_rulings = 12;      // generators, which make rolling visible
     double phase_rad = 0.0;  // of ruling 0, from `reference`
     Eigen::Vector3d reference = Eigen::Vector3d::UnitX();
+    ShapeName name{};
 };
 
 // A picture on a surface instead of a colour: rows of sRGB-encoded R, G, B, top row first. Texture
@@ -82,6 +86,7 @@ struct Mesh {
     Colour colour{0.6, 0.65, 0.72};
     double opacity = 1.0;
     bool casts_shadow = true;
+    ShapeName name{};
 };
 
 // The solids of a view. for_each passes each list to a function.

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <deque>
+#include <string_view>
 #include <vector>
 
 #include "shapes/camera.h"
@@ -25,6 +26,7 @@ struct View : SolidLists, LineLists {
     Light light;
     Background background;
     std::vector<Label> labels;
+    std::string_view name{};                // the kind of panel
     std::deque<GlyphMask> live_masks;       // of labels used only in this drawing
     std::deque<CurveGeometry> live_curves;  // of curves used only in this drawing
 };

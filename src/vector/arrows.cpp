@@ -158,57 +158,63 @@ LinearFade lit_across(const Canvas& canvas, const Arrow& arrow, const ArrowShape
 // Arrows of lower opacity are drawn without a gradient.
 constexpr double pale = 0.9;
 
-// Which parts of the arrow are drawn.
-struct ArrowParts {
-    bool shaft = true, head = true;
-};
+// The parts of an arrow; each is cut and filled on its own.
+enum class ArrowPart { shaft, head };
 
-// Fills the arrow with shading; with `ink` if it is pale.
-void fill_arrow(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape, double opacity,
-                const PaperInk& ink, const ArrowParts& parts) {
-    const double shaft_tail = shape.shaft_radius * shape.tail_scale;
-    const double shaft_neck = shape.shaft_radius * shape.neck_scale;
-    const double head = shape.head_radius * shape.neck_scale;
-    const Colour behind = canvas.behind(0.5 * (shape.tail_pt + shape.tip_pt));
-    const double head_length = (shape.tip - shape.neck).norm();
-    const auto paint = [&](const Eigen::Vector2d& middle, double radius, double slope) -> Paint {
-        if (canvas.shading == Shading::none) return PaperInk{arrow.colour, opacity};
-        if (opacity < pale) return ink;
-        // A part as narrow as a line has no gradient, either.
-        constexpr double narrow_pt = 0.8;
-        if (radius < narrow_pt) {
-            const LinearFade fade =
-                lit_across(canvas, arrow, shape, middle, radius, slope, opacity, behind);
-            return fade.stops[fade.stops.size() / 2].ink;
-        }
-        return lit_across(canvas, arrow, shape, middle, radius, slope, opacity, behind);
-    };
-    Fill shaft;
-    shaft.path = hull(shape, shape.tail_pt, shaft_tail, shape.neck_pt, shaft_neck);
-    shaft.paint =
-        paint(0.5 * (shape.tail_pt + shape.neck_pt), std::max(shaft_tail, shaft_neck), 0.0);
-    Fill point;
-    point.path = hull(shape, shape.neck_pt, head, shape.tip_pt, 0.0);
-    point.paint = paint(shape.neck_pt, head, shape.head_radius / std::max(head_length, 1e-9));
-    // The nearer part is drawn last: the shaft if the arrow points away from the eye.
-    const bool away = shape.axis.dot(-canvas.projection.towards_eye(shape.neck)) > 0.0;
-    bool shows_first = parts.shaft, shows_second = parts.head;
-    if (away) {
-        std::swap(shaft, point);
-        std::swap(shows_first, shows_second);
-    }
-    if (shows_first) canvas.add(std::move(shaft));
-    if (shows_second) canvas.add(std::move(point));
+// The share of the axis at which a part begins and ends.
+double begin_of(const ArrowShape& shape, ArrowPart part) {
+    return part == ArrowPart::shaft ? 0.0 : shape.neck_at;
+}
+double end_of(const ArrowShape& shape, ArrowPart part) {
+    return part == ArrowPart::shaft ? shape.neck_at : 1.0;
 }
 
-// A strip across the arrow that contains everything beside a part of its axis.
-Path strip(const Canvas& canvas, const ArrowShape& shape, double from, double to) {
-    const double reach = 2.0 * std::max(shape.head_radius * shape.neck_scale,
-                                        shape.shaft_radius * shape.tail_scale) +
-                         2.0;
+// Fills a part of the arrow with shading; with `ink` if it is pale.
+void fill_part(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape, ArrowPart part,
+               double opacity, const PaperInk& ink) {
+    const bool is_shaft = part == ArrowPart::shaft;
+    const double tail = shape.shaft_radius * shape.tail_scale;
+    const double neck = (is_shaft ? shape.shaft_radius : shape.head_radius) * shape.neck_scale;
+    const double head_length = (shape.tip - shape.neck).norm();
+    const Eigen::Vector2d middle =
+        is_shaft ? (0.5 * (shape.tail_pt + shape.neck_pt)).eval() : shape.neck_pt;
+    const double radius = is_shaft ? std::max(tail, neck) : neck;
+    const double slope = is_shaft ? 0.0 : shape.head_radius / std::max(head_length, 1e-9);
+    Fill fill;
+    fill.path = is_shaft ? hull(shape, shape.tail_pt, tail, shape.neck_pt, neck)
+                         : hull(shape, shape.neck_pt, neck, shape.tip_pt, 0.0);
+    if (canvas.shading == Shading::none) {
+        fill.paint = PaperInk{arrow.colour, opacity};
+    } else if (opacity < pale) {
+        fill.paint = ink;
+    } else {
+        const Colour behind = canvas.behind(0.5 * (shape.tail_pt + shape.tip_pt));
+        LinearFade fade = lit_across(canvas, arrow, shape, middle, radius, slope, opacity, behind);
+        // A part as narrow as a line has no gradient, either.
+        constexpr double narrow_pt = 0.8;
+        if (radius < narrow_pt)
+            fill.paint = fade.stops[fade.stops.size() / 2].ink;
+        else
+            fill.paint = std::move(fade);
+    }
+    canvas.add(std::move(fill));
+}
+
+// How far a part's ends reach beyond the ends of its axis, and its sides beyond the radius, at
+// most.
+double reach_pt(const ArrowShape& shape, ArrowPart part) {
+    return part == ArrowPart::shaft
+               ? shape.shaft_radius * std::max(shape.tail_scale, shape.neck_scale) + 1.0
+               : shape.head_radius * shape.neck_scale + 1.0;
+}
+
+// A strip across the part that contains everything beside a stretch of its axis.
+Path strip(const Canvas& canvas, const ArrowShape& shape, ArrowPart part, double from, double to) {
+    const double reach = 2.0 * reach_pt(shape, part);
     const auto place = [&](double s) { return canvas.projection.place(shape.front(s)); };
-    const Eigen::Vector2d begin = place(from) - (from <= 0.0 ? reach : 0.0) * shape.along;
-    const Eigen::Vector2d end = place(to) + (to >= 1.0 ? reach : 0.0) * shape.along;
+    const Eigen::Vector2d begin =
+        place(from) - (from <= begin_of(shape, part) ? reach : 0.0) * shape.along;
+    const Eigen::Vector2d end = place(to) + (to >= end_of(shape, part) ? reach : 0.0) * shape.along;
     Path path;
     path.move(begin - reach * shape.across);
     path.line(end - reach * shape.across);
@@ -218,138 +224,262 @@ Path strip(const Canvas& canvas, const ArrowShape& shape, double from, double to
     return path;
 }
 
-// The parts of the arrow that are visible beside a part of its axis.
-ArrowParts parts_beside(const Canvas& canvas, const ArrowShape& shape, double from, double to) {
-    const auto along = [&](double s) {
-        return shape.along.dot(canvas.projection.place(shape.front(s)) - shape.neck_pt);
-    };
-    // The neck's rings extend equally to both sides of the neck.
-    const double ring = shape.open * shape.neck_scale;
-    return {from <= 0.0 || along(from) <= ring * shape.shaft_radius,
-            to >= 1.0 || along(to) >= -ring * shape.head_radius};
-}
-
 // The opacity of a layer: the visible layer over the hidden one gives the full opacity.
 double weight_of(const Cover& cover, double hidden_opacity, ArrowLayer layer) {
+    if (hidden_opacity < 0.0)  // hidden parts are omitted
+        return layer == ArrowLayer::visible ? cover.before_bodies * seen_through_planes(cover)
+                                            : 0.0;
     if (layer == ArrowLayer::visible) return cover.clear;
-    if (hidden_opacity < 0.0 || cover.clear >= 1.0) return 0.0;  // hidden parts are omitted
+    if (cover.clear >= 1.0) return 0.0;
     return std::max(hidden_opacity, cover.transmitted);
 }
 
-// The outline of the ellipsoid behind whose limb the axis passes at s; nothing where the axis
-// pierces a surface, where another solid begins, and at the ends of the axis.
-std::optional<PaperEllipse> outline_at(const Canvas& canvas, const ArrowShape& shape, double s) {
-    if (s <= 0.0 || s >= 1.0) return std::nullopt;
-    const Eigen::Vector3d point = shape.front(s);
-    for (const SphereSight& sphere : canvas.occluders.spheres()) {
-        if (!(sphere.hiding > 0.0) || sphere.before_limb(sphere.u(point)) >= -1e-9) continue;
-        const auto limb = limb_of(sphere);
-        auto outline = limb ? picture_of(*limb, canvas.projection) : std::nullopt;
-        if (outline && std::abs(outline->radius_of(canvas.projection.place(point)) - 1.0) < 1e-6)
-            return outline;
+// Lines on the near side of a part of an arrow, side by side from one edge to the other, each with
+// the spans of its visibility. They cut the part along the outline of what hides it, at any slant.
+class Strands {
+ public:
+    Strands(const Canvas& canvas, const ArrowShape& shape, ArrowPart part)
+        : projection_(canvas.projection),
+          shape_(shape),
+          part_(part),
+          from_(begin_of(shape, part)),
+          to_(end_of(shape, part)) {
+        // The rings at the ends reach beyond the ends of the axis, by their share of it.
+        const double radius = part == ArrowPart::shaft ? shape.shaft_radius : shape.head_radius;
+        constexpr double most_radii = 2.0;
+        const double radii = shape.open / std::sqrt(std::max(1.0 - shape.open * shape.open, 1e-6));
+        beyond_ = std::min(radii, most_radii) * radius / (shape.tip - shape.tail).norm();
+        // Seen along its axis, the arrow has one line.
+        if (shape.to_front.isZero(0.0)) {
+            strands_.push_back(strand_at(canvas, 0.0));
+            return;
+        }
+        for (const double side : {-1.0, 0.0, 1.0}) {
+            Strand next = strand_at(canvas, side);
+            if (!strands_.empty()) refine(canvas, Strand(strands_.back()), next, 0);
+            strands_.push_back(std::move(next));
+        }
     }
-    return std::nullopt;
-}
 
-// Half the length, as a share of the axis, over which an outline that crosses the axis at s cuts
-// the arrow's width; limited to three widths.
-double slant(const Canvas& canvas, const ArrowShape& shape, const PaperEllipse& outline, double s) {
-    const Eigen::Vector3d run = shape.tip - shape.tail;
-    const Eigen::Vector3d point = shape.front(s);
-    const bool in_head = s > shape.neck_at;
-    const double scale = canvas.projection.scale(canvas.projection.depth(point));
-    const double radius_pt = scale * (in_head ? shape.head_radius : shape.shaft_radius);
-    const Eigen::Affine2d to_circle = outline.page_from_circle().inverse();
-    const Eigen::Vector2d normal =
-        to_circle.linear().transpose() * (to_circle * canvas.projection.place(point));
-    const double along = std::abs(normal.dot(shape.along));
-    const double across = std::abs(normal.dot(shape.across));
-    constexpr double most = 6.0, margin_pt = 0.1;
-    const double reach_pt = radius_pt * std::min(across / std::max(along, 1e-9), most) + margin_pt;
-    constexpr double step = 1e-4;
-    const double pt_per_s =
-        (canvas.projection.place(point + step * run) - canvas.projection.place(point - step * run))
-            .norm() /
-        (2.0 * step);
-    return reach_pt / std::max(pt_per_s, 1e-9);
-}
+    // All different covers.
+    std::vector<Cover> covers() const {
+        std::vector<Cover> found;
+        for (const Strand& strand : strands_)
+            for (const Span& span : strand.spans)
+                if (std::find(found.begin(), found.end(), span.cover) == found.end())
+                    found.push_back(span.cover);
+        return found;
+    }
 
-// A span of the axis with the part of the arrow beside it, clipped by outlines.
-struct BesideSpan {
-    Span span;
-    std::vector<ClipBegin> clips;
+    // The stretch of the axis beside which the part has this cover.
+    Span stretch_of(const Cover& cover) const {
+        Span stretch{to_, from_, cover};
+        for (const Strand& strand : strands_)
+            for (const Span& span : strand.spans)
+                if (span.cover == cover) {
+                    stretch.from = std::min(stretch.from, std::max(span.from, from_));
+                    stretch.to = std::max(stretch.to, std::min(span.to, to_));
+                }
+        // Only beyond the ends.
+        if (!(stretch.from < stretch.to)) return {from_, to_, cover};
+        return stretch;
+    }
+
+    // The region of the page with this cover.
+    Path region_of(const Cover& cover) const {
+        Path region;
+        for (std::size_t first = 0; first < strands_.size();) {
+            // Neighbours with the same sequence of covers: their breaks are on one edge.
+            std::size_t end = first + 1;
+            while (end < strands_.size() && is_like(strands_[first], strands_[end])) ++end;
+            const auto& spans = strands_[first].spans;
+            for (std::size_t i = 0; i < spans.size(); ++i) {
+                if (!(spans[i].cover == cover)) continue;
+                std::vector<Eigen::Vector2d> edge = edge_of(first, end, i, false);
+                const std::vector<Eigen::Vector2d> back = edge_of(first, end, i, true);
+                edge.insert(edge.end(), back.rbegin(), back.rend());
+                region.move(edge.front());
+                for (std::size_t k = 1; k < edge.size(); ++k) region.line(edge[k]);
+                region.close();
+            }
+            first = end;
+        }
+        return region;
+    }
+
+ private:
+    struct Strand {
+        double side = 0.0;  // −1 … 1 across the part
+        std::vector<Span> spans;
+    };
+
+    Strand strand_at(const Canvas& canvas, double side) const {
+        Strand strand{side, {}};
+        Track track;
+        track.flow = [this, side](double s) { return at(side, s); };
+        track.knots = {from_ - beyond_, from_, to_, to_ + beyond_};
+        if (from_ < to_) strand.spans = canvas.occluders.spans(track, {});
+        return strand;
+    }
+
+    // Adds strands between two neighbours until the cut is straight between them.
+    void refine(const Canvas& canvas, const Strand& one, const Strand& other, int depth) {
+        constexpr int deepest = 7;
+        constexpr double most_off_pt = 0.01;
+        const Strand middle = strand_at(canvas, 0.5 * (one.side + other.side));
+        bool is_straight = is_like(one, middle) && is_like(middle, other);
+        for (std::size_t i = 0; is_straight && i + 1 < middle.spans.size(); ++i) {
+            const Eigen::Vector2d here = place(middle.side, middle.spans[i].to);
+            const Eigen::Vector2d a = place(one.side, one.spans[i].to);
+            const Eigen::Vector2d chord = place(other.side, other.spans[i].to) - a;
+            is_straight = std::abs(cross(chord, here - a)) <= most_off_pt * chord.norm();
+        }
+        if (is_straight || depth == deepest) return;
+        refine(canvas, one, middle, depth + 1);
+        strands_.push_back(middle);
+        refine(canvas, middle, other, depth + 1);
+    }
+
+    // A point of the near surface. In the head, the radius decreases towards the tip; beyond the
+    // ends it is constant.
+    CurveFlow at(double side, double s) const {
+        const Eigen::Vector3d run = shape_.tip - shape_.tail;
+        Eigen::Vector3d off = Eigen::Vector3d::Zero();
+        if (!shape_.to_front.isZero(0.0)) {
+            const Eigen::Vector3d front = shape_.to_front.normalized();
+            off = side * front.cross(shape_.axis) + std::sqrt(1.0 - side * side) * front;
+        }
+        if (part_ == ArrowPart::shaft)
+            return {shape_.tail + s * run + shape_.shaft_radius * off, run};
+        const double length = std::max(to_ - from_, 1e-12);
+        const Eigen::Vector3d base = shape_.head_radius * off;
+        const double share = std::clamp((to_ - s) / length, 0.0, 1.0);
+        const bool narrows = from_ <= s && s <= to_;
+        return {shape_.tail + s * run + share * base, narrows ? (run - base / length).eval() : run};
+    }
+
+    static bool is_like(const Strand& a, const Strand& b) {
+        return std::equal(a.spans.begin(), a.spans.end(), b.spans.begin(), b.spans.end(),
+                          [](const Span& x, const Span& y) { return x.cover == y.cover; });
+    }
+
+    Eigen::Vector2d place(double side, double s) const {
+        return projection_.place(at(side, s).position);
+    }
+
+    // One end of span i of the strands [first, end), continued to the middle between them and their
+    // neighbours, and beyond the sides and the ends of the part.
+    std::vector<Eigen::Vector2d> edge_of(std::size_t first, std::size_t end, std::size_t i,
+                                         bool at_end) const {
+        const double reach = reach_pt(shape_, part_);
+        const auto end_at = [&](std::size_t k) {
+            const Span& span = strands_[k].spans[i];
+            return at_end ? span.to : span.from;
+        };
+        std::vector<Eigen::Vector2d> edge;
+        const auto add = [&](const Eigen::Vector2d& point, double s) {
+            double ahead = 0.0;
+            if (at_end && s >= to_ + beyond_) ahead = reach;
+            if (!at_end && s <= from_ - beyond_) ahead = -reach;
+            edge.push_back(point + ahead * shape_.along);
+        };
+        const auto add_border = [&](std::size_t k, std::ptrdiff_t step) {
+            const double s = end_at(k);
+            const Eigen::Vector2d here = place(strands_[k].side, s);
+            const auto next = static_cast<std::ptrdiff_t>(k) + step;
+            if (next >= 0 && next < static_cast<std::ptrdiff_t>(strands_.size())) {
+                const double side = strands_[static_cast<std::size_t>(next)].side;
+                add(0.5 * (here + place(side, s)), s);
+                return;
+            }
+            // Sides towards which the strands are numbered.
+            const Eigen::Vector2d across = place(1.0, from_) - place(-1.0, from_);
+            const double length = across.norm();
+            const Eigen::Vector2d out = length > 1e-9 ? (across / length).eval() : shape_.across;
+            add(here + static_cast<double>(step) * reach * out, s);
+        };
+        add_border(first, -1);
+        for (std::size_t k = first; k < end; ++k)
+            add(place(strands_[k].side, end_at(k)), end_at(k));
+        add_border(end - 1, 1);
+        return edge;
+    }
+
+    const Projection& projection_;
+    const ArrowShape& shape_;
+    ArrowPart part_;
+    double from_, to_;
+    double beyond_ = 0.0;  // the continuation of the lines at both ends
+    std::vector<Strand> strands_;
 };
 
-BesideSpan beside(const Canvas& canvas, const ArrowShape& shape, const Span& span) {
-    BesideSpan part{span, {}};
-    const Eigen::Vector2d middle =
-        canvas.projection.place(shape.front(0.5 * (span.from + span.to)));
-    for (const double end : {span.from, span.to}) {
-        const auto outline = outline_at(canvas, shape, end);
-        if (!outline) continue;
-        const double reach = slant(canvas, shape, *outline, end);
-        if (end == span.from)
-            part.span.from = std::max(end - reach, 0.0);
-        else
-            part.span.to = std::min(end + reach, 1.0);
-        part.clips.push_back(canvas.clip_to(*outline, outline->radius_of(middle) < 1.0));
-    }
-    return part;
-}
-
-// Draws the part of the arrow beside a span of its axis with one opacity, over a layer with another
-// opacity.
-void draw_part(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape,
-               const Track& track, const Span& span, double opacity, double lower_opacity) {
+// Draws a part of the arrow beside a stretch of its axis with one opacity, over a layer with
+// another opacity.
+void draw_stretch(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape, ArrowPart part,
+                  const Span& stretch, double opacity, double lower_opacity) {
     const Eigen::Vector3d to_eye = canvas.projection.towards_eye(0.5 * (shape.tail + shape.tip));
     const Eigen::Vector3d front = (to_eye - to_eye.dot(shape.axis) * shape.axis).normalized();
     const Colour lit =
         encoded(arrow_surface(arrow.colour, canvas.lights, {front, to_eye.normalized()}));
+    Track track;
+    track.flow = [&shape](double s) { return CurveFlow{shape.front(s), shape.tip - shape.tail}; };
+    track.knots = {begin_of(shape, part), end_of(shape, part)};
     const auto look_at = [&](double s) {
         const Colour ground = canvas.behind(canvas.projection.place(track.flow(s).position));
         const Colour behind = over(as_in_light(lit, lower_opacity, ground), ground);
         return Canvas::LineLook{lit, opacity, behind};
     };
-    std::vector<Canvas::ConstantColourSpan> parts{{span.from, span.to, {}}};
+    std::vector<Canvas::ConstantColourSpan> spans{{stretch.from, stretch.to, {}}};
     if (canvas.shading != Shading::none && opacity < pale)
-        parts = canvas.constant_colour_spans(track, span.from, span.to, look_at);
-    for (const Canvas::ConstantColourSpan& part : parts) {
-        const bool whole = part.from <= 0.0 && part.to >= 1.0;
-        if (!whole) canvas.add(ClipBegin{strip(canvas, shape, part.from, part.to), false});
-        fill_arrow(canvas, arrow, shape, opacity, part.ink,
-                   parts_beside(canvas, shape, part.from, part.to));
-        if (!whole) canvas.add(ClipEnd{});
+        spans = canvas.constant_colour_spans(track, stretch.from, stretch.to, look_at);
+    for (const Canvas::ConstantColourSpan& span : spans) {
+        if (spans.size() > 1)
+            canvas.add(ClipBegin{strip(canvas, shape, part, span.from, span.to), false});
+        fill_part(canvas, arrow, shape, part, opacity, span.ink);
+        if (spans.size() > 1) canvas.add(ClipEnd{});
+    }
+}
+
+void draw_part(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape, ArrowPart part,
+               ArrowLayer layer) {
+    if (arrow.occlusion == Occlusion::none) {
+        if (layer == ArrowLayer::visible)
+            draw_stretch(canvas, arrow, shape, part,
+                         {begin_of(shape, part), end_of(shape, part), {}}, arrow.opacity, 0.0);
+        return;
+    }
+    const Strands strands(canvas, shape, part);
+    const std::vector<Cover> covers = strands.covers();
+    for (const Cover& cover : covers) {
+        const auto opacity_of = [&](ArrowLayer of) {
+            return arrow.opacity * weight_of(cover, arrow.hidden_opacity, of);
+        };
+        const double opacity = opacity_of(layer);
+        if (opacity < 1e-3) continue;
+        const double lower = layer == ArrowLayer::visible ? opacity_of(ArrowLayer::hidden) : 0.0;
+        if (covers.size() > 1) canvas.add(ClipBegin{strands.region_of(cover), false});
+        draw_stretch(canvas, arrow, shape, part, strands.stretch_of(cover), opacity, lower);
+        if (covers.size() > 1) canvas.add(ClipEnd{});
     }
 }
 
 void draw_arrow(const Canvas& canvas, const Arrow& arrow, ArrowLayer layer) {
     const ArrowShape shape = shape_of(canvas, arrow);
     if (!shape.seen) return;
-    Track track;
-    track.flow = [&shape](double s) {
-        Eigen::Vector3d along = shape.tip - shape.tail;
-        if (s > shape.neck_at) along -= shape.to_front / (1.0 - shape.neck_at);
-        return CurveFlow{shape.front(s), along};
-    };
-    track.knots = {0.0, 1.0};
-    if (shape.neck_at > 0.0 && shape.neck_at < 1.0) track.knots = {0.0, shape.neck_at, 1.0};
-    if (arrow.occlusion == Occlusion::none) {
-        if (layer == ArrowLayer::visible)
-            draw_part(canvas, arrow, shape, track, {0.0, 1.0, {}}, arrow.opacity, 0.0);
-        return;
-    }
-    const std::vector<Span> spans = canvas.occluders.spans(track, {});
-    for (const Span& span : spans) {
-        const auto opacity_of = [&](ArrowLayer of) {
-            return arrow.opacity * weight_of(span.cover, arrow.hidden_opacity, of);
-        };
-        const double lower = layer == ArrowLayer::visible ? opacity_of(ArrowLayer::hidden) : 0.0;
-        const double opacity = opacity_of(layer);
-        if (opacity < 1e-3) continue;
-        const BesideSpan part = beside(canvas, shape, span);
-        for (const ClipBegin& clip : part.clips) canvas.add(clip);
-        draw_part(canvas, arrow, shape, track, part.span, opacity, lower);
-        for (std::size_t k = 0; k < part.clips.size(); ++k) canvas.add(ClipEnd{});
+    canvas.enter(arrow.name, layer == ArrowLayer::hidden ? "hidden" : "");
+    // The nearer part is drawn last: the shaft if the arrow points away from the eye.
+    const bool away = shape.axis.dot(-canvas.projection.towards_eye(shape.neck)) > 0.0;
+    std::array parts{ArrowPart::shaft, ArrowPart::head};
+    if (away) std::swap(parts[0], parts[1]);
+    for (const ArrowPart part : parts) {
+        // The head is a group in that of the arrow. The dashes of a shaft have no head.
+        const bool is_group = part == ArrowPart::head && arrow.head_px > arrow.shaft_px &&
+                              !arrow.name.element.empty();
+        if (is_group)
+            canvas.page.begin_group(
+                canvas.id_of(arrow.name, layer == ArrowLayer::hidden ? "hidden-head" : "head"));
+        draw_part(canvas, arrow, shape, part, layer);
+        if (is_group) canvas.add(GroupEnd{});
     }
 }
 
@@ -403,6 +533,7 @@ void draw_dot(const Canvas& canvas, const Dot& dot, ArrowLayer layer) {
     if (dot.opacity <= 0.0 || (canvas.projection.perspective &&
                                canvas.projection.depth(dot.at) <= canvas.projection.near_depth))
         return;
+    canvas.enter(dot.name, layer == ArrowLayer::hidden ? "hidden" : "");
     if (dot.occlusion == Occlusion::none) {
         if (layer == ArrowLayer::visible) fill_dot(canvas, dot, dot.opacity);
         return;

@@ -15,6 +15,7 @@
 
 #include "error/error.h"
 #include "vector/canvas.h"
+#include "vector/gradients.h"
 
 namespace poinsot::vector {
 
@@ -22,10 +23,6 @@ namespace {
 
 using std::numbers::pi;
 
-// A thin stroke of the same ink around each fill closes the seams that PDF and SVG viewers show.
-constexpr double most_seam_pt = 0.2;
-// Tones per component: neighbouring triangles of the same rounded tone are filled together.
-constexpr double n_tones = 48.0;
 constexpr int n_places = 7;
 
 using Bodies = std::span<const MeshSight>;
@@ -38,7 +35,7 @@ bool covers(const MeshSight& body, const MeshSight& other) {
 // A triangle and its data for filling.
 struct Facet {
     const MeshSight::Triangle* triangle = nullptr;
-    Colour colour;
+    std::array<Colour, 3> colours{};  // of the corners
     bool faces = false;
     double depth = 0.0;                // of its centre
     int n_hidden = 0;                  // number of its hidden sample points
@@ -49,21 +46,43 @@ struct Facet {
     bool is_seen() const { return faces && n_hidden < n_places; }
 };
 
-Colour lit_colour(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle& triangle,
-                  const Eigen::Vector3d& to_eye) {
+Colour lit_colour(const Canvas& canvas, const Mesh& mesh, const Eigen::Vector3d& at,
+                  const Eigen::Vector3d& normal) {
     return encoded(
-        mesh_surface(mesh.colour, canvas.lights, {triangle.shading_normal.normalized(), to_eye}));
+        mesh_surface(mesh.colour, canvas.lights,
+                     {normal.normalized(), canvas.projection.towards_eye(at).normalized()}));
+}
+
+// The normal of the smooth surface at a point of a triangle.
+Eigen::Vector3d normal_at(const MeshSight::Triangle& triangle, const Eigen::Vector3d& point) {
+    const auto& c = triangle.corners;
+    const Eigen::Vector3d& n = triangle.normal;
+    const double whole = std::max(n.squaredNorm(), 1e-300);
+    const double first = n.dot((c[1] - point).cross(c[2] - point)) / whole;
+    const double second = n.dot((c[2] - point).cross(c[0] - point)) / whole;
+    const Eigen::Vector3d normal = first * triangle.corner_normals[0].normalized() +
+                                   second * triangle.corner_normals[1].normalized() +
+                                   (1.0 - first - second) * triangle.corner_normals[2].normalized();
+    return normal.norm() > 1e-6 ? normal : n;
 }
 
 Facet facet_of(const Canvas& canvas, const Mesh& mesh, const MeshSight::Triangle& triangle) {
     const Eigen::Vector3d middle =
         (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
     const Eigen::Vector3d to_eye = canvas.projection.towards_eye(middle).normalized();
-    Facet facet{&triangle, {}, triangle.normal.dot(to_eye) > 0.0, canvas.projection.depth(middle)};
-    if (canvas.shading == Shading::none)
-        facet.colour = canvas.behind(triangle.paper[0]);
-    else
-        facet.colour = under_sheets(canvas, middle, lit_colour(canvas, mesh, triangle, to_eye));
+    Facet facet;
+    facet.triangle = &triangle;
+    facet.faces = triangle.normal.dot(to_eye) > 0.0;
+    facet.depth = canvas.projection.depth(middle);
+    if (canvas.shading == Shading::none) {
+        facet.colours.fill(canvas.behind(triangle.paper[0]));
+        return facet;
+    }
+    const auto colour_at = [&](const Eigen::Vector3d& at, const Eigen::Vector3d& normal) {
+        return under_sheets(canvas, at, lit_colour(canvas, mesh, at, normal));
+    };
+    for (std::size_t k = 0; k < 3 && facet.faces; ++k)
+        facet.colours[k] = colour_at(triangle.corners[k], triangle.corner_normals[k]);
     return facet;
 }
 
@@ -79,65 +98,6 @@ std::array<Eigen::Vector3d, n_places> places_of(const MeshSight::Triangle& trian
         places[2 * k + 2] = side + inset * (middle - side);
     }
     return places;
-}
-
-std::array<int, 3> rounded(const Colour& colour) {
-    const auto level = [](double c) { return static_cast<int>(std::lround(n_tones * c)); };
-    return {level(colour.r), level(colour.g), level(colour.b)};
-}
-
-// The seam must not make thin parts, such as a string, much wider.
-double seam_of(const std::vector<const MeshSight::Triangle*>& triangles) {
-    double area = 0.0, longest = 0.0;
-    for (const MeshSight::Triangle* triangle : triangles) {
-        const auto& p = triangle->paper;
-        area += std::abs(cross(p[1] - p[0], p[2] - p[0]));
-        longest += std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
-    }
-    // Two fifths of the height, in few steps to keep the file small.
-    const double most = 0.4 * area / std::max(longest, 1e-9);
-    double seam_pt = most_seam_pt;
-    for (int step = 0; step < 4 && seam_pt > most; ++step) seam_pt *= 0.5;
-    return seam_pt;
-}
-
-// The common outline of triangles that are neighbours on paper: sides that two of them share run in
-// both directions and cancel.
-Path common_outline(const std::vector<const MeshSight::Triangle*>& triangles) {
-    using Place = std::pair<double, double>;
-    std::map<Place, std::vector<Place>> sides;
-    const auto take = [&sides](const Place& from, const Place& to) {
-        const auto found = sides.find(from);
-        if (found == sides.end()) return false;
-        const auto at = std::find(found->second.begin(), found->second.end(), to);
-        if (at == found->second.end()) return false;
-        found->second.erase(at);
-        if (found->second.empty()) sides.erase(found);
-        return true;
-    };
-    for (const MeshSight::Triangle* t : triangles) {
-        const bool turned = cross(t->paper[1] - t->paper[0], t->paper[2] - t->paper[0]) < 0.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            Place a{t->paper[k].x(), t->paper[k].y()};
-            Place b{t->paper[(k + 1) % 3].x(), t->paper[(k + 1) % 3].y()};
-            if (turned) std::swap(a, b);
-            if (!take(b, a)) sides[a].push_back(b);
-        }
-    }
-    Path path;
-    while (!sides.empty()) {
-        const Place start = sides.begin()->first;
-        Place at = start;
-        path.move({at.first, at.second});
-        do {
-            const Place next = sides.at(at).back();
-            take(at, next);
-            at = next;
-            if (at != start) path.line({at.first, at.second});
-        } while (at != start && sides.contains(at));
-        path.close();
-    }
-    return path;
 }
 
 // Edges for a line drawing: where the surface turns away from the eye, boundaries, and sharp edges.
@@ -271,16 +231,17 @@ void rank(std::vector<Facet>& facets) {
 void fill_bodies(const Canvas& canvas, Bodies bodies) {
     std::vector<Facet> facets = facets_of(canvas, bodies);
     rank(facets);
-    // Triangles that do not hide each other are filled together by colour, the highest rank first.
-    std::map<std::pair<int, std::array<int, 3>>, std::vector<const MeshSight::Triangle*>> filled;
-    for (const Facet& facet : facets)
-        if (facet.is_seen()) filled[{-facet.rank, rounded(facet.colour)}].push_back(facet.triangle);
-    for (const auto& [key, triangles] : filled) {
-        const auto& level = key.second;
-        const Colour colour{level[0] / n_tones, level[1] / n_tones, level[2] / n_tones};
-        canvas.add(
-            Fill{common_outline(triangles), PaperInk{colour, 1.0}, false, seam_of(triangles)});
+    // Triangles that do not hide each other are filled together, the highest rank first.
+    std::vector<ShadedTriangle> shaded;
+    for (const Facet& facet : facets) {
+        if (!facet.is_seen()) continue;
+        ShadedTriangle& triangle = shaded.emplace_back();
+        std::copy_n(facet.triangle->paper, 3, triangle.corners);
+        std::copy_n(facet.colours.begin(), 3, triangle.colours);
+        triangle.layer = -facet.rank;
     }
+    constexpr std::size_t most_fills = 500;
+    for (Fill& fill : gradient_fills(shaded, least_shade, most_fills)) canvas.add(std::move(fill));
 }
 
 struct ConeAxes {
@@ -374,9 +335,8 @@ void fill_sheets(const Canvas& canvas, const Cone& cone, const ConeAxes& axes,
         const auto& [one, both] = looks[within ? 1 : 0];
         if (one.empty() && both.empty()) continue;
         if (is_split) canvas.add(canvas.clip_to(*outline, within));
-        if (!both.empty() && !between.steps.empty())
-            canvas.add(Fill{between, ink_for(both), true, 0.0});
-        if (!one.empty()) canvas.add(Fill{within_rim, ink_for(one), false, 0.0});
+        if (!both.empty() && !between.steps.empty()) canvas.add(Fill{between, ink_for(both), true});
+        if (!one.empty()) canvas.add(Fill{within_rim, ink_for(one), false});
         if (is_split) canvas.add(ClipEnd{});
     }
 }
@@ -430,8 +390,10 @@ std::optional<BodySeen> body_at(const Canvas& canvas, const Eigen::Vector2d& at)
         for (const MeshSight::Crossing& there : crossings) {
             if (seen && there.depth >= seen->depth) continue;
             const MeshSight::Triangle& triangle = body.triangles()[there.number];
-            const Eigen::Vector3d to_eye = canvas.projection.towards_eye(triangle.corners[0]);
-            seen = {lit_colour(canvas, body.mesh(), triangle, to_eye.normalized()), there.depth};
+            const Eigen::Vector3d point =
+                canvas.projection.on_plane(at, triangle.corners[0], triangle.normal);
+            seen = {lit_colour(canvas, body.mesh(), point, normal_at(triangle, point)),
+                    there.depth};
         }
     }
     return seen;

@@ -1,6 +1,7 @@
 #include "vector/canvas.h"
 
 #include <algorithm>
+#include <map>
 
 #include "shapes/soft_shadow.h"
 #include "vector/picture.h"
@@ -31,6 +32,15 @@ Canvas::Canvas(const Drawing& whole, const View& shown, double pt_per_px, Shadin
       lights(shown),
       shading(how),
       page(onto) {}
+
+std::string Canvas::id_of(const ShapeName& name, std::string_view part) const {
+    if (name.element.empty()) return {};
+    std::string id(name.element);
+    if (name.number > 0) id += "-" + std::to_string(name.number);
+    for (const std::string_view more : {name.part, part, std::string_view(panel)})
+        if (!more.empty()) id += "-" + std::string(more);
+    return id;
+}
 
 Colour Canvas::ground(const Eigen::Vector2d& at) const {
     // Paper is white where nothing is drawn.
@@ -120,8 +130,10 @@ Background ground_of(Background background, Shading shading) {
     return background;
 }
 
-void draw_view(const Drawing& drawing, const View& view, const PageChoices& choices, Page& page) {
+void draw_view(const Drawing& drawing, const View& view, const std::string& panel,
+               const PageChoices& choices, Page& page) {
     Canvas canvas(drawing, view, choices.pt_per_px, choices.shading, page);
+    canvas.panel = panel;
     const Projection& projection = canvas.projection;
     const bool is_whole = projection.corner.isZero() &&
                           projection.size == Eigen::Vector2d(page.width_pt, page.height_pt);
@@ -139,9 +151,11 @@ void draw_view(const Drawing& drawing, const View& view, const PageChoices& choi
     const bool has_surfaces = !(view.planes.empty() && view.ellipsoids.empty() &&
                                 view.cones.empty() && view.meshes.empty());
     const bool has_pixels = choices.shading == Shading::picture && has_surfaces;
+    if (has_pixels) canvas.enter({"surfaces"});
     if (has_pixels) draw_ground_pixels(canvas, choices.draw_pixels);
     for (const Plane& plane : view.planes)
         if (!is_before_solids(canvas, plane)) {
+            canvas.enter(plane.name);
             draw_plane(canvas, plane);
             for (std::size_t k = 0; k < view.ellipsoids.size(); ++k) draw_shadow(canvas, plane, k);
         }
@@ -155,22 +169,45 @@ void draw_view(const Drawing& drawing, const View& view, const PageChoices& choi
                projection.depth(view.ellipsoids[b].centre);
     });
     light_sheets(canvas, order);
+    if (!view.meshes.empty()) canvas.enter(view.meshes.front().name);
     draw_meshes(canvas);
     canvas.bodies = true;
+    if (has_pixels) canvas.enter({"ellipsoid-surfaces"});
     if (has_pixels) draw_ellipsoid_pixels(canvas, choices.draw_pixels);
     auto sheet = canvas.sheets.begin();
     for (const std::size_t k : order) {
+        canvas.enter(view.ellipsoids[k].name);
         if (sheet != canvas.sheets.end() && sheet->number == k) draw_ellipsoid(canvas, *sheet++);
         canvas.ellipsoids.push_back(k);
     }
     for (const Plane& plane : view.planes)
-        if (is_before_solids(canvas, plane)) draw_plane(canvas, plane);
-    for (const Cone& cone : view.cones) draw_cone(canvas, cone);
+        if (is_before_solids(canvas, plane)) {
+            canvas.enter(plane.name);
+            draw_plane(canvas, plane);
+        }
+    for (const Cone& cone : view.cones) {
+        canvas.enter(cone.name);
+        draw_cone(canvas, cone);
+    }
     draw_arrows(canvas, ArrowLayer::hidden);
-    for (const Curve& curve : view.curves) draw_curve(canvas, curve);
+    for (const Curve& curve : view.curves) {
+        // The leader of an omitted label.
+        if (std::any_of(view.labels.begin(), view.labels.end(), [&](const Label& label) {
+                return curve.name == ShapeName{label.name.element, label.name.number, "leader"} &&
+                       is_omitted(canvas, label);
+            }))
+            continue;
+        canvas.enter(curve.name);
+        draw_curve(canvas, curve);
+    }
     draw_arrows(canvas, ArrowLayer::visible);
+    canvas.page.enter_group({});
     if (clips) page.add(ClipEnd{});
-    for (const Label& label : view.labels) draw_label(canvas, label);
+    for (const Label& label : view.labels) {
+        canvas.enter(label.name, "label");
+        draw_label(canvas, label);
+    }
+    canvas.page.enter_group({});
 }
 
 }  // namespace
@@ -181,7 +218,19 @@ Page page_of(const Drawing& drawing, const PageChoices& choices) {
     page.height_pt = choices.pt_per_px * drawing.height_px;
     draw_background(ground_of(drawing.background, choices.shading), Eigen::Vector2d::Zero(),
                     {page.width_pt, page.height_pt}, page);
-    for (const View& view : drawing.views) draw_view(drawing, view, choices, page);
+    const auto n_panels = std::count_if(drawing.views.begin(), drawing.views.end(),
+                                        [](const View& view) { return !view.name.empty(); });
+    std::map<std::string_view, int> n_of_kind;
+    for (const View& view : drawing.views) {
+        std::string panel;
+        if (n_panels > 1 && !view.name.empty()) {
+            panel = view.name;
+            if (const int n = ++n_of_kind[view.name]; n > 1) panel += "-" + std::to_string(n);
+            page.begin_group(panel);
+        }
+        draw_view(drawing, view, panel, choices, page);
+        if (!panel.empty()) page.add(GroupEnd{});
+    }
     return page;
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,14 @@ struct LitSheet {
 struct Canvas {
     Canvas(const Drawing& drawing, const View& view, double pt_per_px, Shading shading, Page& page);
 
+    // What is added next belongs to this shape.
+    void enter(const ShapeName& name, std::string_view part = {}) const {
+        page.enter_group(id_of(name, part));
+    }
+    // The id of a shape, or of a part of it, such as "axes-2-head"; ends in the panel's name if the
+    // picture has several panels. Empty for a shape without a name.
+    std::string id_of(const ShapeName& name, std::string_view part = {}) const;
+
     // The colour behind a point on the page: background, planes, bodies and ellipsoids drawn so
     // far.
     Colour behind(const Eigen::Vector2d& at) const;
@@ -69,6 +78,7 @@ struct Canvas {
     Lights lights;
     Shading shading;
     Page& page;
+    std::string panel;  // the panel's id; empty if the picture has only one
     bool has_fills() const { return shading == Shading::tone; }
     // A span of a track drawn in one colour, sampled at its midpoint.
     struct ConstantColourSpan {
@@ -148,5 +158,7 @@ enum class ArrowLayer { hidden, visible };
 void draw_arrows(const Canvas& canvas, ArrowLayer layer);
 // type.cpp
 void draw_label(const Canvas& canvas, const Label& label);
+// Whether the label is omitted together with the hidden point that it names.
+bool is_omitted(const Canvas& canvas, const Label& label);
 
 }  // namespace poinsot::vector

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "vector/canvas.h"
+#include "vector/dashes.h"
 
 namespace poinsot::vector {
 
@@ -103,36 +104,141 @@ SmoothForm form_of(const Canvas& canvas, const Curve& curve) {
 // Parameters at which the opacity changes by a step: a trail fades behind its head.
 std::vector<double> fading_steps(const Curve& curve, double last_point, const SmoothForm& smooth) {
     std::vector<double> steps;
-    constexpr int n_steps = 16;
-    for (int k = 0; k < n_steps && curve.fade_points > 0.0; ++k)
+    constexpr int n_fades = 16;
+    for (int k = 0; k < n_fades && curve.fade_points > 0.0; ++k)
         steps.push_back(
-            smooth.parameter_at(last_point - curve.fade_points * (1.0 - 1.0 * k / n_steps)));
+            smooth.parameter_at(last_point - curve.fade_points * (1.0 - 1.0 * k / n_fades)));
     return steps;
 }
 
-// Dash lengths, which apply at the depth of the camera's target; a closed curve has a whole number
-// of dashes.
-std::vector<double> dashes_of(const Canvas& canvas, const Curve& curve, bool hidden) {
-    if (curve.dash_px > 0.0)
-        return {canvas.pt(curve.dash_px),
-                canvas.pt(curve.gap_px > 0.0 ? curve.gap_px : curve.dash_px)};
-    if (hidden && curve.hidden == HiddenStyle::dashed)
-        return {canvas.pt(2.0 * curve.width_px), canvas.pt(2.0 * curve.width_px)};
-    return {};
+// Hidden lines are thinner, so that their dashes are longer than wide.
+constexpr double hidden_width = 0.65;
+
+// Whether a span is dashed because a body hides it. Planes are glass.
+bool is_dashed(const Curve& curve, const Span& span) {
+    return curve.hidden == HiddenStyle::dashed && span.cover.before_bodies < 0.5;
 }
 
-// The approximate length of a part on paper, for dashes.
-double length_pt(const Projection& projection, const Track& track, double from, double to) {
-    constexpr int n = 400;
-    double length = 0.0;
-    Eigen::Vector2d before = projection.place(track.flow(from).position);
-    for (int k = 1; k <= n && from < to; ++k) {
-        const Eigen::Vector2d here =
-            projection.place(track.flow(from + (to - from) * k / n).position);
-        length += (here - before).norm();
-        before = here;
+double stroke_width_pt(const Canvas& canvas, const Curve& curve, bool hidden) {
+    const bool thins = hidden && !curve.stands_for_hidden;
+    return canvas.line_pt((thins ? hidden_width : 1.0) * curve.width_px);
+}
+
+// The dashes of hidden parts: in proportion to the line's width, and on a short curve shorter.
+Dash hidden_dash(const Canvas& canvas, const Curve& curve, double drawn_pt) {
+    constexpr double least_widths = 3.0, most_widths = 6.0, gap_share = 0.5;
+    const double width = stroke_width_pt(canvas, curve, true);
+    const double on = std::clamp(drawn_pt / 16.0, least_widths * width, most_widths * width);
+    return {on, gap_share * on};
+}
+
+// A dashed stretch of a curve.
+struct DashedStretch {
+    double from = 0.0, to = 0.0;
+    DashPattern pattern;
+};
+
+// Lays out the dashes of a curve.
+class Dashes {
+ public:
+    Dashes(const Canvas& canvas, const Curve& curve, const Track& track,
+           const std::vector<Span>& spans, bool closed)
+        : canvas_(canvas), track_(track), closed_(closed) {
+        const double first = track.knots.front(), last = track.knots.back();
+        if (curve.dash_px > 0.0) {
+            // Dashed throughout, whether hidden or not.
+            const double gap_px = curve.gap_px > 0.0 ? curve.gap_px : curve.dash_px;
+            add({canvas.pt(curve.dash_px), canvas.pt(gap_px)}, first, last, DashEnd::dash,
+                DashEnd::dash);
+            return;
+        }
+        if (std::none_of(spans.begin(), spans.end(),
+                         [&](const Span& span) { return is_dashed(curve, span); }))
+            return;
+        const Dash wanted = hidden_dash(canvas, curve, length(first, last));
+        const auto is_solid = [&](std::size_t k) {
+            return !is_dashed(curve, spans[k]) && !curve.stands_for_hidden;
+        };
+        for (std::size_t k = 0; k < spans.size();) {
+            std::size_t end = k + 1;
+            if (is_dashed(curve, spans[k])) {
+                while (end < spans.size() && is_dashed(curve, spans[end]) &&
+                       spans[end].from == spans[end - 1].to)
+                    ++end;
+                const bool after = k > 0 && spans[k - 1].to == spans[k].from && is_solid(k - 1);
+                const bool before =
+                    end < spans.size() && spans[end].from == spans[end - 1].to && is_solid(end);
+                add(wanted, spans[k].from, spans[end - 1].to, after ? DashEnd::gap : DashEnd::dash,
+                    before ? DashEnd::gap : DashEnd::dash);
+            }
+            k = end;
+        }
+        if (closed && stretches_.size() > 1 && stretches_.front().from == first &&
+            stretches_.back().to == last)
+            join_ends(wanted);
     }
-    return length;
+
+    // Gives a stroke that begins at a parameter its dashes; none outside dashed stretches.
+    void dash(Stroke& stroke, double from) const {
+        for (const DashedStretch& stretch : stretches_) {
+            if (!(stretch.from <= from && from < stretch.to)) continue;
+            stroke.dashes_pt = stretch.pattern.lengths_pt;
+            stroke.dash_offset_pt = stretch.pattern.offset_pt + length(stretch.from, from);
+        }
+    }
+
+ private:
+    double length(double from, double to) const {
+        return length_on_paper(canvas_.projection, track_, from, to);
+    }
+
+    void add(const Dash& wanted, double from, double to, DashEnd begin, DashEnd end) {
+        const double whole = length(from, to);
+        if (!(whole > 0.0)) return;
+        if (closed_ && from == track_.knots.front() && to == track_.knots.back()) {
+            // A closed curve begins in the middle of a gap.
+            const Dash dash = fitted_dash(wanted, whole);
+            stretches_.push_back(
+                {from, to, {{dash.on_pt, dash.off_pt}, dash.on_pt + 0.5 * dash.off_pt}});
+            return;
+        }
+        std::vector<double> cuts = corners_between(canvas_.projection, track_, from, to);
+        cuts.push_back(to);
+        std::vector<double> pieces;
+        double at = from;
+        for (const double cut : cuts) {
+            pieces.push_back(length(at, cut));
+            at = cut;
+        }
+        stretches_.push_back({from, to, dashes_along(wanted, pieces, begin, end)});
+    }
+
+    // The last stretch of a closed curve continues in the first.
+    void join_ends(const Dash& wanted) {
+        DashedStretch &front = stretches_.front(), &back = stretches_.back();
+        const double before = length(back.from, back.to);
+        const double whole = before + length(front.from, front.to);
+        front.pattern = back.pattern = dashes_along(wanted, {{whole}}, DashEnd::gap, DashEnd::gap);
+        front.pattern.offset_pt += before;
+    }
+
+    const Canvas& canvas_;
+    const Track& track_;
+    bool closed_;
+    std::vector<DashedStretch> stretches_;
+};
+
+// The visible share of a span.
+double share_shown(const Curve& curve, const Cover& cover) {
+    const double glass = seen_through_planes(cover);
+    const double through = std::max(curve.hidden_opacity, cover.through_bodies);
+    if (curve.stands_for_hidden) return glass * (1.0 - cover.before_bodies) * through;
+    if (curve.hidden == HiddenStyle::dimmed) {
+        const double hidden = std::max(curve.hidden_opacity, cover.transmitted);
+        return cover.clear + (1.0 - cover.clear) * hidden;
+    }
+    const double hidden = curve.hidden == HiddenStyle::absent ? 0.0 : through;
+    return glass * (cover.before_bodies + (1.0 - cover.before_bodies) * hidden);
 }
 
 bool shows(const Curve& curve) {
@@ -160,13 +266,11 @@ void draw_curve(const Canvas& canvas, const Curve& curve) {
     else
         spans = {{first, last, {}}};
 
+    const bool is_closed = geometry.closed && first_point == 0.0 && last_point == n_segments;
+    const Dashes dashes(canvas, curve, track, spans, is_closed);
     const std::vector<double> steps = fading_steps(curve, last_point, smooth);
     for (const Span& span : spans) {
-        const double hidden = curve.hidden == HiddenStyle::absent
-                                  ? 0.0
-                                  : std::max(curve.hidden_opacity, span.cover.transmitted);
-        const double opacity =
-            curve.opacity * (span.cover.clear + (1.0 - span.cover.clear) * hidden);
+        const double opacity = curve.opacity * share_shown(curve, span.cover);
         std::vector<double> cuts{span.from};
         for (const double step : steps)
             if (span.from < step && step < span.to) cuts.push_back(step);
@@ -196,15 +300,10 @@ void draw_curve(const Canvas& canvas, const Curve& curve) {
                 stroke.path = canvas.path_of(track, part.from, part.to, curve_tolerance_pt,
                                              form_tolerance_pt);
                 const bool whole = part.from == first && part.to == last;
-                if (whole && geometry.closed && first_point == 0.0 && last_point == n_segments)
-                    stroke.path.close();
+                if (whole && is_closed) stroke.path.close();
                 stroke.ink = part.ink;
-                stroke.width_pt = canvas.line_pt(curve.width_px);
-                stroke.dashes_pt = dashes_of(canvas, curve, span.cover.clear < 0.5);
-                // The dash pattern continues across parts; the curve begins in the middle of a gap.
-                if (stroke.dashes_pt.size() == 2)
-                    stroke.dash_offset_pt = stroke.dashes_pt[0] + 0.5 * stroke.dashes_pt[1] +
-                                            length_pt(canvas.projection, track, first, part.from);
+                stroke.width_pt = stroke_width_pt(canvas, curve, is_dashed(curve, span));
+                dashes.dash(stroke, part.from);
                 stroke.round = whole && stroke.dashes_pt.empty();
                 canvas.add(std::move(stroke));
             }

@@ -45,7 +45,7 @@ Page with_outlined_type(Page page) {
             halo.width_pt = 1.5 * type->halo_pt;
             items.emplace_back(std::move(halo));
         }
-        items.emplace_back(Fill{std::move(letters), type->ink, false, 0.0});
+        items.emplace_back(Fill{std::move(letters), type->ink, false});
     }
     page.items = std::move(items);
     return page;

@@ -37,6 +37,11 @@ MeshSight::MeshSight(const Mesh& mesh, const Projection& projection)
                               .cross(triangle.corners[2] - triangle.corners[0]);
         const auto& normals = mesh.geometry->normals;
         triangle.shading_normal = triangle.normal;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const bool has_one = k + i < normals.size() && normals[k + i].norm() > 1e-6f;
+            triangle.corner_normals[i] =
+                has_one ? (turned * normals[k + i].cast<double>()).eval() : triangle.normal;
+        }
         if (k + 2 < normals.size()) {
             const Eigen::Vector3f mean = normals[k] + normals[k + 1] + normals[k + 2];
             if (mean.norm() > 1e-6f) triangle.shading_normal = turned * mean.cast<double>();

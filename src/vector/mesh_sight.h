@@ -21,8 +21,9 @@ class MeshSight {
         Eigen::Vector3d normal;  // outward normal of the plane; not of unit length
         // The normal of the smooth surface: the mean of the corners' normals; not of unit length.
         Eigen::Vector3d shading_normal;
-        bool before_eye = true;  // if false, its places on paper are unknown
-        std::size_t first = 0;   // of its corners, in the mesh's lists
+        Eigen::Vector3d corner_normals[3];  // of the smooth surface; not of unit length
+        bool before_eye = true;             // if false, its places on paper are unknown
+        std::size_t first = 0;              // of its corners, in the mesh's lists
     };
 
     // Whether a triangle lies between the point and the eye. Triangles within a millionth of the

@@ -103,6 +103,12 @@ class RootFinder {
 
 }  // namespace
 
+double seen_through_planes(const Cover& cover) {
+    constexpr double least = 0.75;  // distinguishable from what lies above the plane
+    return cover.through_planes +
+           (1.0 - cover.through_planes) * std::max(least, cover.through_planes);
+}
+
 SphereSight::SphereSight(const Ellipsoid& ellipsoid, const Projection& projection)
     : UnitSphere(ellipsoid),
       perspective(projection.perspective),
@@ -148,8 +154,8 @@ Cover Occluders::at(const Eigen::Vector3d& point, const Membership& of) const {
             own ? !sphere.surrounds_eye && sphere.before_limb(u) < 0.0 : sphere.hides(u);
         if (!hidden) continue;
         // A fading ellipsoid hides less of what lies behind it.
-        cover.clear *= 1.0 - std::clamp(4.0 * sphere.hiding, 0.0, 1.0);
-        cover.transmitted *= 1.0 - sphere.hiding;
+        cover.before_bodies *= 1.0 - std::clamp(4.0 * sphere.hiding, 0.0, 1.0);
+        cover.through_bodies *= 1.0 - sphere.hiding;
     }
     for (std::size_t k = 0; k < view_.planes.size(); ++k) {
         const Plane& plane = view_.planes[k];
@@ -157,14 +163,15 @@ Cover Occluders::at(const Eigen::Vector3d& point, const Membership& of) const {
             continue;
         const double opacity =
             level(opacity_at(plane, crossing_distance(projection_, plane, point)));
-        cover.clear *= 1.0 - opacity;
-        cover.transmitted *= 1.0 - opacity;
+        cover.through_planes *= 1.0 - opacity;
     }
     for (const MeshSight& mesh : meshes_) {
         if (!mesh.hides(point)) continue;
-        cover.clear = 0.0;
-        cover.transmitted *= 1.0 - mesh.mesh().opacity;
+        cover.before_bodies = 0.0;
+        cover.through_bodies *= 1.0 - mesh.mesh().opacity;
     }
+    cover.clear = cover.before_bodies * cover.through_planes;
+    cover.transmitted = cover.through_bodies * cover.through_planes;
     return cover;
 }
 

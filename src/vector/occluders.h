@@ -18,8 +18,14 @@ namespace poinsot::vector {
 struct Cover {
     double clear = 1.0;        // visible share
     double transmitted = 1.0;  // share of light that the hiding objects transmit
+    // The same shares with bodies alone, and with planes alone, whose two shares are equal.
+    double before_bodies = 1.0, through_bodies = 1.0, through_planes = 1.0;
     bool operator==(const Cover&) const = default;
 };
+
+// The visible share of what only planes cover, where hidden objects are dashed or omitted: planes
+// are glass, and hide nothing.
+double seen_through_planes(const Cover& cover);
 
 // An ellipsoid for intersections with lines of sight.
 struct SphereSight : UnitSphere {

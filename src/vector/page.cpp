@@ -88,8 +88,26 @@ void Page::add(Item&& item) {
     if (clip != nullptr && !items.empty() && std::holds_alternative<ClipEnd>(items.back()) &&
         *clip == last_ended(items))
         items.pop_back();
-    else
+    else if (std::holds_alternative<GroupEnd>(item) && !items.empty() &&
+             std::holds_alternative<GroupBegin>(items.back())) {
+        --ids[std::get<GroupBegin>(items.back()).id];
+        items.pop_back();
+    } else
         items.push_back(std::move(item));
+}
+
+void Page::begin_group(const std::string& id) {
+    std::string unique = id;
+    for (int n = 2; ids[unique] > 0; ++n) unique = id + "-" + std::to_string(n);
+    ++ids[unique];
+    items.emplace_back(GroupBegin{std::move(unique)});
+}
+
+void Page::enter_group(const std::string& id) {
+    if (id == entered) return;
+    if (!entered.empty()) add(GroupEnd{});
+    if (!id.empty()) begin_group(id);
+    entered = id;
 }
 
 double ShadedDisc::radius(int ring) const {

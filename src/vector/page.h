@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -84,8 +85,6 @@ struct Fill {
     Path path;
     Paint paint;
     bool even_odd = false;
-    double seam_pt = 0.0;  // the width of a stroke of the same plain ink around the fill; closes
-                           // seams
 };
 
 struct Stroke {
@@ -144,14 +143,28 @@ struct ClipBegin {
 };
 struct ClipEnd {};
 
-using Item = std::variant<Fill, Stroke, Type, Picture, ClipBegin, ClipEnd>;
+// Everything from here to the matching GroupEnd belongs to one object of the picture.
+struct GroupBegin {
+    std::string id;  // unique in the page; letters, digits and hyphens
+};
+struct GroupEnd {};
+
+using Item = std::variant<Fill, Stroke, Type, Picture, ClipBegin, ClipEnd, GroupBegin, GroupEnd>;
 
 struct Page {
     double width_pt = 0.0, height_pt = 0.0;
     std::vector<Item> items;
-    // Adds an item. If a clip begins that equals the clip just ended, that one is continued.
+    // Adds an item. If a clip begins that equals the clip just ended, that one is continued; a
+    // group that is still empty when it ends is removed.
     void add(Item&& item);
+    // Begins a group inside the open ones. If the page has this id already, a number is appended.
+    void begin_group(const std::string& id);
+    // Continues the group that was entered last if it has this id; otherwise ends it and begins
+    // another. Empty: only ends it.
+    void enter_group(const std::string& id);
     double off_pt = 0.0;  // largest deviation of any path from the exact curve, before rounding
+    std::map<std::string, int> ids{};  // number of groups begun, by id
+    std::string entered{};             // the group entered last; empty: none
 };
 
 }  // namespace poinsot::vector

@@ -79,14 +79,7 @@ class PdfWriter {
         cairo_set_fill_rule(cairo_,
                             fill.even_odd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
         set_paint(fill.paint);
-        if (fill.seam_pt <= 0.0) {
-            cairo_fill(cairo_);
-            return;
-        }
-        cairo_fill_preserve(cairo_);
-        cairo_set_line_width(cairo_, fill.seam_pt);
-        cairo_set_dash(cairo_, nullptr, 0, 0.0);
-        cairo_stroke(cairo_);
+        cairo_fill(cairo_);
     }
 
     void operator()(const Stroke& stroke) {
@@ -136,6 +129,9 @@ class PdfWriter {
         cairo_clip(cairo_);
     }
     void operator()(const ClipEnd&) { cairo_restore(cairo_); }
+    // Groups are for programs that edit the file; PDF has none.
+    void operator()(const GroupBegin&) {}
+    void operator()(const GroupEnd&) {}
 
  private:
     static bool is_one_run(const PlacedLetter& a, const PlacedLetter& b) {

@@ -114,7 +114,7 @@ void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
         const double missing = 1.0 - (1.0 - wanted.alpha) / (1.0 - covered);
         const double alpha = std::round(250.0 * missing) / 250.0;
         covered = 1.0 - (1.0 - covered) * (1.0 - alpha);
-        canvas.add(Fill{smooth_through(places), PaperInk{wanted.colour, alpha}, false, 0.0});
+        canvas.add(Fill{smooth_through(places), PaperInk{wanted.colour, alpha}, false});
     }
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -12,6 +13,7 @@
 #include "text/utf8.h"
 #include "vector/canvas.h"
 #include "vector/font_face.h"
+#include "vector/gradients.h"
 #include "vector/pdf.h"
 
 namespace poinsot::vector {
@@ -198,17 +200,6 @@ class SvgWriter {
             return;
         }
         const std::string rule = fill.even_odd ? " fill-rule=\"evenodd\"" : "";
-        const PaperInk* ink = std::get_if<PaperInk>(&fill.paint);
-        if (ink != nullptr && fill.seam_pt > 0.0) {
-            // Many fills, each with a stroke in its own colour.
-            std::string& here =
-                body(fmt::format("<g class=\"s\" stroke-width=\"{}\">\n", number(fill.seam_pt)));
-            here +=
-                fmt::format("<path d=\"{}\" color=\"{}\"", data_of(fill.path), hex(ink->colour));
-            if (ink->alpha < 1.0) here += fmt::format(" fill-opacity=\"{}\"", share(ink->alpha));
-            here += rule + "/>\n";
-            return;
-        }
         body() +=
             fmt::format("<path d=\"{}\"{}{}/>\n", data_of(fill.path), paint_of(fill.paint), rule);
     }
@@ -277,16 +268,20 @@ class SvgWriter {
         body() += fmt::format("<g clip-path=\"url(#{})\">\n", clip_id(clip.path, clip.even_odd));
     }
     void operator()(const ClipEnd&) { body() += group_end; }
+    // Inkscape shows groups of this kind in its list of layers.
+    void operator()(const GroupBegin& group) {
+        body() += fmt::format(
+            "<g id=\"{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0}\">\n", group.id);
+    }
+    void operator()(const GroupEnd&) { body() += group_end; }
 
     std::string take_body() { return std::move(body()); }
     std::string defs() { return std::move(defs_); }
 
     // The fonts of the text, each reduced to the characters used.
     std::string style() {
-        std::string style = fmt::format(
-            ".l{{fill:none;stroke-linejoin:round;stroke-width:{}}}\n"
-            ".s path{{fill:currentColor;stroke:currentColor;stroke-linejoin:round}}\n",
-            number(least_line_pt));
+        std::string style = fmt::format(".l{{fill:none;stroke-linejoin:round;stroke-width:{}}}\n",
+                                        number(least_line_pt));
         for (const auto& [file, used] : used_) {
             const std::string font = fonts_.of(file).subset(used.characters);
             if (!font.empty())
@@ -401,40 +396,32 @@ class SvgWriter {
         return fmt::format(" fill=\"url(#{})\"", id);
     }
 
-    // SVG has no mesh gradients: draws bands across the disc. Each band extends from its top to the
-    // disc's end; the next band covers it, so that no seam is visible.
+    // SVG has no gradients over meshes.
     void shade(const Path& path, const ShadedDisc& disc) {
-        constexpr int most_bands = 32, least_bands = 12, n_stops = 10;
-        constexpr double band_pt = 4.5, reach = 1.1;
-        const double size_pt = std::sqrt(std::abs(disc.page_from_disc.linear().determinant()));
-        const int n_bands = std::clamp(static_cast<int>(std::ceil(2.0 * size_pt / band_pt)),
-                                       least_bands, most_bands);
-        const std::string& clip = clip_id(path, false);
-        body() += fmt::format("<g clip-path=\"url(#{})\"><g transform=\"{}\" opacity=\"{:.3g}\">\n",
-                              clip, matrix(disc.page_from_disc), disc.alpha);
-        for (int k = 0; k < n_bands; ++k) {
-            const double top = -1.0 + 2.0 * k / n_bands, middle = top + 1.0 / n_bands;
-            const double half = std::sqrt(std::max(1.0 - middle * middle, 0.0));
-            std::vector<Stop> stops;
-            for (int i = 0; i <= n_stops; ++i) {
-                const double x = -half * std::cos(std::numbers::pi * i / n_stops);
-                // As a share of the band's width.
-                stops.push_back(
-                    {0.5 + 0.5 * x / reach, {disc.at(Eigen::Vector2d(x, middle)), 1.0}});
+        std::vector<ShadedTriangle> triangles;
+        const auto add = [&](const std::array<std::pair<int, int>, 3>& corners) {
+            ShadedTriangle& triangle = triangles.emplace_back();
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto& [ring, spoke] = corners[k];
+                const double angle = 2.0 * std::numbers::pi * spoke / disc.n_spokes;
+                triangle.corners[k] =
+                    disc.page_from_disc *
+                    (disc.radius(ring) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+                triangle.colours[k] = disc.at(ring, spoke);
             }
-            const std::string id = next_id();
-            // Some viewers enlarge the bounding box of a rotated shape, so this uses coordinates
-            // instead of shares of the box.
-            defs_ += fmt::format(
-                "<linearGradient id=\"{0}\" gradientUnits=\"userSpaceOnUse\" x1=\"-{1}\" "
-                "x2=\"{1}\">{2}</linearGradient>\n",
-                id, reach, stops_of(needed(stops)));
-            const double from = k == 0 ? -reach : top;
-            body() += fmt::format(
-                "<path d=\"m{0:.3g} {1:.3g}h{2:.3g}v{3:.3g}h-{2:.3g}z\" fill=\"url(#{4})\"/>\n",
-                -reach, from, 2.0 * reach, reach - from, id);
-        }
-        body() += "</g></g>\n";
+        };
+        for (int ring = 0; ring < disc.n_rings; ++ring)
+            for (int spoke = 0; spoke < disc.n_spokes; ++spoke) {
+                // The same places for the last spoke and the first.
+                const int next = (spoke + 1) % disc.n_spokes;
+                add({{{ring, spoke}, {ring + 1, spoke}, {ring + 1, next}}});
+                if (ring > 0) add({{{ring, spoke}, {ring + 1, next}, {ring, next}}});
+            }
+        body() += fmt::format("<g clip-path=\"url(#{})\" opacity=\"{:.3g}\">\n",
+                              clip_id(path, false), disc.alpha);
+        constexpr std::size_t most_fills = 50;
+        for (const Fill& fill : gradient_fills(triangles, least_shade, most_fills)) (*this)(fill);
+        body() += group_end;
     }
 
     // Adds letters of one font, size and baseline, each with its position; returns the index after
@@ -497,6 +484,7 @@ std::string svg_of(const Page& page, std::string_view title, std::string_view te
     constexpr double mm_per_pt = 25.4 / 72.0;
     std::string svg = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+        "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
         "width=\"{0:.6g}mm\" height=\"{1:.6g}mm\" viewBox=\"0 0 {2} {3}\">\n",
         mm_per_pt * page.width_pt, mm_per_pt * page.height_pt, number(page.width_pt),
         number(page.height_pt));

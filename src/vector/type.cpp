@@ -32,10 +32,15 @@ void draw_band(const Canvas& canvas, const Label& label) {
 
 }  // namespace
 
+bool is_omitted(const Canvas& canvas, const Label& label) {
+    return label.with_point && label.at && canvas.occluders.at(*label.at, {}).before_bodies < 0.5;
+}
+
 void draw_label(const Canvas& canvas, const Label& label) {
     if (label.mask == nullptr || label.opacity <= 0.0) return;
     const GlyphMask& mask = *label.mask;
     if (mask.letters.empty() && mask.rules.empty()) return;
+    if (is_omitted(canvas, label)) return;
     if (mask.letters.empty()) {
         draw_band(canvas, label);
         return;

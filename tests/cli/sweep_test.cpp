@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/program_run.h"
@@ -49,6 +50,21 @@ TEST(Sweep, ReadsListsAndRanges) {
     EXPECT_EQ(in_words(points[3]), "a = 2, b = x");
     EXPECT_THROW(points_of({"a=1,2", "a=3,4"}), InputError);
     EXPECT_THROW(points_of({"a=0:1:1000", "b=0:1:1000"}), InputError);
+}
+
+TEST(Sweep, CaptionsAreFormulasWithUnits) {
+    const std::pair<SweepPoint, const char*> captions[] = {
+        {{{"start.omega_rad_s[1]", "0.057"}}, "$\\omega_2 = 0.057$~rad/s"},
+        {{{"body.moments_kg_m2[0]", "3"}}, "$I_1 = 3$~kg~m²"},
+        {{{"start.theta_dot_rad_s", "-1.5"}}, "$\\dot{\\theta} = -1.5$~rad/s"},
+        {{{"start.omega_rad_s[0]", "1"}, {"start.omega_rad_s[2]", "2"}},
+         "$\\omega_1 = 1$~rad/s, $\\omega_3 = 2$~rad/s"},
+        // Without a symbol or a number: as they are.
+        {{{"film.fps", "30"}}, "fps = 30"},
+        {{{"theme", "dark"}}, "theme = dark"},
+        {{{"camera.azimuth_deg", "30"}}, "azimuth\\_deg = 30"},
+        {{{"start.omega_rad_s", "[1,2,3]"}}, "omega\\_rad\\_s = [1,2,3]"}};
+    for (const auto& [point, caption] : captions) EXPECT_EQ(formula_of(point), caption);
 }
 
 class Swept : public ::testing::Test {

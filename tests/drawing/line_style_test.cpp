@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -118,6 +120,9 @@ bool may_be_hidden(const Shape& shape) {
     return shape.occlusion == Occlusion::by_solids;
 }
 
+// Whether a curve is the outline of an arrow's head.
+bool is_outline(const Curve& curve) { return curve.name.part == "hidden-head"; }
+
 TEST(LineStyles, DashesMeanHiddenLinesOnly) {
     const Shown shown(styled("body", ""));
     const View& pale = shown.view;
@@ -129,7 +134,7 @@ TEST(LineStyles, DashesMeanHiddenLinesOnly) {
         const View& dashed = broken.view;
         int n = 0;
         for (const Curve& curve : dashed.curves) {
-            if (!may_be_hidden(curve)) continue;
+            if (!may_be_hidden(curve) || is_outline(curve)) continue;
             ++n;
             EXPECT_EQ(curve.dash_px, 0.0);
             EXPECT_EQ(curve.hidden, HiddenStyle::dashed);
@@ -147,15 +152,91 @@ TEST(LineStyles, HiddenPartsOfArrowsAreDashed) {
         if (!may_be_hidden(arrow)) continue;
         ++n;
         EXPECT_LT(arrow.hidden_opacity, 0.0);
+        // A line from the tail to the head, which has an outline.
+        const Eigen::Vector3d along = (arrow.tip - arrow.tail).normalized();
+        const double head = arrow.head_length_px *
+                            units_per_pixel(dashed, project(dashed, dashed.camera.target).depth);
         EXPECT_TRUE(std::any_of(dashed.curves.begin(), dashed.curves.end(), [&](const Curve& c) {
             const auto& points = c.geometry->points;
-            return (c.placement * points.front() - arrow.tail).norm() < 1e-12 &&
-                   (c.placement * points.back() - arrow.tip).norm() < 1e-12;
+            return c.stands_for_hidden &&
+                   (c.placement * points.front() - arrow.tail).norm() < 1e-12 &&
+                   (c.placement * points.back() - (arrow.tip - head * along)).norm() < 1e-9;
         }));
+        EXPECT_EQ(std::count_if(dashed.curves.begin(), dashed.curves.end(),
+                                [&](const Curve& c) {
+                                    return is_outline(c) && c.name.element == arrow.name.element &&
+                                           c.name.number == arrow.name.number;
+                                }),
+                  1)
+            << arrow.name.element << arrow.name.number;
     }
     EXPECT_GT(n, 2u);
     // And the three principal sections.
-    EXPECT_EQ(dashed.curves.size(), pale.curves.size() + n + 3);
+    EXPECT_EQ(dashed.curves.size(), pale.curves.size() + 2 * n + 3);
+}
+
+double side_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p) {
+    return (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x();
+}
+
+// The outline of a head is inside the head from every side: in the convex hull of the tip and the
+// base. It is no smaller than that by more than its width.
+TEST(LineStyles, OutlinesOfHeadsAreInsideTheHeads) {
+    for (const double azimuth_deg : {0.0, 70.0, 160.0, 250.0}) {
+        Scene scene = styled("space", "dashed");
+        scene.camera.azimuth_deg = azimuth_deg;
+        const Shown shown(scene);
+        const View& view = shown.view;
+        const double unit = units_per_pixel(view, project(view, view.camera.target).depth);
+        int n = 0;
+        for (const Arrow& arrow : view.arrows) {
+            const auto outline =
+                std::find_if(view.curves.begin(), view.curves.end(), [&](const Curve& curve) {
+                    return is_outline(curve) && curve.name.element == arrow.name.element &&
+                           curve.name.number == arrow.name.number;
+                });
+            if (outline == view.curves.end()) continue;
+            ++n;
+            const Eigen::Vector3d axis = (arrow.tip - arrow.tail).normalized();
+            const Eigen::Vector3d across = axis.unitOrthogonal();
+            std::vector<Eigen::Vector2d> head{project(view, arrow.tip).px};
+            for (int k = 0; k < 360; ++k)
+                head.push_back(
+                    project(view, arrow.tip - arrow.head_length_px * unit * axis +
+                                      0.5 * arrow.head_px * unit *
+                                          (Eigen::AngleAxisd(k * std::numbers::pi / 180.0, axis) *
+                                           across))
+                        .px);
+            Eigen::Vector2d low(1e9, 1e9), high = -low, low_of_line = low, high_of_line = high;
+            for (const Eigen::Vector2d& p : head) {
+                low = low.cwiseMin(p);
+                high = high.cwiseMax(p);
+            }
+            for (const Eigen::Vector3d& point : outline->geometry->points) {
+                const Eigen::Vector2d p = project(view, outline->placement * point).px;
+                low_of_line = low_of_line.cwiseMin(p);
+                high_of_line = high_of_line.cwiseMax(p);
+                // Some triangle of three points of the head contains it: the tip and two of the
+                // base, or three of the base.
+                bool inside = false;
+                for (std::size_t k = 1; k <= 360 && !inside; ++k) {
+                    const Eigen::Vector2d& a = head[k];
+                    const Eigen::Vector2d& b = head[k % 360 + 1];
+                    for (const Eigen::Vector2d& c : {head[0], head[(k + 179) % 360 + 1]}) {
+                        const double u = side_of(a, b, p), v = side_of(b, c, p),
+                                     w = side_of(c, a, p);
+                        inside = inside || (u >= -0.05 && v >= -0.05 && w >= -0.05) ||
+                                 (u <= 0.05 && v <= 0.05 && w <= 0.05);
+                    }
+                }
+                EXPECT_TRUE(inside) << azimuth_deg << " " << arrow.name.element;
+            }
+            const double most_px = 6.0 * outline->width_px;
+            EXPECT_LT((high - high_of_line).maxCoeff(), most_px) << arrow.name.element;
+            EXPECT_LT((low_of_line - low).maxCoeff(), most_px) << arrow.name.element;
+        }
+        EXPECT_GT(n, 2);
+    }
 }
 
 Scene with_broken_omega(const char* line, const std::string& hidden = "") {

@@ -145,5 +145,89 @@ TEST(Arrows, AreCutAlongTheOutline) {
     EXPECT_GT(n_seen, 200);
 }
 
+// A pyramid about the origin, in front of the arrows of the test.
+MeshGeometry pyramid() {
+    MeshGeometry geometry;
+    const Eigen::Vector3f top(0.1f, 0.0f, 0.9f),
+        corners[] = {
+            {-0.9f, -0.5f, -0.6f}, {0.8f, -0.6f, -0.5f}, {0.9f, 0.5f, -0.7f}, {-0.7f, 0.6f, -0.6f}};
+    const auto add = [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                         const Eigen::Vector3f& c) {
+        geometry.positions.insert(geometry.positions.end(), {a, b, c});
+        const Eigen::Vector3f normal = (b - a).cross(c - a).normalized();
+        geometry.normals.insert(geometry.normals.end(), 3, normal);
+    };
+    for (int k = 0; k < 4; ++k) add(corners[k], corners[(k + 1) % 4], top);
+    add(corners[2], corners[1], corners[0]);
+    add(corners[3], corners[2], corners[0]);
+    return geometry;
+}
+
+// Whether a point of the page is inside the projection of a triangle, by a camera of its own.
+bool within_mesh(const View& view, const MeshGeometry& geometry, const Eigen::Vector2d& at_pt) {
+    const testing::Pinhole camera(view);
+    const auto side = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                         const Eigen::Vector2d& p) {
+        return (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x();
+    };
+    for (std::size_t k = 0; k < geometry.positions.size(); k += 3) {
+        Eigen::Vector2d p[3];
+        for (std::size_t i = 0; i < 3; ++i)
+            p[i] = pt_per_px * camera.place(geometry.positions[k + i].cast<double>());
+        const double a = side(p[0], p[1], at_pt), b = side(p[1], p[2], at_pt),
+                     c = side(p[2], p[0], at_pt);
+        if ((a > 0.0) == (b > 0.0) && (b > 0.0) == (c > 0.0)) return true;
+    }
+    return false;
+}
+
+// The axis crosses the body's outline at all angles; the cut follows the outline over the full
+// width of shaft and head, not the point at which the axis is hidden.
+TEST(Arrows, AreCutAlongTheOutlineOfABody) {
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    const MeshGeometry geometry = pyramid();
+    int n_hidden = 0, n_seen = 0, n_wrong = 0;
+    for (int k = 0; k < 20; ++k) {
+        View view = behind_a_sphere();
+        view.ellipsoids.clear();
+        view.meshes.emplace_back().geometry = &geometry;
+        Arrow& arrow = view.arrows.front();
+        const double angle = 2.0 * std::numbers::pi * part(random);
+        arrow.tail = {0.8 * part(random) - 0.4, 1.2, 0.6 * part(random) - 0.3};
+        arrow.tip = arrow.tail +
+                    (1.2 + part(random)) * Eigen::Vector3d(std::cos(angle), 0.1, std::sin(angle));
+        Drawing drawing;
+        drawing.width_px = view.width_px;
+        drawing.height_px = view.height_px;
+        drawing.views.push_back(view);
+        const PageChoices choices{.pt_per_px = pt_per_px, .shading = Shading::none};
+        const Page page = page_of(drawing, choices);
+        drawing.views[0].meshes.clear();
+        const Page alone = page_of(drawing, choices);
+        for (int n = 0; n < 1000; ++n) {
+            const Eigen::Vector2d at(view.width_px * pt_per_px * part(random),
+                                     view.height_px * pt_per_px * part(random));
+            if (opacities_at(alone, arrow.colour, at).empty()) continue;
+            // Between the lines on which the visibility is computed, the cut is straight: at a
+            // corner of the outline it differs by less than their distance.
+            bool near_outline = false;
+            for (const Eigen::Vector2d& off :
+                 {Eigen::Vector2d(0.15, 0.0), Eigen::Vector2d(0.0, 0.15)})
+                near_outline |=
+                    within_mesh(view, geometry, at + off) != within_mesh(view, geometry, at - off);
+            if (near_outline) continue;
+            const bool hidden = within_mesh(view, geometry, at);
+            (hidden ? n_hidden : n_seen) += 1;
+            for (const double opacity : opacities_at(page, arrow.colour, at))
+                n_wrong += std::abs(opacity - (hidden ? hidden_opacity : 1.0)) > 0.01 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(n_hidden, 50);
+    EXPECT_GT(n_seen, 50);
+    // At corners of the outline.
+    EXPECT_LE(n_wrong, (n_hidden + n_seen) / 200);
+}
+
 }  // namespace
 }  // namespace poinsot::vector

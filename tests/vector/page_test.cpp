@@ -7,7 +7,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "random_views.h"
 #include "vector/pdf.h"
@@ -52,6 +55,13 @@ struct Everything {
               Eigen::Vector3f(1.5f, 0.0f, 0.7f)})
             triangle.positions.push_back(corner);
         view.meshes.emplace_back().geometry = &triangle;
+        view.ellipsoids.front().name = {"ellipsoid"};
+        view.planes.front().name = {"plane"};
+        view.curves.front().name = {"polhode"};
+        view.arrows.front().name = {"omega"};
+        view.dots.front().name = {"contact"};
+        view.cones.front().name = {"cones"};
+        view.meshes.front().name = {"body"};
     }
     CurveGeometry circle;
     MeshGeometry triangle;
@@ -120,6 +130,61 @@ TEST_F(Files, SvgIsWellFormedAndHasNoRaster) {
         EXPECT_EQ(svg.find("<image"), std::string::npos);
         EXPECT_EQ(svg_text(svg), text);
     }
+}
+
+// The ids of a document's elements of this kind.
+std::vector<std::string> ids_of(const std::string& svg, const std::string& element = "[a-zA-Z]+") {
+    const std::regex with_id("<" + element + " (?:[a-z]+=\"[^\"]*\" )*id=\"([^\"]*)\"");
+    std::vector<std::string> ids;
+    for (std::sregex_iterator at(svg.begin(), svg.end(), with_id), end; at != end; ++at)
+        ids.push_back((*at)[1]);
+    return ids;
+}
+
+TEST_F(Files, SvgGroupsEachObjectByItsName) {
+    const std::string svg = svg_of(page_of_everything(), "", "");
+    const std::vector<std::string> groups = ids_of(svg, "g");
+    for (const char* name :
+         {"ellipsoid", "plane", "polhode", "omega", "omega-head", "contact", "cones", "body"})
+        EXPECT_EQ(std::count(groups.begin(), groups.end(), name), 1) << name;
+    EXPECT_NE(svg.find("<g id=\"polhode\" inkscape:groupmode=\"layer\" "
+                       "inkscape:label=\"polhode\">"),
+              std::string::npos);
+}
+
+TEST_F(Files, SvgIdsAreUniqueAndValidInSeveralPanels) {
+    Everything everything;
+    Drawing& drawing = everything.drawing;
+    drawing.width_px = 3000;
+    View& one = drawing.views.front();
+    one.name = "space";
+    // Two polhodes that are not drawn one after the other.
+    one.curves.push_back(one.curves.front());
+    one.curves.back().name = {"herpolhode"};
+    one.curves.push_back(one.curves.front());
+    for (const auto& [name, x_px] : {std::pair{"body", 1000}, {"space", 2000}}) {
+        View more = drawing.views.front();
+        more.name = name;
+        more.x_px = x_px;
+        drawing.views.push_back(more);
+    }
+    const std::string svg = svg_of(page_of(drawing, {.pt_per_px = print_pt_per_px}), "several", "");
+    const std::vector<std::string> ids = ids_of(svg);
+    EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size());
+    const std::regex valid("[A-Za-z][A-Za-z0-9-]*");
+    for (const std::string& id : ids) EXPECT_TRUE(std::regex_match(id, valid)) << id;
+    for (const char* id : {"space", "body", "space-2", "polhode-space", "polhode-space-2",
+                           "polhode-body", "polhode-space-2-2", "herpolhode-body"})
+        EXPECT_EQ(std::count(ids.begin(), ids.end(), id), 1) << id;
+    EXPECT_EQ(output_of("xmllint --noout " + write("a.svg", svg)), "");
+    // As many groups end as begin.
+    const auto n_of = [&svg](const std::string& what) {
+        int n = 0;
+        for (std::size_t at = svg.find(what); at != std::string::npos; at = svg.find(what, at + 1))
+            ++n;
+        return n;
+    };
+    EXPECT_EQ(n_of("<g ") + n_of("<g>"), n_of("</g>"));
 }
 
 TEST_F(Files, HaveNoGradientsWithoutShading) {

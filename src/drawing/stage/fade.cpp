@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -48,13 +49,56 @@ Drawer without_names(Drawer draw) {
     };
 }
 
+template <typename Shape>
+bool is_unnamed(const Shape& shape) {
+    return shape.name.element.empty();
+}
+
+template <typename Shape>
+bool has_unnamed(const std::vector<Shape>& shapes) {
+    return std::any_of(shapes.begin(), shapes.end(), is_unnamed<Shape>);
+}
+
+template <typename Shape>
+void name_all(ShapeName name, bool numbers, std::vector<Shape>& shapes) {
+    numbers = numbers && std::count_if(shapes.begin(), shapes.end(), is_unnamed<Shape>) > 1;
+    for (Shape& shape : shapes) {
+        if (!is_unnamed(shape)) continue;
+        if (numbers) ++name.number;
+        shape.name = name;
+    }
+}
+
 }  // namespace
 
+void name_shapes(std::string_view element, ViewBuilder& builder) {
+    View& view = builder.view;
+    bool has_main = false;
+    for_each(static_cast<SolidLists&>(view), [&](auto& solids) {
+        has_main = has_main || has_unnamed(solids);
+        name_all({element}, false, solids);
+    });
+    const auto name = [&](auto& shapes, std::string_view part, bool numbers) {
+        if (!has_unnamed(shapes)) return;
+        name_all({element, 0, has_main ? part : ""}, numbers, shapes);
+        has_main = true;
+    };
+    name(view.arrows, "arrow", true);
+    name(view.curves, "lines", false);
+    name(view.dots, "dots", false);
+    name_all({element}, false, view.labels);
+    name_all({element}, true, builder.requests);
+}
+
 Drawer fading(const StageContext& stage, StageStore& store, const std::string& name, Drawer draw) {
-    store.add_name(name);
+    const std::string_view kept = store.add_name(name);
     const std::vector<std::string>& without = stage.scene.unlabelled;
     if (!stage.scene.labels || std::find(without.begin(), without.end(), name) != without.end())
         draw = without_names(std::move(draw));
+    draw = [kept, draw = std::move(draw)](const FrameInput& instant, ViewBuilder& builder) {
+        draw(instant, builder);
+        name_shapes(kept, builder);
+    };
     if (!stage.timeline.fades(name)) return draw;
     return [&stage, name, draw = std::move(draw)](const FrameInput& instant, ViewBuilder& builder) {
         const double opacity = stage.timeline.opacity_of(name, instant.film_s);

@@ -77,6 +77,7 @@ void mark_arrows_at_viewer(const Panel& panel, View& view) {
         ring.rim_colour = arrow.colour;
         ring.opacity = presence * arrow.opacity;
         ring.hidden_opacity = arrow.hidden_opacity;
+        ring.name = {arrow.name.element, arrow.name.number, "ring"};
         Dot point = ring;
         point.at += 1e-3 * to_eye;
         point.radius_px = 0.2 * arrow.head_px;

@@ -75,6 +75,7 @@ ViewBuilder begun(const Panel& panel, const FilmTime& moment) {
     view.y_px = panel.box.y_px;
     view.width_px = panel.box.width_px;
     view.height_px = panel.box.height_px;
+    view.name = panel.spec.kind;
     view.camera = panel.camera_at ? panel.camera_at(moment.film_s) : panel.camera;
     view.light = panel.light;
     return builder;

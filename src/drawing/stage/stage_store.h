@@ -35,8 +35,8 @@ class StageStore {
     // Adds a note that is not there yet: what is drawn otherwise than the scene says, and why.
     void note(std::string text);
 
-    // Lets fades and `unlabelled` use the name of something shown.
-    void add_name(const std::string& name) { names_.insert(name); }
+    // Lets fades and `unlabelled` use the name of something shown; returns the kept name.
+    std::string_view add_name(const std::string& name) { return *names_.insert(name).first; }
 
     // Arcs, circles and straight lines are these two, placed.
     const CurveGeometry* unit_circle() const { return unit_circle_; }    // about z, from x to y

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "shapes/identity.h"
 #include "shapes/projection.h"
 
 namespace poinsot {
@@ -43,23 +45,93 @@ std::vector<Curve> taken_sections(const LineRules& rules, View& view) {
             section.colour = ellipsoid.line_colour;
             section.opacity = ellipsoid.presence;
             section.on_surface = static_cast<int>(k);
+            section.name = ellipsoid.name;
+            section.name.part = "sections";
         }
         ellipsoid.section_px = 0.0;
     }
     return sections;
 }
 
-// The axis of an arrow as a line, drawn only where the arrow is hidden: elsewhere its shaft covers
-// the line.
-Curve axis_of(const LineRules& rules, const Arrow& arrow) {
-    constexpr double share_of_shaft = 0.6;
-    const Eigen::Vector3d run = arrow.tip - arrow.tail;
+// Pixels per view unit, at the depth at which the sizes of arrows apply.
+double unit_px_of(const View& view) {
+    return 1.0 / units_per_pixel(view, project(view, view.camera.target).depth);
+}
+
+// A line that stands for the hidden part of an arrow.
+Curve hidden_line_of(const Arrow& arrow, std::string_view part) {
     Curve line;
-    line.geometry = rules.unit_segment;
-    line.placement = placed(arrow.tail, run, run.unitOrthogonal());
-    line.width_px = share_of_shaft * arrow.shaft_px;
     line.colour = arrow.colour;
     line.opacity = arrow.opacity;
+    line.stands_for_hidden = true;
+    line.name = {arrow.name.element, arrow.name.number, part};
+    return line;
+}
+
+// The axis of an arrow up to its head.
+Curve axis_of(const LineRules& rules, const View& view, const Arrow& arrow) {
+    constexpr double share_of_shaft = 0.6;
+    const Eigen::Vector3d run = arrow.tip - arrow.tail;
+    const double length_px = run.norm() * unit_px_of(view);
+    Curve line = hidden_line_of(arrow, "hidden");
+    line.geometry = rules.unit_segment;
+    line.placement =
+        placed(arrow.tail, std::max(1.0 - arrow.head_length_px / length_px, 1e-6) * run,
+               run.unitOrthogonal());
+    line.width_px = share_of_shaft * arrow.shaft_px;
+    return line;
+}
+
+// The outline of an arrow's head as the camera sees it, half a line inside the head.
+Curve outline_of_head(const Arrow& arrow, View& view) {
+    constexpr double share_of_shaft = 0.4;
+    constexpr int n_points = 36;  // of the base
+    Curve line = hidden_line_of(arrow, "hidden-head");
+    line.width_px = share_of_shaft * arrow.shaft_px;
+    line.hidden_opacity = 1.0;
+    const double unit_px = unit_px_of(view), inset = 0.5 * line.width_px / unit_px;
+    const Eigen::Vector3d axis = (arrow.tip - arrow.tail).normalized();
+    const double length = std::min(arrow.head_length_px / unit_px, (arrow.tip - arrow.tail).norm());
+    const double slope = 0.5 * arrow.head_px / unit_px / length;
+    // The smaller cone with the same slope.
+    const double height =
+        std::max(length - inset - inset * std::sqrt(1.0 + 1.0 / (slope * slope)), 0.5 * length);
+    const double radius = slope * height;
+    const Eigen::Vector3d base = arrow.tip - (length - inset) * axis, tip = base + height * axis;
+    const Eigen::Vector3d to_eye = view.camera.orthographic
+                                       ? Eigen::Vector3d(camera_axes(view.camera).col(2))
+                                       : Eigen::Vector3d((view.camera.eye - tip).normalized());
+    const Eigen::Vector3d across = to_eye - to_eye.dot(axis) * axis;
+    const Eigen::Vector3d first =
+        across.norm() > 1e-6 ? across.normalized() : axis.unitOrthogonal().eval();
+    const Eigen::Vector3d second = axis.cross(first);
+
+    CurveGeometry& geometry = view.live_curves.emplace_back();
+    geometry.id = next_identity();
+    const auto add_arc = [&](double from, double to) {
+        for (int k = 0; k <= n_points; ++k) {
+            const double angle = from + (to - from) * k / n_points;
+            geometry.points.emplace_back(
+                base + radius * (std::cos(angle) * first + std::sin(angle) * second));
+        }
+    };
+    // The cone's edges, where its surface turns away from the eye, are at ±angle about the axis.
+    constexpr double turn = 2.0 * std::numbers::pi;
+    const double cosine = -slope * to_eye.dot(axis) / std::max(across.norm(), 1e-12);
+    if (std::abs(cosine) >= 1.0) {
+        add_arc(0.0, turn);
+    } else if (const double angle = std::acos(cosine); to_eye.dot(axis) > 0.0) {
+        geometry.points.push_back(tip);
+        add_arc(-angle, angle);
+        geometry.closed = true;
+    } else {
+        // The whole base is seen.
+        geometry.points.emplace_back(base +
+                                     radius * (std::cos(angle) * first - std::sin(angle) * second));
+        geometry.points.push_back(tip);
+        add_arc(angle, angle + turn);
+    }
+    line.geometry = &geometry;
     return line;
 }
 
@@ -81,22 +153,27 @@ void hide(std::string_view parts, Curve& curve) {
 
 void style_hidden(const LineRules& rules, View& view) {
     const std::string_view parts = rules.hidden;
-    std::vector<Curve> curves = taken_sections(rules, view);
+    std::vector<Curve> curves = taken_sections(rules, view), heads;
     const bool dashed = parts == "dashed";
     for (Arrow& arrow : view.arrows) {
         if (arrow.occlusion != Occlusion::by_solids || arrow.tip == arrow.tail) continue;
         if (dashed) {
             if (arrow.dash_px > 0.0) arrow.shaft_px *= told_by_width;
             arrow.dash_px = 0.0;
-            curves.push_back(axis_of(rules, arrow));
+            curves.push_back(axis_of(rules, view, arrow));
+            if (arrow.opacity > 0.0 && arrow.head_px > arrow.shaft_px)
+                heads.push_back(outline_of_head(arrow, view));
         }
         arrow.hidden_opacity = -1.0;
     }
-    if (!dashed)
+    if (!dashed) {
         for (Dot& dot : view.dots)
             if (dot.occlusion == Occlusion::by_solids) dot.hidden_opacity = -1.0;
+        for (Label& label : view.labels) label.with_point = true;
+    }
     curves.insert(curves.end(), view.curves.begin(), view.curves.end());
     for (Curve& curve : curves) hide(parts, curve);
+    curves.insert(curves.end(), heads.begin(), heads.end());
     view.curves = std::move(curves);
 }
 
@@ -286,7 +363,7 @@ void thicken(double least_px, View& view) {
 // two dashes fit.
 std::vector<Arrow> dashes_of(const View& view, const Arrow& arrow) {
     const double length = (arrow.tip - arrow.tail).norm();
-    const double unit_px = 1.0 / units_per_pixel(view, project(view, view.camera.target).depth);
+    const double unit_px = unit_px_of(view);
     const double shaft_px = length * unit_px - arrow.head_length_px;
     const double n = std::floor(0.5 * (shaft_px / arrow.dash_px + 1.0));
     constexpr double fewest = 2.0, most = 2000.0;

@@ -3,19 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <utility>
+#include <vector>
 
+#include "drawing/stage/type/labels.h"
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "image/pixels_xxh64.h"
 #include "output/film_metadata.h"
 #include "production/jobs/still_job.h"
 #include "production/provenance/record.h"
+#include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
 #include "system/interrupt.h"
-#include "text/label_text.h"
 #include "text/printable.h"
 #include "typeset/files/installed_fonts.h"
 #include "typeset/typesetter.h"
@@ -71,7 +75,7 @@ class ContactSheet {
         TypeStyle style;
         style.mode = TypeMode::text;
         style.size_px = type_share * caption_px_;
-        const std::string text = as_caption(caption);
+        const std::string& text = caption;
         const double room_px = 0.94 * width_px_;
         const TypeExtent extent = typesetter_.measure(text, style);
         if (extent.width > room_px) style.size_px *= room_px / extent.width;
@@ -108,6 +112,119 @@ class ContactSheet {
     Typesetter typesetter_{installed_fonts()};
 };
 
+// The drawings of all cells in one, each with its caption. Refers to the jobs.
+class VectorSheet {
+ public:
+    VectorSheet(const SheetRequest& request, const Drawing& first, double dpi)
+        : request_(&request),
+          width_px_(first.width_px),
+          height_px_(first.height_px),
+          type_px_(request.print.type_pt.value_or(default_type_pt) * dpi / pt_per_inch),
+          caption_px_(static_cast<int>(std::ceil(2.2 * type_px_))) {
+        drawing_.width_px = width_px_ * request.n_columns;
+        drawing_.height_px = (height_px_ + caption_px_) * request.n_rows;
+        drawing_.background = first.background;
+        captions_.width_px = drawing_.width_px;
+        captions_.height_px = drawing_.height_px;
+        captions_.background.alpha = 0.0;
+    }
+
+    void put(std::size_t index, Drawing&& cell) {
+        if (cell.width_px != width_px_ || cell.height_px != height_px_)
+            throw InputError(fmt::format(
+                "--sheet: all pictures must have one size, but {}×{} differs from {}×{}",
+                cell.width_px, cell.height_px, width_px_, height_px_));
+        const auto columns = static_cast<std::size_t>(request_->n_columns);
+        const int left = static_cast<int>(index % columns) * width_px_;
+        const int top = static_cast<int>(index / columns) * (height_px_ + caption_px_);
+        for (View& view : cell.views) {
+            view.x_px += left;
+            view.y_px += top;
+            for (Label& label : view.labels) label.top_left_px += Eigen::Vector2d(left, top);
+        }
+        cells_.push_back(std::move(cell));
+        write(request_->cells[index].caption, left, top + height_px_);
+    }
+
+    Drawing take() {
+        // Labels refer to masks of their own view, so reallocation must not copy the views.
+        std::size_t n_views = 1;
+        for (const Drawing& cell : cells_) n_views += cell.views.size();
+        drawing_.views.reserve(n_views);
+        for (Drawing& cell : cells_)
+            for (View& view : cell.views) drawing_.views.push_back(std::move(view));
+        drawing_.views.push_back(std::move(captions_));
+        return std::move(drawing_);
+    }
+
+ private:
+    // Centred below the cell.
+    void write(const std::string& caption, int left, int top) {
+        TypeStyle style;
+        style.mode = TypeMode::text;
+        style.size_px = type_px_;
+        style.alignment = TypeAlignment::centre;
+        style.max_width_px = 0.94 * width_px_;
+        const TextBlock type = text_.set(caption, style);
+        Label& label = captions_.labels.emplace_back();
+        label.mask = type.mask;
+        label.top_left_px = {left + 0.5 * (width_px_ - type.width_px()),
+                             top + 0.5 * (caption_px_ - type.height_px())};
+        const Colour& ground = drawing_.background.bottom;
+        const bool is_dark = drawing_.background.alpha > 0.5 &&
+                             0.25 * ground.r + 0.625 * ground.g + 0.125 * ground.b < 0.5;
+        constexpr Colour light{0.91, 0.91, 0.91}, dark{0.1, 0.1, 0.1};
+        label.colour = is_dark ? light : dark;
+        label.name = {"cell", static_cast<int>(captions_.labels.size()), {}};
+    }
+
+    const SheetRequest* request_;
+    int width_px_, height_px_;
+    double type_px_;
+    int caption_px_;
+    Drawing drawing_;
+    std::vector<Drawing> cells_;
+    View captions_;
+    TextCache text_{installed_fonts()};
+};
+
+void draw_vector_sheet(const SheetRequest& request, const ProgressSink& progress) {
+    if (has_pixels(request.vectors))
+        throw InputError("--sheet: --shading picture is for single figures; leave it out");
+    if (request.vectors.text == "latex")
+        throw InputError("--sheet: --text latex is for single figures; take font or paths");
+    StillRequest still{request.output, request.time_s, request.print, 8, request.vectors, request.when};
+    // A cell has its share of the sheet's width.
+    if (still.print.width_mm) *still.print.width_mm /= request.n_columns;
+    const OutputPlace place(request.output, Scene{}, ".pdf");
+    progress.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
+    std::vector<std::unique_ptr<StillJob>> jobs;  // the drawings refer to them
+    std::optional<VectorSheet> sheet;
+    Record record;
+    for (const SheetCell& cell : request.cells) {
+        SceneRequest scene = cell.scene;
+        scene.print = still.print;
+        jobs.push_back(std::make_unique<StillJob>(open_session(scene, progress), still));
+        Drawing drawing = jobs.back()->drawing();
+        if (!sheet) {
+            record = jobs.back()->vector_record();
+            sheet.emplace(request, drawing, record.dpi.value_or(default_dpi));
+            record.sheet = fmt::format("{}x{}: ", request.n_columns, request.n_rows);
+        }
+        record.sheet += (jobs.size() > 1 ? "; " : "") + cell.values;
+        sheet->put(jobs.size() - 1, std::move(drawing));
+        progress.done(static_cast<std::int64_t>(jobs.size()));
+    }
+    record_without_context(record);
+    const Drawing drawing = sheet->take();
+    record.width_px = drawing.width_px;
+    record.height_px = drawing.height_px;
+    const VectorStill page = vector_still(place.path(), jobs.front()->title(), drawing,
+                                          request.vectors, std::move(record), {});
+    write_whole(place.path(), page.bytes);
+    progress.finish(printable(request.output));
+}
+
 }  // namespace
 
 void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const ProgressSink& progress) {
@@ -117,9 +234,15 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Progr
         throw InputError(
             fmt::format("--sheet {}x{}: has {} places for {} pictures; give more columns or rows",
                         request.n_columns, request.n_rows, n_places, request.cells.size()));
+    if (is_vector_name(request.output)) {
+        draw_vector_sheet(request, progress);
+        return;
+    }
     if (suffix_of(request.output) != ".png")
-        throw InputError(fmt::format("{}: a sheet is a PNG; name it with -o FILE.png",
-                                     printable(request.output)));
+        throw InputError(
+            fmt::format("{}: a sheet is a PNG, a PDF or an SVG; name it with -o FILE.png, FILE.pdf "
+                        "or FILE.svg",
+                        printable(request.output)));
     watch_for_interrupts();
     progress.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
     std::optional<ContactSheet> sheet;
@@ -136,7 +259,7 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Progr
             record = of_cell;
             record.sheet = fmt::format("{}x{}: ", request.n_columns, request.n_rows);
         }
-        record.sheet += (k > 0 ? "; " : "") + cell.caption;
+        record.sheet += (k > 0 ? "; " : "") + cell.values;
         sheet->put(k, picture);
         progress.done(static_cast<std::int64_t>(k + 1));
     }

@@ -28,7 +28,7 @@ namespace {
 constexpr int most_side_px = 16384;  // limit of a framebuffer
 
 // Checks a request and returns it.
-StillRequest accepted(StillRequest request) {
+StillRequest accepted(StillRequest request, const Scene& scene) {
     const std::filesystem::path output(request.output);
     const bool is_vectors = is_vector_name(request.output);
     const bool is_named = !output.empty() && output != "-";
@@ -45,6 +45,8 @@ StillRequest accepted(StillRequest request) {
                                      is_shading ? vectors.shading : vectors.text));
     }
     if (request.vectors.text == "latex") check_latex_place(output);
+    if (is_vectors)
+        request.print = on_paper(request.print, scene.film.width_px, scene.film.height_px);
     if (is_vectors && request.bit_depth != 8)
         throw InputError(
             fmt::format("--depth {}: vectors have no pixels; leave it out, or name the output .png",
@@ -103,7 +105,7 @@ void note_gaps(const LatexGaps& gaps, const std::filesystem::path& file,
 
 StillJob::StillJob(Session&& session, StillRequest request)
     : session_(std::move(session)),
-      request_(accepted(std::move(request))),
+      request_(accepted(std::move(request), session_.scene)),
       moment_(still_moment(session_, request_.time_s, request_.when)),
       staging_(session_, span_of(session_, moment_.time_s), setting_for(session_.scene, request_)) {
 }
@@ -117,14 +119,20 @@ Record StillJob::record() const {
                      in_words(staging_.bound, session_.accuracy.asked_px));
 }
 
-void StillJob::draw_vectors(OutputPlace place, Record record, LazyRenderer& renderer,
-                            const ProgressSink& progress) {
+Record StillJob::vector_record() const {
+    Record record = this->record();
     record.time_s = moment_.time_s;
     record.dpi = request_.print.dpi;
     record.type_pt = request_.print.type_pt.value_or(default_type_pt);
     record.shading = request_.vectors.shading;
     record.journal = request_.print.journal;
     if (request_.vectors.text != VectorChoices{}.text) record.lettering = request_.vectors.text;
+    return record;
+}
+
+void StillJob::draw_vectors(OutputPlace place, LazyRenderer& renderer,
+                            const ProgressSink& progress) {
+    Record record = vector_record();
     vector::DrawPixels draw_pixels;
     if (has_pixels(request_.vectors)) {
         record_context(renderer.context().info(), renderer.is_portable(), record);
@@ -132,9 +140,8 @@ void StillJob::draw_vectors(OutputPlace place, Record record, LazyRenderer& rend
     } else {
         record_without_context(record);
     }
-    const double dpi = record.dpi.value_or(default_dpi);
-    const VectorStill still = vector_still(place.path(), staging_.stage, moment_, request_.vectors,
-                                           dpi, std::move(record), draw_pixels);
+    const VectorStill still = vector_still(place.path(), title(), drawing(), request_.vectors,
+                                           std::move(record), draw_pixels);
     write_whole(place.path(), still.bytes);
     std::string files = printable(place.path().string());
     if (!still.latex.empty()) {
@@ -160,7 +167,7 @@ void StillJob::draw(LazyRenderer& renderer, StillWriter& writer, const ProgressS
     tell_stage_notes(staging_.stage, progress);
     OutputPlace place(request_.output, scene, ".png");
     if (is_vector_name(request_.output)) {
-        draw_vectors(std::move(place), record(), renderer, progress);
+        draw_vectors(std::move(place), renderer, progress);
         return;
     }
     PictureMaker pictures(std::move(staging_), renderer);

@@ -49,9 +49,14 @@ class StillJob {
     // Draws into memory only, for a contact sheet; returns the record. Throws as draw does.
     Record draw_into(LazyRenderer& renderer, Image& image);
 
+    // For a contact sheet of vectors: the drawing, which refers to the job; its record, without the
+    // page; the title.
+    Drawing drawing() const { return staging_.stage.at(moment_); }
+    Record vector_record() const;
+    std::string title() const { return title_of(session_.scene); }
+
  private:
-    void draw_vectors(OutputPlace place, Record record, LazyRenderer& renderer,
-                      const ProgressSink& progress);
+    void draw_vectors(OutputPlace place, LazyRenderer& renderer, const ProgressSink& progress);
 
     Session session_;
     StillRequest request_;

@@ -10,6 +10,7 @@
 #include "system/sha256.h"
 #include "text/nearest.h"
 #include "text/printable.h"
+#include "typeset/plain_text.h"
 #include "vector/lettering.h"
 #include "vector/pdf.h"
 #include "vector/picture.h"
@@ -59,6 +60,10 @@ PrintChoices on_paper(PrintChoices print, int width_px, int height_px) {
             "a side of {:.0f} mm: a page has {:.0f} mm at most; make it smaller and print it "
             "larger: vectors stay sharp",
             longest_px / *print.dpi * mm_per_inch, longest_inches * mm_per_inch));
+    if (print.width_mm)
+        print.dpi = size->width_px / *print.width_mm * mm_per_inch;
+    else if (print.height_mm)
+        print.dpi = size->height_px / *print.height_mm * mm_per_inch;
     return print;
 }
 
@@ -79,10 +84,14 @@ PictureSetting vector_setting(const Scene& scene, const PrintChoices& print) {
     return setting;
 }
 
-VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
-                         const FilmTime& moment, const VectorChoices& choices, double dpi,
-                         Record record, const vector::DrawPixels& draw_pixels) {
-    const Drawing drawing = stage.at(moment);
+std::string title_of(const Scene& scene) {
+    return scene.title.empty() ? scene.name : plain_text(scene.title);
+}
+
+VectorStill vector_still(const std::filesystem::path& path, const std::string& title,
+                         const Drawing& drawing, const VectorChoices& choices, Record record,
+                         const vector::DrawPixels& draw_pixels) {
+    const double dpi = record.dpi.value_or(default_dpi);
     vector::Page page = vector::page_of(drawing, {.pt_per_px = pt_per_inch / dpi,
                                                   .shading = shading_named(choices.shading),
                                                   .draw_pixels = draw_pixels});
@@ -97,7 +106,6 @@ VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
     }
     record.bounds = fmt::format("{}; paths within {:.2g} um of what they show, before rounding",
                                 record.bounds, still.off_um);
-    const std::string& title = record.scene_name;
     if (is_svg_name(path)) {
         record.page = hash_of_svg(vector::svg_of(page, title, "record"), "record");
         still.bytes = vector::svg_of(page, title, sealed_text(record));

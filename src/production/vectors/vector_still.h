@@ -22,8 +22,9 @@ struct VectorChoices {
     bool operator==(const VectorChoices&) const = default;
 };
 
-// The choices with default dots per inch, in which sizes are measured, since vectors are always on
-// paper. Throws InputError for a side longer than PDF allows (200 inches).
+// The choices with the dots per inch in which sizes are measured, since vectors are always on
+// paper: with a width or a height in millimetres, those with which the scene's whole number of
+// pixels has exactly this size. Throws InputError for a side longer than PDF allows (200 inches).
 PrintChoices on_paper(PrintChoices print, int width_px, int height_px);
 
 // Throws InputError for an unknown shading or text representation, with the list.
@@ -43,9 +44,12 @@ struct VectorStill {
 // Whether surfaces are pixels, which need a context.
 bool has_pixels(const VectorChoices& choices);
 
-// The bytes of the file; completes `record` with the page's own fields.
-VectorStill vector_still(const std::filesystem::path& path, const Stage& stage,
-                         const FilmTime& moment, const VectorChoices& choices, double dpi,
-                         Record record, const vector::DrawPixels& draw_pixels);
+// The document's title: the scene's, or its name if it has none.
+std::string title_of(const Scene& scene);
+
+// The bytes of the file of a drawing; completes `record` with the page's own fields.
+VectorStill vector_still(const std::filesystem::path& path, const std::string& title,
+                         const Drawing& drawing, const VectorChoices& choices, Record record,
+                         const vector::DrawPixels& draw_pixels);
 
 }  // namespace poinsot

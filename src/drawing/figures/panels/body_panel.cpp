@@ -12,6 +12,7 @@
 #include "drawing/figures/elements/ghost.h"
 #include "drawing/figures/elements/trail.h"
 #include "drawing/figures/elements/user_marks.h"
+#include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
 #include "drawing/stage/marks.h"
 #include "drawing/stage/smooth_paths.h"
@@ -285,11 +286,14 @@ void make_body_panel(Panel& panel, StageStore& store) {
     ellipsoid.half_axes = picture.half_axes.asDiagonal();
     ellipsoid.section_px = 0.8 * panel.px;  // the polhodes are more important
     ellipsoid.ruling_px = 0.0;
-    std::vector<Curve> curves = family_of(panel, store);
-    for (const auto& part : {separatrices_of(panel, store),
-                             picture.dissipates ? std::vector<Curve>{} : motion_of(panel, store)}) {
+    std::vector<Curve> curves;
+    const auto add = [&curves](std::string_view name, std::vector<Curve> part) {
+        for (Curve& curve : part) curve.name.element = name;
         curves.insert(curves.end(), part.begin(), part.end());
-    }
+    };
+    add("polhodes", family_of(panel, store));
+    add("separatrix", separatrices_of(panel, store));
+    if (!picture.dissipates) add("polhode", motion_of(panel, store));
 
     std::array<TextBlock, 3> axis_types;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -317,25 +321,34 @@ void make_body_panel(Panel& panel, StageStore& store) {
             wish_at_tip(panel, builder.view.arrows.back(), type, builder, turn_rad);
         };
         builder.view.ellipsoids.push_back(ellipsoid);
+        name_shapes("ellipsoid", builder);
         builder.view.curves = curves;
         if (spiral) spiral(instant, builder);
+        name_shapes("polhode", builder);
         for (int i = 0; i < 3; ++i) {
             add_arrow((picture.half_axes[i] + axis_overhang) * Eigen::Vector3d::Unit(i),
                       theme.axes[i], 0.85, axis_types[static_cast<std::size_t>(i)],
                       axis_label_turn_rad);
         }
+        name_shapes("axes", builder);
 
         // L is the normal of the ellipsoid at the tip of ρ, where ω pierces it.
         const Eigen::Vector3d rho = rho_in_principal_axes(panel, instant);
         const Eigen::Vector3d momentum =
             picture.construction.inertia().moments_kg_m2().cwiseProduct(rho).stableNormalized();
         add_arrow(momentum * body_momentum_length, theme.momentum, 1.15, momentum_type);
+        name_shapes("momentum", builder);
         add_arrow(omega_share * omega_tip(rho), theme.omega, 1.15, omega_type,
                   omega_label_turn_rad);
+        name_shapes("omega", builder);
         precession(instant, builder);
+        name_shapes("precession", builder);
         marks(instant, builder);
+        name_shapes("marks", builder);
         builder.view.dots.push_back(dot_at(panel, rho, theme.contact));
+        name_shapes("contact", builder);
         comparison(instant, builder);
+        name_shapes("ghost", builder);
     };
 }
 

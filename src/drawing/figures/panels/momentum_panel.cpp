@@ -14,6 +14,7 @@
 #include "drawing/figures/elements/body_axes.h"
 #include "drawing/figures/elements/ghost.h"
 #include "drawing/figures/elements/trail.h"
+#include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
 #include "drawing/stage/marks.h"
 #include "drawing/stage/overlay.h"
@@ -197,12 +198,14 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
                 energy.half_axes / panel.stage->rolling->rho_growth(instant.state.omega_body);
             spiral(instant, builder);
         }
+        name_shapes("momentum-sphere", builder);
         for (int i = 0; i < 3; ++i) {
             const Arrow arrow =
                 arrow_to(panel, axis_lengths[i] * Eigen::Vector3d::Unit(i), theme.axes[i], 0.85);
             builder.view.arrows.push_back(arrow);
             wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder);
         }
+        name_shapes("axes", builder);
         const PoinsotConstruction& construction = panel.stage->rolling->construction;
         const Eigen::Vector3d momentum =
             momentum_at(panel, construction.contact_body(instant.state.omega_body));
@@ -210,7 +213,9 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
         arrow.hidden_opacity = 0.7;
         builder.view.arrows.push_back(arrow);
         wish_at_tip(panel, arrow, momentum_type, builder);
+        name_shapes("momentum", builder);
         comparison(instant, builder);
+        name_shapes("ghost", builder);
     };
 }
 

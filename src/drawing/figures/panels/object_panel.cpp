@@ -13,6 +13,7 @@
 #include "drawing/figures/elements/ghost.h"
 #include "drawing/figures/elements/object_shapes.h"
 #include "drawing/figures/elements/user_marks.h"
+#include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
 #include "drawing/stage/marks.h"
 #include "mechanics/torque.h"
@@ -239,9 +240,13 @@ void make_object_panel(Panel& panel, StageStore& store) {
         Eigen::Affine3d turned = Eigen::Affine3d::Identity();
         turned.linear() = attitude;
         add_body(shape, turned, true, builder);
+        name_shapes("body", builder);
         ghost(instant, builder);
+        name_shapes("ghost", builder);
         torque(instant, builder);
+        name_shapes("torque", builder);
         marks(instant, builder);
+        name_shapes("marks", builder);
         const auto add_arrow = [&](const Eigen::Vector3d& tip, const LineStyle& colour,
                                    double weight, const TextBlock& type, double turn_rad = 0.0) {
             builder.view.arrows.push_back(arrow_to(panel, tip, colour, weight));
@@ -253,9 +258,12 @@ void make_object_panel(Panel& panel, StageStore& store) {
             add_arrow(axes.col(i) * (shape.extents[i] + axis_beyond), theme.axes[i], 0.8,
                       axis_types[static_cast<std::size_t>(i)], axis_label_turn_rad);
         }
+        name_shapes("axes", builder);
         if (!arrows.turns()) return;
         add_arrow(arrows.momentum_tip(instant), theme.momentum, 1.15, momentum_type);
+        name_shapes("momentum", builder);
         add_arrow(arrows.omega_tip(instant), theme.omega, 1.15, omega_type, omega_label_turn_rad);
+        name_shapes("omega", builder);
     };
 }
 

@@ -15,6 +15,7 @@
 #include "drawing/figures/elements/direction_marks.h"
 #include "drawing/figures/elements/filled_ring.h"
 #include "drawing/figures/elements/trail.h"
+#include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
 #include "drawing/stage/marks.h"
 
@@ -170,7 +171,9 @@ void make_plan_panel(Panel& panel, StageStore& store) {
                      const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = *panel.stage->rolling;
         builder.view.planes.push_back(plane);
+        name_shapes("plane", builder);
         builder.view.curves = circles;
+        name_shapes("annulus", builder);
         Eigen::Vector3d contact = scale.plan_from_space *
                                   picture.construction.contact_in_plane(instant.herpolhode_space) *
                                   scale.plan_per_rho;
@@ -181,6 +184,7 @@ void make_plan_panel(Panel& panel, StageStore& store) {
             line_between(panel, Eigen::Vector3d::Zero(), contact, panel.stage->theme.omega, 1.6);
         radius.occlusion = Occlusion::none;
         builder.view.curves.push_back(radius);
+        name_shapes("radius", builder);
         if (timed && timed->ring && instant.time_s >= timed->ring->from_s) {
             builder.view.curves.push_back(timed->ring->curve);
         } else if (timed) {
@@ -198,12 +202,15 @@ void make_plan_panel(Panel& panel, StageStore& store) {
             start.occlusion = Occlusion::none;
             builder.view.dots.push_back(start);
         }
+        name_shapes("herpolhode", builder);
         builder.view.dots.push_back(foot);
         Dot dot = dot_at(panel, contact, panel.stage->theme.contact);
         dot.occlusion = Occlusion::none;
         builder.view.dots.push_back(dot);
+        name_shapes("contact", builder);
         wish_beside(panel, Eigen::Vector3d::Zero(), contact, momentum_type,
                     panel.stage->theme.momentum, builder);
+        name_shapes("momentum", builder);
     };
 }
 

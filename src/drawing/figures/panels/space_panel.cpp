@@ -162,7 +162,12 @@ void make_space_panel(Panel& panel, StageStore& store) {
                 fading(*panel.stage, store, std::string(element.name), element.make(panel, store)));
         }
     }
-    if (!panel.stage->scene.marks.empty()) drawers.push_back(make_marks(panel, store));
+    if (!panel.stage->scene.marks.empty())
+        drawers.emplace_back(
+            [marks = make_marks(panel, store)](const FrameInput& instant, ViewBuilder& builder) {
+                marks(instant, builder);
+                name_shapes("marks", builder);
+            });
     panel.draw = [drawers](const FrameInput& instant, ViewBuilder& builder) {
         for (const Drawer& draw : drawers) draw(instant, builder);
     };

@@ -18,6 +18,7 @@
 #include "construction/adaptive_curve.h"
 #include "drawing/figures/elements/construction_lines.h"
 #include "drawing/figures/elements/object_shapes.h"
+#include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
 #include "drawing/stage/marks.h"
 #include "drawing/stage/overlay.h"
@@ -163,6 +164,7 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
             std::clamp((share - swept_share) / (0.7 * (1.0 - swept_share)), 0.0, 1.0);
 
         body(instant, builder);
+        name_shapes("body", builder);
         // Nearly transparent until its points have been traced, but hiding objects behind it.
         builder.view.ellipsoids.push_back(ellipsoid);
         Ellipsoid& shown = builder.view.ellipsoids.back();
@@ -170,6 +172,7 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
         shown.opacity = (faint + (1.0 - faint) * stands) * ellipsoid.opacity;
         shown.section_px *= stands;
         shown.ruling_px *= stands;
+        name_shapes("ellipsoid", builder);
 
         for (int i = 0; i < 3; ++i) {
             const Arrow arrow =
@@ -178,8 +181,10 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
             builder.view.arrows.push_back(arrow);
             wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder);
         }
+        name_shapes("axes", builder);
         builder.view.curves.push_back(trace.curve);
         builder.view.curves.back().last = trace.index_at(swept);
+        name_shapes("trace", builder);
 
         // n through the body, ρ along it up to the surface, and the number I(n).
         const Eigen::Vector3d n = direction_at(swept);
@@ -191,10 +196,12 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
         const Arrow n_arrow = arrow_between(panel, rho, rho + n_beyond * n, theme.text, 0.9);
         builder.view.arrows.push_back(n_arrow);
         wish_at_tip(panel, n_arrow, n_type, builder);
+        name_shapes("direction", builder);
         Arrow rho_arrow = arrow_to(panel, rho, theme.polhode, 1.35);
         rho_arrow.hidden_opacity = 0.9;
         builder.view.arrows.push_back(rho_arrow);
         wish_beside(panel, 0.62 * rho, rho, rho_type, theme.polhode, builder);
+        name_shapes("radius", builder);
         const double kg_m2 = moment * inertia_of(panel).moments_kg_m2().minCoeff();
         LabelRequest number;
         number.type = text.set_live(
@@ -292,9 +299,11 @@ void make_energy_sweep(Panel& panel, StageStore& store) {
         builder.view.planes.push_back(plane);
         builder.view.planes.back().centre = foot;
         builder.view.planes.back().opacity *= plane_presence(foot, builder.view.camera);
+        name_shapes("plane", builder);
         builder.view.ellipsoids.push_back(ellipsoid);
         builder.view.ellipsoids.back().half_axes =
             state.picture_from_principal * sweep.half_axes().asDiagonal();
+        name_shapes("ellipsoid", builder);
 
         // The polhode of this distance, through the contact; it depends only on ω, which is along
         // ρ.
@@ -315,6 +324,7 @@ void make_energy_sweep(Panel& panel, StageStore& store) {
             curve.on_surface = first_ellipsoid;
             curve.hidden_opacity = 0.72;
             builder.view.curves.push_back(curve);
+            name_shapes("polhode", builder);
         }
 
         for (int i = 0; i < 3; ++i) {
@@ -325,24 +335,28 @@ void make_energy_sweep(Panel& panel, StageStore& store) {
             wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder,
                         axis_label_turn_rad);
         }
+        name_shapes("axes", builder);
         Arrow momentum = arrow_to(panel, (state.distance + momentum_beyond_plane) * normal,
                                   theme.momentum, 1.15);
         Arrow omega = arrow_to(panel, contact, theme.omega, 1.15);
-        for (Arrow* arrow : {&momentum, &omega}) {
-            arrow->hidden_opacity = 0.9;
-            builder.view.arrows.push_back(*arrow);
-        }
+        momentum.hidden_opacity = omega.hidden_opacity = 0.9;
+        builder.view.arrows.push_back(momentum);
         wish_at_tip(panel, momentum, momentum_type, builder);
+        name_shapes("momentum", builder);
+        builder.view.arrows.push_back(omega);
         // The axis continues beyond the contact, where its label is.
         Curve axis = line_between(panel, contact, past_contact(contact), theme.omega, 2.0);
         axis.hidden_opacity = 0.6;
         builder.view.curves.push_back(axis);
         wish_beside(panel, past_contact(contact), Eigen::Vector3d::Zero(), omega_type, theme.omega,
                     builder);
+        name_shapes("omega", builder);
         Dot dot = dot_at(panel, contact, theme.contact);
         dot.occlusion = Occlusion::none;
         builder.view.dots.push_back(dot);
+        name_shapes("contact", builder);
         levels.add_to(builder, sweep.half_axes(), foot);
+        name_shapes("levels", builder);
     };
 }
 

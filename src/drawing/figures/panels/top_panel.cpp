@@ -13,6 +13,7 @@
 
 #include "construction/timed_path.h"
 #include "drawing/figures/elements/ghost.h"
+#include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
 #include "drawing/stage/marks.h"
 #include "mesh/solid_meshes.h"
@@ -300,13 +301,19 @@ void make_top_panel(Panel& panel, StageStore& store) {
         for (const Arrow& arrow : stand.arrows) builder.view.arrows.push_back(arrow);
         wish_at_tip(panel, stand.arrows[0], names.z, builder);
         wish_at_tip(panel, stand.arrows[1], names.x, builder);
+        name_shapes("unit-sphere", builder);
         TopDrawer drawer(panel, builder, instant.euler);
         drawer.body(body, spokes, hangs);
+        name_shapes("top", builder);
         drawer.angles(names);
+        name_shapes("angles", builder);
         drawer.height(names.height, hangs);
+        name_shapes("height", builder);
         builder.view.curves.push_back(locus.curve);
         builder.view.curves.back().last = locus.path.index_at(instant.time_s);
+        name_shapes("locus", builder);
         ghost(instant, builder);
+        name_shapes("ghost", builder);
         builder.view.dots.push_back(
             dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme.contact, 5.0));
         builder.view.dots.push_back(

@@ -106,6 +106,7 @@ void add_leader(const LabelRequest& request, const PlacedBox& box, double before
     line.colour = request.colour;
     line.opacity = 0.85 * presence * opacity;
     line.occlusion = Occlusion::none;
+    line.name = {request.name.element, request.name.number, "leader"};
     view.curves.push_back(line);
 }
 
@@ -255,6 +256,8 @@ void place_labels(const std::vector<LabelRequest>& requests, const Colour& halo,
         label.colour = requests[i].colour;
         label.halo_colour = halo;
         label.halo_px = halo_px;
+        label.name = requests[i].name;
+        label.at = requests[i].at;
         label.opacity = requests[i].opacity * nearness_to_view(requests[i].anchor_px, view);
         if (!(label.opacity > 0.0)) continue;
         view.labels.push_back(label);

@@ -99,6 +99,7 @@ struct LabelRequest {
     // The side to which the label moves off another arrow's shaft through its position: 1,
     // clockwise from the shaft's direction, or -1; 0: it does not move off shafts.
     int side = 0;
+    ShapeName name{};
 };
 
 // Adds the requested labels to the view: each is placed, moved off the shafts of arrows that it
