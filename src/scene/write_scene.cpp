@@ -40,18 +40,18 @@ class Tables {
 
 }  // namespace
 
-std::string values_differing(const Scene& scene, const Scene& other) {
+std::string values_replaced(const Scene& before, const Scene& after) {
     std::string text;
     const auto compare = [&](const SceneKey& key, std::string_view path, std::size_t item) {
-        const std::string value = key.write(scene, item);
-        if (value == key.write(other, item)) return;
+        const std::string value = key.write(before, item);
+        if (value == key.write(after, item)) return;
         text += fmt::format("{}{}{}", text.empty() ? "" : "; ", path,
                             value.empty() ? " not given" : " = " + value);
     };
     for (const SceneKey& key : scene_keys())
         if (key.path.find("[]") == std::string_view::npos) compare(key, key.path, 0);
     for (const SceneArray& array : scene_arrays())
-        for (std::size_t i = 0; i < array.n_items(scene); ++i)
+        for (std::size_t i = 0; i < array.n_items(before); ++i)
             for (const SceneKey& key : scene_keys())
                 if (key.path.starts_with(fmt::format("{}[]", array.path)))
                     compare(key,

@@ -11,8 +11,8 @@ namespace poinsot {
 // table; parse_scene reads exactly the same scene. Attitude matrices are written as quaternions.
 std::string to_toml(const Scene& scene);
 
-// The values of a scene where another one has different values: "film.size = [1920, 1080];
+// The values of the scene `before` that differ in the scene `after`: "film.size = [1920, 1080];
 // film.duration_s not given". The scenes have the same items in their arrays of tables.
-std::string values_differing(const Scene& scene, const Scene& other);
+std::string values_replaced(const Scene& before, const Scene& after);
 
 }  // namespace poinsot

@@ -53,6 +53,19 @@ Arrow arrow_between(const Panel& panel, const Eigen::Vector3d& tail, const Eigen
     return arrow;
 }
 
+std::array<TextBlock, 3> set_axis_labels(const Panel& panel, StageStore& store) {
+    constexpr double scale = 0.85;
+    return {set_label(panel, store, "\\mathbf{e}_1", scale),
+            set_label(panel, store, "\\mathbf{e}_2", scale),
+            set_label(panel, store, "\\mathbf{e}_3", scale)};
+}
+
+std::array<TextBlock, 3> set_half_axis_labels(const Panel& panel, StageStore& store, double scale) {
+    return {set_label(panel, store, "1/\\sqrt{I_1}", scale),
+            set_label(panel, store, "1/\\sqrt{I_2}", scale),
+            set_label(panel, store, "1/\\sqrt{I_3}", scale)};
+}
+
 void mark_arrows_at_viewer(const Panel& panel, View& view) {
     // Excludes heads of arcs, and arrows hardly longer than their heads.
     const double least_length_px = 80.0 * panel.px;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -62,6 +63,11 @@ void mark_arrows_at_viewer(const Panel& panel, View& view);
 // Sets a label at `scale` times the usual size of the panel.
 TextBlock set_label(const Panel& panel, StageStore& store, std::string_view text,
                     double scale = 1.0);
+
+// Sets the names e1, e2, e3 of the principal axes, and the lengths 1/√I1, 1/√I2, 1/√I3 of the
+// half-axes.
+std::array<TextBlock, 3> set_axis_labels(const Panel& panel, StageStore& store);
+std::array<TextBlock, 3> set_half_axis_labels(const Panel& panel, StageStore& store, double scale);
 
 // Replaces the built-in names of quantities in a formula by the scene's [symbols]:
 // \boldsymbol{\omega}, \mathbf{L}, \boldsymbol{\rho}, \mathbf{e}_1 … and the components \omega_…

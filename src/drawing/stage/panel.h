@@ -28,7 +28,7 @@ struct OverlayBands {
 };
 
 // A panel's place, its camera, and its drawer. The layout sets the first part; the function of its
-// kind reads that and sets the second part. Afterwards nobody changes it.
+// kind reads that and sets the second part. Afterwards it does not change.
 struct Panel {
     const StageContext* stage = nullptr;
     PanelSpec spec;

@@ -102,15 +102,15 @@ std::vector<std::string> notes_about(const Scene& scene, const Theme& theme) {
 
 }  // namespace
 
-ResolvedScene resolve(const Scene& read, const SessionRequest& request,
+ResolvedScene resolve(const Scene& given, const SessionRequest& request,
                       const SteppingWatch& watch) {
     ResolvedScene resolved;
-    Scene& scene = resolved.scene = read;
+    Scene& scene = resolved.scene = given;
     set_size_on_paper(request, scene);
     resolved.theme = theme_of(scene);
     resolved.notes = notes_about(scene, resolved.theme);
     resolved.loop = resolve_loop(scene, resolved.notes);
-    resolved.as_read = values_differing(read, scene);
+    resolved.as_read = values_replaced(given, scene);
     resolved.accuracy = accuracy_of(scene);
 
     const MotionProblem problem = problem_of(resolved, request.times_s);

@@ -31,7 +31,7 @@ struct SessionRequest {
 struct ResolvedScene {
     Scene scene;  // as it is drawn: the scene that was read, with the chosen values in their places
     Theme theme;  // the scene's, with its [style]
-    std::string as_read;             // values that the scene had before; see values_differing
+    std::string as_read;             // values that the scene had before; see values_replaced
     std::optional<Loop> loop;        // of a looping film
     Accuracy accuracy;               // of its pictures
     StepChoice step;                 // of a stepped method; derived from accuracy_px by default
@@ -45,7 +45,7 @@ struct SteppingWatch {
 };
 
 // Throws SceneError, also for stepping that would take longer than longest_stepping_s.
-ResolvedScene resolve(const Scene& read, const SessionRequest& request,
+ResolvedScene resolve(const Scene& given, const SessionRequest& request,
                       const SteppingWatch& watch = {});
 
 // The motion's problem over the film, the instants of the request and, in a loop, the motion before

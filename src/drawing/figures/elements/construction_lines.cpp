@@ -249,10 +249,8 @@ Drawer make_distance(const Panel& panel, StageStore& store) {
     };
 }
 
-LevelScale::LevelScale(const Panel& panel, StageStore& store) : panel_(&panel) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        types_[i] = set_label(panel, store, fmt::format("1/\\sqrt{{I_{}}}", i + 1), 0.9);
-    }
+LevelScale::LevelScale(const Panel& panel, StageStore& store)
+    : panel_(&panel), types_(set_half_axis_labels(panel, store, 0.9)) {
     distance_ = set_label(panel, store, "\\sqrt{2T}/L", 0.9);
 }
 

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,10 +20,7 @@ Drawer make_ellipsoid(const Panel& panel, StageStore&) {
 }
 
 Drawer make_axes(const Panel& panel, StageStore& store) {
-    std::array<TextBlock, 3> types;
-    for (std::size_t i = 0; i < 3; ++i) {
-        types[i] = set_label(panel, store, fmt::format("\\mathbf{{e}}_{}", i + 1), 0.85);
-    }
+    const std::array<TextBlock, 3> types = set_axis_labels(panel, store);
     return [&panel, types](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
         for (int i = 0; i < 3; ++i) {

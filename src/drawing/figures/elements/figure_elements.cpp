@@ -73,10 +73,7 @@ Drawer make_turn(const Panel& panel, StageStore& store) {
 
 // The half-axes from the centre to the surface along e1, e2, e3, labelled 1/√I.
 Drawer make_half_axes(const Panel& panel, StageStore& store) {
-    std::array<TextBlock, 3> types;
-    for (std::size_t i = 0; i < 3; ++i) {
-        types[i] = set_label(panel, store, fmt::format("1/\\sqrt{{I_{}}}", i + 1), 0.8);
-    }
+    const std::array<TextBlock, 3> types = set_half_axis_labels(panel, store, 0.8);
     return [&panel, types](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
         for (int i = 0; i < 3; ++i) {

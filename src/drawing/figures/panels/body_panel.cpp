@@ -295,10 +295,7 @@ void make_body_panel(Panel& panel, StageStore& store) {
     add("separatrix", separatrices_of(panel, store));
     if (!picture.dissipates) add("polhode", motion_of(panel, store));
 
-    std::array<TextBlock, 3> axis_types;
-    for (std::size_t i = 0; i < 3; ++i) {
-        axis_types[i] = set_label(panel, store, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
-    }
+    const std::array<TextBlock, 3> axis_types = set_axis_labels(panel, store);
     const TextBlock omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");
     const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
     const Drawer comparison = make_comparison(panel, store);

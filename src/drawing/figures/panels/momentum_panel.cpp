@@ -179,10 +179,7 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
         curves.push_back(curve);
     }
 
-    std::array<TextBlock, 3> axis_types;
-    for (std::size_t i = 0; i < 3; ++i) {
-        axis_types[i] = set_label(panel, store, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
-    }
+    const std::array<TextBlock, 3> axis_types = set_axis_labels(panel, store);
     const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
     const Drawer comparison = make_momentum_comparison(panel, store);
     const Drawer spiral = dissipates ? make_momentum_spiral(panel, store) : Drawer();

@@ -223,10 +223,7 @@ void make_object_panel(Panel& panel, StageStore& store) {
     aim_around(panel, points_to_frame(stage, shape, arrows, torque_scale),
                0.7 * label_size * panel.type_px + 24.0 * panel.px);
 
-    std::array<TextBlock, 3> axis_types;
-    for (std::size_t i = 0; i < 3; ++i) {
-        axis_types[i] = set_label(panel, store, "\\mathbf{e}_" + std::to_string(i + 1), 0.85);
-    }
+    const std::array<TextBlock, 3> axis_types = set_axis_labels(panel, store);
     const TextBlock omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");
     const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
     const Drawer ghost = make_ghost_body(panel, store, shape, arrows);

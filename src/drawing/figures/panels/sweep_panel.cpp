@@ -65,14 +65,6 @@ Margins margins_of(const Panel& panel) {
     return {gap, gap, gap + panel.header_px, gap};
 }
 
-std::array<TextBlock, 3> axis_names(const Panel& panel, StageStore& store) {
-    std::array<TextBlock, 3> types;
-    for (std::size_t i = 0; i < 3; ++i) {
-        types[i] = set_label(panel, store, fmt::format("\\mathbf{{e}}_{}", i + 1), 0.85);
-    }
-    return types;
-}
-
 // The direction n at a fraction of the sweep, principal axes: a spiral from e3 to −e3 whose turns
 // are equally spaced on the sphere.
 Eigen::Vector3d direction_at(double share) {
@@ -147,7 +139,7 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
 
     const Trace trace = trace_of(panel, store, half_axes);
     const Drawer body = resting_body(panel, store);
-    const std::array<TextBlock, 3> axis_types = axis_names(panel, store);
+    const std::array<TextBlock, 3> axis_types = set_axis_labels(panel, store);
     const TextBlock n_type = set_label(panel, store, "\\mathbf{n}");
     const TextBlock rho_type = set_label(panel, store, "\\boldsymbol{\\rho}");
     Ellipsoid ellipsoid = ellipsoid_of(panel);
@@ -287,7 +279,7 @@ void make_energy_sweep(Panel& panel, StageStore& store) {
     Ellipsoid ellipsoid = ellipsoid_of(panel);
     const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
     const TextBlock omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");
-    const std::array<TextBlock, 3> axis_types = axis_names(panel, store);
+    const std::array<TextBlock, 3> axis_types = set_axis_labels(panel, store);
     const LevelScale levels(panel, store);
     panel.draw = [&panel, sweep, normal, plane, ellipsoid, momentum_type, omega_type, axis_types,
                   levels](const FrameInput& instant, ViewBuilder& builder) {
